@@ -34,6 +34,14 @@ TEST(Lattice, ReducesAnySkewedBasisToTheShortestVectors) {
   }
 }
 
+TEST(Lattice, ReductionOfParallelVectorsEnds) {
+  for (const double times : {1.0, 2.0, 1.5, -3.0, 0.0}) {
+    const auto [r1, r2] = lagrangeReduced(Vec2(6, 0), times * Vec2(6, 0));
+    EXPECT_EQ(r1, Vec2(0, 0)) << times;
+    EXPECT_GT(r2.norm(), 2.9) << times;
+  }
+}
+
 TEST(Lattice, ReducesAVectorToTheShortestOneInItsClassOnLatticesOfEveryShape) {
   Random random(3);
   for (int k = 0; k < 300; ++k) {

@@ -113,7 +113,7 @@ std::array<Vec2, 2> lagrangeReduced(const Vec2& w1, const Vec2& w2) {
   if (a.squaredNorm() > b.squaredNorm()) std::swap(a, b);
   // Each step shortens b or ends; rounding could make the last two steps alternate, hence the
   // margin.
-  for (;;) {
+  while (a.squaredNorm() > 0) {
     b -= std::round(a.dot(b) / a.squaredNorm()) * a;
     if (b.squaredNorm() >= a.squaredNorm() * (1 - 1e-12)) break;
     std::swap(a, b);

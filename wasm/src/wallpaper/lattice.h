@@ -13,6 +13,7 @@ namespace seamwise {
 Outcome<std::array<Vec2, 2>> checkedLattice(const GroupData& group, const Vec2& w1, const Vec2& w2);
 
 /// A shortest basis of the lattice (Lagrange): |r1| <= |r2|, at 60 to 90 degrees, of either hand.
+/// Of parallel vectors r1 is as short as rounding makes it, 0 in whole numbers.
 std::array<Vec2, 2> lagrangeReduced(const Vec2& w1, const Vec2& w2);
 
 }  // namespace seamwise
