@@ -1,4 +1,5 @@
 /** Bringing a picture of one's own: what becomes of it, and what is said of one that will not do. */
+import {createCanvas, loadImage} from '@napi-rs/canvas';
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -101,6 +102,40 @@ it('is known as a half-drop by its edges, or taken as it is when that is meant',
   await page.getByText('Your own: drop again').waitFor();
   expect((await designOf(page)).print).toMatchObject({group: 'p1', cell: 'primitive'});
   await page.getByText('Its left and right edges do not meet.').waitFor(); // as long as it is used so
+});
+
+/** Two cells of a sample side by side, from any point of them on. */
+async function twoCells(name: string, [x, y]: readonly [number, number]): Promise<Buffer> {
+  const image = await loadImage(new URL(`../../public/prints/${name}.png`, import.meta.url));
+  const {width, height} = image;
+  const canvas = createCanvas(2 * width, height);
+  const context = canvas.getContext('2d');
+  for (const i of [0, 1, 2]) {
+    for (const j of [0, 1]) {
+      context.drawImage(image, (i - x) * width, (j - y) * height);
+    }
+  }
+  return canvas.toBuffer('image/png');
+}
+
+it.each([
+  ['p4m', 1],
+  ['cmm', 5 / 7],
+  ['pgg', 9 / 11],
+])('is cut to one cell of %s where it shows two that begin anywhere', async (name, ratio) => {
+  const page = await quietPage();
+  await give(page, 'two.png', await twoCells(name, [0.375, 0.25]));
+  await page.getByText('Your own: two').waitFor();
+  await page.getByText('Found in the picture:').waitFor();
+  const {group, size, image} = (await designOf(page)).print;
+  expect({group, width: size.width}).toEqual({group: name, width: 5});
+  const pixels = await page.evaluate(async (url) => {
+    const shown = new Image();
+    shown.src = url;
+    await shown.decode();
+    return shown.naturalWidth / shown.naturalHeight;
+  }, image);
+  expect(pixels).toBeCloseTo(ratio, 1);
 });
 
 it('is measured by two points, by mouse or by keys', async () => {

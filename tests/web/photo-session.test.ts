@@ -12,7 +12,7 @@ import {
   scaledStep,
   stepOf,
   tileSettings,
-} from '@/editor/photo/photo-step.js';
+} from '@/editor/print/photo-step.js';
 import {axesOf, centresOf, marksOn} from '@/editor/photo/symmetry-marks.js';
 import {SolverError} from '@/model/failure.js';
 import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';

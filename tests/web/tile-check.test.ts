@@ -5,8 +5,8 @@ import {describe, expect, it} from 'vitest';
 import {decoded} from '@samples/prints/raster.js';
 import type {GroupName, Print} from '@/model/print.js';
 import {repeatOf} from '@/model/repeat.js';
-import {imageCell} from '@/model/wallpaper.js';
-import {checkTile, groupsOf, visibleDifference} from '@/recognition/tile-check.js';
+import {imageCell, latticeType} from '@/model/wallpaper.js';
+import {checkTile, visibleDifference, wholeCell} from '@/recognition/tile-check.js';
 import type {Pixels} from '@/recognition/tile-cloth.js';
 
 const folder = new URL('../../public/prints/', import.meta.url);
@@ -96,8 +96,10 @@ it('tells which symmetries a tile lacks', async () => {
 
 it.each(
   prints.filter(([, {group, cell}]) => !['p1', 'p2'].includes(group) || cell === 'primitive'),
-)('proposes the group of %s before all others', async (name, print) => {
-  const [a, b] = imageCell(print).map((side) => Math.hypot(...side));
-  const found = groupsOf(await decoded(png(name)), {width: a ?? 0, height: b ?? 0, angleDeg: 90});
-  expect(found[0]?.group).toBe(print.group);
+)('is taken whole as the cell of %s', async (name, print) => {
+  const [width = 0, height = 0] = imageCell(print).map((side) => Math.hypot(...side));
+  const isCentred = ['rhombic', 'hexagonal'].includes(latticeType(print.group));
+  const size = {width, height, angleDeg: 90};
+  const found = wholeCell(await decoded(png(name)), print.group, size, isCentred ? 2 : 1);
+  expect(found).toMatchObject({group: print.group, turnDeg: 0});
 });

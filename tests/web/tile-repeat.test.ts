@@ -5,7 +5,7 @@ import {pictureIn, resized, tileSize} from '@/model/tile-repeat.js';
 import {tileRepeats, type TileRepeat} from '@/model/print-tile.js';
 import {imageCell, printDistance} from '@/model/wallpaper.js';
 import {asymmetriesOf, isStriped} from '@/recognition/asymmetry.js';
-import {checkTile, groupsOf} from '@/recognition/tile-check.js';
+import {checkTile, wholeCell} from '@/recognition/tile-check.js';
 import {ink, leaf, painted, paper, rose, within, type Painting} from '../support/pictures.js';
 
 const print = (repeat: TileRepeat, change: Partial<DesignPrint> = {}): DesignPrint => ({
@@ -48,16 +48,13 @@ describe('a picture of 6 x 10 cm', () => {
   });
 });
 
-describe('the groups of a picture', () => {
-  /** Two leaves in half-drop, as a cell of both. */
+it('the cell of a half-drop holds two of the smallest', () => {
+  /** Two leaves, as a cell of both. */
   const two: Painting = (x, y) => leaf(x % 200, (y + (x < 200 ? 0 : 80)) % 160);
-
-  it('are those of its half-drop where it shows one', () => {
-    const [found] = groupsOf(painted(400, 160, two), {width: 10, height: 4, angleDeg: 90});
-    expect(found).toMatchObject({group: 'p1', cell: 'centred'});
-    const [other] = groupsOf(painted(200, 160, leaf), {width: 5, height: 4, angleDeg: 90});
-    expect(other).toMatchObject({group: 'p1', cell: 'primitive'});
-  });
+  const size = {width: 10, height: 4, angleDeg: 90};
+  expect(wholeCell(painted(400, 160, two), 'p1', size, 2)).toMatchObject({cell: 'centred'});
+  expect(wholeCell(painted(400, 160, two), 'p1', size, 1)).toMatchObject({cell: 'primitive'});
+  expect(wholeCell(painted(400, 160, two), 'p1', size, 3)).toBeUndefined();
 });
 
 describe('what a picture lacks', () => {

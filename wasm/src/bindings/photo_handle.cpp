@@ -64,6 +64,7 @@ val mapValue(const LatticeMap& map) {
 PhotoSettings settingsOf(const val& request, const PixelView& view) {
   PhotoSettings settings;
   settings.is_tile = request["isTile"].as<bool>();
+  settings.any_edges = request["anyEdges"].as<bool>();
   settings.hints.f35 = known(photoNumber(request, "f35"));
   settings.hints.lengths = {known(photoNumber(request, "w1Cm")),
                             known(photoNumber(request, "w2Cm"))};
@@ -86,6 +87,24 @@ val listOf(const List& list, const Value& valueOf) {
   val all = val::array();
   for (const auto& one : list) all.call<void>("push", valueOf(one));
   return all;
+}
+
+/// The stretches of an edge that does not meet its copy, flat.
+val openValue(const TileEdge& edge, bool is_missing = false) {
+  if (is_missing) return copied(std::vector<double>{0, 1});
+  std::vector<double> numbers;
+  for (const auto& stretch : edge.open)
+    numbers.insert(numbers.end(), stretch.begin(), stretch.end());
+  return copied(numbers);
+}
+
+val seamsValue(const TileSeams& seams) {
+  val value = val::object();
+  value.set("across", openValue(seams.across, seams.missing_column));
+  value.set("up", openValue(seams.up, seams.missing_row));
+  value.set("halfDrop", openValue(seams.half_drop));
+  value.set("brick", openValue(seams.brick));
+  return value;
 }
 
 }  // namespace
@@ -140,6 +159,7 @@ val PhotoHandle::report() const {
   value.set("notes", listOf(photo_->notes(), [](PhotoNote note) {
               return val(std::string(nameOf(kPhotoNotes, note)));
             }));
+  value.set("seams", seamsValue(photo_->seams()));
   return value;
 }
 

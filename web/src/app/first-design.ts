@@ -37,26 +37,34 @@ async function sampleDesign(
 }
 
 /** The files that an address names by `?garment=URL&print=URL`. @throws {Error} with one sentence */
-export async function askedFor(address: URL, before: Design): Promise<Design | undefined> {
+export async function askedFor(
+  address: URL,
+  before: Design,
+  solver: Workbench['solver'],
+): Promise<Design | undefined> {
   const [garment, print] = ['garment', 'print'].map((name) => address.searchParams.get(name));
   if (!garment && !print) return undefined;
   const file = garment ? await fetched(garment, address) : undefined;
   return newDesign(
     file ? {name: file.name, text: await file.text()} : before.garment,
-    print ? await askedPrint(print, address) : before.print,
+    print ? await askedPrint(print, address, solver) : before.print,
   );
 }
 
 /** The picture that a print file names is taken in, so that the design can be saved as a whole. */
-async function askedPrint(path: string, address: URL): Promise<Design['print']> {
+async function askedPrint(
+  path: string,
+  address: URL,
+  solver: Workbench['solver'],
+): Promise<Design['print']> {
   const file = await fetched(path, address);
   const {readPrint} = await import('../editor/print/own-tile.js');
-  const print = await readPrint(file);
+  const print = await readPrint(solver, file);
   if (!path.endsWith('.json')) return print;
   const {image} = readPrintFile(await file.text(), path);
   if (!image || image.startsWith('data:')) return print;
   const picture = new URL(image, new URL(path, address));
-  return {...print, image: (await readPrint(await fetched(picture.href, address))).image};
+  return {...print, image: (await readPrint(solver, await fetched(picture.href, address))).image};
 }
 
 async function fetched(path: string, address: URL): Promise<File> {

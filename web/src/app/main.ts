@@ -112,7 +112,7 @@ async function followed(address: URL): Promise<boolean> {
 
 /** What the address asks for, if it can be read. */
 async function soundlyAsked(address: URL, before: Design): Promise<Design | undefined> {
-  const asked = await askedFor(address, before);
+  const asked = await askedFor(address, before, workbench.solver);
   if (asked) await workbench.meshed(asked);
   return asked;
 }

@@ -31,6 +31,8 @@ export interface PhotoSettings {
   readonly f35?: number;
   /** The picture is seamless: one cell of the print, or several. */
   readonly isTile?: boolean;
+  /** A seamless picture is read whether its edges meet or not; the reading says whether they do. */
+  readonly anyEdges?: boolean;
   /** So many repeats along a vector of the lattice measure so many cm. */
   readonly w1Measured?: RepeatsMeasured;
   readonly w2Measured?: RepeatsMeasured;
@@ -100,6 +102,22 @@ export const photoFaults = [
 ] as const;
 export type PhotoFault = (typeof photoFaults)[number];
 
+export type Side = 'left' | 'right' | 'top' | 'bottom';
+
+/** A part of a side at which a picture breaks off; shares of that side, from its left or upper end. */
+export interface OpenEdge {
+  readonly side: Side;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Where a seamless picture does not meet its copies, repeated in each way. */
+export interface TileSeams {
+  readonly straight: readonly OpenEdge[];
+  readonly halfDrop: readonly OpenEdge[];
+  readonly brick: readonly OpenEdge[];
+}
+
 export interface PhotoReading {
   readonly width: number;
   readonly height: number;
@@ -132,6 +150,8 @@ export interface PhotoReading {
   readonly differing: readonly (readonly Point[])[];
   /** What somebody should know. */
   readonly notes: readonly PhotoNote[];
+  /** Of a seamless picture that was read with any edges. */
+  readonly seams?: TileSeams;
 }
 
 /** A clean picture of the print's cell, as prints have it. */

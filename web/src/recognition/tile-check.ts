@@ -1,6 +1,6 @@
 /** Whether the picture of one cell has the symmetries of a group, and where it breaks them. */
 import {norm, type Point} from '../model/geometry.js';
-import {groupNames, type GroupName, type PrintCell} from '../model/print.js';
+import type {GroupName, PrintCell} from '../model/print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
 import {imageCell, latticeType, printElements, type PlaneMap} from '../model/wallpaper.js';
 import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
@@ -100,11 +100,7 @@ export function checkTile(
 ): TileCheck {
   const [w1, w2] = latticeVectors(group, size, 0, cell);
   const repeat = {group, w1, w2, cell};
-  return checked(clothOf(repeat, pixels, sizeFor(pixels, repeat), 2));
-}
-
-function checked(cloth: Cloth): TileCheck {
-  const {group, w2, cell} = cloth.cell;
+  const cloth = clothOf(repeat, pixels, sizeFor(pixels, repeat), 2);
   const sum = Float32Array.from(cloth.colours);
   const add = ({colours}: Cloth): void => {
     for (let k = 0; k < sum.length; k++) sum[k] = (sum[k] ?? 0) + (colours[k] ?? 0);
@@ -139,15 +135,14 @@ function checked(cloth: Cloth): TileCheck {
   return {worst: Math.max(...off), elements, breaks};
 }
 
-/** A group that a tile has, and how far it is from having it. */
-export interface FoundGroup {
+/** A picture as the cell of a group. */
+export interface WholeCell {
   readonly group: GroupName;
-  /** 90 when the tile has the group's axes after a quarter turn clockwise. [degrees] */
+  /** 90 when the picture has the group's axes after a quarter turn clockwise. [degrees] */
   readonly turnDeg: 0 | 90;
   /** As the picture has to be taken: of the turned cell, if it is turned. */
   readonly size: RepeatSize;
   readonly cell: PrintCell;
-  readonly worst: number;
 }
 
 function turnedClockwise({width, height, data}: Pixels): Pixels {
@@ -162,37 +157,26 @@ function turnedClockwise({width, height, data}: Pixels): Pixels {
 }
 
 /**
- * Which groups a rectangular tile has on its lower left corner, those with most symmetries in its area first.
- * A group whose axes run the other way is found by turning the tile.
+ * A rectangular picture as the cell of a group that has its origin in the lower left corner; a group whose axes run
+ * the other way has it after a turn. Undefined where the group lies elsewhere, or in no cell of that area.
+ * @param copies smallest cells that the picture shows; undefined where any will do
  */
-export function groupsOf(pixels: Pixels, {width, height}: RepeatSize): readonly FoundGroup[] {
-  const ways = ([0, 90] as const).map((turnDeg) => {
-    const size =
-      turnDeg === 0 ? {width, height, angleDeg: 90} : {width: height, height: width, angleDeg: 90};
-    const image = turnDeg === 0 ? pixels : turnedClockwise(pixels);
-    const [w1, w2] = latticeVectors('p1', size);
-    const cell = {group: 'p1', w1, w2} as const;
-    return {turnDeg, size, cloth: clothOf(cell, image, sizeFor(image, cell), 2)};
-  });
-  return groupNames
-    .flatMap((group): readonly FoundGroup[] => {
-      return cellsOf(group)
-        .flatMap((cell) => ways.map((way) => ({...way, cell})))
-        .filter(({size}) => fittingGroup(group, size) === undefined)
-        .map(({turnDeg, size, cloth, cell}) => {
-          const [w1, w2] = latticeVectors(group, size, 0, cell);
-          const {worst} = checked({...cloth, cell: {group, w1, w2, cell}});
-          return {group, turnDeg, size, cell, worst} as const;
-        })
-        .filter(({worst}) => worst <= visibleDifference)
-        .slice(0, 1);
-    })
-    .sort((a, b) => symmetriesIn(b) - symmetriesIn(a) || orderOf(b) - orderOf(a));
+export function wholeCell(
+  pixels: Pixels,
+  group: GroupName,
+  {width, height}: RepeatSize,
+  copies: number | undefined,
+): WholeCell | undefined {
+  const upright = {width, height, angleDeg: 90};
+  for (const cell of cellsOf(group)) {
+    if (copies !== undefined && copies !== (cell === 'primitive' ? 1 : 2)) continue;
+    for (const turnDeg of [0, 90] as const) {
+      const size = turnDeg === 0 ? upright : {width: height, height: width, angleDeg: 90};
+      if (fittingGroup(group, size)) continue;
+      const image = turnDeg === 0 ? pixels : turnedClockwise(pixels);
+      const {worst} = checkTile(image, group, size, cell);
+      if (worst <= visibleDifference) return {group, turnDeg, size, cell};
+    }
+  }
+  return undefined;
 }
-
-const orderOf = ({group}: FoundGroup): number =>
-  printElements({group, w1: [1, 0], w2: [0, 1]}).length;
-
-/** In the rectangle of the tile; a centred one holds two cells. */
-const symmetriesIn = (found: FoundGroup): number =>
-  found.cell === 'primitive' ? orderOf(found) : 2 * orderOf(found);

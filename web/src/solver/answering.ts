@@ -139,7 +139,7 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
         const pixels = await decoded(picture);
         hooks.signal?.throwIfAborted();
         return owning(new module.Photo(photoModuleRequest(pixels, settings)), (reading) =>
-          runPhoto(reading, pixels, hooks, pace),
+          runPhoto(reading, pixels, hooks, pace, settings.anyEdges),
         );
       },
     },

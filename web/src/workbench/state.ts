@@ -2,7 +2,7 @@
 import type {Design, DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {OwnPicture} from '../model/tile-repeat.js';
-import type {OpenEdge} from '../recognition/tile-edges.js';
+import type {OpenEdge} from '../model/photo.js';
 
 /** Where a view of the sheet stood. Scale in CSS px per cm. */
 export interface ViewState {

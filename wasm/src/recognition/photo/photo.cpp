@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recognition/tile/tile_reading.h"
 #include "tuning/photo.h"
 
 namespace seamwise {
@@ -84,10 +83,13 @@ double Photo::fraction() const {
 void Photo::fail(const Error& error) { error_ = error; }
 
 void Photo::readWholeTile() {
-  auto reading = readTile(pixels_);
+  TileQuestion question;
+  question.any_edges = settings_.any_edges;
+  auto reading = readTile(pixels_, question);
   if (!reading.ok()) return fail(reading.error());
   lattice_ = reading.value().lattice;
   cell_ = reading.value().cell;
+  seams_ = reading.value().seams;
   groups_ = std::move(reading).value().groups;
   identify();
 }

@@ -9,6 +9,7 @@
 #include "recognition/cloth/metric.h"
 #include "recognition/lattice/lattice_search.h"
 #include "recognition/symmetry/group_reading.h"
+#include "recognition/tile/tile_reading.h"
 
 namespace seamwise {
 
@@ -16,6 +17,8 @@ namespace seamwise {
 struct PhotoSettings {
   /// The picture is seamless: one cell of the print, or several.
   bool is_tile = false;
+  /// A seamless picture is read whether its edges meet or not.
+  bool any_edges = false;
   /// Lengths are those of the group's w1 and w2.
   MetricHints hints;
   std::optional<LatticeMap> lattice;
@@ -61,6 +64,8 @@ class Photo {
   const std::vector<LatticeMap>& others() const { return others_; }
   const std::vector<DifferingRegion>& differing() const { return differing_; }
   const std::vector<PhotoNote>& notes() const { return notes_; }
+  /// Of a seamless picture that was read with any edges.
+  const TileSeams& seams() const { return seams_; }
 
  private:
   void readWholeTile();
@@ -88,6 +93,7 @@ class Photo {
   std::vector<LatticeMap> others_;
   std::vector<DifferingRegion> differing_;
   std::vector<PhotoNote> notes_;
+  TileSeams seams_;
 };
 
 }  // namespace seamwise

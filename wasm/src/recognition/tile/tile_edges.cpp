@@ -13,14 +13,20 @@ using EdgeTuning = TileReadingTuning;
 /// Columns of pixels, or rows: red, green and blue in turn on white. [0, 255]
 class PixelLines {
  public:
-  PixelLines(const PixelView& view, bool columns) : view_(view), columns_(columns) {}
+  PixelLines(const PixelView& view, bool columns, NextCopy next) : view_(view), columns_(columns) {
+    if (next == NextCopy::kHalfAside) aside_ = (length() + 1) / 2;
+  }
   int count() const { return columns_ ? view_.width : view_.height; }
   int length() const { return columns_ ? view_.height : view_.width; }
+  /// A line of the picture, or of the copy before it or after it.
   std::vector<float> at(int line) const {
     std::vector<float> values(3 * static_cast<std::size_t>(length()));
+    const int within = (line + count()) % count();
+    const int aside = line >= count() ? aside_ : line < 0 ? length() - aside_ : 0;
     for (int k = 0; k < length(); ++k) {
-      const std::size_t pixel = columns_ ? static_cast<std::size_t>(k) * view_.width + line
-                                         : static_cast<std::size_t>(line) * view_.width + k;
+      const int place = (k + aside) % length();
+      const std::size_t pixel = columns_ ? static_cast<std::size_t>(place) * view_.width + within
+                                         : static_cast<std::size_t>(within) * view_.width + place;
       const std::uint8_t* const from = view_.rgba.data() + 4 * pixel;
       const float opaque = from[3] / 255.0f;
       for (int c = 0; c < 3; ++c) values[3 * k + c] = opaque * from[c] + 255 * (1 - opaque);
@@ -41,6 +47,7 @@ class PixelLines {
  private:
   const PixelView& view_;
   bool columns_;
+  int aside_ = 0;  ///< where the next copy begins, along a line
 };
 
 /// Values along a closed line softened by a Gaussian.
@@ -100,9 +107,9 @@ struct StepErrors {
 
 /// Of the lines `at` and the next one, round the border.
 StepErrors stepErrors(const PixelLines& lines, int at) {
-  const int count = lines.count(), n = lines.length();
+  const int n = lines.length();
   const auto line = [&](int k) {
-    return softenedLine(lines.lumaAt((k + count) % count), EdgeTuning::kLineSoftening);
+    return softenedLine(lines.lumaAt(k), EdgeTuning::kLineSoftening);
   };
   const std::vector<float> before = line(at - 1), last = line(at), first = line(at + 1),
                            after = line(at + 2);
@@ -174,33 +181,99 @@ LineStep lineStep(const std::vector<float>& from, const std::vector<float>& to) 
   return step;
 }
 
-/// Whether colours change more across the border than anywhere within. What is sharp may lie
-/// between two lines of pixels, so every other one is compared.
+/// Steps of what changes from line to line beyond all of it. [0, 255]
+struct InnerSteps {
+  double usual = 0, greatest = 0;  ///< over two lines, since what is sharp may lie between two
+  double greatest_whole = 0;       ///< of all of a line, over two
+  /// By how much one step exceeds both that lie beside it.
+  double greatest_excess = 0;
+};
+
+InnerSteps innerSteps(const PixelLines& lines) {
+  std::vector<double> one, two;
+  InnerSteps steps;
+  for (int k = 0; k + 1 < lines.count(); ++k) {
+    one.push_back(lineStep(lines.at(k), lines.at(k + 1)).beyond);
+    if (k + 2 == lines.count()) break;
+    const LineStep step = lineStep(lines.at(k), lines.at(k + 2));
+    two.push_back(step.beyond);
+    steps.greatest_whole = std::max(steps.greatest_whole, step.whole);
+  }
+  for (std::size_t k = 1; k + 1 < one.size(); ++k) {
+    steps.greatest_excess =
+        std::max(steps.greatest_excess, one[k] - std::max(one[k - 1], one[k + 1]));
+  }
+  const auto middle = two.begin() + static_cast<std::ptrdiff_t>(two.size() / 2);
+  std::nth_element(two.begin(), middle, two.end());
+  steps.usual = *middle;
+  steps.greatest = *std::max_element(two.begin(), two.end());
+  return steps;
+}
+
+/// Whether colours change more across the border than anywhere within, or almost as much and more
+/// abruptly.
 bool breaksOff(const PixelLines& lines, TileEdge& edge) {
   const int count = lines.count();
-  const LineStep border = lineStep(lines.at(count - 1), lines.at(0));
+  const std::vector<float> last = lines.at(count - 1), first = lines.at(count);
+  const LineStep border = lineStep(last, first);
   edge.differs_at = (border.most_at + 0.5) / lines.length();
-  LineStep greatest;
-  for (int k = 0; k + 2 < count; ++k) {
-    const LineStep step = lineStep(lines.at(k), lines.at(k + 2));
-    greatest.beyond = std::max(greatest.beyond, step.beyond);
-    greatest.whole = std::max(greatest.whole, step.whole);
+  const InnerSteps inner = innerSteps(lines);
+  if (border.whole > EdgeTuning::kLeastLine + EdgeTuning::kGreatestLine * inner.greatest_whole)
+    return true;
+  const bool straight = inner.greatest > EdgeTuning::kStraight * inner.usual;
+  const double share = straight ? EdgeTuning::kGreatestStraight : EdgeTuning::kGreatestBeyond;
+  if (border.beyond > EdgeTuning::kLeastBeyond + share * inner.greatest) return true;
+  const double beside = std::max(lineStep(lines.at(count - 2), last).beyond,
+                                 lineStep(first, lines.at(count + 1)).beyond);
+  return border.beyond > EdgeTuning::kLeastBeyond + EdgeTuning::kGreatBeyond * inner.greatest &&
+         border.beyond - beside >
+             EdgeTuning::kLeastBeyond + EdgeTuning::kAbrupt * inner.greatest_excess;
+}
+
+/// Neighbouring places of the last line at which colours change most across the border, as one.
+std::vector<std::array<double, 2>> openStretches(const PixelLines& lines) {
+  const int n = lines.length(), places = std::min(EdgeTuning::kPlaces, n);
+  const std::vector<float> last = lines.at(lines.count() - 1), first = lines.at(lines.count());
+  std::vector<double> changes(places, 0.0);
+  for (int i = 0; i < n; ++i) {
+    double square = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double d = first[3 * i + c] - last[3 * i + c];
+      square += d * d / 3;
+    }
+    double& change = changes[static_cast<std::int64_t>(i) * places / n];
+    change = std::max(change, std::sqrt(square));
   }
-  return border.whole > EdgeTuning::kLeastLine + EdgeTuning::kGreatestLine * greatest.whole ||
-         border.beyond > EdgeTuning::kLeastBeyond + EdgeTuning::kGreatestBeyond * greatest.beyond;
+  const double most = *std::max_element(changes.begin(), changes.end());
+  const double least = std::min(EdgeTuning::kLeastMark, most / 2);
+  std::vector<std::array<double, 2>> stretches;
+  bool is_open = false;
+  for (int k = 0; k < places; ++k) {
+    const bool was_open = is_open;
+    is_open = changes[k] > least;
+    if (!is_open) continue;
+    if (!was_open) stretches.push_back({static_cast<double>(k) / places, 0});
+    stretches.back()[1] = (k + 1.0) / places;
+  }
+  return stretches;
 }
 
 TileEdge comparedEdge(const PixelLines& lines) {
   TileEdge edge;
   if (lines.count() < 4) return edge;
   edge.meets = !breaksOff(lines, edge) && !isCutShort(lines, edge);
+  if (!edge.meets) edge.open = openStretches(lines);
   return edge;
 }
 
 }  // namespace
 
-TileEdge leftMeetsRight(const PixelView& tile) { return comparedEdge(PixelLines(tile, true)); }
+TileEdge leftMeetsRight(const PixelView& tile, NextCopy next) {
+  return comparedEdge(PixelLines(tile, true, next));
+}
 
-TileEdge topMeetsBottom(const PixelView& tile) { return comparedEdge(PixelLines(tile, false)); }
+TileEdge topMeetsBottom(const PixelView& tile, NextCopy next) {
+  return comparedEdge(PixelLines(tile, false, next));
+}
 
 }  // namespace seamwise

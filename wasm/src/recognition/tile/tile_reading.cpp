@@ -8,7 +8,6 @@
 #include "recognition/symmetry/stripes.h"
 #include "recognition/symmetry/symmetry_tests.h"
 #include "recognition/tile/tile_cell.h"
-#include "recognition/tile/tile_edges.h"
 #include "tuning/group_reading.h"
 #include "tuning/tile_reading.h"
 
@@ -229,9 +228,16 @@ MissedTile readWithoutSides(const SeamlessTile& tile) {
   return found;
 }
 
+/// Whether symmetries fit better on a picture that has one more column, or row.
+bool isMissing(bool column, const SeamlessTile& tile, const MissedTile& found) {
+  SeamlessTile more = tile;
+  (column ? more.more_columns : more.more_rows) = 1;
+  return found.isMendedBy(readSeamless(more, squarePixels(more)));
+}
+
 }  // namespace
 
-Outcome<TileReading> readTile(const PixelView& tile, const std::optional<Mat2>& sides) {
+Outcome<TileReading> readTile(const PixelView& tile, const TileQuestion& question) {
   if (std::min(tile.width, tile.height) < TileReadingTuning::kLeastPixels) {
     return Error{Failure::kPicture,
                  "the picture has only " + std::to_string(tile.width) + " x " +
@@ -239,18 +245,28 @@ Outcome<TileReading> readTile(const PixelView& tile, const std::optional<Mat2>& 
                      std::to_string(TileReadingTuning::kLeastPixels) + " each way",
                  -1, -1, "small"};
   }
-  const TileEdge across = leftMeetsRight(tile), up = topMeetsBottom(tile);
-  if (!across.meets) return openEdge(true, across.differs_at);
-  if (!up.meets) return openEdge(false, up.differs_at);
+  TileSeams seams;
+  seams.across = leftMeetsRight(tile);
+  seams.up = topMeetsBottom(tile);
+  if (question.any_edges) {
+    seams.half_drop = leftMeetsRight(tile, NextCopy::kHalfAside);
+    seams.brick = topMeetsBottom(tile, NextCopy::kHalfAside);
+  } else {
+    if (!seams.across.meets) return openEdge(true, seams.across.differs_at);
+    if (!seams.up.meets) return openEdge(false, seams.up.differs_at);
+  }
 
+  const auto& sides = question.sides;
   MissedTile found = sides ? readSeamless({tile}, *sides) : readWithoutSides({tile});
   // where the sides are given, a line less does not change the lattice's type
-  if (!sides && !found.reading.groups.stripes && found.square_pixels) {
-    for (const bool is_column : {true, false}) {
-      const SeamlessTile more{tile, is_column ? 1 : 0, is_column ? 0 : 1};
-      if (found.isMendedBy(readSeamless(more, squarePixels(more)))) return missingLine(is_column);
-    }
+  const bool may_miss = !sides && !found.reading.groups.stripes && found.square_pixels;
+  if (may_miss && seams.across.meets && seams.up.meets) {
+    seams.missing_column = isMissing(true, {tile}, found);
+    seams.missing_row = !seams.missing_column && isMissing(false, {tile}, found);
+    if (!question.any_edges && (seams.missing_column || seams.missing_row))
+      return missingLine(seams.missing_column);
   }
+  found.reading.seams = std::move(seams);
   return std::move(found.reading);
 }
 

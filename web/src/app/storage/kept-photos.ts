@@ -1,6 +1,6 @@
 /** Photographs that prints were made of, kept in this browser beside the projects, and in no design. */
 import type {KeptPhoto} from '../../editor/photo/photo-keeper.js';
-import {scaledStep} from '../../editor/photo/photo-step.js';
+import {scaledStep} from '../../editor/print/photo-step.js';
 import {fieldOf} from '../../model/read.js';
 
 interface PhotoRecord extends KeptPhoto {

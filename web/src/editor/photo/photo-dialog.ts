@@ -16,10 +16,10 @@ import {sheetDialog} from '../style/sheet-dialog.js';
 import {dialogStyle} from './dialog-style.js';
 import type {PhotoKeeper} from './photo-keeper.js';
 import type {PhotoSize} from './lattice-lines.js';
-import {cellPicture, pngOf} from './photo-picture.js';
+import {cellPicture, pngOf} from '../print/photo-picture.js';
 import {PhotoSession} from './photo-session.js';
 import type {Moved, Overlays, TwoPoints} from './photo-stage.js';
-import {groupIn, groupOf, measuresOf, type PhotoStep} from './photo-step.js';
+import {groupIn, groupOf, measuresOf, type PhotoStep} from '../print/photo-step.js';
 
 /** Kinds that browsers decode; of others it is said what they are. */
 const decodable: ReadonlySet<string> = new Set(['png', 'jpeg', 'webp', 'avif', 'gif', 'bmp']);

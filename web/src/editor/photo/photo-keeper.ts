@@ -1,4 +1,4 @@
-import type {PhotoStep} from './photo-step.js';
+import type {PhotoStep} from '../print/photo-step.js';
 
 /** A photograph with all that was decided about it. */
 export interface KeptPhoto {

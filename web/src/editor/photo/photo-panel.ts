@@ -17,7 +17,7 @@ import {
   isOneWay,
   measuresOf,
   type PhotoStep,
-} from './photo-step.js';
+} from '../print/photo-step.js';
 
 type Vector = 'w1' | 'w2';
 

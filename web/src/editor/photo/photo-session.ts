@@ -13,7 +13,7 @@ import type {SolverService} from '../../solver/service.js';
 import {NewestTask} from '../../workbench/background-task.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {Observable} from '../../workbench/observable.js';
-import {stepOf, tileSettings, type PhotoStep} from './photo-step.js';
+import {stepOf, tileSettings, type PhotoStep} from '../print/photo-step.js';
 
 type PhotoState =
   | {readonly kind: 'reading'; readonly stage: PhotoStage; readonly fraction: number}

@@ -6,8 +6,8 @@ import {outlineOf, markedTile, markedTileStyle} from '../print/marked-tile.js';
 import {swatch} from '../print/swatch.js';
 import {controls} from '../style/controls.js';
 import {PhotoElement} from './photo-element.js';
-import {cellPicture, pngOf} from './photo-picture.js';
-import {groupIn, measuresOf, tileSettings} from './photo-step.js';
+import {cellPicture, pngOf} from '../print/photo-picture.js';
+import {groupIn, measuresOf, tileSettings} from '../print/photo-step.js';
 
 /** What changes within that is shown as one. [ms] */
 const pause = 250;

@@ -7,7 +7,8 @@ import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../../workbench/state.js';
 import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';
-import {closedRepeats, openPairs, printOfPicture} from './own-print.js';
+import {closedRepeats, openPairs} from './own-groups.js';
+import {printOfPicture} from './own-print.js';
 import type {PhotoOfCloth} from './print-files.js';
 import {remedies} from './remedies.js';
 
@@ -40,7 +41,7 @@ export class DoubtfulTile extends WorkbenchElement {
     this.#shown = doubtful;
     this.repeats = [];
     if (!doubtful) return;
-    void closedRepeats(doubtful.own).then((repeats) => {
+    void closedRepeats(this.workbench.solver, doubtful.own.image).then((repeats) => {
       if (this.#shown === doubtful) this.repeats = repeats;
     });
   }
@@ -83,7 +84,7 @@ export class DoubtfulTile extends WorkbenchElement {
   }
 
   async #take(doubtful: DoubtfulPicture, repeat: TileRepeat): Promise<void> {
-    const print = await printOfPicture({...doubtful.own, repeat});
+    const print = await printOfPicture(this.workbench.solver, {...doubtful.own, repeat});
     if (this.workbench.doubtful !== doubtful) return;
     this.workbench.doubtful = undefined;
     this.workbench.change({print});

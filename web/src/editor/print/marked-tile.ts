@@ -2,7 +2,7 @@
 import {css, html, svg, type TemplateResult} from 'lit';
 
 import type {TileBreak} from '../../recognition/tile-check.js';
-import type {OpenEdge} from '../../recognition/tile-edges.js';
+import type {OpenEdge} from '../../model/photo.js';
 
 /** The outline of places that touch: the sides that no two of them share. */
 export function outlineOf(breaks: readonly TileBreak[]): string {

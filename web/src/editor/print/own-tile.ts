@@ -11,7 +11,8 @@ import {en, type Texts} from '../../texts/en.js';
 import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {sizeInFile} from './file-size.js';
-import {openEdgesOf, openPairs, printOfPicture} from './own-print.js';
+import {openEdgesOf, openPairs, type ReadsPictures} from './own-groups.js';
+import {printOfPicture} from './own-print.js';
 import {OpenEdgesError} from './print-files.js';
 import {looksLikePicture, readPicture} from './read-picture.js';
 
@@ -38,8 +39,13 @@ async function readOwnPicture(file: File, words: Words): Promise<OwnPicture> {
  * its picture, which cannot be read from here: until that is opened, too, the cloth is bare.
  * @throws {Error} with one sentence that says what is wrong
  */
-export async function readPrint(file: File, words: Words = en.print.files): Promise<DesignPrint> {
-  if (await looksLikePicture(file)) return printOfPicture(await readOwnPicture(file, words));
+export async function readPrint(
+  solver: ReadsPictures,
+  file: File,
+  words: Words = en.print.files,
+): Promise<DesignPrint> {
+  if (await looksLikePicture(file))
+    return printOfPicture(solver, await readOwnPicture(file, words));
   if (file.size > mostBytes) throw new Error(words.tooLarge(file.name));
   return printFrom(await file.text(), file.name, words);
 }
@@ -55,7 +61,7 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
   const present = workbench.design?.print;
   workbench.doubtful = undefined;
   if (!(await looksLikePicture(file))) {
-    workbench.change({print: await readPrint(file, words)});
+    workbench.change({print: await readPrint(workbench.solver, file, words)});
     return;
   }
   const own = await readOwnPicture(file, words);
@@ -63,12 +69,12 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
     workbench.change({print: {...present, image: own.image}});
     return;
   }
-  const edges = await openEdgesOf(own);
+  const edges = await openEdgesOf(workbench.solver, own);
   if (edges.length > 0) {
     if (present) workbench.doubtful = {own, edges, beside: present};
     throw new OpenEdgesError(words.openEdges[openPairs(edges)](file.name));
   }
-  workbench.change({print: await printOfPicture(own)});
+  workbench.change({print: await printOfPicture(workbench.solver, own)});
 }
 
 /** @throws {Error} */

@@ -28,16 +28,16 @@ function canvasOf(width: number, height: number): CanvasRenderingContext2D {
 }
 
 /** A few pixels of a picture, in its own proportions. */
-export function pixelsOf(image: HTMLImageElement): Pixels {
+export function pixelsOf(image: HTMLImageElement, longest = compared): Pixels {
   const {naturalWidth, naturalHeight} = image;
-  const scale = Math.min(1, compared / Math.max(naturalWidth, naturalHeight));
+  const scale = Math.min(1, longest / Math.max(naturalWidth, naturalHeight));
   const context = canvasOf(naturalWidth * scale, naturalHeight * scale);
   const {width, height} = context.canvas;
   context.drawImage(image, 0, 0, width, height);
   return context.getImageData(0, 0, width, height);
 }
 
-const isVector = (url: string): boolean => /^data:image\/svg|\.svg$/.test(url);
+export const isVector = (url: string): boolean => /^data:image\/svg|\.svg$/.test(url);
 
 /** The same picture, turned clockwise by 90 degrees. @returns a `data:` URL */
 export async function quarterTurned(url: string): Promise<string> {

@@ -236,7 +236,7 @@ export class PrintGallery extends PatientElement {
 
   async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
     const {ownPrintAs} = await import('./own-print.js');
-    const regrouped = await ownPrintAs(print, choice);
+    const regrouped = await ownPrintAs(this.workbench.solver, print, choice);
     if (this.workbench.design?.print === print) this.workbench.change({print: regrouped}, 'print');
   }
 

@@ -119,7 +119,7 @@ export class TileRepeatChoice extends WorkbenchElement {
   async #take(repeat: TileRepeat): Promise<void> {
     const print = this.workbench.design?.print;
     if (!print || pictureIn(print).repeat === repeat) return;
-    const taken = await printOfPicture({...pictureIn(print), repeat});
+    const taken = await printOfPicture(this.workbench.solver, {...pictureIn(print), repeat});
     if (this.workbench.design?.print === print)
       this.workbench.change({print: taken}, 'print repeat');
   }

@@ -5,22 +5,20 @@ import {noPicture, type DesignPrint} from '../../model/design.js';
 import {pictureIn} from '../../model/tile-repeat.js';
 import type {TileRepeat} from '../../model/print-tile.js';
 import type {Asymmetry} from '../../recognition/asymmetry.js';
-import type {FoundGroup, TileCheck} from '../../recognition/tile-check.js';
-import type {OpenEdge} from '../../recognition/tile-edges.js';
+import type {TileCheck} from '../../recognition/tile-check.js';
+import type {OpenEdge} from '../../model/photo.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {choiceOf, missing} from './choices.js';
 import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';
 import {
-  checked,
   closedRepeats,
-  groupsIn,
   openEdgesOf,
   openPairs,
-  pixelsOfTile,
-  printOfPicture,
-  withFound,
-} from './own-print.js';
+  type FoundGroup,
+  type ReadsPictures,
+} from './own-groups.js';
+import {checked, groupsOfOwn, pixelsOfTile, printOfPicture, withFound} from './own-print.js';
 import {remedies} from './remedies.js';
 
 interface Report {
@@ -34,15 +32,15 @@ interface Report {
   readonly repeats: readonly TileRepeat[];
 }
 
-async function reportOf(print: DesignPrint): Promise<Report> {
+async function reportOf(solver: ReadsPictures, print: DesignPrint): Promise<Report> {
   const own = pictureIn(print);
   const [{asymmetriesOf, isStriped}, check, groups, pixels, edges, repeats] = await Promise.all([
     import('../../recognition/asymmetry.js'),
     checked(print),
-    groupsIn(own),
+    groupsOfOwn(solver, own),
     pixelsOfTile(own),
-    openEdgesOf(own),
-    closedRepeats(own),
+    openEdgesOf(solver, own),
+    closedRepeats(solver, own.image),
   ]);
   const turn = 90 * Math.round(print.turnDeg / 90);
   const striped = isStriped(pixels) || choiceOf(print) === 'stripes';
@@ -146,19 +144,19 @@ export class TileReport extends WorkbenchElement {
       class="outlined"
       ?disabled=${lacks !== undefined}
       title=${found.group}
-      @click=${() => this.#take(print, withFound(print, found))}
+      @click=${() => this.#take(print, withFound(this.workbench.solver, print, found))}
     >
       ${this.texts.print.meanings[found.group]}
     </button>`;
   }
 
   async #look(print: DesignPrint): Promise<void> {
-    const report = await reportOf(print);
+    const report = await reportOf(this.workbench.solver, print);
     if (this.#looked === print) this.report = report;
   }
 
   #repeat(print: DesignPrint, repeat: TileRepeat): Promise<void> {
-    return this.#take(print, printOfPicture({...pictureIn(print), repeat}));
+    return this.#take(print, printOfPicture(this.workbench.solver, {...pictureIn(print), repeat}));
   }
 
   async #take(print: DesignPrint, taken: Promise<DesignPrint>): Promise<void> {

@@ -14,6 +14,8 @@ export interface ModulePhotoRequest {
   readonly f35: number;
   /** The picture is seamless: one cell, or several. */
   readonly isTile: boolean;
+  /** A seamless picture is read whether its edges meet or not. */
+  readonly anyEdges: boolean;
   /** Lengths of w1 and w2; NaN where nobody knows. */
   readonly w1Cm: number;
   readonly w2Cm: number;
@@ -34,6 +36,14 @@ export interface ModulePhotoGroup {
   readonly map: Float64Array;
 }
 
+/** From, to, ...: stretches of the right edge (`across`, `halfDrop`) or the lower one that do not meet the next copy; shares of it. */
+export interface ModuleTileSeams {
+  readonly across: Float64Array;
+  readonly up: Float64Array;
+  readonly halfDrop: Float64Array;
+  readonly brick: Float64Array;
+}
+
 export interface ModulePhotoReport {
   readonly group: string;
   readonly groups: readonly ModulePhotoGroup[];
@@ -51,6 +61,7 @@ export interface ModulePhotoReport {
   /** Polygons where copies differ, each flat. */
   readonly differing: readonly Float64Array[];
   readonly notes: readonly string[];
+  readonly seams: ModuleTileSeams;
 }
 
 export interface ModulePhoto extends EmbindObject {

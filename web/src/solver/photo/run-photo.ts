@@ -7,6 +7,7 @@ import {
   photoStages,
   symmetryVerdicts,
   type Homography,
+  type OpenEdge,
   type PhotoGroup,
   type PhotoHooks,
   type PhotoMap,
@@ -14,6 +15,8 @@ import {
   type PhotoReading,
   type PhotoSettings,
   type PhotoTileSettings,
+  type Side,
+  type TileSeams,
 } from '../../model/photo.js';
 import type {Point} from '../../model/geometry.js';
 import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
@@ -23,6 +26,7 @@ import type {
   ModulePhotoRequest,
   ModulePhotoTile,
   ModulePhotoTileRequest,
+  ModuleTileSeams,
 } from '../module/photo.mjs';
 import {toError} from '../seamwise/failures.js';
 
@@ -44,6 +48,7 @@ export const photoModuleRequest = (
   ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
   f35: settings.f35 ?? NaN,
   isTile: settings.isTile ?? false,
+  anyEdges: settings.anyEdges ?? false,
   w1Cm: oneRepeat(settings.w1Measured),
   w2Cm: oneRepeat(settings.w2Measured),
   between: settings.between
@@ -85,12 +90,37 @@ const groupOf = ({name, rho, worst, verdict, map}: ModulePhotoGroup): PhotoGroup
   ...{rho, worst, verdict: known(symmetryVerdicts, verdict), map: mapOf(map)},
 });
 
+/** Both sides of a border, the second of which lies half a side further along where `isAside`. */
+function border(last: Side, first: Side, open: Float64Array, isAside = false): OpenEdge[] {
+  const stretches = pointsOf(open);
+  const moved = stretches.flatMap(([from, to]) =>
+    [-0.5, 0.5]
+      .map((by): Point => [Math.max(0, from + by), Math.min(1, to + by)])
+      .filter(([a, b]) => a < b),
+  );
+  const edge =
+    (side: Side) =>
+    ([from, to]: Point): OpenEdge => ({side, from, to});
+  return [...(isAside ? moved : stretches).map(edge(first)), ...stretches.map(edge(last))];
+}
+
+function seamsOf({across, up, halfDrop, brick}: ModuleTileSeams): TileSeams {
+  const sides = border('right', 'left', across);
+  const ends = border('bottom', 'top', up);
+  return {
+    straight: [...sides, ...ends],
+    halfDrop: [...border('right', 'left', halfDrop, true), ...ends],
+    brick: [...sides, ...border('bottom', 'top', brick, true)],
+  };
+}
+
 /** @throws {SolverError} where no print is found; what `runInSlices` throws */
 export async function runPhoto(
   photo: ModulePhoto,
   {width, height}: PhotoPixels,
   hooks: PhotoHooks,
   pace: Pace,
+  hasSeams = false,
 ): Promise<PhotoReading> {
   const advance = (): boolean => {
     const more = photo.advance();
@@ -104,7 +134,7 @@ export async function runPhoto(
     return more;
   };
   await runInSlices(work, pace, hooks.signal);
-  const {group, groups, vectors, isScaled, uncertainty, others, differing, ...report} =
+  const {group, groups, vectors, isScaled, uncertainty, others, differing, seams, ...report} =
     photo.report();
   const read = groups.map(groupOf);
   const own = read.find(({name}) => name === group);
@@ -122,6 +152,7 @@ export async function runPhoto(
     notes: report.notes.map((note) => known(photoNotes, note)),
     others: others.map(mapOf),
     differing: differing.map(pointsOf),
+    ...(hasSeams && {seams: seamsOf(seams)}),
   };
 }
 

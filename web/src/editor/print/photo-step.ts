@@ -14,7 +14,7 @@ import type {GroupName} from '../../model/print.js';
 import {repeatOf} from '../../model/repeat.js';
 import {latticeType} from '../../model/wallpaper.js';
 import {assumedWidth} from '../../recognition/photo-print.js';
-import {alongStripe, turnsOver} from '../print/choices.js';
+import {alongStripe, turnsOver} from './choices.js';
 
 /** What undo steps through. */
 export interface PhotoStep {
@@ -150,7 +150,7 @@ export function isMisfit(step: PhotoStep): boolean {
 const rounded = (value: number): number => Math.round(1000 * value) / 1000 + 0;
 
 /** Above -180, up to 180. */
-const wrappedTurn = (degrees: number): number => {
+export const wrappedTurn = (degrees: number): number => {
   const turn = ((degrees % 360) + 360) % 360;
   return turn > 180 ? turn - 360 : turn;
 };
