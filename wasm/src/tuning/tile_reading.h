@@ -56,6 +56,9 @@ struct TileReadingTuning {
   /// what one more line of pixels leaves of it. Of 70 sample prints cut in that way the shares were
   /// 6e-4 and more; of whole ones, sampled anew, up to 2e-4 but for hexagons of whole pixels.
   static constexpr double kLeastMissed = 3e-4, kMended = 0.4;
+  /// The same where that line mends them to rounding, as in bands of flat colours. Such pictures
+  /// cut by a line miss by 6e-5 to 9e-5, then by less than 1e-13.
+  static constexpr double kLeastExact = 2e-5, kExactly = 1e-4;
   /// By how many pixels sides may miss a lattice; and by what share at least.
   static constexpr double kRounding = 0.75, kTolerance = 0.002;
 };

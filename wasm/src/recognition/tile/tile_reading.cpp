@@ -177,8 +177,10 @@ struct MissedTile {
   bool isMendedBy(const MissedTile& other) const {
     if (other.reading.groups.stripes) return false;
     if (other.symmetries() != symmetries()) return other.symmetries() > symmetries();
-    return missed > TileReadingTuning::kLeastMissed &&
-           other.missed < TileReadingTuning::kMended * missed;
+    const bool exactly = missed > TileReadingTuning::kLeastExact &&
+                         other.missed < TileReadingTuning::kExactly * missed;
+    return exactly || (missed > TileReadingTuning::kLeastMissed &&
+                       other.missed < TileReadingTuning::kMended * missed);
   }
 };
 
