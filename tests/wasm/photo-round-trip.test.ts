@@ -73,7 +73,6 @@ it.each<[PhotoLevel, string]>([
   ['scan', 'p1'],
   ['scan', 'pmm'],
   ['scan', 'p4m'],
-  ['normal', 'p1'],
   ['normal', 'cm'],
   ['normal', 'p6'],
 ])(
