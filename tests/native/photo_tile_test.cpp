@@ -186,12 +186,15 @@ TEST(PhotoTile, ItsImageHasPixelsAsWideAsHigh) {
   const LatticeMap map = CameraView{}.map();
   Mat2 gram;
   gram << 100, 20, 20, 85;
-  const CellGrid grid = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), 2048);
+  const CellGrid grid = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), {});
   EXPECT_EQ(grid.columns, 72);  // 75 px, in whole dozens
   EXPECT_EQ(grid.rows, 72);     // 69 px
-  const CellGrid least = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), 40);
+  const CellGrid least = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), {40});
   EXPECT_EQ(least.columns, 40);
   EXPECT_EQ(least.rows, 37);
+  const CellGrid finer = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), {2048, 2, 120});
+  EXPECT_EQ(finer.columns, 120);
+  EXPECT_EQ(finer.rows, 108);  // 111, in whole dozens
 }
 
 /// A tile of random pixels, and its mean under the group.

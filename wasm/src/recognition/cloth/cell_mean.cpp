@@ -31,15 +31,17 @@ PixelLanes underLight(const PixelLanes& code, const PixelLanes& gains) {
 }  // namespace
 
 CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, const Vec2& origin,
-                    int longest) {
+                    const GridLimits& limits) {
   const double along = std::sqrt(gram(0, 0)), up = std::sqrt(gram(1, 1));
   const double sine =
       std::sqrt(std::max(gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(1, 0), 0.0)) / (along * up);
   // The side of the square as large as the cell, in pixels, over that in the gram's lengths.
   const double px = cellSize(map.rebased(basis, origin)) / std::sqrt(along * up * sine);
-  const double shrink = std::min(1.0, longest / (px * std::max(along, up)));
+  const double side = px * std::max(along, up);
+  const double dense = std::clamp(limits.finest / side, 1.0, limits.denser);
+  const double factor = std::min(dense, limits.longest / side);
   const auto whole = [&](double length) {
-    const double n = px * shrink * length;
+    const double n = px * factor * length;
     const int multiple = n >= 4 * kTileMultiple ? kTileMultiple : 1;
     return std::max(1, static_cast<int>(std::lround(n / multiple)) * multiple);
   };

@@ -22,12 +22,20 @@ struct CellGrid {
   Vec2 origin = Vec2::Zero();
 };
 
-/// The grid of an image of the cell as fine as the picture shows it best, its pixels about as wide
-/// as high: `longest` limits its longer side. Lengths that differ by less than 1 % count as equal,
+/// How fine the grid of an image may be: samples per pixel of the picture, up to so many along the
+/// longer side, and the longest side of any.
+struct GridLimits {
+  int longest = 2048;
+  double denser = 1;
+  int finest = 0;
+};
+
+/// The grid of an image of the cell as fine as the picture shows it best, or finer, its pixels
+/// about as wide as high. Lengths that differ by less than 1 % count as equal,
 /// so that a group's turns permute the pixels; both are multiples of 12 from 48 on.
 /// @param gram   of w1, w2 in the basis of the grid, up to a factor
 CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, const Vec2& origin,
-                    int longest);
+                    const GridLimits& limits);
 
 /// The mean of all copies of a cell on a picture, robust, with light divided out and creases
 /// followed, row by row.

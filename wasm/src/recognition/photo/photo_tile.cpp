@@ -5,12 +5,22 @@
 #include "tuning/photo.h"
 
 namespace seamwise {
+namespace {
+
+GridLimits onePicture() { return {PhotoTuning::kLongestTile}; }
+
+/// Copies lie between each other's pixels: together they show more than one.
+GridLimits severalCopies() {
+  return {PhotoTuning::kLongestTile, PhotoTuning::kDenser, PhotoTuning::kFinest};
+}
+
+}  // namespace
 
 PhotoTile::PhotoTile(const PixelView& pixels, const PhotoTileSettings& settings)
     : pixels_(pixels),
       settings_(settings),
       grid_(nativeGrid(settings.map, settings.gram, Mat2::Identity(), Vec2::Zero(),
-                       PhotoTuning::kLongestTile)) {
+                       settings.is_tile ? onePicture() : severalCopies())) {
   if (!settings.is_tile) fit_ = std::make_unique<CopyFieldsFit>(pixels, settings.map, curve_);
 }
 
