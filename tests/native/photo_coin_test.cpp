@@ -85,7 +85,7 @@ TEST(PhotoCoin, PlainClothHasNone) {
       [](const Vec2& p) { return p; }, [](const Vec2&) { return 1.0; }, 0.005);
   const Outcome<FoundObject> coin = found(photo, 0, Vec2(0, 0));
   ASSERT_FALSE(coin.ok());
-  EXPECT_NE(coin.error().message.find("no coin"), std::string::npos);
+  EXPECT_NE(coin.error().message.find("No coin"), std::string::npos);
 }
 
 TEST(PhotoCoin, ItsScaleBecomesTheMetrics) {

@@ -11,11 +11,9 @@ namespace seamwise {
 
 namespace {
 
-constexpr KnownObject kKnownObjects[] = {{"eur1", 2.325, 2.325, true},
-                                         {"eur2", 2.575, 2.575, true},
-                                         {"quarter", 2.426, 2.426, true},
-                                         {"gbp1", 2.34, 2.34, true},
-                                         {"card", 8.56, 5.398, false}};
+constexpr KnownObject kKnownObjects[] = {
+    {"eur1", 2.325, 2.325, true}, {"eur2", 2.575, 2.575, true}, {"quarter", 2.426, 2.426, true},
+    {"gbp1", 2.34, 2.34, true},   {"card", 8.56, 5.398, false}, {"a4", 29.7, 21, false}};
 
 constexpr int kOutlinePoints = 48;
 constexpr double kLeastRadius = 8;      // half the longer side. [px]
@@ -209,12 +207,12 @@ Outcome<FoundObject> findObject(const PixelView& pixels, const LatticeMap& map, 
   const ObjectSearch search(pixels, map, gram, object);
   Placing placing;
   if (!search.findCoarse(tapped, &placing)) {
-    Error error;
-    error.code = Failure::kOptions;
-    error.message =
-        "no " + std::string(object.round ? "coin" : "card") +
-        " is seen at that point; tap its middle, or drag a line of known length instead";
-    return error;
+    const std::string thing = object.round ? "coin" : object.name == "a4" ? "sheet" : "card";
+    return Error{Failure::kPicture,
+                 "No " + thing +
+                     " is seen at that point; tap its middle, or drag a line of known length "
+                     "instead.",
+                 -1, -1, "object"};
   }
   double left = 0;
   for (const double window : kWindows) left = search.refine(window, &placing);
