@@ -1,5 +1,5 @@
 /** Where a print breaks a symmetry, on every cell of its photograph. */
-import {combined, coordinates, type Point} from '../../model/geometry.js';
+import {combined, coordinates, distance, type Point} from '../../model/geometry.js';
 import {pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
 import type {DesignPrint} from '../../model/design.js';
@@ -14,8 +14,8 @@ export interface BrokenPlaces {
   readonly steps: readonly [Point, Point];
 }
 
-/** More areas than these are too small to be told apart. */
-const mostAreas = 6000;
+/** More would hold up the page: then only the cells around the picture's middle have theirs. */
+const mostAreas = 5000;
 
 /** Neighbours in a row, as one. */
 function rowsOf(breaks: readonly TileBreak[]): readonly Omit<TileBreak, 'difference'>[] {
@@ -60,8 +60,20 @@ export function brokenPlaces(
   };
 }
 
-/** Closed outlines of all that are seen. [px] */
+/** Closed outlines of those that are seen. [px] */
 export function brokenPath(map: PhotoMap, size: PhotoSize, {rings, steps}: BrokenPlaces): string {
+  return cellsSeen(map, size, steps)
+    .slice(0, Math.ceil(mostAreas / Math.max(1, rings.length)))
+    .flatMap(([du, dv]) =>
+      rings.map((ring) => ring.map(([u, v]) => pixelOf(map, size, [u + du, v + dv]))),
+    )
+    .filter((ring) => ring.some((point) => isInside(point, size)))
+    .map(ringPath)
+    .join('');
+}
+
+/** Corners of the cells of `steps` that the picture shows, those in its middle first. */
+function cellsSeen(map: PhotoMap, size: PhotoSize, steps: BrokenPlaces['steps']): readonly Point[] {
   const {least, most} = boxOf(map, size);
   const corners: readonly Point[] = [least, most, [least[0], most[1]], [most[0], least[1]]];
   const ends = corners.map((corner) => coordinates(steps, corner));
@@ -70,16 +82,27 @@ export function brokenPath(map: PhotoMap, size: PhotoSize, {rings, steps}: Broke
     const first = Math.floor(Math.min(...values)) - 1;
     return Array.from({length: Math.ceil(Math.max(...values)) - first + 1}, (_, i) => first + i);
   };
-  const [across, up] = [range(0), range(1)];
-  if (across.length * up.length * rings.length > mostAreas) return '';
-  return across
+  const up = range(1);
+  const middle: Point = [size.width / 2, size.height / 2];
+  return range(0)
     .flatMap((i) => up.map((j) => combined(steps, i, j)))
-    .flatMap(([du, dv]) =>
-      rings.map((ring) => ring.map(([u, v]) => pixelOf(map, size, [u + du, v + dv]))),
+    .map((corner) => {
+      const [right, left] = steps;
+      const at = (s: number, t: number): Point =>
+        pixelOf(map, size, [
+          corner[0] + s * right[0] + t * left[0],
+          corner[1] + s * right[1] + t * left[1],
+        ]);
+      const centre = at(0.5, 0.5);
+      const reach = Math.max(distance(centre, at(0, 0)), distance(centre, at(1, 0)));
+      return {corner, centre, reach};
+    })
+    .filter(
+      ({centre: [x, y], reach}) =>
+        x > -reach && y > -reach && x < size.width + reach && y < size.height + reach,
     )
-    .filter((ring) => ring.some((point) => isInside(point, size)))
-    .map(ringPath)
-    .join('');
+    .sort((a, b) => distance(a.centre, middle) - distance(b.centre, middle))
+    .map(({corner}) => corner);
 }
 
 export const ringPath = (ring: readonly Point[]): string =>

@@ -14,12 +14,6 @@ import {groupIn, groupOf, type PhotoStep} from './photo-step.js';
 import type {Overlays} from './stage-marks.js';
 import {workStyle} from './work-style.js';
 
-/** A place on the photograph that is asked for. */
-interface Aim {
-  readonly kind: 'object' | 'white';
-  readonly at: Point;
-}
-
 /** Fires `hand` with a `PhotoMap` that somebody draws, or with nothing when that is at its end. */
 export class PhotoWork extends PhotoElement {
   static override properties = {
@@ -28,8 +22,10 @@ export class PhotoWork extends PhotoElement {
     natural: {attribute: false},
     hand: {attribute: false},
     overlays: {state: true},
+    way: {state: true},
     points: {state: true},
-    aim: {state: true},
+    objectAt: {state: true},
+    whiteAt: {state: true},
     object: {state: true},
     broken: {state: true},
   };
@@ -41,11 +37,14 @@ export class PhotoWork extends PhotoElement {
   /** A lattice that somebody draws. */
   declare hand: PhotoMap | undefined;
   declare protected overlays: Overlays;
+  declare protected way: Measuring;
   /** Whose distance is to be measured. */
   declare protected points: TwoPoints | undefined;
-  declare protected aim: Aim | undefined;
-  /** That lies on the cloth. */
+  /** That lies on the cloth, and about where. */
   declare protected object: KnownObject;
+  declare protected objectAt: Point | undefined;
+  /** Where something white is, while that is asked for. */
+  declare protected whiteAt: Point | undefined;
   /** Where the print breaks the symmetry that is chosen. */
   declare protected broken: BrokenPlaces | undefined;
   #seen: PhotoStep | undefined;
@@ -54,14 +53,17 @@ export class PhotoWork extends PhotoElement {
     super();
     this.overlays = {cells: true, axes: false, differing: true, breaks: true};
     this.object = 'eur1';
+    this.way = 'tape';
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     const {step} = this.session.read;
     if (changed.has('session')) {
+      this.way = 'tape';
       this.points = undefined;
-      this.aim = undefined;
+      this.objectAt = undefined;
+      this.whiteAt = undefined;
       this.broken = undefined;
       this.#seen = undefined;
     }
@@ -70,9 +72,8 @@ export class PhotoWork extends PhotoElement {
   }
 
   protected override render(): TemplateResult {
-    const {words, hand, points, aim, session} = this;
+    const {words, hand, way, whiteAt, session} = this;
     const {step, state} = session.read;
-    const measuring = this.#measuring;
     const size = step?.reading ?? this.natural;
     return html`<sw-photo-stage
         .picture=${this.picture}
@@ -81,11 +82,11 @@ export class PhotoWork extends PhotoElement {
         .group=${step && !hand ? groupOf(step) : undefined}
         .differing=${step?.reading.differing ?? []}
         .broken=${hand ? undefined : this.broken}
-        .outline=${measuring === 'object' ? step?.object?.outline : undefined}
+        .outline=${way === 'object' ? step?.object?.outline : undefined}
         .overlays=${this.overlays}
-        .points=${points}
-        .aim=${aim?.at}
-        .aimLabel=${aim?.kind === 'white' ? words.aimWhite : words.aim}
+        .points=${way === 'points' ? this.points : undefined}
+        .aim=${whiteAt ?? (way === 'object' ? this.objectAt : undefined)}
+        .aimLabel=${whiteAt ? words.aimWhite : words.aim}
         .words=${words}
         .isBusy=${state.kind === 'reading'}
         @moved=${({detail}: CustomEvent<Moved>) => {
@@ -115,7 +116,7 @@ export class PhotoWork extends PhotoElement {
       .workbench=${this.workbench}
       .session=${session}
       .overlays=${this.overlays}
-      .isWhitening=${this.aim?.kind === 'white'}
+      .isWhitening=${this.whiteAt !== undefined}
       @overlays=${({detail}: CustomEvent<Overlays>) => {
         this.overlays = detail;
       }}
@@ -123,33 +124,30 @@ export class PhotoWork extends PhotoElement {
         this.broken = detail;
       }}
       @whiten=${() => {
-        this.aim = this.aim?.kind === 'white' ? undefined : {kind: 'white', at: middleOf(size)};
+        this.whiteAt = this.whiteAt ? undefined : middleOf(size);
       }}
     >
       <sw-photo-measures
         .workbench=${this.workbench}
         .session=${session}
-        .way=${this.#measuring}
+        .way=${this.way}
         .points=${this.points}
         .object=${this.object}
         @measuring=${({detail}: CustomEvent<Measuring>) => {
-          this.points = detail === 'points' ? startPoints(size) : undefined;
-          this.aim = detail === 'object' ? {kind: 'object', at: middleOf(size)} : undefined;
+          this.way = detail;
+          this.points ??= startPoints(size);
+          this.objectAt ??= middleOf(size);
         }}
         @object=${({detail}: CustomEvent<KnownObject>) => {
           this.object = detail;
-          const found = session.step?.object;
-          if (found && this.aim) void session.measureBy(detail, this.aim.at);
+          const {objectAt} = this;
+          if (session.step?.object && objectAt) void session.measureBy(detail, objectAt);
         }}
         @look=${() => {
-          if (this.aim) void session.measureBy(this.object, this.aim.at);
+          if (this.objectAt) void session.measureBy(this.object, this.objectAt);
         }}
       ></sw-photo-measures>
     </sw-photo-panel>`;
-  }
-
-  get #measuring(): Measuring {
-    return this.points ? 'points' : this.aim?.kind === 'object' ? 'object' : 'tape';
   }
 
   get #said() {
@@ -179,26 +177,32 @@ export class PhotoWork extends PhotoElement {
   }
 
   #aimed({at, isSettled}: Placed<Point>): void {
-    const {aim, session} = this;
-    if (!aim) return;
-    this.aim = {...aim, at};
-    if (!isSettled) return;
-    if (aim.kind === 'object') {
-      void session.measureBy(this.object, at);
-      return;
+    const {session} = this;
+    if (this.whiteAt) {
+      this.whiteAt = isSettled ? undefined : at;
+      if (isSettled) void session.whiten(at);
+    } else {
+      this.objectAt = at;
+      if (isSettled) void session.measureBy(this.object, at);
     }
-    this.aim = undefined;
-    void session.whiten(at);
   }
 
   /** What is measured by is shown, whenever that is another: a step back or forward has its own. */
   #follow(step: PhotoStep, before: PhotoStep | undefined): void {
     const {between, object, w1Measured, w2Measured} = step;
-    if (between === before?.between && object === before?.object) return;
-    if (!between && !object && !w1Measured && !w2Measured) return;
-    this.points = between && [between.from, between.to];
-    if (object) this.object = object.object;
-    this.aim = object && {kind: 'object', at: centreOf(object.outline)};
+    if (between && between !== before?.between) {
+      this.way = 'points';
+      this.points = [between.from, between.to];
+    } else if (object && object !== before?.object) {
+      this.way = 'object';
+      this.object = object.object;
+      this.objectAt = centreOf(object.outline);
+    } else if (
+      (w1Measured && w1Measured !== before?.w1Measured) ||
+      (w2Measured && w2Measured !== before?.w2Measured)
+    ) {
+      this.way = 'tape';
+    }
   }
 }
 
