@@ -158,8 +158,8 @@ export class PhotoDialog extends WorkbenchElement {
       .picture=${this.#address ?? ''}
       .natural=${size}
       .hand=${this.hand}
-      @hand=${({detail}: CustomEvent<PhotoMap | undefined>) => {
-        this.hand = detail;
+      @hand=${({detail}: CustomEvent<PhotoMap | null>) => {
+        this.hand = detail ?? undefined;
       }}
     ></sw-photo-work>`;
   }

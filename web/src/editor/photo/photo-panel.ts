@@ -64,7 +64,7 @@ export class PhotoPanel extends PhotoElement {
       <sw-photo-swatch
         .workbench=${this.workbench}
         .session=${session}
-        @broken=${({detail}: CustomEvent<BrokenPlaces | undefined>) => {
+        @broken=${({detail}: CustomEvent<BrokenPlaces | null>) => {
           this.dispatchEvent(new CustomEvent('broken', {detail}));
         }}
       ></sw-photo-swatch>

@@ -131,7 +131,7 @@ export class PhotoSwatch extends PhotoElement {
   }
 
   #tell(detail: BrokenPlaces | undefined): void {
-    this.dispatchEvent(new CustomEvent<BrokenPlaces | undefined>('broken', {detail}));
+    this.dispatchEvent(new CustomEvent('broken', {detail}));
   }
 }
 

@@ -107,7 +107,7 @@ export class PhotoWork extends PhotoElement {
   }
 
   #draw(detail: PhotoMap | undefined): void {
-    this.dispatchEvent(new CustomEvent<PhotoMap | undefined>('hand', {detail}));
+    this.dispatchEvent(new CustomEvent('hand', {detail}));
   }
 
   #panel(size: PhotoSize): TemplateResult {
@@ -120,8 +120,8 @@ export class PhotoWork extends PhotoElement {
       @overlays=${({detail}: CustomEvent<Overlays>) => {
         this.overlays = detail;
       }}
-      @broken=${({detail}: CustomEvent<BrokenPlaces | undefined>) => {
-        this.broken = detail;
+      @broken=${({detail}: CustomEvent<BrokenPlaces | null>) => {
+        this.broken = detail ?? undefined;
       }}
       @whiten=${() => {
         this.whiteAt = this.whiteAt ? undefined : middleOf(size);
