@@ -28,6 +28,7 @@ constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // of the sa
 constexpr int kWindowSamples = 12;                                  // to each side
 constexpr float kFaint = 24;          // of 3 x 255: things that stand out less are none
 constexpr float kAsGood = 0.8f;       // of the best outline: coins have rings within
+constexpr double kPixelError = 0.2;   // of what is compared, by which outlines lie off. [px]
 constexpr double kThickness = 0.007;  // what the height of a coin makes of its size
 constexpr double kCorner = 0.12;      // of a card's side, left out: corners are round
 
@@ -79,6 +80,11 @@ class ObjectSearch {
   bool findCoarse(const Vec2& tapped, Placing* found) const;
   /// One step of least squares; the root mean square of what is left, over the size.
   double refine(double window, Placing* placing) const;
+  /// Half its longer side in pixels of what is compared.
+  double pixels(const Placing& placing) const {
+    return (onPicture(placing, Vec2(1, 0)) - onPicture(placing, Vec2(-1, 0))).norm() / 2 /
+           difference_.factor();
+  }
   Vec2 onPicture(const Placing& placing, const Vec2& bit) const {
     return pictureOf(placing.center + placing.size * (rotation(placing.turn) * bit));
   }
@@ -224,7 +230,8 @@ Outcome<FoundObject> findObject(const PixelView& pixels, const LatticeMap& map, 
     found.outline.push_back(search.onPicture(placing, bit));
   }
   found.scale = object.width / 2 / placing.size;
-  found.error = std::hypot(kThickness, left / std::sqrt(kOutlinePoints / 4.0));
+  found.error = std::hypot(kThickness, left / std::sqrt(kOutlinePoints / 4.0),
+                           kPixelError / search.pixels(placing));
   return found;
 }
 

@@ -62,8 +62,7 @@ export const stageStyle = css`
     stroke: #c22318;
   }
   .broken {
-    fill: rgb(122 47 181 / 0.35);
-    stroke: #7a2fb5;
+    fill: rgb(122 47 181 / 0.45);
   }
   .outline {
     fill: rgb(194 35 24 / 0.12);
