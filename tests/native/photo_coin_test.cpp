@@ -76,6 +76,29 @@ TEST(PhotoCoin, ACardMayLieTurned) {
   EXPECT_EQ(card.value().outline.size(), 4u);
 }
 
+/// Dark and light squares and bars, whose edges are clearer than a coin's.
+std::array<double, 3> boldPrint(const Vec2& u) {
+  const Vec2 p = u - u.array().floor().matrix();
+  const bool dark = (p.x() < 0.5) != (p.y() < 0.5) || std::abs(p.x() - 0.25) < 0.06;
+  return dark ? std::array<double, 3>{0.03, 0.05, 0.2} : std::array<double, 3>{0.8, 0.75, 0.7};
+}
+
+TEST(PhotoCoin, IsToldFromABoldPrint) {
+  const CameraView view = closeUp();
+  const MapInverse inverse(view.map());
+  const Photo photo = photographed(
+      480, 360,
+      [&](const Vec2& u) {
+        const Vec2 off = u.x() * view.w1 + u.y() * view.w2 - kMiddle;
+        return off.norm() < 2.325 / 2 ? std::array<double, 3>{0.5, 0.4, 0.2} : boldPrint(u);
+      },
+      inverse, [](const Vec2& p) { return 1 - p.x() / 1200; }, 0.01);
+  const Outcome<FoundObject> coin = found(photo, 0, Vec2(0.2, 0.1));
+  ASSERT_TRUE(coin.ok());
+  EXPECT_NEAR(coin.value().scale, 3, 0.03);
+  EXPECT_FALSE(found(photo, 0, Vec2(-9, 4)).ok());
+}
+
 TEST(PhotoCoin, PlainClothHasNone) {
   const Photo photo = photographed(
       480, 360,
@@ -85,7 +108,7 @@ TEST(PhotoCoin, PlainClothHasNone) {
       [](const Vec2& p) { return p; }, [](const Vec2&) { return 1.0; }, 0.005);
   const Outcome<FoundObject> coin = found(photo, 0, Vec2(0, 0));
   ASSERT_FALSE(coin.ok());
-  EXPECT_NE(coin.error().message.find("no coin"), std::string::npos);
+  EXPECT_NE(coin.error().message.find("No coin"), std::string::npos);
 }
 
 TEST(PhotoCoin, ItsScaleBecomesTheMetrics) {

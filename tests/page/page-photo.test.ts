@@ -1,10 +1,19 @@
 /** A print read off a photograph of cloth, on the page. */
-import type {Locator, Page} from 'playwright-core';
 import {beforeAll, describe, expect, it, vi} from 'vitest';
 
 import {barriers} from '../support/barriers.js';
 import {button, solved, usePage} from '../support/page.js';
 import {designOf} from '../support/page-design.js';
+import {
+  bring,
+  dialogOf,
+  found,
+  give,
+  measure,
+  openSheet,
+  patient,
+  use,
+} from '../support/page-photo.js';
 import {decoyCases} from '../support/photo/decoy-cases.js';
 import {jpegOf} from '../support/photo/files.js';
 import {floralCase} from '../support/photo/print-cases.js';
@@ -13,9 +22,6 @@ import {cut, painted, pngOf} from '../support/pictures.js';
 vi.setConfig({testTimeout: 240_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
-
-/** The photograph takes as long to read as the machine is busy. */
-const patient = {timeout: 120_000};
 
 let photograph: Buffer;
 let decoy: Buffer;
@@ -31,44 +37,6 @@ beforeAll(async () => {
   decoy = await jpegOf((await noise()).pixels, 90);
 });
 
-const dialogOf = (page: Page): Locator => page.locator('sw-photo').getByRole('dialog');
-
-async function openSheet(page: Page): Promise<Locator> {
-  await button(page, 'Photo of your cloth').click();
-  const dialog = dialogOf(page);
-  await dialog.waitFor();
-  return dialog;
-}
-
-const give = (page: Page, buffer: Buffer, name = 'meadow.jpg'): Promise<void> =>
-  page
-    .locator('sw-photo input[type=file]')
-    .first()
-    .setInputFiles({name, mimeType: 'image/jpeg', buffer});
-
-/** As if it were dragged there. */
-const drop = (page: Page, bytes: Buffer, name: string): Promise<void> =>
-  dialogOf(page).evaluate(
-    (dialog, {base64, called}) => {
-      const binary = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const data = new DataTransfer();
-      data.items.add(new File([binary], called, {type: 'image/jpeg'}));
-      dialog.dispatchEvent(
-        new DragEvent('drop', {
-          dataTransfer: data,
-          bubbles: true,
-          composed: true,
-          cancelable: true,
-        }),
-      );
-    },
-    {base64: bytes.toString('base64'), called: name},
-  );
-
-const found = (dialog: Locator): Promise<string> => dialog.getByText(/Found: /).innerText(patient);
-
-const use = (page: Page): Locator => dialogOf(page).getByRole('button', {name: 'Use this print'});
-
 describe('a photograph', () => {
   it('becomes the print: dropped, read, measured, and no request leaves the page', async () => {
     const page = await openPage();
@@ -80,14 +48,13 @@ describe('a photograph', () => {
       asked.push(`${route.request().method()} ${route.request().url()}`);
       return route.continue();
     });
-    await drop(page, photograph, 'meadow.jpg');
+    await bring(page, photograph, 'meadow.jpg');
     expect(await found(dialog)).toBe('Found: pmm.');
     await dialog
       .locator('sw-photo-swatch image')
       .first()
       .waitFor({...patient, state: 'attached'});
-    await dialog.getByLabel('measure (cm)').first().fill('80');
-    await dialog.getByLabel('measure (cm)').first().press('Enter');
+    await measure(dialog, 80);
     await dialog.getByText(/One repeat is 8 cm × /).waitFor();
     const centres = dialog.locator('sw-photo-stage .centre');
     await expect.poll(() => centres.count()).toBe(0);

@@ -4,36 +4,11 @@ import {expect, it, vi} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
 import {showSample, solved, usePage} from '../support/page.js';
+import {scriptRuns} from '../support/script-runs.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
-
-/** What the sampling profiler of Chromium gives. */
-interface Profile {
-  readonly nodes: readonly {id: number; callFrame: {functionName: string}; children?: number[]}[];
-  readonly samples: readonly number[];
-  /** [microseconds] */
-  readonly timeDeltas: readonly number[];
-}
-
-/** What is not script: the browser itself, which waits for the graphics card here, since that is software. */
-const others = new Set(['(program)', '(idle)', '(root)', '(garbage collector)']);
-
-/** How long scripts ran at one go, the longest first. [ms] */
-function runsOf({nodes, samples, timeDeltas}: Profile): readonly number[] {
-  const names = new Map(nodes.map(({id, callFrame}) => [id, callFrame.functionName]));
-  const runs: number[] = [];
-  let run = 0;
-  for (const [k, id] of samples.entries()) {
-    if (!others.has(names.get(id) ?? '')) run += (timeDeltas[k] ?? 0) / 1000;
-    else if (run > 0) {
-      runs.push(run);
-      run = 0;
-    }
-  }
-  return runs.sort((a, b) => b - a);
-}
 
 const status = (page: Page): Promise<string | null> =>
   page.locator('sw-worn [role=status]').textContent();
@@ -42,14 +17,10 @@ it('has no script that runs for more than 50 ms while a drape is shown and settl
   const page = await openPage({viewport: {width: 1300, height: 800}});
   await solved(page);
   await page.waitForTimeout(3000); // what is looked for after an answer is another matter
-  const profiler = await page.context().newCDPSession(page);
-  await profiler.send('Profiler.enable');
-  await profiler.send('Profiler.setSamplingInterval', {interval: 1000});
-  await profiler.send('Profiler.start');
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
-  await expect.poll(() => status(page), {timeout: 120_000, interval: 500}).toContain('view.');
-  const {profile} = await profiler.send('Profiler.stop');
-  const runs = runsOf(profile as Profile);
+  const runs = await scriptRuns(page, async () => {
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
+    await expect.poll(() => status(page), {timeout: 120_000, interval: 500}).toContain('view.');
+  });
   expect(runs.length).toBeGreaterThan(10);
   // a machine that others use takes the processor away once in a while
   expect(runs[1]).toBeLessThan(50);

@@ -1,9 +1,11 @@
 /** A photograph on its way to a print, without a page: readings, corrections, lengths, and what undo takes back. */
 import {describe, expect, it, vi} from 'vitest';
 
+import {brokenPath, brokenPlaces} from '@/editor/photo/breaks-on-photo.js';
 import {boxOf, cellLines, nodesOf} from '@/editor/photo/lattice-lines.js';
+import {movedNode} from '@/editor/photo/moved-node.js';
 import {PhotoSession} from '@/editor/photo/photo-session.js';
-import {movedNode} from '@/editor/photo/photo-stage.js';
+
 import {
   cellOf,
   groupOf,
@@ -14,10 +16,18 @@ import {
   tileSettings,
 } from '@/editor/print/photo-step.js';
 import {axesOf, centresOf, marksOn} from '@/editor/photo/symmetry-marks.js';
+import {gainsFor} from '@/editor/photo/white-spot.js';
 import {SolverError} from '@/model/failure.js';
 import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
 import {groupNames, type GroupName} from '@/model/print.js';
-import type {PhotoMap, PhotoReading, PhotoRequest, PhotoTileRequest} from '@/model/photo.js';
+import type {
+  PhotoMap,
+  PhotoObjectRequest,
+  PhotoReading,
+  PhotoRequest,
+  PhotoTileRequest,
+} from '@/model/photo.js';
+import {balance} from '@/solver/photo/balance.js';
 
 const size = {width: 900, height: 600};
 
@@ -52,9 +62,9 @@ function solver() {
     fail: (e: Error) => void;
   }[] = [];
   const tiles: PhotoTileRequest[] = [];
+  const objects: PhotoObjectRequest[] = [];
   return {
-    asked,
-    tiles,
+    ...{asked, tiles, objects},
     photo: (request: PhotoRequest, {signal}: {signal?: AbortSignal} = {}) =>
       new Promise<PhotoReading>((answer, fail) => {
         asked.push({request, answer, fail});
@@ -62,6 +72,15 @@ function solver() {
           fail(signal.reason as Error);
         });
       }),
+    photoObject: (request: PhotoObjectRequest) => {
+      objects.push(request);
+      const {object, at} = request;
+      if (at[0] < 100) {
+        return Promise.reject(new SolverError({code: 'picture', message: 'No coin is seen.'}));
+      }
+      const between = {from: pixelOf(map, size, [0, 0]), to: pixelOf(map, size, [1, 0]), cm: 2.325};
+      return Promise.resolve({object, outline: [at, between.from, between.to], between, error: 0});
+    },
     photoTile: (request: PhotoTileRequest) => {
       tiles.push(request);
       return Promise.resolve({width: 2, height: 2, data: new Uint8ClampedArray(16)});
@@ -139,6 +158,82 @@ describe('a session', () => {
     await session.tile();
     expect(tiles).toHaveLength(2);
     expect(tiles[1]).toMatchObject({flatten: 0.5, symmetrise: 'pmm'});
+  });
+});
+
+describe('a coin', () => {
+  it('makes the size known instead of the tape, as a step that can be undone', async () => {
+    const {session, objects} = await opened();
+    session.measure('w1', {repeats: 10, cm: 80});
+    await session.measureBy('eur1', [400, 300]);
+    expect(objects[0]).toMatchObject({object: 'eur1', at: [400, 300], shape: read('pmm').shape});
+    const {step} = session;
+    if (!step) throw new Error('Nothing was read.');
+    expect(step.w1Measured).toBeUndefined();
+    expect(measuresOf(step).size.width).toBeCloseTo(2.325, 3);
+    const half = scaledStep(step, {width: 450, height: 300});
+    expect(measuresOf(half).size.width).toBeCloseTo(2.325, 3);
+    expect(half.object?.outline[0]).toEqual([200, 150]);
+    session.undo();
+    expect(session.step?.object).toBeUndefined();
+    expect(session.step && measuresOf(session.step).size.width).toBeCloseTo(8, 3);
+  });
+
+  it('that is not seen changes nothing, and is said until something else is done', async () => {
+    const {session} = await opened();
+    await session.measureBy('eur1', [50, 300]);
+    expect(session.search).toMatchObject({kind: 'failed', failure: {message: 'No coin is seen.'}});
+    expect(session.canUndo).toBe(false);
+    session.change({quarterTurns: 1});
+    expect(session.search.kind).toBe('none');
+  });
+});
+
+describe('white balance', () => {
+  it('makes grey what was tinted, as bright as it was', () => {
+    const [red, green, blue] = gainsFor([200, 180, 150, 255]);
+    const tile = new Uint8ClampedArray([200, 180, 150, 255, 0, 0, 0, 255]);
+    balance(tile, [red, green, blue]);
+    expect(Math.max(...tile.subarray(0, 3)) - Math.min(...tile.subarray(0, 3))).toBeLessThan(2);
+    expect(Array.from(tile.subarray(3))).toEqual([255, 0, 0, 0, 255]);
+    expect(red).toBeLessThan(1);
+    expect(blue).toBeGreaterThan(1);
+  });
+
+  it('is of the tile, not of the reading', async () => {
+    const {session, tiles} = await opened();
+    session.change({gains: [0.9, 1, 1.2]});
+    await session.tile();
+    expect(tiles[0]).toMatchObject({gains: [0.9, 1, 1.2]});
+  });
+});
+
+describe('where a symmetry is broken', () => {
+  const one = {x: 0.25, y: 0.5, width: 0.25, height: 0.25, difference: 40};
+  const rows = [one, {...one, x: 0.5}];
+
+  it('is on every cell', () => {
+    const {rings, steps} = brokenPlaces(rows, {group: 'pmm', cell: 'primitive'});
+    expect(rings).toEqual([
+      [
+        [0.25, 0.5],
+        [0.75, 0.5],
+        [0.75, 0.25],
+        [0.25, 0.25],
+      ],
+    ]);
+    const path = brokenPath(map, size, {rings, steps});
+    const at = pixelOf(map, size, [1.25, 0.5]).map((one) => one.toFixed(1));
+    expect(path).toContain(`M${at.join(' ')}L`);
+    expect(path.split('Z').length).toBeGreaterThan(25);
+  });
+
+  it.each([
+    ['cmm', [-0.25, 1.25]],
+    ['p6m', [-0.25, 1.5]],
+  ] as const)('is in lattice coordinates of %s, from the rectangle that is shown', (group, at) => {
+    const [ring] = brokenPlaces([{...one, x: 0.5, y: 0.25}], {group, cell: 'rectangular'}).rings;
+    expect(ring?.[0]).toEqual(at);
   });
 });
 

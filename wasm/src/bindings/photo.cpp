@@ -23,6 +23,7 @@ EMSCRIPTEN_BINDINGS(photo) {
       .function("advance", &PhotoTileHandle::advance)
       .function("fraction", &PhotoTileHandle::fraction)
       .function("tile", &PhotoTileHandle::tile);
+  emscripten::function("knownObject", &knownObjectIn);
 }
 
 }  // namespace

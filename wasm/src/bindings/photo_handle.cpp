@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "recognition/cloth/coin.h"
+
 namespace seamwise {
 namespace {
 
@@ -107,6 +109,12 @@ val seamsValue(const TileSeams& seams) {
   return value;
 }
 
+/// Of w1, w2, in their unit.
+Mat2 gramOf(const std::vector<double>& w) {
+  const Mat2 vectors = (Mat2() << w[0], w[2], w[1], w[3]).finished();
+  return vectors.transpose() * vectors;
+}
+
 }  // namespace
 
 PhotoHandle::PhotoHandle(const val& request) : bytes_(bytesOf(request["pixels"])) {
@@ -172,9 +180,8 @@ PhotoTileHandle::PhotoTileHandle(const val& request) : bytes_(bytesOf(request["p
     return;
   }
   PhotoTileSettings settings;
-  const Mat2 vectors = (Mat2() << w[0], w[2], w[1], w[3]).finished();
   settings.map = mapOf(map, *view);
-  settings.gram = vectors.transpose() * vectors;
+  settings.gram = gramOf(w);
   settings.is_tile = request["isTile"].as<bool>();
   settings.flatten = photoNumber(request, "flatten");
   settings.group = findGroup(request["group"].as<std::string>());
@@ -187,6 +194,38 @@ val PhotoTileHandle::tile() const {
   value.set("width", tile_->columns());
   value.set("height", tile_->rows());
   value.set("pixels", copied(image.size(), image.data()));
+  return value;
+}
+
+val knownObjectIn(const val& request) {
+  const std::vector<std::uint8_t> bytes = bytesOf(request["pixels"]);
+  const auto view = viewOf(request, bytes);
+  const std::vector<double> map = photoNumbers(request, "map"),
+                            w = photoNumbers(request, "vectors");
+  const std::vector<double> at = photoNumbers(request, "at");
+  const auto name = request["object"].as<std::string>();
+  const auto known = knownObjects();
+  const auto object =
+      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
+  val value = val::object();
+  if (!view || map.size() != 10 || w.size() != 4 || at.size() != 2 || object == known.end()) {
+    value.set("failure", failureValue(noPicture()));
+    return value;
+  }
+  const auto found = findObject(*view, mapOf(map, *view), gramOf(w), *object, {at[0], at[1]});
+  if (!found.ok()) {
+    value.set("failure", failureValue(found.error()));
+    return value;
+  }
+  const std::vector<Vec2>& outline = found.value().outline;
+  std::vector<double> numbers;
+  for (const Vec2& p : outline) numbers.insert(numbers.end(), {p.x(), p.y()});
+  const Vec2 from = outline[0], to = outline[object->round ? outline.size() / 2 : 1];
+  value.set("failure", val::null());
+  value.set("outline", copied(numbers));
+  value.set("between",
+            copied(std::vector<double>{from.x(), from.y(), to.x(), to.y(), object->width}));
+  value.set("error", found.value().error);
   return value;
 }
 

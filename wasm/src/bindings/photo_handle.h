@@ -46,4 +46,7 @@ class PhotoTileHandle {
   std::optional<Error> error_;
 };
 
+/// The outline of a thing of known size on a picture, as photo.d.mts describes request and answer.
+val knownObjectIn(const val& request);
+
 }  // namespace seamwise

@@ -95,10 +95,10 @@ export interface PhotoHooks {
 export const photoNotes = ['uneven', 'differs', 'focalLength'] as const;
 export type PhotoNote = (typeof photoNotes)[number];
 
-/** Why no print can be read off a picture. */
+/** Why no print can be read off a picture; `object`: no coin or card is seen where somebody says. */
 export const photoFaults = [
   ...(['plain', 'noRepeat', 'fewRepeats', 'twoPrints', 'changes'] as const),
-  ...(['blurred', 'moire', 'uneven', 'edges', 'small'] as const),
+  ...(['blurred', 'moire', 'uneven', 'edges', 'small', 'object'] as const),
 ] as const;
 export type PhotoFault = (typeof photoFaults)[number];
 
@@ -163,6 +163,38 @@ export interface PhotoTileSettings {
   readonly flatten?: number;
   /** Of w1 and w2, in proportion. */
   readonly shape: readonly [Point, Point];
+  /** Factors of red, green and blue light, in which what is white is white; 1 unless said otherwise. */
+  readonly gains?: ColourGains;
+}
+
+export type ColourGains = readonly [number, number, number];
+
+/** By their mints, ISO/IEC 7810 ID-1, and ISO 216. */
+export const knownObjects = ['eur1', 'eur2', 'quarter', 'gbp1', 'card', 'a4'] as const;
+export type KnownObject = (typeof knownObjects)[number];
+
+/** A thing of known size that lies flat on the cloth. */
+export interface PhotoObjectSettings {
+  readonly object: KnownObject;
+  /** A place on it, near its middle. [px] */
+  readonly at: Point;
+  readonly map: PhotoMap;
+  /** Of w1 and w2, in proportion. */
+  readonly shape: readonly [Point, Point];
+}
+
+export interface PhotoObject {
+  readonly object: KnownObject;
+  readonly outline: readonly Point[];
+  /** The ends of its width. */
+  readonly between: PointsMeasured;
+  /** Standard error of a length by it, as a share. */
+  readonly error: number;
+}
+
+export interface PhotoObjectRequest extends PhotoObjectSettings {
+  /** A file is decoded by who answers. */
+  readonly picture: PhotoPixels | Blob;
 }
 
 export interface PhotoRequest extends PhotoSettings {

@@ -17,6 +17,7 @@ import type {SeamwiseModule} from './module/seamwise.mjs';
 import {decoded} from './photo/decode.js';
 import {
   photoModuleRequest,
+  photoObjectOf,
   photoTileModuleRequest,
   runPhoto,
   runPhotoTile,
@@ -150,8 +151,17 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
         const pixels = await decoded(picture);
         hooks.signal?.throwIfAborted();
         return owning(new module.PhotoTile(photoTileModuleRequest(pixels, settings)), (tile) =>
-          runPhotoTile(tile, hooks, pace),
+          runPhotoTile(tile, settings.gains, hooks, pace),
         );
+      },
+    },
+    photoObject: {
+      module: 'photo',
+      queue: photos,
+      answer: async (module, {picture, ...settings}, {hooks}) => {
+        const pixels = await decoded(picture);
+        hooks.signal?.throwIfAborted();
+        return photoObjectOf(module, pixels, settings);
       },
     },
     share: {

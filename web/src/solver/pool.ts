@@ -64,6 +64,7 @@ const besideSolves: ReadonlySet<keyof Requests> = new Set([
   'marker',
   'photo',
   'photoTile',
+  'photoObject',
 ]);
 
 export class SolverPool {

@@ -4,6 +4,8 @@ import type {GarmentDocument} from '../model/garment-document.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
 import type {
   PhotoHooks,
+  PhotoObject,
+  PhotoObjectRequest,
   PhotoPixels,
   PhotoReading,
   PhotoRequest,
@@ -103,6 +105,15 @@ export interface SolverService {
 
   /** The print's cell, w1 to the right and w2 up, from all copies that a picture shows. */
   photoTile(request: PhotoTileRequest, hooks?: PhotoHooks): Promise<PhotoPixels>;
+
+  /**
+   * Where a coin, a card or a sheet lies on a picture of cloth, which makes lengths known.
+   * @throws {SolverError} where none is seen
+   */
+  photoObject(
+    request: PhotoObjectRequest,
+    hooks?: {readonly signal?: AbortSignal},
+  ): Promise<PhotoObject>;
 }
 
 /** A service for whoever can answer requests: it makes the requests. */
@@ -164,6 +175,13 @@ export abstract class TextService implements SolverService {
 
   photoTile(request: PhotoTileRequest, hooks: PhotoHooks = {}): Promise<PhotoPixels> {
     return this.#ask('photoTile', () => request, hooks);
+  }
+
+  photoObject(
+    request: PhotoObjectRequest,
+    hooks: {readonly signal?: AbortSignal} = {},
+  ): Promise<PhotoObject> {
+    return this.#ask('photoObject', () => request, hooks);
   }
 
   /** A signal that has fired goes before anything that is wrong with a request. */

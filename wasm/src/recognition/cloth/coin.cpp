@@ -6,19 +6,18 @@
 #include <string>
 
 #include "recognition/base/map_inverse.h"
+#include "recognition/cloth/print_difference.h"
 
 namespace seamwise {
 
 namespace {
 
-constexpr KnownObject kKnownObjects[] = {{"eur1", 2.325, 2.325, true},
-                                         {"eur2", 2.575, 2.575, true},
-                                         {"quarter", 2.426, 2.426, true},
-                                         {"gbp1", 2.34, 2.34, true},
-                                         {"card", 8.56, 5.398, false}};
+constexpr KnownObject kKnownObjects[] = {
+    {"eur1", 2.325, 2.325, true}, {"eur2", 2.575, 2.575, true}, {"quarter", 2.426, 2.426, true},
+    {"gbp1", 2.34, 2.34, true},   {"card", 8.56, 5.398, false}, {"a4", 29.7, 21, false}};
 
 constexpr int kOutlinePoints = 48;
-constexpr double kLeastRadius = 8;      // half the longer side. [px]
+constexpr double kLeastRadius = 6;      // half the longer side, of what is compared. [px]
 constexpr double kMostOfPicture = 0.4;  // half of it, over the picture's longer side
 constexpr double kScaleStep = 1.04;
 constexpr double kCenterStep = 0.12;   // of half the longer side
@@ -27,8 +26,9 @@ constexpr int kTurnSteps = 30;         // of half a turn
 constexpr double kCoarseReach = 0.08;  // to both sides of an outline, of half the longer side
 constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // of the same
 constexpr int kWindowSamples = 12;                                  // to each side
-constexpr float kFaint = 10;          // of 3 x 255: weaker edges are none
+constexpr float kFaint = 24;          // of 3 x 255: things that stand out less are none
 constexpr float kAsGood = 0.8f;       // of the best outline: coins have rings within
+constexpr double kPixelError = 0.2;   // of what is compared, by which outlines lie off. [px]
 constexpr double kThickness = 0.007;  // what the height of a coin makes of its size
 constexpr double kCorner = 0.12;      // of a card's side, left out: corners are round
 
@@ -65,7 +65,11 @@ class ObjectSearch {
  public:
   ObjectSearch(const PixelView& pixels, const LatticeMap& map, const Mat2& gram,
                const KnownObject& object)
-      : pixels_(pixels), map_(map), bits_(outlineOf(object)), round_(object.round) {
+      : difference_(pixels, map),
+        longer_(std::max(pixels.width, pixels.height)),
+        map_(map),
+        bits_(outlineOf(object)),
+        round_(object.round) {
     const double along = std::sqrt(gram(0, 0)), across = gram(0, 1) / along;
     const double up = std::sqrt(std::max(gram(1, 1) - across * across, 1e-300));
     to_lattice_ << 1 / along, -across / (along * up), 0, 1 / up;
@@ -76,32 +80,30 @@ class ObjectSearch {
   bool findCoarse(const Vec2& tapped, Placing* found) const;
   /// One step of least squares; the root mean square of what is left, over the size.
   double refine(double window, Placing* placing) const;
+  /// Half its longer side in pixels of what is compared.
+  double pixels(const Placing& placing) const {
+    return (onPicture(placing, Vec2(1, 0)) - onPicture(placing, Vec2(-1, 0))).norm() / 2 /
+           difference_.factor();
+  }
   Vec2 onPicture(const Placing& placing, const Vec2& bit) const {
     return pictureOf(placing.center + placing.size * (rotation(placing.turn) * bit));
   }
 
  private:
   Vec2 pictureOf(const Vec2& cloth) const { return map_(to_lattice_ * cloth); }
-  bool sample(const Vec2& cloth, PixelLanes* colour) const {
-    const Vec2 p = pictureOf(cloth);
-    return bilinear(pixels_, static_cast<float>(p.x()), static_cast<float>(p.y()), colour);
+  /// By how much more the inside differs from the print than the outside; 0 where it does not.
+  float edge(const Vec2& inside, const Vec2& outside) const {
+    return std::max(0.0f, difference_.at(pictureOf(inside)) - difference_.at(pictureOf(outside)));
   }
-  float edge(const Vec2& inside, const Vec2& outside) const;
   float clearness(const Placing& placing, float least) const;
 
-  PixelView pixels_;
+  PrintDifference difference_;
+  int longer_;
   LatticeMap map_;
   std::vector<OutlineBit> bits_;
   bool round_;
   Mat2 to_lattice_, to_cloth_;
 };
-
-float ObjectSearch::edge(const Vec2& inside, const Vec2& outside) const {
-  PixelLanes a, b;
-  if (!sample(inside, &a) || !sample(outside, &b)) return 0;
-  const PixelLanes d = a - b;
-  return std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
-}
 
 /// The edge that three quarters of the outline exceed, or 0 when that is not more than `least`.
 float ObjectSearch::clearness(const Placing& placing, float least) const {
@@ -122,10 +124,11 @@ bool ObjectSearch::findCoarse(const Vec2& tapped, Placing* found) const {
   const Vec2 u = MapInverse(map_)(tapped);
   const Mat2 d = derivative(map_, u) * to_lattice_;
   const double px = std::sqrt(std::abs(cross(d.col(0), d.col(1))));  // of a unit of length
-  const double most = kMostOfPicture * std::max(pixels_.width, pixels_.height) / px;
+  const double least = kLeastRadius * difference_.factor() / px;
+  const double most = kMostOfPicture * longer_ / px;
   float best = kFaint;
   std::vector<std::pair<float, Placing>> sizes;
-  for (double size = kLeastRadius / px; size < most; size *= kScaleStep) {
+  for (double size = least; size < most; size *= kScaleStep) {
     std::pair<float, Placing> clearest{0.0f, {}};
     for (int turn = 0; turn < (round_ ? 1 : kTurnSteps); ++turn) {
       for (int j = -kCenterSteps; j <= kCenterSteps; ++j) {
@@ -209,12 +212,12 @@ Outcome<FoundObject> findObject(const PixelView& pixels, const LatticeMap& map, 
   const ObjectSearch search(pixels, map, gram, object);
   Placing placing;
   if (!search.findCoarse(tapped, &placing)) {
-    Error error;
-    error.code = Failure::kOptions;
-    error.message =
-        "no " + std::string(object.round ? "coin" : "card") +
-        " is seen at that point; tap its middle, or drag a line of known length instead";
-    return error;
+    const std::string thing = object.round ? "coin" : object.name == "a4" ? "sheet" : "card";
+    return Error{Failure::kPicture,
+                 "No " + thing +
+                     " is seen at that point; tap its middle, or drag a line of known length "
+                     "instead.",
+                 -1, -1, "object"};
   }
   double left = 0;
   for (const double window : kWindows) left = search.refine(window, &placing);
@@ -227,7 +230,8 @@ Outcome<FoundObject> findObject(const PixelView& pixels, const LatticeMap& map, 
     found.outline.push_back(search.onPicture(placing, bit));
   }
   found.scale = object.width / 2 / placing.size;
-  found.error = std::hypot(kThickness, left / std::sqrt(kOutlinePoints / 4.0));
+  found.error = std::hypot(kThickness, left / std::sqrt(kOutlinePoints / 4.0),
+                           kPixelError / search.pixels(placing));
   return found;
 }
 

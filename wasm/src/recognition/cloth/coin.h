@@ -16,7 +16,8 @@ struct KnownObject {
   bool round = false;
 };
 
-/// "eur1", "eur2", "quarter", "gbp1" by their mints, and "card" (ISO/IEC 7810 ID-1).
+/// "eur1", "eur2", "quarter", "gbp1" by their mints, "card" (ISO/IEC 7810 ID-1), and "a4" (ISO
+/// 216).
 std::span<const KnownObject> knownObjects();
 
 /// Where a known object lies.
@@ -27,9 +28,9 @@ struct FoundObject {
 };
 
 /// Looks for an object's outline around a point that somebody has set in it, within a third of its
-/// size from its middle: first where edges lie along all of the outline, then by least squares on
-/// where each bit of it is steepest. Its thickness alone makes an error of about 1 %.
-/// Errors: kOptions, one sentence, when nothing there has such an outline.
+/// size from its middle: first where all of the outline parts what differs from the print from what
+/// does not, then by least squares on where each bit of it does so most. Its thickness alone makes
+/// an error of about 1 %. Errors: kPicture, one sentence, when nothing there has such an outline.
 /// @param gram   of the map's w1, w2, in any unit of length
 Outcome<FoundObject> findObject(const PixelView& pixels, const LatticeMap& map, const Mat2& gram,
                                 const KnownObject& object, const Vec2& tapped);

@@ -1,5 +1,6 @@
 /** What cutting files are made of, once there is an answer. */
 import {decidedOf, noPicture, printOf} from '../../model/design.js';
+import {SolverError} from '../../model/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
 import type {SolveResult} from '../../model/result.js';
 import type {AllowanceRule} from '../../cutting/allowances.js';
@@ -17,14 +18,17 @@ export interface CutMaterial {
   readonly options: SheetOptions;
 }
 
-/** Undefined before there is an answer. @throws {Error} for a print of unknown size, and when its picture cannot be read */
+/** Undefined before there is an answer. @throws {SolverError} `unscaled`; {Error} when the print's picture cannot be read */
 export async function cutMaterial(
   {design, garment, result, preferences}: Workbench,
   rule: AllowanceRule,
 ): Promise<CutMaterial | undefined> {
   if (!design || !garment || !result) return undefined;
   const {units, language: locale, messages} = preferences;
-  if (design.print.unscaled) throw new Error(textsOf(locale, messages).print.unscaled);
+  if (design.print.unscaled) {
+    const message = textsOf(locale, messages).print.unscaled;
+    throw new SolverError({code: 'unscaled', message});
+  }
   const {image} = design.print;
   const tile = image === noPicture ? undefined : await embeddedTile(image);
   return {

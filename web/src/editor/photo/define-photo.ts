@@ -4,9 +4,11 @@ import type {Workbench} from '../../workbench/workbench.js';
 import type {PhotoOfCloth} from '../print/print-files.js';
 import {PhotoDialog} from './photo-dialog.js';
 import type {PhotoKeeper} from './photo-keeper.js';
+import {PhotoMeasures} from './photo-measures.js';
 import {PhotoPanel} from './photo-panel.js';
 import {PhotoStage} from './photo-stage.js';
 import {PhotoSwatch} from './photo-swatch.js';
+import {PhotoWork} from './photo-work.js';
 
 const tag = 'sw-photo';
 
@@ -19,8 +21,10 @@ export async function openPhoto(
   registerAll({
     [tag]: PhotoDialog,
     'sw-photo-stage': PhotoStage,
+    'sw-photo-measures': PhotoMeasures,
     'sw-photo-panel': PhotoPanel,
     'sw-photo-swatch': PhotoSwatch,
+    'sw-photo-work': PhotoWork,
   });
   const dialog = root.querySelector<PhotoDialog>(tag) ?? new PhotoDialog();
   dialog.workbench = workbench;

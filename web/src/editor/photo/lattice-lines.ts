@@ -86,3 +86,10 @@ export function nodesOf(map: PhotoMap, size: PhotoSize): readonly Point[] {
     least[1] + Math.floor(k / across),
   ]).filter((node) => isInside(pixelOf(map, size, node), size));
 }
+
+/** A square cell in the middle. */
+export function startLattice({width, height}: PhotoSize): PhotoMap {
+  const side = Math.min(width, height) / 4;
+  const [x, y] = [(width - side) / 2, (height + side) / 2];
+  return {homography: [side, 0, x, 0, -side, y, 0, 0, 1], lens: 0};
+}

@@ -15,6 +15,9 @@ export const panelStyle = css`
     flex-wrap: wrap;
     gap: var(--sw-space-2);
   }
+  .row > .soft {
+    flex-basis: 100%;
+  }
   .row label {
     margin-right: var(--sw-space-2);
   }

@@ -1,36 +1,30 @@
 /** The sheet on which a photograph of cloth becomes a print. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {Failure} from '../../model/failure.js';
-import {photoFaults, type PhotoMap} from '../../model/photo.js';
+import type {PhotoMap} from '../../model/photo.js';
 import {dataUrlOf} from '../../recognition/data-url.js';
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {focused} from '../base/focused.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import type {PhotoOfCloth} from '../print/print-files.js';
-import {kindOf} from '../print/read-picture.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {sheetDialog} from '../style/sheet-dialog.js';
 import {dialogStyle} from './dialog-style.js';
+import {startLattice, type PhotoSize} from './lattice-lines.js';
 import type {PhotoKeeper} from './photo-keeper.js';
-import type {PhotoSize} from './lattice-lines.js';
 import {cellPicture, pngOf} from '../print/photo-picture.js';
 import {PhotoSession} from './photo-session.js';
-import type {Moved, Overlays, TwoPoints} from './photo-stage.js';
-import {groupIn, groupOf, measuresOf, type PhotoStep} from '../print/photo-step.js';
-
-/** Kinds that browsers decode; of others it is said what they are. */
-const decodable: ReadonlySet<string> = new Set(['png', 'jpeg', 'webp', 'avif', 'gif', 'bmp']);
+import {measuresOf, type PhotoStep} from '../print/photo-step.js';
+import {pictureButton} from './picture-button.js';
+import {shownPicture} from './shown-picture.js';
 
 export class PhotoDialog extends WorkbenchElement {
   static override properties = {
     ...WorkbenchElement.properties,
     session: {state: true},
     size: {state: true},
-    overlays: {state: true},
-    points: {state: true},
     hand: {state: true},
     name: {state: true},
     trouble: {state: true},
@@ -41,9 +35,6 @@ export class PhotoDialog extends WorkbenchElement {
   declare protected session: PhotoSession | undefined;
   /** Of the picture as the browser shows it. */
   declare protected size: PhotoSize | undefined;
-  declare protected overlays: Overlays;
-  /** Whose distance is to be measured. */
-  declare protected points: TwoPoints | undefined;
   /** A lattice that somebody draws. */
   declare protected hand: PhotoMap | undefined;
   declare protected name: string;
@@ -57,7 +48,6 @@ export class PhotoDialog extends WorkbenchElement {
 
   constructor() {
     super();
-    this.overlays = {cells: true, axes: false, differing: true};
     this.name = '';
     this.isTaking = false;
   }
@@ -120,7 +110,7 @@ export class PhotoDialog extends WorkbenchElement {
           ${icon.close}
         </button>
       </header>
-      ${session && this.size ? this.#work(session, this.size) : this.#intake()}
+      ${session && this.size ? [this.#work(session, this.size), this.#foot(session, this.size)] : this.#intake()}
     </dialog>`;
   }
 
@@ -149,157 +139,35 @@ export class PhotoDialog extends WorkbenchElement {
 
   #intake(): TemplateResult {
     const {words} = this;
+    const take = this.#given;
     return html`<div class="intake">
       <p>${words.intake}</p>
       <p class="soft">${words.stays}</p>
       ${this.trouble ? html`<p class="error" role="alert">${this.trouble}</p>` : nothing}
       <div class="row">
-        ${this.#file(words.choose, false, 'primary')} ${this.#file(words.camera, true, 'outlined')}
+        ${pictureButton({label: words.choose, look: 'primary', take})}
+        ${pictureButton({label: words.camera, look: 'outlined', isCamera: true, take})}
       </div>
     </div>`;
   }
 
-  /** A button that asks for a picture; on phones, `camera` takes one. */
-  #file(label: string, isCamera: boolean, look: string): TemplateResult {
-    return html`<span class=${isCamera ? 'camera' : ''}>
-      <input
-        type="file"
-        hidden
-        accept="image/*"
-        capture=${isCamera ? 'environment' : nothing}
-        @change=${(event: Event) => {
-          const input = event.target as HTMLInputElement;
-          const [file] = input.files ?? [];
-          if (file) void this.#take(file, file.name);
-          input.value = '';
-        }}
-      />
-      <button
-        class=${look}
-        @click=${(event: Event) => {
-          const {parentElement} = event.currentTarget as HTMLElement;
-          parentElement?.querySelector('input')?.click();
-        }}
-      >
-        ${label}
-      </button>
-    </span>`;
+  #work(session: PhotoSession, size: PhotoSize): TemplateResult {
+    return html`<sw-photo-work
+      .workbench=${this.workbench}
+      .session=${session}
+      .picture=${this.#address ?? ''}
+      .natural=${size}
+      .hand=${this.hand}
+      @hand=${({detail}: CustomEvent<PhotoMap | null>) => {
+        this.hand = detail ?? undefined;
+      }}
+    ></sw-photo-work>`;
   }
 
-  #work(session: PhotoSession, natural: PhotoSize): TemplateResult {
-    const {words, hand, points} = this;
+  #foot(session: PhotoSession, natural: PhotoSize): TemplateResult {
+    const {words, hand} = this;
     const {step, state} = session.read;
     const size = step?.reading ?? natural;
-    const map = hand ?? (step && groupIn(step).map);
-    return html`<div class="body">
-        <sw-photo-stage
-          .picture=${this.#address ?? ''}
-          .size=${size}
-          .map=${map}
-          .group=${step && !hand ? groupOf(step) : undefined}
-          .differing=${step?.reading.differing ?? []}
-          .overlays=${this.overlays}
-          .points=${points}
-          .words=${words}
-          .isBusy=${state.kind === 'reading'}
-          @moved=${({detail}: CustomEvent<Moved>) => {
-            if (hand) this.hand = detail.map;
-            else void session.align(detail.map, detail.keeps);
-          }}
-          @measured=${({detail}: CustomEvent<TwoPoints>) => {
-            this.points = detail;
-            const between = session.step?.between;
-            const [from, to] = detail;
-            if (between) session.change({between: {...between, from, to}});
-          }}
-        ></sw-photo-stage>
-        <div class="side">
-          ${this.#state(session)}
-          ${
-            hand
-              ? nothing
-              : html`<sw-photo-panel
-                  .workbench=${this.workbench}
-                  .session=${session}
-                  .overlays=${this.overlays}
-                  .points=${points}
-                  @overlays=${({detail}: CustomEvent<Overlays>) => {
-                    this.overlays = detail;
-                  }}
-                  @ruler=${({detail}: CustomEvent<boolean>) => {
-                    this.points = detail ? startPoints(size) : undefined;
-                  }}
-                ></sw-photo-panel>`
-          }
-        </div>
-      </div>
-      ${this.#foot(session, size)}`;
-  }
-
-  #state(session: PhotoSession): TemplateResult | typeof nothing {
-    const {words, format, hand} = this;
-    const {state} = session;
-    if (hand) {
-      return html`<div class="note" role="status">
-        <p>${words.hand}</p>
-        <button
-          class="primary"
-          @click=${() => {
-            this.hand = undefined;
-            void session.align(hand);
-          }}
-        >
-          ${words.alignHand}
-        </button>
-        <button
-          class="outlined"
-          @click=${() => {
-            this.hand = undefined;
-          }}
-        >
-          ${this.texts.app.cancel}
-        </button>
-      </div>`;
-    }
-    switch (state.kind) {
-      case 'reading':
-        return html`<div class="note" role="status">
-          <p>${words.reading(words.stages[state.stage], format.percent(state.fraction))}</p>
-          <progress
-            max="1"
-            .value=${state.fraction}
-            aria-label=${words.stages[state.stage]}
-          ></progress>
-          <button
-            class="outlined"
-            @click=${() => {
-              session.cancel();
-            }}
-          >
-            ${this.texts.app.cancel}
-          </button>
-        </div>`;
-      case 'cancelled':
-        return html`<div class="note" role="status">
-          <p>${words.cancelled}</p>
-          <button class="outlined" @click=${() => void session.begin()}>${words.again}</button>
-        </div>`;
-      case 'failed':
-        return html`<p class="error" role="alert">${this.#said(state.failure)}</p>`;
-      case 'done':
-        return nothing;
-    }
-  }
-
-  #said({code, reason, message}: Failure): string {
-    if (code === 'not-an-image' && this.trouble) return this.trouble;
-    const fault = photoFaults.find((known) => known === reason);
-    return fault ? this.words.faults[fault] : message;
-  }
-
-  #foot(session: PhotoSession, size: PhotoSize): TemplateResult {
-    const {words, hand} = this;
-    const {step, state} = session;
     const isReady = step !== undefined && !hand && state.kind !== 'reading';
     return html`<footer>
       ${
@@ -318,7 +186,7 @@ export class PhotoDialog extends WorkbenchElement {
           }}
         />
       </label>
-      ${this.#file(words.another, false, 'outlined')}
+      ${pictureButton({label: words.another, look: 'outlined', take: this.#given})}
       <button
         class="outlined"
         ?disabled=${hand !== undefined || state.kind === 'reading'}
@@ -338,11 +206,15 @@ export class PhotoDialog extends WorkbenchElement {
     </footer>`;
   }
 
+  readonly #given = (file: File): void => {
+    void this.#take(file, file.name);
+  };
+
   #hand(event: Event, file: File | undefined): void {
     event.stopPropagation(); // the page takes files, too
     if (!file) return;
     event.preventDefault();
-    void this.#take(file, file.name);
+    this.#given(file);
   }
 
   async #take(picture: Blob, name: string, step?: PhotoStep): Promise<void> {
@@ -350,30 +222,17 @@ export class PhotoDialog extends WorkbenchElement {
     this.name = name.replace(/\.[^.]*$/, '');
     const address = URL.createObjectURL(picture);
     this.#address = address;
-    const image = new Image();
-    image.src = address;
-    const [kind, isShown] = await Promise.all([
-      kindOf(picture),
-      image.decode().then(
-        () => true,
-        () => false,
-      ),
-    ]);
+    const shown = await shownPicture(picture, {address, name}, this.texts.print.files);
     if (this.#address !== address) return;
-    const {files} = this.texts.print;
-    if (!isShown) {
-      const isOther = kind !== undefined && !decodable.has(kind);
-      this.trouble = isOther
-        ? files.wrongKind(name, files.kinds[kind])
-        : kind
-          ? files.damaged(name, files.kinds[kind])
-          : files.unreadable(name);
+    if (typeof shown === 'string') {
+      this.trouble = shown;
       return;
     }
-    this.size = {width: image.naturalWidth, height: image.naturalHeight};
+    this.size = shown;
     this.session = new PhotoSession(this.workbench.solver, picture);
-    if (step) this.session.resume(step);
-    else void this.session.begin();
+    if (step) {
+      this.session.resume(step);
+    } else void this.session.begin();
   }
 
   /** The photograph that the present print was made of, as it was left. */
@@ -433,24 +292,10 @@ export class PhotoDialog extends WorkbenchElement {
     this.session?.dispose();
     this.session = undefined;
     this.size = undefined;
-    this.points = undefined;
     this.hand = undefined;
     this.trouble = undefined;
     this.#isLed = false;
     if (this.#address !== undefined) URL.revokeObjectURL(this.#address);
     this.#address = undefined;
   }
-}
-
-/** Somewhere in the middle, to be dragged from there. */
-const startPoints = ({width, height}: PhotoSize): TwoPoints => [
-  [0.25 * width, 0.5 * height],
-  [0.75 * width, 0.5 * height],
-];
-
-/** A square cell in the middle. */
-function startLattice({width, height}: PhotoSize): PhotoMap {
-  const side = Math.min(width, height) / 4;
-  const [x, y] = [(width - side) / 2, (height + side) / 2];
-  return {homography: [side, 0, x, 0, -side, y, 0, 0, 1], lens: 0};
 }

@@ -1,33 +1,16 @@
 /** Beside the photograph: what was found, and all that can be decided about it. */
-import {html, nothing, svg, type TemplateResult} from 'lit';
+import {html, nothing, type TemplateResult} from 'lit';
 
-import {norm, type Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry.js';
 import {rebased} from '../../model/photo-map.js';
-import type {PhotoGroup, RepeatsMeasured} from '../../model/photo.js';
-import {lengthUnit} from '../controls/number-field.js';
+import type {GroupName} from '../../model/print.js';
 import {controls} from '../style/controls.js';
-import {PhotoElement} from './photo-element.js';
+import type {BrokenPlaces} from './breaks-on-photo.js';
 import {panelStyle} from './panel-style.js';
-import type {Overlays, TwoPoints} from './photo-stage.js';
-import {
-  cellOf,
-  groupIn,
-  groupOf,
-  isMisfit,
-  isOneWay,
-  measuresOf,
-  type PhotoStep,
-} from '../print/photo-step.js';
-
-type Vector = 'w1' | 'w2';
-
-/** As often as a tape is held along, unless somebody says otherwise. */
-const usualRepeats = 10;
-/** [cm] */
-const leastMeasured = 0.1;
-const mostMeasured = 10_000;
-/** Shares at which the bars of the groups are full: twice what is "has not". */
-const fullBar = {rho: 0.12, worst: 0.8};
+import {PhotoElement} from './photo-element.js';
+import {photoGroups} from './photo-groups.js';
+import {groupIn, groupOf, isOneWay, measuresOf, type PhotoStep} from '../print/photo-step.js';
+import {overlayNames, type Overlays} from './stage-marks.js';
 
 /** Another basis of the lattice, or of a coarser or finer one. */
 const bases = {
@@ -48,33 +31,44 @@ const bases = {
   ] as const,
 };
 
-const lengths: readonly Vector[] = ['w1', 'w2'];
+const vectors = ['w1', 'w2'] as const;
 
-/** Fires `overlays` with `Overlays`, `ruler` with whether two points are to be measured. */
+/** Fires `overlays` with `Overlays`, `whiten` when something white is to be shown or is not any more, and `broken`. */
 export class PhotoPanel extends PhotoElement {
   static override properties = {
     ...PhotoElement.properties,
     overlays: {attribute: false},
-    points: {attribute: false},
-    repeats: {state: true},
+    isWhitening: {type: Boolean},
   };
   static override styles = [controls, panelStyle];
   declare overlays: Overlays;
-  declare points: TwoPoints | undefined;
-  /** Along which a tape is held. */
-  declare protected repeats: Readonly<Record<Vector, number>>;
+  /** Something white is asked for. */
+  declare isWhitening: boolean;
 
   constructor() {
     super();
-    this.repeats = {w1: usualRepeats, w2: usualRepeats};
+    this.isWhitening = false;
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {step} = this.session.read;
+    const {session, words, texts} = this;
+    const {step} = session.read;
     if (!step) return nothing;
+    const groups = {
+      ...{words, meanings: texts.print.meanings},
+      choose: (name: GroupName): void => {
+        session.change({chosen: name === step.reading.group ? undefined : name});
+      },
+    };
     return html`${this.#found(step)}
-      <sw-photo-swatch .workbench=${this.workbench} .session=${this.session}></sw-photo-swatch>
-      ${this.#looks(step)} ${this.#size(step)} ${this.#groups(step)} ${this.#lattice(step)}
+      <sw-photo-swatch
+        .workbench=${this.workbench}
+        .session=${session}
+        @broken=${({detail}: CustomEvent<BrokenPlaces | null>) => {
+          this.dispatchEvent(new CustomEvent('broken', {detail}));
+        }}
+      ></sw-photo-swatch>
+      ${this.#looks(step)} <slot></slot> ${photoGroups(step, groups)} ${this.#lattice(step)}
       ${this.#cloth(step)}`;
   }
 
@@ -111,11 +105,10 @@ export class PhotoPanel extends PhotoElement {
 
   #looks(step: PhotoStep): TemplateResult {
     const {words, overlays, session} = this;
-    const names = ['cells', 'axes', 'differing'] as const;
     return html`<section aria-label=${words.show}>
       <h3>${words.show}</h3>
       <div class="row">
-        ${names.map(
+        ${overlayNames.map(
           (name) =>
             html`<label class="inline">
               <input
@@ -143,6 +136,7 @@ export class PhotoPanel extends PhotoElement {
           }}
         />
       </label>
+      ${this.#white(step)}
       <label class="inline">
         <input
           type="checkbox"
@@ -157,134 +151,32 @@ export class PhotoPanel extends PhotoElement {
     </section>`;
   }
 
-  #size(step: PhotoStep): TemplateResult {
-    const {words, format} = this;
-    const {w1, w2, isScaled} = cellOf(step);
-    const {size, group} = measuresOf(step);
-    const length = (vector: Point): string => format.length(norm(vector));
-    return html`<section aria-label=${words.size}>
-      <h3>${words.size}</h3>
-      <p role="status">
-        ${isScaled ? words.measures(format.length(size.width), format.length(size.height)) : words.unknown}
-      </p>
-      ${
-        isMisfit(step)
-          ? html`<p class="error" role="alert">${words.misfit(length(w1), length(w2), group)}</p>`
-          : nothing
-      }
-      ${lengths.map((vector) => this.#tape(vector, step[`${vector}Measured`]))} ${this.#ruler(step)}
-    </section>`;
-  }
-
-  #number(
-    label: string,
-    value: number,
-    least: number,
-    most: number,
-    enter: (value: number) => void,
-  ) {
-    const {between} = this.texts.controls;
-    return html`<sw-number-field
-      .label=${label}
-      .value=${value}
-      .least=${least}
-      .most=${most}
-      .step=${0.1}
-      .wrong=${between(this.format.number(least), this.format.number(most))}
-      @entered=${({detail}: CustomEvent<number>) => {
-        enter(detail);
-      }}
-    ></sw-number-field>`;
-  }
-
-  #tape(vector: Vector, measured: RepeatsMeasured | undefined): TemplateResult {
-    const {words, session} = this;
-    const {name, cm} = lengthUnit[this.workbench.preferences.units];
-    const repeats = measured?.repeats ?? this.repeats[vector];
-    return html`<div class="beside" role="group" aria-label=${words.repeatsAlong(vector)}>
-      ${this.#number(words.repeatsAlong(vector), repeats, 0.5, 10_000, (count) => {
-        this.repeats = {...this.repeats, [vector]: count};
-        if (measured) session.measure(vector, {...measured, repeats: count});
-      })}
-      ${this.#number(
-        words.measure(name),
-        measured ? measured.cm / cm : NaN,
-        leastMeasured / cm,
-        mostMeasured / cm,
-        (length) => {
-          session.measure(vector, {repeats, cm: length * cm});
-        },
-      )}
-    </div>`;
-  }
-
-  #ruler({between}: PhotoStep): TemplateResult {
-    const {words, session, points} = this;
-    const {name, cm} = lengthUnit[this.workbench.preferences.units];
-    return html`<label class="inline">
-        <input
-          type="checkbox"
-          .checked=${points !== undefined}
-          @change=${() => {
-            this.dispatchEvent(new CustomEvent<boolean>('ruler', {detail: points === undefined}));
+  #white({gains}: PhotoStep): TemplateResult {
+    const {words, session, isWhitening} = this;
+    return html`<div class="row">
+        <button
+          class="outlined"
+          aria-pressed=${isWhitening ? 'true' : 'false'}
+          @click=${() => {
+            this.dispatchEvent(new CustomEvent('whiten'));
           }}
-        />
-        ${words.between}
-      </label>
-      ${
-        points
-          ? this.#number(
-              words.distance(name),
-              between ? between.cm / cm : NaN,
-              leastMeasured / cm,
-              mostMeasured / cm,
-              (length) => {
-                const [from, to] = points;
-                session.change({
-                  ...{w1Measured: undefined, w2Measured: undefined},
-                  between: {from, to, cm: length * cm},
-                });
-              },
-            )
-          : nothing
-      }`;
-  }
-
-  #groups(step: PhotoStep): TemplateResult {
-    const {words} = this;
-    return html`<section aria-label=${words.group}>
-      <h3 id="groups">${words.group}</h3>
-      <div class="groups" role="radiogroup" aria-labelledby="groups">
-        ${step.reading.groups.map((group) => this.#group(step, group))}
+        >
+          ${words.white}
+        </button>
+        ${
+          gains
+            ? html`<button
+                class="outlined"
+                @click=${() => {
+                  session.change({gains: undefined});
+                }}
+              >
+                ${words.asTaken}
+              </button>`
+            : nothing
+        }
       </div>
-      <p class="soft">${this.texts.print.meanings[groupOf(step)]}</p>
-    </section>`;
-  }
-
-  #group(step: PhotoStep, {name, rho, worst, verdict}: PhotoGroup): TemplateResult {
-    const {words, session} = this;
-    const share = verdict === 'cannot' ? 0 : Math.max(rho / fullBar.rho, worst / fullBar.worst);
-    const isFound = name === step.reading.group;
-    return html`<label class="group">
-      <input
-        type="radio"
-        name="group"
-        .checked=${name === groupOf(step)}
-        ?disabled=${verdict === 'cannot'}
-        aria-label="${name}, ${words.verdicts[verdict]}${isFound ? `, ${words.foundOne}` : ''}"
-        @change=${() => {
-          session.change({chosen: isFound ? undefined : name});
-        }}
-      />
-      <span>${name}</span>
-      ${svg`<svg viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true" data-verdict=${verdict}>
-        <rect class="track" width="100" height="8"></rect>
-        <rect width=${Math.min(100, Math.max(0, 100 * share)).toFixed(0)} height="8"></rect>
-      </svg>`}
-      <span class="soft"
-        >${words.verdicts[verdict]}${isFound ? html` · <b>${words.foundOne}</b>` : nothing}</span
-      >
-    </label>`;
+      ${isWhitening ? html`<p role="status">${words.tapWhite}</p>` : nothing}`;
   }
 
   #lattice(step: PhotoStep): TemplateResult {
@@ -301,7 +193,7 @@ export class PhotoPanel extends PhotoElement {
       <h3>${words.lattice}</h3>
       <p class="soft">${words.how}</p>
       <div class="row">
-        ${lengths.map((vector) => [
+        ${vectors.map((vector) => [
           change(words.twice(vector), bases[vector](2)),
           change(words.half(vector), bases[vector](0.5)),
         ])}

@@ -1,11 +1,14 @@
 /** A photograph on its way to a print: what was read of it, what somebody changed about that, and its tile. */
 import type {Failure} from '../../model/failure.js';
+import type {Point} from '../../model/geometry.js';
 import {begun, redone, stepped, undone, type History} from '../../model/history.js';
 import type {
+  KnownObject,
   PhotoMap,
   PhotoPixels,
   PhotoSettings,
   PhotoStage,
+  PointsMeasured,
   RepeatsMeasured,
 } from '../../model/photo.js';
 import {exifTags} from '../../recognition/exif.js';
@@ -13,12 +16,19 @@ import type {SolverService} from '../../solver/service.js';
 import {NewestTask} from '../../workbench/background-task.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {Observable} from '../../workbench/observable.js';
-import {stepOf, tileSettings, type PhotoStep} from '../print/photo-step.js';
+import {stepOf, tileSettings, unmeasured, type PhotoStep} from '../print/photo-step.js';
+import {gainsAt} from './white-spot.js';
 
 type PhotoState =
   | {readonly kind: 'reading'; readonly stage: PhotoStage; readonly fraction: number}
   | {readonly kind: 'done' | 'cancelled'}
   | {readonly kind: 'failed'; readonly failure: Failure};
+
+/** The search for a coin or card, and what came of it last unless that is a step. */
+type ObjectSearch =
+  {readonly kind: 'none' | 'looking'} | {readonly kind: 'failed'; readonly failure: Failure};
+
+type Asked = Pick<SolverService, 'photo' | 'photoTile' | 'photoObject'>;
 
 /** Cameras write what they say of a picture before its pixels. [bytes] */
 const head = 256 * 1024;
@@ -40,14 +50,16 @@ interface Made {
 
 export class PhotoSession extends Observable {
   readonly picture: Blob;
-  readonly #solver: Pick<SolverService, 'photo' | 'photoTile'>;
+  readonly #solver: Asked;
   readonly #reads = new NewestTask();
   readonly #tiles = new NewestTask();
+  readonly #searches = new NewestTask();
+  #search: ObjectSearch = {kind: 'none'};
   #state: PhotoState = {kind: 'cancelled'};
   #history: History<PhotoStep> | undefined;
   #made: Made | undefined;
 
-  constructor(solver: Pick<SolverService, 'photo' | 'photoTile'>, picture: Blob) {
+  constructor(solver: Asked, picture: Blob) {
     super();
     this.#solver = solver;
     this.picture = picture;
@@ -55,6 +67,10 @@ export class PhotoSession extends Observable {
 
   get state(): PhotoState {
     return this.#state;
+  }
+
+  get search(): ObjectSearch {
+    return this.#search;
   }
 
   /** Undefined until something was read. */
@@ -96,13 +112,44 @@ export class PhotoSession extends Observable {
   change(change: Partial<Omit<PhotoStep, 'reading'>>): void {
     if (!this.#history) return;
     this.#reads.stop();
+    this.#searches.stop();
     this.#history = stepped(this.#history, {...this.#history.present, ...change});
     this.#become({kind: 'done'});
   }
 
-  /** How long so many repeats are: what two points measured counts no more. */
-  measure(vector: 'w1' | 'w2', measured: RepeatsMeasured | undefined): void {
-    this.change({[`${vector}Measured`]: measured, between: undefined});
+  /** How long so many repeats are: what anything else measured counts no more. */
+  measure(vector: 'w1' | 'w2', measured: RepeatsMeasured): void {
+    this.change({[`${vector}Measured`]: measured, between: undefined, object: undefined});
+  }
+
+  /** How far two points lie apart: what anything else measured counts no more. */
+  measureBetween(between: PointsMeasured): void {
+    this.change({...unmeasured, between});
+  }
+
+  /** Measures by a coin or card that lies there; where none is seen, that is said, and nothing changes. */
+  async measureBy(object: KnownObject, at: Point): Promise<void> {
+    const {step} = this;
+    if (!step) return;
+    const {signal} = this.#searches.begin();
+    const {map, shape} = step.reading;
+    this.#found({kind: 'looking'});
+    try {
+      const request = {picture: this.picture, map, shape, object, at};
+      const found = await this.#solver.photoObject(request, {signal});
+      if (signal.aborted) return;
+      this.change({...unmeasured, object: found});
+    } catch (error) {
+      if (!signal.aborted) this.#found({kind: 'failed', failure: toFailure(error)});
+    }
+  }
+
+  /** What lies there is white. */
+  async whiten(at: Point): Promise<void> {
+    const {step} = this;
+    if (!step) return;
+    const gains = await gainsAt(this.picture, step.reading, at);
+    if (this.step === step) this.change({gains});
   }
 
   undo(): boolean {
@@ -134,12 +181,14 @@ export class PhotoSession extends Observable {
     super.dispose();
     this.#reads.stop();
     this.#tiles.stop();
+    this.#searches.stop();
   }
 
   #travel(way: (history: History<PhotoStep>) => History<PhotoStep> | undefined): boolean {
     const history = this.#history && way(this.#history);
     if (!history) return false;
     this.#reads.stop();
+    this.#searches.stop();
     this.#history = history;
     this.#become({kind: 'done'});
     return true;
@@ -147,6 +196,11 @@ export class PhotoSession extends Observable {
 
   #become(state: PhotoState): void {
     this.#state = state;
+    this.#found({kind: 'none'});
+  }
+
+  #found(search: ObjectSearch): void {
+    this.#search = search;
     this.changed();
   }
 

@@ -1,22 +1,19 @@
-/** The photograph with the print's cells over it, whose corners can be moved by pointer and by keys. */
+/** The photograph with what was found over it, whose points can be moved by pointer and by keys. */
 import {html, LitElement, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
-import {combined, distance, type Point} from '../../model/geometry.js';
-import {latticeOf, pixelOf, rebased} from '../../model/photo-map.js';
+import {distance, type Point} from '../../model/geometry.js';
+import {pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
 import type {PhotoTexts} from '../../texts/photo-texts.js';
+import {arrowSteps} from '../base/arrow-steps.js';
 import {controls} from '../style/controls.js';
-import {cellLines, middleNode, nodesOf, type PhotoSize} from './lattice-lines.js';
+import {dragHandle} from '../style/drag-handle.js';
+import {ringPath, type BrokenPlaces} from './breaks-on-photo.js';
+import {middleNode, nodesOf, type PhotoSize} from './lattice-lines.js';
+import {movedNode} from './moved-node.js';
+import {stageMarks, type Overlays} from './stage-marks.js';
 import {stageStyle} from './stage-style.js';
-import {marksOn} from './symmetry-marks.js';
-
-/** What lies over the photograph. */
-export interface Overlays {
-  readonly cells: boolean;
-  readonly axes: boolean;
-  readonly differing: boolean;
-}
 
 /** A corner that was moved; `keeps`: as it was placed. */
 export interface Moved {
@@ -26,46 +23,20 @@ export interface Moved {
 
 export type TwoPoints = readonly [Point, Point];
 
-/** A node, in lattice coordinates, or one of the two measured points. */
-type Held = {readonly node: Point} | {readonly end: 0 | 1};
+/** What was moved, which is held still unless it `isSettled`. */
+export interface Placed<T> {
+  readonly at: T;
+  readonly isSettled: boolean;
+}
+
+/** A node, in lattice coordinates, one of the two measured points, or the place that is asked for. */
+type Held = {readonly node: Point} | {readonly end: 0 | 1} | 'aim';
 
 /** How near to a corner a press takes hold of it, in CSS px. */
 const grasp = 18;
 const largeStep = 10;
-/** Of arrow heads and centres, as a share of the picture's longer side. */
-const markSize = 0.011;
 
-const arrows: Readonly<Record<string, Point>> = {
-  ...{ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]},
-};
-
-/**
- * The map after one node was moved: `base` takes all others along, any other stretches the lattice from there. Nodes keep
- * their numbers.
- */
-export function movedNode(
-  map: PhotoMap,
-  size: PhotoSize,
-  base: Point,
-  node: Point,
-  to: Point,
-): PhotoMap {
-  const [p, q] = latticeOf(map, size, to);
-  const [i, j] = [node[0] - base[0], node[1] - base[1]];
-  const [du, dv] = [p - node[0], q - node[1]];
-  const squared = i * i + j * j;
-  // the least change of both vectors that brings the node there
-  const [a, b] = squared === 0 ? [0, 0] : [i / squared, j / squared];
-  const [w1, w2]: [Point, Point] = [
-    [1 + a * du, a * dv],
-    [b * du, 1 + b * dv],
-  ];
-  const start = squared === 0 ? [base[0] + du, base[1] + dv] : base;
-  const [x, y] = combined([w1, w2], -base[0], -base[1]);
-  return rebased(map, [w1, w2], [start[0] + x, start[1] + y]);
-}
-
-/** Fires `moved` with a `Moved`, and `measured` with `TwoPoints`. */
+/** Fires `moved` with a `Moved`, `measured` with a `Placed<TwoPoints>`, and `aimed` with a `Placed<Point>`. */
 export class PhotoStage extends LitElement {
   static override properties = {
     picture: {},
@@ -73,13 +44,17 @@ export class PhotoStage extends LitElement {
     map: {attribute: false},
     group: {},
     differing: {attribute: false},
+    broken: {attribute: false},
+    outline: {attribute: false},
     overlays: {attribute: false},
     points: {attribute: false},
+    aim: {attribute: false},
+    aimLabel: {},
     words: {attribute: false},
     isBusy: {type: Boolean},
     draft: {state: true},
   };
-  static override styles = [controls, stageStyle];
+  static override styles = [controls, dragHandle, stageStyle];
   /** Its address. */
   declare picture: string;
   declare size: PhotoSize;
@@ -87,9 +62,15 @@ export class PhotoStage extends LitElement {
   declare map: PhotoMap | undefined;
   declare group: GroupName | undefined;
   declare differing: readonly (readonly Point[])[];
+  declare broken: BrokenPlaces | undefined;
+  /** Of the coin or card that was found. */
+  declare outline: readonly Point[] | undefined;
   declare overlays: Overlays;
   /** Whose distance is to be measured; undefined for none. */
   declare points: TwoPoints | undefined;
+  /** A place that is asked for; undefined when none is. */
+  declare aim: Point | undefined;
+  declare aimLabel: string;
   declare words: PhotoTexts;
   declare isBusy: boolean;
   /** While a node is held. */
@@ -100,7 +81,8 @@ export class PhotoStage extends LitElement {
   constructor() {
     super();
     this.differing = [];
-    this.overlays = {cells: true, axes: false, differing: true};
+    this.aimLabel = '';
+    this.overlays = {cells: true, axes: false, differing: true, breaks: true};
     this.isBusy = false;
   }
 
@@ -118,7 +100,7 @@ export class PhotoStage extends LitElement {
       frame.style.setProperty('--shape', String(width / height));
     }
     this.renderRoot.querySelectorAll<HTMLElement>('.handle').forEach((handle) => {
-      const at = this.#placeOf(handle.dataset.handle ?? '');
+      const at = this.#placeOf(this.#heldBy(handle.dataset.handle ?? ''));
       if (!at) return;
       handle.style.left = `${(100 * at[0]) / width}%`;
       handle.style.top = `${(100 * at[1]) / height}%`;
@@ -130,101 +112,38 @@ export class PhotoStage extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const {width, height} = this.size;
-    const {words, points} = this;
-    const shown = this.#shown;
+    const {size, words, points, aim, group, differing, broken, overlays} = this;
+    const map = this.#shown;
+    const marks = map && {
+      ...{map, size, base: this.#base, group, differing, overlays},
+      broken: this.draft ? undefined : broken,
+    };
     return html`<div
-      class="frame ${this.isBusy ? 'busy' : ''}"
+      class="frame ${this.isBusy ? 'busy' : ''} ${aim ? 'aiming' : ''}"
       @pointerdown=${this.#press}
       @pointermove=${this.#drag}
       @pointerup=${this.#release}
       @pointercancel=${this.#release}
     >
       <img src=${this.picture} alt=${words.photo} decoding="async" draggable="false" />
-      <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" aria-hidden="true">
-        ${shown ? this.#over(shown) : nothing} ${points ? this.#ruler(points) : nothing}
+      <svg viewBox="0 0 ${size.width} ${size.height}" preserveAspectRatio="none" aria-hidden="true">
+        ${marks ? stageMarks(marks) : nothing} ${points ? this.#ruler(points) : nothing}
+        ${this.outline ? this.#outline(this.outline) : nothing}
       </svg>
-      ${shown ? words.nodes.map((label, k) => this.#handle(`node${k}`, label)) : nothing}
+      ${map ? words.nodes.map((label, k) => this.#handle(`node${k}`, label)) : nothing}
       ${points ? words.ends.map((label, k) => this.#handle(`end${k}`, label)) : nothing}
+      ${aim ? this.#handle('aim', this.aimLabel) : nothing}
     </div>`;
-  }
-
-  #over(map: PhotoMap): TemplateResult {
-    const {size, overlays, group} = this;
-    const lines = overlays.cells ? cellLines(map, size) : '';
-    const marks = overlays.axes && group ? marksOn(group, map, size) : undefined;
-    const dots = overlays.cells ? nodesOf(map, size) : [];
-    const radius = 0.35 * this.#unit;
-    const areas = this.differing
-      .map((ring) => `M${ring.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}Z`)
-      .join('');
-    return svg`
-      ${overlays.differing ? svg`<path class="differing" d=${areas}></path>` : nothing}
-      <path class="casing" d=${lines}></path><path class="cells" d=${lines}></path>
-      ${dots.map((node) => {
-        const [x, y] = pixelOf(map, size, node);
-        return svg`<circle class="dot" cx=${x} cy=${y} r=${radius}></circle>`;
-      })}
-      ${
-        marks
-          ? svg`<path class="casing" d=${marks.mirrors + marks.glides}></path>
-            <path class="mirrors" d=${marks.mirrors}></path>
-            <path class="glides" d=${marks.glides}></path>
-            ${marks.centres.map(
-              ({order, at}) =>
-                svg`<path class="centre" data-order=${order} d=${this.#symbol(order, at)}></path>`,
-            )}`
-          : nothing
-      }
-      ${this.#arrow(map, [1, 0], 'w1')} ${this.#arrow(map, [0, 1], 'w2')}`;
-  }
-
-  get #unit(): number {
-    return markSize * Math.max(this.size.width, this.size.height);
-  }
-
-  /** As crystallographers draw them: a lens, a triangle, a square, a hexagon. */
-  #symbol(order: 2 | 3 | 4 | 6, [x, y]: Point): string {
-    const radius = 0.6 * this.#unit;
-    const corner = (k: number): string => {
-      const angle = Math.PI * ((2 * k) / order - 0.5);
-      const reach = order === 2 && k % 1 !== 0 ? 0.5 * radius : radius;
-      return `${(x + reach * Math.cos(angle)).toFixed(1)} ${(y + reach * Math.sin(angle)).toFixed(1)}`;
-    };
-    const corners = order === 2 ? [0, 0.5, 1, 1.5] : Array.from({length: order}, (_, k) => k);
-    return `M${corners.map(corner).join('L')}Z`;
-  }
-
-  #arrow(map: PhotoMap, [i, j]: Point, name: 'w1' | 'w2'): TemplateResult {
-    const [from, to] = [
-      pixelOf(map, this.size, this.#base),
-      pixelOf(map, this.size, [this.#base[0] + i, this.#base[1] + j]),
-    ];
-    const length = distance(from, to);
-    if (!(length > 0)) return svg``;
-    const along: Point = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-    const head = Math.min(1.6 * this.#unit, length / 3);
-    const side = (sign: number): string => {
-      const [x, y] = [
-        to[0] - head * (along[0] + 0.5 * sign * along[1]),
-        to[1] - head * (along[1] - 0.5 * sign * along[0]),
-      ];
-      return `${x.toFixed(1)} ${y.toFixed(1)}`;
-    };
-    const path = `M${from.join(' ')}L${to.join(' ')}M${side(1)}L${to.join(' ')}L${side(-1)}`;
-    const away = 3 * this.#unit;
-    return svg`<path class="arrow casing" d=${path}></path><path class="arrow ${name}" d=${path}></path>
-      <text
-        class=${name}
-        x=${to[0] + away * along[0]}
-        y=${to[1] + away * along[1]}
-        font-size=${2 * this.#unit}
-      >${name}</text>`;
   }
 
   #ruler([from, to]: TwoPoints): TemplateResult {
     const line = `M${from.join(' ')}L${to.join(' ')}`;
     return svg`<path class="casing" d=${line}></path><path class="ruler" d=${line}></path>`;
+  }
+
+  #outline(outline: readonly Point[]): TemplateResult {
+    const ring = ringPath(outline);
+    return svg`<path class="casing" d=${ring}></path><path class="outline" d=${ring}></path>`;
   }
 
   #handle(name: string, label: string): TemplateResult {
@@ -236,49 +155,56 @@ export class PhotoStage extends LitElement {
       @keydown=${(event: KeyboardEvent) => {
         this.#step(event, name);
       }}
+      @click=${({detail}: MouseEvent) => {
+        if (name === 'aim' && detail === 0) this.#aimed(true); // by Enter, and by readers of screens
+      }}
     ></button>`;
   }
 
   /** Node 0 is the corner of the middle cell, 1 and 2 are the ends of w1 and w2. */
   #heldBy(name: string): Held {
+    if (name === 'aim') return name;
     const number = Number(name.at(-1));
     if (name.startsWith('end')) return {end: number === 1 ? 1 : 0};
     const [u, v] = this.#base;
     return {node: [u + (number === 1 ? 1 : 0), v + (number === 2 ? 1 : 0)]};
   }
 
-  #placeOf(name: string): Point | undefined {
-    const held = this.#heldBy(name);
+  #placeOf(held: Held): Point | undefined {
+    if (held === 'aim') return this.aim;
     if ('end' in held) return this.points?.[held.end];
     const shown = this.#shown;
     return shown && pixelOf(shown, this.size, held.node);
   }
 
   #step(event: KeyboardEvent, name: string): void {
-    const direction = arrows[event.key];
-    const at = this.#placeOf(name);
+    const direction = arrowSteps[event.key];
+    const held = this.#heldBy(name);
+    const at = this.#placeOf(held);
     if (!direction || !at) return;
     event.preventDefault();
     const by = event.shiftKey ? largeStep : 1;
-    this.#move(this.#heldBy(name), [at[0] + by * direction[0], at[1] + by * direction[1]]);
-    this.#settle(event.altKey);
+    this.#move(held, [at[0] + by * direction[0], at[1] + by * direction[1]]);
+    if (held !== 'aim') this.#settle(held, event.altKey);
   }
 
   #at({clientX, clientY}: PointerEvent): Point {
     const frame = this.renderRoot.querySelector('.frame')?.getBoundingClientRect();
     if (!frame) return [0, 0];
+    const inside = (share: number): number => Math.min(1, Math.max(0, share));
     return [
-      ((clientX - frame.left) * this.size.width) / frame.width,
-      ((clientY - frame.top) * this.size.height) / frame.height,
+      this.size.width * inside((clientX - frame.left) / frame.width),
+      this.size.height * inside((clientY - frame.top) / frame.height),
     ];
   }
 
   readonly #press = (event: PointerEvent): void => {
     const name = (event.target as HTMLElement).dataset.handle;
-    const held = name === undefined ? this.#nearest(event) : this.#heldBy(name);
+    const held = name !== undefined ? this.#heldBy(name) : this.aim ? 'aim' : this.#nearest(event);
     if (!held || this.isBusy) return;
     this.#held = held;
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+    if (name === undefined && held === 'aim') this.#move(held, this.#at(event));
   };
 
   readonly #drag = (event: PointerEvent): void => {
@@ -288,7 +214,7 @@ export class PhotoStage extends LitElement {
   readonly #release = (event: PointerEvent): void => {
     const held = this.#held;
     this.#held = undefined;
-    if (held && 'node' in held) this.#settle(event.altKey);
+    if (held) this.#settle(held, event.altKey);
   };
 
   /** Any corner that is seen can be taken: the farther from the middle, the finer. */
@@ -306,18 +232,29 @@ export class PhotoStage extends LitElement {
   }
 
   #move(held: Held, to: Point): void {
-    if ('end' in held) {
+    if (held === 'aim') {
+      this.aim = to;
+      this.#aimed(false);
+    } else if ('end' in held) {
       const [from, end] = this.points ?? [to, to];
-      const points: TwoPoints = held.end === 0 ? [to, end] : [from, to];
-      this.dispatchEvent(new CustomEvent<TwoPoints>('measured', {detail: points}));
-      return;
+      this.points = held.end === 0 ? [to, end] : [from, to];
+      this.#fire('measured', {at: this.points, isSettled: false});
+    } else if (this.map) {
+      this.draft = movedNode(this.map, this.size, this.#base, held.node, to);
     }
-    const {map, size} = this;
-    if (map) this.draft = movedNode(map, size, this.#base, held.node, to);
   }
 
-  #settle(keeps: boolean): void {
-    if (!this.draft) return;
-    this.dispatchEvent(new CustomEvent<Moved>('moved', {detail: {map: this.draft, keeps}}));
+  #settle(held: Held, keeps: boolean): void {
+    if (held === 'aim') this.#aimed(true);
+    else if ('end' in held) this.#fire('measured', {at: this.points, isSettled: true});
+    else if (this.draft) this.#fire('moved', {map: this.draft, keeps});
+  }
+
+  #aimed(isSettled: boolean): void {
+    this.#fire('aimed', {at: this.aim, isSettled});
+  }
+
+  #fire(type: string, detail: object): void {
+    this.dispatchEvent(new CustomEvent(type, {detail}));
   }
 }

@@ -1,10 +1,12 @@
 /** The print as it will be: three repeats of its tile, and where that breaks the symmetry that was chosen. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
+import type {TileBreak} from '../../recognition/tile-check.js';
 import {printOf, type DesignPrint} from '../../model/design.js';
 import {outlineOf, markedTile, markedTileStyle} from '../print/marked-tile.js';
 import {swatch} from '../print/swatch.js';
 import {controls} from '../style/controls.js';
+import {brokenPlaces, type BrokenPlaces} from './breaks-on-photo.js';
 import {PhotoElement} from './photo-element.js';
 import {cellPicture, pngOf} from '../print/photo-picture.js';
 import {groupIn, measuresOf, tileSettings} from '../print/photo-step.js';
@@ -17,10 +19,10 @@ const compared = 320;
 
 interface Shown {
   readonly print: DesignPrint;
-  /** A path in shares of the picture; empty where nothing breaks. */
-  readonly breaks: string;
+  readonly breaks: readonly TileBreak[];
 }
 
+/** Fires `broken` with `BrokenPlaces`, or with nothing where the symmetry holds. */
 export class PhotoSwatch extends PhotoElement {
   static override properties = {
     ...PhotoElement.properties,
@@ -72,6 +74,7 @@ export class PhotoSwatch extends PhotoElement {
     if (key === this.#key) return;
     this.#key = key;
     this.isStale = true;
+    this.#tell(undefined); // places of another cell
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => void this.#make(key), pause);
   }
@@ -89,11 +92,11 @@ export class PhotoSwatch extends PhotoElement {
       </div>
       ${isStale ? html`<p class="soft" role="status">${words.making}</p>` : nothing}
       ${
-        shown?.breaks
+        shown && shown.breaks.length > 0
           ? html`<div class="breaks">
               ${markedTile({
                 ...{image: shown.print.image, size: shown.print.size, turnDeg: 0},
-                ...{marks: shown.breaks, label: words.breaks(group)},
+                ...{marks: outlineOf(shown.breaks), label: words.breaks(group)},
               })}
               <div><p>${words.breaks(group)}</p></div>
             </div>`
@@ -110,7 +113,7 @@ export class PhotoSwatch extends PhotoElement {
       const canvas = cellPicture(tile, measures);
       const [blob, breaks] = await Promise.all([
         pngOf(canvas),
-        !step.isExact && groupIn(step).verdict !== 'has' ? breaksIn(canvas, measures) : '',
+        !step.isExact && groupIn(step).verdict !== 'has' ? breaksIn(canvas, measures) : [],
       ]);
       if (key !== this.#key || !this.isConnected) return;
       this.#show({print: {...measures, title: '', image: URL.createObjectURL(blob)}, breaks});
@@ -123,13 +126,19 @@ export class PhotoSwatch extends PhotoElement {
   #show(next: Shown | undefined): void {
     if (this.shown) URL.revokeObjectURL(this.shown.print.image);
     this.shown = next;
+    const isBroken = next && next.breaks.length > 0;
+    this.#tell(isBroken ? brokenPlaces(next.breaks, next.print) : undefined);
+  }
+
+  #tell(detail: BrokenPlaces | undefined): void {
+    this.dispatchEvent(new CustomEvent('broken', {detail}));
   }
 }
 
 async function breaksIn(
   canvas: OffscreenCanvas,
   {group, size, cell}: ReturnType<typeof measuresOf>,
-): Promise<string> {
+): Promise<readonly TileBreak[]> {
   const {checkTile} = await import('../../recognition/tile-check.js');
   const scale = Math.min(1, compared / Math.max(canvas.width, canvas.height));
   const small = new OffscreenCanvas(
@@ -137,8 +146,8 @@ async function breaksIn(
     Math.max(1, Math.round(scale * canvas.height)),
   );
   const context = small.getContext('2d', {willReadFrequently: true});
-  if (!context) return '';
+  if (!context) return [];
   context.drawImage(canvas, 0, 0, small.width, small.height);
   const pixels = context.getImageData(0, 0, small.width, small.height);
-  return outlineOf(checkTile(pixels, group, size, cell).breaks);
+  return checkTile(pixels, group, size, cell).breaks;
 }

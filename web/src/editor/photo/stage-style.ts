@@ -61,6 +61,14 @@ export const stageStyle = css`
     fill: rgb(194 35 24 / 0.3);
     stroke: #c22318;
   }
+  .broken {
+    fill: rgb(122 47 181 / 0.45);
+  }
+  .outline {
+    fill: rgb(194 35 24 / 0.12);
+    stroke: #c22318;
+    stroke-width: 2;
+  }
   .arrow {
     stroke-width: 2.5;
     stroke-linecap: round;
@@ -87,27 +95,10 @@ export const stageStyle = css`
     stroke: #c22318;
     stroke-width: 2;
   }
-  .handle {
-    position: absolute;
-    width: 2.75rem;
-    height: 2.75rem;
-    min-height: 0;
-    margin: -1.375rem;
-    padding: 0;
-    border-radius: 50%;
-    cursor: move;
-    touch-action: none;
+  .handle[data-handle^='node']::before {
+    border-color: #0b5fb3;
   }
-  .handle::before {
-    content: '';
-    width: 0.8rem;
-    height: 0.8rem;
-    border: 2px solid #0b5fb3;
-    border-radius: 50%;
-    background: rgb(255 255 255 / 0.6);
-    box-shadow: 0 0 0 2px #fff;
-  }
-  .handle[data-handle^='end']::before {
-    border-color: #c22318;
+  .aiming {
+    cursor: crosshair;
   }
 `;

@@ -4,9 +4,11 @@ import {html, nothing, svg, type TemplateResult} from 'lit';
 import {noPicture, type DesignPrint} from '../../model/design.js';
 import type {Point} from '../../model/geometry.js';
 import {resized, tileSize} from '../../model/tile-repeat.js';
+import {arrowSteps} from '../base/arrow-steps.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
+import {dragHandle} from '../style/drag-handle.js';
 import {icon} from '../style/icons.js';
 import {alongStripe, choiceOf} from './choices.js';
 import {leastRepeat, mostRepeat} from './limits.js';
@@ -20,10 +22,6 @@ const largeStep = 1 / 50;
 const nearest = 0.02;
 /** What the picture may take of the height of the screen. */
 const mostOfScreen = 0.55;
-
-const arrows: Readonly<Record<string, Point>> = {
-  ...{ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]},
-};
 
 type Two = readonly [Point, Point];
 
@@ -41,7 +39,7 @@ export class MeasureDialog extends WorkbenchElement {
   declare protected isOpen: boolean;
   #next: 0 | 1 = 0;
 
-  static override styles = [controls, measureStyle];
+  static override styles = [controls, dragHandle, measureStyle];
 
   constructor() {
     super();
@@ -75,7 +73,7 @@ export class MeasureDialog extends WorkbenchElement {
     const {width, height} = windowOn(print);
     picture.style.aspectRatio = `${width} / ${height}`;
     picture.style.width = `min(100%, ${(100 * mostOfScreen * width) / height}vh)`;
-    picture.querySelectorAll<HTMLElement>('.point').forEach((point, k) => {
+    picture.querySelectorAll<HTMLElement>('.handle').forEach((point, k) => {
       const [x, y] = this.points[k === 0 ? 0 : 1];
       point.style.left = `${100 * x}%`;
       point.style.top = `${100 * y}%`;
@@ -152,12 +150,12 @@ export class MeasureDialog extends WorkbenchElement {
 
   #point(which: 0 | 1): TemplateResult {
     return html`<button
-      class="point"
+      class="handle"
       data-point=${which}
       aria-label=${this.texts.print.measure.points[which] ?? ''}
       aria-describedby="how"
       @keydown=${(event: KeyboardEvent) => {
-        const direction = arrows[event.key];
+        const direction = arrowSteps[event.key];
         const print = this.workbench.design?.print;
         if (!direction || !print) return;
         event.preventDefault();

@@ -42,26 +42,6 @@ export const measureStyle = css`
     stroke: #fff;
     stroke-width: 5;
   }
-  .point {
-    position: absolute;
-    width: 2.75rem;
-    height: 2.75rem;
-    min-height: 0;
-    margin: -1.375rem;
-    padding: 0;
-    border-radius: 50%;
-    cursor: move;
-    touch-action: none;
-  }
-  .point::before {
-    content: '';
-    width: 0.9rem;
-    height: 0.9rem;
-    border: 2px solid #c22318;
-    border-radius: 50%;
-    background: rgb(255 255 255 / 0.55);
-    box-shadow: 0 0 0 2px #fff;
-  }
   .entry {
     display: grid;
     grid-template-columns: minmax(0, 1fr) auto;

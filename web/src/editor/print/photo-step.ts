@@ -3,8 +3,10 @@ import type {DesignPrint} from '../../model/design.js';
 import {combined, minus, norm, type Point} from '../../model/geometry.js';
 import {latticeOf, pixelOf, vectorsAtMiddle} from '../../model/photo-map.js';
 import type {
+  ColourGains,
   PhotoGroup,
   PhotoMap,
+  PhotoObject,
   PhotoReading,
   PhotoTileSettings,
   PointsMeasured,
@@ -34,7 +36,17 @@ export interface PhotoStep {
   readonly w1Measured: RepeatsMeasured | undefined;
   readonly w2Measured: RepeatsMeasured | undefined;
   readonly between: PointsMeasured | undefined;
+  /** A coin or card that lies on the cloth. */
+  readonly object: PhotoObject | undefined;
+  /** By which something white is white. */
+  readonly gains: ColourGains | undefined;
 }
+
+/** What makes lengths known; of these one at a time counts, but w1 and w2 together. */
+export const unmeasured = {
+  ...{w1Measured: undefined, w2Measured: undefined},
+  ...{between: undefined, object: undefined},
+} as const;
 
 /** As it was read, with what had been decided before. */
 export function stepOf(reading: PhotoReading, before?: PhotoStep, f35?: number): PhotoStep {
@@ -44,7 +56,8 @@ export function stepOf(reading: PhotoReading, before?: PhotoStep, f35?: number):
   );
   return {
     ...{quarterTurns: 0, oneWay: undefined, isExact: false, flatten: 1},
-    ...{w1Measured: undefined, w2Measured: undefined, between: undefined},
+    ...unmeasured,
+    gains: undefined,
     ...before,
     ...{reading, f35, chosen: isPossible ? chosen : undefined},
   };
@@ -55,9 +68,13 @@ export function scaledStep(
   step: PhotoStep,
   {width, height}: {readonly width: number; readonly height: number},
 ): PhotoStep {
-  const {reading, between} = step;
+  const {reading, between, object} = step;
   const [across, down] = [width / reading.width, height / reading.height];
   const at = ([x, y]: Point): Point => [across * x, down * y];
+  const points = (measured: PointsMeasured): PointsMeasured => ({
+    ...measured,
+    ...{from: at(measured.from), to: at(measured.to)},
+  });
   const seen = ({homography: [a, b, c, d, e, f, ...rest], lens}: PhotoMap): PhotoMap => ({
     homography: [across * a, across * b, across * c, down * d, down * e, down * f, ...rest],
     lens,
@@ -72,7 +89,11 @@ export function scaledStep(
       others: reading.others.map(seen),
       differing: reading.differing.map((ring) => ring.map(at)),
     },
-    between: between && {...between, from: at(between.from), to: at(between.to)},
+    between: between && points(between),
+    object: object && {
+      ...object,
+      ...{outline: object.outline.map(at), between: points(object.between)},
+    },
   };
 }
 
@@ -129,7 +150,8 @@ export function cellOf(step: PhotoStep): PhotoCell {
 }
 
 /** cm in the unit of the reading's shape. */
-function byPoints({reading, between}: PhotoStep): number | undefined {
+function byPoints({reading, object, ...step}: PhotoStep): number | undefined {
+  const between = step.between ?? object?.between;
   if (!between) return undefined;
   const [s, t] = minus(
     latticeOf(reading.map, reading, between.to),
@@ -185,5 +207,6 @@ export function tileSettings(step: PhotoStep): PhotoTileSettings {
   return {
     ...{map, shape: shapeOf(step, map), flatten: step.flatten},
     ...(step.isExact && name !== 'p1' && {symmetrise: name}),
+    ...(step.gains && {gains: step.gains}),
   };
 }

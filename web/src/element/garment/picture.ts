@@ -56,6 +56,7 @@ async function cutFileFor(
     const content = await cutHere(workbench, request);
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {
+    if (error instanceof SolverError) throw error;
     const {message} = error as Error;
     throw new SolverError({code: error instanceof RangeError ? 'options' : 'internal', message});
   }

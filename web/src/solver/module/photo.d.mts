@@ -100,9 +100,35 @@ export interface ModulePhotoTile extends EmbindObject {
   tile(): ModuleTile;
 }
 
+export interface ModuleObjectRequest {
+  readonly width: number;
+  readonly height: number;
+  readonly pixels: Uint8Array;
+  readonly map: Float64Array;
+  /** w1x, w1y, w2x, w2y in proportion. */
+  readonly vectors: Float64Array;
+  /** One of those that the core knows. */
+  readonly object: string;
+  /** x, y of a place on it, near its middle. */
+  readonly at: Float64Array;
+}
+
+export type ModuleObject =
+  | {readonly failure: ModuleFailure}
+  | {
+      readonly failure: null;
+      /** A polygon, flat. */
+      readonly outline: Float64Array;
+      /** x, y, x, y, cm: the ends of its width. */
+      readonly between: Float64Array;
+      /** Standard error of a length by it, as a share. */
+      readonly error: number;
+    };
+
 export interface PhotoModule {
   readonly Photo: new (request: ModulePhotoRequest) => ModulePhoto;
   readonly PhotoTile: new (request: ModulePhotoTileRequest) => ModulePhotoTile;
+  knownObject(request: ModuleObjectRequest): ModuleObject;
 }
 
 export default function createPhoto(settings?: ModuleSettings): Promise<PhotoModule>;

@@ -10,7 +10,10 @@ import {
   type OpenEdge,
   type PhotoGroup,
   type PhotoHooks,
+  type ColourGains,
   type PhotoMap,
+  type PhotoObject,
+  type PhotoObjectSettings,
   type PhotoPixels,
   type PhotoReading,
   type PhotoSettings,
@@ -27,8 +30,11 @@ import type {
   ModulePhotoTile,
   ModulePhotoTileRequest,
   ModuleTileSeams,
+  PhotoModule,
 } from '../module/photo.mjs';
+import type {ModuleFailure} from '../module/module.js';
 import {toError} from '../seamwise/failures.js';
+import {balance} from './balance.js';
 
 const flat = (points: readonly Point[]): Float64Array => Float64Array.from(points.flat());
 
@@ -67,6 +73,25 @@ export const photoTileModuleRequest = (
   ...{map: mapNumbers(map), isTile, group: symmetrise ?? '', flatten, vectors: flat(shape)},
 });
 
+/** @throws {SolverError} where no such thing is seen */
+export function photoObjectOf(
+  module: PhotoModule,
+  pixels: PhotoPixels,
+  {object, at, map, shape}: PhotoObjectSettings,
+): PhotoObject {
+  const answer = module.knownObject({
+    ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
+    ...{map: mapNumbers(map), vectors: flat(shape), object, at: Float64Array.from(at)},
+  });
+  if (answer.failure) throw photoError(answer.failure);
+  const {outline, between, error} = answer;
+  const [from = at, to = at] = pointsOf(between.subarray(0, 4));
+  return {
+    ...{object, outline: pointsOf(outline), error},
+    between: {from, to, cm: between[4] ?? NaN},
+  };
+}
+
 const mapOf = (numbers: Float64Array): PhotoMap => ({
   homography: Array.from(numbers.subarray(0, 9)) as unknown as Homography,
   lens: numbers[9] ?? 0,
@@ -77,6 +102,12 @@ const pointsOf = (numbers: Float64Array): readonly Point[] =>
     numbers[2 * k] ?? NaN,
     numbers[2 * k + 1] ?? NaN,
   ]);
+
+/** Whose sentence begins and ends as sentences do. */
+function photoError({message, ...failure}: ModuleFailure): Error {
+  const whole = /[.!?]$/.test(message) ? message : `${message}.`;
+  return toError({...failure, message: whole.charAt(0).toUpperCase() + whole.slice(1)});
+}
 
 /** What a module names, as one of the names that there are. */
 function known<T extends string>(names: readonly T[], name: string): T {
@@ -125,7 +156,7 @@ export async function runPhoto(
   const advance = (): boolean => {
     const more = photo.advance();
     const failure = photo.failure();
-    if (failure) throw toError(failure);
+    if (failure) throw photoError(failure);
     return more;
   };
   const work = (milliseconds: number): boolean => {
@@ -159,17 +190,19 @@ export async function runPhoto(
 /** @throws {SolverError}; what `runInSlices` throws */
 export async function runPhotoTile(
   tile: ModulePhotoTile,
+  gains: ColourGains | undefined,
   hooks: PhotoHooks,
   pace: Pace,
 ): Promise<PhotoPixels> {
   const work = (milliseconds: number): boolean => {
     const more = stepsFor(milliseconds, () => tile.advance());
     const failure = tile.failure();
-    if (failure) throw toError(failure);
+    if (failure) throw photoError(failure);
     hooks.onProgress?.({stage: 'tile', fraction: tile.fraction()});
     return more;
   };
   await runInSlices(work, pace, hooks.signal);
   const {width, height, pixels} = tile.tile();
+  if (gains) balance(pixels, gains);
   return {width, height, data: pixels};
 }

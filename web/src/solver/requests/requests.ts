@@ -3,6 +3,8 @@ import type {GarmentDocument} from '../../model/garment-document.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../../model/marker.js';
 import type {
   PhotoHooks,
+  PhotoObject,
+  PhotoObjectRequest,
   PhotoPixels,
   PhotoReading,
   PhotoRequest,
@@ -26,6 +28,7 @@ export type Requests = {
   readonly marker: {request: MarkerProblem; answer: MarkerAnswer; hooks: MarkerHooks};
   readonly photo: {request: PhotoRequest; answer: PhotoReading; hooks: PhotoHooks};
   readonly photoTile: {request: PhotoTileRequest; answer: PhotoPixels; hooks: PhotoHooks};
+  readonly photoObject: {request: PhotoObjectRequest; answer: PhotoObject; hooks: object};
   /** A share of another thread's search: the order from `Solver.lend`, answered for `Solver.take`. */
   readonly share: {request: {readonly order: Float64Array}; answer: Float64Array; hooks: object};
   /** Of the module: its size, and what is in use of it. [bytes] */

@@ -1,5 +1,11 @@
 /** In English: a print read off a photograph. */
-import type {PhotoFault, PhotoNote, PhotoStage, SymmetryVerdict} from '../../model/photo.js';
+import type {
+  KnownObject,
+  PhotoFault,
+  PhotoNote,
+  PhotoStage,
+  SymmetryVerdict,
+} from '../../model/photo.js';
 
 export const photo = {
   title: 'Photo of your cloth',
@@ -33,6 +39,8 @@ export const photo = {
     uneven: 'The cloth does not lie flat: smooth it out and photograph it again.',
     edges: 'The picture’s edges do not meet: give the whole repeat, or a photo that shows several.',
     small: 'The picture is too small: give one of 32 pixels each way at least.',
+    object:
+      'No outline of that is seen there: tap its middle, or measure between two points instead.',
   } satisfies Record<PhotoFault, string> as Record<PhotoFault, string>,
   reading: (stage: string, percent: string) => `${stage}, ${percent}`,
   cancelled: 'Stopped.',
@@ -69,16 +77,42 @@ export const photo = {
   breaks: (group: string) => `Where it breaks ${group}`,
   exact: 'Make the symmetries exact',
   show: 'Show',
-  overlays: {cells: 'Cells', axes: 'Mirrors and turns', differing: 'Copies that differ'},
+  overlays: {
+    cells: 'Cells',
+    axes: 'Mirrors and turns',
+    differing: 'Copies that differ',
+    breaks: 'Where it breaks the symmetry',
+  },
   flatten: 'Flatten the light',
+  white: 'White balance',
+  tapWhite:
+    'Tap something white on the photo. Or move the ring with the arrow keys and press Enter.',
+  aimWhite: 'Something white',
+  asTaken: 'Colours as taken',
   swatch: 'Swatch, 3 repeats wide',
   making: 'Making the swatch …',
   size: 'Size',
   unknown:
-    'Size unknown: measure at least one of these with a tape. You can align the print before, but not cut.',
+    'Size unknown: measure it in one of these ways. You can align the print before, but not cut.',
   repeatsAlong: (vector: string) => `Repeats along ${vector}`,
   measure: (unit: string) => `measure (${unit})`,
-  between: 'Or measure between two points of the photo',
+  measureBy: 'Measure by',
+  measuring: {tape: 'Tape', points: 'Two points', object: 'Coin or card'},
+  between: 'Drag the two points on the photo, then enter how far they lie apart.',
+  object: 'Which',
+  objects: {
+    eur1: '1 euro, 23.25 mm',
+    eur2: '2 euros, 25.75 mm',
+    quarter: 'US quarter, 24.26 mm',
+    gbp1: '1 pound, 23.4 mm',
+    card: 'Card, 85.60 × 53.98 mm',
+    a4: 'A4 sheet, 297 × 210 mm',
+  } satisfies Record<KnownObject, string> as Record<KnownObject, string>,
+  aim: 'Middle of the coin or card',
+  tap: 'It lies flat on the cloth: tap its middle on the photo. Or move the ring with the arrow keys and press Enter.',
+  look: 'Look for it at the ring',
+  looking: 'Looking for its outline …',
+  byObject: (error: string) => `Measured by the red outline, good to about ${error}.`,
   distance: (unit: string) => `Distance between them (${unit})`,
   measures: (width: string, height: string) => `One repeat is ${width} × ${height}.`,
   misfit: (w1: string, w2: string, group: string) =>

@@ -1,0 +1,80 @@
+/** Things of known size that lie on photographed cloth. */
+import type {Point} from '@/model/geometry.js';
+
+import {applied, inverse, unlensed} from './camera.js';
+import type {PrintTruth} from './case.js';
+import type {Rgba} from './pixels.js';
+
+/** In cm from its middle, x along its width: whether it covers that, and how light it is there, 0 to 255. */
+export interface KnownThing {
+  /** All of it is nearer to its middle. [cm] */
+  readonly reach: number;
+  readonly covers: (x: number, y: number) => boolean;
+  readonly shade: (x: number, y: number) => number;
+}
+
+/** With a ring within, as coins of two metals have. */
+export const coin = (diameter: number): KnownThing => ({
+  reach: diameter / 2,
+  covers: (x, y) => Math.hypot(x, y) < diameter / 2,
+  shade: (x, y) => (Math.hypot(x, y) < 0.36 * diameter ? 168 : 214),
+});
+
+export const card = (width: number, height: number): KnownThing => ({
+  reach: Math.hypot(width, height) / 2,
+  covers: (x, y) => {
+    const radius = 0.318; // of the corners, by ISO/IEC 7810
+    const [dx, dy] = [Math.abs(x) - width / 2 + radius, Math.abs(y) - height / 2 + radius];
+    return dx < radius && dy < radius && Math.hypot(Math.max(0, dx), Math.max(0, dy)) < radius;
+  },
+  shade: (_, y) => (y > 0.2 * height ? 90 : 232),
+});
+
+/** More than a pixel is. [cm] */
+const margin = 0.2;
+/** How many samples a pixel has, each way. */
+const samples = 4;
+
+/** The picture with the thing on its cloth, its middle at a pixel. @param turn counter-clockwise. [rad] */
+export function withThing(
+  {width, height, data}: Rgba,
+  {w1, w2, ...view}: PrintTruth,
+  thing: KnownThing,
+  {at, turn = 0}: {readonly at: Point; readonly turn?: number},
+): Rgba {
+  const back = inverse(view.homography);
+  const [cx, cy] = view.lensMiddle;
+  const onCloth = ([x, y]: Point): Point => {
+    const factor = unlensed(view, (x - cx) ** 2 + (y - cy) ** 2);
+    const [u, v] = applied(back, [cx + factor * (x - cx), cy + factor * (y - cy)]);
+    return [u * w1[0] + v * w2[0], u * w1[1] + v * w2[1]];
+  };
+  const middle = onCloth(at);
+  const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
+  const drawn = new Uint8ClampedArray(data);
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const centre = onCloth([x + 0.5, y + 0.5]);
+      if (Math.hypot(centre[0] - middle[0], centre[1] - middle[1]) > thing.reach + margin) continue;
+      let [light, covered] = [0, 0];
+      for (let part = 0; part < samples * samples; part++) {
+        const [px, py] = onCloth([
+          x + ((part % samples) + 0.5) / samples,
+          y + (Math.floor(part / samples) + 0.5) / samples,
+        ]);
+        const [dx, dy] = [px - middle[0], py - middle[1]];
+        const [along, up] = [cos * dx + sin * dy, cos * dy - sin * dx];
+        if (!thing.covers(along, up)) continue;
+        covered += 1;
+        light += thing.shade(along, up);
+      }
+      if (covered === 0) continue;
+      const share = covered / (samples * samples);
+      for (let channel = 0; channel < 3; channel++) {
+        const k = 4 * (y * width + x) + channel;
+        drawn[k] = (1 - share) * (data[k] ?? 0) + (share * light) / covered;
+      }
+    }
+  }
+  return {width, height, data: drawn};
+}

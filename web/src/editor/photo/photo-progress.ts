@@ -1,0 +1,59 @@
+/** How far the reading of a photograph is, and what came of it where nothing else shows that. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import type {PhotoTexts} from '../../texts/photo-texts.js';
+import type {PhotoSession} from './photo-session.js';
+import {saidFailure} from './said-failure.js';
+
+interface Said {
+  readonly words: PhotoTexts;
+  readonly cancel: string;
+  readonly percent: (share: number) => string;
+}
+
+/** A lattice that somebody draws: what to do, and its end. */
+export function drawnByHand(
+  {words, cancel}: Said,
+  {align, leave}: {readonly align: () => void; readonly leave: () => void},
+): TemplateResult {
+  return html`<div class="note" role="status">
+    <p>${words.hand}</p>
+    <button class="primary" @click=${align}>${words.alignHand}</button>
+    <button class="outlined" @click=${leave}>${cancel}</button>
+  </div>`;
+}
+
+export function photoProgress(
+  session: PhotoSession,
+  {words, cancel, percent}: Said,
+): TemplateResult | typeof nothing {
+  const {state} = session;
+  switch (state.kind) {
+    case 'reading':
+      return html`<div class="note" role="status">
+        <p>${words.reading(words.stages[state.stage], percent(state.fraction))}</p>
+        <progress
+          max="1"
+          .value=${state.fraction}
+          aria-label=${words.stages[state.stage]}
+        ></progress>
+        <button
+          class="outlined"
+          @click=${() => {
+            session.cancel();
+          }}
+        >
+          ${cancel}
+        </button>
+      </div>`;
+    case 'cancelled':
+      return html`<div class="note" role="status">
+        <p>${words.cancelled}</p>
+        <button class="outlined" @click=${() => void session.begin()}>${words.again}</button>
+      </div>`;
+    case 'failed':
+      return html`<p class="error" role="alert">${saidFailure(words, state.failure)}</p>`;
+    case 'done':
+      return nothing;
+  }
+}

@@ -1,0 +1,220 @@
+/** A photograph beside all that is decided about it. */
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import type {Point} from '../../model/geometry.js';
+import type {KnownObject, PhotoMap} from '../../model/photo.js';
+import {controls} from '../style/controls.js';
+import type {BrokenPlaces} from './breaks-on-photo.js';
+import type {PhotoSize} from './lattice-lines.js';
+import {PhotoElement} from './photo-element.js';
+import type {Measuring} from './photo-measures.js';
+import {drawnByHand, photoProgress} from './photo-progress.js';
+import type {Moved, Placed, TwoPoints} from './photo-stage.js';
+import {groupIn, groupOf, type PhotoStep} from '../print/photo-step.js';
+import type {Overlays} from './stage-marks.js';
+import {workStyle} from './work-style.js';
+
+/** Fires `hand` with a `PhotoMap` that somebody draws, or with nothing when that is at its end. */
+export class PhotoWork extends PhotoElement {
+  static override properties = {
+    ...PhotoElement.properties,
+    picture: {},
+    natural: {attribute: false},
+    hand: {attribute: false},
+    overlays: {state: true},
+    way: {state: true},
+    points: {state: true},
+    objectAt: {state: true},
+    whiteAt: {state: true},
+    object: {state: true},
+    broken: {state: true},
+  };
+  static override styles = [controls, workStyle];
+  /** Its address. */
+  declare picture: string;
+  /** Its size as the browser shows it. */
+  declare natural: PhotoSize;
+  /** A lattice that somebody draws. */
+  declare hand: PhotoMap | undefined;
+  declare protected overlays: Overlays;
+  declare protected way: Measuring;
+  /** Whose distance is to be measured. */
+  declare protected points: TwoPoints | undefined;
+  /** That lies on the cloth, and about where. */
+  declare protected object: KnownObject;
+  declare protected objectAt: Point | undefined;
+  /** Where something white is, while that is asked for. */
+  declare protected whiteAt: Point | undefined;
+  /** Where the print breaks the symmetry that is chosen. */
+  declare protected broken: BrokenPlaces | undefined;
+  #seen: PhotoStep | undefined;
+
+  constructor() {
+    super();
+    this.overlays = {cells: true, axes: false, differing: true, breaks: true};
+    this.object = 'eur1';
+    this.way = 'tape';
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const {step} = this.session.read;
+    if (changed.has('session')) {
+      this.way = 'tape';
+      this.points = undefined;
+      this.objectAt = undefined;
+      this.whiteAt = undefined;
+      this.broken = undefined;
+      this.#seen = undefined;
+    }
+    if (step && step !== this.#seen) this.#follow(step, this.#seen);
+    this.#seen = step;
+  }
+
+  protected override render(): TemplateResult {
+    const {words, hand, way, whiteAt, session} = this;
+    const {step, state} = session.read;
+    const size = step?.reading ?? this.natural;
+    return html`<sw-photo-stage
+        .picture=${this.picture}
+        .size=${size}
+        .map=${hand ?? (step && groupIn(step).map)}
+        .group=${step && !hand ? groupOf(step) : undefined}
+        .differing=${step?.reading.differing ?? []}
+        .broken=${hand ? undefined : this.broken}
+        .outline=${way === 'object' ? step?.object?.outline : undefined}
+        .overlays=${this.overlays}
+        .points=${way === 'points' ? this.points : undefined}
+        .aim=${whiteAt ?? (way === 'object' ? this.objectAt : undefined)}
+        .aimLabel=${whiteAt ? words.aimWhite : words.aim}
+        .words=${words}
+        .isBusy=${state.kind === 'reading'}
+        @moved=${({detail}: CustomEvent<Moved>) => {
+          if (hand) this.#draw(detail.map);
+          else void session.align(detail.map, detail.keeps);
+        }}
+        @measured=${({detail}: CustomEvent<Placed<TwoPoints>>) => {
+          this.#measured(detail);
+        }}
+        @aimed=${({detail}: CustomEvent<Placed<Point>>) => {
+          this.#aimed(detail);
+        }}
+      ></sw-photo-stage>
+      <div class="side">
+        ${hand ? this.#drawn(hand) : photoProgress(session, this.#said)}
+        ${hand ? nothing : this.#panel(size)}
+      </div>`;
+  }
+
+  #draw(detail: PhotoMap | undefined): void {
+    this.dispatchEvent(new CustomEvent('hand', {detail}));
+  }
+
+  #panel(size: PhotoSize): TemplateResult {
+    const {session} = this;
+    return html`<sw-photo-panel
+      .workbench=${this.workbench}
+      .session=${session}
+      .overlays=${this.overlays}
+      .isWhitening=${this.whiteAt !== undefined}
+      @overlays=${({detail}: CustomEvent<Overlays>) => {
+        this.overlays = detail;
+      }}
+      @broken=${({detail}: CustomEvent<BrokenPlaces | null>) => {
+        this.broken = detail ?? undefined;
+      }}
+      @whiten=${() => {
+        this.whiteAt = this.whiteAt ? undefined : middleOf(size);
+      }}
+    >
+      <sw-photo-measures
+        .workbench=${this.workbench}
+        .session=${session}
+        .way=${this.way}
+        .points=${this.points}
+        .object=${this.object}
+        @measuring=${({detail}: CustomEvent<Measuring>) => {
+          this.way = detail;
+          this.points ??= startPoints(size);
+          this.objectAt ??= middleOf(size);
+        }}
+        @object=${({detail}: CustomEvent<KnownObject>) => {
+          this.object = detail;
+          const {objectAt} = this;
+          if (session.step?.object && objectAt) void session.measureBy(detail, objectAt);
+        }}
+        @look=${() => {
+          if (this.objectAt) void session.measureBy(this.object, this.objectAt);
+        }}
+      ></sw-photo-measures>
+    </sw-photo-panel>`;
+  }
+
+  get #said() {
+    const {words, format, texts} = this;
+    return {words, cancel: texts.app.cancel, percent: (share: number) => format.percent(share)};
+  }
+
+  #drawn(hand: PhotoMap): TemplateResult {
+    const leave = (): void => {
+      this.#draw(undefined);
+    };
+    return drawnByHand(this.#said, {
+      leave,
+      align: () => {
+        leave();
+        void this.session.align(hand);
+      },
+    });
+  }
+
+  #measured({at, isSettled}: Placed<TwoPoints>): void {
+    const {session} = this;
+    this.points = at;
+    const [from, to] = at;
+    const between = session.step?.between;
+    if (isSettled && between) session.measureBetween({...between, from, to});
+  }
+
+  #aimed({at, isSettled}: Placed<Point>): void {
+    const {session} = this;
+    if (this.whiteAt) {
+      this.whiteAt = isSettled ? undefined : at;
+      if (isSettled) void session.whiten(at);
+    } else {
+      this.objectAt = at;
+      if (isSettled) void session.measureBy(this.object, at);
+    }
+  }
+
+  /** What is measured by is shown, whenever that is another: a step back or forward has its own. */
+  #follow(step: PhotoStep, before: PhotoStep | undefined): void {
+    const {between, object, w1Measured, w2Measured} = step;
+    if (between && between !== before?.between) {
+      this.way = 'points';
+      this.points = [between.from, between.to];
+    } else if (object && object !== before?.object) {
+      this.way = 'object';
+      this.object = object.object;
+      this.objectAt = centreOf(object.outline);
+    } else if (
+      (w1Measured && w1Measured !== before?.w1Measured) ||
+      (w2Measured && w2Measured !== before?.w2Measured)
+    ) {
+      this.way = 'tape';
+    }
+  }
+}
+
+/** Somewhere in the middle, to be dragged from there. */
+const startPoints = ({width, height}: PhotoSize): TwoPoints => [
+  [0.25 * width, 0.5 * height],
+  [0.75 * width, 0.5 * height],
+];
+
+const middleOf = ({width, height}: PhotoSize): Point => [width / 2, height / 2];
+
+function centreOf(outline: readonly Point[]): Point {
+  const sum = outline.reduce<Point>(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
+  return [sum[0] / outline.length, sum[1] / outline.length];
+}

@@ -1,0 +1,101 @@
+/** What lies over a photograph: cells, their vectors, symmetries, and areas that are wrong. */
+import {svg, type TemplateResult} from 'lit';
+
+import {distance, type Point} from '../../model/geometry.js';
+import {pixelOf} from '../../model/photo-map.js';
+import type {PhotoMap} from '../../model/photo.js';
+import type {GroupName} from '../../model/print.js';
+import {brokenPath, ringPath, type BrokenPlaces} from './breaks-on-photo.js';
+import {cellLines, nodesOf, type PhotoSize} from './lattice-lines.js';
+import {marksOn} from './symmetry-marks.js';
+
+/** What may lie over the photograph. */
+export const overlayNames = ['cells', 'axes', 'differing', 'breaks'] as const;
+export type Overlays = Readonly<Record<(typeof overlayNames)[number], boolean>>;
+
+export interface StageMarks {
+  readonly map: PhotoMap;
+  readonly size: PhotoSize;
+  /** The corner at which the vectors begin. */
+  readonly base: Point;
+  /** Undefined while somebody draws a lattice. */
+  readonly group: GroupName | undefined;
+  readonly differing: readonly (readonly Point[])[];
+  readonly broken: BrokenPlaces | undefined;
+  readonly overlays: Overlays;
+}
+
+/** Of arrow heads and centres, as a share of the picture's longer side. */
+const markSize = 0.011;
+
+const unitOf = ({width, height}: PhotoSize): number => markSize * Math.max(width, height);
+
+export function stageMarks(marks: StageMarks): TemplateResult {
+  const {map, size, overlays, group, broken} = marks;
+  const lines = overlays.cells ? cellLines(map, size) : '';
+  const dots = overlays.cells ? nodesOf(map, size) : [];
+  const differing = overlays.differing ? marks.differing.map(ringPath).join('') : '';
+  return svg`
+    <path class="differing" d=${differing}></path>
+    <path class="broken" d=${broken && overlays.breaks ? brokenPath(map, size, broken) : ''}></path>
+    <path class="casing" d=${lines}></path><path class="cells" d=${lines}></path>
+    ${dots.map((node) => {
+      const [x, y] = pixelOf(map, size, node);
+      return svg`<circle class="dot" cx=${x} cy=${y} r=${0.35 * unitOf(size)}></circle>`;
+    })}
+    ${overlays.axes && group ? symmetries(group, marks) : ''}
+    ${arrow(marks, [1, 0], 'w1')} ${arrow(marks, [0, 1], 'w2')}`;
+}
+
+function symmetries(group: GroupName, {map, size}: StageMarks): TemplateResult {
+  const {mirrors, glides, centres} = marksOn(group, map, size);
+  return svg`<path class="casing" d=${mirrors + glides}></path>
+    <path class="mirrors" d=${mirrors}></path>
+    <path class="glides" d=${glides}></path>
+    ${centres.map(
+      ({order, at}) =>
+        svg`<path class="centre" data-order=${order} d=${symbol(order, at, unitOf(size))}></path>`,
+    )}`;
+}
+
+/** As crystallographers draw them: a lens, a triangle, a square, a hexagon. */
+function symbol(order: 2 | 3 | 4 | 6, [x, y]: Point, unit: number): string {
+  const radius = 0.6 * unit;
+  const corner = (k: number): Point => {
+    const angle = Math.PI * ((2 * k) / order - 0.5);
+    const reach = order === 2 && k % 1 !== 0 ? 0.5 * radius : radius;
+    return [x + reach * Math.cos(angle), y + reach * Math.sin(angle)];
+  };
+  const corners = order === 2 ? [0, 0.5, 1, 1.5] : Array.from({length: order}, (_, k) => k);
+  return ringPath(corners.map(corner));
+}
+
+function arrow(
+  {map, size, base}: StageMarks,
+  [i, j]: Point,
+  name: 'w1' | 'w2',
+): TemplateResult | undefined {
+  const unit = unitOf(size);
+  const from = pixelOf(map, size, base);
+  const to = pixelOf(map, size, [base[0] + i, base[1] + j]);
+  const length = distance(from, to);
+  if (!(length > 0)) return undefined;
+  const along: Point = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+  const head = Math.min(1.6 * unit, length / 3);
+  const side = (sign: number): string => {
+    const [x, y] = [
+      to[0] - head * (along[0] + 0.5 * sign * along[1]),
+      to[1] - head * (along[1] - 0.5 * sign * along[0]),
+    ];
+    return `${x.toFixed(1)} ${y.toFixed(1)}`;
+  };
+  const path = `M${from.join(' ')}L${to.join(' ')}M${side(1)}L${to.join(' ')}L${side(-1)}`;
+  const away = 3 * unit;
+  return svg`<path class="arrow casing" d=${path}></path><path class="arrow ${name}" d=${path}></path>
+    <text
+      class=${name}
+      x=${to[0] + away * along[0]}
+      y=${to[1] + away * along[1]}
+      font-size=${2 * unit}
+    >${name}</text>`;
+}

@@ -1,0 +1,13 @@
+/** White balance: factors of light on pixels that are gamma-coded. */
+import type {ColourGains} from '../../model/photo.js';
+import {codedOf, linearOf} from '../../model/srgb.js';
+
+/** In place; red, green, blue, opacity. */
+export function balance(pixels: Uint8Array | Uint8ClampedArray, gains: ColourGains): void {
+  const tables = gains.map((gain) =>
+    Uint8ClampedArray.from({length: 256}, (_, code) => 255 * codedOf(gain * linearOf(code / 255))),
+  );
+  tables.forEach((table, channel) => {
+    for (let k = channel; k < pixels.length; k += 4) pixels[k] = table[pixels[k] ?? 0] ?? 0;
+  });
+}
