@@ -168,6 +168,18 @@ TEST(GroupReading, TakesEvenAndUnevenStripesInAnyDirectionOfAnyLattice) {
   }
 }
 
+TEST(GroupReading, TestsOneGroupAtATimeSoThatItCanBeCancelled) {
+  GroupReader reader(plaid({0.5, 0.5}, {0.75, 0.25}), Mat2::Identity(), 0.01);
+  EXPECT_EQ(reader.fraction(), 0);
+  for (std::size_t tested = 1; reader.advance(); ++tested) {
+    EXPECT_EQ(reader.result().groups.size(), tested);
+    EXPECT_DOUBLE_EQ(reader.fraction(), static_cast<double>(tested) / 17);
+  }
+  EXPECT_EQ(reader.fraction(), 1);
+  EXPECT_FALSE(reader.advance());
+  EXPECT_EQ(bestName(reader.result()), "pmm");
+}
+
 TEST(GroupReading, SeesThatOneMotifOfManyBreaksAGroup) {
   Chance chance(3);
   SamplePrint print = samplePrint(sampleGroup(*findGroup("pmm")), chance);

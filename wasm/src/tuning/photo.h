@@ -23,7 +23,8 @@ struct PhotoTuning {
   /// Of a tile. [px]
   static constexpr int kLongestTile = 2048;
   /// Shares of the time that a picture of 12 million pixels takes.
-  static constexpr double kSearchShare = 0.6, kFieldsShare = 0.25, kMeanShare = 0.1;
+  static constexpr double kSearchShare = 0.6, kFieldsShare = 0.25, kMeanShare = 0.1,
+                          kGroupsShare = 0.05;
 };
 
 }  // namespace seamwise

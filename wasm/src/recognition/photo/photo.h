@@ -66,9 +66,11 @@ class Photo {
   void readWholeTile();
   bool search();
   bool fitFields();
-  bool meanCopies();
+  void meanCopies();
+  void readSymmetry();
   void identify();
-  Outcome<Mat2> shapeOfBest();
+  void place(const Mat2& measured_gram);
+  const GroupVerdict& best() const { return groups_.groups[groups_.best]; }
   Outcome<MetricReading> measured(const LatticeMap& map, const MetricHints& hints) const;
   void fail(const Error& error);
 
@@ -80,9 +82,11 @@ class Photo {
   std::unique_ptr<LatticeSearch> search_;
   std::unique_ptr<CopyFieldsFit> fit_;
   std::unique_ptr<CellMean> mean_;
+  std::unique_ptr<GroupReader> reader_;
   LatticeReading lattice_;
   CellPicture cell_;
   GroupReading groups_;
+  std::optional<Mat2> measured_gram_;  ///< of the lattice's basis, once lengths of both are known
   std::array<Vec2, 2> vectors_{Vec2::UnitX(), Vec2::UnitY()};
   bool is_scaled_ = false;
   std::vector<LatticeMap> others_;
