@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 
@@ -125,16 +126,16 @@ void findDiffering(const CopyRegistration& registration, double cell_size, CopyF
   const NodeSums sums = nodeSumsOf(registration);
   const std::size_t n = sums.count.size();
   const float full = *std::max_element(sums.count.begin(), sums.count.end());
-  std::vector<float> known;
+  std::vector<double> known;
   for (std::size_t k = 0; k < n; ++k)
     if (sums.count[k] > kFewSamples * full) known.push_back(sums.squares[k] / sums.count[k]);
   fields->weight = shift;
   fields->weight.channels = 1;
   fields->weight.nodes.assign(n, 1);
   if (known.empty()) return;
-  std::nth_element(known.begin(), known.begin() + known.size() / 2, known.end());
-  const float limit =
-      kTimesMedian * known[known.size() / 2] + kShareOfPrint * printVariance(registration);
+  sortNumbers(known);
+  const float limit = kTimesMedian * static_cast<float>(known[known.size() / 2]) +
+                      kShareOfPrint * printVariance(registration);
   float all = 0, steepness = 0;
   for (std::size_t k = 0; k < n; ++k) all += sums.count[k], steepness += sums.mean_steep[k];
   const float prior = 0.1f * steepness / static_cast<float>(n);

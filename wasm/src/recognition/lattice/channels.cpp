@@ -115,7 +115,7 @@ std::vector<float> blurred(const std::vector<float>& plane, int width, int heigh
   const int reach = std::max(1, static_cast<int>(std::ceil(3 * sigma)));
   std::vector<float> kernel(reach + 1);
   for (int k = 0; k <= reach; ++k)
-    kernel[k] = static_cast<float>(std::exp(-k * k / (2 * sigma * sigma)));
+    kernel[k] = std::exp(static_cast<float>(-k * k / (2 * sigma * sigma)));
   const auto line = [&](const float* in, float* out, int count, int stride) {
     for (int i = 0; i < count; ++i) {
       float sum = 0, weight = 0;

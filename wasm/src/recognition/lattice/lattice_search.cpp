@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "recognition/lattice/channels.h"
 #include "recognition/lattice/lattice_stripes.h"
 #include "recognition/lattice/picture_faults.h"
@@ -201,8 +202,7 @@ void LatticeSearch::keepAligned() {
 }
 
 void LatticeSearch::chooseBest() {
-  std::stable_sort(aligned_.begin(), aligned_.end(),
-                   [](const auto& a, const auto& b) { return a.explained > b.explained; });
+  sortBy(aligned_, [](const Aligned& aligned) { return -aligned.explained; });
   if ((aligned_.empty() || aligned_.front().explained < kWellExplained) &&
       part_end_ < votes_->count()) {
     part_end_ = votes_->count();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "wallpaper/lattice.h"
 
 namespace seamwise {
@@ -106,22 +107,19 @@ std::vector<CorrelationPeak> dominantPeaks(const Autocorrelation& correlation, d
            r[i]});
     }
   }
-  std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.r > b.r; });
+  sortBy(peaks, [](const CorrelationPeak& peak) { return -peak.r; });
   if (peaks.size() > 400) peaks.resize(400);
-  std::vector<double> dominance(peaks.size());
-  std::vector<int> order(peaks.size());
+  std::vector<double> keys(peaks.size());
   for (std::size_t i = 0; i < peaks.size(); ++i) {
-    order[i] = static_cast<int>(i);
-    dominance[i] = peaks[i].at.squaredNorm();
+    double dominance = peaks[i].at.squaredNorm();
     for (std::size_t j = 0; j < i; ++j) {
-      dominance[i] = std::min({dominance[i], (peaks[i].at - peaks[j].at).squaredNorm(),
-                               (peaks[i].at + peaks[j].at).squaredNorm()});
+      dominance = std::min({dominance, (peaks[i].at - peaks[j].at).squaredNorm(),
+                            (peaks[i].at + peaks[j].at).squaredNorm()});
     }
+    keys[i] = -dominance;
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return dominance[a] > dominance[b]; });
   std::vector<CorrelationPeak> dominant;
-  for (const int i : order) {
+  for (const std::size_t i : placesInOrder(keys)) {
     if (static_cast<int>(dominant.size()) == most) break;
     dominant.push_back(peaks[i]);
   }
@@ -149,10 +147,9 @@ std::vector<VotedLattice> voteLattices(const Autocorrelation& correlation, doubl
     if (lattice.score > kGoodShare * best) smallest = std::min(smallest, areaOf(lattice));
   const auto rank = [&](const VotedLattice& lattice) {
     const bool is_good = lattice.score > kGoodShare * best;
-    return lattice.score + (is_good && areaOf(lattice) < 1.15 * smallest ? best : 0);
+    return -lattice.score - (is_good && areaOf(lattice) < 1.15 * smallest ? best : 0);
   };
-  std::stable_sort(lattices.begin(), lattices.end(),
-                   [&](const auto& a, const auto& b) { return rank(a) > rank(b); });
+  sortBy(lattices, rank);
   std::vector<VotedLattice> distinct;
   for (const auto& lattice : lattices) {
     if (static_cast<int>(distinct.size()) == most) break;

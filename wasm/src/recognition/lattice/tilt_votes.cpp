@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "recognition/lattice/lattice_vote.h"
 
 namespace seamwise {
@@ -88,8 +89,7 @@ void TiltVotes::add(const LatticeHypothesis& hypothesis) {
 
 std::vector<LatticeHypothesis> TiltVotes::ranked() const {
   std::vector<LatticeHypothesis> ranked = hypotheses_;
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  sortBy(ranked, [](const LatticeHypothesis& hypothesis) { return -hypothesis.score; });
   return ranked;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort_by.h"
+
 namespace seamwise {
 namespace {
 
@@ -36,6 +38,7 @@ IntegerMatrix reducingBasis(const Mat2& gram) {
 bool isOfLatticeType(LatticeType type, const Mat2& gram, double tolerance) {
   const double product = std::sqrt(gram(0, 0) * gram(1, 1));
   const double cosine = gram(0, 1) / product;
+  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
   const bool equal = std::abs(gram(0, 0) - gram(1, 1)) <= 2 * tolerance * product;
   const bool upright = std::abs(cosine) <= tolerance;
   switch (type) {
@@ -48,7 +51,7 @@ bool isOfLatticeType(LatticeType type, const Mat2& gram, double tolerance) {
     case LatticeType::kSquare:
       return equal && upright;
     case LatticeType::kHexagonal:
-      return equal && std::abs(std::acos(cosine) - kPi / 3) <= tolerance;
+      return equal && std::abs(directionOf(Vec2(cosine, sine)) - kPi / 3) <= tolerance;
   }
   return false;
 }
@@ -65,8 +68,11 @@ std::vector<LatticeElement> elementsIn(const std::vector<LatticeElement>& own,
                         {fraction(basis[0] * e.a[0] + basis[1] * e.a[1]),
                          fraction(basis[2] * e.a[0] + basis[3] * e.a[1])}});
   }
-  std::sort(elements.begin(), elements.end(), [](const LatticeElement& a, const LatticeElement& b) {
-    return a.m != b.m ? a.m < b.m : a.a < b.a;
+  // one element to a matrix, whose numbers are small
+  sortBy(elements, [](const LatticeElement& e) {
+    double key = 0;
+    for (const int number : e.m) key = 1024 * key + number;
+    return key;
   });
   return elements;
 }

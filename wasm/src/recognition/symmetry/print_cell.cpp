@@ -47,7 +47,7 @@ class CellPlace {
   static constexpr double kRounding = 1e-7;
 
   int wrapped(double k) const {
-    const int whole = static_cast<int>(std::fmod(k, n_));
+    const int whole = static_cast<int>(k) % n_;
     return whole < 0 ? whole + n_ : whole;
   }
 

@@ -1,9 +1,9 @@
 #include "recognition/symmetry/symmetry_tests.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "geometry/principal_axes.h"
 #include "tuning/group_reading.h"
 
 namespace seamwise {
@@ -50,14 +50,14 @@ Vec2 leastOf(const double (&v)[3][3]) {
   bend(0, 0) = v[1][2] - 2 * v[1][1] + v[1][0];
   bend(1, 1) = v[2][1] - 2 * v[1][1] + v[0][1];
   bend(0, 1) = bend(1, 0) = (v[2][2] - v[2][0] - v[0][2] + v[0][0]) / 4;
-  const Eigen::SelfAdjointEigenSolver<Mat2> axes(bend);
+  const PrincipalAxes axes(bend);
   Vec2 step = Vec2::Zero();
-  for (int k = 0; k < 2; ++k) {
-    const double curvature = axes.eigenvalues()(k);
-    if (curvature <= 1e-3 * std::max(1e-9, axes.eigenvalues()(1))) continue;
-    const Vec2 axis = axes.eigenvectors().col(k);
+  const auto go = [&](double curvature, const Vec2& axis) {
+    if (curvature <= 1e-3 * std::max(1e-9, axes.greater)) return;
     step -= std::clamp(slope.dot(axis) / curvature, -1.0, 1.0) * axis;
-  }
+  };
+  go(axes.lesser, perp(axes.axis));
+  go(axes.greater, axes.axis);
   return step;
 }
 
