@@ -21,8 +21,8 @@ const mostForStandalone = 565 * kilobyte;
 const mostForDrape = 107 * kilobyte;
 /** The module that lays pieces on cloth, which is fetched only for that. [bytes] */
 const mostForMarker = 48 * kilobyte;
-/** The module that reads prints off pictures: 92 kB, fetched when a picture of cloth is opened. */
-const mostForPhoto = 95 * kilobyte;
+/** The module that reads prints off pictures, fetched when a picture of cloth is opened. */
+const mostForPhoto = 64 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;

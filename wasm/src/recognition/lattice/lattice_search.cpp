@@ -33,23 +33,12 @@ constexpr double kSameCandidate = 0.03;  // of w1, w2
 // neighbouring copies alike.
 constexpr double kCreasesAlike = 2.5;
 
-const std::vector<FitStage>& alignStages() {
-  static const std::vector<FitStage> stages{{1.5, 16, FitUnknowns::kBasis, 6},
-                                            {2.5, 16, FitUnknowns::kTilt, 6},
-                                            {kReach, 16, FitUnknowns::kTilt, 8}};
-  return stages;
-}
-
-const std::vector<FitStage>& cellStages() {
-  static const std::vector<FitStage> stages{{kReach, 24, FitUnknowns::kLens, 4}};
-  return stages;
-}
-
-const std::vector<FitStage>& lastStages() {
-  static const std::vector<FitStage> stages{{kReach, 32, FitUnknowns::kLens, 6},
-                                            {kReach, 48, FitUnknowns::kLens, 4}};
-  return stages;
-}
+constexpr std::array<FitStage, 3> kAlignStages{{{1.5, 16, FitUnknowns::kBasis, 6},
+                                                {2.5, 16, FitUnknowns::kTilt, 6},
+                                                {kReach, 16, FitUnknowns::kTilt, 8}}};
+constexpr std::array<FitStage, 1> kCellStages{{{kReach, 24, FitUnknowns::kLens, 4}}};
+constexpr std::array<FitStage, 2> kLastStages{
+    {{kReach, 32, FitUnknowns::kLens, 6}, {kReach, 48, FitUnknowns::kLens, 4}}};
 
 double areaOf(const TiltedLattice& view) { return std::abs(view.basis.determinant()); }
 
@@ -90,7 +79,7 @@ bool LatticeSearch::advance() {
     case Stage::kLargerCell: {
       Aligned& best = aligned_.front();
       best.view = withLargerCell(levels_, {best.view, best.is_stripes}).view;
-      beginFit(best.view, lastStages());
+      beginFit(best.view, kLastStages);
       stage_ = Stage::kMeasure;
       break;
     }
@@ -151,7 +140,7 @@ void LatticeSearch::addLevel() {
   picture_ = {};
   if (given_) {
     aligned_.push_back({TiltedLattice::of(*given_)});
-    if (use_ == GivenLattice::kAlign) beginFit(aligned_.front().view, alignStages());
+    if (use_ == GivenLattice::kAlign) beginFit(aligned_.front().view, kAlignStages);
     stage_ = Stage::kMeasure;
     return;
   }
@@ -168,7 +157,7 @@ void LatticeSearch::vote() {
   stage_ = Stage::kAlign;
 }
 
-void LatticeSearch::beginFit(const TiltedLattice& start, const std::vector<FitStage>& stages) {
+void LatticeSearch::beginFit(const TiltedLattice& start, std::span<const FitStage> stages) {
   fit_.emplace(levels_, start, stages);
 }
 
@@ -181,7 +170,7 @@ void LatticeSearch::align() {
     return;
   }
   if (hypothesis_ < std::min<std::size_t>(kHypotheses, hypotheses_.size())) {
-    beginFit(hypotheses_[hypothesis_].view, alignStages());
+    beginFit(hypotheses_[hypothesis_].view, kAlignStages);
     return;
   }
   chooseBest();
@@ -219,7 +208,7 @@ void LatticeSearch::chooseBest() {
     if (is_as_good && areaOf(aligned_[i].view) < 0.9 * areaOf(aligned_[best].view)) best = i;
   }
   std::swap(aligned_.front(), aligned_[best]);
-  beginFit(aligned_.front().view, cellStages());
+  beginFit(aligned_.front().view, kCellStages);
   stage_ = Stage::kSmallestCell;
 }
 
@@ -292,7 +281,8 @@ LatticeReading LatticeSearch::readingOf(const Aligned& aligned) const {
   if (!given_) {
     if (!aligned.is_stripes) {
       const auto reduced = lagrangeReduced(view.basis.col(0), view.basis.col(1));
-      view.basis << reduced[0], reduced[1];
+      view.basis.col(0) = reduced[0];
+      view.basis.col(1) = reduced[1];
     }
     // Counter-clockwise as it is looked at, where y runs down.
     if (view.basis.determinant() > 0) view.basis.col(1) *= -1;

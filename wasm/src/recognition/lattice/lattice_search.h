@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/outcome.h"
@@ -61,8 +62,7 @@ class LatticeSearch {
   void addLevel();
   void vote();
   void align();
-  void beginFit(const TiltedLattice& start, const std::vector<FitStage>& stages);
-  bool stepFit();
+  void beginFit(const TiltedLattice& start, std::span<const FitStage> stages);
   void keepAligned();
   void chooseBest();
   void findSmallestCell();

@@ -51,7 +51,8 @@ std::optional<TiltedLattice> asStripes(const Copies& copies, const TiltedLattice
   const double longer = std::max(first, second);
   const double period = commonDivisor(longer, std::min(first, second), kLeastPeriod * longer);
   TiltedLattice stripes = view;
-  stripes.basis << period * across, period * perp(across);
+  stripes.basis.col(0) = period * across;
+  stripes.basis.col(1) = period * perp(across);
   return stripes;
 }
 

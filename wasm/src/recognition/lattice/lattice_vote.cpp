@@ -11,6 +11,7 @@ namespace seamwise {
 namespace {
 
 constexpr int kMostPeaks = 24;
+constexpr std::size_t kHighest = 400;   // that are compared with each other
 constexpr double kLeastAngle = 0.25;    // |a x b| / |a| |b|; flatter pairs are badly determined
 constexpr double kGoodShare = 0.82;     // of the best score: lattices that are as good; measured
 constexpr double kSameLattice = 0.03;   // share of a vector's length
@@ -74,7 +75,8 @@ double areaOf(const VotedLattice& lattice) {
 bool isSame(const VotedLattice& x, const VotedLattice& y) {
   if (std::abs(areaOf(x) / areaOf(y) - 1) > 3 * kSameLattice) return false;
   Mat2 basis;
-  basis << y.basis[0], y.basis[1];
+  basis.col(0) = y.basis[0];
+  basis.col(1) = y.basis[1];
   const Mat2 inverse = basis.inverse();
   return std::all_of(x.basis.begin(), x.basis.end(), [&](const Vec2& w) {
     const Vec2 index = (inverse * w).array().round();
@@ -107,21 +109,26 @@ std::vector<CorrelationPeak> dominantPeaks(const Autocorrelation& correlation, d
            r[i]});
     }
   }
-  sortBy(peaks, [](const CorrelationPeak& peak) { return -peak.r; });
-  if (peaks.size() > 400) peaks.resize(400);
   std::vector<double> keys(peaks.size());
-  for (std::size_t i = 0; i < peaks.size(); ++i) {
-    double dominance = peaks[i].at.squaredNorm();
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = -peaks[i].r;
+  std::vector<CorrelationPeak> highest;
+  for (const std::size_t i : placesInOrder(keys)) {
+    if (highest.size() == kHighest) break;
+    highest.push_back(peaks[i]);
+  }
+  keys.resize(highest.size());
+  for (std::size_t i = 0; i < highest.size(); ++i) {
+    double dominance = highest[i].at.squaredNorm();
     for (std::size_t j = 0; j < i; ++j) {
-      dominance = std::min({dominance, (peaks[i].at - peaks[j].at).squaredNorm(),
-                            (peaks[i].at + peaks[j].at).squaredNorm()});
+      dominance = std::min({dominance, (highest[i].at - highest[j].at).squaredNorm(),
+                            (highest[i].at + highest[j].at).squaredNorm()});
     }
     keys[i] = -dominance;
   }
   std::vector<CorrelationPeak> dominant;
   for (const std::size_t i : placesInOrder(keys)) {
     if (static_cast<int>(dominant.size()) == most) break;
-    dominant.push_back(peaks[i]);
+    dominant.push_back(highest[i]);
   }
   return dominant;
 }
@@ -149,9 +156,11 @@ std::vector<VotedLattice> voteLattices(const Autocorrelation& correlation, doubl
     const bool is_good = lattice.score > kGoodShare * best;
     return -lattice.score - (is_good && areaOf(lattice) < 1.15 * smallest ? best : 0);
   };
-  sortBy(lattices, rank);
+  std::vector<double> keys;
+  for (const auto& lattice : lattices) keys.push_back(rank(lattice));
   std::vector<VotedLattice> distinct;
-  for (const auto& lattice : lattices) {
+  for (const std::size_t k : placesInOrder(keys)) {
+    const VotedLattice& lattice = lattices[k];
     if (static_cast<int>(distinct.size()) == most) break;
     if (std::none_of(distinct.begin(), distinct.end(),
                      [&](const auto& other) { return isSame(lattice, other); }))

@@ -29,7 +29,8 @@ Copies copiesOf(const std::vector<ChannelImage>& levels, const TiltedLattice& vi
 CellChoice withShortBasis(CellChoice choice) {
   if (choice.is_stripes) return choice;
   const auto reduced = lagrangeReduced(choice.view.basis.col(0), choice.view.basis.col(1));
-  choice.view.basis << reduced[0], reduced[1];
+  choice.view.basis.col(0) = reduced[0];
+  choice.view.basis.col(1) = reduced[1];
   return choice;
 }
 

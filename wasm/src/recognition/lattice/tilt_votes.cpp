@@ -69,8 +69,7 @@ void TiltVotes::vote(int k) {
   view.radius = view.middle.maxCoeff();
   view.tilt = part.tilt;
   for (const VotedLattice& lattice : voted) {
-    view.basis << lattice.basis[0], lattice.basis[1];
-    view.basis /= view.radius * image.scale;
+    for (int c = 0; c < 2; ++c) view.basis.col(c) = lattice.basis[c] / (view.radius * image.scale);
     hypothesis.score = lattice.score;
     hypothesis.is_stripes = lattice.is_stripes;
     add(hypothesis);
@@ -88,8 +87,10 @@ void TiltVotes::add(const LatticeHypothesis& hypothesis) {
 }
 
 std::vector<LatticeHypothesis> TiltVotes::ranked() const {
-  std::vector<LatticeHypothesis> ranked = hypotheses_;
-  sortBy(ranked, [](const LatticeHypothesis& hypothesis) { return -hypothesis.score; });
+  std::vector<double> keys;
+  for (const LatticeHypothesis& hypothesis : hypotheses_) keys.push_back(-hypothesis.score);
+  std::vector<LatticeHypothesis> ranked;
+  for (const std::size_t k : placesInOrder(keys)) ranked.push_back(hypotheses_[k]);
   return ranked;
 }
 

@@ -106,7 +106,7 @@ bool Photo::search() {
   lattice_ = result.value();
   if (lattice_.confidence == Confidence::kUncertain) {
     const auto& all = search_->candidates();
-    for (std::size_t k = 1; k < all.size(); ++k) others_.push_back(all[k].map);
+    for (std::size_t k = 1; k < all.size(); ++k) others_.push_back(all[k]);
   }
   search_.reset();
   fit_ = std::make_unique<CopyFieldsFit>(pixels_, lattice_.map, curve_);
@@ -175,9 +175,10 @@ void Photo::identify() {
   }
   if (reading.source != MetricSource::kTwoLengths || groups_.stripes) return place(reading.gram);
   const Mat2 back = matrixOf(best().basis).inverse();
-  measured_gram_ = back.transpose() * reading.gram * back;
+  const Mat2 gram = back.transpose() * reading.gram * back;
+  measured_gram_ = gram;
   reader_ = std::make_unique<GroupReader>(
-      cell_, *measured_gram_, std::max(PhotoTuning::kMeasured, 2 * reading.length_error));
+      cell_, gram, std::max(PhotoTuning::kMeasured, 2 * reading.length_error));
   stage_ = PhotoStage::kSymmetry;
 }
 

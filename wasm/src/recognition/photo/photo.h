@@ -58,7 +58,7 @@ class Photo {
   bool isScaled() const { return is_scaled_; }
   Confidence confidence() const;
   /// Other lattices that it may be.
-  const std::vector<LatticeMap>& others() const { return others_; }
+  const std::vector<LatticeReading>& others() const { return others_; }
   const std::vector<DifferingRegion>& differing() const { return differing_; }
   const std::vector<PhotoNote>& notes() const { return notes_; }
 
@@ -89,7 +89,7 @@ class Photo {
   std::optional<Mat2> measured_gram_;  ///< of the lattice's basis, once lengths of both are known
   std::array<Vec2, 2> vectors_{Vec2::UnitX(), Vec2::UnitY()};
   bool is_scaled_ = false;
-  std::vector<LatticeMap> others_;
+  std::vector<LatticeReading> others_;
   std::vector<DifferingRegion> differing_;
   std::vector<PhotoNote> notes_;
 };

@@ -14,7 +14,7 @@ void squareFourier(std::vector<ComplexFloat>& square, int n, bool inverse) {
 }
 
 /// Index of a frequency in a transform of n numbers.
-int wrappedIndex(int k, int n) { return k < 0 ? k + n : k; }
+int frequencyIndex(int k, int n) { return k < 0 ? k + n : k; }
 
 /// exp(-2 pi I k a / n), for all k of a band.
 std::vector<ComplexFloat> phasesOf(double a, int reach) {
@@ -44,7 +44,7 @@ CellSpectrum::CellSpectrum(const CellPicture& cell, const Mat2& gram)
       if (square > most * (1 + 1e-9)) continue;
       const double softening = kPi * GroupReadingTuning::kSoftening;
       const float g = std::exp(static_cast<float>(-2 * softening * softening * square));
-      gain[wrappedIndex(k2, n_) * n_ + wrappedIndex(k1, n_)] = g;
+      gain[frequencyIndex(k2, n_) * n_ + frequencyIndex(k1, n_)] = g;
       power += static_cast<double>(g) * g;
     }
   }
@@ -81,7 +81,7 @@ CellSpectrum::CellSpectrum(const CellPicture& cell, const Mat2& gram)
 
 ComplexFloat CellSpectrum::at(int channel, int k1, int k2) const {
   if (!inBand(k1, k2)) return 0;
-  return series_[channel][wrappedIndex(k2, n_) * n_ + wrappedIndex(k1, n_)];
+  return series_[channel][frequencyIndex(k2, n_) * n_ + frequencyIndex(k1, n_)];
 }
 
 std::vector<float> CellSpectrum::correlation(const IntegerMatrix& m) const {
@@ -94,7 +94,7 @@ std::vector<float> CellSpectrum::correlation(const IntegerMatrix& m) const {
       for (int channel = 0; channel < kChannels; ++channel) {
         sum += productOf(std::conj(at(channel, k1, k2)), at(channel, to1, to2));
       }
-      product[wrappedIndex(k2, fine) * fine + wrappedIndex(k1, fine)] = sum;
+      product[frequencyIndex(k2, fine) * fine + frequencyIndex(k1, fine)] = sum;
     }
   }
   squareFourier(product, fine, false);
@@ -112,7 +112,7 @@ CellSpectrum::Planes CellSpectrum::image(const IntegerMatrix& m, const Vec2& a) 
     for (int k1 = -reach_; k1 <= reach_; ++k1) {
       const int to1 = m[0] * k1 + m[2] * k2, to2 = m[1] * k1 + m[3] * k2;
       const ComplexFloat phase = productOf(phases1[k1 + reach_], phases2[k2 + reach_]);
-      const std::size_t index = wrappedIndex(k2, n_) * n_ + wrappedIndex(k1, n_);
+      const std::size_t index = frequencyIndex(k2, n_) * n_ + frequencyIndex(k1, n_);
       const ComplexFloat first = at(0, to1, to2), second = at(1, to1, to2);
       pair[index] = productOf(phase, {first.real() - second.imag(), first.imag() + second.real()});
       last[index] = productOf(phase, at(2, to1, to2));

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/sort_by.h"
-
 namespace seamwise {
 namespace {
 
@@ -68,20 +66,16 @@ std::vector<LatticeElement> elementsIn(const std::vector<LatticeElement>& own,
                         {fraction(basis[0] * e.a[0] + basis[1] * e.a[1]),
                          fraction(basis[2] * e.a[0] + basis[3] * e.a[1])}});
   }
-  // one element to a matrix, whose numbers are small
-  sortBy(elements, [](const LatticeElement& e) {
-    double key = 0;
-    for (const int number : e.m) key = 1024 * key + number;
-    return key;
-  });
   return elements;
 }
 
 bool areSameElements(const std::vector<LatticeElement>& a, const std::vector<LatticeElement>& b) {
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    if (a[k].m != b[k].m || a[k].a != b[k].a) return false;  // shifts are whole numbers of halves
-  }
-  return true;
+  const auto is_in_b = [&](const LatticeElement& e) {
+    return std::any_of(b.begin(), b.end(), [&](const LatticeElement& other) {
+      return e.m == other.m && e.a == other.a;  // shifts are whole numbers of halves
+    });
+  };
+  return std::all_of(a.begin(), a.end(), is_in_b);
 }
 
 /// How far a basis is from the one that is given.

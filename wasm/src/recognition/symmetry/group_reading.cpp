@@ -97,21 +97,21 @@ Confidence confidenceIn(const GroupReading& reading) {
 }  // namespace
 
 GroupReader::GroupReader(const CellPicture& cell, const Mat2& gram, double tolerance)
-    : spectrum_(cell, gram), tests_(spectrum_), gram_(gram), tolerance_(tolerance) {}
+    : spectrum_(cell, gram), tests_(spectrum_), gram_(gram), tolerance_(tolerance) {
+  reading_.groups.resize(wallpaperGroups().size());
+}
 
 bool GroupReader::advance() {
-  const std::span<const GroupData> all = wallpaperGroups();
-  if (reading_.groups.size() == all.size()) return false;
-  const GroupData& group = all[reading_.groups.size()];
-  reading_.groups.push_back(testedGroup(group, embeddingsOf(group, gram_, tolerance_), tests_));
-  if (reading_.groups.size() < all.size()) return true;
+  if (tested_ == reading_.groups.size()) return false;
+  const GroupData& group = wallpaperGroups()[tested_];
+  reading_.groups[tested_++] = testedGroup(group, embeddingsOf(group, gram_, tolerance_), tests_);
+  if (tested_ < reading_.groups.size()) return true;
   choose();
   return false;
 }
 
 double GroupReader::fraction() const {
-  return static_cast<double>(reading_.groups.size()) /
-         static_cast<double>(wallpaperGroups().size());
+  return static_cast<double>(tested_) / static_cast<double>(reading_.groups.size());
 }
 
 void GroupReader::choose() {

@@ -63,6 +63,7 @@ class GroupReader {
   SymmetryTests tests_;
   Mat2 gram_;
   double tolerance_;
+  std::size_t tested_ = 0;
   GroupReading reading_;
 };
 
