@@ -42,13 +42,7 @@ class FourierPlan {
       for (int p = 0; p < rest; ++p) {
         const ComplexLanes* const from = &x[p * apart];
         ComplexLanes* const to = &other_[p * apart * radix];
-        for (int q = 0; q < apart; ++q) {
-          if (radix == 4) {
-            byFour(from + q, rest * apart, p * apart, to + q, apart);
-          } else {
-            by(radix, from + q, rest * apart, p * apart, to + q, apart);
-          }
-        }
+        for (int q = 0; q < apart; ++q) by(radix, from + q, rest * apart, p * apart, to + q, apart);
       }
       x.swap(other_);
     }
@@ -56,25 +50,13 @@ class FourierPlan {
 
  private:
   static int radixOf(int n) {
-    if (n % 4 == 0) return 4;
     int radix = 2;
     while (n % radix != 0) ++radix;
     return radix;
   }
 
+  /// Numbers u and radix - u share their sums and differences.
   /// @param turn   of the first number, in parts of a whole one
-  void byFour(const ComplexLanes* from, int from_step, int turn, ComplexLanes* to, int to_step) {
-    const ComplexLanes a = from[0], b = from[from_step], c = from[2 * from_step],
-                       d = from[3 * from_step];
-    const ComplexLanes even = a + c, odd = b + d, middle = a - c;
-    const ComplexLanes quarter = (b - d) * turns_[length_ / 4];
-    to[0] = even + odd;
-    to[to_step] = (middle + quarter) * turns_[turn];
-    to[2 * to_step] = (even - odd) * turns_[2 * turn];
-    to[3 * to_step] = (middle - quarter) * turns_[3 * turn];
-  }
-
-  /// The same for any radix: numbers u and radix - u share their sums and differences.
   void by(int radix, const ComplexLanes* from, int from_step, int turn, ComplexLanes* to,
           int to_step) {
     const int part = length_ / radix, half = (radix - 1) / 2;

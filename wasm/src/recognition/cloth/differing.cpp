@@ -95,7 +95,8 @@ float slopeAt(const SmoothField& shift, int i, int j) {
 }
 
 /// Rectangles around nodes that touch each other.
-void gatherRegions(const SmoothField& field, const std::vector<bool>& marked, CopyFields* fields) {
+void gatherRegions(const SmoothField& field, const std::vector<std::uint8_t>& marked,
+                   CopyFields* fields) {
   DisjointSets sets(static_cast<int>(marked.size()));
   const int columns = field.columns;
   for (int k = 0; k < static_cast<int>(marked.size()); ++k) {
@@ -140,7 +141,7 @@ void findDiffering(const CopyRegistration& registration, double cell_size, CopyF
   for (std::size_t k = 0; k < n; ++k) all += sums.count[k], steepness += sums.mean_steep[k];
   const float prior = 0.1f * steepness / static_cast<float>(n);
   const float cell_area = static_cast<float>(cell_size * cell_size);
-  std::vector<bool> marked(n);
+  std::vector<std::uint8_t> marked(n);
   float differing = 0;
   for (std::size_t k = 0; k < n; ++k) {
     if (sums.count[k] <= kFewSamples * full) continue;

@@ -77,7 +77,7 @@ bool LatticeSearch::advance() {
       findSmallestCell();
       break;
     case Stage::kLargerCell: {
-      Aligned& best = aligned_.front();
+      LatticeHypothesis& best = aligned_.front();
       best.view = withLargerCell(levels_, {best.view, best.is_stripes}).view;
       beginFit(best.view, kLastStages);
       stage_ = Stage::kMeasure;
@@ -139,7 +139,9 @@ void LatticeSearch::addLevel() {
   }
   picture_ = {};
   if (given_) {
-    aligned_.push_back({TiltedLattice::of(*given_)});
+    LatticeHypothesis given;
+    given.view = TiltedLattice::of(*given_);
+    aligned_.push_back(given);
     if (use_ == GivenLattice::kAlign) beginFit(aligned_.front().view, kAlignStages);
     stage_ = Stage::kMeasure;
     return;
@@ -182,16 +184,18 @@ Agreement LatticeSearch::agreement(const TiltedLattice& view) const {
 }
 
 void LatticeSearch::keepAligned() {
-  const LatticeHypothesis& hypothesis = hypotheses_[hypothesis_];
+  LatticeHypothesis aligned = hypotheses_[hypothesis_];
   const FittedLattice& fitted = fit_->result();
-  const double change = areaOf(fitted.view) / areaOf(hypothesis.view);
+  const double change = areaOf(fitted.view) / areaOf(aligned.view);
   if (!(change < kMostChange && change > 1 / kMostChange)) return;
-  aligned_.push_back(
-      {fitted.view, hypothesis.is_stripes, agreement(fitted.view).explained, fitted.uncertainty});
+  aligned.view = fitted.view;
+  aligned.uncertainty = fitted.uncertainty;
+  aligned.explained = agreement(fitted.view).explained;
+  aligned_.push_back(aligned);
 }
 
 void LatticeSearch::chooseBest() {
-  sortBy(aligned_, [](const Aligned& aligned) { return -aligned.explained; });
+  sortBy(aligned_, [](const LatticeHypothesis& aligned) { return -aligned.explained; });
   if ((aligned_.empty() || aligned_.front().explained < kWellExplained) &&
       part_end_ < votes_->count()) {
     part_end_ = votes_->count();
@@ -214,7 +218,7 @@ void LatticeSearch::chooseBest() {
 
 void LatticeSearch::findSmallestCell() {
   if (fit_ && fit_->advance()) return;
-  Aligned& best = aligned_.front();
+  LatticeHypothesis& best = aligned_.front();
   best.view = fit_->result().view;
   const Copies copies =
       sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
@@ -231,7 +235,7 @@ void LatticeSearch::findSmallestCell() {
 
 void LatticeSearch::measure() {
   if (fit_ && fit_->advance()) return;
-  Aligned& best = aligned_.front();
+  LatticeHypothesis& best = aligned_.front();
   if (fit_) {
     const double change = areaOf(fit_->result().view) / areaOf(best.view);
     if (change < kMostChange && change > 1 / kMostChange) {
@@ -243,14 +247,14 @@ void LatticeSearch::measure() {
   finish();
 }
 
-double LatticeSearch::repeatsOf(const Aligned& aligned) const {
+double LatticeSearch::repeatsOf(const LatticeHypothesis& aligned) const {
   const Vec2 seen = repeatsSeen(aligned.view);
   return aligned.is_stripes ? seen.x() : seen.minCoeff();
 }
 
 void LatticeSearch::finish() {
   stage_ = Stage::kDone;
-  for (const Aligned& aligned : aligned_) {
+  for (const LatticeHypothesis& aligned : aligned_) {
     if (candidates_.size() == kCandidates || aligned.explained < kNothing) continue;
     const bool is_new =
         std::none_of(candidates_.begin(), candidates_.end(), [&](const auto& other) {
@@ -266,7 +270,7 @@ void LatticeSearch::finish() {
     result_ = whyNoRepeat(levels_, votes_->bestOfMiddle());
     return;
   }
-  const Aligned& best = aligned_.front();
+  const LatticeHypothesis& best = aligned_.front();
   const Copies copies =
       sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
                    visibleCells(best.view, kAgreementReach), kAgreementSamples, false);
@@ -276,7 +280,7 @@ void LatticeSearch::finish() {
     result_ = candidates_.front();
 }
 
-LatticeReading LatticeSearch::readingOf(const Aligned& aligned) const {
+LatticeReading LatticeSearch::readingOf(const LatticeHypothesis& aligned) const {
   TiltedLattice view = aligned.view;
   if (!given_) {
     if (!aligned.is_stripes) {

@@ -51,13 +51,6 @@ class LatticeSearch {
     kMeasure,
     kDone,
   };
-  struct Aligned {
-    TiltedLattice view;
-    bool is_stripes = false;
-    double explained = 0;
-    Vec2 uncertainty = Vec2::Zero();
-  };
-
   void reduce();
   void addLevel();
   void vote();
@@ -69,8 +62,8 @@ class LatticeSearch {
   void measure();
   void finish();
   Agreement agreement(const TiltedLattice& view) const;
-  LatticeReading readingOf(const Aligned& aligned) const;
-  double repeatsOf(const Aligned& aligned) const;
+  LatticeReading readingOf(const LatticeHypothesis& aligned) const;
+  double repeatsOf(const LatticeHypothesis& aligned) const;
 
   PixelView pixels_;
   std::optional<LatticeMap> given_;
@@ -84,7 +77,7 @@ class LatticeSearch {
   std::vector<LatticeHypothesis> hypotheses_;
   std::size_t hypothesis_ = 0;
   std::optional<LatticeFit> fit_;
-  std::vector<Aligned> aligned_;  ///< the best first once one is chosen
+  std::vector<LatticeHypothesis> aligned_;  ///< the best first once one is chosen
   std::optional<Outcome<LatticeReading>> result_;
   std::vector<LatticeReading> candidates_;
 };

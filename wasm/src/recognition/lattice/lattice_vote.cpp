@@ -79,7 +79,7 @@ bool isSame(const VotedLattice& x, const VotedLattice& y) {
   basis.col(1) = y.basis[1];
   const Mat2 inverse = basis.inverse();
   return std::all_of(x.basis.begin(), x.basis.end(), [&](const Vec2& w) {
-    const Vec2 index = (inverse * w).array().round();
+    const Vec2 index = (inverse * w).array().rint();
     return (basis * index - w).norm() < 2 * kSameLattice * w.norm();
   });
 }
@@ -156,8 +156,8 @@ std::vector<VotedLattice> voteLattices(const Autocorrelation& correlation, doubl
     const bool is_good = lattice.score > kGoodShare * best;
     return -lattice.score - (is_good && areaOf(lattice) < 1.15 * smallest ? best : 0);
   };
-  std::vector<double> keys;
-  for (const auto& lattice : lattices) keys.push_back(rank(lattice));
+  std::vector<double> keys(lattices.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) keys[k] = rank(lattices[k]);
   std::vector<VotedLattice> distinct;
   for (const std::size_t k : placesInOrder(keys)) {
     const VotedLattice& lattice = lattices[k];
@@ -183,7 +183,8 @@ std::vector<VotedLattice> voteStripes(const Autocorrelation& correlation, double
   double highest = 0;
   for (const auto& peak : dominantPeaks(correlation, shortest, kMostPeaks))
     highest = std::max(highest, peak.r);
-  if (ridge < 0.1 || ridge < kRidge * highest || lowest > 0.3 * ridge) return {};
+  std::vector<VotedLattice> stripes;
+  if (ridge < 0.1 || ridge < kRidge * highest || lowest > 0.3 * ridge) return stripes;
   const Vec2 across = perp(unit(direction));
   std::vector<double> profile;
   for (double t = 0; t < reach; ++t) profile.push_back(correlation.at(t * across));
@@ -192,9 +193,11 @@ std::vector<VotedLattice> voteStripes(const Autocorrelation& correlation, double
     if (!is_peak || profile[t] < kRidge * ridge) continue;
     const double period =
         static_cast<double>(t) + vertex(profile[t - 1], profile[t], profile[t + 1]);
-    return {{{period * across, period * unit(direction)}, profile[t], true}};
+    const VotedLattice found{{period * across, period * unit(direction)}, profile[t], true};
+    stripes.push_back(found);
+    break;
   }
-  return {};
+  return stripes;
 }
 
 }  // namespace seamwise

@@ -92,11 +92,14 @@ Mat2 reducingMatrix(const Mat2& gram) {
 
 std::vector<GroupEmbedding> embeddingsOf(const GroupData& group, const Mat2& gram,
                                          double tolerance) {
-  if (group.lattice == LatticeType::kOblique) return {{{1, 0, 0, 1}, cosets(group)}};
-  const std::vector<LatticeElement> own = cosets(group);
+  std::vector<LatticeElement> own = cosets(group);
+  std::vector<GroupEmbedding> found;
+  if (group.lattice == LatticeType::kOblique) {
+    found.push_back({{1, 0, 0, 1}, std::move(own)});
+    return found;
+  }
   const IntegerMatrix reducing = reducingBasis(gram);
   const Mat2 reduced = gramIn(gram, reducing);
-  std::vector<GroupEmbedding> found;
   // from a reduced basis the convention's vectors are sums of at most two of each
   constexpr int kMost = 2;
   for (int code = 0; code < 5 * 5 * 5 * 5; ++code) {

@@ -44,7 +44,7 @@ GroupVerdict testedGroup(const GroupData& group, const std::vector<GroupEmbeddin
   return verdict;
 }
 
-int indexOf(const std::vector<GroupVerdict>& groups, std::string_view name) {
+int indexOf(const std::array<GroupVerdict, 17>& groups, std::string_view name) {
   for (std::size_t k = 0; k < groups.size(); ++k) {
     if (groups[k].group->name == name) return static_cast<int>(k);
   }
@@ -71,7 +71,7 @@ void readStripes(GroupReading& reading, const std::array<int, 2>& along, const M
 }
 
 /// The largest group that is there; of groups of one order, the one that fits best.
-int largestOf(const std::vector<GroupVerdict>& groups) {
+int largestOf(const std::array<GroupVerdict, 17>& groups) {
   int best = 0;
   for (std::size_t k = 1; k < groups.size(); ++k) {
     if (groups[k].verdict != SymmetryVerdict::kHas) continue;
@@ -97,9 +97,7 @@ Confidence confidenceIn(const GroupReading& reading) {
 }  // namespace
 
 GroupReader::GroupReader(const CellPicture& cell, const Mat2& gram, double tolerance)
-    : spectrum_(cell, gram), tests_(spectrum_), gram_(gram), tolerance_(tolerance) {
-  reading_.groups.resize(wallpaperGroups().size());
-}
+    : spectrum_(cell, gram), tests_(spectrum_), gram_(gram), tolerance_(tolerance) {}
 
 bool GroupReader::advance() {
   if (tested_ == reading_.groups.size()) return false;

@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "recognition/base/cell_picture.h"
 #include "recognition/base/lattice_reading.h"
@@ -28,8 +27,8 @@ struct GroupVerdict {
 };
 
 struct GroupReading {
-  std::vector<GroupVerdict> groups;  ///< all 17, in the order of `wallpaperGroups()`
-  int best = 0;                      ///< the largest of those that it has; the smaller one on ties
+  std::array<GroupVerdict, 17> groups;  ///< in the order of `wallpaperGroups()`
+  int best = 0;  ///< the largest of those that it has; the smaller one on ties
   Confidence confidence = Confidence::kUncertain;
   bool one_way = false;  ///< no half turn lays the cloth on itself
   /// The same all along one direction: its best group has w2 along the stripes, of any length, and
