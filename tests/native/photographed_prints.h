@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "recognition/base/map_inverse.h"
 #include "recognition/base/picture.h"
 #include "recognition/lattice/tilted_lattice.h"
 
@@ -69,11 +70,12 @@ inline TiltedLattice latticeOnPicture(const Mat2& basis, const Vec2& tilt = Vec2
 template <class InkAt>
 DrawnPicture photographed(const TiltedLattice& lattice, const InkAt& inkAt) {
   DrawnPicture picture;
+  const MapInverse latticeAt(lattice.map());
   seamwise::Random random(1);
   std::size_t i = 0;
   for (int y = 0; y < DrawnPicture::kHeight; ++y) {
     for (int x = 0; x < DrawnPicture::kWidth; ++x, ++i) {
-      const Ink ink = inkAt(lattice.latticeAt(Vec2(x + 0.5, y + 0.5)));
+      const Ink ink = inkAt(latticeAt(Vec2(x + 0.5, y + 0.5)));
       const double light = 0.9 - 0.3 * x / DrawnPicture::kWidth;
       for (int c = 0; c < 3; ++c) {
         const double noise = 0.03 * (random.uniform() + random.uniform() - 1);

@@ -20,9 +20,9 @@ const mostForStandalone = 565 * kilobyte;
 /** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
 const mostForDrape = 107 * kilobyte;
 /** The module that lays pieces on cloth, which is fetched only for that. [bytes] */
-const mostForMarker = 48 * kilobyte;
-/** The module that reads prints off pictures: 92 kB, fetched when a picture of cloth is opened. */
-const mostForPhoto = 95 * kilobyte;
+const mostForMarker = 46 * kilobyte;
+/** The module that reads prints off pictures, fetched when a picture of cloth is opened. */
+const mostForPhoto = 61 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;

@@ -4,6 +4,7 @@
 
 #include "bindings/marker_handle.h"
 #include "bindings/module_ends.h"
+#include "bindings/small_angles.h"
 
 namespace seamwise {
 namespace {

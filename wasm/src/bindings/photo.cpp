@@ -4,6 +4,7 @@
 
 #include "bindings/module_ends.h"
 #include "bindings/photo_handle.h"
+#include "bindings/small_angles.h"
 
 namespace seamwise {
 namespace {

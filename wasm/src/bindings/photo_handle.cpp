@@ -15,8 +15,8 @@ constexpr std::array<const char*, 4> kVerdicts = {"has", "almost", "has not", "c
 constexpr std::array<const char*, 3> kPhotoNotes = {"uneven", "differs", "focalLength"};
 
 template <class Enum, std::size_t n>
-const char* nameOf(const std::array<const char*, n>& names, Enum value) {
-  return names[static_cast<std::size_t>(value)];
+val nameOf(const std::array<const char*, n>& names, Enum value) {
+  return val(names[static_cast<std::size_t>(value)]);
 }
 
 std::vector<std::uint8_t> bytesOf(const val& list) {
@@ -132,7 +132,7 @@ bool PhotoHandle::advance() {
   return more;
 }
 
-std::string PhotoHandle::stage() const {
+val PhotoHandle::stage() const {
   return nameOf(kPhotoStages, photo_ ? photo_->stage() : PhotoStage::kRepeat);
 }
 
@@ -140,33 +140,33 @@ val PhotoHandle::report() const {
   const GroupReading& groups = photo_->groups();
   const LatticeReading& lattice = photo_->lattice();
   val value = val::object();
-  value.set("group", std::string(groups.groups[groups.best].group->name));
+  value.set("group", val(groups.groups[groups.best].group->name.data()));
   value.set("groups", listOf(groups.groups, [&](const GroupVerdict& verdict) {
               val group = val::object();
-              group.set("name", std::string(verdict.group->name));
+              group.set("name", val(verdict.group->name.data()));
               group.set("rho", verdict.rho);
               group.set("worst", verdict.worst);
-              group.set("verdict", std::string(nameOf(kVerdicts, verdict.verdict)));
+              group.set("verdict", nameOf(kVerdicts, verdict.verdict));
               group.set("map", mapValue(photo_->mapOf(verdict)));
               return group;
             }));
   value.set("vectors", vectorsValue(photo_->vectors()));
   value.set("isScaled", photo_->isScaled());
-  value.set("confidence", std::string(nameOf(kConfidences, photo_->confidence())));
+  value.set("confidence", nameOf(kConfidences, photo_->confidence()));
   value.set("uncertainty", lattice.uncertainty);
   value.set("oneWay", groups.one_way);
   value.set("stripes", groups.stripes);
   value.set("copies", lattice.copies);
   value.set("explained", lattice.explained);
-  value.set("others", listOf(photo_->others(), mapValue));
+  value.set("others", listOf(photo_->others(),
+                             [](const LatticeReading& other) { return mapValue(other.map); }));
   value.set("differing", listOf(photo_->differing(), [](const DifferingRegion& region) {
               const Vec2 low = region.low, high = region.high;
               return copied(std::vector<double>{low.x(), low.y(), high.x(), low.y(), high.x(),
                                                 high.y(), low.x(), high.y()});
             }));
-  value.set("notes", listOf(photo_->notes(), [](PhotoNote note) {
-              return val(std::string(nameOf(kPhotoNotes, note)));
-            }));
+  value.set("notes",
+            listOf(photo_->notes(), [](PhotoNote note) { return nameOf(kPhotoNotes, note); }));
   value.set("seams", seamsValue(photo_->seams()));
   return value;
 }

@@ -20,7 +20,7 @@ class PhotoHandle {
 
   val failure() const { return failureValue(error_); }
   bool advance();
-  std::string stage() const;
+  val stage() const;
   double fraction() const { return photo_ ? photo_->fraction() : 0; }
   val report() const;
 

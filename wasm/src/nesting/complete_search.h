@@ -29,6 +29,8 @@ class CompleteSearch {
   double reads() const { return reads_; }
 
  private:
+  static constexpr int kBits = 64;  ///< of a word, one a dot
+
   struct BitTable {
     DotRun rows;
     int column = 0;  ///< of bit 0

@@ -28,7 +28,8 @@ struct PhotoTuning {
   static constexpr double kDenser = 2;
   static constexpr int kFinest = 1024;
   /// Shares of the time that a picture of 12 million pixels takes.
-  static constexpr double kSearchShare = 0.6, kFieldsShare = 0.25, kMeanShare = 0.1;
+  static constexpr double kSearchShare = 0.6, kFieldsShare = 0.25, kMeanShare = 0.1,
+                          kGroupsShare = 0.05;
 };
 
 }  // namespace seamwise

@@ -58,16 +58,18 @@ Outcome<WallpaperGroup> WallpaperGroup::make(std::string_view name, const Vec2& 
   group.reduced_ = lagrangeReduced(group.w_[0], group.w_[1]);
   const auto& [r1, r2] = group.reduced_;
   Mat2 basis, reduced;
-  basis << group.w_[0], group.w_[1];
-  reduced << r1, r2;
+  basis.col(0) = group.w_[0];
+  basis.col(1) = group.w_[1];
+  reduced.col(0) = r1;
+  reduced.col(1) = r2;
   group.to_reduced_ = reduced.inverse();
   group.gram11_ = r1.squaredNorm();
   group.gram12_ = r1.dot(r2);
   group.gram22_ = r2.squaredNorm();
 
   // The change of basis is a unimodular integer matrix: rounding makes it exact.
-  const Mat2 to_basis = (basis.inverse() * reduced).array().round().matrix();
-  const Mat2 from_basis = (group.to_reduced_ * basis).array().round().matrix();
+  const Mat2 to_basis = (basis.inverse() * reduced).array().rint().matrix();
+  const Mat2 from_basis = (group.to_reduced_ * basis).array().rint().matrix();
   for (const LatticeElement& e : all) {
     group.elements_.push_back(inCentimetres(e, basis));
     const Mat2 m = from_basis * integerMatrix(e.m) * to_basis;

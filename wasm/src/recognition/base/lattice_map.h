@@ -21,11 +21,11 @@ struct LatticeMap {
 
   /// The same places for another basis and origin: u = m u' + origin.
   LatticeMap rebased(const Mat2& m, const Vec2& origin) const {
-    Mat3 change = Mat3::Identity();
-    change.topLeftCorner<2, 2>() = m;
-    change.topRightCorner<2, 1>() = origin;
     LatticeMap map = *this;
-    map.homography = homography * change;
+    const Mat3& h = homography;
+    map.homography.col(0) = m(0, 0) * h.col(0) + m(1, 0) * h.col(1);
+    map.homography.col(1) = m(0, 1) * h.col(0) + m(1, 1) * h.col(1);
+    map.homography.col(2) += origin.x() * h.col(0) + origin.y() * h.col(1);
     return map;
   }
 };

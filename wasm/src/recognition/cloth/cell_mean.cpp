@@ -156,7 +156,7 @@ std::vector<std::uint8_t> imageBytes(int columns, int rows,
       const std::size_t from = static_cast<std::size_t>(j) * columns + i;
       for (int c = 0; c < 3; ++c)
         rgba[to + c] = static_cast<std::uint8_t>(
-            std::lround(std::clamp(planes[c][from], 0.0f, 1.0f) * 255.0f));
+            std::nearbyint(std::clamp(planes[c][from], 0.0f, 1.0f) * 255.0f));
     }
   }
   return rgba;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 
@@ -94,7 +95,8 @@ float slopeAt(const SmoothField& shift, int i, int j) {
 }
 
 /// Rectangles around nodes that touch each other.
-void gatherRegions(const SmoothField& field, const std::vector<bool>& marked, CopyFields* fields) {
+void gatherRegions(const SmoothField& field, const std::vector<std::uint8_t>& marked,
+                   CopyFields* fields) {
   DisjointSets sets(static_cast<int>(marked.size()));
   const int columns = field.columns;
   for (int k = 0; k < static_cast<int>(marked.size()); ++k) {
@@ -125,21 +127,21 @@ void findDiffering(const CopyRegistration& registration, double cell_size, CopyF
   const NodeSums sums = nodeSumsOf(registration);
   const std::size_t n = sums.count.size();
   const float full = *std::max_element(sums.count.begin(), sums.count.end());
-  std::vector<float> known;
+  std::vector<double> known;
   for (std::size_t k = 0; k < n; ++k)
     if (sums.count[k] > kFewSamples * full) known.push_back(sums.squares[k] / sums.count[k]);
   fields->weight = shift;
   fields->weight.channels = 1;
   fields->weight.nodes.assign(n, 1);
   if (known.empty()) return;
-  std::nth_element(known.begin(), known.begin() + known.size() / 2, known.end());
-  const float limit =
-      kTimesMedian * known[known.size() / 2] + kShareOfPrint * printVariance(registration);
+  sortNumbers(known);
+  const float limit = kTimesMedian * static_cast<float>(known[known.size() / 2]) +
+                      kShareOfPrint * printVariance(registration);
   float all = 0, steepness = 0;
   for (std::size_t k = 0; k < n; ++k) all += sums.count[k], steepness += sums.mean_steep[k];
   const float prior = 0.1f * steepness / static_cast<float>(n);
   const float cell_area = static_cast<float>(cell_size * cell_size);
-  std::vector<bool> marked(n);
+  std::vector<std::uint8_t> marked(n);
   float differing = 0;
   for (std::size_t k = 0; k < n; ++k) {
     if (sums.count[k] <= kFewSamples * full) continue;

@@ -22,16 +22,20 @@ constexpr double kPointing = 1;  // error of a point that somebody sets. [px]
 constexpr double kTape = 0.001;  // error of a measured length, as a share
 constexpr double kEqualSides = 0.01, kRightAngle = 0.02;   // shares; a cosine
 constexpr double kShortestFocus = 0.3, kLongestFocus = 6;  // over the longer side
-constexpr int kFocusSteps = 40;
-
-double gramAngle(const Mat2& gram) {
-  return std::acos(std::clamp(gram(0, 1) / std::sqrt(gram(0, 0) * gram(1, 1)), -1.0, 1.0));
-}
-
-double gramAspect(const Mat2& gram) { return std::sqrt(gram(1, 1) / gram(0, 0)); }
+constexpr double kFocusStep = 1.078;                       // from one that is tried to the next
 
 double gramArea(const Mat2& gram) {
   return std::sqrt(std::max(gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(0, 1), 1e-300));
+}
+
+double gramAngle(const Mat2& gram) { return std::atan2(gramArea(gram), gram(0, 1)); }
+
+double gramAspect(const Mat2& gram) { return std::sqrt(gram(1, 1) / gram(0, 0)); }
+
+/// How far a cell's sides are from a ratio, as the logarithm; single precision takes less of a
+/// module.
+double aspectOff(const Mat2& gram, double aspect) {
+  return std::abs(std::log(static_cast<float>(gramAspect(gram) / aspect)));
 }
 
 /// The Gram matrix with area 1 if the camera's focal length is f, infinity for a scan. [px]
@@ -61,11 +65,9 @@ double scaleChange(const LatticeMap& map, int longer) {
 
 /// The focal length near `likely` for which the cell's sides have the measured ratio, if any does.
 double focusFor(const Mat3& h, const Vec2& middle, double longer, double likely, double aspect) {
-  double best = likely, least = std::abs(std::log(gramAspect(gramFor(h, middle, likely)) / aspect));
-  for (int k = 0; k <= kFocusSteps; ++k) {
-    const double share = static_cast<double>(k) / kFocusSteps;
-    const double f = longer * kShortestFocus * std::pow(kLongestFocus / kShortestFocus, share);
-    const double off = std::abs(std::log(gramAspect(gramFor(h, middle, f)) / aspect));
+  double best = likely, least = aspectOff(gramFor(h, middle, likely), aspect);
+  for (double f = longer * kShortestFocus; f < longer * kLongestFocus; f *= kFocusStep) {
+    const double off = aspectOff(gramFor(h, middle, f), aspect);
     if (off < least) least = off, best = f;
   }
   return best;
@@ -119,8 +121,10 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   double angle_squares = reading.uncertainty * reading.uncertainty;
   const auto vary = [&](const Vec2& off, double share) {
     const Mat2 other = gramFor(h, middle + longer * off, f * (1 + share));
-    aspect_squares += std::pow(std::log(gramAspect(other) / gramAspect(metric.gram)), 2);
-    angle_squares += std::pow(gramAngle(other) - gramAngle(metric.gram), 2);
+    const double aspect = aspectOff(other, gramAspect(metric.gram));
+    const double angle = gramAngle(other) - gramAngle(metric.gram);
+    aspect_squares += aspect * aspect;
+    angle_squares += angle * angle;
   };
   if (!scan) {
     vary(Vec2::Zero(), -f_error);
@@ -139,7 +143,7 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   } else if (first || second) {
     const int k = first ? 0 : 1;
     scaleMetric((first ? *first : *second) / std::sqrt(metric.gram(k, k)),
-                std::hypot(kTape, metric.aspect_error / 2), &metric);
+                Vec2(kTape, metric.aspect_error / 2).norm(), &metric);
   } else if (hints.span) {
     const MapInverse inverse(reading.map);
     const Vec2 u = inverse(hints.span->to) - inverse(hints.span->from);
@@ -150,7 +154,7 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
           "two points on the photo have to lie more than 4 px apart, and their distance on the "
           "cloth between 0 cm and 100 m");
     scaleMetric(hints.span->length / apart,
-                std::hypot(std::sqrt(2.0) * kPointing / px, metric.aspect_error / 2), &metric);
+                Vec2(std::sqrt(2.0) * kPointing / px, metric.aspect_error / 2).norm(), &metric);
   }
   return metric;
 }

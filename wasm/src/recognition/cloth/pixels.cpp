@@ -2,16 +2,10 @@
 
 #include <algorithm>
 
+#include "recognition/base/block_sums.h"
+#include "recognition/base/repeating_place.h"
+
 namespace seamwise {
-
-namespace {
-
-PixelLanes pixelShares(float t) {
-  return PixelLanes{0.5f * t * (-1 + t * (2 - t)), 1 + 0.5f * t * t * (-5 + 3 * t),
-                    0.5f * t * (1 + t * (4 - 3 * t)), 0.5f * t * t * (t - 1)};
-}
-
-}  // namespace
 
 ReducedPixels::ReducedPixels(const PixelView& pixels, int factor)
     : pixels_(pixels),
@@ -27,17 +21,9 @@ ReducedPixels::ReducedPixels(const PixelView& pixels, int factor)
 bool ReducedPixels::advance(int pixels) {
   const int rows = std::max(1, pixels / (pixels_.width * factor_));
   const int end = std::min(height_, row_ + rows);
-  std::vector<std::uint32_t> sums;
-  const std::size_t stride = static_cast<std::size_t>(pixels_.width) * 4;
   const int area = factor_ * factor_;
   for (; row_ < end; ++row_) {
-    sums.assign(static_cast<std::size_t>(width_) * 4, 0);
-    for (int k = 0; k < factor_; ++k) {
-      const std::uint8_t* from = pixels_.rgba.data() + stride * (row_ * factor_ + k);
-      for (int i = 0; i < width_; ++i)
-        for (int l = 0; l < factor_; ++l, from += 4)
-          for (int c = 0; c < 4; ++c) sums[4 * i + c] += from[c];
-    }
+    const std::vector<std::uint32_t> sums = blockSums(pixels_, factor_, row_);
     std::uint8_t* to = rgba_.data() + static_cast<std::size_t>(width_) * 4 * row_;
     for (std::size_t k = 0; k < sums.size(); ++k)
       to[k] = static_cast<std::uint8_t>((sums[k] + area / 2) / area);
@@ -71,8 +57,9 @@ bool bicubic(const PixelView& pixels, float x, float y, PixelLanes* value) {
         t < static_cast<float>(pixels.height - 2)))
     return bilinear(pixels, x, y, value);
   const int i = static_cast<int>(s), j = static_cast<int>(t);
-  const PixelLanes across = pixelShares(s - static_cast<float>(i));
-  const PixelLanes down = pixelShares(t - static_cast<float>(j));
+  const std::array<float, 4> shares = cubicShares(s - static_cast<float>(i));
+  const PixelLanes across = loaded(shares.data());
+  const std::array<float, 4> down = cubicShares(t - static_cast<float>(j));
   const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
   const std::uint8_t* p =
       pixels.rgba.data() + stride * (j - 1) + 4 * static_cast<std::size_t>(i - 1);

@@ -1,38 +1,8 @@
 #include "recognition/cloth/tile_symmetry.h"
 
-#include <algorithm>
-#include <cmath>
+#include "recognition/base/repeating_place.h"
 
 namespace seamwise {
-
-namespace {
-
-constexpr double kOnPixel = 1e-6;  // of a pixel
-
-int wrappedPixel(int i, int n) {
-  const int rest = i % n;
-  return rest < 0 ? rest + n : rest;
-}
-
-/// Four pixels and their shares around a place that is given in pixels.
-struct CubicReach {
-  CubicReach(double place, int n) {
-    const double whole = std::floor(place + kOnPixel);
-    const float t = static_cast<float>(place - whole);
-    const int first = static_cast<int>(whole);
-    for (int k = 0; k < 4; ++k) at[k] = wrappedPixel(first - 1 + k, n);
-    between = std::abs(place - whole) > kOnPixel;
-    share[0] = 0.5f * t * (-1 + t * (2 - t));
-    share[1] = 1 + 0.5f * t * t * (-5 + 3 * t);
-    share[2] = 0.5f * t * (1 + t * (4 - 3 * t));
-    share[3] = 0.5f * t * t * (t - 1);
-  }
-  int at[4];
-  float share[4];
-  bool between;
-};
-
-}  // namespace
 
 TileSymmetry::TileSymmetry(std::array<std::vector<float>, 3> planes, int columns, int rows,
                            const GroupData& group)
@@ -55,23 +25,11 @@ void TileSymmetry::add(const LatticeElement& element, int row) {
   for (int i = 0; i < columns_; ++i) {
     const double u = (i + 0.5) / columns_;
     const auto& [m, a] = element;
-    const CubicReach x((m[0] * u + m[1] * v + a[0]) * columns_ - 0.5, columns_);
-    const CubicReach y((m[2] * u + m[3] * v + a[1]) * rows_ - 0.5, rows_);
+    const RepeatingPlace place{
+        RepeatingReach((m[0] * u + m[1] * v + a[0]) * columns_ - 0.5, columns_),
+        RepeatingReach((m[2] * u + m[3] * v + a[1]) * rows_ - 0.5, rows_)};
     const std::size_t to = static_cast<std::size_t>(row) * columns_ + i;
-    for (int c = 0; c < 3; ++c) {
-      const std::vector<float>& plane = planes_[c];
-      float sum = 0;
-      if (!x.between && !y.between) {
-        sum = plane[static_cast<std::size_t>(y.at[1]) * columns_ + x.at[1]];
-      } else {
-        for (int k = 0; k < 4; ++k) {
-          const float* line = plane.data() + static_cast<std::size_t>(y.at[k]) * columns_;
-          sum += y.share[k] * (x.share[0] * line[x.at[0]] + x.share[1] * line[x.at[1]] +
-                               x.share[2] * line[x.at[2]] + x.share[3] * line[x.at[3]]);
-        }
-      }
-      symmetric_[c][to] += share * sum;
-    }
+    for (int c = 0; c < 3; ++c) symmetric_[c][to] += share * place.of(planes_[c], columns_);
   }
 }
 

@@ -1,13 +1,11 @@
 #include "recognition/lattice/autocorrelation.h"
 
 #include <algorithm>
-#include <complex>
-#include <unsupported/Eigen/FFT>
+
+#include "recognition/base/fourier.h"
 
 namespace seamwise {
 namespace {
-
-using Complex = std::complex<float>;
 
 constexpr int kWeightBlock = 8;  // weights vary slowly: every eighth pixel tells. [pixels]
 
@@ -20,59 +18,6 @@ int transformLength(int least) {
     if (rest == 1) return n;
   }
 }
-
-/// Values of a plane as complex numbers, and their transforms, in place.
-class Spectrum {
- public:
-  Spectrum(int width, int height)
-      : width_(width), height_(height), values_(static_cast<std::size_t>(width) * height) {}
-
-  Complex& at(int x, int y) { return values_[static_cast<std::size_t>(y) * width_ + x]; }
-  int width() const { return width_; }
-  int height() const { return height_; }
-
-  /// @param rows   those from there on hold zeros
-  void forward(int rows) {
-    alongRows(rows);
-    alongColumns();
-  }
-  void backward(int rows) {
-    alongColumns();
-    alongRows(rows);
-  }
-
- private:
-  // The values are transformed forward both times: of a spectrum that is even, the inverse is the
-  // same but for its scale.
-  void alongRows(int rows) {
-    std::vector<Complex> out(width_);
-    for (int y = 0; y < rows; ++y) {
-      fft_.fwd(out.data(), &at(0, y), width_);
-      std::copy(out.begin(), out.end(), &at(0, y));
-    }
-  }
-
-  void alongColumns() {
-    // Several columns at once, because memory is fetched in lines of several numbers.
-    constexpr int kAtOnce = 8;
-    std::vector<Complex> in(static_cast<std::size_t>(height_) * kAtOnce), out(height_);
-    for (int x = 0; x < width_; x += kAtOnce) {
-      const int count = std::min(kAtOnce, width_ - x);
-      for (int y = 0; y < height_; ++y)
-        for (int k = 0; k < count; ++k) in[k * height_ + y] = at(x + k, y);
-      for (int k = 0; k < count; ++k) {
-        fft_.fwd(out.data(), &in[k * height_], height_);
-        std::copy(out.begin(), out.end(), &in[k * height_]);
-      }
-      for (int y = 0; y < height_; ++y)
-        for (int k = 0; k < count; ++k) at(x + k, y) = in[k * height_ + y];
-    }
-  }
-
-  int width_, height_;
-  std::vector<Complex> values_;
-  Eigen::FFT<float> fft_;
-};
 
 /// Sum of w(x) w(x + s), from means over blocks.
 class WeightOverlap {
@@ -151,36 +96,42 @@ Autocorrelation autocorrelation(const WeightedPlanes& planes, int reach_x, int r
   fillOverlap(planes, result);
 
   // With both planes as real and imaginary part, |F(k)|^2 + |F(-k)|^2 is twice the sum of their
-  // power spectra.
-  Spectrum spectrum(transformLength(planes.width + result.reach_x),
-                    transformLength(planes.height + result.reach_y));
+  // power spectra. That is even, so that its inverse transform is the same but for its scale.
+  const int width = transformLength(planes.width + result.reach_x);
+  const int height = transformLength(planes.height + result.reach_y);
+  std::vector<ComplexFloat> spectrum(static_cast<std::size_t>(width) * height);
+  const auto at = [&](int x, int y) -> ComplexFloat& {
+    return spectrum[static_cast<std::size_t>(y) * width + x];
+  };
   for (int y = 0; y < planes.height; ++y) {
     for (int x = 0; x < planes.width; ++x) {
       const int i = y * planes.width + x;
-      spectrum.at(x, y) = {planes.first[i] * planes.weight[i], planes.second[i] * planes.weight[i]};
+      at(x, y) = {planes.first[i] * planes.weight[i], planes.second[i] * planes.weight[i]};
     }
   }
-  spectrum.forward(planes.height);
-  const int width = spectrum.width(), height = spectrum.height();
+  const FourierLines columns{width, height, 1, width};
+  transformLines(spectrum, {planes.height, width, width, 1});  // the rows below hold zeros
+  transformLines(spectrum, columns);
   for (int y = 0; y <= height / 2; ++y) {
     const int other_y = y == 0 ? 0 : height - y;
     for (int x = 0; x < width; ++x) {
-      Complex& here = spectrum.at(x, y);
-      Complex& opposite = spectrum.at(x == 0 ? 0 : width - x, other_y);
+      ComplexFloat& here = at(x, y);
+      ComplexFloat& opposite = at(x == 0 ? 0 : width - x, other_y);
       const float power = std::norm(here) + std::norm(opposite);
       here = opposite = power;
       if (y == other_y && 2 * x >= width) break;
     }
   }
-  spectrum.backward(result.reach_y + 1);
+  transformLines(spectrum, columns);
+  transformLines(spectrum, {result.reach_y + 1, width, width, 1});
 
-  const float all = spectrum.at(0, 0).real();
+  const float all = at(0, 0).real();
   for (int y = 0; y <= result.reach_y; ++y) {
     for (int x = -result.reach_x; x <= result.reach_x; ++x) {
       const int i = y * result.columns() + x + result.reach_x;
       const float overlap = result.overlap[i];
       const bool is_known = all > 0 && overlap >= static_cast<float>(least_overlap);
-      result.r[i] = is_known ? spectrum.at(x < 0 ? x + width : x, y).real() / (all * overlap) : 0;
+      result.r[i] = is_known ? at(x < 0 ? x + width : x, y).real() / (all * overlap) : 0;
     }
   }
   return result;

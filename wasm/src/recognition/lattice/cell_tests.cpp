@@ -29,7 +29,8 @@ std::vector<Mat2> largerCells(int index) {
   return cells;
 }
 
-CopyDifferences::CopyDifferences(const Copies& copies) {
+CopyDifferences::CopyDifferences(const Copies& copies)
+    : shifts_(static_cast<std::size_t>(2 * kReach + 1) * (kReach + 1)) {
   const int n = copies.n;
   const std::size_t samples = copies.samples();
   std::vector<int> place_of(samples);
@@ -38,7 +39,6 @@ CopyDifferences::CopyDifferences(const Copies& copies) {
     place_of[s] = (y * kPlaces / n) * kPlaces + x * kPlaces / n;
   }
   constexpr int kColumns = 2 * kReach + 1;
-  shifts_.resize(kColumns * (kReach + 1));
   std::vector<std::array<float, kPlaces * kPlaces>> counts(shifts_.size());
   for (auto& count : counts) count.fill(0);
   for (std::size_t a = 0; a < copies.cells.size(); ++a) {
@@ -88,7 +88,7 @@ const CopyDifferences::Difference* CopyDifferences::at(int i, int j) const {
 
 SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& lattice,
                             const Mat2& larger, const Mat2& basis) {
-  const auto whole = [](const Mat2& m, const Vec2& v) { return Vec2((m * v).array().round()); };
+  const auto whole = [](const Mat2& m, const Vec2& v) { return Vec2((m * v).array().rint()); };
   const auto at = [&](const Vec2& shift) {
     return differences.at(static_cast<int>(std::lround(shift.x())),
                           static_cast<int>(std::lround(shift.y())));
@@ -106,8 +106,11 @@ SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& latt
   // Those that it does not: per class the shortest, none longer than the longer of the two.
   const int index = static_cast<int>(std::lround(std::abs(larger.determinant())));
   const Mat2 own_inverse = own.inverse();
-  std::vector<std::array<double, 2>> of_class;  // key, length
-  std::vector<const CopyDifferences::Difference*> shortest;
+  struct Shortest {
+    double key, length;
+    const CopyDifferences::Difference* difference;
+  };
+  std::vector<Shortest> shortest;  // one of each class
   for (int j = -CopyDifferences::kReach; j <= CopyDifferences::kReach; ++j) {
     for (int i = -CopyDifferences::kReach; i <= CopyDifferences::kReach; ++i) {
       const Vec2 shift = lattice * Vec2(i, j);
@@ -120,13 +123,11 @@ SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& latt
       const double key = std::lround(rest.x() * 5040) * 10000.0 + std::lround(rest.y() * 5040);
       if (key == 0) continue;
       std::size_t k = 0;
-      while (k < of_class.size() && of_class[k][0] != key) ++k;
-      if (k == of_class.size()) {
-        of_class.push_back({key, length});
-        shortest.push_back(difference);
-      } else if (length < of_class[k][1]) {
-        of_class[k][1] = length;
-        shortest[k] = difference;
+      while (k < shortest.size() && shortest[k].key != key) ++k;
+      if (k == shortest.size()) {
+        shortest.push_back({key, length, difference});
+      } else if (length < shortest[k].length) {
+        shortest[k] = {key, length, difference};
       }
     }
   }
@@ -134,7 +135,7 @@ SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& latt
   double between = 0;
   std::array<double, CopyDifferences::kPlaces * CopyDifferences::kPlaces> places{};
   std::array<int, CopyDifferences::kPlaces * CopyDifferences::kPlaces> counts{};
-  for (const auto* difference : shortest) {
+  for (const auto& [key, length, difference] : shortest) {
     between += difference->mean / static_cast<double>(shortest.size());
     for (std::size_t p = 0; p < places.size(); ++p)
       if (difference->places[p] >= 0) places[p] += difference->places[p], ++counts[p];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recognition/base/block_sums.h"
+
 namespace seamwise {
 namespace {
 
@@ -92,21 +94,12 @@ Picture reducedFrame(const PixelView& view, int factor) {
 
 void reduceRows(const PixelView& view, int factor, int from, int to, Picture& picture) {
   const int width = picture.width;
-  std::vector<std::uint32_t> sums(static_cast<std::size_t>(width) * 3);
   const float scale = 1 / (255.0F * static_cast<float>(factor * factor));
   for (int row = from; row < to; ++row) {
-    std::fill(sums.begin(), sums.end(), 0);
-    for (int y = row * factor; y < (row + 1) * factor; ++y) {
-      const std::uint8_t* pixel = view.rgba.data() + static_cast<std::size_t>(y) * view.width * 4;
-      std::uint32_t* sum = sums.data();
-      for (int x = 0; x < width; ++x, sum += 3) {
-        for (int k = 0; k < factor; ++k, pixel += 4)
-          sum[0] += pixel[0], sum[1] += pixel[1], sum[2] += pixel[2];
-      }
-    }
+    const std::vector<std::uint32_t> sums = blockSums(view, factor, row);
     for (int c = 0; c < 3; ++c) {
       float* plane = picture.planes[c].data() + static_cast<std::size_t>(row) * width;
-      for (int x = 0; x < width; ++x) plane[x] = static_cast<float>(sums[3 * x + c]) * scale;
+      for (int x = 0; x < width; ++x) plane[x] = static_cast<float>(sums[4 * x + c]) * scale;
     }
   }
 }
@@ -115,7 +108,7 @@ std::vector<float> blurred(const std::vector<float>& plane, int width, int heigh
   const int reach = std::max(1, static_cast<int>(std::ceil(3 * sigma)));
   std::vector<float> kernel(reach + 1);
   for (int k = 0; k <= reach; ++k)
-    kernel[k] = static_cast<float>(std::exp(-k * k / (2 * sigma * sigma)));
+    kernel[k] = std::exp(static_cast<float>(-k * k / (2 * sigma * sigma)));
   const auto line = [&](const float* in, float* out, int count, int stride) {
     for (int i = 0; i < count; ++i) {
       float sum = 0, weight = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recognition/base/map_inverse.h"
+
 namespace seamwise {
 namespace {
 
@@ -32,7 +34,8 @@ bool isInside(const TiltedLattice& view, const Vec2& u) {
 }  // namespace
 
 CellList visibleCells(const TiltedLattice& view, double reach) {
-  const Vec2 middle = view.latticeAt(view.middle);
+  const MapInverse latticeAt(view.map());
+  const Vec2 middle = latticeAt(view.middle);
   Vec2 low = middle, high = middle;
   for (int k = 0; k < 16; ++k) {
     // Along the border; corners alone are not the farthest where the picture is tilted.
@@ -41,7 +44,7 @@ CellList visibleCells(const TiltedLattice& view, double reach) {
     const std::array<Vec2, 4> sides{Vec2(t, -1), Vec2(1, t), Vec2(-t, 1), Vec2(-1, -t)};
     const Vec2 p = sides[k / 4].cwiseProduct(half);
     if (1 - view.tilt.dot(p) < 0.1) continue;
-    const Vec2 u = view.latticeAt(view.middle + view.radius * p);
+    const Vec2 u = latticeAt(view.middle + view.radius * p);
     low = low.cwiseMin(u), high = high.cwiseMax(u);
   }
   low = low.cwiseMax(middle - Vec2(reach, reach)),

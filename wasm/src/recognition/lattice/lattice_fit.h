@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <span>
 
 #include "recognition/lattice/copies.h"
 
@@ -45,7 +46,7 @@ class LatticeFit {
   /// @param levels   the picture at falling sizes, each half the one before; outlive this, as
   /// @param stages   do
   LatticeFit(const std::vector<ChannelImage>& levels, const TiltedLattice& start,
-             const std::vector<FitStage>& stages)
+             std::span<const FitStage> stages)
       : levels_(levels), stages_(stages), fitted_{start} {}
 
   /// One step of Gauss-Newton; false when nothing is left to do.
@@ -56,7 +57,7 @@ class LatticeFit {
   bool step(const FitStage& stage);
 
   const std::vector<ChannelImage>& levels_;
-  const std::vector<FitStage>& stages_;
+  std::span<const FitStage> stages_;
   FittedLattice fitted_;
   std::size_t stage_ = 0;
   int step_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "recognition/lattice/channels.h"
 #include "recognition/lattice/lattice_stripes.h"
 #include "recognition/lattice/picture_faults.h"
@@ -36,23 +37,12 @@ constexpr double kSameCandidate = 0.03;  // of w1, w2
 // neighbouring copies alike.
 constexpr double kCreasesAlike = 2.5;
 
-const std::vector<FitStage>& alignStages() {
-  static const std::vector<FitStage> stages{{1.5, 16, FitUnknowns::kBasis, 6},
-                                            {2.5, 16, FitUnknowns::kTilt, 6},
-                                            {kReach, 16, FitUnknowns::kTilt, 8}};
-  return stages;
-}
-
-const std::vector<FitStage>& cellStages() {
-  static const std::vector<FitStage> stages{{kReach, 24, FitUnknowns::kLens, 4}};
-  return stages;
-}
-
-const std::vector<FitStage>& lastStages() {
-  static const std::vector<FitStage> stages{{kReach, 32, FitUnknowns::kLens, 6},
-                                            {kReach, 48, FitUnknowns::kLens, 4}};
-  return stages;
-}
+constexpr std::array<FitStage, 3> kAlignStages{{{1.5, 16, FitUnknowns::kBasis, 6},
+                                                {2.5, 16, FitUnknowns::kTilt, 6},
+                                                {kReach, 16, FitUnknowns::kTilt, 8}}};
+constexpr std::array<FitStage, 1> kCellStages{{{kReach, 24, FitUnknowns::kLens, 4}}};
+constexpr std::array<FitStage, 2> kLastStages{
+    {{kReach, 32, FitUnknowns::kLens, 6}, {kReach, 48, FitUnknowns::kLens, 4}}};
 
 double areaOf(const TiltedLattice& view) { return std::abs(view.basis.determinant()); }
 
@@ -91,9 +81,9 @@ bool LatticeSearch::advance() {
       findSmallestCell();
       break;
     case Stage::kLargerCell: {
-      Aligned& best = aligned_.front();
+      LatticeHypothesis& best = aligned_.front();
       best.view = withLargerCell(levels_, {best.view, best.is_stripes}).view;
-      beginFit(best.view, lastStages());
+      beginFit(best.view, kLastStages);
       stage_ = Stage::kMeasure;
       break;
     }
@@ -153,8 +143,10 @@ void LatticeSearch::addLevel() {
   }
   picture_ = {};
   if (given_) {
-    aligned_.push_back({TiltedLattice::of(*given_)});
-    if (use_ == GivenLattice::kAlign) beginFit(aligned_.front().view, alignStages());
+    LatticeHypothesis given;
+    given.view = TiltedLattice::of(*given_);
+    aligned_.push_back(given);
+    if (use_ == GivenLattice::kAlign) beginFit(aligned_.front().view, kAlignStages);
     stage_ = Stage::kMeasure;
     return;
   }
@@ -171,7 +163,7 @@ void LatticeSearch::vote() {
   stage_ = Stage::kAlign;
 }
 
-void LatticeSearch::beginFit(const TiltedLattice& start, const std::vector<FitStage>& stages) {
+void LatticeSearch::beginFit(const TiltedLattice& start, std::span<const FitStage> stages) {
   fit_.emplace(levels_, start, stages);
 }
 
@@ -184,7 +176,7 @@ void LatticeSearch::align() {
     return;
   }
   if (hypothesis_ < std::min<std::size_t>(kHypotheses, hypotheses_.size())) {
-    beginFit(hypotheses_[hypothesis_].view, alignStages());
+    beginFit(hypotheses_[hypothesis_].view, kAlignStages);
     return;
   }
   chooseBest();
@@ -196,17 +188,18 @@ Agreement LatticeSearch::agreement(const TiltedLattice& view) const {
 }
 
 void LatticeSearch::keepAligned() {
-  const LatticeHypothesis& hypothesis = hypotheses_[hypothesis_];
+  LatticeHypothesis aligned = hypotheses_[hypothesis_];
   const FittedLattice& fitted = fit_->result();
-  const double change = areaOf(fitted.view) / areaOf(hypothesis.view);
+  const double change = areaOf(fitted.view) / areaOf(aligned.view);
   if (!(change < kMostChange && change > 1 / kMostChange)) return;
-  aligned_.push_back(
-      {fitted.view, hypothesis.is_stripes, agreement(fitted.view).explained, fitted.uncertainty});
+  aligned.view = fitted.view;
+  aligned.uncertainty = fitted.uncertainty;
+  aligned.explained = agreement(fitted.view).explained;
+  aligned_.push_back(aligned);
 }
 
 void LatticeSearch::chooseBest() {
-  std::stable_sort(aligned_.begin(), aligned_.end(),
-                   [](const auto& a, const auto& b) { return a.explained > b.explained; });
+  sortBy(aligned_, [](const LatticeHypothesis& aligned) { return -aligned.explained; });
   if ((aligned_.empty() || aligned_.front().explained < kWellExplained) &&
       part_end_ < votes_->count()) {
     part_end_ = votes_->count();
@@ -223,13 +216,13 @@ void LatticeSearch::chooseBest() {
     if (is_as_good && areaOf(aligned_[i].view) < 0.9 * areaOf(aligned_[best].view)) best = i;
   }
   std::swap(aligned_.front(), aligned_[best]);
-  beginFit(aligned_.front().view, cellStages());
+  beginFit(aligned_.front().view, kCellStages);
   stage_ = Stage::kSmallestCell;
 }
 
 void LatticeSearch::findSmallestCell() {
   if (fit_ && fit_->advance()) return;
-  Aligned& best = aligned_.front();
+  LatticeHypothesis& best = aligned_.front();
   best.view = fit_->result().view;
   const Copies copies =
       sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
@@ -246,7 +239,7 @@ void LatticeSearch::findSmallestCell() {
 
 void LatticeSearch::measure() {
   if (fit_ && fit_->advance()) return;
-  Aligned& best = aligned_.front();
+  LatticeHypothesis& best = aligned_.front();
   if (fit_) {
     const double change = areaOf(fit_->result().view) / areaOf(best.view);
     if (change < kMostChange && change > 1 / kMostChange) {
@@ -258,14 +251,14 @@ void LatticeSearch::measure() {
   finish();
 }
 
-double LatticeSearch::repeatsOf(const Aligned& aligned) const {
+double LatticeSearch::repeatsOf(const LatticeHypothesis& aligned) const {
   const Vec2 seen = repeatsSeen(aligned.view);
   return aligned.is_stripes ? seen.x() : seen.minCoeff();
 }
 
 void LatticeSearch::finish() {
   stage_ = Stage::kDone;
-  for (const Aligned& aligned : aligned_) {
+  for (const LatticeHypothesis& aligned : aligned_) {
     if (candidates_.size() == kCandidates || aligned.explained < kNothing) continue;
     const bool is_new =
         std::none_of(candidates_.begin(), candidates_.end(), [&](const auto& other) {
@@ -281,7 +274,7 @@ void LatticeSearch::finish() {
     result_ = whyNoRepeat(levels_, votes_->bestOfMiddle());
     return;
   }
-  const Aligned& best = aligned_.front();
+  const LatticeHypothesis& best = aligned_.front();
   const Copies copies =
       sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
                    visibleCells(best.view, kAgreementReach), kAgreementSamples, false);
@@ -292,19 +285,20 @@ void LatticeSearch::finish() {
   if (result_->ok() && mayBeMuchSmaller(best)) result_->value().confidence = Confidence::kUncertain;
 }
 
-bool LatticeSearch::mayBeMuchSmaller(const Aligned& best) const {
+bool LatticeSearch::mayBeMuchSmaller(const LatticeHypothesis& best) const {
   return !best.is_stripes && std::any_of(aligned_.begin(), aligned_.end(), [&](const auto& other) {
     return areaOf(other.view) * kMuchLarger < areaOf(best.view) &&
            other.explained > best.explained - kLittleMore;
   });
 }
 
-LatticeReading LatticeSearch::readingOf(const Aligned& aligned) const {
+LatticeReading LatticeSearch::readingOf(const LatticeHypothesis& aligned) const {
   TiltedLattice view = aligned.view;
   if (!given_) {
     if (!aligned.is_stripes) {
       const auto reduced = lagrangeReduced(view.basis.col(0), view.basis.col(1));
-      view.basis << reduced[0], reduced[1];
+      view.basis.col(0) = reduced[0];
+      view.basis.col(1) = reduced[1];
     }
     // Counter-clockwise as it is looked at, where y runs down.
     if (view.basis.determinant() > 0) view.basis.col(1) *= -1;

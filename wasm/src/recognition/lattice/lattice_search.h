@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/outcome.h"
@@ -50,28 +51,20 @@ class LatticeSearch {
     kMeasure,
     kDone,
   };
-  struct Aligned {
-    TiltedLattice view;
-    bool is_stripes = false;
-    double explained = 0;
-    Vec2 uncertainty = Vec2::Zero();
-  };
-
   void reduce();
   void addLevel();
   void vote();
   void align();
-  void beginFit(const TiltedLattice& start, const std::vector<FitStage>& stages);
-  bool stepFit();
+  void beginFit(const TiltedLattice& start, std::span<const FitStage> stages);
   void keepAligned();
   void chooseBest();
   void findSmallestCell();
   void measure();
   void finish();
   Agreement agreement(const TiltedLattice& view) const;
-  LatticeReading readingOf(const Aligned& aligned) const;
-  double repeatsOf(const Aligned& aligned) const;
-  bool mayBeMuchSmaller(const Aligned& best) const;
+  LatticeReading readingOf(const LatticeHypothesis& aligned) const;
+  double repeatsOf(const LatticeHypothesis& aligned) const;
+  bool mayBeMuchSmaller(const LatticeHypothesis& best) const;
 
   PixelView pixels_;
   std::optional<LatticeMap> given_;
@@ -85,7 +78,7 @@ class LatticeSearch {
   std::vector<LatticeHypothesis> hypotheses_;
   std::size_t hypothesis_ = 0;
   std::optional<LatticeFit> fit_;
-  std::vector<Aligned> aligned_;  ///< the best first once one is chosen
+  std::vector<LatticeHypothesis> aligned_;  ///< the best first once one is chosen
   std::optional<Outcome<LatticeReading>> result_;
   std::vector<LatticeReading> candidates_;
 };

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "geometry/principal_axes.h"
+
 namespace seamwise {
 namespace {
 
@@ -41,16 +43,16 @@ std::optional<TiltedLattice> asStripes(const Copies& copies, const TiltedLattice
   }
   const Mat2 inverse = view.basis.inverse();
   const Mat2 tensor = inverse.transpose() * slopes * inverse;
-  const double half = tensor.trace() / 2;
-  const double spread = std::hypot((tensor(0, 0) - tensor(1, 1)) / 2, tensor(0, 1));
-  if (!(half - spread < kMostAlong * (half + spread))) return std::nullopt;
-  const Vec2 across = unit(std::atan2(2 * tensor(0, 1), tensor(0, 0) - tensor(1, 1)) / 2);
+  const PrincipalAxes axes(tensor);
+  if (!(axes.lesser < kMostAlong * axes.greater)) return std::nullopt;
+  const Vec2& across = axes.axis;
   const double first = std::abs(across.dot(view.basis.col(0)));
   const double second = std::abs(across.dot(view.basis.col(1)));
   const double longer = std::max(first, second);
   const double period = commonDivisor(longer, std::min(first, second), kLeastPeriod * longer);
   TiltedLattice stripes = view;
-  stripes.basis << period * across, period * perp(across);
+  stripes.basis.col(0) = period * across;
+  stripes.basis.col(1) = period * perp(across);
   return stripes;
 }
 

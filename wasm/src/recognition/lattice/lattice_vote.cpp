@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "wallpaper/lattice.h"
 
 namespace seamwise {
 namespace {
 
 constexpr int kMostPeaks = 24;
+constexpr std::size_t kHighest = 400;   // that are compared with each other
 constexpr double kLeastAngle = 0.25;    // |a x b| / |a| |b|; flatter pairs are badly determined
 constexpr double kGoodShare = 0.82;     // of the best score: lattices that are as good; measured
 constexpr double kSameLattice = 0.03;   // share of a vector's length
@@ -73,10 +75,11 @@ double areaOf(const VotedLattice& lattice) {
 bool isSame(const VotedLattice& x, const VotedLattice& y) {
   if (std::abs(areaOf(x) / areaOf(y) - 1) > 3 * kSameLattice) return false;
   Mat2 basis;
-  basis << y.basis[0], y.basis[1];
+  basis.col(0) = y.basis[0];
+  basis.col(1) = y.basis[1];
   const Mat2 inverse = basis.inverse();
   return std::all_of(x.basis.begin(), x.basis.end(), [&](const Vec2& w) {
-    const Vec2 index = (inverse * w).array().round();
+    const Vec2 index = (inverse * w).array().rint();
     return (basis * index - w).norm() < 2 * kSameLattice * w.norm();
   });
 }
@@ -106,24 +109,26 @@ std::vector<CorrelationPeak> dominantPeaks(const Autocorrelation& correlation, d
            r[i]});
     }
   }
-  std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.r > b.r; });
-  if (peaks.size() > 400) peaks.resize(400);
-  std::vector<double> dominance(peaks.size());
-  std::vector<int> order(peaks.size());
-  for (std::size_t i = 0; i < peaks.size(); ++i) {
-    order[i] = static_cast<int>(i);
-    dominance[i] = peaks[i].at.squaredNorm();
-    for (std::size_t j = 0; j < i; ++j) {
-      dominance[i] = std::min({dominance[i], (peaks[i].at - peaks[j].at).squaredNorm(),
-                               (peaks[i].at + peaks[j].at).squaredNorm()});
-    }
+  std::vector<double> keys(peaks.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = -peaks[i].r;
+  std::vector<CorrelationPeak> highest;
+  for (const std::size_t i : placesInOrder(keys)) {
+    if (highest.size() == kHighest) break;
+    highest.push_back(peaks[i]);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return dominance[a] > dominance[b]; });
+  keys.resize(highest.size());
+  for (std::size_t i = 0; i < highest.size(); ++i) {
+    double dominance = highest[i].at.squaredNorm();
+    for (std::size_t j = 0; j < i; ++j) {
+      dominance = std::min({dominance, (highest[i].at - highest[j].at).squaredNorm(),
+                            (highest[i].at + highest[j].at).squaredNorm()});
+    }
+    keys[i] = -dominance;
+  }
   std::vector<CorrelationPeak> dominant;
-  for (const int i : order) {
+  for (const std::size_t i : placesInOrder(keys)) {
     if (static_cast<int>(dominant.size()) == most) break;
-    dominant.push_back(peaks[i]);
+    dominant.push_back(highest[i]);
   }
   return dominant;
 }
@@ -152,12 +157,13 @@ std::vector<VotedLattice> voteLattices(const Autocorrelation& correlation, doubl
     if (lattice.score > kGoodShare * best) smallest = std::min(smallest, areaOf(lattice));
   const auto rank = [&](const VotedLattice& lattice) {
     const bool is_good = lattice.score > kGoodShare * best;
-    return lattice.score + (is_good && areaOf(lattice) < 1.15 * smallest ? best : 0);
+    return -lattice.score - (is_good && areaOf(lattice) < 1.15 * smallest ? best : 0);
   };
-  std::stable_sort(lattices.begin(), lattices.end(),
-                   [&](const auto& a, const auto& b) { return rank(a) > rank(b); });
+  std::vector<double> keys(lattices.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) keys[k] = rank(lattices[k]);
   std::vector<VotedLattice> distinct;
-  for (const auto& lattice : lattices) {
+  for (const std::size_t k : placesInOrder(keys)) {
+    const VotedLattice& lattice = lattices[k];
     if (static_cast<int>(distinct.size()) == most) break;
     if (std::none_of(distinct.begin(), distinct.end(),
                      [&](const auto& other) { return isSame(lattice, other); }))
@@ -180,7 +186,8 @@ std::vector<VotedLattice> voteStripes(const Autocorrelation& correlation, double
   double highest = 0;
   for (const auto& peak : dominantPeaks(correlation, shortest, kMostPeaks))
     highest = std::max(highest, peak.r);
-  if (ridge < 0.1 || ridge < kRidge * highest || lowest > 0.3 * ridge) return {};
+  std::vector<VotedLattice> stripes;
+  if (ridge < 0.1 || ridge < kRidge * highest || lowest > 0.3 * ridge) return stripes;
   const Vec2 across = perp(unit(direction));
   std::vector<double> profile;
   for (double t = 0; t < reach; ++t) profile.push_back(correlation.at(t * across));
@@ -189,9 +196,11 @@ std::vector<VotedLattice> voteStripes(const Autocorrelation& correlation, double
     if (!is_peak || profile[t] < kRidge * ridge) continue;
     const double period =
         static_cast<double>(t) + vertex(profile[t - 1], profile[t], profile[t + 1]);
-    return {{{period * across, period * unit(direction)}, profile[t], true}};
+    const VotedLattice found{{period * across, period * unit(direction)}, profile[t], true};
+    stripes.push_back(found);
+    break;
   }
-  return {};
+  return stripes;
 }
 
 }  // namespace seamwise

@@ -29,7 +29,8 @@ Copies copiesOf(const std::vector<ChannelImage>& levels, const TiltedLattice& vi
 CellChoice withShortBasis(CellChoice choice) {
   if (choice.is_stripes) return choice;
   const auto reduced = lagrangeReduced(choice.view.basis.col(0), choice.view.basis.col(1));
-  choice.view.basis << reduced[0], reduced[1];
+  choice.view.basis.col(0) = reduced[0];
+  choice.view.basis.col(1) = reduced[1];
   return choice;
 }
 
@@ -51,7 +52,7 @@ std::optional<CellChoice> smaller(const std::vector<ChannelImage>& levels, const
       const Copies copies = copiesOf(levels, finer.view, kCoarse);
       if (agreementOf(copies).explained < explained - kMostLost) continue;
       // The lattice as it was, in the smaller one's basis.
-      const Mat2 larger = (finer.view.basis.inverse() * choice.view.basis).array().round().matrix();
+      const Mat2 larger = (finer.view.basis.inverse() * choice.view.basis).array().rint().matrix();
       if (!isSplit(
               splitEvidence(CopyDifferences(copies), Mat2::Identity(), larger, finer.view.basis)))
         return finer;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "recognition/lattice/lattice_vote.h"
 
 namespace seamwise {
@@ -19,7 +20,8 @@ constexpr double kSame = 0.06;  // of w1 and w2, of lattices voted for twice
 /// Tangents of tilts times half the longer side over the focal length: 0.13 is 10 degrees at 24 mm
 /// and 20 at 50, 0.36 is 25 at 24 mm. A correlation finds lattices 0.07 away from its own.
 std::vector<TiltedPart> allParts() {
-  std::vector<TiltedPart> parts{{Vec2::Zero(), 1}, {Vec2::Zero(), kMiddle}, {Vec2::Zero(), 0.25}};
+  std::vector<TiltedPart> parts;
+  for (const double share : {1.0, kMiddle, 0.25}) parts.push_back({Vec2::Zero(), share});
   const auto addRing = [&](double tilt, int count, double from) {
     for (int k = 0; k < count; ++k) parts.push_back({tilt * unit(2 * kPi * (k + from) / count), 1});
   };
@@ -33,7 +35,7 @@ std::vector<TiltedPart> allParts() {
 
 bool isSameLattice(const TiltedLattice& a, const TiltedLattice& b, double tolerance) {
   const Mat2 index = a.basis.inverse() * b.basis;
-  const Mat2 whole = index.array().round();
+  const Mat2 whole = index.array().rint();
   if (std::abs(std::abs(whole.determinant()) - 1) > 0.5) return false;
   const Mat2 difference = a.basis * whole - b.basis;
   return difference.col(0).norm() < tolerance * b.basis.col(0).norm() &&
@@ -68,8 +70,7 @@ void TiltVotes::vote(int k) {
   view.radius = view.middle.maxCoeff();
   view.tilt = part.tilt;
   for (const VotedLattice& lattice : voted) {
-    view.basis << lattice.basis[0], lattice.basis[1];
-    view.basis /= view.radius * image.scale;
+    for (int c = 0; c < 2; ++c) view.basis.col(c) = lattice.basis[c] / (view.radius * image.scale);
     hypothesis.score = lattice.score;
     hypothesis.is_stripes = lattice.is_stripes;
     add(hypothesis);
@@ -87,9 +88,10 @@ void TiltVotes::add(const LatticeHypothesis& hypothesis) {
 }
 
 std::vector<LatticeHypothesis> TiltVotes::ranked() const {
-  std::vector<LatticeHypothesis> ranked = hypotheses_;
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  std::vector<double> keys(hypotheses_.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) keys[k] = -hypotheses_[k].score;
+  std::vector<LatticeHypothesis> ranked;
+  for (const std::size_t k : placesInOrder(keys)) ranked.push_back(hypotheses_[k]);
   return ranked;
 }
 

@@ -13,6 +13,9 @@ struct LatticeHypothesis {
   TiltedLattice view;
   double score = 0;  ///< mean correlation at its points
   bool is_stripes = false;
+  // Once it is aligned:
+  double explained = 0;             ///< as `LatticeReading` has it
+  Vec2 uncertainty = Vec2::Zero();  ///< as `FittedLattice` has it
 };
 
 /// Autocorrelates a picture as if its cloth were tilted this way and that, because perspective

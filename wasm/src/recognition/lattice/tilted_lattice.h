@@ -19,11 +19,9 @@ struct TiltedLattice {
 
   /// Nothing for a map that lays the middle of the picture on the horizon.
   static TiltedLattice of(const LatticeMap& map) {
-    Mat3 to_unit;
-    to_unit << 1 / map.radius, 0, -map.middle.x() / map.radius,  //
-        0, 1 / map.radius, -map.middle.y() / map.radius,         //
-        0, 0, 1;
-    const Mat3 h = to_unit * map.homography;
+    Mat3 h = map.homography;  // to units of the radius, from the middle
+    h.row(0) = (h.row(0) - map.middle.x() * h.row(2)) / map.radius;
+    h.row(1) = (h.row(1) - map.middle.y() * h.row(2)) / map.radius;
     TiltedLattice view;
     view.middle = map.middle;
     view.radius = map.radius;
@@ -37,27 +35,19 @@ struct TiltedLattice {
   }
 
   LatticeMap map() const {
-    Mat3 h, to_pixels;
+    Mat3 h;
     h.topLeftCorner<2, 2>() = basis;
     h.topRightCorner<2, 1>() = origin;
     h.bottomLeftCorner<1, 2>() = tilt.transpose() * basis;
     h(2, 2) = 1 + tilt.dot(origin);
-    to_pixels << radius, 0, middle.x(), 0, radius, middle.y(), 0, 0, 1;
+    h.row(0) = radius * h.row(0) + middle.x() * h.row(2);
+    h.row(1) = radius * h.row(1) + middle.y() * h.row(2);
     LatticeMap map;
-    map.homography = to_pixels * h;
+    map.homography = h;
     map.lens = lens;
     map.middle = middle;
     map.radius = radius;
     return map;
-  }
-
-  /// Where a place of the whole picture [px] lies in lattice coordinates.
-  Vec2 latticeAt(const Vec2& x) const {
-    const Vec2 seen = (x - middle) / radius;
-    Vec2 p = seen;
-    for (int k = 0; k < 4; ++k) p = seen / (1 + lens * p.squaredNorm());
-    const Vec2 q = p / (1 - tilt.dot(p));
-    return basis.inverse() * (q - origin);
   }
 
   /// The same places for another basis: w' = w m.

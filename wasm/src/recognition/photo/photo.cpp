@@ -57,7 +57,10 @@ bool Photo::advance() {
       if (!fitFields()) stage_ = PhotoStage::kSymmetry;
       break;
     case PhotoStage::kSymmetry:
-      if (!meanCopies()) identify();
+      if (reader_)
+        readSymmetry();
+      else
+        meanCopies();
       break;
     case PhotoStage::kDone:
       break;
@@ -73,7 +76,8 @@ double Photo::fraction() const {
       return PhotoTuning::kSearchShare + (fit_ ? PhotoTuning::kFieldsShare * fit_->fraction() : 0);
     case PhotoStage::kSymmetry:
       return PhotoTuning::kSearchShare + PhotoTuning::kFieldsShare +
-             (mean_ ? PhotoTuning::kMeanShare * mean_->fraction() : 0);
+             (mean_ ? PhotoTuning::kMeanShare * mean_->fraction() : 0) +
+             (reader_ ? PhotoTuning::kGroupsShare * reader_->fraction() : 0);
     case PhotoStage::kDone:
       break;
   }
@@ -104,7 +108,7 @@ bool Photo::search() {
   lattice_ = result.value();
   if (lattice_.confidence == Confidence::kUncertain) {
     const auto& all = search_->candidates();
-    for (std::size_t k = 1; k < all.size(); ++k) others_.push_back(all[k].map);
+    for (std::size_t k = 1; k < all.size(); ++k) others_.push_back(all[k]);
   }
   search_.reset();
   fit_ = std::make_unique<CopyFieldsFit>(pixels_, lattice_.map, curve_);
@@ -130,23 +134,28 @@ bool Photo::fitFields() {
   return false;
 }
 
-bool Photo::meanCopies() {
-  if (mean_->advance(PhotoTuning::kSamplesAtOnce)) return true;
+void Photo::meanCopies() {
+  if (mean_->advance(PhotoTuning::kSamplesAtOnce)) return;
   MetricHints camera;
   camera.f35 = settings_.hints.f35;
   const auto metric = measured(lattice_.map, camera);
-  if (!metric.ok()) {
-    fail(metric.error());
-    return false;
-  }
+  if (!metric.ok()) return fail(metric.error());
   const MetricReading& shape = metric.value();
   const double tolerance =
       std::max(PhotoTuning::kLeastTolerance,
                PhotoTuning::kErrors *
                    std::max({shape.aspect_error, shape.angle_error, lattice_.uncertainty}));
   cell_ = mean_->picture();
-  groups_ = readGroups(cell_, shape.gram, tolerance);
-  return false;
+  reader_ = std::make_unique<GroupReader>(cell_, shape.gram, tolerance);
+}
+
+void Photo::readSymmetry() {
+  if (reader_->advance()) return;
+  groups_ = reader_->result();
+  reader_.reset();
+  if (!measured_gram_) return identify();
+  const Mat2 basis = matrixOf(best().basis);
+  place(basis.transpose() * *measured_gram_ * basis);
 }
 
 Outcome<MetricReading> Photo::measured(const LatticeMap& map, const MetricHints& hints) const {
@@ -155,38 +164,35 @@ Outcome<MetricReading> Photo::measured(const LatticeMap& map, const MetricHints&
   return readMetric(reading, pixels_.width, pixels_.height, hints);
 }
 
-/// The Gram matrix of the best group's w1 and w2, as it was measured. Lengths of both may tell that
-/// the cell is none that the group has: then a smaller one is the best.
-Outcome<Mat2> Photo::shapeOfBest() {
-  const GroupVerdict& best = groups_.groups[groups_.best];
-  const auto metric = measured(mapOf(best), settings_.hints);
-  if (!metric.ok()) return metric.error();
+/// Measures the best group's w1 and w2. Lengths of both may tell that the cell is none that the
+/// group has: then groups are read once more, and a smaller one is the best.
+void Photo::identify() {
+  const auto metric = measured(mapOf(best()), settings_.hints);
+  if (!metric.ok()) return fail(metric.error());
   const MetricReading& reading = metric.value();
   is_scaled_ = reading.scaled;
   if (reading.source == MetricSource::kAssumedFocalLength &&
       reading.aspect_error > PhotoTuning::kWorthSaying) {
     notes_.push_back(PhotoNote::kAssumedFocalLength);
   }
-  if (reading.source != MetricSource::kTwoLengths || groups_.stripes) return reading.gram;
-  const Mat2 back = matrixOf(best.basis).inverse();
+  if (reading.source != MetricSource::kTwoLengths || groups_.stripes) return place(reading.gram);
+  const Mat2 back = matrixOf(best().basis).inverse();
   const Mat2 gram = back.transpose() * reading.gram * back;
-  groups_ = readGroups(cell_, gram, std::max(PhotoTuning::kMeasured, 2 * reading.length_error));
-  const Mat2 basis = matrixOf(groups_.groups[groups_.best].basis);
-  return Mat2(basis.transpose() * gram * basis);
+  measured_gram_ = gram;
+  reader_ = std::make_unique<GroupReader>(
+      cell_, gram, std::max(PhotoTuning::kMeasured, 2 * reading.length_error));
+  stage_ = PhotoStage::kSymmetry;
 }
 
-void Photo::identify() {
-  if (error_) return;
-  const auto shape = shapeOfBest();
-  if (!shape.ok()) return fail(shape.error());
-  const GroupVerdict& best = groups_.groups[groups_.best];
-  Mat2 gram = constrained(best.group->lattice, shape.value());
+/// The last step, given the Gram matrix of the best group's w1 and w2 as it was measured.
+void Photo::place(const Mat2& measured_gram) {
+  Mat2 gram = constrained(best().group->lattice, measured_gram);
   if (groups_.stripes) {
     const double across = std::sqrt(gram.determinant() / gram(1, 1));
     const double along = is_scaled_ ? PhotoTuning::kAlongStripe : across * PhotoTuning::kStripeSide;
     gram << across * across, 0, 0, along * along;
   }
-  vectors_ = placedLattice(mapOf(best), gram, 0);
+  vectors_ = placedLattice(mapOf(best()), gram, 0);
   stage_ = PhotoStage::kDone;
 }
 

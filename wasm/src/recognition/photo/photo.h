@@ -61,7 +61,7 @@ class Photo {
   bool isScaled() const { return is_scaled_; }
   Confidence confidence() const;
   /// Other lattices that it may be.
-  const std::vector<LatticeMap>& others() const { return others_; }
+  const std::vector<LatticeReading>& others() const { return others_; }
   const std::vector<DifferingRegion>& differing() const { return differing_; }
   const std::vector<PhotoNote>& notes() const { return notes_; }
   /// Of a seamless picture that was read with any edges.
@@ -71,9 +71,11 @@ class Photo {
   void readWholeTile();
   bool search();
   bool fitFields();
-  bool meanCopies();
+  void meanCopies();
+  void readSymmetry();
   void identify();
-  Outcome<Mat2> shapeOfBest();
+  void place(const Mat2& measured_gram);
+  const GroupVerdict& best() const { return groups_.groups[groups_.best]; }
   Outcome<MetricReading> measured(const LatticeMap& map, const MetricHints& hints) const;
   void fail(const Error& error);
 
@@ -85,12 +87,14 @@ class Photo {
   std::unique_ptr<LatticeSearch> search_;
   std::unique_ptr<CopyFieldsFit> fit_;
   std::unique_ptr<CellMean> mean_;
+  std::unique_ptr<GroupReader> reader_;
   LatticeReading lattice_;
   CellPicture cell_;
   GroupReading groups_;
+  std::optional<Mat2> measured_gram_;  ///< of the lattice's basis, once lengths of both are known
   std::array<Vec2, 2> vectors_{Vec2::UnitX(), Vec2::UnitY()};
   bool is_scaled_ = false;
-  std::vector<LatticeMap> others_;
+  std::vector<LatticeReading> others_;
   std::vector<DifferingRegion> differing_;
   std::vector<PhotoNote> notes_;
   TileSeams seams_;

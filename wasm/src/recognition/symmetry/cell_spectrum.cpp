@@ -7,8 +7,14 @@
 namespace seamwise {
 namespace {
 
+/// Both ways.
+void squareFourier(std::vector<ComplexFloat>& square, int n, bool inverse) {
+  transformLines(square, {n, n, n, 1}, inverse);
+  transformLines(square, {n, n, 1, n}, inverse);
+}
+
 /// Index of a frequency in a transform of n numbers.
-int wrappedIndex(int k, int n) { return k < 0 ? k + n : k; }
+int frequencyIndex(int k, int n) { return k < 0 ? k + n : k; }
 
 /// exp(-2 pi I k a / n), for all k of a band.
 std::vector<ComplexFloat> phasesOf(double a, int reach) {
@@ -37,9 +43,9 @@ CellSpectrum::CellSpectrum(const CellPicture& cell, const Mat2& gram)
           k1 * k1 * inverse(0, 0) + 2.0 * k1 * k2 * inverse(0, 1) + k2 * k2 * inverse(1, 1);
       if (square > most * (1 + 1e-9)) continue;
       const double softening = kPi * GroupReadingTuning::kSoftening;
-      const double g = std::exp(-2 * softening * softening * square);
-      gain[wrappedIndex(k2, n_) * n_ + wrappedIndex(k1, n_)] = static_cast<float>(g);
-      power += g * g;
+      const float g = std::exp(static_cast<float>(-2 * softening * softening * square));
+      gain[frequencyIndex(k2, n_) * n_ + frequencyIndex(k1, n_)] = g;
+      power += static_cast<double>(g) * g;
     }
   }
   gain[0] = 0;  // the mean
@@ -75,7 +81,7 @@ CellSpectrum::CellSpectrum(const CellPicture& cell, const Mat2& gram)
 
 ComplexFloat CellSpectrum::at(int channel, int k1, int k2) const {
   if (!inBand(k1, k2)) return 0;
-  return series_[channel][wrappedIndex(k2, n_) * n_ + wrappedIndex(k1, n_)];
+  return series_[channel][frequencyIndex(k2, n_) * n_ + frequencyIndex(k1, n_)];
 }
 
 std::vector<float> CellSpectrum::correlation(const IntegerMatrix& m) const {
@@ -86,9 +92,9 @@ std::vector<float> CellSpectrum::correlation(const IntegerMatrix& m) const {
       const int to1 = m[0] * k1 + m[2] * k2, to2 = m[1] * k1 + m[3] * k2;
       ComplexFloat sum = 0;
       for (int channel = 0; channel < kChannels; ++channel) {
-        sum += std::conj(at(channel, k1, k2)) * at(channel, to1, to2);
+        sum += productOf(std::conj(at(channel, k1, k2)), at(channel, to1, to2));
       }
-      product[wrappedIndex(k2, fine) * fine + wrappedIndex(k1, fine)] = sum;
+      product[frequencyIndex(k2, fine) * fine + frequencyIndex(k1, fine)] = sum;
     }
   }
   squareFourier(product, fine, false);
@@ -105,10 +111,11 @@ CellSpectrum::Planes CellSpectrum::image(const IntegerMatrix& m, const Vec2& a) 
   for (int k2 = -reach_; k2 <= reach_; ++k2) {
     for (int k1 = -reach_; k1 <= reach_; ++k1) {
       const int to1 = m[0] * k1 + m[2] * k2, to2 = m[1] * k1 + m[3] * k2;
-      const ComplexFloat phase = phases1[k1 + reach_] * phases2[k2 + reach_];
-      const std::size_t index = wrappedIndex(k2, n_) * n_ + wrappedIndex(k1, n_);
-      pair[index] = phase * (at(0, to1, to2) + ComplexFloat(0, 1) * at(1, to1, to2));
-      last[index] = phase * at(2, to1, to2);
+      const ComplexFloat phase = productOf(phases1[k1 + reach_], phases2[k2 + reach_]);
+      const std::size_t index = frequencyIndex(k2, n_) * n_ + frequencyIndex(k1, n_);
+      const ComplexFloat first = at(0, to1, to2), second = at(1, to1, to2);
+      pair[index] = productOf(phase, {first.real() - second.imag(), first.imag() + second.real()});
+      last[index] = productOf(phase, at(2, to1, to2));
     }
   }
   squareFourier(pair, n_, true);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "recognition/base/cell_picture.h"
-#include "recognition/symmetry/square_fourier.h"
+#include "recognition/base/fourier.h"
 
 namespace seamwise {
 

@@ -36,6 +36,7 @@ IntegerMatrix reducingBasis(const Mat2& gram) {
 bool isOfLatticeType(LatticeType type, const Mat2& gram, double tolerance) {
   const double product = std::sqrt(gram(0, 0) * gram(1, 1));
   const double cosine = gram(0, 1) / product;
+  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
   const bool equal = std::abs(gram(0, 0) - gram(1, 1)) <= 2 * tolerance * product;
   const bool upright = std::abs(cosine) <= tolerance;
   switch (type) {
@@ -48,7 +49,7 @@ bool isOfLatticeType(LatticeType type, const Mat2& gram, double tolerance) {
     case LatticeType::kSquare:
       return equal && upright;
     case LatticeType::kHexagonal:
-      return equal && std::abs(std::acos(cosine) - kPi / 3) <= tolerance;
+      return equal && std::abs(directionOf(Vec2(cosine, sine)) - kPi / 3) <= tolerance;
   }
   return false;
 }
@@ -65,17 +66,16 @@ std::vector<LatticeElement> elementsIn(const std::vector<LatticeElement>& own,
                         {fraction(basis[0] * e.a[0] + basis[1] * e.a[1]),
                          fraction(basis[2] * e.a[0] + basis[3] * e.a[1])}});
   }
-  std::sort(elements.begin(), elements.end(), [](const LatticeElement& a, const LatticeElement& b) {
-    return a.m != b.m ? a.m < b.m : a.a < b.a;
-  });
   return elements;
 }
 
 bool areSameElements(const std::vector<LatticeElement>& a, const std::vector<LatticeElement>& b) {
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    if (a[k].m != b[k].m || a[k].a != b[k].a) return false;  // shifts are whole numbers of halves
-  }
-  return true;
+  const auto is_in_b = [&](const LatticeElement& e) {
+    return std::any_of(b.begin(), b.end(), [&](const LatticeElement& other) {
+      return e.m == other.m && e.a == other.a;  // shifts are whole numbers of halves
+    });
+  };
+  return std::all_of(a.begin(), a.end(), is_in_b);
 }
 
 /// How far a basis is from the one that is given.
@@ -92,11 +92,14 @@ Mat2 reducingMatrix(const Mat2& gram) {
 
 std::vector<GroupEmbedding> embeddingsOf(const GroupData& group, const Mat2& gram,
                                          double tolerance) {
-  if (group.lattice == LatticeType::kOblique) return {{{1, 0, 0, 1}, cosets(group)}};
-  const std::vector<LatticeElement> own = cosets(group);
+  std::vector<LatticeElement> own = cosets(group);
+  std::vector<GroupEmbedding> found;
+  if (group.lattice == LatticeType::kOblique) {
+    found.push_back({{1, 0, 0, 1}, std::move(own)});
+    return found;
+  }
   const IntegerMatrix reducing = reducingBasis(gram);
   const Mat2 reduced = gramIn(gram, reducing);
-  std::vector<GroupEmbedding> found;
   // from a reduced basis the convention's vectors are sums of at most two of each
   constexpr int kMost = 2;
   for (int code = 0; code < 5 * 5 * 5 * 5; ++code) {

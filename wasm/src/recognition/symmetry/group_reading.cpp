@@ -44,7 +44,7 @@ GroupVerdict testedGroup(const GroupData& group, const std::vector<GroupEmbeddin
   return verdict;
 }
 
-int indexOf(const std::vector<GroupVerdict>& groups, std::string_view name) {
+int indexOf(const std::array<GroupVerdict, 17>& groups, std::string_view name) {
   for (std::size_t k = 0; k < groups.size(); ++k) {
     if (groups[k].group->name == name) return static_cast<int>(k);
   }
@@ -71,7 +71,7 @@ void readStripes(GroupReading& reading, const std::array<int, 2>& along, const M
 }
 
 /// The largest group that is there; of groups of one order, the one that fits best.
-int largestOf(const std::vector<GroupVerdict>& groups) {
+int largestOf(const std::array<GroupVerdict, 17>& groups) {
   int best = 0;
   for (std::size_t k = 1; k < groups.size(); ++k) {
     if (groups[k].verdict != SymmetryVerdict::kHas) continue;
@@ -96,27 +96,43 @@ Confidence confidenceIn(const GroupReading& reading) {
 
 }  // namespace
 
-GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance) {
-  const CellSpectrum spectrum(cell, gram);
-  SymmetryTests tests(spectrum);
-  GroupReading reading;
-  for (const GroupData& group : wallpaperGroups()) {
-    reading.groups.push_back(testedGroup(group, embeddingsOf(group, gram, tolerance), tests));
-  }
-  const auto along = stripeOf(spectrum);
+GroupReader::GroupReader(const CellPicture& cell, const Mat2& gram, double tolerance)
+    : spectrum_(cell, gram), tests_(spectrum_), gram_(gram), tolerance_(tolerance) {}
+
+bool GroupReader::advance() {
+  if (tested_ == reading_.groups.size()) return false;
+  const GroupData& group = wallpaperGroups()[tested_];
+  reading_.groups[tested_++] = testedGroup(group, embeddingsOf(group, gram_, tolerance_), tests_);
+  if (tested_ < reading_.groups.size()) return true;
+  choose();
+  return false;
+}
+
+double GroupReader::fraction() const {
+  return static_cast<double>(tested_) / static_cast<double>(reading_.groups.size());
+}
+
+void GroupReader::choose() {
+  const auto along = stripeOf(spectrum_);
   if (isStripe(along)) {
-    readStripes(reading, along, gram);
+    readStripes(reading_, along, gram_);
   } else {
-    reading.best = largestOf(reading.groups);
+    reading_.best = largestOf(reading_.groups);
   }
   const auto has_half_turn = [](const LatticeElement& e) {
     return e.m == IntegerMatrix{-1, 0, 0, -1};
   };
-  const auto elements = cosets(*reading.groups[reading.best].group);
-  reading.one_way = std::none_of(elements.begin(), elements.end(), has_half_turn);
-  const bool is_plain = spectrum.energy() < SymmetryTuning::kPlainEnergy * spectrum.noiseEnergy();
-  reading.confidence = is_plain ? Confidence::kUncertain : confidenceIn(reading);
-  return reading;
+  const auto elements = cosets(*reading_.groups[reading_.best].group);
+  reading_.one_way = std::none_of(elements.begin(), elements.end(), has_half_turn);
+  const bool is_plain = spectrum_.energy() < SymmetryTuning::kPlainEnergy * spectrum_.noiseEnergy();
+  reading_.confidence = is_plain ? Confidence::kUncertain : confidenceIn(reading_);
+}
+
+GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance) {
+  GroupReader reader(cell, gram, tolerance);
+  while (reader.advance()) {
+  }
+  return reader.result();
 }
 
 }  // namespace seamwise

@@ -1,10 +1,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "recognition/base/cell_picture.h"
 #include "recognition/base/lattice_reading.h"
+#include "recognition/symmetry/symmetry_tests.h"
 #include "wallpaper/group.h"
 
 namespace seamwise {
@@ -27,8 +27,8 @@ struct GroupVerdict {
 };
 
 struct GroupReading {
-  std::vector<GroupVerdict> groups;  ///< all 17, in the order of `wallpaperGroups()`
-  int best = 0;                      ///< the largest of those that it has; the smaller one on ties
+  std::array<GroupVerdict, 17> groups;  ///< in the order of `wallpaperGroups()`
+  int best = 0;  ///< the largest of those that it has; the smaller one on ties
   Confidence confidence = Confidence::kUncertain;
   bool one_way = false;  ///< no half turn lays the cloth on itself
   /// The same all along one direction: its best group has w2 along the stripes, of any length, and
@@ -37,11 +37,36 @@ struct GroupReading {
 };
 
 /// Which wallpaper groups a cell has, wherever their origins are and whichever of the lattice's
-/// vectors are their axes. A group is there if each of its elements lays the cell on itself: the
-/// share of the pattern's energy that differs is small in all and at every place, beyond noise and
-/// what creases displace.
-/// @param gram        of the cell's w1, w2, in any unit of area
-/// @param tolerance   of the lattice: lengths as a share, angles in radians
+/// vectors are their axes, one group after the other. A group is there if each of its elements lays
+/// the cell on itself: the share of the pattern's energy that differs is small in all and at every
+/// place, beyond noise and what creases displace.
+class GroupReader {
+ public:
+  /// @param gram        of the cell's w1, w2, in any unit of area
+  /// @param tolerance   of the lattice: lengths as a share, angles in radians
+  GroupReader(const CellPicture& cell, const Mat2& gram, double tolerance);
+
+  GroupReader(const GroupReader&) = delete;  // its parts refer to each other
+  GroupReader& operator=(const GroupReader&) = delete;
+
+  /// Tests one group; false when that was the last.
+  bool advance();
+  double fraction() const;
+  /// Once all are tested.
+  const GroupReading& result() const { return reading_; }
+
+ private:
+  void choose();
+
+  CellSpectrum spectrum_;
+  SymmetryTests tests_;
+  Mat2 gram_;
+  double tolerance_;
+  std::size_t tested_ = 0;
+  GroupReading reading_;
+};
+
+/// All of it at once.
 GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance);
 
 }  // namespace seamwise

@@ -1,17 +1,16 @@
 #include "recognition/symmetry/symmetry_tests.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "geometry/principal_axes.h"
+#include "recognition/base/repeating_place.h"
 #include "tuning/group_reading.h"
 
 namespace seamwise {
 namespace {
 
 using SymmetryTuning = GroupReadingTuning;
-
-int moduloIndex(int k, int n) { return ((k % n) + n) % n; }
 
 Vec2 fractionOf(const Vec2& v) { return v - v.array().floor().matrix(); }
 
@@ -50,14 +49,14 @@ Vec2 leastOf(const double (&v)[3][3]) {
   bend(0, 0) = v[1][2] - 2 * v[1][1] + v[1][0];
   bend(1, 1) = v[2][1] - 2 * v[1][1] + v[0][1];
   bend(0, 1) = bend(1, 0) = (v[2][2] - v[2][0] - v[0][2] + v[0][0]) / 4;
-  const Eigen::SelfAdjointEigenSolver<Mat2> axes(bend);
+  const PrincipalAxes axes(bend);
   Vec2 step = Vec2::Zero();
-  for (int k = 0; k < 2; ++k) {
-    const double curvature = axes.eigenvalues()(k);
-    if (curvature <= 1e-3 * std::max(1e-9, axes.eigenvalues()(1))) continue;
-    const Vec2 axis = axes.eigenvectors().col(k);
+  const auto go = [&](double curvature, const Vec2& axis) {
+    if (curvature <= 1e-3 * std::max(1e-9, axes.greater)) return;
     step -= std::clamp(slope.dot(axis) / curvature, -1.0, 1.0) * axis;
-  }
+  };
+  go(axes.lesser, perp(axes.axis));
+  go(axes.greater, axes.axis);
   return step;
 }
 
@@ -93,7 +92,7 @@ const std::vector<float>& SymmetryTests::correlation(const IntegerMatrix& m) {
   for (const auto& [known, values] : correlations_) {
     if (known == m) return values;
   }
-  return correlations_.emplace_back(m, cell_.correlation(m)).second;
+  return correlations_.emplace_front(m, cell_.correlation(m)).second;
 }
 
 Vec2 SymmetryTests::bestOrigin(const GroupEmbedding& embedding) {
@@ -104,12 +103,12 @@ Vec2 SymmetryTests::bestOrigin(const GroupEmbedding& embedding) {
     if (e.m == IntegerMatrix{1, 0, 0, 1}) continue;
     ++others;
     const std::vector<float>& values = correlation(e.m);
-    const int step1 = moduloIndex(1 - e.m[0], fine), step2 = moduloIndex(-e.m[2], fine);
+    const int step1 = wrappedIndex(1 - e.m[0], fine), step2 = wrappedIndex(-e.m[2], fine);
     const int half1 = static_cast<int>(std::lround(e.a[0] * fine));
     const int half2 = static_cast<int>(std::lround(e.a[1] * fine));
     for (int q = 0; q < fine; ++q) {
-      int s1 = moduloIndex(half1 - e.m[1] * q, fine);
-      int s2 = moduloIndex(half2 + (1 - e.m[3]) * q, fine);
+      int s1 = wrappedIndex(half1 - e.m[1] * q, fine);
+      int s2 = wrappedIndex(half2 + (1 - e.m[3]) * q, fine);
       float* const row = agreement.data() + static_cast<std::size_t>(q) * fine;
       for (int p = 0; p < fine; ++p) {
         row[p] += values[s2 * fine + s1];
@@ -129,7 +128,7 @@ Vec2 SymmetryTests::bestOrigin(const GroupEmbedding& embedding) {
   double around[3][3];
   for (int dq = -1; dq <= 1; ++dq) {
     for (int dp = -1; dp <= 1; ++dp) {
-      const int at = moduloIndex(q + dq, fine) * fine + moduloIndex(p + dp, fine);
+      const int at = wrappedIndex(q + dq, fine) * fine + wrappedIndex(p + dp, fine);
       around[dq + 1][dp + 1] = -agreement[at] / (others * cell_.energy());
     }
   }
@@ -143,8 +142,8 @@ double SymmetryTests::missedBy(const GroupEmbedding& embedding, const Vec2& orig
   for (const LatticeElement& e : embedding.elements) {
     if (e.m == IntegerMatrix{1, 0, 0, 1}) continue;
     const Vec2 a = shiftAbout(e, origin) * fine;
-    const int s1 = moduloIndex(static_cast<int>(std::lround(a.x())), fine);
-    const int s2 = moduloIndex(static_cast<int>(std::lround(a.y())), fine);
+    const int s1 = wrappedIndex(static_cast<int>(std::lround(a.x())), fine);
+    const int s2 = wrappedIndex(static_cast<int>(std::lround(a.y())), fine);
     sum += 1 - correlation(e.m)[s2 * fine + s1] / std::max(1e-12, cell_.energy());
     ++others;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <forward_list>
 #include <utility>
 #include <vector>
 
@@ -37,7 +38,7 @@ class SymmetryTests {
 
   const CellSpectrum& cell_;
   CellSpectrum::Planes along1_, along2_;  ///< change of the cell per sample, along w1 and w2
-  std::vector<std::pair<IntegerMatrix, std::vector<float>>> correlations_;
+  std::forward_list<std::pair<IntegerMatrix, std::vector<float>>> correlations_;
 };
 
 /// The shift of an element when the origin of its group is moved there: (I - M) origin + a.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
+
 namespace seamwise {
 namespace {
 
@@ -39,17 +41,16 @@ double tileNoise(const SeamlessTile& tile) {
   constexpr int kMost = 40000;
   const std::size_t count = static_cast<std::size_t>(tile.width()) * tile.height();
   const std::size_t stride = std::max<std::size_t>(1, count / kMost) | 1;
-  std::vector<float> bends;
+  std::vector<double> bends;
   for (std::size_t p = 0; p < count; p += stride) {
     const int x = static_cast<int>(p % tile.width()), y = static_cast<int>(p / tile.width());
     const float middle = tileColour(tile, x, y)[1];
     const float left = tileColour(tile, x - 1, y)[1], right = tileColour(tile, x + 1, y)[1];
     bends.push_back(std::abs(left - 2 * middle + right));
   }
-  const auto median = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-  std::nth_element(bends.begin(), median, bends.end());
+  sortNumbers(bends);
   // of a normal distribution, whose second differences have 6 times its variance
-  return *median / (0.6745 * std::sqrt(6.0));
+  return bends[bends.size() / 2] / (0.6745 * std::sqrt(6.0));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ std::vector<float> softenedLine(const std::vector<float>& values, double width) 
   std::vector<float> kernel(2 * reach + 1), out(values.size(), 0.0f);
   float sum = 0;
   for (int k = -reach; k <= reach; ++k) {
-    sum += kernel[k + reach] = static_cast<float>(std::exp(-k * k / (2 * width * width)));
+    sum += kernel[k + reach] = std::exp(static_cast<float>(-k * k / (2 * width * width)));
   }
   for (int i = 0; i < n; ++i) {
     for (int k = -reach; k <= reach; ++k) {

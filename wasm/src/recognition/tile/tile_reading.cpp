@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/sort_by.h"
 #include "recognition/symmetry/stripes.h"
 #include "recognition/symmetry/symmetry_tests.h"
 #include "recognition/tile/tile_cell.h"
@@ -68,8 +69,7 @@ std::vector<Vec2> likelyShifts(const std::vector<float>& values, int fine, doubl
       if (greatest) shifts.push_back(shift / fine);
     }
   }
-  std::sort(shifts.begin(), shifts.end(),
-            [&gram](const Vec2& a, const Vec2& b) { return a.dot(gram * a) < b.dot(gram * b); });
+  sortBy(shifts, [&gram](const Vec2& shift) { return shift.dot(gram * shift); });
   return shifts;
 }
 
