@@ -192,9 +192,9 @@ TEST(PhotoTile, ItsImageHasPixelsAsWideAsHigh) {
   const CellGrid least = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), {40});
   EXPECT_EQ(least.columns, 40);
   EXPECT_EQ(least.rows, 37);
-  const CellGrid finer = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), {2048, 2, 120});
-  EXPECT_EQ(finer.columns, 120);
-  EXPECT_EQ(finer.rows, 108);  // 111, in whole dozens
+  const CellGrid finer = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), {2048, 2});
+  EXPECT_EQ(finer.columns, 144);  // 149 px, in whole dozens
+  EXPECT_EQ(finer.rows, 144);     // 138 px
 }
 
 /// A tile of random pixels, and its mean under the group.

@@ -131,6 +131,40 @@ TEST(TileReading, FindsALineCutFromWhereMotifsAreMirrored) {
   EXPECT_FALSE(readTile(partOf(tile, 0, 0, 119, 120).view()).ok());
 }
 
+TEST(TileReading, FindsALineCutFromFlatBands) {
+  // of bands of 24, 40, 8 and 40 pixels, mirrored on both sides of 32 in the middle of the picture
+  TilePixels tile{256, 256, {}};
+  const auto band = [](int x) {
+    const int k = std::min(x, 255 - x);
+    return k < 24 ? 60 : k < 64 ? 200 : k < 72 ? 120 : k < 112 ? 220 : 90;
+  };
+  for (int y = 0; y < 256; ++y) {
+    for (int x = 0; x < 256; ++x) {
+      const auto value = static_cast<std::uint8_t>((band(x) + band((y + 19) % 256)) / 2);
+      tile.rgba.insert(tile.rgba.end(), {value, value, value, 255});
+    }
+  }
+  EXPECT_TRUE(readTile(tile.view()).ok());
+  const auto narrow = readTile(partOf(tile, 0, 0, 255, 256).view());
+  ASSERT_FALSE(narrow.ok());
+  EXPECT_NE(narrow.error().message.find("one column of pixels"), std::string::npos);
+}
+
+TEST(TileReading, SaysHowAPictureMeetsItsCopiesWhereThatIsAsked) {
+  const TilePixels tile = tileOf(*findGroup("p1"), 96, 6);
+  TileQuestion question;
+  question.any_edges = true;
+  const auto whole = readTile(tile.view(), question);
+  ASSERT_TRUE(whole.ok());
+  EXPECT_TRUE(whole.value().seams.across.meets && whole.value().seams.up.meets);
+  EXPECT_TRUE(whole.value().seams.across.open.empty());
+  const auto half = readTile(partOf(tile, 0, 0, tile.width / 2, tile.height).view(), question);
+  ASSERT_TRUE(half.ok());
+  EXPECT_FALSE(half.value().seams.across.meets);
+  EXPECT_FALSE(half.value().seams.across.open.empty());
+  EXPECT_TRUE(half.value().seams.up.meets);
+}
+
 TEST(TileReading, AsksForMorePixels) {
   const TilePixels tile = tileOf(*findGroup("p1"), 96, 6);
   const auto reading = readTile(partOf(tile, 0, 0, 5, 96).view());

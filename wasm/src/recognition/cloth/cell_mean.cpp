@@ -38,8 +38,7 @@ CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, 
   // The side of the square as large as the cell, in pixels, over that in the gram's lengths.
   const double px = cellSize(map.rebased(basis, origin)) / std::sqrt(along * up * sine);
   const double side = px * std::max(along, up);
-  const double dense = std::clamp(limits.finest / side, 1.0, limits.denser);
-  const double factor = std::min(dense, limits.longest / side);
+  const double factor = std::min(limits.denser, limits.longest / side);
   const auto whole = [&](double length) {
     const double n = px * factor * length;
     const int multiple = n >= 4 * kTileMultiple ? kTileMultiple : 1;

@@ -22,12 +22,10 @@ struct CellGrid {
   Vec2 origin = Vec2::Zero();
 };
 
-/// How fine the grid of an image may be: samples per pixel of the picture, up to so many along the
-/// longer side, and the longest side of any.
+/// How fine the grid of an image may be: its longer side, and samples per pixel of the picture.
 struct GridLimits {
   int longest = 2048;
   double denser = 1;
-  int finest = 0;
 };
 
 /// The grid of an image of the cell as fine as the picture shows it best, or finer, its pixels

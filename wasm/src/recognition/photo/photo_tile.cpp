@@ -1,5 +1,8 @@
 #include "recognition/photo/photo_tile.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "recognition/symmetry/print_cell.h"
 #include "recognition/tile/tile_cell.h"
 #include "tuning/photo.h"
@@ -7,11 +10,14 @@
 namespace seamwise {
 namespace {
 
-GridLimits onePicture() { return {PhotoTuning::kLongestTile}; }
-
 /// Copies lie between each other's pixels: together they show more than one.
-GridLimits severalCopies() {
-  return {PhotoTuning::kLongestTile, PhotoTuning::kDenser, PhotoTuning::kFinest};
+GridLimits limitsOf(const PixelView& pixels, bool is_tile) {
+  GridLimits limits{PhotoTuning::kLongestTile, 1};
+  if (is_tile) return limits;
+  const double count = static_cast<double>(pixels.width) * pixels.height;
+  limits.denser =
+      std::clamp(std::sqrt(PhotoTuning::kDenseSamples / count), 1.0, PhotoTuning::kDenser);
+  return limits;
 }
 
 }  // namespace
@@ -20,7 +26,7 @@ PhotoTile::PhotoTile(const PixelView& pixels, const PhotoTileSettings& settings)
     : pixels_(pixels),
       settings_(settings),
       grid_(nativeGrid(settings.map, settings.gram, Mat2::Identity(), Vec2::Zero(),
-                       settings.is_tile ? onePicture() : severalCopies())) {
+                       limitsOf(pixels, settings.is_tile))) {
   if (!settings.is_tile) fit_ = std::make_unique<CopyFieldsFit>(pixels, settings.map, curve_);
 }
 
