@@ -46,7 +46,9 @@ it('follows from a coin and from a card, is undone, and is refused where there i
     await page.mouse.click(box.x + (x * box.width) / size[0], box.y + (y * box.height) / size[1]);
   };
   await tap(coinAt[0] + 5, coinAt[1] - 4);
-  await dialog.getByText(/Measured by the red outline, good to about 1(\.\d)? %\./).waitFor(patient);
+  await dialog
+    .getByText(/Measured by the red outline, good to about 1(\.\d)? %\./)
+    .waitFor(patient);
   expect(Math.abs((await said(dialog)) / repeat - 1)).toBeLessThan(0.02);
   await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(1);
   const undo = dialog.getByRole('button', {name: 'Undo'});

@@ -82,7 +82,7 @@ it('takes a seamless picture as cells, and refuses one that is cut', async () =>
   writeFileSync(file('cut.png'), await pngOf(cut.pixels));
   const refused = await photo(file('cut.png'), '--tile');
   expect(refused.code).toBe(2);
-  expect(refused.err).toMatch(/^seamwise: \S+cut\.png: the picture's edges do not meet: /);
+  expect(refused.err).toMatch(/^seamwise: \S+cut\.png: The picture's edges do not meet: /);
 });
 
 describe('what is no print', () => {

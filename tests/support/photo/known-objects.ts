@@ -6,7 +6,7 @@ import type {PrintTruth} from './case.js';
 import type {Rgba} from './pixels.js';
 
 /** In cm from its middle, x along its width: whether it covers that, and how light it is there, 0 to 255. */
-export interface KnownThing {
+interface KnownThing {
   /** All of it is nearer to its middle. [cm] */
   readonly reach: number;
   readonly covers: (x: number, y: number) => boolean;

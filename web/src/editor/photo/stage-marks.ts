@@ -13,7 +13,7 @@ import {marksOn} from './symmetry-marks.js';
 export const overlayNames = ['cells', 'axes', 'differing', 'breaks'] as const;
 export type Overlays = Readonly<Record<(typeof overlayNames)[number], boolean>>;
 
-export interface StageMarks {
+interface StageMarks {
   readonly map: PhotoMap;
   readonly size: PhotoSize;
   /** The corner at which the vectors begin. */
