@@ -82,15 +82,17 @@ void PrintDifference::compare(const LatticeMap& map) {
   columns_ = view.width;
   rows_ = view.height;
   difference_.resize(static_cast<std::size_t>(columns_) * rows_);
-  for (std::size_t k = 0; k < difference_.size(); ++k) {
-    const Vec2 p = factor_ * Vec2(static_cast<double>(k % columns_) + 0.5,
-                                  static_cast<double>(k / columns_) + 0.5);
-    const float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
-    float shift[2];
-    fields_.shift.at(x, y, shift);
-    const PixelLanes print = printAt(inverse(p - Vec2(shift[0], shift[1])));
-    const PixelLanes off = flattened(internal::pixelAt(&view.rgba[4 * k]), x, y) - print;
-    difference_[k] = std::abs(off[0]) + std::abs(off[1]) + std::abs(off[2]);
+  std::size_t k = 0;
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column, ++k) {
+      const Vec2 p = factor_ * Vec2(column + 0.5, row + 0.5);
+      const float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
+      float shift[2];
+      fields_.shift.at(x, y, shift);
+      const PixelLanes print = printAt(inverse(p - Vec2(shift[0], shift[1])));
+      const PixelLanes off = flattened(internal::pixelAt(&view.rgba[4 * k]), x, y) - print;
+      difference_[k] = std::abs(off[0]) + std::abs(off[1]) + std::abs(off[2]);
+    }
   }
 }
 
