@@ -22,7 +22,7 @@ const mostForDrape = 107 * kilobyte;
 /** The module that lays pieces on cloth, which is fetched only for that. [bytes] */
 const mostForMarker = 46 * kilobyte;
 /** The module that reads prints off pictures, fetched when a picture of cloth is opened. */
-const mostForPhoto = 61 * kilobyte;
+const mostForPhoto = 67 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/sort_by.h"
 #include "recognition/base/map_inverse.h"
 #include "recognition/cloth/print_difference.h"
 
@@ -107,17 +108,18 @@ class ObjectSearch {
 
 /// The edge that three quarters of the outline exceed, or 0 when that is not more than `least`.
 float ObjectSearch::clearness(const Placing& placing, float least) const {
-  std::array<float, kOutlinePoints> edges;
+  std::vector<double> edges(kOutlinePoints);
   const Mat2 turned = rotation(placing.turn);
   int faint = 0;
   for (int k = 0; k < kOutlinePoints; ++k) {
     const Vec2 at = placing.center + placing.size * (turned * bits_[k].at);
     const Vec2 reach = placing.size * kCoarseReach * (turned * bits_[k].normal);
-    edges[k] = edge(at - reach, at + reach);
-    if (edges[k] <= least && ++faint > kOutlinePoints / 4) return 0;
+    const float here = edge(at - reach, at + reach);
+    edges[k] = static_cast<double>(here);
+    if (here <= least && ++faint > kOutlinePoints / 4) return 0;
   }
-  std::nth_element(edges.begin(), edges.begin() + kOutlinePoints / 4, edges.end());
-  return edges[kOutlinePoints / 4];
+  sortNumbers(edges);
+  return static_cast<float>(edges[kOutlinePoints / 4]);
 }
 
 bool ObjectSearch::findCoarse(const Vec2& tapped, Placing* found) const {

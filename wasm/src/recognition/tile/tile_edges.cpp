@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "tuning/tile_reading.h"
 
 namespace seamwise {
@@ -203,10 +204,9 @@ InnerSteps innerSteps(const PixelLines& lines) {
     steps.greatest_excess =
         std::max(steps.greatest_excess, one[k] - std::max(one[k - 1], one[k + 1]));
   }
-  const auto middle = two.begin() + static_cast<std::ptrdiff_t>(two.size() / 2);
-  std::nth_element(two.begin(), middle, two.end());
-  steps.usual = *middle;
-  steps.greatest = *std::max_element(two.begin(), two.end());
+  sortNumbers(two);
+  steps.usual = two[two.size() / 2];
+  steps.greatest = two.back();
   return steps;
 }
 
