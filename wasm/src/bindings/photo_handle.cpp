@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<const char*, 4> kPhotoStages = {"repeat", "light", "symmetry", "symmetry"};
 constexpr std::array<const char*, 3> kConfidences = {"sure", "likely", "uncertain"};
 constexpr std::array<const char*, 4> kVerdicts = {"has", "almost", "has not", "cannot"};
-constexpr std::array<const char*, 3> kPhotoNotes = {"uneven", "differs", "focalLength"};
+constexpr std::array<const char*, 4> kPhotoNotes = {"uneven", "differs", "focalLength", "unequal"};
 
 template <class Enum, std::size_t n>
 val nameOf(const std::array<const char*, n>& names, Enum value) {

@@ -154,8 +154,10 @@ function report(path: string, reading: PhotoReading, isJson: boolean): void {
   const size =
     w1 && w2
       ? `${cmOf(w1)} x ${cmOf(w2)} cm (+-${(100 * latticeUncertainty).toFixed(2)} %)`
-      : 'size unknown: --measure w1=REPEATS/CM';
+      : 'size unknown (measure it: --measure w1=REPEATS/CM)';
   print(`${path}: ${group}, ${size}, ${copies} copies, ${confidence}`);
+  if (confidence === 'uncertain')
+    remark('No repeat is certain: compare the tile with your cloth before you use it.');
   notes.forEach((note) => {
     remark(sentences[note]);
   });
@@ -166,6 +168,8 @@ const sentences: Readonly<Record<PhotoNote, string>> = {
   differs: 'Parts of the picture differ from all other copies of the print; they are left out.',
   focalLength:
     'The camera is unknown, so that height against width is known to a few per cent only; measure both w1 and w2.',
+  unequal:
+    'w1 and w2 measure differently, so that a smaller symmetry was taken than the print seems to have; measure again if they should be equal.',
 };
 
 const cmOf = ([x, y]: readonly [number, number]): string => Math.hypot(x, y).toFixed(2);

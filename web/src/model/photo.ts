@@ -90,15 +90,16 @@ export interface PhotoHooks {
 
 /**
  * `uneven`: creases move the print by more than cloth does that lies flat; `differs`: parts of the picture differ from all other
- * copies; `focalLength`: proportions are known no better than the camera is.
+ * copies; `focalLength`: proportions are known no better than the camera is; `unequal`: sides that the print's symmetry has equal
+ * measure differently, so that a smaller one was taken.
  */
-export const photoNotes = ['uneven', 'differs', 'focalLength'] as const;
+export const photoNotes = ['uneven', 'differs', 'focalLength', 'unequal'] as const;
 export type PhotoNote = (typeof photoNotes)[number];
 
-/** Why no print can be read off a picture; `object`: no coin or card is seen where somebody says. */
+/** Why no print can be read off a picture; `object`: no coin or card is seen where somebody says; `misplaced`: it does not repeat by the cell that was given. */
 export const photoFaults = [
   ...(['plain', 'noRepeat', 'fewRepeats', 'twoPrints', 'changes'] as const),
-  ...(['blurred', 'moire', 'uneven', 'edges', 'small', 'object'] as const),
+  ...(['blurred', 'moire', 'uneven', 'edges', 'small', 'object', 'misplaced'] as const),
 ] as const;
 export type PhotoFault = (typeof photoFaults)[number];
 

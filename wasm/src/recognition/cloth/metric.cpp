@@ -176,8 +176,9 @@ std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram, int q
     const bool diagonal = u.prod() != 0;
     if (rhombic && cosine > kRightAngle && std::abs(cosine - 0.5) > kRightAngle) {
       if (!diagonal) continue;  // the rectangle that is centred
-    } else if (diagonal && (w * u).norm() > longer * (1 + kEqualSides)) {
-      continue;  // six directions of hexagons, two of rectangles
+    } else if (diagonal && (w * u).norm() > longer * (1 + kEqualSides) &&
+               !(rhombic && cosine <= kRightAngle)) {
+      continue;  // six directions of hexagons, four of squares, two of rectangles
     }
     const double angle = directionOf(rotation(turn) * (w * u));
     const double edge = std::nearbyint(angle / (kPi / 2)) * (kPi / 2);

@@ -10,6 +10,10 @@ namespace {
 
 Mat2 matrixOf(const std::array<int, 4>& m) { return (Mat2() << m[0], m[1], m[2], m[3]).finished(); }
 
+bool isEqualSided(LatticeType type) {
+  return type != LatticeType::kOblique && type != LatticeType::kRectangular;
+}
+
 /// The nearest cell that a lattice of this type has.
 Mat2 constrained(LatticeType type, const Mat2& gram) {
   const double both = std::sqrt(gram(0, 0) * gram(1, 1));
@@ -120,8 +124,14 @@ bool Photo::fitFields() {
   const CopyFields& fields = fit_->fields();
   differing_ = fields.regions;
   if (fields.unevenness > PhotoTuning::kUneven) {
-    fail({Failure::kPicture, "the cloth does not lie flat: smooth it out and photograph it again",
-          -1, -1, "uneven"});
+    fail(settings_.lattice
+             ? Error{Failure::kPicture,
+                     "the print does not repeat by the cell that was given: put its corners onto "
+                     "the same spot of neighbouring motifs",
+                     -1, -1, "misplaced"}
+             : Error{Failure::kPicture,
+                     "the cloth does not lie flat: smooth it out and photograph it again", -1, -1,
+                     "uneven"});
     return false;
   }
   if (fields.unevenness > CopyFields::kFlat) notes_.push_back(PhotoNote::kUneven);
@@ -164,8 +174,8 @@ Outcome<MetricReading> Photo::measured(const LatticeMap& map, const MetricHints&
   return readMetric(reading, pixels_.width, pixels_.height, hints);
 }
 
-/// Measures the best group's w1 and w2. Lengths of both may tell that the cell is none that the
-/// group has: then groups are read once more, and a smaller one is the best.
+/// Measures the best group's w1 and w2. Lengths of both may tell that sides differ which the group
+/// has equal: then groups are read once more, and a smaller one is the best.
 void Photo::identify() {
   const auto metric = measured(mapOf(best()), settings_.hints);
   if (!metric.ok()) return fail(metric.error());
@@ -175,12 +185,18 @@ void Photo::identify() {
       reading.aspect_error > PhotoTuning::kWorthSaying) {
     notes_.push_back(PhotoNote::kAssumedFocalLength);
   }
-  if (reading.source != MetricSource::kTwoLengths || groups_.stripes) return place(reading.gram);
+  const double tolerance = std::max(PhotoTuning::kMeasured, 2 * reading.length_error);
+  const double aspect = std::sqrt(reading.gram(1, 1) / reading.gram(0, 0));
+  const bool is_apart = std::abs(aspect - 1) > tolerance;
+  if (reading.source != MetricSource::kTwoLengths || groups_.stripes || !is_apart ||
+      !isEqualSided(best().group->lattice)) {
+    return place(reading.gram);
+  }
+  notes_.push_back(PhotoNote::kUnequal);
   const Mat2 back = matrixOf(best().basis).inverse();
   const Mat2 gram = back.transpose() * reading.gram * back;
   measured_gram_ = gram;
-  reader_ = std::make_unique<GroupReader>(
-      cell_, gram, std::max(PhotoTuning::kMeasured, 2 * reading.length_error));
+  reader_ = std::make_unique<GroupReader>(cell_, gram, tolerance);
   stage_ = PhotoStage::kSymmetry;
 }
 

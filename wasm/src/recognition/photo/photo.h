@@ -34,6 +34,7 @@ enum class PhotoNote : std::uint8_t {
   kUneven,              ///< creases move the print by more than lies flat
   kDiffers,             ///< parts of it differ from all other copies
   kAssumedFocalLength,  ///< proportions are known no better than a usual camera's
+  kUnequal,             ///< sides that the print's symmetry has equal measure differently
 };
 
 /// A print read off a picture, step by step: lattice, light and creases, the mean of the copies,

@@ -17,6 +17,7 @@ import {NewestTask} from '../../workbench/background-task.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {Observable} from '../../workbench/observable.js';
 import {stepOf, tileSettings, unmeasured, type PhotoStep} from '../print/photo-step.js';
+import {steadied} from '../print/steady-cell.js';
 import {gainsAt} from './white-spot.js';
 
 type PhotoState =
@@ -224,7 +225,9 @@ export class PhotoSession extends Observable {
         },
       );
       if (isOver()) return;
-      const next = stepOf(reading, this.step, f35);
+      const {lattice} = settings;
+      const steady = lattice ? steadied(reading, lattice, this.step?.chosen) : reading;
+      const next = stepOf(steady, this.step, f35);
       this.#history = this.#history ? stepped(this.#history, next) : begun(next);
       this.#become({kind: 'done'});
     } catch (error) {

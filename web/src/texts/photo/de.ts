@@ -34,6 +34,8 @@ export const photo: PhotoTexts = {
     moire:
       'Das Gewebe erzeugt ein Moiré im Bild: bitte den Stoff aus etwas kleinerem oder größerem Abstand fotografieren.',
     uneven: 'Der Stoff liegt nicht flach: bitte glatt streichen und noch einmal fotografieren.',
+    misplaced:
+      'Der Druck wiederholt sich nicht mit dieser Zelle: ihre Ecken auf dieselbe Stelle benachbarter Motive legen oder rückgängig machen.',
     edges:
       'Die Ränder des Bildes schließen nicht aneinander an: bitte den ganzen Rapport angeben oder ein Foto, das mehrere zeigt.',
     small:
@@ -59,6 +61,7 @@ export const photo: PhotoTexts = {
     uneven: 'Der Stoff liegt nicht ganz flach.',
     differs: 'Rote Stellen weichen von allen anderen Kopien ab und bleiben außer Acht.',
     focalLength: 'Bitte entlang w1 und w2 messen: Sonst sind die Proportionen unsicher.',
+    unequal: 'Die gemessenen Seiten sind verschieden: Es gilt eine kleinere Symmetrie.',
   },
   lattice: 'Rapport',
   how: 'Ecken ziehen oder mit den Pfeiltasten verschieben: Der Rapport folgt dem Druck in ihrer Nähe. Mit Alt bleibt er genau so liegen.',

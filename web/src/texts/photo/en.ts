@@ -37,6 +37,8 @@ export const photo = {
     moire:
       'The weave makes a moiré on the picture: photograph the cloth from a little closer or farther away.',
     uneven: 'The cloth does not lie flat: smooth it out and photograph it again.',
+    misplaced:
+      'The print does not repeat by this cell: put its corners onto the same spot of neighbouring motifs, or undo.',
     edges: 'The picture’s edges do not meet: give the whole repeat, or a photo that shows several.',
     small: 'The picture is too small: give one of 32 pixels each way at least.',
     object:
@@ -60,6 +62,7 @@ export const photo = {
     uneven: 'The cloth does not lie quite flat.',
     differs: 'Red areas differ from all other copies, and are left out.',
     focalLength: 'Measure along w1 and w2: proportions are uncertain without both.',
+    unequal: 'The measured sides differ: a smaller symmetry was taken.',
   } satisfies Record<PhotoNote, string> as Record<PhotoNote, string>,
   lattice: 'Repeat',
   how: 'Drag corners, or move them with the arrow keys: the repeat follows the print near them. With Alt it stays as you place it.',

@@ -32,6 +32,8 @@ export const photo: PhotoTexts = {
     moire:
       'El tejido produce un muaré en la imagen: fotografía la tela un poco más de cerca o de lejos.',
     uneven: 'La tela no está plana: alísala y fotografíala de nuevo.',
+    misplaced:
+      'El estampado no se repite con esta celda: pon sus esquinas en el mismo punto de motivos vecinos, o deshaz.',
     edges: 'Los bordes de la imagen no casan: da el rapport entero, o una foto que muestre varios.',
     small: 'La imagen es demasiado pequeña: da una de al menos 32 píxeles en cada dirección.',
     object: 'Ahí no se ve ningún contorno así: toca su centro, o mide mejor entre dos puntos.',
@@ -54,6 +56,7 @@ export const photo: PhotoTexts = {
     uneven: 'La tela no está del todo plana.',
     differs: 'Las zonas rojas difieren de las demás copias y se dejan fuera.',
     focalLength: 'Mide a lo largo de w1 y de w2: si no, las proporciones son inciertas.',
+    unequal: 'Los lados medidos difieren: se tomó una simetría menor.',
   },
   lattice: 'Repetición',
   how: 'Arrastra las esquinas, o muévelas con las flechas: la repetición sigue al estampado cercano. Con Alt se queda donde la pones.',

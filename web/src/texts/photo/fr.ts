@@ -34,6 +34,8 @@ export const photo: PhotoTexts = {
     moire:
       'Le tissage crée un moiré sur l’image : photographiez le tissu d’un peu plus près ou d’un peu plus loin.',
     uneven: 'Le tissu n’est pas à plat : lissez-le et photographiez-le de nouveau.',
+    misplaced:
+      'L’imprimé ne se répète pas selon cette cellule : placez ses coins sur le même point de motifs voisins, ou annulez.',
     edges:
       'Les bords de l’image ne se rejoignent pas : donnez le rapport entier, ou une photo qui en montre plusieurs.',
     small: 'L’image est trop petite : donnez-en une d’au moins 32 pixels dans chaque sens.',
@@ -58,6 +60,7 @@ export const photo: PhotoTexts = {
     uneven: 'Le tissu n’est pas tout à fait à plat.',
     differs: 'Les zones rouges diffèrent des autres copies et sont laissées de côté.',
     focalLength: 'Mesurez le long de w1 et de w2 : sinon les proportions sont incertaines.',
+    unequal: 'Les côtés mesurés diffèrent : une symétrie moindre a été retenue.',
   },
   lattice: 'Rapport',
   how: 'Tirez les coins, ou déplacez-les avec les flèches : le rapport suit l’imprimé à côté. Avec Alt, il reste où vous le posez.',

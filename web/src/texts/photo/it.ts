@@ -34,6 +34,8 @@ export const photo: PhotoTexts = {
     moire:
       'L’armatura crea un effetto moiré nell’immagine: fotografa la stoffa da un po’ più vicino o più lontano.',
     uneven: 'La stoffa non è distesa: lisciala e fotografala di nuovo.',
+    misplaced:
+      'La stampa non si ripete con questa cella: metti gli angoli sullo stesso punto di motivi vicini, o annulla.',
     edges:
       'I bordi dell’immagine non combaciano: dai il rapporto intero, o una foto che ne mostri diversi.',
     small: 'L’immagine è troppo piccola: danne una di almeno 32 pixel in ogni direzione.',
@@ -58,6 +60,7 @@ export const photo: PhotoTexts = {
     uneven: 'La stoffa non è del tutto distesa.',
     differs: 'Le zone rosse differiscono da tutte le altre copie e restano escluse.',
     focalLength: 'Misura lungo w1 e w2: altrimenti le proporzioni sono incerte.',
+    unequal: 'I lati misurati sono diversi: vale una simmetria minore.',
   },
   lattice: 'Rapporto',
   how: 'Trascina gli angoli, o spostali con le frecce: il rapporto segue la stampa vicina. Con Alt resta dove lo metti.',
