@@ -54,7 +54,9 @@ describe('a photograph', () => {
   it('is one in proportion only while nobody has measured it', async () => {
     const {code, out} = await photo(file('roses.jpg'), '--out', file('loose.json'));
     expect(code).toBe(0);
-    expect(out).toMatch(/roses\.jpg: pmg, size unknown \(measure it: --measure w1=REPEATS\/CM\), \d+ copies/);
+    expect(out).toMatch(
+      /roses\.jpg: pmg, size unknown \(measure it: --measure w1=REPEATS\/CM\), \d+ copies/,
+    );
     expect(JSON.parse(readFileSync(file('loose.json'), 'utf8'))).toMatchObject({unscaled: true});
   });
 
