@@ -2,7 +2,7 @@
 import {beforeAll, expect, it, vi} from 'vitest';
 
 import {solved, usePage} from '../support/page.js';
-import {found, give, openSheet, patient} from '../support/page-photo.js';
+import {found, give, openSheet, patient, tileMade} from '../support/page-photo.js';
 import {jpegOf} from '../support/photo/files.js';
 import type {Rgba} from '../support/photo/pixels.js';
 import {floralCase} from '../support/photo/print-cases.js';
@@ -44,10 +44,7 @@ it('of 12 megapixels is read, and its tile made, without a script that runs for 
   const runs = await scriptRuns(page, async () => {
     await give(page, photograph);
     await found(dialog);
-    await dialog
-      .locator('sw-photo-swatch image')
-      .first()
-      .waitFor({...patient, state: 'attached'});
+    await tileMade(dialog);
   });
   expect(runs.length).toBeGreaterThan(10);
   // a machine that others use takes the processor away once in a while

@@ -13,6 +13,7 @@ import {
   openSheet,
   patient,
   use,
+  tileMade,
 } from '../support/page-photo.js';
 import {decoyCases} from '../support/photo/decoy-cases.js';
 import {jpegOf} from '../support/photo/files.js';
@@ -50,10 +51,7 @@ describe('a photograph', () => {
     });
     await bring(page, photograph, 'meadow.jpg');
     expect(await found(dialog)).toBe('Found: pmm.');
-    await dialog
-      .locator('sw-photo-swatch image')
-      .first()
-      .waitFor({...patient, state: 'attached'});
+    await tileMade(dialog);
     await measure(dialog, 80);
     await dialog.getByText(/One repeat is 8 cm × /).waitFor();
     const centres = dialog.locator('sw-photo-stage .centre');
@@ -184,10 +182,7 @@ it('is read on a phone in the dark without a fault that axe could find', async (
   expect(await barriers(page)).toEqual([]);
   await give(page, photograph);
   await found(dialog);
-  await dialog
-    .locator('sw-photo-swatch image')
-    .first()
-    .waitFor({...patient, state: 'attached'});
+  await tileMade(dialog);
   expect(await barriers(page)).toEqual([]);
   const width = await dialog.evaluate((one) => one.scrollWidth - one.clientWidth);
   expect(width).toBe(0);

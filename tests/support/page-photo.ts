@@ -46,6 +46,13 @@ export const bring = (
 export const found = (dialog: Locator): Promise<string> =>
   dialog.getByText(/Found: /).innerText(patient);
 
+/** Once the swatch shows the tile. */
+export const tileMade = (dialog: Locator): Promise<void> =>
+  dialog
+    .locator('sw-photo-swatch image')
+    .first()
+    .waitFor({...patient, state: 'attached'});
+
 export const use = (page: Page): Locator =>
   dialogOf(page).getByRole('button', {name: 'Use this print'});
 

@@ -139,9 +139,6 @@ std::vector<VotedLattice> voteLattices(const Autocorrelation& correlation, doubl
   std::vector<VotedLattice> lattices;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      // Peaks on one line are no lattice, and any other pair is as long as its area is large.
-      const double area = std::abs(cross(peaks[i].at, peaks[j].at));
-      if (area < kLeastAngle * shortest * shortest) continue;
       const auto [a, b] = lagrangeReduced(peaks[i].at, peaks[j].at);
       if (a.norm() < shortest || std::abs(cross(a, b)) < kLeastAngle * a.norm() * b.norm())
         continue;

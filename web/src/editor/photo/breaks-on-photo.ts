@@ -87,12 +87,10 @@ function cellsSeen(map: PhotoMap, size: PhotoSize, steps: BrokenPlaces['steps'])
   return range(0)
     .flatMap((i) => up.map((j) => combined(steps, i, j)))
     .map((corner) => {
-      const [right, left] = steps;
-      const at = (s: number, t: number): Point =>
-        pixelOf(map, size, [
-          corner[0] + s * right[0] + t * left[0],
-          corner[1] + s * right[1] + t * left[1],
-        ]);
+      const at = (s: number, t: number): Point => {
+        const [u, v] = combined(steps, s, t);
+        return pixelOf(map, size, [corner[0] + u, corner[1] + v]);
+      };
       const centre = at(0.5, 0.5);
       const reach = Math.max(distance(centre, at(0, 0)), distance(centre, at(1, 0)));
       return {corner, centre, reach};

@@ -230,9 +230,8 @@ export class PhotoDialog extends WorkbenchElement {
     }
     this.size = shown;
     this.session = new PhotoSession(this.workbench.solver, picture);
-    if (step) {
-      this.session.resume(step);
-    } else void this.session.begin();
+    if (step) this.session.resume(step);
+    else void this.session.begin();
   }
 
   /** The photograph that the present print was made of, as it was left. */

@@ -17,7 +17,7 @@ import {NewestTask} from '../../workbench/background-task.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {Observable} from '../../workbench/observable.js';
 import {stepOf, tileSettings, unmeasured, type PhotoStep} from '../print/photo-step.js';
-import {steadied} from '../print/steady-cell.js';
+import {steadied} from './steady-cell.js';
 import {gainsAt} from './white-spot.js';
 
 type PhotoState =
