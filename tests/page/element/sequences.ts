@@ -88,10 +88,15 @@ async function picture(element: SeamwiseGarment): Promise<Uint8ClampedArray | un
   return context?.getImageData(0, 0, width, height).data;
 }
 
-/** As drawn, except for how densely an SVG was drawn on the way. */
-function isAlike(a: Uint8ClampedArray | undefined, b: Uint8ClampedArray | undefined): boolean {
-  if (a?.length !== b?.length || !a || !b) return false;
-  return a.reduce((sum, value, k) => sum + Math.abs(value - (b[k] ?? 0)), 0) < 4 * a.length;
+/** Undefined where both are as drawn, except for how densely an SVG was drawn on the way. */
+function unlike(
+  a: Uint8ClampedArray | undefined,
+  b: Uint8ClampedArray | undefined,
+): string | undefined {
+  if (!a || !b) return `no picture of the ${a ? 'twin' : 'element'}`;
+  if (a.length !== b.length) return `a picture of ${a.length} values in the place of ${b.length}`;
+  const mean = a.reduce((sum, value, k) => sum + Math.abs(value - (b[k] ?? 0)), 0) / a.length;
+  return mean < 4 ? undefined : `another picture, by ${mean.toFixed(1)} levels`;
 }
 
 /** @param holder of whatever is put into the page */
@@ -226,7 +231,8 @@ export async function sequence(seed: number, holder: HTMLElement): Promise<Seque
       const twin = twinOf(element);
       twin.loading = 'eager';
       form.append(twin);
-      if (!isAlike(await picture(element), await picture(twin))) wrong.push('another picture');
+      const difference = unlike(await picture(element), await picture(twin));
+      if (difference) wrong.push(difference);
     }
   }
   await Promise.all(pending);
