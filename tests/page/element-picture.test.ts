@@ -38,6 +38,38 @@ it('refuses a picture of a width that there cannot be, and says which there can'
   expect(Number(widest)).toBeLessThanOrEqual(8192);
 });
 
+it.each(['preview', 'edit'])(
+  'is a picture of the answer as soon as it is there, with mode="%s"',
+  async (mode) => {
+    const open = await openPage({viewport: {width: 1300, height: 800}});
+    await open.put(tee.replace('alt=', `mode="${mode}" alt=`));
+    await open.page.locator('seamwise-garment:state(ready)').waitFor();
+    await open.page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    const differences = await open.run(async (element) => {
+      const pixels = async (): Promise<Uint8ClampedArray> => {
+        const bitmap = await createImageBitmap(await element.toBlob({width: 200}));
+        const {width, height} = bitmap;
+        const context = new OffscreenCanvas(width, height).getContext('2d');
+        if (!context) throw new Error('There is no canvas.');
+        context.drawImage(bitmap, 0, 0);
+        return context.getImageData(0, 0, width, height).data;
+      };
+      /** On the average of all values. */
+      const difference = (a: Uint8ClampedArray, b: Uint8ClampedArray): number =>
+        a.reduce((sum, value, k) => sum + Math.abs(value - (b[k] ?? 0)), 0) / a.length;
+      const before = await pixels();
+      element.print = 'prints/cm.json';
+      await element.solve();
+      const atOnce = await pixels();
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+      const later = await pixels();
+      return {fromBefore: difference(before, atOnce), fromLater: difference(later, atOnce)};
+    });
+    expect(differences.fromBefore).toBeGreaterThan(4);
+    expect(differences.fromLater).toBeLessThan(4); // an SVG is drawn more densely at rest
+  },
+);
+
 it.each(['preview', 'place', 'edit'])(
   'says with mode="%s" when the graphics context is taken away for good, and draws again when it is not',
   async (mode) => {

@@ -9,9 +9,9 @@ import type {Appearance} from '../../viewer/strokes.js';
 import {AppearanceController, colourScheme} from '../base/appearance.js';
 import {PatientElement} from '../base/workbench-element.js';
 import {toFailure} from '../../workbench/latest-solve.js';
-import {onceOnline} from '../base/once-online.js';
 import {SceneMaker} from '../../workbench/scenes.js';
-import type {Notice, SheetWindow, ViewState} from '../../workbench/workbench.js';
+import type {SheetWindow, ViewState} from '../../workbench/workbench.js';
+import {ShownTile} from './shown-tile.js';
 
 /** The print of the pattern is on the screen. */
 export const drawnEvent = 'sw-drawn';
@@ -80,10 +80,12 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
   #time: number | undefined;
   /** The garment that was drawn last. */
   #drawn: DesignGarment | undefined;
-  /** Whose tile is shown, or being fetched. */
-  #image: string | undefined;
-  /** The picture that there was no network for, and what was said of it. */
-  #awaited: {readonly image: string; readonly notice: Notice} | undefined;
+  readonly #tile = new ShownTile(this, {
+    texts: () => this.texts,
+    shown: () => {
+      this.printed();
+    },
+  });
   #life: AbortController | undefined;
   /** Of the stage. Asking for it at every update would lay the page out each time. [CSS px] */
   #size: {readonly width: number; readonly height: number} | undefined;
@@ -106,7 +108,7 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     this.#view?.dispose();
     this.#view = undefined;
     this.#isLost = false;
-    this.#image = undefined;
+    this.#tile.forget();
     this.#drawn = undefined;
     if (this.workbench.view === this.#window) this.workbench.view = undefined;
   }
@@ -195,7 +197,10 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
         return view.widestPicture;
       },
       get: () => view.state,
-      picture: (width) => view.toBlob(width),
+      picture: async (width) => {
+        await this.#drawnAll();
+        return view.toBlob(width);
+      },
       onPaper: () => view.onPaper(),
       set: (state) => {
         view.state = state;
@@ -256,7 +261,14 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
       this.#time = undefined;
       this.drew?.(view);
     }
-    void this.#showTile(view);
+    if (scenes && this.#life) this.#tile.show(view, this.#life.signal);
+  }
+
+  /** What the workbench tells is drawn later, in a task of its own; a picture waits for it. */
+  async #drawnAll(): Promise<void> {
+    let isUpToDate = false; // more may come meanwhile
+    while (!isUpToDate) isUpToDate = await this.updateComplete;
+    await this.#tile.settled;
   }
 
   /** A garment is simply there at first; then an answer moves it all, and what is not an answer yet its shapes alone. */
@@ -266,46 +278,6 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     this.#drawn = design?.garment;
     if (!isKnown) return 'none';
     return result && !isHeld ? 'all' : 'shapes';
-  }
-
-  async #showTile(view: View): Promise<void> {
-    const image = this.workbench.design?.print.image;
-    if (image === undefined || !this.workbench.scenes || image === this.#image) return;
-    this.#image = image;
-    const signal = this.#life?.signal;
-    try {
-      const tile = await this.workbench.tileOf(image, signal);
-      if (this.#image !== image) return;
-      view.setTile(tile);
-      if (this.#awaited && this.workbench.notice === this.#awaited.notice)
-        this.workbench.say(undefined);
-      this.#awaited = undefined;
-    } catch (error) {
-      if (this.#image !== image || signal?.aborted) return;
-      view.setTile(undefined);
-      this.#miss(image, error, signal);
-    }
-    if (this.#image === image) this.printed();
-  }
-
-  /** Says so; what there is no network for is looked for again, unless it is of no use any more. */
-  #miss(image: string, error: unknown, signal: AbortSignal | undefined): void {
-    const isUnreached = error instanceof TypeError && !image.startsWith('data:');
-    if (!isUnreached || !signal) {
-      this.workbench.say({tone: 'error', text: toFailure(error).message});
-      return;
-    }
-    if (this.#awaited?.image !== image) {
-      const title = this.workbench.design?.print.title ?? image;
-      const notice: Notice = {tone: 'info', text: this.texts.offline.waits(title)};
-      this.#awaited = {image, notice};
-      this.workbench.say(notice);
-    }
-    onceOnline(() => {
-      if (this.#image !== image) return;
-      this.#image = undefined;
-      this.requestUpdate();
-    }, signal);
   }
 
   protected override render(): TemplateResult {

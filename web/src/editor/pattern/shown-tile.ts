@@ -1,0 +1,86 @@
+/** The tile of a workbench's print as a view shows it: fetched once, and again when the network is back. */
+import type {LitElement} from 'lit';
+
+import type {Tile} from '../../recognition/tile.js';
+import type {Texts} from '../../texts/texts.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import type {Notice, Workbench} from '../../workbench/workbench.js';
+import {onceOnline} from '../base/once-online.js';
+
+interface TileView {
+  setTile(tile: Tile | undefined): void;
+}
+
+export class ShownTile {
+  readonly #host: LitElement & {readonly workbench: Workbench};
+  readonly #calls: {readonly texts: () => Texts; readonly shown: () => void};
+  /** Whose tile is shown, or being fetched. */
+  #image: string | undefined;
+  /** The picture that there was no network for, and what was said of it. */
+  #awaited: {readonly image: string; readonly notice: Notice} | undefined;
+  #settled: Promise<void> | undefined;
+
+  /** @param shown hears when the tile is there, or as much of it as there can be */
+  constructor(
+    host: LitElement & {readonly workbench: Workbench},
+    calls: {readonly texts: () => Texts; readonly shown: () => void},
+  ) {
+    this.#host = host;
+    this.#calls = calls;
+  }
+
+  /** Resolves when the tile that was to be shown last is shown, or what there is in its place. */
+  get settled(): Promise<void> | undefined {
+    return this.#settled;
+  }
+
+  /** Nothing is shown any more. */
+  forget(): void {
+    this.#image = undefined;
+  }
+
+  /** Shows the tile of the workbench's print, unless it is shown already. @param signal ends looking for it */
+  show(view: TileView, signal: AbortSignal): void {
+    const image = this.#host.workbench.design?.print.image;
+    if (image === undefined || image === this.#image) return;
+    this.#image = image;
+    this.#settled = this.#fetch(view, image, signal);
+  }
+
+  async #fetch(view: TileView, image: string, signal: AbortSignal): Promise<void> {
+    const {workbench} = this.#host;
+    try {
+      const tile = await workbench.tileOf(image, signal);
+      if (this.#image !== image) return;
+      view.setTile(tile);
+      if (this.#awaited && workbench.notice === this.#awaited.notice) workbench.say(undefined);
+      this.#awaited = undefined;
+    } catch (error) {
+      if (this.#image !== image || signal.aborted) return;
+      view.setTile(undefined);
+      this.#miss(image, error, signal);
+    }
+    if (this.#image === image) this.#calls.shown();
+  }
+
+  /** Says so; what there is no network for is looked for again, unless it is of no use any more. */
+  #miss(image: string, error: unknown, signal: AbortSignal): void {
+    const {workbench} = this.#host;
+    const isUnreached = error instanceof TypeError && !image.startsWith('data:');
+    if (!isUnreached) {
+      workbench.say({tone: 'error', text: toFailure(error).message});
+      return;
+    }
+    if (this.#awaited?.image !== image) {
+      const title = workbench.design?.print.title ?? image;
+      const notice: Notice = {tone: 'info', text: this.#calls.texts().offline.waits(title)};
+      this.#awaited = {image, notice};
+      workbench.say(notice);
+    }
+    onceOnline(() => {
+      if (this.#image !== image) return;
+      this.#image = undefined;
+      this.#host.requestUpdate();
+    }, signal);
+  }
+}
