@@ -1,7 +1,3 @@
-import {readFile} from 'node:fs/promises';
-import {availableParallelism} from 'node:os';
-import {isMainThread} from 'node:worker_threads';
-
 import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
@@ -15,10 +11,6 @@ import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symm
 import type {MarkerGarment} from '../marker/pieces.js';
 import type {SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 import type {Remedy} from '../remedies/remedy.js';
-import {localAnswerer} from '../solver/answering.js';
-import {helpersFor} from '../solver/cores.js';
-import type {HooksOf} from '../solver/requests/kinds.js';
-import type {Requests} from '../solver/requests/requests.js';
 import {
   plainNames,
   type NamedDrapeHooks,
@@ -26,108 +18,15 @@ import {
   type NamedProofHooks,
   type NamedSolveHooks,
 } from '../solver/requests/texts.js';
-import {Helpers} from '../solver/seamwise/helpers.js';
-import {TextService} from '../solver/service.js';
-import {thread} from './thread.js';
 import type {Cut, CutSettings} from './cut.js';
 import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 import type {Order, OrderHooks} from './order.js';
 import type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
+import {ThreadSolver} from './thread-solver.js';
 
-export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
-export * from '../model/drape.js';
-export * from '../model/drape-file.js';
-export * from '../model/glb.js';
-export type {LayNote, LayNoteCode} from '../model/lay-note.js';
-export type * from '../model/lay-plan.js';
-export type * from '../model/garment.js';
-export type * from '../model/garment-document.js';
-export {garmentFile} from '../model/garment-file.js';
-export type * from '../model/options.js';
-export type * from '../model/photo.js';
-export type * from '../model/print.js';
-export type * from '../model/method.js';
-export type * from '../model/problem.js';
-export type {NoteCode, NoteDetail, SymmetryReason} from '../model/notes.js';
-export type * from '../model/result.js';
-export type * from '../model/symmetries.js';
-export type {
-  NamedDrapeHooks as NodeDrapeHooks,
-  NamedPrepareHooks as NodePrepareHooks,
-  NamedProofHooks as NodeProofHooks,
-  NamedSolveHooks as NodeSolveHooks,
-  ProblemNames,
-} from '../solver/requests/texts.js';
-export {SolverError, type Failure, type FailureCode} from '../model/failure.js';
-export {problemOfStored} from '../model/design-problem.js';
-export * from '../model/stored-design.js';
-export type * from '../model/stored-file.js';
-export {resultText, sha256Of} from '../model/result-text.js';
-export {FileError} from '../model/versioned-file.js';
-export type {OwnShare} from '../cutting/allowances.js';
-export type * from '../cutting/cut-sheet.js';
-export type {DxfOptions} from '../cutting/out/sheet-dxf.js';
-export {layPlanText} from '../marker/plan.js';
-export type {MarkerGarment} from '../marker/pieces.js';
-export type {LaidPrint} from '../marker/problem.js';
-export type {PrintScale} from '../model/scaled.js';
-export type {MarkerSettings} from '../marker/settings.js';
-export type {MarkerProgress, MarkerStage, Nap} from '../model/marker.js';
-export type {Box} from '../model/polyline.js';
-export type {PanelDecisions} from '../model/garment-marks.js';
-export type {CellPixels} from '../paper/cloth-cell.js';
-export type {CuttingPdf} from '../paper/cutting-pdf.js';
-export type {PageLayout, SheetPage} from '../paper/pages.js';
-export type {Paper} from '../paper/papers.js';
-export type {SheetMap} from '../paper/sheet-map.js';
-export type {PrintWithTile} from '../picture/cloth.js';
-export type {Cut, CutSettings} from './cut.js';
-export type {
-  ImportedGarment,
-  ImportedPiece,
-  ImportedSeam,
-  ImportedSide,
-  ImportOptions,
-  ImportReport,
-} from './import.js';
-export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
-export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
-export type {PlanPdf} from '../marker/draw/plan-pdf.js';
-export type {Order, OrderHooks} from './order.js';
-export type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
-export type {NamedEdge, SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
-export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
-
-/** For a program that solves on threads of its own, as a batch does, all cores are at work already. */
-const most = isMainThread ? helpersFor(availableParallelism()) : 0;
-
-const wasmFile = (name: string) =>
-  readFile(new URL(`../solver/module/${name}.wasm`, import.meta.url));
-
-/** The solver on this thread. */
-class ThreadSolver extends TextService {
-  readonly #answerer = localAnswerer(
-    {
-      sources: {
-        seamwise: () => wasmFile('seamwise'),
-        drape: () => wasmFile('drape'),
-        marker: () => wasmFile('marker'),
-        photo: () => wasmFile('photo'),
-      },
-    },
-    new Helpers(thread),
-  );
-
-  ask<K extends keyof Requests>(
-    kind: K,
-    request: Requests[K]['request'],
-    hooks: HooksOf<Requests[K]>,
-  ): Promise<Requests[K]['answer']> {
-    return this.#answerer.answer(kind, request, {...hooks, helpers: most});
-  }
-}
+export * from './exports.js';
 
 const solver = new ThreadSolver();
 

@@ -1,0 +1,40 @@
+/** The solver on this thread, which reads its modules from the package. */
+import {readFile} from 'node:fs/promises';
+import {availableParallelism} from 'node:os';
+import {isMainThread} from 'node:worker_threads';
+
+import {localAnswerer} from '../solver/answering.js';
+import {helpersFor} from '../solver/cores.js';
+import type {HooksOf} from '../solver/requests/kinds.js';
+import type {Requests} from '../solver/requests/requests.js';
+import {Helpers} from '../solver/seamwise/helpers.js';
+import {TextService} from '../solver/service.js';
+import {thread} from './thread.js';
+
+/** For a program that solves on threads of its own, as a batch does, all cores are at work already. */
+const most = isMainThread ? helpersFor(availableParallelism()) : 0;
+
+const wasmFile = (name: string) =>
+  readFile(new URL(`../solver/module/${name}.wasm`, import.meta.url));
+
+export class ThreadSolver extends TextService {
+  readonly #answerer = localAnswerer(
+    {
+      sources: {
+        seamwise: () => wasmFile('seamwise'),
+        drape: () => wasmFile('drape'),
+        marker: () => wasmFile('marker'),
+        photo: () => wasmFile('photo'),
+      },
+    },
+    new Helpers(thread),
+  );
+
+  ask<K extends keyof Requests>(
+    kind: K,
+    request: Requests[K]['request'],
+    hooks: HooksOf<Requests[K]>,
+  ): Promise<Requests[K]['answer']> {
+    return this.#answerer.answer(kind, request, {...hooks, helpers: most});
+  }
+}
