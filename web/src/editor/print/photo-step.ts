@@ -14,7 +14,7 @@ import type {
 } from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
 import {repeatOf} from '../../model/repeat.js';
-import {latticeType} from '../../model/wallpaper.js';
+import {isCentred, latticeType} from '../../model/wallpaper.js';
 import {assumedWidth} from '../../recognition/photo-print.js';
 import {alongStripe, turnsOver} from './choices.js';
 
@@ -196,7 +196,7 @@ export function measuresOf(
     },
     turnDeg: wrappedTurn(rounded(turnDeg) + 90 * step.quarterTurns),
     oneWay: isOneWay(step),
-    cell: ['rhombic', 'hexagonal'].includes(latticeType(group)) ? 'rectangular' : 'primitive',
+    cell: isCentred(group) ? 'rectangular' : 'primitive',
     ...(!isScaled && {unscaled: true}),
   };
 }
