@@ -2,13 +2,14 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
+import {repeatOf} from '@/model/repeat.js';
 import {printFromPixels} from 'seamwise/node';
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
 import {seamwise} from '../support/command-line.js';
 import {decoyCases} from '../support/photo/decoy-cases.js';
 import {jpegOf, pngOf, stored, withExif} from '../support/photo/files.js';
-import {judge, type PhotoAnswer} from '../support/photo/judge.js';
+import {judge, type PhotoAnswer, type PrintVectors} from '../support/photo/judge.js';
 import {floralCase} from '../support/photo/print-cases.js';
 import type {PhotoCase} from '../support/photo/case.js';
 import {cutTileCase, tileCase} from '../support/photo/tile-cases.js';
@@ -36,7 +37,7 @@ describe('a photograph', () => {
     const {truth} = photographed;
     if (!truth.homography) throw new Error('The case has a print.');
     const length = Math.hypot(...truth.w1);
-    const words = ['--measure', `w1=10/${10 * length}`, '--out', file('roses.json')];
+    const words = ['--measure', `w1=10/${10 * length}`, '--out', file('made.json')];
     const {code, out, err} = await photo(file('roses.jpg'), ...words, '--json');
     expect({code, err}).toEqual({code: 0, err: ''});
     const answer = JSON.parse(out) as PhotoAnswer;
@@ -45,10 +46,35 @@ describe('a photograph', () => {
     expect(print?.latticeError).toBeLessThan(0.003);
     expect(print?.scaleError).toBeLessThan(0.006);
     expect(answer.confidence).not.toBe('uncertain');
-    const written: unknown = JSON.parse(readFileSync(file('roses.json'), 'utf8'));
-    expect(written).toMatchObject({format: 'seamwise-print/1', group: 'pmg', image: 'roses.png'});
+    const written = JSON.parse(readFileSync(file('made.json'), 'utf8')) as PrintVectors;
+    expect(written).toMatchObject({format: 'seamwise-print/1', group: 'pmg', image: 'made.png'});
+    expect(written).toMatchObject({title: 'Roses'}); // as the picture is called
     expect(written).not.toHaveProperty('unscaled');
-    expect(readFileSync(file('roses.png')).subarray(1, 4).toString()).toBe('PNG');
+    for (const number of [...written.w1, ...written.w2]) {
+      expect(String(number)).toMatch(/^-?\d+(\.\d{1,7})?$/);
+    }
+    const own = judge(truth, {...answer, w1: null, w2: null}, written).print;
+    expect(Math.abs(own?.aspectError ?? 1)).toBeLessThan(0.005);
+    expect(Math.abs(own?.angleError ?? 180)).toBeLessThan(0.3);
+    expect(readFileSync(file('made.png')).subarray(1, 4).toString()).toBe('PNG');
+  });
+
+  it('of a hexagonal lattice is as wide as on the page, and w1 is told beside', async () => {
+    const {pixels} = await floralCase(
+      {name: 'stars', level: 'normal', seed: 8, size: [800, 640]},
+      'p31m',
+    );
+    writeFileSync(file('stars.png'), await pngOf(pixels));
+    const words = ['--measure', 'w1=10/80', '--out', file('read.json')];
+    const {code, out, err} = await photo(file('stars.png'), ...words);
+    expect({code, err}).toMatchObject({code: 0});
+    expect(out).toContain('p31m, one repeat 8.00 x 13.86 cm, w1 8.00 and w2 8.00 cm (+-');
+    const print = JSON.parse(readFileSync(file('read.json'), 'utf8')) as PrintVectors;
+    const {size: repeat} = repeatOf({group: 'p31m', ...print});
+    expect(repeat.width).toBeCloseTo(8, 6);
+    expect(repeat.height).toBeCloseTo(8 * Math.sqrt(3), 6);
+    const told = JSON.parse((await photo(file('stars.png'), ...words, '--json')).out) as object;
+    expect(told).toMatchObject({size: {angleDeg: 90}});
   });
 
   it('is one in proportion only while nobody has measured it', async () => {

@@ -251,6 +251,15 @@ describe('an order of a stranger', () => {
     expect(failed).toMatch(/ lies outside of .*tests\/wasm\/, and only there may be read; /);
   });
 
+  it('says once where reading is allowed, however often that is named', async () => {
+    const design = {...(await sold()), garment: {...chosen.garment, url: '/etc/hostname'}};
+    const base = new URL('.', import.meta.url);
+    const within = [base, new URL('inner/', base), new URL(base)];
+    const failed = await order(design, {base, within}).catch((error: unknown) => String(error));
+    const folder = fileURLToPath(base);
+    expect(failed).toContain(`/etc/hostname lies outside of ${folder}, and only there may be read`);
+  });
+
   it('does not tell the sha256 of a file', async () => {
     const design = {...(await sold()), garment: {...chosen.garment, url: 'order.test.ts'}};
     const own = sha256Of(readFileSync(new URL(import.meta.url)));

@@ -34,9 +34,10 @@ describe('the length of cloth', () => {
     expect(soldLength(100, 'inch', words, inch)).toBe('1 1/8 yd');
   });
 
-  it('is said in whole centimetres, never too short', () => {
+  it('is said in whole centimetres, never too short, and lies in the range that is said', () => {
     expect(roundedLength(120.2, 'cm', cm)).toBe('121 cm');
-    expect(lengthRange([120.2, 135.6], 'cm', words, cm)).toMatch(/^121 to 136 cm, /);
+    expect(lengthRange([120.2, 135.6], 'cm', words, cm)).toMatch(/^120 to 136 cm, /);
+    expect(lengthRange([120.995, 136.005], 'cm', words, cm)).toMatch(/^121 to 136 cm, /);
     expect(lengthRange([101.6, 127], 'inch', words, inch)).toMatch(/^40 in to 50 in, /);
   });
 });

@@ -446,6 +446,13 @@ describe('a plan', () => {
     ]);
   });
 
+  it('says a range that holds the lengths it is told beside, to a millimetre', () => {
+    const said = (...lengthsCm: number[]): string =>
+      saidNote({code: 'phaseRange', pieces: [], lengthsCm, counts: []});
+    expect(said(186.4, 198.6)).toMatch(/^186 to 199 cm, by /);
+    expect(said(186.97, 199.02)).toMatch(/^187 to 199 cm, by /); // 187.0 and 199.0
+  });
+
   it('stays where it is on cloth whose start is told, and has no print where that is ignored', () => {
     const told = layPlan(orderOf({}, {allowanceCm: 1, startCm: 3, phaseCm: 2.5}), answer);
     expect(told.printOrigin).toEqual([2.5, 3]);

@@ -8,8 +8,9 @@ import {PhotoSession} from '@/editor/photo/photo-session.js';
 
 import {
   cellOf,
+  conflictIn,
   groupOf,
-  isMisfit,
+  isDoubtful,
   measuresOf,
   scaledStep,
   stepOf,
@@ -17,6 +18,7 @@ import {
 } from '@/editor/print/photo-step.js';
 import {axesOf, centresOf, marksOn} from '@/editor/photo/symmetry-marks.js';
 import {gainsFor} from '@/editor/photo/white-spot.js';
+import {norm} from '@/model/geometry.js';
 import {SolverError} from '@/model/failure.js';
 import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
 import {groupNames, type GroupName} from '@/model/print.js';
@@ -113,10 +115,12 @@ describe('a session', () => {
     });
     expect(asked[1]?.request).toMatchObject({lattice: moved, picture});
     expect(asked[1]?.request).not.toHaveProperty('keepsLattice');
+    expect(session.step?.isByHand).toBe(false);
     asked[1]?.answer(read('p2', moved));
     await vi.waitFor(() => {
       expect(session.step?.reading.map).toEqual(moved);
     });
+    expect(session.step?.isByHand).toBe(true);
     expect(session.undo()).toBe(true);
     expect(session.step?.reading.map).toEqual(map);
     expect(session.redo()).toBe(true);
@@ -272,8 +276,47 @@ describe('the print', () => {
     expect(measuresOf(chosen)).toMatchObject({cell: 'rectangular', size: {width: 10, height: 10}});
     expect(tileSettings(chosen).map).toBe(rhombic);
     const measured = {...chosen, w1Measured: {repeats: 1, cm: 11}};
-    expect(isMisfit(measured)).toBe(false);
-    expect(isMisfit({...measured, w2Measured: {repeats: 1, cm: 11.2}})).toBe(true);
+    expect(conflictIn(measured)).toBeUndefined();
+    // less than a tape errs
+    const both = {...measured, w2Measured: {repeats: 1, cm: 11.02}};
+    expect(conflictIn(both)).toBeUndefined();
+    expect(norm(cellOf(both).w1)).toBeCloseTo(11.01, 3);
+    expect(norm(cellOf(both).w2)).toBeCloseTo(11.01, 3);
+    // w1 counts, for both
+    const apart = {...measured, w2Measured: {repeats: 1, cm: 11.2}};
+    expect(conflictIn(apart)).toMatchObject({w1: 11, w2: 11.2, isOfGroup: true});
+    expect(conflictIn(apart)?.share).toBeCloseTo(0.2 / 11, 9);
+    expect(norm(cellOf(apart).w2)).toBeCloseTo(11, 9);
+    expect(measuresOf(apart)).toMatchObject({size: measuresOf(measured).size});
+    expect(measuresOf({...apart, w1Measured: undefined}).size.width).toBeCloseTo(
+      11.2 * 2 ** 0.5,
+      3,
+    );
+  });
+
+  it('says when lengths are not as the photograph shows them, and takes both', () => {
+    const of = (repeats: number, notes: PhotoReading['notes'] = []) => ({
+      ...stepOf(read('pmm', map, {notes})),
+      w1Measured: {repeats: 10, cm: 100},
+      w2Measured: {repeats, cm: 80},
+    });
+    expect(conflictIn(of(10))).toBeUndefined();
+    expect(conflictIn(of(9))).toMatchObject({w1: 10, isOfGroup: false});
+    expect(conflictIn(of(9))?.expected).toBeCloseTo(8, 9);
+    expect(conflictIn(of(9))?.share).toBeCloseTo(1 / 9, 9);
+    expect(cellOf(of(9)).w2[1]).toBeCloseTo(80 / 9, 9);
+    // an unknown camera shows proportions less well
+    expect(conflictIn(of(9, ['focalLength']))).toBeUndefined();
+    expect(conflictIn(of(1, ['focalLength']))?.share).toBeCloseTo(9, 9);
+  });
+
+  it('is doubtful until somebody places the cell, or chooses the group', () => {
+    const uncertain = stepOf(read('pmm', map, {confidence: 'uncertain'}));
+    expect(isDoubtful(uncertain)).toBe(true);
+    expect(isDoubtful(stepOf(read('pmm', map, {confidence: 'likely'})))).toBe(false);
+    expect(isDoubtful({...uncertain, chosen: 'p2'})).toBe(false);
+    expect(isDoubtful(stepOf(uncertain.reading, uncertain, {isByHand: true}))).toBe(false);
+    expect(isDoubtful(stepOf(uncertain.reading, {...uncertain, isByHand: true}))).toBe(true);
   });
 
   it('keeps a chosen group over the next reading, unless that lattice cannot have it', () => {

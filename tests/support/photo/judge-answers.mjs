@@ -1,7 +1,7 @@
 // Judges what was read from the cases that write-cases.mjs wrote:
 //   node tests/support/photo/judge-answers.mjs CASES ANSWERS [--json]
 // ANSWERS holds NAME.json for each case, as `seamwise photo --json` prints it; none or an empty one where it
-// refused the picture; and NAME.print.json, as `--out` writes it, if tiles are to be judged.
+// refused the picture; and NAME.print.json, as `--out` writes it, if tiles, proportions and angles are to be judged.
 import {fileURLToPath} from 'node:url';
 
 import {runnerImport} from 'vite';

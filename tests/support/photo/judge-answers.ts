@@ -1,40 +1,43 @@
 /** Judges a folder of answers to a folder of cases, and says how many are right, by level. */
 import {existsSync, readFileSync} from 'node:fs';
-import {dirname, join} from 'node:path';
+import {join} from 'node:path';
 
 import type {Point} from '@/model/geometry.js';
 import type {GroupName} from '@/model/print.js';
 
 import type {CaseTruth} from './case.js';
 import {decoded, fromRaw} from './files.js';
-import {shapeOf} from './group-elements.js';
+import {shapeOf, type Shape} from './group-elements.js';
 import {basisFound, judge, latticePoint, type PhotoAnswer, type Verdict} from './judge.js';
 import {sidesOf, tilePsnr} from './judge-tile.js';
 
 interface Judged extends Verdict {
+  /** What the group that was found leaves open: both sides' ratio, and their angle. */
+  readonly shape: Shape | undefined;
   /** Of the tile, where the answer has one. [dB] */
   readonly psnr: number | undefined;
 }
 
 interface PrintFile {
   readonly group: GroupName;
+  readonly w1: Point;
+  readonly w2: Point;
   readonly image: string;
   readonly cell: 'primitive' | 'rectangular';
 }
 
-/** The print NAME.print.json beside the answer, against the true cell. */
+/** Against the true cell. */
 async function psnrOf(
   truth: CaseTruth,
-  answer: PhotoAnswer | undefined,
+  answer: PhotoAnswer,
+  print: PrintFile,
   cases: string,
   answers: string,
 ): Promise<number | undefined> {
-  const file = join(answers, `${truth.name}.print.json`);
-  if (truth.group === null || !answer || !existsSync(file)) return undefined;
-  const print = JSON.parse(readFileSync(file, 'utf8')) as PrintFile;
+  if (truth.group === null) return undefined;
   const image = print.image.startsWith('data:')
     ? Buffer.from(print.image.slice(print.image.indexOf(',') + 1), 'base64')
-    : readFileSync(join(dirname(file), print.image));
+    : readFileSync(join(answers, print.image));
   const [p, q, r, s] = basisFound(truth, answer);
   if (p * s - q * r !== 1) return undefined;
   const origin: Point = latticePoint(truth, answer.originPx);
@@ -43,16 +46,23 @@ async function psnrOf(
   return tilePsnr(cell, {pixels: await decoded(image), sides, basis: [p, q, r, s], origin});
 }
 
-/** @param answers with NAME.json as printed by `photo --json`, none where the picture was refused */
+const textIn = (file: string): string =>
+  existsSync(file) ? readFileSync(file, 'utf8').trim() : '';
+
+/**
+ * @param answers with NAME.json as printed by `photo --json`, none where the picture was refused, and NAME.print.json, whose w1
+ *   and w2 are in proportion where the answer has none
+ */
 export async function judgeAnswers(cases: string, answers: string): Promise<readonly Judged[]> {
   const truths = JSON.parse(readFileSync(join(cases, 'cases.json'), 'utf8')) as CaseTruth[];
   const judged: Judged[] = [];
   for (const truth of truths) {
-    const file = join(answers, `${truth.name}.json`);
-    const text = existsSync(file) ? readFileSync(file, 'utf8').trim() : '';
+    const text = textIn(join(answers, `${truth.name}.json`));
     const answer = text === '' ? undefined : (JSON.parse(text) as PhotoAnswer);
-    const psnr = await psnrOf(truth, answer, cases, answers);
-    judged.push({...judge(truth, answer), psnr});
+    const printText = textIn(join(answers, `${truth.name}.print.json`));
+    const print = printText === '' ? undefined : (JSON.parse(printText) as PrintFile);
+    const psnr = answer && print && (await psnrOf(truth, answer, print, cases, answers));
+    judged.push({...judge(truth, answer, print), shape: answer && shapeOf(answer.group), psnr});
   }
   return judged;
 }
@@ -61,6 +71,11 @@ function quantile(values: readonly number[], share: number): number {
   const sorted = [...values].sort((a, b) => a - b);
   return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? NaN;
 }
+
+const spread = (values: readonly number[], unit: string): string =>
+  values.length === 0
+    ? 'not told'
+    : `median ${quantile(values, 0.5).toFixed(3)}${unit}, worst ${quantile(values, 1).toFixed(2)}${unit}`;
 
 const percent = (part: number, of: number): string =>
   of === 0 ? '-' : `${((100 * part) / of).toFixed(1)} %`;
@@ -99,8 +114,16 @@ function linesOf(level: string, cases: readonly Judged[]): readonly string[] {
   const falsely = prints.filter(
     ({print, answered}) => print.falseClaim && !print.near && answered === 'claimed',
   );
-  const aspects = right.flatMap(({print}) =>
-    print.aspectError === undefined ? [] : [Math.abs(100 * print.aspectError)],
+  // where the group decides them, nothing was measured
+  const aspects = right.flatMap(({shape, print: {aspectError}}) =>
+    aspectError === undefined || !['oblique', 'rectangular'].includes(shape ?? '')
+      ? []
+      : [Math.abs(100 * aspectError)],
+  );
+  const angles = right.flatMap(({shape, print: {angleError}}) =>
+    angleError === undefined || !['oblique', 'rhombic'].includes(shape ?? '')
+      ? []
+      : [Math.abs(angleError)],
   );
   const origins = exact.map(({print}) => 100 * print.originError);
   const tiles = prints.flatMap(({psnr}) => (psnr === undefined ? [] : [psnr]));
@@ -113,7 +136,8 @@ function linesOf(level: string, cases: readonly Judged[]): readonly string[] {
       `exact group ${percent(exact.length, full.length)}`,
       `false claims ${falsely.length}`,
       `origin worst ${quantile(origins, 1).toFixed(2)} %`,
-      `aspect worst ${quantile(aspects, 1).toFixed(2)} %`,
+      `aspect of ${aspects.length} ${spread(aspects, ' %')}`,
+      `angle of ${angles.length} ${spread(angles, ' degrees')}`,
       `tile median ${quantile(tiles, 0.5).toFixed(1)} dB, worst ${quantile(tiles, 0).toFixed(1)} dB`,
     ].join('; '),
   );

@@ -19,6 +19,11 @@ export interface PhotoAnswer {
   readonly stripes: boolean;
 }
 
+export interface PrintVectors {
+  readonly w1: Point;
+  readonly w2: Point;
+}
+
 export interface Verdict {
   readonly name: string;
   readonly level: CaseTruth['level'];
@@ -40,9 +45,10 @@ interface PrintVerdict {
   readonly falseClaim: boolean;
   /** How far the origin lies from one that does as well, in square roots of the cell's area. */
   readonly originError: number;
-  /** Of |w1| / |w2|, as a share; of their angle, in degrees; of their lengths, as a share. Where the answer has lengths. */
+  /** Of |w1| / |w2|, as a share, and of their angle, in degrees; where the answer has lengths, or a print is given. */
   readonly aspectError: number | undefined;
   readonly angleError: number | undefined;
+  /** Of their lengths, as a share; where the answer has lengths. */
   readonly scaleError: number | undefined;
   /** The truth has a symmetry more, almost: then the group is no mistake. */
   readonly near: boolean;
@@ -107,7 +113,11 @@ export function basisFound(
   return [p, q, r, s];
 }
 
-function judgePrint(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintVerdict {
+function judgePrint(
+  truth: CaseHead & PrintTruth,
+  answer: PhotoAnswer,
+  print: PrintVectors | undefined,
+): PrintVerdict {
   const middle: Point = [truth.width / 2, truth.height / 2];
   const seen = seenRepeats(truth, middle);
   const found = repeatsAt(answer.homography as unknown as Matrix3, middle);
@@ -124,6 +134,7 @@ function judgePrint(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintVer
   const index = c0 * c3 - c1 * c2;
   const primitive = p * s - q * r === 1 && latticeError < 0.05;
   const lengths = answer.w1 && answer.w2 ? ([answer.w1, answer.w2] as const) : undefined;
+  const shape = lengths ?? (print && ([print.w1, print.w2] as const));
   const real = columns([truth.w1, truth.w2], whole);
   const ratio = ([a, b]: Basis): number => length(a) / length(b);
   const groups = primitive
@@ -132,7 +143,7 @@ function judgePrint(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintVer
         {group: answer.group, basis: [p, q, r, s], origin: latticePoint(truth, answer.originPx)},
       )
     : undefined;
-  const measured = primitive ? lengths : undefined;
+  const [measured, proportions] = primitive ? [lengths, shape] : [];
   return {
     primitive,
     index,
@@ -140,8 +151,8 @@ function judgePrint(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintVer
     exactGroup: primitive && answer.group === truth.group && groups?.holds === true,
     falseClaim: groups ? !groups.holds : index < 0.9 || elementsOf(answer.group).length > 1,
     originError: groups?.originError ?? Infinity,
-    aspectError: measured && ratio(measured) / ratio(real) - 1,
-    angleError: measured && angle(measured) - angle(real),
+    aspectError: proportions && ratio(proportions) / ratio(real) - 1,
+    angleError: proportions && angle(proportions) - angle(real),
     scaleError: measured && length(measured[0]) / length(real[0]) - 1,
     near: truth.near,
   };
@@ -175,13 +186,22 @@ function judgeStripes(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintV
   };
 }
 
-/** @param answer undefined where the program refused the picture */
-export function judge(truth: CaseTruth, answer: PhotoAnswer | undefined): Verdict {
+/**
+ * @param answer undefined where the program refused the picture
+ * @param printed its print as `--out` writes it, in proportion only where the answer has no lengths
+ */
+export function judge(
+  truth: CaseTruth,
+  answer: PhotoAnswer | undefined,
+  printed?: PrintVectors,
+): Verdict {
   const {name, level, kind} = truth;
   const head = {name, level, kind};
   if (!answer) return {...head, answered: 'refused', print: undefined};
   const answered = answer.confidence === 'uncertain' ? 'uncertain' : 'claimed';
   if (truth.group === null) return {...head, answered, print: undefined};
-  const print = kind.endsWith('-stripe') ? judgeStripes(truth, answer) : judgePrint(truth, answer);
+  const print = kind.endsWith('-stripe')
+    ? judgeStripes(truth, answer)
+    : judgePrint(truth, answer, printed);
   return {...head, answered, print};
 }

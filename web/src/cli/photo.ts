@@ -7,7 +7,10 @@ import type {
   PhotoStage,
   RepeatsMeasured,
 } from '../model/photo.js';
+import {norm} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
+import {repeatOf, type RepeatSize} from '../model/repeat.js';
+import {isCentred} from '../model/wallpaper.js';
 import {titleOfFile} from '../model/piece-names.js';
 import {failureOf, SolverError} from '../model/failure.js';
 import {readBytes} from '../node/files.js';
@@ -40,7 +43,7 @@ export async function photo(words: readonly string[]): Promise<void> {
   const found = await timed(path, () => read(pixels, known, args.has('--symmetrise')));
   if (outFile !== undefined && tileFile !== undefined) {
     await writeWhole(tileFile, await pngOf(found.tile));
-    await writeWhole(outFile, printText(found.print, outFile, tileFile));
+    await writeWhole(outFile, printText(found.print, path, tileFile));
   }
   report(path, found.reading, args.has('--json'));
 }
@@ -142,20 +145,23 @@ function tileBeside(outFile: string): string {
   return join(dirname(outFile), `${basename(outFile, extname(outFile))}.png`);
 }
 
-const printText = (found: Print, outFile: string, tileFile: string): string =>
-  `${JSON.stringify({...found, title: titleOfFile(outFile), image: basename(tileFile)}, null, 2)}\n`;
+/** Named after the picture that it was read off. */
+function printText(found: Print, path: string, tileFile: string): string {
+  const title = titleOfFile(basename(path, extname(path)));
+  return `${JSON.stringify({...found, title, image: basename(tileFile)}, null, 2)}\n`;
+}
 
 function report(path: string, reading: PhotoReading, isJson: boolean): void {
   if (isJson) {
     print(JSON.stringify(plainReading(reading)));
     return;
   }
-  const {group, w1, w2, copies, confidence, latticeUncertainty, notes} = reading;
-  const size =
-    w1 && w2
-      ? `${cmOf(w1)} x ${cmOf(w2)} cm (+-${(100 * latticeUncertainty).toFixed(2)} %)`
-      : 'size unknown (measure it: --measure w1=REPEATS/CM)';
-  print(`${path}: ${group}, ${size}, ${copies} copies, ${confidence}`);
+  const {group, copies, confidence, notes} = reading;
+  const size = sizeOf(reading);
+  const said = size
+    ? sizeWords(reading, size)
+    : 'size unknown (measure it: --measure w1=REPEATS/CM)';
+  print(`${path}: ${group}, ${said}, ${copies} copies, ${confidence}`);
   if (confidence === 'uncertain')
     remark('No repeat is certain: compare the tile with your cloth before you use it.');
   notes.forEach((note) => {
@@ -172,14 +178,30 @@ const sentences: Readonly<Record<PhotoNote, string>> = {
     'w1 and w2 measure differently, so that a smaller symmetry was taken than the print seems to have; measure again if they should be equal.',
 };
 
-const cmOf = ([x, y]: readonly [number, number]): string => Math.hypot(x, y).toFixed(2);
+/** One repeat as the page has it, whose sides are not w1 and w2 on rhombic and hexagonal lattices. */
+const sizeOf = ({group, w1, w2}: PhotoReading): RepeatSize | null =>
+  w1 && w2 ? repeatOf({group, w1, w2}).size : null;
+
+function sizeWords(
+  {group, w1, w2, latticeUncertainty}: PhotoReading,
+  {width, height}: RepeatSize,
+): string {
+  const [across, up, first, second] = [width, height, norm(w1 ?? [0, 0]), norm(w2 ?? [0, 0])].map(
+    (length) => length.toFixed(2),
+  );
+  const vectors = isCentred(group) ? `, w1 ${first} and w2 ${second} cm` : '';
+  const error = (100 * latticeUncertainty).toFixed(2);
+  return `one repeat ${across} x ${up} cm${vectors} (+-${error} %)`;
+}
 
 /** What programs are told. */
-function plainReading({map, groups, ...reading}: PhotoReading): object {
+function plainReading(reading: PhotoReading): object {
+  const {map, groups} = reading;
   const {width, height, w1Px, w2Px, originPx, w1, w2, group, confidence} = reading;
   const {latticeUncertainty, oneWay, stripes, copies, explained, notes} = reading;
   return {
     ...{width, height, homography: map.homography, lens: map.lens, w1Px, w2Px, originPx, w1, w2},
+    size: sizeOf(reading),
     ...{group, groups: groups.map(({name, rho, worst, verdict}) => ({name, rho, worst, verdict}))},
     ...{confidence, latticeUncertainty, oneWay, stripes, copies, explained, notes},
   };

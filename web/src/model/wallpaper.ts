@@ -34,6 +34,10 @@ const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): Plan
 
 export const latticeType = (group: GroupName): LatticeType => groupTable[group][0];
 
+/** Whether the rectangular cell of a group's lattice has a lattice point in its middle, too, so that w1 and w2 are not its sides. */
+export const isCentred = (group: GroupName): boolean =>
+  ['rhombic', 'hexagonal'].includes(latticeType(group));
+
 /** First `inner`, then `outer`. */
 export function after(outer: PlaneMap, inner: PlaneMap): PlaneMap {
   const [x, y] = apply(outer, inner.shift);

@@ -65,17 +65,28 @@ export async function readAddress(address: URL, limits: ReadingLimits = {}): Pro
 }
 
 function checkWithin(address: URL, within: ReadingLimits['within']): void {
-  const isIn = ({protocol, host, pathname}: URL): boolean =>
-    address.protocol === protocol &&
-    address.host === host &&
-    (isWeb(address) || address.pathname.startsWith(pathname.replace(/\/*$/, '/')));
-  if (within === undefined || within.some(isIn)) return;
-  const places = within.map((one) => (isWeb(one) ? one.origin : calledAs(one))).join(' and ');
+  if (within === undefined || within.some((place) => isIn(address, place))) return;
+  const places = outermost(within).map((one) => (isWeb(one) ? one.origin : calledAs(one)));
   throw new FileError(
     calledAs(address),
-    `lies outside of ${places}, and only there may be read; put it there, or name its folder or host as the base.`,
+    `lies outside of ${places.join(' and ')}, and only there may be read; put it there, or name its folder or host as the base.`,
   );
 }
+
+const isIn = (address: URL, {protocol, host, pathname}: URL): boolean =>
+  address.protocol === protocol &&
+  address.host === host &&
+  (isWeb(address) || address.pathname.startsWith(pathname.replace(/\/*$/, '/')));
+
+/** Those that lie in no other one of them. */
+const outermost = (places: readonly URL[]): readonly URL[] =>
+  places.reduce<readonly URL[]>(
+    (kept, one) =>
+      kept.some((other) => isIn(one, other))
+        ? kept
+        : [...kept.filter((other) => !isIn(other, one)), one],
+    [],
+  );
 
 /** Follows redirections as far as they stay within the bounds. */
 async function answerOf(

@@ -2,6 +2,7 @@
 import type {Point} from '../model/geometry.js';
 import type {PhotoReading} from '../model/photo.js';
 import type {Print} from '../model/print.js';
+import {latticeVectors, repeatOf} from '../model/repeat.js';
 
 /** Of prints whose size nobody knows yet: so wide that a print can be judged on a garment. [cm] */
 export const assumedWidth = 10;
@@ -11,14 +12,35 @@ export const isSymmetric = ({group}: Pick<PhotoReading, 'group'>): boolean => gr
 
 type ReadPrint = Pick<PhotoReading, 'group' | 'w1' | 'w2' | 'shape' | 'oneWay'>;
 
-/** Without a picture. Lengths are rounded to what a design stores. */
+/** A micrometre, and a thousandth of a degree: finer than any cloth is measured. */
+const lengthStep = 1e-4;
+const angleStep = 1e-3;
+/** What lies below is the rounding of cosines; readers of prints allow vectors to err by a millionth. [cm] */
+const vectorStep = 1e-7;
+
+/** Never -0. */
+const rounded = (value: number, step: number): number =>
+  Math.round(value / step) / Math.round(1 / step) + 0;
+
+const crisp = ([x, y]: Point): Point => [rounded(x, vectorStep), rounded(y, vectorStep)];
+
+/** Without a picture. Its repeat is rounded, and its vectors are what the group makes of that. */
 export function printOfPhoto({group, w1, w2, shape, oneWay}: ReadPrint): Print {
   const isScaled = w1 !== null && w2 !== null;
   const [a, b] = isScaled ? [w1, w2] : shape;
   const factor = isScaled ? 1 : assumedWidth;
   const scaled = ([x, y]: Point): Point => [factor * x, factor * y];
+  const {size, turnDeg} = repeatOf({group, w1: scaled(a), w2: scaled(b)});
+  const {width, height, angleDeg} = size;
+  const measured = {
+    width: rounded(width, lengthStep),
+    height: rounded(height, lengthStep),
+    angleDeg: rounded(angleDeg, angleStep),
+  };
+  const [first, second] = latticeVectors(group, measured, rounded(turnDeg, angleStep));
   return {
-    ...{format: 'seamwise-print/1', group, w1: scaled(a), w2: scaled(b), cell: 'primitive', oneWay},
+    ...{format: 'seamwise-print/1', group, w1: crisp(first), w2: crisp(second)},
+    ...{cell: 'primitive', oneWay},
     ...(!isScaled && {unscaled: true}),
   };
 }

@@ -2,7 +2,7 @@
 import {norm, type Point} from '../model/geometry.js';
 import type {GroupName, PrintCell} from '../model/print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
-import {imageCell, latticeType, printElements, type PlaneMap} from '../model/wallpaper.js';
+import {imageCell, isCentred, latticeType, printElements, type PlaneMap} from '../model/wallpaper.js';
 import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
 
 /** A place of the tile that differs from its images; shares of the cell, from its upper left corner. */
@@ -37,9 +37,6 @@ const detail = 160;
 const places = 24;
 /** What a compressed or coarsely drawn picture may be off by, in one place. [0, 255] */
 export const visibleDifference = 16;
-
-const isCentred = (group: GroupName): boolean =>
-  ['rhombic', 'hexagonal'].includes(latticeType(group));
 
 /** What the picture of a group's cell may show, where it is a rectangle; the most symmetric first. */
 function cellsOf(group: GroupName): readonly PrintCell[] {

@@ -142,6 +142,7 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
     scaleMetric(1, kTape, &metric);
   } else if (first || second) {
     const int k = first ? 0 : 1;
+    metric.along = Vec2::Unit(k);
     scaleMetric((first ? *first : *second) / std::sqrt(metric.gram(k, k)),
                 Vec2(kTape, metric.aspect_error / 2).norm(), &metric);
   } else if (hints.span) {
@@ -153,6 +154,7 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
       return badHint(
           "two points on the photo have to lie more than 4 px apart, and their distance on the "
           "cloth between 0 cm and 100 m");
+    metric.along = u;
     scaleMetric(hints.span->length / apart,
                 Vec2(std::sqrt(2.0) * kPointing / px, metric.aspect_error / 2).norm(), &metric);
   }

@@ -37,6 +37,8 @@ struct MetricReading {
   Mat2 gram = Mat2::Identity();
   bool scaled = false;
   MetricSource source = MetricSource::kScan;
+  /// What one length was measured along, in w1 and w2; zero where none was, or both w1 and w2 were.
+  Vec2 along = Vec2::Zero();
   /// Standard errors: of |w2| / |w1|, as a share; of the angle [rad]; of lengths, as a share, but 0
   /// until there is a scale.
   double aspect_error = 0, angle_error = 0, length_error = 0;

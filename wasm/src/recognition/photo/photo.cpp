@@ -165,7 +165,7 @@ void Photo::readSymmetry() {
   reader_.reset();
   if (!measured_gram_) return identify();
   const Mat2 basis = matrixOf(best().basis);
-  place(basis.transpose() * *measured_gram_ * basis);
+  place(basis.transpose() * *measured_gram_ * basis, Vec2::Zero());
 }
 
 Outcome<MetricReading> Photo::measured(const LatticeMap& map, const MetricHints& hints) const {
@@ -190,7 +190,7 @@ void Photo::identify() {
   const bool is_apart = std::abs(aspect - 1) > tolerance;
   if (reading.source != MetricSource::kTwoLengths || groups_.stripes || !is_apart ||
       !isEqualSided(best().group->lattice)) {
-    return place(reading.gram);
+    return place(reading.gram, reading.along);
   }
   notes_.push_back(PhotoNote::kUnequal);
   const Mat2 back = matrixOf(best().basis).inverse();
@@ -200,9 +200,12 @@ void Photo::identify() {
   stage_ = PhotoStage::kSymmetry;
 }
 
-/// The last step, given the Gram matrix of the best group's w1 and w2 as it was measured.
-void Photo::place(const Mat2& measured_gram) {
+/// The last step, given the Gram matrix of the best group's w1 and w2 as it was measured, and what
+/// a length was measured along, which stays that long whatever the group makes of the sides.
+void Photo::place(const Mat2& measured_gram, const Vec2& along) {
   Mat2 gram = constrained(best().group->lattice, measured_gram);
+  const double squared = along.dot(gram * along);
+  if (squared > 0) gram *= along.dot(measured_gram * along) / squared;
   if (groups_.stripes) {
     const double across = std::sqrt(gram.determinant() / gram(1, 1));
     const double along = is_scaled_ ? PhotoTuning::kAlongStripe : across * PhotoTuning::kStripeSide;

@@ -75,7 +75,7 @@ class Photo {
   void meanCopies();
   void readSymmetry();
   void identify();
-  void place(const Mat2& measured_gram);
+  void place(const Mat2& measured_gram, const Vec2& along);
   const GroupVerdict& best() const { return groups_.groups[groups_.best]; }
   Outcome<MetricReading> measured(const LatticeMap& map, const MetricHints& hints) const;
   void fail(const Error& error);

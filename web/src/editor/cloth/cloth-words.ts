@@ -1,4 +1,5 @@
 /** What is said of a plan and of the places of its pieces. */
+import {wholeRange} from '../../marker/draw/note-texts.js';
 import {countedRepeats} from '../../marker/counted-repeats.js';
 import {
   boxAt,
@@ -35,7 +36,7 @@ export function soldLength(cm: number, units: Units, words: ClothTexts, format: 
 export const roundedLength = (cm: number, units: Units, format: Format): string =>
   format.length(units === 'inch' ? cm : Math.ceil(cm - slack));
 
-/** "121 to 136 cm" of lengths in whole centimetres. */
+/** "120 to 136 cm": lengths lie between, and what `roundedLength` makes of them, too. */
 export const lengthRange = (
   [least, most]: readonly [number, number],
   units: Units,
@@ -43,7 +44,7 @@ export const lengthRange = (
   format: Format,
 ): string =>
   words.range(
-    units === 'inch' ? format.length(least) : format.number(Math.ceil(least - slack)),
+    units === 'inch' ? format.length(least) : format.number(wholeRange(least, most, slack)[0]),
     roundedLength(most, units, format),
   );
 

@@ -14,6 +14,9 @@ export const dialogStyle = css`
     flex: 1;
     font-size: var(--sw-text-large);
   }
+  .doubt {
+    flex-basis: 100%;
+  }
   .name {
     display: flex;
     flex: 1 1 12rem;

@@ -23,7 +23,7 @@ export const panelStyle = css`
   }
   .beside {
     display: grid;
-    grid-template-columns: repeat(2, minmax(0, 1fr));
+    grid-template-columns: repeat(2, minmax(0, 1fr)) var(--sw-target);
     align-items: end;
     gap: var(--sw-space-2);
   }

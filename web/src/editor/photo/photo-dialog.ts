@@ -16,8 +16,10 @@ import {startLattice, type PhotoSize} from './lattice-lines.js';
 import type {PhotoKeeper} from './photo-keeper.js';
 import {cellPicture, pngOf} from '../print/photo-picture.js';
 import {PhotoSession} from './photo-session.js';
-import {measuresOf, type PhotoStep} from '../print/photo-step.js';
-import {pictureButton} from './picture-button.js';
+import {isDoubtful, measuresOf, type PhotoStep} from '../print/photo-step.js';
+import {photoFoot} from './photo-foot.js';
+import {photoIntake} from './photo-intake.js';
+import {areSame} from './same-picture.js';
 import {shownPicture} from './shown-picture.js';
 
 export class PhotoDialog extends WorkbenchElement {
@@ -43,6 +45,10 @@ export class PhotoDialog extends WorkbenchElement {
   declare protected isTaking: boolean;
   keeper: PhotoKeeper | undefined;
   #address: string | undefined;
+  /** As it was kept, where nobody has changed that yet. */
+  #resumed: PhotoStep | undefined;
+  /** The picture of the design's print when the sheet was left unfinished. */
+  #leftAt: string | undefined;
   /** The focus went to what takes the print, once. */
   #isLed = false;
 
@@ -56,14 +62,19 @@ export class PhotoDialog extends WorkbenchElement {
     await this.updateComplete;
     const dialog = this.renderRoot.querySelector('dialog');
     if (!dialog?.open) dialog?.showModal();
-    if (given) await this.#take(given.picture, given.name);
-    else if (!this.session) await this.#again();
+    if (!given) await this.#again();
+    else if (!(await this.#isAt(given.picture))) await this.#take(given.picture, given.name);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#forget();
   }
 
   /** What was read may be taken without a closer look. */
   get #isSure(): boolean {
     const {state, step} = this.session ?? {};
-    return state?.kind === 'done' && step?.reading.confidence !== 'uncertain';
+    return state?.kind === 'done' && step !== undefined && !isDoubtful(step);
   }
 
   protected get words(): PhotoTexts {
@@ -110,7 +121,7 @@ export class PhotoDialog extends WorkbenchElement {
           ${icon.close}
         </button>
       </header>
-      ${session && this.size ? [this.#work(session, this.size), this.#foot(session, this.size)] : this.#intake()}
+      ${session && this.size ? [this.#work(session, this.size), this.#foot(session, this.size)] : photoIntake({words, trouble: this.trouble, take: this.#given})}
     </dialog>`;
   }
 
@@ -137,20 +148,6 @@ export class PhotoDialog extends WorkbenchElement {
       </button>`;
   }
 
-  #intake(): TemplateResult {
-    const {words} = this;
-    const take = this.#given;
-    return html`<div class="intake">
-      <p>${words.intake}</p>
-      <p class="soft">${words.stays}</p>
-      ${this.trouble ? html`<p class="error" role="alert">${this.trouble}</p>` : nothing}
-      <div class="row">
-        ${pictureButton({label: words.choose, look: 'primary', take})}
-        ${pictureButton({label: words.camera, look: 'outlined', isCamera: true, take})}
-      </div>
-    </div>`;
-  }
-
   #work(session: PhotoSession, size: PhotoSize): TemplateResult {
     return html`<sw-photo-work
       .workbench=${this.workbench}
@@ -165,45 +162,19 @@ export class PhotoDialog extends WorkbenchElement {
   }
 
   #foot(session: PhotoSession, natural: PhotoSize): TemplateResult {
-    const {words, hand} = this;
-    const {step, state} = session.read;
-    const size = step?.reading ?? natural;
-    const isReady = step !== undefined && !hand && state.kind !== 'reading';
-    return html`<footer>
-      ${
-        this.trouble && state.kind !== 'failed'
-          ? html`<p class="error" role="alert">${this.trouble}</p>`
-          : nothing
-      }
-      <label class="name">
-        ${words.name}
-        <input
-          type="text"
-          maxlength="80"
-          .value=${this.name}
-          @change=${(event: Event) => {
-            this.name = (event.target as HTMLInputElement).value;
-          }}
-        />
-      </label>
-      ${pictureButton({label: words.another, look: 'outlined', take: this.#given})}
-      <button
-        class="outlined"
-        ?disabled=${hand !== undefined || state.kind === 'reading'}
-        @click=${() => {
-          this.hand = startLattice(size);
-        }}
-      >
-        ${words.byHand}
-      </button>
-      <button
-        class="primary"
-        ?disabled=${!isReady || this.isTaking}
-        @click=${() => void this.#use(session)}
-      >
-        ${words.use}
-      </button>
-    </footer>`;
+    const {words, name, trouble, isTaking} = this;
+    return photoFoot({
+      ...{words, session, name, trouble, isTaking},
+      isDrawing: this.hand !== undefined,
+      take: this.#given,
+      rename: (given) => {
+        this.name = given;
+      },
+      draw: () => {
+        this.hand = startLattice(session.step?.reading ?? natural);
+      },
+      use: () => void this.#use(session),
+    });
   }
 
   readonly #given = (file: File): void => {
@@ -230,16 +201,31 @@ export class PhotoDialog extends WorkbenchElement {
     }
     this.size = shown;
     this.session = new PhotoSession(this.workbench.solver, picture);
+    this.#resumed = step;
     if (step) this.session.resume(step);
     else void this.session.begin();
   }
 
-  /** The photograph that the present print was made of, as it was left. */
+  get #image(): string {
+    return this.workbench.design?.print.image ?? '';
+  }
+
+  /** The photograph that was left unfinished; once the print is another, the one that this was made of. */
   async #again(): Promise<void> {
-    const {image = ''} = this.workbench.design?.print ?? {};
+    const image = this.#image;
+    const address = this.#address;
+    if (address !== undefined && image === this.#leftAt) return;
     const kept = image.startsWith('data:') ? await this.keeper?.kept(image) : undefined;
-    if (!kept || this.#address !== undefined) return;
+    if (!kept || this.#address !== address) return;
     await this.#take(kept.picture, kept.name, kept.step);
+  }
+
+  /** Whether that picture is the one that was left unfinished. */
+  async #isAt(picture: Blob): Promise<boolean> {
+    const {session} = this;
+    return (
+      session !== undefined && (await areSame(session.picture, picture)) && this.session === session
+    );
   }
 
   async #use(session: PhotoSession): Promise<void> {
@@ -256,6 +242,7 @@ export class PhotoDialog extends WorkbenchElement {
       this.workbench.change({print: {title: this.name || this.words.title, ...measures, image}});
       void this.keeper?.keep(image, {picture: session.picture, name: this.name, step});
       this.#close();
+      this.#forget();
     } catch (error) {
       this.trouble = toFailure(error).message;
     } finally {
@@ -283,8 +270,13 @@ export class PhotoDialog extends WorkbenchElement {
     this.renderRoot.querySelector('dialog')?.close();
   };
 
+  /** What was read or changed and not taken is there again when the sheet is opened the next time. */
   readonly #ended = (): void => {
-    this.#forget();
+    const {step, state} = this.session ?? {};
+    const isUnfinished =
+      this.hand !== undefined || (step ? step !== this.#resumed : state?.kind === 'reading');
+    if (isUnfinished) this.#leftAt = this.#image;
+    else this.#forget();
   };
 
   #forget(): void {
@@ -293,6 +285,7 @@ export class PhotoDialog extends WorkbenchElement {
     this.size = undefined;
     this.hand = undefined;
     this.trouble = undefined;
+    this.#resumed = undefined;
     this.#isLed = false;
     if (this.#address !== undefined) URL.revokeObjectURL(this.#address);
     this.#address = undefined;

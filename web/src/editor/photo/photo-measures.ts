@@ -2,16 +2,26 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {norm, type Point} from '../../model/geometry.js';
+import {vectorsAtMiddle} from '../../model/photo-map.js';
 import {knownObjects, type KnownObject} from '../../model/photo.js';
+import {directionSign} from '../base/direction-sign.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
 import {panelStyle} from './panel-style.js';
 import {PhotoElement} from './photo-element.js';
 import type {TwoPoints} from './photo-stage.js';
-import {cellOf, isMisfit, measuresOf, type PhotoStep} from '../print/photo-step.js';
+import {
+  cellOf,
+  conflictIn,
+  groupIn,
+  groupOf,
+  measuresOf,
+  unmeasured,
+  type PhotoStep,
+} from '../print/photo-step.js';
 import {saidFailure} from './said-failure.js';
-
-type Vector = 'w1' | 'w2';
+import {vectors, type Vector} from './stage-marks.js';
 
 /** What is measured by. */
 const ways = ['tape', 'points', 'object'] as const;
@@ -25,9 +35,17 @@ const mostMeasured = 10_000;
 /** Thickness and round edges leave no less. */
 const leastError = 0.01;
 
-const vectors: readonly Vector[] = ['w1', 'w2'];
+/** Where a vector points on the photograph, beside its name. */
+function named(vector: Vector, step: PhotoStep): string {
+  const {w1Px, w2Px} = vectorsAtMiddle(groupIn(step).map, step.reading);
+  const [x, y] = vector === 'w1' ? w1Px : w2Px;
+  return `${vector} ${directionSign([x, -y])}`;
+}
 
-/** Fires `measuring` with a `Measuring`, `object` with a `KnownObject`, and `look` when it is to be looked for. */
+/**
+ * Fires `measuring` with a `Measuring`, `object` with a `KnownObject`, `look` when it is to be looked for, and `along` with the
+ * `Vector` whose fields have the focus, or nothing.
+ */
 export class PhotoMeasures extends PhotoElement {
   static override properties = {
     ...PhotoElement.properties,
@@ -52,21 +70,13 @@ export class PhotoMeasures extends PhotoElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {words, format, way} = this;
+    const {words, way} = this;
     const {step} = this.session.read;
     if (!step) return nothing;
-    const {w1, w2, isScaled} = cellOf(step);
-    const {size, group} = measuresOf(step);
-    const length = (vector: Point): string => format.length(norm(vector));
-    const [width, height] = [format.length(size.width), format.length(size.height)];
     return html`<section aria-label=${words.size}>
       <h3>${words.size}</h3>
-      <p role="status">${isScaled ? words.measures(width, height) : words.unknown}</p>
-      ${
-        isMisfit(step)
-          ? html`<p class="error" role="alert">${words.misfit(length(w1), length(w2), group)}</p>`
-          : nothing
-      }
+      <p role="status">${this.#said(step)}</p>
+      ${this.#conflict(step)}
       <div class="row" role="radiogroup" aria-label=${words.measureBy}>
         <span class="soft">${words.measureBy}</span>
         ${ways.map(
@@ -90,7 +100,46 @@ export class PhotoMeasures extends PhotoElement {
     </section>`;
   }
 
-  #fire(type: string, detail?: Measuring | KnownObject): void {
+  /** Of the print as it would be taken now. */
+  #said(step: PhotoStep): string {
+    const {words, format} = this;
+    const {w1, w2, isScaled} = cellOf(step);
+    if (!isScaled) return words.unknown;
+    const {width, height} = measuresOf(step).size;
+    const length = (vector: Point): string => format.length(norm(vector));
+    return `${words.measures(format.length(width), format.length(height))} ${words.vectors(length(w1), length(w2))}`;
+  }
+
+  #conflict(step: PhotoStep): TemplateResult | typeof nothing {
+    const conflict = conflictIn(step);
+    if (!conflict) return nothing;
+    const {words, format} = this;
+    const [w1, w2] = [format.length(conflict.w1), format.length(conflict.w2)];
+    const share = format.percent(conflict.share);
+    return html`<p class="error" role="alert">
+      ${
+        conflict.isOfGroup
+          ? words.sidesApart(w1, w2, share, groupOf(step))
+          : words.photoApart(w1, w2, share, format.length(conflict.expected))
+      }
+    </p>`;
+  }
+
+  #remove(measure: keyof typeof unmeasured, label: string): TemplateResult {
+    const named = `${this.words.removeMeasure}: ${label}`;
+    return html`<button
+      class="icon"
+      aria-label=${named}
+      title=${named}
+      @click=${() => {
+        this.session.change({[measure]: undefined});
+      }}
+    >
+      ${icon.close}
+    </button>`;
+  }
+
+  #fire(type: string, detail?: Measuring | KnownObject | Vector): void {
     this.dispatchEvent(new CustomEvent(type, {detail}));
   }
 
@@ -133,23 +182,38 @@ export class PhotoMeasures extends PhotoElement {
     const {words, session} = this;
     const measured = step[`${vector}Measured`];
     const repeats = measured?.repeats ?? this.repeats[vector];
-    return html`<div class="beside" role="group" aria-label=${words.repeatsAlong(vector)}>
-      ${this.#number(words.repeatsAlong(vector), repeats, 0.5, 10_000, (count) => {
+    const label = words.repeatsAlong(named(vector, step));
+    return html`<div
+      class="beside"
+      role="group"
+      aria-label=${label}
+      @focusin=${() => {
+        this.#fire('along', vector);
+      }}
+      @focusout=${() => {
+        this.#fire('along');
+      }}
+    >
+      ${this.#number(label, repeats, 0.5, 10_000, (count) => {
         this.repeats = {...this.repeats, [vector]: count};
         if (measured) session.measure(vector, {...measured, repeats: count});
       })}
       ${this.#length(words.measure, measured?.cm ?? NaN, (cm) => {
         session.measure(vector, {repeats, cm});
       })}
+      ${measured ? this.#remove(`${vector}Measured`, label) : nothing}
     </div>`;
   }
 
   #ruler([from, to]: TwoPoints, {between}: PhotoStep): TemplateResult {
     const {words, session} = this;
     return html`<p class="soft">${words.between}</p>
-      ${this.#length(words.distance, between?.cm ?? NaN, (cm) => {
-        session.measureBetween({from, to, cm});
-      })}`;
+      <div class="beside">
+        ${this.#length(words.distance, between?.cm ?? NaN, (cm) => {
+          session.measureBetween({from, to, cm});
+        })}
+        ${between ? this.#remove('between', words.measuring.points) : nothing}
+      </div>`;
   }
 
   #object({object}: PhotoStep): TemplateResult {
@@ -184,6 +248,7 @@ export class PhotoMeasures extends PhotoElement {
         >
           ${words.look}
         </button>
+        ${object ? this.#remove('object', words.objects[object.object]) : nothing}
       </div>
       ${
         search.kind === 'failed'

@@ -9,8 +9,15 @@ import type {BrokenPlaces} from './breaks-on-photo.js';
 import {panelStyle} from './panel-style.js';
 import {PhotoElement} from './photo-element.js';
 import {photoGroups} from './photo-groups.js';
-import {groupIn, groupOf, isOneWay, measuresOf, type PhotoStep} from '../print/photo-step.js';
-import {overlayNames, type Overlays} from './stage-marks.js';
+import {
+  groupIn,
+  groupOf,
+  isDoubtful,
+  isOneWay,
+  measuresOf,
+  type PhotoStep,
+} from '../print/photo-step.js';
+import {overlayNames, vectors, type Overlays} from './stage-marks.js';
 
 /** Another basis of the lattice, or of a coarser or finer one. */
 const bases = {
@@ -30,8 +37,6 @@ const bases = {
     [0.5, 0.5],
   ] as const,
 };
-
-const vectors = ['w1', 'w2'] as const;
 
 /** Fires `overlays` with `Overlays`, `whiten` when something white is to be shown or is not any more, and `broken`. */
 export class PhotoPanel extends PhotoElement {
@@ -72,12 +77,15 @@ export class PhotoPanel extends PhotoElement {
       ${this.#cloth(step)}`;
   }
 
-  #found({reading}: PhotoStep): TemplateResult {
+  #found(step: PhotoStep): TemplateResult {
     const {words, session} = this;
-    const {confidence, others, notes, group} = reading;
+    const {w1Measured, w2Measured, reading} = step;
+    const {confidence, others, group} = reading;
+    const isFully = w1Measured !== undefined && w2Measured !== undefined;
+    const notes = reading.notes.filter((note) => !isFully || note !== 'focalLength');
     return html`<section aria-label=${words.title}>
       ${
-        confidence === 'uncertain'
+        isDoubtful(step)
           ? html`<p class="error" role="alert">${words.confidences.uncertain}</p>`
           : html`<p role="status">
               <b>${words.found(group)}</b>

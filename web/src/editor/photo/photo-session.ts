@@ -227,7 +227,7 @@ export class PhotoSession extends Observable {
       if (isOver()) return;
       const {lattice} = settings;
       const steady = lattice ? steadied(reading, lattice, this.step?.chosen) : reading;
-      const next = stepOf(steady, this.step, f35);
+      const next = stepOf(steady, this.step, {f35, isByHand: lattice !== undefined});
       this.#history = this.#history ? stepped(this.#history, next) : begun(next);
       this.#become({kind: 'done'});
     } catch (error) {

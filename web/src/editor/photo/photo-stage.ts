@@ -12,7 +12,7 @@ import {dragHandle} from '../style/drag-handle.js';
 import {ringPath, type BrokenPlaces} from './breaks-on-photo.js';
 import {middleNode, nodesOf, type PhotoSize} from './lattice-lines.js';
 import {movedNode} from './moved-node.js';
-import {stageMarks, type Overlays} from './stage-marks.js';
+import {stageMarks, type Overlays, type Vector} from './stage-marks.js';
 import {stageStyle} from './stage-style.js';
 
 /** A corner that was moved; `keeps`: as it was placed. */
@@ -48,6 +48,7 @@ export class PhotoStage extends LitElement {
     outline: {attribute: false},
     overlays: {attribute: false},
     points: {attribute: false},
+    measured: {},
     aim: {attribute: false},
     aimLabel: {},
     words: {attribute: false},
@@ -68,6 +69,8 @@ export class PhotoStage extends LitElement {
   declare overlays: Overlays;
   /** Whose distance is to be measured; undefined for none. */
   declare points: TwoPoints | undefined;
+  /** The vector along which somebody measures just now. */
+  declare measured: Vector | undefined;
   /** A place that is asked for; undefined when none is. */
   declare aim: Point | undefined;
   declare aimLabel: string;
@@ -112,10 +115,10 @@ export class PhotoStage extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const {size, words, points, aim, group, differing, broken, overlays} = this;
+    const {size, words, points, aim, group, differing, broken, overlays, measured} = this;
     const map = this.#shown;
     const marks = map && {
-      ...{map, size, base: this.#base, group, differing, overlays},
+      ...{map, size, base: this.#base, group, differing, overlays, measured},
       broken: this.draft ? undefined : broken,
     };
     return html`<div

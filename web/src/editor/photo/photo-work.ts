@@ -11,7 +11,7 @@ import type {Measuring} from './photo-measures.js';
 import {drawnByHand, photoProgress} from './photo-progress.js';
 import type {Moved, Placed, TwoPoints} from './photo-stage.js';
 import {groupIn, groupOf, type PhotoStep} from '../print/photo-step.js';
-import type {Overlays} from './stage-marks.js';
+import type {Overlays, Vector} from './stage-marks.js';
 import {workStyle} from './work-style.js';
 
 /** Fires `hand` with a `PhotoMap` that somebody draws, or with nothing when that is at its end. */
@@ -24,6 +24,7 @@ export class PhotoWork extends PhotoElement {
     overlays: {state: true},
     way: {state: true},
     points: {state: true},
+    along: {state: true},
     objectAt: {state: true},
     whiteAt: {state: true},
     object: {state: true},
@@ -40,6 +41,8 @@ export class PhotoWork extends PhotoElement {
   declare protected way: Measuring;
   /** Whose distance is to be measured. */
   declare protected points: TwoPoints | undefined;
+  /** The vector along which a tape is held. */
+  declare protected along: Vector | undefined;
   /** That lies on the cloth, and about where. */
   declare protected object: KnownObject;
   declare protected objectAt: Point | undefined;
@@ -85,6 +88,7 @@ export class PhotoWork extends PhotoElement {
         .outline=${way === 'object' ? step?.object?.outline : undefined}
         .overlays=${this.overlays}
         .points=${way === 'points' ? this.points : undefined}
+        .measured=${way === 'tape' ? this.along : undefined}
         .aim=${whiteAt ?? (way === 'object' ? this.objectAt : undefined)}
         .aimLabel=${whiteAt ? words.aimWhite : words.aim}
         .words=${words}
@@ -133,6 +137,9 @@ export class PhotoWork extends PhotoElement {
         .way=${this.way}
         .points=${this.points}
         .object=${this.object}
+        @along=${({detail}: CustomEvent<Vector | null>) => {
+          this.along = detail ?? undefined;
+        }}
         @measuring=${({detail}: CustomEvent<Measuring>) => {
           this.way = detail;
           this.points ??= startPoints(size);

@@ -1,7 +1,7 @@
 /** What lies over a photograph: cells, their vectors, symmetries, and areas that are wrong. */
 import {svg, type TemplateResult} from 'lit';
 
-import {distance, type Point} from '../../model/geometry.js';
+import {combined, distance, minus, norm, plus, type Point} from '../../model/geometry.js';
 import {pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
@@ -13,6 +13,9 @@ import {marksOn} from './symmetry-marks.js';
 export const overlayNames = ['cells', 'axes', 'differing', 'breaks'] as const;
 export type Overlays = Readonly<Record<(typeof overlayNames)[number], boolean>>;
 
+export const vectors = ['w1', 'w2'] as const;
+export type Vector = (typeof vectors)[number];
+
 interface StageMarks {
   readonly map: PhotoMap;
   readonly size: PhotoSize;
@@ -23,10 +26,15 @@ interface StageMarks {
   readonly differing: readonly (readonly Point[])[];
   readonly broken: BrokenPlaces | undefined;
   readonly overlays: Overlays;
+  /** The vector along which somebody measures just now. */
+  readonly measured: Vector | undefined;
 }
 
 /** Of arrow heads and centres, as a share of the picture's longer side. */
 const markSize = 0.011;
+
+/** How far the middle of a name stays from the picture's border, in units. */
+const nameMargin = 2;
 
 const unitOf = ({width, height}: PhotoSize): number => markSize * Math.max(width, height);
 
@@ -70,10 +78,33 @@ function symbol(order: 2 | 3 | 4 | 6, [x, y]: Point, unit: number): string {
   return ringPath(corners.map(corner));
 }
 
+/** Where an arrow's name is read: beyond its end, or else beside it, as near to the end as the picture has room. */
+export function namePlace(from: Point, to: Point, size: PhotoSize): Point {
+  const unit = unitOf(size);
+  const [dx, dy] = minus(to, from);
+  const length = norm([dx, dy]);
+  const along: Point = [dx / length, dy / length];
+  const across: Point = [-along[1], along[0]];
+  const away = 3 * unit;
+  const at = (forth: number, aside: number): Point =>
+    plus(from, combined([along, across], forth, aside));
+  const beside = [1, 0.8, 0.6, 0.4, 0.2, 0].flatMap((share) => [
+    at(share * length, away),
+    at(share * length, -away),
+  ]);
+  const margin = nameMargin * unit;
+  const inside = (value: number, most: number): number =>
+    Math.min(Math.max(value, margin), most - margin);
+  const moved = ([x, y]: Point): Point => [inside(x, size.width), inside(y, size.height)];
+  const beyond = at(length + away, 0);
+  const free = [beyond, ...beside].find((place) => distance(moved(place), place) === 0);
+  return free ?? moved(beyond);
+}
+
 function arrow(
-  {map, size, base}: StageMarks,
+  {map, size, base, measured}: StageMarks,
   [i, j]: Point,
-  name: 'w1' | 'w2',
+  name: Vector,
 ): TemplateResult | undefined {
   const unit = unitOf(size);
   const from = pixelOf(map, size, base);
@@ -90,12 +121,9 @@ function arrow(
     return `${x.toFixed(1)} ${y.toFixed(1)}`;
   };
   const path = `M${from.join(' ')}L${to.join(' ')}M${side(1)}L${to.join(' ')}L${side(-1)}`;
-  const away = 3 * unit;
-  return svg`<path class="arrow casing" d=${path}></path><path class="arrow ${name}" d=${path}></path>
-    <text
-      class=${name}
-      x=${to[0] + away * along[0]}
-      y=${to[1] + away * along[1]}
-      font-size=${2 * unit}
-    >${name}</text>`;
+  const [x, y] = namePlace(from, to, size);
+  const marked = measured === name ? `${name} measured` : name;
+  return svg`<path class="arrow casing" d=${path}></path>
+    <path class="arrow ${marked}" d=${path}></path>
+    <text class=${marked} x=${x} y=${y} font-size=${2 * unit}>${name}</text>`;
 }

@@ -81,6 +81,10 @@ export const stageStyle = css`
   .arrow.w2 {
     stroke: #0b5fb3;
   }
+  .arrow.measured {
+    stroke: #c22318;
+    stroke-width: 5;
+  }
   text {
     fill: #0b5fb3;
     stroke: #fff;
@@ -90,6 +94,9 @@ export const stageStyle = css`
     font-weight: 700;
     text-anchor: middle;
     dominant-baseline: central;
+  }
+  text.measured {
+    fill: #c22318;
   }
   .ruler {
     stroke: #c22318;

@@ -3,7 +3,7 @@ import type {DesignPrint} from '../../model/design.js';
 import {coupledSize, type FittingGroup, type RepeatSize} from '../../model/repeat.js';
 import {cellTurn, copiesIn, pictureIn, type OwnPicture} from '../../model/tile-repeat.js';
 import type {PrintTile, TileRepeat} from '../../model/print-tile.js';
-import {latticeType} from '../../model/wallpaper.js';
+import {isCentred} from '../../model/wallpaper.js';
 import {dataUrlOf} from '../../recognition/data-url.js';
 import type {TileCheck, WholeCell} from '../../recognition/tile-check.js';
 import type {Pixels} from '../../recognition/tile-cloth.js';
@@ -145,9 +145,8 @@ export async function ownPrintAs(
     if (found) return withFound(solver, print, found);
   }
   const size = await uprightSize(own);
-  const centred = ['rhombic', 'hexagonal'].includes(latticeType(group));
   const made = await asWhole(own, {
-    ...{group, turnDeg: 0, cell: centred ? 'rectangular' : 'primitive'},
+    ...{group, turnDeg: 0, cell: isCentred(group) ? 'rectangular' : 'primitive'},
     size: coupledSize(group, choice === 'stripes' ? {...size, height: alongStripe} : size),
   });
   return inPlaceOf(print, made);

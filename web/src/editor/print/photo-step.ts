@@ -14,7 +14,7 @@ import type {
 } from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
 import {repeatOf} from '../../model/repeat.js';
-import {latticeType} from '../../model/wallpaper.js';
+import {isCentred, latticeType} from '../../model/wallpaper.js';
 import {assumedWidth} from '../../recognition/photo-print.js';
 import {alongStripe, turnsOver} from './choices.js';
 
@@ -23,6 +23,8 @@ export interface PhotoStep {
   readonly reading: PhotoReading;
   /** Focal length of the camera, as on film of 36 mm, where its file says it. */
   readonly f35: number | undefined;
+  /** Somebody placed or chose the cell that this was read from. */
+  readonly isByHand: boolean;
   /** Another group than the one that was found. */
   readonly chosen: GroupName | undefined;
   /** Counter-clockwise, of the print against the photograph as it was read. */
@@ -49,7 +51,11 @@ export const unmeasured = {
 } as const;
 
 /** As it was read, with what had been decided before. */
-export function stepOf(reading: PhotoReading, before?: PhotoStep, f35?: number): PhotoStep {
+export function stepOf(
+  reading: PhotoReading,
+  before?: PhotoStep,
+  {f35, isByHand = false}: {readonly f35?: number | undefined; readonly isByHand?: boolean} = {},
+): PhotoStep {
   const {chosen} = before ?? {};
   const isPossible = reading.groups.some(
     ({name, verdict}) => name === chosen && verdict !== 'cannot',
@@ -59,7 +65,7 @@ export function stepOf(reading: PhotoReading, before?: PhotoStep, f35?: number):
     ...unmeasured,
     gains: undefined,
     ...before,
-    ...{reading, f35, chosen: isPossible ? chosen : undefined},
+    ...{reading, f35, isByHand, chosen: isPossible ? chosen : undefined},
   };
 }
 
@@ -105,6 +111,10 @@ export function groupIn(step: PhotoStep): PhotoGroup {
   return group;
 }
 
+/** Whether nobody can be sure of it: neither was the program, nor has somebody said what is right. */
+export const isDoubtful = ({reading, isByHand, chosen}: PhotoStep): boolean =>
+  reading.confidence === 'uncertain' && !isByHand && chosen === undefined;
+
 export const isOneWay = (step: PhotoStep): boolean => step.oneWay ?? !turnsOver(groupOf(step));
 
 /** The vectors of a map as the print has them, in the reading's proportions. */
@@ -133,10 +143,18 @@ interface PhotoCell {
   readonly isScaled: boolean;
 }
 
+/** How long w1 and w2 are, as far as they were measured; sides that the group has equal are. [cm] */
+function lengthsOf(step: PhotoStep): readonly [number | undefined, number | undefined] {
+  const [w1, w2] = [oneRepeat(step.w1Measured), oneRepeat(step.w2Measured)];
+  if (w1 === undefined || w2 === undefined || !isEqualSided(step)) return [w1, w2];
+  const both = conflictIn(step) ? w1 : Math.sqrt(w1 * w2);
+  return [both, both];
+}
+
 /** w1 and w2 of the group that is shown. */
 export function cellOf(step: PhotoStep): PhotoCell {
   const [w1, w2] = shapeOf(step, groupIn(step).map);
-  const [first, second] = [oneRepeat(step.w1Measured), oneRepeat(step.w2Measured)];
+  const [first, second] = lengthsOf(step);
   const [across, up] = [
     first === undefined ? undefined : first / norm(w1),
     second === undefined ? undefined : second / norm(w2),
@@ -161,12 +179,39 @@ function byPoints({reading, object, ...step}: PhotoStep): number | undefined {
   return apart > 0 ? between.cm / apart : undefined;
 }
 
-/** Sides that the group wants equal, and that measure otherwise by more than a tape errs. */
-export function isMisfit(step: PhotoStep): boolean {
-  const isEqualSided = ['square', 'rhombic', 'hexagonal'].includes(latticeType(groupOf(step)));
-  if (!isEqualSided || !step.w1Measured || !step.w2Measured) return false;
-  const {w1, w2} = cellOf(step);
-  return Math.abs(norm(w1) / norm(w2) - 1) > 0.005;
+/** What two measures may be apart, as a share: of sides that the group has equal, by how a tape errs. */
+const tapeError = 0.005;
+/** Of others, by how a photograph errs that lies in creases, and if its camera is unknown. */
+const photoError = 0.03;
+const unknownCameraError = 0.15;
+
+const isEqualSided = (step: PhotoStep): boolean =>
+  ['square', 'rhombic', 'hexagonal'].includes(latticeType(groupOf(step)));
+
+/** Measures along w1 and w2 that no cell has both. */
+export interface MeasureConflict {
+  /** Of one repeat. [cm] */
+  readonly w1: number;
+  readonly w2: number;
+  /** w2 as w1 and the photograph, or the group, have it. [cm] */
+  readonly expected: number;
+  /** By which w2 is longer or shorter than that. */
+  readonly share: number;
+  /** The group has equal sides: then w1 counts. Otherwise both do. */
+  readonly isOfGroup: boolean;
+}
+
+export function conflictIn(step: PhotoStep): MeasureConflict | undefined {
+  const [w1, w2] = [oneRepeat(step.w1Measured), oneRepeat(step.w2Measured)];
+  const {stripes, notes} = step.reading;
+  if (w1 === undefined || w2 === undefined || stripes) return undefined;
+  const isOfGroup = isEqualSided(step);
+  const [a, b] = shapeOf(step, groupIn(step).map);
+  const expected = isOfGroup ? w1 : (w1 * norm(b)) / norm(a);
+  const share = Math.abs(w2 / expected - 1);
+  const seen = notes.includes('focalLength') ? unknownCameraError : photoError;
+  const most = isOfGroup ? tapeError : seen;
+  return share > most ? {w1, w2, expected, share, isOfGroup} : undefined;
 }
 
 const rounded = (value: number): number => Math.round(1000 * value) / 1000 + 0;
@@ -196,7 +241,7 @@ export function measuresOf(
     },
     turnDeg: wrappedTurn(rounded(turnDeg) + 90 * step.quarterTurns),
     oneWay: isOneWay(step),
-    cell: ['rhombic', 'hexagonal'].includes(latticeType(group)) ? 'rectangular' : 'primitive',
+    cell: isCentred(group) ? 'rectangular' : 'primitive',
     ...(!isScaled && {unscaled: true}),
   };
 }

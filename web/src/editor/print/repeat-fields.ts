@@ -1,17 +1,29 @@
 /** How large the repeat is on the cloth, and how it lies there. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
+import {radians, towards, type Point} from '../../model/geometry.js';
 import {noPicture, type DesignPrint} from '../../model/design.js';
 import {fittingGroup, isCoupled, type FittingGroup, type RepeatSize} from '../../model/repeat.js';
 import {cellSize, cellTurn, resized, tileSize, tileTurn} from '../../model/tile-repeat.js';
 import {latticeType} from '../../model/wallpaper.js';
 import {lengthUnit} from '../controls/number-field.js';
+import {directionSign} from '../base/direction-sign.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';
 import {choiceOf, missing} from './choices.js';
 import {leastRepeat, mostRepeat} from './limits.js';
+
+/** With an arrow as the side lies on the cloth, once that is not as its name says. */
+function lying(
+  label: (unit: string) => string,
+  direction: Point,
+  usual: string,
+): (unit: string) => string {
+  const sign = directionSign(direction);
+  return (unit) => (usual.includes(sign) ? label(unit) : `${label(unit)} ${sign}`);
+}
 
 export class RepeatFields extends WorkbenchElement {
   static override properties = {
@@ -45,6 +57,11 @@ export class RepeatFields extends WorkbenchElement {
       }
       .cell {
         justify-self: center;
+      }
+      .sides:has(> .width:focus-within) ~ .cell .side:not(.up),
+      .sides:has(> .height:focus-within) ~ .cell .up {
+        stroke: var(--sw-bad);
+        stroke-width: 5;
       }
       .offer {
         display: grid;
@@ -109,8 +126,9 @@ export class RepeatFields extends WorkbenchElement {
   #sides(print: DesignPrint): TemplateResult {
     const texts = this.texts.print;
     const size = tileSize(print);
+    const turn = radians(tileTurn(print));
     const width = (enter: (cm: number) => void): TemplateResult =>
-      this.#length(texts.width, size.width, enter);
+      this.#length('width', lying(texts.width, towards(turn), '→←'), size.width, enter);
     if (choiceOf(print) === 'stripes') {
       return width((cm) => {
         this.#resize(print, {...size, width: cm});
@@ -135,12 +153,17 @@ export class RepeatFields extends WorkbenchElement {
       >
         ${isLocked ? icon.locked : icon.unlocked}
       </button>
-      ${this.#length(texts.height, shownHeight, (cm) => {
-        const free = {...size, height: cm};
-        if (isLocked) this.#resize(print, {...free, width: (size.width * cm) / size.height});
-        else if (isCoupled(print.group)) this.measured = {of: print, size: cellSize(print, free)};
-        else this.#resize(print, free);
-      })}
+      ${this.#length(
+        'height',
+        lying(texts.height, towards(turn + radians(size.angleDeg)), '↑↓'),
+        shownHeight,
+        (cm) => {
+          const free = {...size, height: cm};
+          if (isLocked) this.#resize(print, {...free, width: (size.width * cm) / size.height});
+          else if (isCoupled(print.group)) this.measured = {of: print, size: cellSize(print, free)};
+          else this.#resize(print, free);
+        },
+      )}
     </div>`;
   }
 
@@ -176,6 +199,7 @@ export class RepeatFields extends WorkbenchElement {
   }
 
   #length(
+    side: 'width' | 'height',
     label: (unit: string) => string,
     value: number,
     enter: (cm: number) => void,
@@ -183,6 +207,7 @@ export class RepeatFields extends WorkbenchElement {
     const {name, cm} = lengthUnit[this.workbench.preferences.units];
     const {format} = this;
     return html`<sw-number-field
+      class=${side}
       .label=${label(name)}
       .value=${this.workbench.design?.print.unscaled ? NaN : value / cm}
       .subject=${this.workbench.design?.print.image}

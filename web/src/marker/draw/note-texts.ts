@@ -8,7 +8,7 @@ export interface NoteWords {
   readonly lengths: readonly string[];
   /** The same to a millimetre, or as its unit has it. */
   readonly rounded: readonly string[];
-  /** "121", "136 cm", where there are two: upwards to whole centimetres. */
+  /** "120", "136 cm", where there are two: whole centimetres that both lie between. */
   readonly range: readonly [least: string, most: string];
   readonly counts: readonly string[];
 }
@@ -43,14 +43,26 @@ export interface NoteFormat {
   readonly name: (piece: string) => string;
 }
 
-/** To the next centimetre; what is a hair longer than one is none more. */
-const whole = (length: number): number => Math.ceil(length - 0.05);
+/** The whole centimetres that lengths lie between; what is off one by no more than `slack` is that one. */
+export const wholeRange = (
+  least: number,
+  most: number,
+  slack: number,
+): readonly [least: number, most: number] => [Math.floor(least + slack), Math.ceil(most - slack)];
+
+/** What is written to a millimetre is whole where that says so. [cm] */
+const halfMillimetre = 0.05;
+
+function plainRange(least: number, most: number): readonly [string, string] {
+  const [from, to] = wholeRange(least, most, halfMillimetre);
+  return [`${from}`, `${to} cm`];
+}
 
 /** As files have it. */
 const plain: NoteFormat = {
   length: (cm) => `${cm.toFixed(2)} cm`,
   rounded: (cm) => `${cm.toFixed(1)} cm`,
-  range: (least, most) => [`${whole(least)}`, `${whole(most)} cm`],
+  range: plainRange,
   count: String,
   name: (piece) => piece,
 };

@@ -117,11 +117,18 @@ export const photo: PhotoTexts = {
   byObject: (error) => `Gemessen am roten Umriss, auf etwa ${error} genau.`,
   distance: (unit) => `Ihr Abstand (${unit})`,
   measures: (width, height) => `Ein Rapport ist ${width} × ${height}.`,
-  misfit: (w1, w2, group) =>
-    `Der Stoff misst ${w1} entlang w1 und ${w2} entlang w2, aber ${group} verlangt gleiche Seiten: bitte eine Symmetrie ohne das wählen oder noch einmal messen.`,
+  vectors: (w1, w2) => `w1 ist ${w1} lang, w2 ${w2}.`,
+  sidesApart: (w1, w2, share, group) =>
+    `Die Maße widersprechen sich um ${share}: ein Rapport misst ${w1} entlang w1, aber ${w2} entlang w2, und ${group} verlangt gleiche Seiten. Es gilt ${w1}, bis eines entfernt oder eine Symmetrie ohne das gewählt ist.`,
+  photoApart: (w1, w2, share, expected) =>
+    `Die Maße widersprechen sich um ${share}: bei ${w1} entlang w1 zeigt das Foto ${expected} entlang w2, nicht ${w2}. Beide gelten, bis eines entfernt ist.`,
+  removeMeasure: 'Dieses Maß entfernen',
   cloth: 'Auf dem Stoff',
   turn: 'Um 90° drehen',
   warp: (turn) => `Der Druck ist um ${turn} gedreht; die Länge des Stoffs läuft nach oben.`,
   name: 'Name',
   use: 'Diesen Druck verwenden',
+  useDoubtful: 'Trotz Unsicherheit verwenden',
+  doubt:
+    'Ob diese Zelle der Rapport des Drucks ist, ist unsicher: bitte ihre Ecken zurechtziehen oder eine andere wählen.',
 };

@@ -118,13 +118,20 @@ export const photo = {
   byObject: (error: string) => `Measured by the red outline, good to about ${error}.`,
   distance: (unit: string) => `Distance between them (${unit})`,
   measures: (width: string, height: string) => `One repeat is ${width} × ${height}.`,
-  misfit: (w1: string, w2: string, group: string) =>
-    `Your cloth measures ${w1} along w1 and ${w2} along w2, but ${group} needs equal sides: choose a symmetry without that, or measure again.`,
+  vectors: (w1: string, w2: string) => `w1 is ${w1} and w2 ${w2} long.`,
+  sidesApart: (w1: string, w2: string, share: string, group: string) =>
+    `Your measures disagree by ${share}: one repeat is ${w1} along w1, but ${w2} along w2, and ${group} needs equal sides. ${w1} counts until you remove one, or choose a symmetry without that.`,
+  photoApart: (w1: string, w2: string, share: string, expected: string) =>
+    `Your measures disagree by ${share}: with ${w1} along w1, the photo shows ${expected} along w2, not ${w2}. Both count until you remove one.`,
+  removeMeasure: 'Remove this measure',
   cloth: 'On the cloth',
   turn: 'Turn by 90°',
   warp: (turn: string) => `The print is turned by ${turn}; the length of the cloth runs upwards.`,
   name: 'Name',
   use: 'Use this print',
+  useDoubtful: 'Use it although uncertain',
+  doubt:
+    'Whether this cell is the print’s repeat is uncertain: drag its corners into place, or choose another.',
 };
 
 export type PhotoTexts = typeof photo;

@@ -111,11 +111,18 @@ export const photo: PhotoTexts = {
   byObject: (error) => `Medido por el contorno rojo, con un error de un ${error} aproximadamente.`,
   distance: (unit) => `Distancia entre ellos (${unit})`,
   measures: (width, height) => `Una repetición mide ${width} × ${height}.`,
-  misfit: (w1, w2, group) =>
-    `Tu tela mide ${w1} a lo largo de w1 y ${w2} a lo largo de w2, pero ${group} pide lados iguales: elige una simetría que no los pida, o mide de nuevo.`,
+  vectors: (w1, w2) => `w1 mide ${w1} y w2 ${w2}.`,
+  sidesApart: (w1, w2, share, group) =>
+    `Tus medidas difieren en un ${share}: una repetición mide ${w1} a lo largo de w1, pero ${w2} a lo largo de w2, y ${group} pide lados iguales. Vale ${w1} hasta que quites una, o elijas una simetría que no los pida.`,
+  photoApart: (w1, w2, share, expected) =>
+    `Tus medidas difieren en un ${share}: con ${w1} a lo largo de w1, la foto muestra ${expected} a lo largo de w2, no ${w2}. Valen las dos hasta que quites una.`,
+  removeMeasure: 'Quitar esta medida',
   cloth: 'En la tela',
   turn: 'Girar 90°',
   warp: (turn) => `El estampado está girado ${turn}; el largo de la tela va hacia arriba.`,
   name: 'Nombre',
   use: 'Usar este estampado',
+  useDoubtful: 'Usarlo aunque sea incierto',
+  doubt:
+    'No es seguro que esta celda sea la repetición del estampado: arrastra sus esquinas a su sitio, o elige otra.',
 };

@@ -116,11 +116,18 @@ export const photo: PhotoTexts = {
   byObject: (error) => `Mesuré par le contour rouge, à ${error} près environ.`,
   distance: (unit) => `Distance entre eux (${unit})`,
   measures: (width, height) => `Un rapport mesure ${width} × ${height}.`,
-  misfit: (w1, w2, group) =>
-    `Votre tissu mesure ${w1} le long de w1 et ${w2} le long de w2, mais ${group} demande des côtés égaux : choisissez une symétrie qui ne le demande pas, ou mesurez à nouveau.`,
+  vectors: (w1, w2) => `w1 mesure ${w1}, w2 ${w2}.`,
+  sidesApart: (w1, w2, share, group) =>
+    `Vos mesures diffèrent de ${share} : un rapport mesure ${w1} le long de w1, mais ${w2} le long de w2, et ${group} demande des côtés égaux. ${w1} compte jusqu’à ce que vous en supprimiez une, ou choisissiez une symétrie qui ne le demande pas.`,
+  photoApart: (w1, w2, share, expected) =>
+    `Vos mesures diffèrent de ${share} : avec ${w1} le long de w1, la photo montre ${expected} le long de w2, et non ${w2}. Les deux comptent jusqu’à ce que vous en supprimiez une.`,
+  removeMeasure: 'Supprimer cette mesure',
   cloth: 'Sur le tissu',
   turn: 'Tourner de 90°',
   warp: (turn) => `L’imprimé est tourné de ${turn} ; la longueur du tissu va vers le haut.`,
   name: 'Nom',
   use: 'Utiliser cet imprimé',
+  useDoubtful: 'L’utiliser bien qu’incertain',
+  doubt:
+    'Il n’est pas sûr que cette maille soit le rapport de l’imprimé : placez ses coins en les faisant glisser, ou choisissez-en une autre.',
 };

@@ -116,11 +116,18 @@ export const photo: PhotoTexts = {
   byObject: (error) => `Misurato con il contorno rosso, con un errore di circa ${error}.`,
   distance: (unit) => `Distanza tra loro (${unit})`,
   measures: (width, height) => `Un rapporto misura ${width} × ${height}.`,
-  misfit: (w1, w2, group) =>
-    `La tua stoffa misura ${w1} lungo w1 e ${w2} lungo w2, ma ${group} vuole lati uguali: scegli una simmetria che non li voglia, o misura di nuovo.`,
+  vectors: (w1, w2) => `w1 è lungo ${w1}, w2 ${w2}.`,
+  sidesApart: (w1, w2, share, group) =>
+    `Le tue misure differiscono del ${share}: un rapporto misura ${w1} lungo w1, ma ${w2} lungo w2, e ${group} vuole lati uguali. Vale ${w1} finché non ne rimuovi una, o scegli una simmetria che non li voglia.`,
+  photoApart: (w1, w2, share, expected) =>
+    `Le tue misure differiscono del ${share}: con ${w1} lungo w1, la foto mostra ${expected} lungo w2, non ${w2}. Valgono entrambe finché non ne rimuovi una.`,
+  removeMeasure: 'Rimuovi questa misura',
   cloth: 'Sulla stoffa',
   turn: 'Gira di 90°',
   warp: (turn) => `La stampa è girata di ${turn}; la lunghezza della stoffa va verso l’alto.`,
   name: 'Nome',
   use: 'Usa questa stampa',
+  useDoubtful: 'Usa benché incerta',
+  doubt:
+    'Non è certo che questa cella sia il rapporto della stampa: trascina i suoi angoli al loro posto, o scegline un’altra.',
 };
