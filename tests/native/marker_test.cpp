@@ -65,6 +65,30 @@ TEST(Marker, KeepsPinnedPiecesWhereTheyAre) {
   expectValid(problem, *marker);
 }
 
+TEST(Marker, LaysPiecesFreelyWithoutRegardToPins) {
+  NestingProblem problem = someProblem(tiles(), 4, 50, 5);
+  problem.start = 1.5;
+  problem.phases = {0.7};
+  problem.also_free = true;
+  const auto without = laid(problem);
+  problem.pieces[1].pin = RigidMotion{kPi, {26.123, 51.77}};
+  const auto with = laid(problem);
+  ASSERT_TRUE(without && with);
+  EXPECT_GT(with->length(), without->length() + 1);
+  EXPECT_EQ(with->freeLength(), without->freeLength());
+}
+
+TEST(Marker, KeepsPinnedPiecesWhereTheyAreWithoutAPrintToo) {
+  NestingProblem problem = someProblem(tiles(), 3, 50, 5);
+  problem.start = 1.5;
+  problem.phases = {0.7};
+  problem.ignores_print = true;
+  problem.pieces[1].pin = RigidMotion{kPi, {26.123, 51.77}};
+  const auto marker = laid(problem);
+  ASSERT_TRUE(marker);
+  EXPECT_LT((marker->places()[1].shift - problem.pieces[1].pin->shift).norm(), 1e-6);
+}
+
 TEST(Marker, LaysNothingOnFlaws) {
   NestingProblem problem = someProblem(tiles(), 4, 44, 6);
   problem.start = 0;

@@ -22,6 +22,10 @@ const facts = (page: Page): Promise<string> => panel(page).locator('.facts').inn
 const rowOf = (page: Page, name: string): Locator =>
   panel(page).locator('.pieces').getByRole('row', {name});
 
+/** Where the selected piece is said to lie, without how far it has gone. */
+const lies = async (page: Page): Promise<string | undefined> =>
+  (await status(page))?.replace(/ \(moved .*\)$/, '');
+
 /** Until nothing is laid any more. */
 async function laid(page: Page): Promise<void> {
   const state = () => pane(page).locator('.pane').getAttribute('data-state');
@@ -55,7 +59,9 @@ it('lays the pieces in their print, says what there is to buy, and marks what is
   const place = /\d+(st|nd|rd|th) repeat from the left, \d+(st|nd|rd|th) from the start/;
   await expect.poll(() => rowOf(page, 'Back').textContent()).toMatch(place);
   await pane(page).locator('.piece', {hasText: 'Back'}).click();
-  await expect.poll(() => status(page)).toMatch(place);
+  await expect
+    .poll(() => status(page))
+    .toMatch(/^Back: \d+(st|nd|rd|th) repeat from the left, [\d.]+ cm from the start/);
   const picked = () =>
     page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
@@ -78,7 +84,7 @@ it('moves, turns and pins a piece by keys, and takes all of that back', async ()
   const first = await status(page);
   await page.keyboard.press('ArrowUp');
   await expect.poll(() => status(page)).not.toBe(first);
-  const second = await status(page);
+  const second = await lies(page);
   await expect.poll(() => facts(page)).toContain('As moved by hand');
   await expect
     .poll(() => button(page, 'Undo').getAttribute('title'))
@@ -97,6 +103,129 @@ it('moves, turns and pins a piece by keys, and takes all of that back', async ()
   await expect.poll(() => status(page)).toBe(first);
   await page.keyboard.press('Control+Shift+z');
   await expect.poll(() => status(page)).toBe(second);
+});
+
+/** Whether it is in the part of the cloth that is in sight. */
+const isSeen = (page: Page, name: string): Promise<boolean> =>
+  pane(page)
+    .locator('.piece', {hasText: name})
+    .locator('.line')
+    .evaluate((line) => {
+      const view = line.closest('.application')?.getBoundingClientRect();
+      const {top, bottom, left, right} = line.getBoundingClientRect();
+      const isWithin = (low: number, high: number, from = 0, to = 0): boolean =>
+        (low >= from - 1 && high <= to + 1) || (low <= from && high >= to);
+      return (
+        isWithin(top, bottom, view?.top, view?.bottom) &&
+        isWithin(left, right, view?.left, view?.right)
+      );
+    });
+
+it('tells how far a piece goes that finds no nearer place, and keeps it in sight', async () => {
+  const page = await openCloth({viewport: {width: 1280, height: 600}});
+  await rowOf(page, 'Front').focus();
+  for (let k = 0; k < 4; k++) await page.keyboard.press('+');
+  const where = String.raw`repeat from the left, [\d.]+ cm from the start`;
+  await page.keyboard.press('ArrowUp');
+  await expect
+    .poll(() => status(page))
+    .toMatch(
+      new RegExp(`^Front: .* ${where} \\(moved [\\d.]+ cm, as nearer places are not free\\)$`),
+    );
+  await expect.poll(() => isSeen(page, 'Front')).toBe(true);
+  // above all others there is room
+  await page.keyboard.press('ArrowUp');
+  await expect.poll(() => status(page)).toMatch(new RegExp(`^Front: .* ${where}$`));
+  await expect.poll(() => isSeen(page, 'Front')).toBe(true);
+  await page.keyboard.press('n');
+  await expect.poll(() => status(page)).toMatch(/^Back: /);
+  await expect.poll(() => isSeen(page, 'Back')).toBe(true);
+});
+
+it('turns what is pinned about where it lies, or leaves it there and says so', async () => {
+  const page = await openCloth();
+  const start = async (): Promise<number> =>
+    Number(/([\d.]+) cm from the start/.exec((await status(page)) ?? '')?.[1]);
+  await rowOf(page, 'Front').focus();
+  await page.keyboard.press('p');
+  await expect.poll(() => status(page)).toMatch(/pinned$/);
+  const before = await status(page);
+  await page.keyboard.press('r');
+  // the others are laid close to it
+  await expect
+    .poll(() => status(page))
+    .toMatch(/^Front stays as it lies: turned, it has no free place within [\d.]+ cm\.$/);
+  await rowOf(page, 'Back').focus();
+  await rowOf(page, 'Front').focus();
+  await expect.poll(() => status(page)).toBe(before);
+  // above all others there is room
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('ArrowUp');
+  await expect.poll(() => status(page)).not.toBe(before);
+  await expect.poll(start).toBeGreaterThan(60);
+  const from = await start();
+  await page.keyboard.press('r');
+  await expect.poll(() => status(page)).toMatch(/turned 180°, pinned$/);
+  expect(Math.abs((await start()) - from)).toBeLessThan(12);
+});
+
+it('tells what pins cost apart from what the print does', async () => {
+  const page = await openCloth();
+  const cost = async (): Promise<string | undefined> =>
+    /The print costs [\d.]+ cm/.exec(await facts(page))?.[0];
+  await expect.poll(cost).toBeDefined();
+  const before = await cost();
+  await rowOf(page, 'Front').focus();
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('p');
+  await pane(page).getByRole('button', {name: 'Pack the rest'}).click();
+  await laid(page);
+  await expect.poll(() => facts(page)).toMatch(/Your pins cost [\d.]+ cm more/);
+  await expect.poll(cost).toBe(before);
+  const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  expect(plan.lengthCm).toBeGreaterThan(plan.unpinnedLengthCm ?? Infinity);
+});
+
+it('lists its keys, and none of the pattern, which it takes the place of', async () => {
+  const page = await openCloth();
+  const keys = page.locator('sw-key-map [popover]');
+  await pane(page).locator('.application').focus();
+  await page.keyboard.press('?');
+  await keys.waitFor();
+  const all = await keys.innerText();
+  for (const [key, meaning] of [
+    ['←  →  ↑  ↓', 'Move the piece to the next free place'],
+    ['Alt ←  →  ↑  ↓', 'The same, even where others lie'],
+    ['R', 'Turn'],
+    ['P', 'Pin'],
+    ['Delete', 'Take off the cloth'],
+    ['A', 'Pack the rest'],
+    ['X', 'Mark a flaw'],
+    ['Shift N', 'Piece before'],
+  ] as const) {
+    const shown = keys.locator('dt', {hasText: new RegExp(`^${key}$`)});
+    await expect.poll(() => shown.count(), {message: key}).toBe(1);
+    await expect
+      .poll(() => shown.locator('xpath=following-sibling::dd[1]').innerText())
+      .toBe(meaning);
+  }
+  expect(all).not.toContain('Hold for before');
+});
+
+it('leads from a print of unknown size to where that is entered', async () => {
+  const page = await openCloth();
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    const print = workbench?.design?.print;
+    if (print) workbench.change({print: {...print, unscaled: true}});
+  });
+  await expect.poll(() => said(page)).toMatch(/^The size of this print is unknown/);
+  await pane(page).getByRole('button', {name: 'Enter its size'}).click();
+  const width = page.locator('sw-repeat-fields').getByLabel('Repeat width (cm)');
+  await expect.poll(() => width.evaluate((field) => field.matches(':focus'))).toBe(true);
+  await page.keyboard.type('12');
+  await page.keyboard.press('Enter');
+  await laid(page);
 });
 
 it('leaves what is pinned where it is when it packs the rest', async () => {
@@ -147,6 +276,7 @@ it('lets a piece be dragged: to the nearest free place, or with Alt on others, w
   await expect
     .poll(() => panel(page).locator('.pieces').innerText())
     .toContain('Back overlaps Front');
+  await expect.poll(() => bought(page)).toMatch(/^\d pieces cannot be cut where they lie$/);
   await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Front'}).count()).toBe(1);
   await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Back'}).count()).toBe(1);
 });
@@ -214,6 +344,20 @@ it('takes a piece off the cloth, until it is packed again', async () => {
     .poll(() => status(page))
     .toBe('Sleeve left is off the cloth; packing brings it back.');
   await expect.poll(() => rowOf(page, 'Sleeve left').textContent()).toMatch(/not on the cloth/);
+  // there is nothing to buy by yet
+  await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
+  await expect.poll(() => facts(page)).toMatch(/^The others lie on [\d.]+ cm, \d+ % used/);
+  expect(await facts(page)).not.toMatch(/Proven|At best/);
+  const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  expect(plan).toMatchObject({proven: false, boundCm: 0, unplaced: [{piece: 'sleeve_left'}]});
+  const svg = await saved(page, 'Save lay plan (SVG)');
+  expect(svg).toContain('of the pieces that lie');
+  expect(svg).not.toMatch(/>(Buy|proven)/);
+  for (const name of ['Front', 'Back', 'Sleeve right']) {
+    await rowOf(page, name).focus();
+    await page.keyboard.press('Delete');
+  }
+  await expect.poll(() => bought(page)).toBe('4 pieces do not lie yet');
   await expect
     .poll(() => button(page, 'Undo').getAttribute('title'))
     .toBe('Undo: taking off the cloth');

@@ -150,3 +150,36 @@ it('proposes the paper of its user, and remembers what was saved', async () => {
   await savedCut(page, 'PDF');
   expect(await opened()).toBe('projector');
 });
+
+it('says of a print of unknown size nothing but that, and leads to where it is entered', async () => {
+  const page = await openPage();
+  await squaresShown(page);
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    const print = workbench?.design?.print;
+    if (print) workbench.change({print: {...print, unscaled: true}});
+  });
+  await solved(page);
+  await page.keyboard.press('Control+Shift+S');
+  const dialog = dialogOf(page);
+  const save = dialog.getByRole('button', {name: 'Save PDF'});
+  await expect
+    .poll(() => dialog.locator('figcaption').innerText())
+    .toMatch(/^The size of this print is unknown: .*\s+Enter its size$/);
+  await expect.poll(() => save.isDisabled()).toBe(true);
+  // another file or paper changes nothing of that
+  await dialog.getByLabel('Paper').selectOption('a0');
+  await expect.poll(() => dialog.getByText(/unknown/).count()).toBe(1);
+  await expect.poll(() => dialog.getByText(/Laying the pieces out/).count()).toBe(0);
+  expect(await barriers(page)).toEqual([]);
+  await dialog.getByRole('button', {name: 'Enter its size'}).click();
+  await expect.poll(() => dialog.isVisible()).toBe(false);
+  const width = page.locator('sw-repeat-fields').getByLabel('Repeat width (cm)');
+  await expect.poll(() => width.evaluate((field) => field.matches(':focus'))).toBe(true);
+  await page.keyboard.type('12');
+  await page.keyboard.press('Enter');
+  await solved(page);
+  await page.keyboard.press('Control+Shift+S');
+  await expect.poll(() => save.isEnabled()).toBe(true);
+  await expect.poll(() => dialog.locator('figcaption').innerText()).toMatch(/page/);
+});

@@ -2,7 +2,9 @@
 import {describe, expect, it} from 'vitest';
 
 import {
+  costWords,
   lengthRange,
+  lyingWords,
   placeWords,
   pointWords,
   roundedLength,
@@ -10,6 +12,8 @@ import {
 } from '@/editor/cloth/cloth-words.js';
 import {FlawTool} from '@/editor/cloth/flaw-tool.js';
 import type {Bolt} from '@/marker/places.js';
+import type {LayPlan} from '@/model/lay-plan.js';
+import {aroundPins} from '@/model/pinned-plan.js';
 import {signedArea} from '@/model/polyline.js';
 import {inFontLetters, widthOf} from '@/paper/pdf-text.js';
 import {clothTexts} from '@/texts/cloth-texts.js';
@@ -42,6 +46,39 @@ describe('the length of cloth', () => {
   });
 });
 
+describe('what the print costs', () => {
+  const plan = {lengthCm: 90, freeLengthCm: 80, unplaced: []} as unknown as LayPlan;
+  const said = (one: LayPlan) => costWords(one, words, cm);
+  const pinned = (lengthCm: number, before?: LayPlan): LayPlan =>
+    aroundPins({...plan, lengthCm, freeLengthCm: 79}, before);
+
+  it('is what it takes more than the same pieces without it', () => {
+    expect(said(plan)).toEqual(['The print costs 10 cm']);
+    expect(said({...plan, freeLengthCm: 89.8})).toEqual(['The print costs no cloth']);
+    expect(said({...plan, freeLengthCm: null})).toEqual([]);
+  });
+
+  it('is the same with pins, which are told of apart', () => {
+    const first = pinned(102, plan);
+    expect(said(first)).toEqual(['The print costs 10 cm', 'Your pins cost 12 cm more']);
+    expect(said(pinned(104, first))).toEqual([
+      'The print costs 10 cm',
+      'Your pins cost 14 cm more',
+    ]);
+    expect(said(pinned(90, plan))).toEqual(['The print costs 10 cm', 'Your pins cost no cloth']);
+    // pins that are better than what was found before
+    expect(said(pinned(86, plan))).toEqual(['The print costs 6 cm', 'Your pins cost no cloth']);
+  });
+
+  it('is told with that of pins where nobody knows how the pieces lie without them', () => {
+    expect(said(pinned(102))).toEqual(['The print and your pins together cost 23 cm']);
+  });
+
+  it('is not known while pieces do not lie', () => {
+    expect(said({...plan, unplaced: [{result: 0, copy: 0, piece: 'front'}]})).toEqual([]);
+  });
+});
+
 describe('a place on cloth', () => {
   it('is counted in repeats, or measured', () => {
     expect(pointWords([23, 12], bolt, words, cm)).toBe(
@@ -65,6 +102,9 @@ describe('a place on cloth', () => {
     };
     const turned = {piece, place: {angle: Math.PI, translation: [31, 20] as const}};
     expect(placeWords(turned, bolt, words, cm)).toMatch(/from the start, turned 180°$/);
+    expect(lyingWords(turned, bolt, words, cm)).toBe(
+      '4th repeat from the left, 12 cm from the start, turned 180°',
+    );
   });
 
   it.each([

@@ -165,6 +165,25 @@ describe('the plan as SVG', () => {
     expect(all).toContain('Front, garment 2');
   });
 
+  it('says no length to buy, and proves nothing, while pieces have no place', () => {
+    const all = wordsIn(
+      drawPlanSvg({...plan, unplaced: [{result: 0, copy: 0, piece: 'back'}]}, options),
+    );
+    expect(all).toContain('of the pieces that lie');
+    for (const one of ['Buy', '0.25 m', 'proven: none is shorter', 'The print costs']) {
+      expect(all).not.toContain(one);
+    }
+  });
+
+  it('tells what pins cost apart from the print', () => {
+    const {lengthCm} = plan;
+    const pinned = {...plan, lengthCm: lengthCm + 5, unpinnedLengthCm: lengthCm};
+    const all = wordsIn(drawPlanSvg(pinned, options));
+    expect(all).toContain('without it 20 cm');
+    expect(all).toContain('2 cm');
+    expect(all.join()).toContain('Pinned pieces cost 5 cm more.');
+  });
+
   it('shows no print and no crosses where the print does not matter', () => {
     const svg = drawPlanSvg({...plan, printOrigin: null, phases: []}, options);
     expectXml(svg);

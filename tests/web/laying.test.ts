@@ -182,6 +182,47 @@ describe('pieces on their cloth', () => {
     expect(laying.isMoved).toBe(true);
   });
 
+  it('are no plan to buy by while one of them is off the cloth', async () => {
+    const {laying} = await laidOut();
+    laying.remove(1);
+    expect(laying.plan).toMatchObject({proven: false, boundCm: 0, freeLengthCm: 8});
+    expect(laying.plan?.unplaced.map(({piece}) => piece)).toEqual(['right_half']);
+    laying.remove(0);
+    expect(laying.plan).toMatchObject({lengthCm: 0, proven: false});
+    expect([laying.undo(), laying.undo(), laying.plan?.proven]).toEqual([true, true, true]);
+  });
+
+  it('keep in mind around pins what they took without, on the same cloth', async () => {
+    const {laying, asked} = await laidOut();
+    expect(laying.plan).not.toHaveProperty('unpinnedLengthCm');
+    laying.togglePin(1);
+    for (const k of [1, 2]) {
+      laying.pack();
+      await settled();
+      asked[k]?.answer({places: [placed(2, 13), placed(12, 3)], freeLengthCm: 5});
+      await settled();
+      expect(laying.plan).toMatchObject({unpinnedLengthCm: 8, freeLengthCm: 8});
+      expect(laying.plan?.lengthCm).toBeCloseTo(18);
+    }
+    laying.setFlaws([
+      [
+        [0, 90],
+        [1, 90],
+        [1, 91],
+      ],
+    ]);
+    await settled();
+    asked[3]?.answer({places: [placed(2, 13), placed(12, 3)], freeLengthCm: 5});
+    await settled();
+    expect(laying.plan).toMatchObject({unpinnedLengthCm: null, freeLengthCm: 5});
+    laying.togglePin(1);
+    laying.pack();
+    await settled();
+    asked[4]?.answer();
+    await settled();
+    expect(laying.plan).not.toHaveProperty('unpinnedLengthCm');
+  });
+
   it('keep off flaws, on cloth whose print stays', async () => {
     const {laying, asked} = await laidOut();
     const flaw = [

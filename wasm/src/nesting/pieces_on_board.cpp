@@ -70,7 +70,8 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
   for (const NestingPiece& piece : problem.pieces) {
     LayItem item;
     item.garment = piece.garment;
-    if (piece.pin)
+    // what the print costs does not depend on pins
+    if (piece.pin && ignores_print == problem.ignores_print)
       addPin(piece, problem, &item);
     else
       addWays(piece, problem, &item);
@@ -171,7 +172,8 @@ void PiecesOnBoard::addPin(const NestingPiece& piece, const NestingProblem& prob
   way.linear = piece.pin->linear();
   way.angle = piece.pin->angle;
   way.is_up = (way.linear * piece.up).y() > -1e-6;
-  way.offset = piece.pin->shift - Vec2(problem.phases.front(), problem.start.value_or(0));
+  const double left = ignores_print_ ? problem.selvedge : problem.phases.front();
+  way.offset = piece.pin->shift - Vec2(left, problem.start.value_or(0));
   way.placed = static_cast<int>(placed_.size());
   placed_.push_back({addShape(piece.outline, way.linear), rounded(way.offset),
                      static_cast<int>(items_.size()), true});

@@ -4,7 +4,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {askedSymmetries} from '../model/design.js';
 import {canAlign} from './commands/can-align.js';
 import {redoWords, undoWords} from './commands/step-words.js';
-import type {Command} from './commands/command.js';
+import type {KeyList} from './commands/command-for.js';
 import type {ShortcutId} from './commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
@@ -14,6 +14,7 @@ import {defineParts} from './parts.js';
 import type {LensCursor} from './pattern/marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
 import type {PhotoWanted} from './print/print-files.js';
+import type {PrintPanel} from './print/print-panel.js';
 import type {WornPane} from './worn/worn-pane.js';
 import {register} from './base/register.js';
 import type {KeyMap} from './shell/key-map.js';
@@ -92,6 +93,7 @@ export class Editor extends WorkbenchElement {
     }
     this.addEventListener('sw-lens-wanted', () => void this.#toLens());
     this.addEventListener('sw-photo-wanted', (event) => void this.#toPhoto(event as PhotoWanted));
+    this.addEventListener('sw-size-wanted', () => void this.#toSize());
     this.addEventListener('sw-grain-wanted', () => {
       const {pattern} = this;
       if (pattern?.tools.active !== 'grain') pattern?.tools.toggle('grain');
@@ -164,6 +166,13 @@ export class Editor extends WorkbenchElement {
     await loadLaterParts();
     await this.updateComplete;
     this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
+  }
+
+  /** Where it is narrow, the fields are on a sheet. */
+  async #toSize(): Promise<void> {
+    this.sheet = 'print';
+    await this.updateComplete;
+    this.renderRoot.querySelector<PrintPanel>('sw-print-panel')?.toSize();
   }
 
   /** A seam that somebody picks in the pattern is to be seen from near. */
@@ -299,10 +308,9 @@ export class Editor extends WorkbenchElement {
     </div>`;
   }
 
-  readonly #keysOfView = (): readonly Command[] => (this.worn ?? this.cloth)?.commands ?? [];
+  readonly #keysOfView = (): KeyList => (this.worn ?? this.cloth)?.keys ?? [];
 
-  readonly #keysOfSewing = (): readonly (readonly [string, string])[] =>
-    this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
+  readonly #keysOfSewing = (): KeyList => this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
 
   /** Commands whose keys work here. */
   get #known(): readonly ShortcutId[] {

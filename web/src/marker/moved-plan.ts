@@ -6,6 +6,8 @@ import type {MarkerOrder} from './problem.js';
 
 /** A length that is greater than the bound by less is as short as it can be. */
 const sameLength = 0.05;
+/** Of lengths, which are sums. [cm] */
+const rounding = 1e-6;
 
 type Pieces = Pick<MarkerOrder, 'pieces'> & {
   readonly problem: Pick<MarkerOrder['problem'], 'pieces'>;
@@ -33,13 +35,17 @@ export function movedPlan(
       ? [{...piece, ...place, cut: asked.outline.map((p) => onPiece(place, p))}]
       : [];
   });
+  const unplaced = pieces.filter((_, k) => !places[k]);
   const lengthCm = Math.max(0, boxOf(placements.flatMap(({cut}) => cut)).high[1]);
-  const boundCm = Math.min(plan.boundCm, lengthCm);
+  // what is known of all pieces says nothing of some of them
+  const boundCm = unplaced.length > 0 ? 0 : Math.min(plan.boundCm, lengthCm);
   const area = placements.reduce((sum, {cut}) => sum + signedArea(cut), 0);
   return {
     ...plan,
+    // what it costs that it was moved is no cost of the print
+    freeLengthCm: Math.abs(lengthCm - plan.lengthCm) < rounding ? plan.freeLengthCm : null,
     ...{placements, lengthCm, boundCm, useShare: area / (plan.widthCm * lengthCm || 1)},
-    proven: plan.proven && lengthCm - boundCm < sameLength,
-    unplaced: pieces.filter((_, k) => !places[k]),
+    proven: unplaced.length === 0 && plan.proven && lengthCm - boundCm < sameLength,
+    unplaced,
   };
 }

@@ -81,8 +81,10 @@ export interface LayPlan {
   readonly boundCm: number;
   /** Whether the bound is the length. */
   readonly proven: boolean;
-  /** Of the same pieces, laid with as much effort without regard to the print; null where nobody asked. */
+  /** Of the same pieces, laid with as much effort without regard to the print and to pins; null where that is not known. */
   readonly freeLengthCm: number | null;
+  /** Of the same pieces on the print before any was pinned, null where they were not laid so; absent where none is pinned. */
+  readonly unpinnedLengthCm?: number | null;
   /** By where the print starts, where that was not said; else the one phase. */
   readonly phases: readonly PhaseLength[];
   readonly widths: readonly WidthLength[];

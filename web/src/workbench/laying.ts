@@ -1,5 +1,6 @@
 /** The answer to the present design laid on cloth: for as long as somebody looks at it, with what is moved there by hand. */
 import {placesIn} from '../marker/moved-plan.js';
+import {aroundPins} from '../model/pinned-plan.js';
 import type {Bolt} from '../marker/places.js';
 import type {DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
@@ -208,7 +209,8 @@ export class Laying extends Observable {
     const {history, step} = work;
     const next = {...step, ...change, failure: undefined};
     work.history = step.plan ? stepped(history, next) : amended(history, next);
-    if (packs) void this.#run(work);
+    const isSameCloth = next.choices === step.choices && next.flaws === step.flaws;
+    if (packs) void this.#run(work, isSameCloth ? step.plan : undefined);
     else this.#become({kind: 'done'});
   }
 
@@ -263,7 +265,8 @@ export class Laying extends Observable {
     return garment && design && {design, garment, result, step};
   }
 
-  async #run(work: ClothWork): Promise<void> {
+  /** @param before a plan of the same pieces on the same cloth */
+  async #run(work: ClothWork, before?: LayPlan): Promise<void> {
     const toLay = this.#toLay(work);
     if (!toLay) return;
     const {step} = toLay;
@@ -278,7 +281,8 @@ export class Laying extends Observable {
           this.#state = {kind: 'laying', fraction};
           this.changedOften();
         },
-        onPlan: (order, plan) => {
+        onPlan: (order, found) => {
+          const plan = step.pins.size > 0 ? aroundPins(found, before) : found;
           const isFirst = this.#work !== work;
           work.order = order;
           work.history = amended(work.history, {...step, plan, places: placesIn(order, plan)});

@@ -2,6 +2,7 @@
 import {html, type TemplateResult} from 'lit';
 
 import {controls, WorkbenchElement, icon, type NumberField} from '../../editor/index.js';
+import {wantSize} from '../../editor/print/size-wanted.js';
 import type {SolveResult} from '../../model/result.js';
 import type {CutTexts} from '../../texts/cut-texts.js';
 import {keepChoices, storedChoices, type CutChoices} from './cut-choices.js';
@@ -50,6 +51,7 @@ export class CutDialog extends WorkbenchElement {
     this.#laid = undefined;
     this.plan = undefined;
     this.isRenewed = false;
+    this.trouble = undefined;
     await this.updateComplete;
     if (!this.#dialog?.open) this.#dialog?.showModal();
     this.#follow();
@@ -106,11 +108,31 @@ export class CutDialog extends WorkbenchElement {
   }
 
   /** Why there is no plan. */
-  #why(): string {
+  #why(): TemplateResult | string {
     const {words} = this;
-    if (this.#answer) return words.planning;
+    if (this.#isUnscaled) return this.#refusal();
+    if (this.#answer) return this.trouble === undefined ? words.planning : '';
     const {kind} = this.workbench.state;
     return kind === 'failed' || kind === 'stale' ? words.unsolved : words.waiting;
+  }
+
+  /** Nothing is cut by a print of unknown size. */
+  #refusal(): TemplateResult {
+    return html`<span class="error">${this.texts.print.unscaled}</span>
+      <button
+        class="outlined"
+        autofocus
+        @click=${() => {
+          this.#close();
+          wantSize(this);
+        }}
+      >
+        ${this.words.toSize}
+      </button>`;
+  }
+
+  get #isUnscaled(): boolean {
+    return this.workbench.design?.print.unscaled === true;
   }
 
   #caption({pages, widthCm, heightCm}: CutPlan): TemplateResult {
@@ -126,7 +148,7 @@ export class CutDialog extends WorkbenchElement {
 
   #foot(): TemplateResult {
     const {words, making, trouble, choices} = this;
-    const usual = choices.file === 'pdf' ? words.atFullSize : '';
+    const usual = choices.file === 'pdf' && !this.#isUnscaled ? words.atFullSize : '';
     const hint = this.isRenewed ? words.renewed : usual;
     return html`<footer>
       <p
@@ -139,7 +161,7 @@ export class CutDialog extends WorkbenchElement {
       <button
         class="primary"
         autofocus
-        ?disabled=${making === 'file' || !this.#answer}
+        ?disabled=${making === 'file' || !this.#cuttable}
         @click=${() => void this.#make()}
       >
         ${words.save(words.files[choices.file])}
@@ -154,7 +176,7 @@ export class CutDialog extends WorkbenchElement {
 
   #choose(change: Partial<CutChoices>): void {
     this.choices = {...this.choices, ...change};
-    if (this.#answer) void this.#lay();
+    if (this.#cuttable) void this.#lay();
   }
 
   get #dialog(): HTMLDialogElement | null {
@@ -167,9 +189,14 @@ export class CutDialog extends WorkbenchElement {
     return garment && result;
   }
 
+  /** The same, where files can be made of it. */
+  get #cuttable(): SolveResult | undefined {
+    return this.#isUnscaled ? undefined : this.#answer;
+  }
+
   /** Shows what there is to cut, and no more what was there before. */
   #follow(): void {
-    const answer = this.#answer;
+    const answer = this.#cuttable;
     if (answer === this.#laid) return;
     this.isRenewed ||= this.plan !== undefined;
     this.#laid = answer;

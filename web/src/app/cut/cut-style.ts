@@ -80,6 +80,15 @@ export const cutStyle = css`
   figcaption {
     text-align: center;
   }
+  figcaption:has(.error) {
+    display: grid;
+    grid-row: 1 / -1;
+    place-content: center;
+    justify-items: center;
+    gap: var(--sw-space-3);
+    max-width: 22rem;
+    margin: auto;
+  }
   figcaption b {
     font-size: var(--sw-text-large);
   }

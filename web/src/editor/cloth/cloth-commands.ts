@@ -1,6 +1,7 @@
 /** What can be done to the pieces on their cloth, by a key or by its name. */
 import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Texts} from '../../texts/texts.js';
+import {keysOf, type KeyList} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
 
 /** The cloth as keys and commands see it. */
@@ -20,13 +21,9 @@ interface CommandedCloth {
 /** One notch of zoom by a key. */
 const notch = 1.25;
 
-export function clothCommands(
-  cloth: CommandedCloth,
-  {commands, pattern}: Texts,
-  words: ClothTexts,
-): readonly Command[] {
-  const {view, zoom} = commands.also;
-  const looks: readonly Command[] = [
+function looking(cloth: CommandedCloth, {commands, pattern}: Texts): readonly Command[] {
+  const {zoom} = commands.also;
+  return [
     {
       ...{id: 'fit cloth', title: pattern.fit, key: '0', words: zoom},
       run: () => {
@@ -46,9 +43,11 @@ export function clothCommands(
       },
     },
   ];
-  if (!cloth.isReady) return looks;
+}
+
+function handling(cloth: CommandedCloth, {commands}: Texts, words: ClothTexts): readonly Command[] {
+  const {view} = commands.also;
   return [
-    ...looks,
     {
       ...{id: 'next laid piece', title: words.nextPiece, key: 'N', words: view},
       run: () => {
@@ -91,5 +90,28 @@ export function clothCommands(
         cloth.toggleFlawTool();
       },
     },
+  ];
+}
+
+export const clothCommands = (
+  cloth: CommandedCloth,
+  texts: Texts,
+  words: ClothTexts,
+): readonly Command[] => [
+  ...looking(cloth, texts),
+  ...(cloth.isReady ? handling(cloth, texts, words) : []),
+];
+
+/** All keys of the view, whether or not there is anything to use them on just now. */
+export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
+  const {move, moveOnto, turnOnto, leave, closeFlaw} = words.keys;
+  const arrows = '←  →  ↑  ↓';
+  return [
+    [arrows, move],
+    [`Alt ${arrows}`, moveOnto],
+    ...keysOf([...handling(cloth, texts, words), ...looking(cloth, texts)]),
+    ['Alt R', turnOnto],
+    ['Enter', closeFlaw],
+    ['Esc', leave],
   ];
 }

@@ -8,7 +8,8 @@ import {
   turnsOf,
   type Bolt,
 } from '../../marker/places.js';
-import {wrapped, type Alignment, type Point} from '../../model/geometry.js';
+import {minus, norm, wrapped, type Alignment, type Point} from '../../model/geometry.js';
+import {reducedBasis} from '../../model/wallpaper.js';
 import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {placesOf} from './piece-drag.js';
 
@@ -19,6 +20,29 @@ export const ways: Readonly<Record<string, Point>> = {
   ArrowDown: [0, -1],
 };
 
+/** Where a piece goes. */
+interface Move {
+  readonly place: Alignment;
+  /** How far from where it was looked for, where nearer places are taken; undefined where it is the nearest. [cm] */
+  readonly fartherCm: number | undefined;
+}
+
+/** @param from where it is looked for @param takes whether it may be where others lie */
+function moveTo(
+  places: Places,
+  cost: (at: Point) => number,
+  from: Point,
+  takes: boolean,
+): Move | undefined {
+  const nearest = places.leastOfAll(cost);
+  const translation = takes ? nearest : places.least(cost);
+  if (!translation) return undefined;
+  return {
+    place: {angle: places.angle, translation},
+    fartherCm: translation === nearest ? undefined : norm(minus(translation, from)),
+  };
+}
+
 /** The next place in a direction; undefined where there is none. @param takes whether it may be where others lie */
 export function placeOn(
   pieces: readonly PieceOnCloth[],
@@ -26,20 +50,30 @@ export function placeOn(
   bolt: Bolt,
   way: Point,
   takes: boolean,
-): Alignment | undefined {
+): Move | undefined {
   const places = placesOf(pieces, pieces.indexOf(piece), bolt);
-  const cost = onFrom(piece.place.translation, way);
-  const translation = takes ? places?.leastOfAll(cost) : places?.least(cost);
-  return places && translation && {angle: places.angle, translation};
+  const {translation} = piece.place;
+  return places && moveTo(places, onFrom(translation, way), translation, takes);
 }
 
-/** The nearest place at its next turn that has one; undefined where it has no other turn. */
+/** What lies further away than this, or than one repeat, is not near. Chosen: a hand's breadth. [cm] */
+const leastReach = 10;
+
+/** How far a pinned piece may go when it is turned: somebody wants it about there. [cm] */
+export const reachOfPinned = ({repeat: {w1, w2}}: Bolt): number =>
+  Math.max(leastReach, ...reducedBasis(w1, w2).map(norm));
+
+/** Whether it has more than one turn, wherever that is free. */
+export const canTurn = ({piece}: PieceOnCloth, bolt: Bolt): boolean =>
+  turnsOf(piece, bolt).length > 1;
+
+/** The nearest place at its next turn that has one; undefined where it has none. @param reach how far it may go [cm] */
 export function placeTurned(
   pieces: readonly PieceOnCloth[],
   piece: PieceOnCloth,
   bolt: Bolt,
-  takes: boolean,
-): Alignment | undefined {
+  {takes, reach}: {readonly takes: boolean; readonly reach: number},
+): Move | undefined {
   const turns = turnsOf(piece.piece, bolt);
   const k = pieces.indexOf(piece);
   let {angle} = piece.place;
@@ -48,9 +82,11 @@ export function placeTurned(
     if (!turn || Math.abs(wrapped(turn.angle - piece.place.angle)) < 1e-6) return undefined;
     angle = turn.angle;
     const places = new Places(pieces, k, turn, bolt);
-    const near = apartFrom(turnedInPlace(piece, angle));
-    const translation = takes ? places.leastOfAll(near) : places.least(near);
-    if (translation) return {angle, translation};
+    const inPlace = turnedInPlace(piece, angle);
+    const apart = apartFrom(inPlace);
+    const near = (at: Point): number => (apart(at) <= reach ** 2 ? apart(at) : Infinity);
+    const move = moveTo(places, near, inPlace, takes);
+    if (move) return move;
   }
   return undefined;
 }

@@ -5,11 +5,12 @@ import {usedLength} from '../../marker/places.js';
 import type {Point} from '../../model/geometry.js';
 import {lastOf} from '../../workbench/last-of.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
-import {commandFor} from '../commands/command-for.js';
+import {commandFor, type KeyList} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
+import {wantSize} from '../print/size-wanted.js';
 import {controls} from '../style/controls.js';
 import {clothBar, clothZoom} from './cloth-bar.js';
-import {clothCommands} from './cloth-commands.js';
+import {clothCommands, clothKeys} from './cloth-commands.js';
 import {PieceActions} from './piece-actions.js';
 import {ways} from './cloth-moves.js';
 import {clothFiles} from './cloth-files.js';
@@ -17,8 +18,9 @@ import {ClothPointing, type PointedCloth} from './cloth-pointing.js';
 import {clothSheet, type Dragged} from './cloth-sheet.js';
 import {clothStatus, spokenStatus} from './cloth-status.js';
 import {clothStyle} from './cloth-style.js';
-import {conflicts, conflictWords, placeWords, roundedLength} from './cloth-words.js';
+import {conflicts, conflictWords, lyingWords, roundedLength} from './cloth-words.js';
 import {layStepWords} from './lay-step-words.js';
+import {scrollTo} from './scroll-to.js';
 import {margin, type SheetFrame} from './sheet-frame.js';
 import {sheetStyle} from './sheet-style.js';
 
@@ -62,11 +64,16 @@ export class ClothPane extends PieceActions {
     return clothCommands(this, this.texts, this.words);
   }
 
+  /** All that have a meaning here. */
+  get keys(): KeyList {
+    return clothKeys(this, this.texts, this.words);
+  }
+
   /** What can be had just now: nothing while pieces lie on each other. */
   get files(): ReturnType<typeof clothFiles> {
     const {words, workbench} = this;
     const {plan, print} = this.laying;
-    const isGood = plan && print && this.isReady && this.#conflicts.size === 0;
+    const isGood = plan?.placements.length && print && this.isReady && this.#conflicts.size === 0;
     return isGood ? clothFiles(plan, {words, workbench, print}) : [];
   }
 
@@ -84,10 +91,12 @@ export class ClothPane extends PieceActions {
   /** @returns whether there was something to take back */
   undo(): boolean {
     this.#pointing.cancel();
+    this.say(''); // it may not be so any more
     return this.laying.undo();
   }
 
   redo(): boolean {
+    this.say('');
     return this.laying.redo();
   }
 
@@ -125,9 +134,13 @@ export class ClothPane extends PieceActions {
     if (this.isConnected) this.#end ??= this.laying.show();
     const application = this.renderRoot.querySelector('.application');
     if (application) this.#observer?.observe(application);
-    if (!application || this.#isAtStart || !this.renderRoot.querySelector('.sheet')) return;
+    if (!application || !this.renderRoot.querySelector('.sheet')) return;
+    if (!this.#isAtStart) application.scrollTop = application.scrollHeight;
     this.#isAtStart = true;
-    application.scrollTop = application.scrollHeight;
+    const piece = this.renderRoot.querySelector('.piece.selected .line');
+    if (this.toBeSeen && piece) scrollTo(application, piece);
+    if (this.toBeSeen === 'on page') application.scrollIntoView({block: 'nearest'});
+    this.toBeSeen = undefined;
   }
 
   protected override render(): TemplateResult {
@@ -172,6 +185,7 @@ export class ClothPane extends PieceActions {
         .conflicts=${this.#conflicts}
         @sw-piece-chosen=${({detail}: CustomEvent<number>) => {
           this.choose(detail);
+          this.toBeSeen = 'on cloth';
         }}
         @keydown=${this.#pressInList}
       ></sw-cloth-panel>
@@ -225,9 +239,10 @@ export class ClothPane extends PieceActions {
     const {dragged} = this.#pointing;
     const piece = dragged ? {...dragged.piece, place: dragged.place} : this.selectedPiece;
     if (!piece || !bolt) return undefined;
-    const place = placeWords(piece, bolt, this.words, this.format);
+    const place = lyingWords(piece, bolt, this.words, this.format);
     const pinned = this.chosen?.isPinned ? `, ${this.words.pinned}` : '';
-    return `${this.labelOf(piece)}: ${place}${pinned}`;
+    const went = dragged || this.went === '' ? '' : ` (${this.went})`;
+    return `${this.labelOf(piece)}: ${place}${pinned}${went}`;
   }
 
   get #status(): Parameters<typeof clothStatus>[0] {
@@ -241,10 +256,15 @@ export class ClothPane extends PieceActions {
     return {
       ...{laying, words, format, why, said: this.said, isMarking: this.isMarking},
       isDragging: dragged !== undefined,
+      toSize: this.#toSize,
       ...{conflict: dragged ? this.#inWay(dragged) : (own ?? [...conflicts.values()][0])},
       place: this.#placeOfSelected,
     };
   }
+
+  readonly #toSize = (): void => {
+    wantSize(this);
+  };
 
   /** Keys work in the list of pieces, too; what presses buttons there does not. */
   readonly #pressInList = (event: KeyboardEvent): void => {

@@ -10,11 +10,16 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {ClothElement} from './cloth-element.js';
 import {clothFields} from './cloth-fields.js';
-import {flawWords, lengthRange, placeWords, roundedLength, soldLength} from './cloth-words.js';
+import {clothWidths} from './cloth-widths.js';
+import {
+  costWords,
+  flawWords,
+  leastCost,
+  lengthRange,
+  placeWords,
+  soldLength,
+} from './cloth-words.js';
 import {panelStyle} from './panel-style.js';
-
-/** What is dearer by less costs nothing, and what is shorter by less is as long. [cm] */
-const leastCost = 0.5;
 
 export class ClothPanel extends ClothElement {
   static override properties = {
@@ -48,7 +53,7 @@ export class ClothPanel extends ClothElement {
   protected override render(): TemplateResult {
     const {laying, words} = this;
     const {step, plan, state, isStale} = laying;
-    const isShown = plan !== undefined && state.kind !== 'failed' && laying.pieces.length > 0;
+    const isShown = plan !== undefined && state.kind !== 'failed';
     return html`<section aria-label=${words.panel} class=${isStale ? 'stale' : ''}>
         ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#fields()}
       </section>
@@ -58,25 +63,45 @@ export class ClothPanel extends ClothElement {
 
   #result(plan: LayPlan): TemplateResult {
     const {words, format, laying} = this;
-    const {units} = this.workbench.preferences;
-    const {lengthCm, useShare, boundCm, proven, phases} = plan;
-    const isDone = laying.state.kind === 'done';
-    return html`<h2 class="buy">${words.buy(soldLength(lengthCm, units, words, format))}</h2>
+    const {lengthCm, useShare, phases, placements, unplaced} = plan;
+    const used = [format.length(lengthCm), format.percent(useShare)] as const;
+    return html`<h2 class="buy">${this.#headline(plan)}</h2>
       <ul class="facts">
-        <li>${words.used(format.length(lengthCm), format.percent(useShare))}</li>
-        ${proven ? html`<li>${icon.result} ${words.proven}</li>` : nothing}
         ${
-          !proven && isDone && boundCm > 0
-            ? html`<li>${words.bound(format.length(boundCm))}</li>`
-            : nothing
+          placements.length === 0
+            ? nothing
+            : html`<li>${unplaced.length > 0 ? words.lying(...used) : words.used(...used)}</li>`
         }
+        ${this.#isWhole(plan) ? this.#proof(plan) : nothing}
         ${
           laying.isMoved
             ? html`<li>${words.moved}</li>` // all else is of the plan before
-            : html`${this.#cost(plan)} ${this.#range(phases)} ${this.#offers(plan)}`
+            : html`${this.#costs(plan)} ${this.#range(phases)} ${this.#offers(plan)}`
         }
         ${this.#notes(plan).map((note) => html`<li>${note}</li>`)}
       </ul>`;
+  }
+
+  /** All pieces can be cut as they lie, so that its length is one to buy. */
+  #isWhole({unplaced}: LayPlan): boolean {
+    return unplaced.length === 0 && this.conflicts.size === 0;
+  }
+
+  #headline(plan: LayPlan): string {
+    const {words, format, conflicts} = this;
+    const {lengthCm, unplaced} = plan;
+    if (unplaced.length > 0) return words.notLying(unplaced.length);
+    if (conflicts.size > 0) return words.notWell(conflicts.size);
+    return words.buy(soldLength(lengthCm, this.workbench.preferences.units, words, format));
+  }
+
+  #proof({proven, boundCm, unpinnedLengthCm}: LayPlan): TemplateResult | typeof nothing {
+    const {words, format, laying} = this;
+    const said = unpinnedLengthCm === undefined ? words.proven : words.provenPinned;
+    if (proven) return html`<li>${icon.result} ${said}</li>`;
+    return laying.state.kind === 'done' && boundCm > 0
+      ? html`<li>${words.bound(format.length(boundCm))}</li>`
+      : nothing;
   }
 
   /** What is not said by the figures already. */
@@ -95,13 +120,8 @@ export class ClothPanel extends ClothElement {
       );
   }
 
-  #cost({lengthCm, freeLengthCm}: LayPlan): TemplateResult | typeof nothing {
-    if (freeLengthCm === null) return nothing;
-    const cost = lengthCm - freeLengthCm;
-    const {words, format} = this;
-    return html`<li>
-      ${cost < leastCost ? words.costsNothing : words.costs(format.length(cost))}
-    </li>`;
+  #costs(plan: LayPlan): TemplateResult {
+    return html`${costWords(plan, this.words, this.format).map((words) => html`<li>${words}</li>`)}`;
   }
 
   /** Where nobody has measured where the print starts, how much hangs on it. */
@@ -261,46 +281,13 @@ export class ClothPanel extends ClothElement {
     </section>`;
   }
 
-  #widths({widths, widthCm}: LayPlan): TemplateResult | typeof nothing {
+  #widths(plan: LayPlan): TemplateResult | typeof nothing {
     const {laying, words, format} = this;
-    const {units} = this.workbench.preferences;
-    if (!widths.some(({lengthCm}) => lengthCm !== null)) return nothing;
-    return html`<table class="widths">
-      <caption>
-        ${words.widths}
-      </caption>
-      <thead>
-        <tr>
-          <th scope="col">${words.widthColumn}</th>
-          <th scope="col" class="number">${words.lengthColumn}</th>
-        </tr>
-      </thead>
-      <tbody>
-        ${widths.map(({widthCm: width, lengthCm}) => {
-          const label = format.length(width);
-          return html`<tr class=${width === widthCm ? 'present' : ''}>
-            <th scope="row">
-              ${
-                width === widthCm || lengthCm === null
-                  ? label
-                  : html`<button
-                      class="link"
-                      aria-label=${words.takeWidth(label)}
-                      title=${words.takeWidth(label)}
-                      @click=${() => {
-                        laying.choose({widthCm: width});
-                      }}
-                    >
-                      ${label}
-                    </button>`
-              }
-            </th>
-            <td class="number">
-              ${lengthCm === null ? words.nowhere : roundedLength(lengthCm, units, format)}
-            </td>
-          </tr>`;
-        })}
-      </tbody>
-    </table>`;
+    return clothWidths(plan, {
+      ...{units: this.workbench.preferences.units, words, format},
+      take: (widthCm) => {
+        laying.choose({widthCm});
+      },
+    });
   }
 }

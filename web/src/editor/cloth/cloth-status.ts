@@ -15,6 +15,8 @@ interface Status {
   readonly place: string | undefined;
   readonly isMarking: boolean;
   readonly isDragging: boolean;
+  /** Leads to where the size of the print is said. */
+  readonly toSize: () => void;
   readonly words: ClothTexts;
   readonly format: Format;
 }
@@ -47,6 +49,7 @@ export function clothStatus(status: Status): TemplateResult {
     case 'failed':
       return html`<p class="told bad" role="alert">
         ${why} ${passing.has(state.failure.code) ? again : nothing}
+        ${state.failure.code === 'unscaled' ? act(words.toSize, status.toSize) : nothing}
       </p>`;
     case 'done':
       return doneWords(status);

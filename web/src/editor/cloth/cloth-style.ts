@@ -66,6 +66,7 @@ export const clothStyle = css`
         100cqh - 2 * (var(--sw-target) + 1rem) - 3.5rem
       ); /* what there is to buy is seen */
       min-height: 12rem;
+      scroll-margin-top: calc(var(--sw-target) + 1rem); /* of what stays above it */
     }
     sw-cloth-panel {
       border-left: 0;

@@ -9,7 +9,9 @@ import {
   type LaidPiece,
   type Obstacles,
 } from '../../marker/places.js';
+import {layCosts} from '../../model/pinned-plan.js';
 import {degrees, type Point} from '../../model/geometry.js';
+import type {LayPlan} from '../../model/lay-plan.js';
 import {boxOf} from '../../model/polyline.js';
 import {fractionOrNumber, type Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/cloth-texts.js';
@@ -22,6 +24,8 @@ const yardCm = 91.44;
 const eighths = 8;
 /** What is longer by less is not. [cm] */
 const slack = 0.01;
+/** What is dearer by less costs nothing, and what is shorter by less is as long. [cm] */
+export const leastCost = 0.5;
 
 /** What there is to buy for a length, rounded up: "1.45 m", "1 5/8 yd". */
 export function soldLength(cm: number, units: Units, words: ClothTexts, format: Format): string {
@@ -48,6 +52,18 @@ export const lengthRange = (
     roundedLength(most, units, format),
   );
 
+/** What the print costs in cloth, and apart from it what pins do; the two together where nothing was laid without pins. */
+export function costWords(plan: LayPlan, words: ClothTexts, format: Format): readonly string[] {
+  const {printCm, pinsCm, bothCm} = layCosts(plan);
+  const said = (cm: number | undefined, none: string, cost: (length: string) => string) =>
+    cm === undefined ? [] : [cm < leastCost ? none : cost(format.length(cm))];
+  return [
+    ...said(printCm, words.costsNothing, words.costs),
+    ...said(pinsCm, words.pinsCostNothing, words.pinsCost),
+    ...said(bothCm, words.costsNothing, words.costsPinned),
+  ];
+}
+
 /** Where something begins: "3rd repeat from the left, 2nd from the start". */
 export function pointWords(at: Point, bolt: Bolt, words: ClothTexts, format: Format): string {
   const counted = countedRepeats(at, bolt);
@@ -56,11 +72,27 @@ export function pointWords(at: Point, bolt: Bolt, words: ClothTexts, format: For
     : words.atLength(format.length(at[0]), format.length(at[1]));
 }
 
-/** The same of a piece, and how it is turned. */
-export function placeWords(laid: LaidPiece, bolt: Bolt, words: ClothTexts, format: Format): string {
-  const turn = ((Math.round(degrees(laid.place.angle)) % 360) + 360) % 360;
-  const where = pointWords(boxAt(laid).low, bolt, words, format);
+function andTurn(where: string, {place}: LaidPiece, words: ClothTexts, format: Format): string {
+  const turn = ((Math.round(degrees(place.angle)) % 360) + 360) % 360;
   return turn === 0 ? where : `${where}, ${words.turned(format.number(turn))}`;
+}
+
+/** The same of a piece, and how it is turned. */
+export const placeWords = (
+  laid: LaidPiece,
+  bolt: Bolt,
+  words: ClothTexts,
+  format: Format,
+): string => andTurn(pointWords(boxAt(laid).low, bolt, words, format), laid, words, format);
+
+/** The same with how far along the cloth, which tells a move within a repeat, too: "3rd repeat from the left, 42 cm from the start". */
+export function lyingWords(laid: LaidPiece, bolt: Bolt, words: ClothTexts, format: Format): string {
+  const {low} = boxAt(laid);
+  const counted = countedRepeats(low, bolt);
+  const where = counted
+    ? words.atRow(counted.across, format.length(low[1]))
+    : pointWords(low, bolt, words, format);
+  return andTurn(where, laid, words, format);
 }
 
 /** Where a flaw is. */

@@ -6,7 +6,7 @@ import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {ClothElement} from './cloth-element.js';
-import {placeOn, placeTurned} from './cloth-moves.js';
+import {canTurn, placeOn, placeTurned, reachOfPinned} from './cloth-moves.js';
 
 export abstract class PieceActions extends ClothElement {
   static override properties = {
@@ -17,12 +17,16 @@ export abstract class PieceActions extends ClothElement {
   declare protected selected: number | undefined;
   /** What was done last, in words. */
   protected said = '';
+  /** How far the selected piece has just gone, in words, where nearer places are taken. */
+  protected went = '';
+  /** It has to come into sight: of the cloth, or on the page, too, wherever that is scrolled to. */
+  protected toBeSeen: 'on cloth' | 'on page' | undefined;
   /** What was picked last, here or elsewhere. */
   #target: Target | undefined;
 
   get isReady(): boolean {
-    const {laying} = this;
-    return !laying.isStale && laying.pieces.length > 0 && laying.bolt !== undefined;
+    const {bolt, isStale, state} = this.laying;
+    return !isStale && bolt !== undefined && state.kind !== 'failed';
   }
 
   walk(step: 1 | -1): void {
@@ -30,16 +34,32 @@ export abstract class PieceActions extends ClothElement {
     const from = pieces.findIndex(({number}) => number === this.selected);
     const first = step > 0 ? -1 : 0;
     const next = pieces[((from < 0 ? first : from) + step + pieces.length) % pieces.length];
-    if (next) this.choose(next.number);
+    if (!next) return;
+    this.choose(next.number);
+    this.toBeSeen = 'on cloth';
   }
 
+  /** What is pinned stays so, and about where it is. */
   turn(takes = false): void {
     const {bolt, pieces} = this.laying;
     const piece = this.selectedPiece;
     if (!bolt || !piece || !this.isReady) return;
-    const place = placeTurned(pieces, piece, bolt, takes);
-    if (place) this.move(piece, place);
-    else this.say(this.words.cannotTurn(this.labelOf(piece)));
+    const reach = this.chosen?.isPinned ? reachOfPinned(bolt) : Infinity;
+    const move = placeTurned(pieces, piece, bolt, {takes, reach});
+    if (move) {
+      this.#go(piece, move);
+      return;
+    }
+    const label = this.labelOf(piece);
+    const isHeld = canTurn(piece, bolt) && reach < Infinity;
+    const {cannotTurn, noTurnNear} = this.words;
+    this.say(isHeld ? noTurnNear(label, this.format.length(reach)) : cannotTurn(label));
+  }
+
+  #go(piece: PieceOnCloth, {place, fartherCm}: NonNullable<ReturnType<typeof placeOn>>): void {
+    this.move(piece, place);
+    this.toBeSeen = 'on page';
+    if (fartherCm !== undefined) this.went = this.words.farther(this.format.length(fartherCm));
   }
 
   takeOff(): void {
@@ -128,6 +148,7 @@ export abstract class PieceActions extends ClothElement {
 
   protected say(text: string): void {
     this.said = text;
+    this.went = '';
     this.requestUpdate();
   }
 
@@ -146,8 +167,8 @@ export abstract class PieceActions extends ClothElement {
       this.walk(1);
       return true;
     }
-    const place = placeOn(pieces, piece, bolt, way, takes);
-    if (place) this.move(piece, place);
+    const move = placeOn(pieces, piece, bolt, way, takes);
+    if (move) this.#go(piece, move);
     else this.say(this.words.noWay(this.labelOf(piece)));
     return true;
   }

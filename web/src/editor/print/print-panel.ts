@@ -8,6 +8,7 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Samples} from '../../workbench/samples.js';
+import type {RepeatFields} from './repeat-fields.js';
 import {OpenEdgesError, printFiles, type PhotoOfCloth} from './print-files.js';
 
 export class PrintPanel extends WorkbenchElement {
@@ -34,6 +35,11 @@ export class PrintPanel extends WorkbenchElement {
       }
     `,
   ];
+
+  /** The keys go to where the size of the print is entered. */
+  toSize(): void {
+    this.renderRoot.querySelector<RepeatFields>('sw-repeat-fields')?.focus();
+  }
 
   protected override render(): TemplateResult | typeof nothing {
     const {workbench, samples} = this;

@@ -83,6 +83,10 @@ export class RepeatFields extends WorkbenchElement {
     `,
   ];
 
+  override focus(): void {
+    this.renderRoot.querySelector<HTMLElement>('sw-number-field')?.focus();
+  }
+
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     const print = this.workbench.design?.print;

@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
-import type {Command} from '../commands/command.js';
+import type {KeyList} from '../commands/command-for.js';
 import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../commands/shortcuts.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {focused} from '../base/focused.js';
@@ -20,11 +20,11 @@ export class KeyMap extends WorkbenchElement {
   /** Commands that there are beside those of the pattern. */
   declare known: readonly ShortcutId[];
   /** What else has keys just now, while it has the focus. */
-  declare more: () => readonly Command[];
+  declare more: () => KeyList;
   /** Whose those are. */
   declare view: keyof Texts['pattern']['views'];
   /** Those of the tool that sews, while it is at work. */
-  declare sewing: () => readonly (readonly [key: string, meaning: string])[];
+  declare sewing: () => KeyList;
   /** Had the focus before the map; browsers forget it when it is in a shadow. */
   #before: Element | null = null;
 
@@ -94,7 +94,7 @@ export class KeyMap extends WorkbenchElement {
         </button>
       </header>
       <dl>
-        ${[...keys, ...this.#commands()].map(
+        ${[...(this.#hasPattern ? keys : []), ...this.#commands()].map(
           ([key, meaning]) =>
             html`<dt>${key}</dt>
               <dd>${meaning}</dd>`,
@@ -104,18 +104,17 @@ export class KeyMap extends WorkbenchElement {
     </div>`;
   }
 
-  #ofView(): TemplateResult | typeof nothing {
-    const {views} = this.texts.pattern;
-    const keyed = this.more().flatMap(({key, title}) =>
-      key === undefined ? [] : [[key, title] as const],
-    );
-    return this.#others(views[this.view === 'cloth' ? 'cloth' : 'garment'], keyed);
+  /** The cloth takes the place of the pattern, and has other meanings for some of its keys. */
+  get #hasPattern(): boolean {
+    return this.view !== 'cloth';
   }
 
-  #others(
-    heading: string,
-    keys: readonly (readonly [key: string, meaning: string])[],
-  ): TemplateResult | typeof nothing {
+  #ofView(): TemplateResult | typeof nothing {
+    const {views} = this.texts.pattern;
+    return this.#others(views[this.#hasPattern ? 'garment' : 'cloth'], this.more());
+  }
+
+  #others(heading: string, keys: KeyList): TemplateResult | typeof nothing {
     if (keys.length === 0) return nothing;
     return html`<h3>${heading}</h3>
       <dl>
@@ -127,10 +126,12 @@ export class KeyMap extends WorkbenchElement {
       </dl>`;
   }
 
-  #commands(): readonly (readonly [key: string, meaning: string])[] {
+  #commands(): KeyList {
     const {texts} = this;
     return shortcutIds
-      .filter((id) => shortcuts[id].where === 'pattern' || this.known.includes(id))
+      .filter((id) =>
+        shortcuts[id].where === 'pattern' ? this.#hasPattern : this.known.includes(id),
+      )
       .map((id) => [keyOf(id, texts), titleOf(id, texts)]);
   }
 }

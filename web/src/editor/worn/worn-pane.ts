@@ -7,7 +7,7 @@ import {presetNames, type CameraPreset} from '../../viewer/garment/camera.js';
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
 import {wornTexts, type WornTexts} from '../../texts/worn-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
-import {commandFor} from '../commands/command-for.js';
+import {commandFor, keysOf, type KeyList} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
@@ -64,6 +64,11 @@ export class WornPane extends WornDrawing {
   /** Shows what it hangs on, or not any more. */
   toggleForm(): void {
     this.form = this.form === 'hidden' ? 'shown' : 'hidden';
+  }
+
+  /** Of its commands. */
+  get keys(): KeyList {
+    return keysOf(this.commands);
   }
 
   /** What it can be asked for, with the keys that mean it while it has the focus. */

@@ -3,6 +3,7 @@ import type {Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import {readable} from '../../model/piece-names.js';
 import {fractionOrNumber, formatLength, type Units} from '../../model/units.js';
+import {layCosts} from '../../model/pinned-plan.js';
 import {saidNote, type NoteFormat} from './note-texts.js';
 import {planTexts, type PlanTexts} from './plan-texts.js';
 
@@ -72,34 +73,33 @@ export interface Figure {
   readonly note: string;
 }
 
-export function figuresOf(
-  {lengthCm, boundCm, proven, useShare, widthCm, freeLengthCm, printOrigin}: LayPlan,
-  {texts, length, share, bought}: PlanWords,
-): readonly Figure[] {
+/** What is no length of all pieces is none to buy. */
+export function figuresOf(plan: LayPlan, words: PlanWords): readonly Figure[] {
+  const {lengthCm, boundCm, proven, useShare, widthCm, unplaced} = plan;
+  const {texts, length, share, bought} = words;
   const cloth = bought(lengthCm);
+  const use = {caption: texts.use, value: share(useShare), note: texts.ofWidth(length(widthCm))};
+  const used = {caption: texts.length, value: length(lengthCm)};
+  if (unplaced.length > 0) return [{...used, note: texts.lying}, use];
   return [
-    {
-      caption: texts.length,
-      value: length(lengthCm),
-      note: proven ? texts.proven : texts.atBest(length(boundCm)),
-    },
+    {...used, note: proven ? texts.proven : texts.atBest(length(boundCm))},
     {caption: texts.buy, value: cloth.length, note: texts.roundedUp(cloth.step)},
-    {caption: texts.use, value: share(useShare), note: texts.ofWidth(length(widthCm))},
-    ...(printOrigin && freeLengthCm !== null
-      ? [
-          {
-            caption: texts.cost,
-            value: length(lengthCm - freeLengthCm),
-            note: texts.without(length(freeLengthCm)),
-          },
-        ]
-      : []),
+    use,
+    ...costOf(plan, words),
   ];
+}
+
+function costOf(plan: LayPlan, {texts, length}: PlanWords): readonly Figure[] {
+  const {printOrigin, freeLengthCm} = plan;
+  const {printCm} = layCosts(plan);
+  if (!printOrigin || freeLengthCm === null || printCm === undefined) return [];
+  const note = texts.without(length(freeLengthCm));
+  return [{caption: texts.cost, value: length(printCm), note}];
 }
 
 /** A sentence each. @param ring a corner of the print's repeat; none where the print does not matter */
 export function factsOf(
-  {widthCm, selvedgeCm, gapCm, allowanceCm, foldCm, unplaced, noteDetails}: LayPlan,
+  plan: LayPlan,
   {texts, length}: PlanWords,
   {
     printName,
@@ -111,6 +111,8 @@ export function factsOf(
     readonly nameOf: (piece: LayPlan['unplaced'][number]) => string;
   },
 ): readonly string[] {
+  const {widthCm, selvedgeCm, gapCm, allowanceCm, foldCm, unplaced, noteDetails} = plan;
+  const {pinsCm = 0} = layCosts(plan);
   const [width, selvedge, gap, allowance] = [widthCm, selvedgeCm, gapCm, allowanceCm].map(length);
   const cloth = [width ?? '', selvedge ?? '', gap ?? '', allowance ?? ''] as const;
   const format: NoteFormat = {
@@ -121,6 +123,7 @@ export function factsOf(
     foldCm === undefined ? texts.cloth(...cloth) : texts.folded(...cloth, length(foldCm)),
     ring ? texts.print(printName, length(ring[0]), length(ring[1])) : texts.plain,
     ...(unplaced.length > 0 ? [texts.unplaced(unplaced.map(nameOf).join(', '))] : []),
+    ...(pinsCm > rounding ? [texts.pinned(length(pinsCm))] : []),
     ...noteDetails.map((note) => saidNote(note, texts.notes, format)),
   ];
 }

@@ -7,14 +7,25 @@ export const cloth: ClothTexts = {
     'Pfeiltasten legen das gewählte Teil auf den nächsten freien Platz, mit Alt auch auf den nächsten belegten; R dreht es, P heftet es an, Entf nimmt es weg, N und Umschalt N gehen von Teil zu Teil, Plus und Minus zoomen, 0 zeigt alles.',
   panel: 'Stoff',
   buy: (length) => `${length} kaufen`,
+  notLying: (count) =>
+    count === 1 ? '1 Teil liegt noch nicht' : `${count} Teile liegen noch nicht`,
+  notWell: (count) =>
+    count === 1
+      ? '1 Teil lässt sich so nicht zuschneiden'
+      : `${count} Teile lassen sich so nicht zuschneiden`,
   metres: (metres) => `${metres} m`,
   yards: (yards) => `${yards} yd`,
   used: (length, percent) => `${length} lang, ${percent} genutzt`,
+  lying: (length, percent) => `Die übrigen liegen auf ${length}, ${percent} genutzt`,
   proven: 'Nachweislich am kürzesten',
+  provenPinned: 'Um das Angeheftete nachweislich am kürzesten',
   bound: (length) => `Bestenfalls ${length}`,
   moved: 'Wie von Hand gelegt',
   costs: (length) => `Das Muster kostet ${length}`,
   costsNothing: 'Das Muster kostet keinen Stoff',
+  pinsCost: (length) => `Das Anheften kostet ${length} mehr`,
+  pinsCostNothing: 'Das Anheften kostet keinen Stoff',
+  costsPinned: (length) => `Muster und Anheften kosten zusammen ${length}`,
   range: (least, most) => `${least} bis ${most}, je nachdem, wo das Muster beginnt; bitte messen.`,
   rangeNowhere: (nowhere, all) =>
     `An ${nowhere} von ${all} möglichen Stellen des Musterbeginns passen nicht alle Teile.`,
@@ -59,7 +70,9 @@ export const cloth: ClothTexts = {
   place: 'Platz',
   at: (across, along) => `${across}. Rapport von links, ${along}. vom Anfang`,
   atLength: (left, start) => `${left} von links, ${start} vom Anfang`,
+  atRow: (across, start) => `${across}. Rapport von links, ${start} vom Anfang`,
   turned: (degrees) => `um ${degrees}° gedreht`,
+  farther: (length) => `${length} weit bewegt, denn nähere Plätze sind nicht frei`,
   noPlace: 'nicht auf dem Stoff',
   takeOff: 'Vom Stoff nehmen',
   takenOff: (piece) => `${piece} liegt nicht mehr auf dem Stoff; Packen bringt es zurück.`,
@@ -69,6 +82,8 @@ export const cloth: ClothTexts = {
   turn: 'Drehen',
   pinPiece: (piece) => `${piece} anheften`,
   cannotTurn: (piece) => `${piece} lässt sich bei diesem Muster und Fadenlauf nicht drehen.`,
+  noTurnNear: (piece, reach) =>
+    `${piece} bleibt liegen: gedreht hat es im Umkreis von ${reach} keinen freien Platz.`,
   noWay: (piece) => `${piece} hat dort entlang keinen freien Platz mehr.`,
   packRest: 'Den Rest packen',
   packAgain: 'Neu packen',
@@ -96,9 +111,17 @@ export const cloth: ClothTexts = {
   again: 'Noch einmal legen',
   waiting: 'Wird gelegt, sobald das Muster ausgerichtet ist',
   stale: 'Der Entwurf hat sich geändert: dies ist der Plan von vorher.',
+  toSize: 'Größe eingeben',
   hint: 'Ein Teil auf einen anderen Platz im Muster ziehen',
   nextPiece: 'Nächstes Teil',
   pieceBefore: 'Voriges Teil',
+  keys: {
+    move: 'Das Teil auf den nächsten freien Platz legen',
+    moveOnto: 'Ebenso, auch wo andere liegen',
+    turnOnto: 'Das Teil drehen, auch wo andere liegen',
+    leave: 'Beenden, was im Gang ist; kein Teil ist gewählt',
+    closeFlaw: 'Den Umriss eines Fehlers schließen',
+  },
   steps: {
     move: 'Verschieben auf dem Stoff',
     turn: 'Drehen auf dem Stoff',

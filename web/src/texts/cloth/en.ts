@@ -14,14 +14,26 @@ export const cloth = {
   panel: 'Cloth',
   /** What there is to buy. */
   buy: (length: string) => `Buy ${length}`,
+  /** Instead of what there is to buy. */
+  notLying: (count: number) =>
+    count === 1 ? '1 piece does not lie yet' : `${count} pieces do not lie yet`,
+  notWell: (count: number) =>
+    count === 1
+      ? '1 piece cannot be cut where it lies'
+      : `${count} pieces cannot be cut where they lie`,
   metres: (metres: string) => `${metres} m`,
   yards: (yards: string) => `${yards} yd`,
   used: (length: string, percent: string) => `${length} long, ${percent} used`,
+  lying: (length: string, percent: string) => `The others lie on ${length}, ${percent} used`,
   proven: 'Proven shortest',
+  provenPinned: 'Proven shortest around what is pinned',
   bound: (length: string) => `At best ${length}`,
   moved: 'As moved by hand',
   costs: (length: string) => `The print costs ${length}`,
   costsNothing: 'The print costs no cloth',
+  pinsCost: (length: string) => `Your pins cost ${length} more`,
+  pinsCostNothing: 'Your pins cost no cloth',
+  costsPinned: (length: string) => `The print and your pins together cost ${length}`,
   range: (least: string, most: string) =>
     `${least} to ${most}, depending on where the print starts: measure it.`,
   rangeNowhere: (nowhere: number, all: number) =>
@@ -69,7 +81,10 @@ export const cloth = {
   at: (across: number, along: number) =>
     `${ordinal(across)} repeat from the left, ${ordinal(along)} from the start`,
   atLength: (left: string, start: string) => `${left} from the left, ${start} from the start`,
+  atRow: (across: number, start: string) =>
+    `${ordinal(across)} repeat from the left, ${start} from the start`,
   turned: (degrees: string) => `turned ${degrees}°`,
+  farther: (length: string) => `moved ${length}, as nearer places are not free`,
   noPlace: 'not on the cloth',
   takeOff: 'Take off the cloth',
   takenOff: (piece: string) => `${piece} is off the cloth; packing brings it back.`,
@@ -79,6 +94,8 @@ export const cloth = {
   turn: 'Turn',
   pinPiece: (piece: string) => `Pin ${piece}`,
   cannotTurn: (piece: string) => `${piece} has no other turn on this print and grain.`,
+  noTurnNear: (piece: string, reach: string) =>
+    `${piece} stays as it lies: turned, it has no free place within ${reach}.`,
   noWay: (piece: string) => `${piece} has no free place further on that way.`,
   packRest: 'Pack the rest',
   packAgain: 'Pack again',
@@ -106,9 +123,17 @@ export const cloth = {
   again: 'Lay again',
   waiting: 'Laid once the print is aligned',
   stale: 'The design has changed: this is the plan from before.',
+  toSize: 'Enter its size',
   hint: 'Drag a piece to another place in the print',
   nextPiece: 'Next piece',
   pieceBefore: 'Piece before',
+  keys: {
+    move: 'Move the piece to the next free place',
+    moveOnto: 'The same, even where others lie',
+    turnOnto: 'Turn the piece, even where others lie',
+    leave: 'End what is under way; no piece is selected',
+    closeFlaw: 'Close the outline of a flaw',
+  },
   steps: {
     move: 'move on the cloth',
     turn: 'turn on the cloth',

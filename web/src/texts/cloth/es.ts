@@ -7,14 +7,25 @@ export const cloth: ClothTexts = {
     'Las flechas llevan la pieza elegida al siguiente sitio libre, con Alt al siguiente aunque esté ocupado; R la gira, P la fija, Supr la quita, N y Mayús N van de pieza en pieza, más y menos acercan y alejan, 0 muestra todo.',
   panel: 'Tela',
   buy: (length) => `Compra ${length}`,
+  notLying: (count) =>
+    count === 1 ? '1 pieza aún no está colocada' : `${count} piezas aún no están colocadas`,
+  notWell: (count) =>
+    count === 1
+      ? '1 pieza no se puede cortar donde está'
+      : `${count} piezas no se pueden cortar donde están`,
   metres: (metres) => `${metres} m`,
   yards: (yards) => `${yards} yd`,
   used: (length, percent) => `${length} de largo, ${percent} aprovechado`,
+  lying: (length, percent) => `Las demás ocupan ${length}, ${percent} aprovechado`,
   proven: 'Largo mínimo demostrado',
+  provenPinned: 'Largo mínimo demostrado con lo que has fijado',
   bound: (length) => `En el mejor caso ${length}`,
   moved: 'Como se movió a mano',
   costs: (length) => `El estampado cuesta ${length}`,
   costsNothing: 'El estampado no cuesta tela',
+  pinsCost: (length) => `Lo que has fijado cuesta ${length} más`,
+  pinsCostNothing: 'Lo que has fijado no cuesta tela',
+  costsPinned: (length) => `El estampado y lo que has fijado cuestan juntos ${length}`,
   range: (least, most) => `De ${least} a ${most}, según dónde empiece el estampado; mídelo.`,
   rangeNowhere: (nowhere, all) =>
     `En ${nowhere} de ${all} inicios posibles del estampado no caben todas las piezas.`,
@@ -58,7 +69,9 @@ export const cloth: ClothTexts = {
   place: 'Sitio',
   at: (across, along) => `${across}.ª repetición desde la izquierda, ${along}.ª desde el inicio`,
   atLength: (left, start) => `a ${left} de la izquierda, a ${start} del inicio`,
+  atRow: (across, start) => `${across}.ª repetición desde la izquierda, a ${start} del inicio`,
   turned: (degrees) => `girada ${degrees}°`,
+  farther: (length) => `movida ${length}, porque no hay sitios libres más cerca`,
   noPlace: 'fuera de la tela',
   takeOff: 'Quitar de la tela',
   takenOff: (piece) => `${piece} ya no está sobre la tela; colocar de nuevo la devuelve.`,
@@ -68,6 +81,8 @@ export const cloth: ClothTexts = {
   turn: 'Girar',
   pinPiece: (piece) => `Fijar ${piece}`,
   cannotTurn: (piece) => `${piece} no puede girarse con este estampado y este hilo.`,
+  noTurnNear: (piece, reach) =>
+    `${piece} se queda donde está: girada, no tiene ningún sitio libre a menos de ${reach}.`,
   noWay: (piece) => `${piece} no tiene más sitios libres hacia ese lado.`,
   packRest: 'Colocar el resto',
   packAgain: 'Colocar de nuevo',
@@ -96,9 +111,17 @@ export const cloth: ClothTexts = {
   again: 'Colocar otra vez',
   waiting: 'Se coloca cuando el estampado esté casado',
   stale: 'El diseño ha cambiado: este es el plan de antes.',
+  toSize: 'Indicar su tamaño',
   hint: 'Arrastra una pieza a otro sitio del estampado',
   nextPiece: 'Pieza siguiente',
   pieceBefore: 'Pieza anterior',
+  keys: {
+    move: 'Llevar la pieza al siguiente sitio libre',
+    moveOnto: 'Lo mismo, aunque haya otras',
+    turnOnto: 'Girar la pieza, aunque haya otras',
+    leave: 'Terminar lo que está en curso; ninguna pieza elegida',
+    closeFlaw: 'Cerrar el contorno de un defecto',
+  },
   steps: {
     move: 'mover sobre la tela',
     turn: 'girar sobre la tela',

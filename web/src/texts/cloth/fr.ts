@@ -9,14 +9,25 @@ export const cloth: ClothTexts = {
     'Les flèches déplacent la pièce choisie à la place libre suivante, avec Alt à la suivante même occupée ; R la tourne, P l’épingle, Suppr la retire, N et Maj N passent de pièce en pièce, plus et moins zooment, 0 montre tout.',
   panel: 'Tissu',
   buy: (length) => `Achetez ${length}`,
+  notLying: (count) =>
+    count === 1 ? '1 pièce n’est pas encore placée' : `${count} pièces ne sont pas encore placées`,
+  notWell: (count) =>
+    count === 1
+      ? '1 pièce ne peut être coupée là où elle est'
+      : `${count} pièces ne peuvent être coupées là où elles sont`,
   metres: (metres) => `${metres} m`,
   yards: (yards) => `${yards} yd`,
   used: (length, percent) => `${length} de long, ${percent} utilisés`,
+  lying: (length, percent) => `Les autres tiennent sur ${length}, ${percent} utilisés`,
   proven: 'Longueur minimale prouvée',
+  provenPinned: 'Longueur minimale prouvée autour des pièces épinglées',
   bound: (length) => `Au mieux ${length}`,
   moved: 'Comme déplacé à la main',
   costs: (length) => `L’imprimé coûte ${length}`,
   costsNothing: 'L’imprimé ne coûte pas de tissu',
+  pinsCost: (length) => `Vos épingles coûtent ${length} de plus`,
+  pinsCostNothing: 'Vos épingles ne coûtent pas de tissu',
+  costsPinned: (length) => `L’imprimé et vos épingles coûtent ensemble ${length}`,
   range: (least, most) => `De ${least} à ${most}, selon où commence l’imprimé ; mesurez-le.`,
   rangeNowhere: (nowhere, all) =>
     `Pour ${nowhere} des ${all} débuts possibles de l’imprimé, toutes les pièces ne tiennent pas.`,
@@ -60,7 +71,9 @@ export const cloth: ClothTexts = {
   at: (across, along) =>
     `${ordinal(across)} raccord depuis la gauche, ${ordinal(along)} depuis le début`,
   atLength: (left, start) => `à ${left} de la gauche, à ${start} du début`,
+  atRow: (across, start) => `${ordinal(across)} raccord depuis la gauche, à ${start} du début`,
   turned: (degrees) => `tournée de ${degrees}°`,
+  farther: (length) => `déplacée de ${length}, car aucune place plus proche n’est libre`,
   noPlace: 'pas sur le tissu',
   takeOff: 'Retirer du tissu',
   takenOff: (piece) => `${piece} n’est plus sur le tissu ; placer à nouveau la ramène.`,
@@ -70,6 +83,8 @@ export const cloth: ClothTexts = {
   turn: 'Tourner',
   pinPiece: (piece) => `Épingler ${piece}`,
   cannotTurn: (piece) => `${piece} ne peut être tournée avec cet imprimé et ce droit-fil.`,
+  noTurnNear: (piece, reach) =>
+    `${piece} reste en place : tournée, elle n’a aucune place libre à moins de ${reach}.`,
   noWay: (piece) => `${piece} n’a plus de place libre de ce côté.`,
   packRest: 'Placer le reste',
   packAgain: 'Placer à nouveau',
@@ -97,9 +112,17 @@ export const cloth: ClothTexts = {
   again: 'Placer encore',
   waiting: 'Placé dès que l’imprimé est raccordé',
   stale: 'Le modèle a changé : voici le plan d’avant.',
+  toSize: 'Indiquer sa taille',
   hint: 'Faites glisser une pièce vers une autre place de l’imprimé',
   nextPiece: 'Pièce suivante',
   pieceBefore: 'Pièce précédente',
+  keys: {
+    move: 'Déplacer la pièce à la place libre suivante',
+    moveOnto: 'De même, là où d’autres se trouvent aussi',
+    turnOnto: 'Tourner la pièce, même sur d’autres',
+    leave: 'Terminer ce qui est en cours ; aucune pièce choisie',
+    closeFlaw: 'Fermer le contour d’un défaut',
+  },
   steps: {
     move: 'déplacement sur le tissu',
     turn: 'rotation sur le tissu',

@@ -7,14 +7,25 @@ export const cloth: ClothTexts = {
     'Le frecce portano il pezzo scelto al prossimo posto libero, con Alt al prossimo anche se occupato; R lo gira, P lo fissa, Canc lo toglie, N e Maiusc N vanno di pezzo in pezzo, più e meno ingrandiscono e riducono, 0 mostra tutto.',
   panel: 'Tessuto',
   buy: (length) => `Compra ${length}`,
+  notLying: (count) =>
+    count === 1 ? '1 pezzo non è ancora disposto' : `${count} pezzi non sono ancora disposti`,
+  notWell: (count) =>
+    count === 1
+      ? '1 pezzo non si può tagliare dove si trova'
+      : `${count} pezzi non si possono tagliare dove si trovano`,
   metres: (metres) => `${metres} m`,
   yards: (yards) => `${yards} yd`,
   used: (length, percent) => `${length} di lunghezza, ${percent} usato`,
+  lying: (length, percent) => `Gli altri stanno su ${length}, ${percent} usato`,
   proven: 'Lunghezza minima dimostrata',
+  provenPinned: 'Lunghezza minima dimostrata con ciò che hai fissato',
   bound: (length) => `Nel caso migliore ${length}`,
   moved: 'Come spostato a mano',
   costs: (length) => `La stampa costa ${length}`,
   costsNothing: 'La stampa non costa tessuto',
+  pinsCost: (length) => `Ciò che hai fissato costa ${length} in più`,
+  pinsCostNothing: 'Ciò che hai fissato non costa tessuto',
+  costsPinned: (length) => `La stampa e ciò che hai fissato costano insieme ${length}`,
   range: (least, most) => `Da ${least} a ${most}, secondo dove inizia la stampa; misuralo.`,
   rangeNowhere: (nowhere, all) =>
     `In ${nowhere} di ${all} possibili inizi della stampa non ci stanno tutti i pezzi.`,
@@ -57,7 +68,9 @@ export const cloth: ClothTexts = {
   place: 'Posto',
   at: (across, along) => `${across}º rapporto da sinistra, ${along}º dall’inizio`,
   atLength: (left, start) => `a ${left} da sinistra, a ${start} dall’inizio`,
+  atRow: (across, start) => `${across}º rapporto da sinistra, a ${start} dall’inizio`,
   turned: (degrees) => `girato di ${degrees}°`,
+  farther: (length) => `spostato di ${length}, perché più vicino nessun posto è libero`,
   noPlace: 'non sul tessuto',
   takeOff: 'Togli dal tessuto',
   takenOff: (piece) => `${piece} non è più sul tessuto; disporre di nuovo lo riporta.`,
@@ -67,6 +80,8 @@ export const cloth: ClothTexts = {
   turn: 'Gira',
   pinPiece: (piece) => `Fissa ${piece}`,
   cannotTurn: (piece) => `${piece} non può essere girato con questa stampa e questo drittofilo.`,
+  noTurnNear: (piece, reach) =>
+    `${piece} resta dov’è: girato, non ha alcun posto libero entro ${reach}.`,
   noWay: (piece) => `${piece} non ha altri posti liberi da quella parte.`,
   packRest: 'Disponi il resto',
   packAgain: 'Disponi di nuovo',
@@ -95,9 +110,17 @@ export const cloth: ClothTexts = {
   again: 'Disponi ancora',
   waiting: 'Disposto quando la stampa combacia',
   stale: 'Il progetto è cambiato: questo è il piano di prima.',
+  toSize: 'Indica la dimensione',
   hint: 'Trascina un pezzo in un altro posto della stampa',
   nextPiece: 'Pezzo successivo',
   pieceBefore: 'Pezzo precedente',
+  keys: {
+    move: 'Portare il pezzo al prossimo posto libero',
+    moveOnto: 'Lo stesso, anche dove ce ne sono altri',
+    turnOnto: 'Girare il pezzo, anche dove ce ne sono altri',
+    leave: 'Terminare ciò che è in corso; nessun pezzo scelto',
+    closeFlaw: 'Chiudere il contorno di un difetto',
+  },
   steps: {
     move: 'spostamento sul tessuto',
     turn: 'rotazione sul tessuto',

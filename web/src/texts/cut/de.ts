@@ -17,6 +17,7 @@ export const cutting: CutTexts = {
   projector: 'Projektor',
   allowance: cloth.allowance,
   hem: cloth.hem,
+  toSize: cloth.toSize,
   print: 'Den Druck auf die Teile zeichnen',
   map: 'Wie die Seiten liegen',
   sheetMap: 'Wie die Teile liegen',

@@ -16,6 +16,7 @@ export const cutting = {
   projector: 'Projector',
   allowance: cloth.allowance,
   hem: cloth.hem,
+  toSize: cloth.toSize,
   print: 'Draw the print on the pieces',
   map: 'How the pages lie',
   sheetMap: 'How the pieces lie',

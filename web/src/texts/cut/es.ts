@@ -17,6 +17,7 @@ export const cutting: CutTexts = {
   projector: 'Proyector',
   allowance: cloth.allowance,
   hem: cloth.hem,
+  toSize: cloth.toSize,
   print: 'Dibujar el estampado en las piezas',
   map: 'Cómo van las páginas',
   sheetMap: 'Cómo van las piezas',

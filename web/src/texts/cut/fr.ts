@@ -17,6 +17,7 @@ export const cutting: CutTexts = {
   projector: 'Projecteur',
   allowance: cloth.allowance,
   hem: cloth.hem,
+  toSize: cloth.toSize,
   print: 'Dessiner l’imprimé sur les pièces',
   map: 'Disposition des pages',
   sheetMap: 'Disposition des pièces',

@@ -17,6 +17,7 @@ export const cutting: CutTexts = {
   projector: 'Proiettore',
   allowance: cloth.allowance,
   hem: cloth.hem,
+  toSize: cloth.toSize,
   print: 'Disegnare la stampa sui pezzi',
   map: 'Come stanno le pagine',
   sheetMap: 'Come stanno i pezzi',

@@ -1,0 +1,60 @@
+/** What the same pieces take on cloth of other widths. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import type {LayPlan} from '../../model/lay-plan.js';
+import type {Units} from '../../model/units.js';
+import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {Format} from '../../texts/format.js';
+import {roundedLength} from './cloth-words.js';
+
+interface Widths {
+  readonly units: Units;
+  readonly words: ClothTexts;
+  readonly format: Format;
+  /** Lays on cloth of that width. [cm] */
+  readonly take: (widthCm: number) => void;
+}
+
+export function clothWidths(
+  {widths, widthCm}: LayPlan,
+  {units, words, format, take}: Widths,
+): TemplateResult | typeof nothing {
+  if (!widths.some(({lengthCm}) => lengthCm !== null)) return nothing;
+  return html`<table class="widths">
+    <caption>
+      ${words.widths}
+    </caption>
+    <thead>
+      <tr>
+        <th scope="col">${words.widthColumn}</th>
+        <th scope="col" class="number">${words.lengthColumn}</th>
+      </tr>
+    </thead>
+    <tbody>
+      ${widths.map(({widthCm: width, lengthCm}) => {
+        const label = format.length(width);
+        return html`<tr class=${width === widthCm ? 'present' : ''}>
+          <th scope="row">
+            ${
+              width === widthCm || lengthCm === null
+                ? label
+                : html`<button
+                    class="link"
+                    aria-label=${words.takeWidth(label)}
+                    title=${words.takeWidth(label)}
+                    @click=${() => {
+                      take(width);
+                    }}
+                  >
+                    ${label}
+                  </button>`
+            }
+          </th>
+          <td class="number">
+            ${lengthCm === null ? words.nowhere : roundedLength(lengthCm, units, format)}
+          </td>
+        </tr>`;
+      })}
+    </tbody>
+  </table>`;
+}
