@@ -2,7 +2,6 @@
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries} from '../model/design.js';
-import {canAlign} from './commands/can-align.js';
 import {redoWords, undoWords} from './commands/step-words.js';
 import type {KeyList} from './commands/command-for.js';
 import type {ShortcutId} from './commands/shortcuts.js';
@@ -17,9 +16,10 @@ import type {PhotoWanted} from './print/print-files.js';
 import type {PrintPanel} from './print/print-panel.js';
 import type {WornPane} from './worn/worn-pane.js';
 import {register} from './base/register.js';
+import {solvingButton, stepButtons, viewButtons} from './shell/head-buttons.js';
 import type {KeyMap} from './shell/key-map.js';
+import {sheetTabs, type Sheet} from './shell/sheet-tabs.js';
 import {controls} from './style/controls.js';
-import {icon} from './style/icons.js';
 import type {Samples} from '../workbench/samples.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import {sameTarget} from '../workbench/state.js';
@@ -28,8 +28,6 @@ import {editorKeys, isFree, type KeyCommands} from './editor-keys.js';
 import {editorLayout} from './editor-layout.js';
 import type {PhotoKeeper} from './photo/photo-keeper.js';
 import {KeptHeight} from './kept-height.js';
-
-type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
 
 /** What the garment is shown by: its pieces, as it is worn, or its pieces on their cloth. */
 export const editorViews = ['pattern', 'garment', 'both', 'cloth'] as const;
@@ -212,11 +210,11 @@ export class Editor extends WorkbenchElement {
       <header>
         <slot name="start"></slot>
         <span class="gap"></span>
-        ${this.#views()} ${this.#steps()}
+        ${this.#buttons()}
         <slot name="actions"></slot>
         <span class="solving">
           <sw-progress .workbench=${workbench}></sw-progress>
-          ${this.#solving()}
+          ${solvingButton(workbench, app)}
         </span>
         <button
           class="icon keys"
@@ -251,7 +249,9 @@ export class Editor extends WorkbenchElement {
           ></sw-lens>
           <sw-tables .workbench=${workbench}></sw-tables>
         </section>
-        ${this.#tabs()}
+        ${sheetTabs(this.texts, this.sheet, (sheet) => {
+          this.sheet = sheet;
+        })}
       </div>
       <sw-key-map
         .workbench=${workbench}
@@ -261,6 +261,18 @@ export class Editor extends WorkbenchElement {
         .sewing=${this.#keysOfSewing}
       ></sw-key-map>
     </div>`;
+  }
+
+  #buttons(): TemplateResult {
+    const {cloth, workbench, texts} = this;
+    const {undo, redo} = this.#own;
+    return html`${viewButtons(editorViews, this.shows, texts, (view) => {
+      this.show(view);
+    })}
+    ${stepButtons(texts, {
+      undo: {words: cloth?.undoWords ?? undoWords(workbench, texts), run: undo},
+      redo: {words: cloth?.redoWords ?? redoWords(workbench, texts), run: redo},
+    })}`;
   }
 
   async #load(): Promise<void> {
@@ -290,24 +302,6 @@ export class Editor extends WorkbenchElement {
     return html`<sw-notice slot="notice" .workbench=${this.workbench}></sw-notice>`;
   }
 
-  #views(): TemplateResult {
-    const words = this.texts.pattern.views;
-    return html`<div class="views" role="group" aria-label=${words.label}>
-      ${editorViews.map(
-        (view) =>
-          html`<button
-            title=${words[view]}
-            aria-pressed=${view === this.shows}
-            @click=${() => {
-              this.show(view);
-            }}
-          >
-            ${icon[view]}<span>${words[view]}</span>
-          </button>`,
-      )}
-    </div>`;
-  }
-
   readonly #keysOfView = (): KeyList => (this.worn ?? this.cloth)?.keys ?? [];
 
   readonly #keysOfSewing = (): KeyList => this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
@@ -315,76 +309,6 @@ export class Editor extends WorkbenchElement {
   /** Commands whose keys work here. */
   get #known(): readonly ShortcutId[] {
     return Object.keys({...this.commands, ...this.#own}) as ShortcutId[];
-  }
-
-  /** What opens below the pattern, one sheet at a time; another press closes it. */
-  #tabs(): TemplateResult {
-    const {app, print, controls: cutting, headline, lists} = this.texts;
-    const names: readonly (readonly [Sheet, string])[] = [
-      ['print', print.title],
-      ['cutting', cutting.fit],
-      ['fit', headline.fit],
-      ['lists', lists.pieces],
-    ];
-    return html`<nav class="tabs" aria-label=${app.panels}>
-      ${names.map(
-        ([name, label]) =>
-          html`<button
-            aria-expanded=${this.sheet === name}
-            @click=${() => {
-              this.sheet = this.sheet === name ? undefined : name;
-            }}
-          >
-            ${label}
-          </button>`,
-      )}
-    </nav>`;
-  }
-
-  #steps(): TemplateResult {
-    const {workbench, cloth, texts} = this;
-    const {app} = texts;
-    const undone = cloth?.undoWords ?? undoWords(workbench, texts);
-    const redone = cloth?.redoWords ?? redoWords(workbench, texts);
-    return html`${this.#icon(app.undo, undone && app.undoOf(undone), icon.undo, this.#own.undo)}
-    ${this.#icon(app.redo, redone && app.redoOf(redone), icon.redo, this.#own.redo)}`;
-  }
-
-  /** One button: it ends what is under way, or begins it where nobody else does. */
-  #solving(): TemplateResult {
-    const {workbench} = this;
-    const {app} = this.texts;
-    const isSolving = workbench.state.kind === 'solving';
-    const aligns = canAlign(workbench);
-    return html`<button
-      class=${aligns ? 'primary' : 'outlined'}
-      ?hidden=${!aligns && !isSolving}
-      @click=${({detail}: MouseEvent) => {
-        if (detail > 1) return; // the second half of a double click
-        if (isSolving) workbench.cancel();
-        else if (aligns) workbench.align();
-      }}
-    >
-      ${aligns ? app.align : app.cancel}
-    </button>`;
-  }
-
-  /** @param title says what it would do; without, there is nothing to be done */
-  #icon(
-    label: string,
-    title: string | undefined,
-    picture: TemplateResult,
-    act: () => void,
-  ): TemplateResult {
-    return html`<button
-      class="icon"
-      aria-label=${label}
-      title=${title ?? label}
-      ?disabled=${title === undefined}
-      @click=${act}
-    >
-      ${picture}
-    </button>`;
   }
 }
 

@@ -1,0 +1,77 @@
+/** What the head of the editor has for everybody: what is shown, steps back and on, and what begins or ends solving. */
+import {html, type TemplateResult} from 'lit';
+
+import type {Texts} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {canAlign} from '../commands/can-align.js';
+import {icon} from '../style/icons.js';
+
+export function viewButtons<View extends keyof Texts['pattern']['views'] & keyof typeof icon>(
+  views: readonly View[],
+  shown: View,
+  {pattern}: Texts,
+  show: (view: View) => void,
+): TemplateResult {
+  const words = pattern.views;
+  return html`<div class="views" role="group" aria-label=${words.label}>
+    ${views.map(
+      (view) =>
+        html`<button
+          title=${words[view]}
+          aria-pressed=${view === shown}
+          @click=${() => {
+            show(view);
+          }}
+        >
+          ${icon[view]}<span>${words[view]}</span>
+        </button>`,
+    )}
+  </div>`;
+}
+
+interface Step {
+  /** What it would do; without, there is nothing to be done. */
+  readonly words: string | undefined;
+  readonly run: () => void;
+}
+
+export function stepButtons(
+  {app}: Texts,
+  {undo, redo}: {readonly undo: Step; readonly redo: Step},
+): TemplateResult {
+  return html`${iconButton(app.undo, undo.words && app.undoOf(undo.words), icon.undo, undo.run)}
+  ${iconButton(app.redo, redo.words && app.redoOf(redo.words), icon.redo, redo.run)}`;
+}
+
+const iconButton = (
+  label: string,
+  title: string | undefined,
+  picture: TemplateResult,
+  act: () => void,
+): TemplateResult =>
+  html`<button
+    class="icon"
+    aria-label=${label}
+    title=${title ?? label}
+    ?disabled=${title === undefined}
+    @click=${act}
+  >
+    ${picture}
+  </button>`;
+
+/** One button: it ends what is under way, or begins it where nobody else does. */
+export function solvingButton(workbench: Workbench, words: Texts['app']): TemplateResult {
+  const isSolving = workbench.state.kind === 'solving';
+  const aligns = canAlign(workbench);
+  return html`<button
+    class=${aligns ? 'primary' : 'outlined'}
+    ?hidden=${!aligns && !isSolving}
+    @click=${({detail}: MouseEvent) => {
+      if (detail > 1) return; // the second half of a double click
+      if (isSolving) workbench.cancel();
+      else if (aligns) workbench.align();
+    }}
+  >
+    ${aligns ? words.align : words.cancel}
+  </button>`;
+}
