@@ -68,6 +68,7 @@ TEST(PhotoMetric, OneLengthTellsTheScale) {
   hints.lengths[1] = std::sqrt(85.0);
   const MetricReading metric = metricOf(slanted(), hints);
   EXPECT_TRUE(metric.scaled);
+  EXPECT_EQ(metric.along, Vec2::UnitY());
   EXPECT_NEAR(metric.gram(0, 0), 100, 1e-6);
   EXPECT_NEAR(metric.gram(0, 1), 20, 1e-6);
 }
@@ -79,6 +80,7 @@ TEST(PhotoMetric, TwoLengthsTellTheShapeWithoutFocalLength) {
   hints.lengths = {10, std::sqrt(85.0)};
   const MetricReading metric = metricOf(view, hints);
   EXPECT_EQ(metric.source, MetricSource::kTwoLengths);
+  EXPECT_EQ(metric.along, Vec2::Zero());
   EXPECT_NEAR(metric.gram(0, 0), 100, 1e-9);
   EXPECT_NEAR(metric.gram(1, 1), 85, 1e-9);
   EXPECT_NEAR(std::acos(cosine(metric.gram)), std::acos(2 / std::sqrt(85)), 0.3 * kPi / 180);
@@ -92,6 +94,7 @@ TEST(PhotoMetric, TwoPointsTellTheScaleUnderTilt) {
   hints.span = {map(Vec2(-1, 0.5)), map(Vec2(0.5, 1)), Vec2(16, 4.5).norm()};
   const MetricReading metric = metricOf(slanted(), hints);
   EXPECT_NEAR(metric.gram(0, 0), 100, 1e-6);
+  EXPECT_LT((metric.along - Vec2(1.5, 0.5)).norm(), 1e-6);
   EXPECT_GT(metric.length_error, 0);
   EXPECT_LT(metric.length_error, 0.01);
 }

@@ -82,8 +82,22 @@ it('is of another lattice when somebody says so', async () => {
   const before = await lines();
   await makeUncertain(dialog);
   await dialog.getByText(/^No repeat is certain/).waitFor();
+  // it takes another word, and not Enter
+  const although = dialog.getByRole('button', {name: 'Use it although uncertain'});
+  await although.waitFor();
+  await expect.poll(() => use(page).count()).toBe(0);
+  await dialog.getByText(/^Whether this cell is .* uncertain: drag its corners/).waitFor();
+  await dialog.getByRole('heading', {name: 'Photo of your cloth'}).click();
+  await page.keyboard.press('Enter');
+  await expect.poll(() => although.isEnabled()).toBe(true);
   await dialog.getByRole('button', {name: 'Repeat 2'}).click();
   await expect.poll(lines, patient).toBeLessThan(before);
+  // what somebody has chosen is not doubted
+  await expect.poll(() => use(page).isEnabled(), patient).toBe(true);
+  await expect.poll(() => although.count()).toBe(0);
   await dialog.getByRole('button', {name: 'Undo'}).click();
   await expect.poll(lines).toBe(before);
+  await although.click();
+  await expect.poll(() => dialogOf(page).count(), patient).toBe(0);
+  await page.getByText('Your own: pm').waitFor();
 });

@@ -2,6 +2,7 @@
 import {describe, expect, it} from 'vitest';
 
 import {directionSign} from '@/editor/base/direction-sign.js';
+import {areSame} from '@/editor/photo/same-picture.js';
 import {namePlace} from '@/editor/photo/stage-marks.js';
 import {measuresOf, stepOf} from '@/editor/print/photo-step.js';
 import {norm, radians, rotated, type Point} from '@/model/geometry.js';
@@ -96,6 +97,13 @@ describe('the name of an arrow', () => {
   ] as readonly (readonly [Point, Point])[])('lies on the picture from %j to %j', (from, to) => {
     expect(isSeen(namePlace(from, to, picture))).toBe(true);
   });
+});
+
+it('is the same picture by its bytes, whatever it is called', async () => {
+  const of = (...bytes: number[]) => new Blob([new Uint8Array(bytes)]);
+  expect(await areSame(of(1, 2, 3), new File([of(1, 2, 3)], 'other.jpg'))).toBe(true);
+  expect(await areSame(of(1, 2, 3), of(1, 2, 4))).toBe(false);
+  expect(await areSame(of(1, 2, 3), of(1, 2))).toBe(false);
 });
 
 it('points as a vector does', () => {

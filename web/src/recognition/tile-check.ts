@@ -2,7 +2,13 @@
 import {norm, type Point} from '../model/geometry.js';
 import type {GroupName, PrintCell} from '../model/print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
-import {imageCell, isCentred, latticeType, printElements, type PlaneMap} from '../model/wallpaper.js';
+import {
+  imageCell,
+  isCentred,
+  latticeType,
+  printElements,
+  type PlaneMap,
+} from '../model/wallpaper.js';
 import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
 
 /** A place of the tile that differs from its images; shares of the cell, from its upper left corner. */

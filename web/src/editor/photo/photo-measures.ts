@@ -39,7 +39,7 @@ const leastError = 0.01;
 function named(vector: Vector, step: PhotoStep): string {
   const {w1Px, w2Px} = vectorsAtMiddle(groupIn(step).map, step.reading);
   const [x, y] = vector === 'w1' ? w1Px : w2Px;
-  return `${vector} ${directionSign([x, -y])}`;
+  return `${vector}\u00a0${directionSign([x, -y])}`;
 }
 
 /**

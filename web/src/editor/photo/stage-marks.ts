@@ -35,6 +35,8 @@ const markSize = 0.011;
 
 /** How far the middle of a name stays from the picture's border, in units. */
 const nameMargin = 2;
+/** Places along an arrow at which its name may stand beside it. */
+const nameSteps = 20;
 
 const unitOf = ({width, height}: PhotoSize): number => markSize * Math.max(width, height);
 
@@ -88,10 +90,10 @@ export function namePlace(from: Point, to: Point, size: PhotoSize): Point {
   const away = 3 * unit;
   const at = (forth: number, aside: number): Point =>
     plus(from, combined([along, across], forth, aside));
-  const beside = [1, 0.8, 0.6, 0.4, 0.2, 0].flatMap((share) => [
-    at(share * length, away),
-    at(share * length, -away),
-  ]);
+  const beside = Array.from(
+    {length: nameSteps + 1},
+    (_, k) => length * (1 - k / nameSteps),
+  ).flatMap((forth) => [at(forth, away), at(forth, -away)]);
   const margin = nameMargin * unit;
   const inside = (value: number, most: number): number =>
     Math.min(Math.max(value, margin), most - margin);

@@ -189,7 +189,7 @@ const isEqualSided = (step: PhotoStep): boolean =>
   ['square', 'rhombic', 'hexagonal'].includes(latticeType(groupOf(step)));
 
 /** Measures along w1 and w2 that no cell has both. */
-export interface MeasureConflict {
+interface MeasureConflict {
   /** Of one repeat. [cm] */
   readonly w1: number;
   readonly w2: number;

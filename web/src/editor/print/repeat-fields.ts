@@ -22,7 +22,7 @@ function lying(
   usual: string,
 ): (unit: string) => string {
   const sign = directionSign(direction);
-  return (unit) => (usual.includes(sign) ? label(unit) : `${label(unit)} ${sign}`);
+  return (unit) => (usual.includes(sign) ? label(unit) : `${label(unit)}\u00a0${sign}`);
 }
 
 export class RepeatFields extends WorkbenchElement {
