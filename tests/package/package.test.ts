@@ -20,7 +20,7 @@ const mostForStandalone = 572 * kilobyte;
 /** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
 const mostForDrape = 107 * kilobyte;
 /** The module that lays pieces on cloth, which is fetched only for that. [bytes] */
-const mostForMarker = 47 * kilobyte;
+const mostForMarker = 45 * kilobyte;
 /** The module that reads prints off pictures, fetched when a picture of cloth is opened. */
 const mostForPhoto = 68 * kilobyte;
 

@@ -1,5 +1,6 @@
 #include "base/decimal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -39,10 +40,12 @@ std::string signOf(double value) { return std::signbit(value) ? "-" : ""; }
 
 /// `number` / 10^decimals.
 std::string pointed(std::uint64_t number, int decimals) {
-  std::string digits = decimal(static_cast<std::int64_t>(number));
-  const auto least = static_cast<std::size_t>(decimals) + 1;
-  if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
-  if (decimals > 0) digits.insert(digits.size() - static_cast<std::size_t>(decimals), ".");
+  std::string digits;  // the last one first
+  for (int count = 0; count <= decimals || number > 0; ++count, number /= 10) {
+    if (count == decimals && count > 0) digits.push_back('.');
+    digits.push_back(static_cast<char>('0' + number % 10));
+  }
+  std::reverse(digits.begin(), digits.end());
   return digits;
 }
 
@@ -66,12 +69,7 @@ int exponentOf(double value) {
 }  // namespace
 
 std::string decimal(std::int64_t number) {
-  std::string digits;
-  auto rest = static_cast<std::uint64_t>(number < 0 ? -number : number);
-  do {
-    digits.insert(digits.begin(), static_cast<char>('0' + rest % 10));
-    rest /= 10;
-  } while (rest > 0);
+  const std::string digits = pointed(static_cast<std::uint64_t>(number < 0 ? -number : number), 0);
   return number < 0 ? "-" + digits : digits;
 }
 

@@ -18,16 +18,21 @@ void sortOnce(std::vector<std::pair<int, int>>& pairs);
 /// The places of `keys` in ascending order, those of equal keys as they come.
 std::vector<std::size_t> placesInOrder(const std::vector<double>& keys);
 
+/// Sorts by the keys beside the items; equal ones stay as they come.
+template <class Item>
+void sortByKeys(std::vector<Item>& items, const std::vector<double>& keys) {
+  const std::vector<std::size_t> places = placesInOrder(keys);
+  std::vector<Item> sorted(items.size());
+  for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = std::move(items[places[k]]);
+  items = std::move(sorted);
+}
+
 /// Sorts by key(item), a number; equal ones stay as they come.
 template <class Item, class Key>
 void sortBy(std::vector<Item>& items, Key key) {
-  const std::size_t count = items.size();
-  std::vector<double> keys(count);
-  for (std::size_t k = 0; k < count; ++k) keys[k] = static_cast<double>(key(items[k]));
-  const std::vector<std::size_t> places = placesInOrder(keys);
-  std::vector<Item> sorted(count);
-  for (std::size_t k = 0; k < count; ++k) sorted[k] = std::move(items[places[k]]);
-  items = std::move(sorted);
+  std::vector<double> keys(items.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) keys[k] = static_cast<double>(key(items[k]));
+  sortByKeys(items, keys);
 }
 
 }  // namespace seamwise

@@ -69,7 +69,8 @@ Outcome<NestingProblem> problemOf(const val& request) {
 val placesValue(const std::vector<RigidMotion>& places) {
   std::vector<double> flat;
   for (const RigidMotion& place : places)
-    flat.insert(flat.end(), {place.angle, place.shift.x(), place.shift.y()});
+    for (const double number : {place.angle, place.shift.x(), place.shift.y()})
+      flat.push_back(number);
   return copied(flat);
 }
 

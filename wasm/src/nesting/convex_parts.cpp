@@ -57,12 +57,12 @@ std::vector<Indices> triangles(const Polyline& ring) {
 Indices joined(const Indices& a, const Indices& b, int from, int to) {
   const auto of_a = std::find(a.begin(), a.end(), to);
   const auto of_b = std::find(b.begin(), b.end(), from);
-  Indices all(of_a, a.end());
-  all.insert(all.end(), a.begin(), of_a);  // to ... from
-  Indices other(of_b, b.end());
-  other.insert(other.end(), b.begin(), of_b);  // from ... to
-  all.insert(all.end(), other.begin() + 1, other.end() - 1);
-  return all;
+  const auto first = static_cast<std::size_t>(of_a - a.begin());
+  const auto second = static_cast<std::size_t>(of_b - b.begin());
+  Indices all;
+  for (std::size_t k = 0; k < a.size(); ++k) all.push_back(a[(first + k) % a.size()]);
+  for (std::size_t k = 1; k + 1 < b.size(); ++k) all.push_back(b[(second + k) % b.size()]);
+  return all;  // to ... from ... to
 }
 
 bool isConvex(const Polyline& ring, const Indices& part) {
@@ -135,7 +135,7 @@ Polyline fromLowest(const Polyline& convex) {
       convex.begin(), convex.end(),
       [](const Vec2& a, const Vec2& b) { return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x(); });
   Polyline ring(lowest, convex.end());
-  ring.insert(ring.end(), convex.begin(), lowest);
+  for (auto vertex = convex.begin(); vertex != lowest; ++vertex) ring.push_back(*vertex);
   return ring;
 }
 

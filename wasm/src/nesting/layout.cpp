@@ -47,7 +47,11 @@ std::vector<double> beginnings(const PiecesOnBoard& pieces, const LayCloth& clot
         const double bottom = pieces.bottomAt(placed, {i, j}, cloth.origin);
         const double within = bottom - range * std::floor(bottom / range + 1e-9);
         const auto at = std::lower_bound(found.begin(), found.end(), within - 1e-6);
-        if (at == found.end() || *at > within + 1e-6) found.insert(at, within);
+        if (at == found.end() || *at > within + 1e-6) {
+          const std::ptrdiff_t place = at - found.begin();
+          found.push_back(within);
+          std::rotate(found.begin() + place, found.end() - 1, found.end());
+        }
         if (pieces.period() && board.along.y() == 0 && j * board.up.y() > range) break;
       }
       if (board.along.y() == 0) break;

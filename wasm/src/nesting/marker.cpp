@@ -42,22 +42,13 @@ std::vector<std::vector<int>> Marker::naps() const {
   int garments = 0;
   for (const NestingPiece& piece : problem_.pieces)
     garments = std::max(garments, piece.garment + 1);
-  constexpr int kAll = 3;  // of more garments, not all combinations are tried
+  constexpr int kAll = 3;  // of more garments, every second one lies as the first
+  const int free = garments <= kAll ? garments : 2;
   std::vector<std::vector<int>> naps;
-  if (garments <= kAll) {
-    for (int bits = 0; bits < 1 << garments; ++bits) {
-      std::vector<int> down(garments);
-      for (int g = 0; g < garments; ++g) down[g] = bits >> g & 1;
-      naps.push_back(down);
-    }
-    return naps;
-  }
-  for (int odd = 0; odd < 2; ++odd) {
-    for (int even = 0; even < 2; ++even) {
-      std::vector<int> down(garments);
-      for (int g = 0; g < garments; ++g) down[g] = g % 2 == 0 ? even : odd;
-      naps.push_back(down);
-    }
+  for (int bits = 0; bits < 1 << free; ++bits) {
+    std::vector<int> down(garments);
+    for (int g = 0; g < garments; ++g) down[g] = bits >> g % free & 1;
+    naps.push_back(down);
   }
   return naps;
 }
@@ -104,6 +95,13 @@ void Marker::keepBest() {
   }
 }
 
+bool Marker::goOn(LayoutSearch& search, double most) {
+  const double before = search.reads();
+  const bool more = search.construct() || (search.reads() < most && search.improve());
+  reads_ += search.reads() - before + 1;
+  return more;
+}
+
 /// One step of one variant, in turn: all of them have a share, then the best of them the rest.
 void Marker::lay() {
   if (spent() < kFirstShare * budget() || !best_) {
@@ -111,10 +109,7 @@ void Marker::lay() {
     for (std::size_t tried = 0; tried < variants_.size(); ++tried) {
       Variant& variant = variants_[turn_++ % variants_.size()];
       if (variant.is_done) continue;
-      LayoutSearch& search = *variant.search;
-      const double before = search.reads();
-      if (!search.construct()) variant.is_done = search.reads() >= share || !search.improve();
-      reads_ += search.reads() - before + 1;
+      variant.is_done = !goOn(*variant.search, share);
       return keepBest();
     }
   }

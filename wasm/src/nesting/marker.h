@@ -62,6 +62,8 @@ class Marker {
   void makeTables();
   void makeVariants();
   void lay();
+  /// One step of a search that may read so many entries. False when there is nothing left to do.
+  bool goOn(LayoutSearch& search, double most);
   void keepBest();
   void beginProof();
   LayCloth clothOfProof() const;

@@ -16,6 +16,9 @@ constexpr double kMostWider = 200, kWider = 0.5;
 std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
 /// Rounded up, so that cloth of that width is wide enough.
 std::string atLeast(double length) { return centimetres(std::ceil(10 * length - 1e-4) / 10); }
+std::string widthNeeded(double width) {
+  return "; the cloth has to be at least " + atLeast(width) + " wide.";
+}
 
 }  // namespace
 
@@ -38,9 +41,8 @@ Outcome<std::unique_ptr<Marker>> Marker::make(NestingProblem problem) {
     if (!piece.pin && least > room + 1e-5)
       return Error{Failure::kOptions,
                    piece.name + " is " + atLeast(least) + " wide, more than the " +
-                       centimetres(std::max(room, 0.0)) +
-                       " between the selvedges; the cloth has to be at least " +
-                       atLeast(least + 2 * marker->problem_.selvedge) + " wide."};
+                       centimetres(std::max(room, 0.0)) + " between the selvedges" +
+                       widthNeeded(least + 2 * marker->problem_.selvedge)};
   }
   return marker;
 }
@@ -62,22 +64,20 @@ void Marker::fail() {
         piece.name + " finds no place between the flaws of the cloth; take cloth that has fewer."};
     return;
   }
+  const std::string nowhere =
+      "On this repeat " + piece.name + " fits nowhere across " + centimetres(problem_.width);
   for (double width = problem_.width; width < problem_.width + kMostWider; width += kWider) {
     for (const double phase : problem_.phases) {
       const LayCloth cloth = clothOf(width, phase);
       const Window window{cloth.left, cloth.right, 0, 1000};
       for (const LayWay& way : pieces_.items()[item].ways) {
         if (pieces_.domain(way.placed, window, cloth.origin).empty()) continue;
-        error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
-                                              centimetres(problem_.width) +
-                                              "; the cloth has to be at least " + atLeast(width) +
-                                              " wide."};
+        error_ = Error{Failure::kOptions, nowhere + widthNeeded(width)};
         return;
       }
     }
   }
-  error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
-                                        centimetres(problem_.width) + "."};
+  error_ = Error{Failure::kOptions, nowhere + "."};
 }
 
 }  // namespace seamwise

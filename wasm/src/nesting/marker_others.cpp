@@ -30,11 +30,7 @@ void Marker::layFree() {
     cloth.turned_down = best_search_->cloth().turned_down;
     free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, cloth, problem_.seed);
   }
-  const double before = free_search_->reads();
-  bool more = free_search_->construct();
-  if (!more) more = free_search_->reads() < budget() && free_search_->improve();
-  reads_ += free_search_->reads() - before + 1;
-  if (more) return;
+  if (goOn(*free_search_, budget())) return;
   // a layout on the print is one without it
   free_length_ = free_search_->best() ? std::min(free_search_->best()->length(), best_->length())
                                       : best_->length();
@@ -56,13 +52,7 @@ void Marker::layWidths() {
     if (narrower_ && narrower_->best() && width >= problem_.widths[width_ - 1])
       width_search_->offer(*narrower_->best());
   }
-  const double before = width_search_->reads();
-  bool more = width_search_->construct();
-  if (!more && width_search_->best())
-    more = width_search_->reads() < NestingTuning::kWidthReads * problem_.effort &&
-           width_search_->improve();
-  reads_ += width_search_->reads() - before + 1;
-  if (more) return;
+  if (goOn(*width_search_, NestingTuning::kWidthReads * problem_.effort)) return;
   const auto& found = width_search_->best();
   const bool is_same = std::abs(width - problem_.width) < 1e-9;
   width_lengths_.push_back(is_same ? length()

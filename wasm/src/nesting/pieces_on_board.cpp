@@ -131,7 +131,8 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
                             LayItem* item) {
   const Mat2 back = piece.alignment.linear().transpose();
   std::vector<Vec2> shifts = {Vec2::Zero()};
-  if (!ignores_print_) shifts.insert(shifts.end(), piece.shifts.begin(), piece.shifts.end());
+  if (!ignores_print_)
+    for (const Vec2& shift : piece.shifts) shifts.push_back(shift);
   std::vector<Turn> turns = turnsOf(problem, ignores_print_, piece.turns);
   if (ignores_print_) {  // upright first, however the print turns it: the search is the same
     const Vec2 head = turns.front().linear * back * piece.up;
