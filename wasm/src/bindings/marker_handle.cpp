@@ -17,7 +17,10 @@ std::vector<double> numbers(const val& list) {
 Polyline points(const val& list) {
   const std::vector<double> flat = numbers(list);
   Polyline line;
-  for (std::size_t k = 0; k + 1 < flat.size(); k += 2) line.emplace_back(flat[k], flat[k + 1]);
+  for (std::size_t k = 0; k + 1 < flat.size(); k += 2) {
+    const Vec2 point(flat[k], flat[k + 1]);
+    line.push_back(point);
+  }
   return line;
 }
 
@@ -46,8 +49,10 @@ Outcome<NestingProblem> problemOf(const val& request) {
   if (!group.ok()) return group.error();
   NestingProblem problem{std::move(group).value()};
   const val pieces = request["pieces"], flaws = request["flaws"];
-  for (int k = 0; k < pieces["length"].as<int>(); ++k) problem.pieces.push_back(pieceOf(pieces[k]));
-  for (int k = 0; k < flaws["length"].as<int>(); ++k) problem.flaws.push_back(points(flaws[k]));
+  problem.pieces = std::vector<NestingPiece>(pieces["length"].as<std::size_t>());
+  for (std::size_t k = 0; k < problem.pieces.size(); ++k) problem.pieces[k] = pieceOf(pieces[k]);
+  problem.flaws = std::vector<Polyline>(flaws["length"].as<std::size_t>());
+  for (std::size_t k = 0; k < problem.flaws.size(); ++k) problem.flaws[k] = points(flaws[k]);
   problem.width = number("width");
   problem.selvedge = number("selvedge");
   problem.gap = number("gap");

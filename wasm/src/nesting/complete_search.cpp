@@ -41,8 +41,10 @@ void CompleteSearch::setValues(Level* level, int item, unsigned order) const {
   for (const int s : slots_.of[item]) {
     const SearchSlot& slot = slots_.slots[s];
     for (int j = level->left.rows[s].lo; j <= level->left.rows[s].hi; ++j)
-      for (std::uint64_t bits = level->left.bits[slot.row0 + j]; bits != 0; bits &= bits - 1)
-        level->values.push_back({s, {slot.column(j) + std::countr_zero(bits), j}, order});
+      for (std::uint64_t bits = level->left.bits[slot.row0 + j]; bits != 0; bits &= bits - 1) {
+        const SlotDot value{s, {slot.column(j) + std::countr_zero(bits), j}, order};
+        level->values.push_back(value);
+      }
   }
 }
 

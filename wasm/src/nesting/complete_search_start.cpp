@@ -77,15 +77,14 @@ bool CompleteSearch::setSlots(const Window& window) {
 }
 
 std::vector<int> CompleteSearch::tallestFirst() const {
-  std::vector<int> order;
-  for (std::size_t item = 0; item < slots_.of.size(); ++item)
-    order.push_back(static_cast<int>(item));
-  sortBy(order, [&](int item) {
+  std::vector<double> keys;
+  for (const std::vector<int>& slots : slots_.of) {
     double least = std::numeric_limits<double>::infinity();
-    for (const int s : slots_.of[item])
-      least = std::min(least, slots_.slots[s].high - slots_.slots[s].low);
-    return -least;
-  });
+    for (const int s : slots) least = std::min(least, slots_.slots[s].high - slots_.slots[s].low);
+    keys.push_back(-least);
+  }
+  std::vector<int> order;
+  for (const std::size_t item : placesInOrder(keys)) order.push_back(static_cast<int>(item));
   return order;
 }
 

@@ -150,12 +150,16 @@ std::vector<Polyline> convexParts(const Polyline& polygon, double overlap) {
 
 Polyline convexDifference(const Polyline& a, const Polyline& b) {
   Polyline turned;
-  for (const Vec2& p : b) turned.emplace_back(-p);
+  for (const Vec2& p : b) {
+    const Vec2 opposite = -p;
+    turned.push_back(opposite);
+  }
   const Polyline p = fromLowest(a), q = fromLowest(turned);
   const std::size_t n = p.size(), m = q.size();
   Polyline sum;
   for (std::size_t i = 0, j = 0; i < n || j < m;) {
-    sum.emplace_back(p[i % n] + q[j % m]);
+    const Vec2 corner = p[i % n] + q[j % m];
+    sum.push_back(corner);
     const Vec2 u = p[(i + 1) % n] - p[i % n], v = q[(j + 1) % m] - q[j % m];
     const double turn = i == n ? -1 : j == m ? 1 : cross(u, v);
     if (turn >= 0) ++i;

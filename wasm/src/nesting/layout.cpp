@@ -48,9 +48,9 @@ std::vector<double> beginnings(const PiecesOnBoard& pieces, const LayCloth& clot
         const double within = bottom - range * std::floor(bottom / range + 1e-9);
         const auto at = std::lower_bound(found.begin(), found.end(), within - 1e-6);
         if (at == found.end() || *at > within + 1e-6) {
-          const std::ptrdiff_t place = at - found.begin();
+          const auto place = static_cast<std::size_t>(at - found.begin());
           found.push_back(within);
-          std::rotate(found.begin() + place, found.end() - 1, found.end());
+          for (std::size_t k = found.size() - 1; k > place; --k) std::swap(found[k], found[k - 1]);
         }
         if (pieces.period() && board.along.y() == 0 && j * board.up.y() > range) break;
       }

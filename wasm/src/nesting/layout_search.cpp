@@ -26,10 +26,11 @@ LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uin
       random_(seed),
       count_(static_cast<int>(pieces.items().size())),
       ways_(allowedWays(pieces, cloth_)),
+      flaws_(pieces.placedCount()),
       beginnings_(beginnings(pieces, cloth_, kMostBeginnings)),
       shrink_(pieces.isFine() ? kFirstShrink : 0) {
   for (int placed = 0; placed < pieces.placedCount(); ++placed)
-    flaws_.push_back(pieces.flawTables(placed, cloth_.origin));
+    flaws_[placed] = pieces.flawTables(placed, cloth_.origin);
   places_.resize(count_);
   weights_.assign(static_cast<std::size_t>(count_) * count_, 1);
   overlaps_.assign(weights_.size(), 0);
@@ -107,9 +108,9 @@ bool LayoutSearch::hasPlace(int item) const {
 
 void LayoutSearch::setWindow(double bottom, double length) {
   window_ = {cloth_.left, cloth_.right, bottom, bottom + length};
-  domains_.clear();
+  domains_ = std::vector<Domain>(pieces_.placedCount());
   for (int placed = 0; placed < pieces_.placedCount(); ++placed)
-    domains_.push_back(pieces_.domain(placed, window_, cloth_.origin));
+    domains_[placed] = pieces_.domain(placed, window_, cloth_.origin);
 }
 
 float LayoutSearch::overlap(int a, int b) const {

@@ -67,8 +67,10 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
   };
   board_ = boardOf(kUsualStep);
   if (!ignores_print) period_ = latticePeriod(group.w1(), group.w2(), true);
-  for (const NestingPiece& piece : problem.pieces) {
-    LayItem item;
+  items_ = std::vector<LayItem>(problem.pieces.size());
+  for (std::size_t k = 0; k < items_.size(); ++k) {
+    const NestingPiece& piece = problem.pieces[k];
+    LayItem& item = items_[k];
     item.garment = piece.garment;
     // what the print costs does not depend on pins
     if (piece.pin && ignores_print == problem.ignores_print)
@@ -76,7 +78,6 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
     else
       addWays(piece, problem, &item);
     if (!item.ways.empty()) area_ += shapeOf(item.ways.front()).area;
-    items_.push_back(std::move(item));
   }
   double cells = 0;
   for (const PlacedShape& a : placed_)
@@ -114,11 +115,10 @@ int PiecesOnBoard::addShape(const Polyline& outline, const Mat2& turn) {
   return static_cast<int>(shapes_.size()) - 1;
 }
 
-int PiecesOnBoard::addPlaced(int shape, const Vec2& offset) {
+int PiecesOnBoard::addPlaced(int shape, const Vec2& offset, int item) {
   const auto known = std::find_if(placed_.begin(), placed_.end(), [&](const PlacedShape& one) {
     return !one.is_pinned && one.shape == shape && (one.offset - offset).norm() < 1e-6;
   });
-  const int item = static_cast<int>(items_.size());  // that whose ways are being made
   if (known != placed_.end()) {
     if (known->item != item) known->item = -1;
     return static_cast<int>(known - placed_.begin());
@@ -161,7 +161,7 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
                        static_cast<int>(std::floor(steps.y() + 1e-6))};
         way.offset = offset - board_.shift(cell);
       }
-      way.placed = addPlaced(shape, rounded(way.offset));
+      way.placed = addPlaced(shape, rounded(way.offset), numberOf(item));
       item->ways.push_back(way);
     }
   }
@@ -176,8 +176,8 @@ void PiecesOnBoard::addPin(const NestingPiece& piece, const NestingProblem& prob
   const double left = ignores_print_ ? problem.selvedge : problem.phases.front();
   way.offset = piece.pin->shift - Vec2(left, problem.start.value_or(0));
   way.placed = static_cast<int>(placed_.size());
-  placed_.push_back({addShape(piece.outline, way.linear), rounded(way.offset),
-                     static_cast<int>(items_.size()), true});
+  placed_.push_back(
+      {addShape(piece.outline, way.linear), rounded(way.offset), numberOf(item), true});
   item->ways.push_back(way);
   item->is_pinned = true;
 }

@@ -96,7 +96,8 @@ class PiecesOnBoard {
 
  private:
   int addShape(const Polyline& outline, const Mat2& turn);
-  int addPlaced(int shape, const Vec2& offset);
+  int numberOf(const LayItem* item) const { return static_cast<int>(item - items_.data()); }
+  int addPlaced(int shape, const Vec2& offset, int item);
   void addWays(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
   void addPin(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
 

@@ -106,10 +106,14 @@ export const clothCommands = (
 export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
   const {move, moveOnto, turnOnto, leave, closeFlaw} = words.keys;
   const arrows = '←  →  ↑  ↓';
+  const {Shift} = texts.keyNames;
+  const shown = (key: string): string =>
+    key.replace('Shift', Shift).replace('Delete', words.deleteKey);
+  const commands = keysOf([...handling(cloth, texts, words), ...looking(cloth, texts)]);
   return [
     [arrows, move],
     [`Alt ${arrows}`, moveOnto],
-    ...keysOf([...handling(cloth, texts, words), ...looking(cloth, texts)]),
+    ...commands.map(([key, meaning]) => [shown(key), meaning] as const),
     ['Alt R', turnOnto],
     ['Enter', closeFlaw],
     ['Esc', leave],

@@ -115,6 +115,7 @@ export const cloth: ClothTexts = {
   hint: 'Ein Teil auf einen anderen Platz im Muster ziehen',
   nextPiece: 'Nächstes Teil',
   pieceBefore: 'Voriges Teil',
+  deleteKey: 'Entf',
   keys: {
     move: 'Das Teil auf den nächsten freien Platz legen',
     moveOnto: 'Ebenso, auch wo andere liegen',

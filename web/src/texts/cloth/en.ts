@@ -127,6 +127,7 @@ export const cloth = {
   hint: 'Drag a piece to another place in the print',
   nextPiece: 'Next piece',
   pieceBefore: 'Piece before',
+  deleteKey: 'Delete',
   keys: {
     move: 'Move the piece to the next free place',
     moveOnto: 'The same, even where others lie',

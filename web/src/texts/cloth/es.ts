@@ -115,6 +115,7 @@ export const cloth: ClothTexts = {
   hint: 'Arrastra una pieza a otro sitio del estampado',
   nextPiece: 'Pieza siguiente',
   pieceBefore: 'Pieza anterior',
+  deleteKey: 'Supr',
   keys: {
     move: 'Llevar la pieza al siguiente sitio libre',
     moveOnto: 'Lo mismo, aunque haya otras',

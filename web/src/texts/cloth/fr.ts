@@ -116,6 +116,7 @@ export const cloth: ClothTexts = {
   hint: 'Faites glisser une pièce vers une autre place de l’imprimé',
   nextPiece: 'Pièce suivante',
   pieceBefore: 'Pièce précédente',
+  deleteKey: 'Suppr',
   keys: {
     move: 'Déplacer la pièce à la place libre suivante',
     moveOnto: 'De même, là où d’autres se trouvent aussi',

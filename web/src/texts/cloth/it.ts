@@ -114,6 +114,7 @@ export const cloth: ClothTexts = {
   hint: 'Trascina un pezzo in un altro posto della stampa',
   nextPiece: 'Pezzo successivo',
   pieceBefore: 'Pezzo precedente',
+  deleteKey: 'Canc',
   keys: {
     move: 'Portare il pezzo al prossimo posto libero',
     moveOnto: 'Lo stesso, anche dove ce ne sono altri',
