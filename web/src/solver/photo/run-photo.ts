@@ -24,13 +24,15 @@ import {
 import type {Point} from '../../model/geometry.js';
 import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
 import type {
-  ModulePhoto,
+  ModuleObject,
+  ModuleObjectRequest,
   ModulePhotoGroup,
+  ModulePhotoReport,
   ModulePhotoRequest,
-  ModulePhotoTile,
   ModulePhotoTileRequest,
+  ModulePictureWork,
+  ModuleTile,
   ModuleTileSeams,
-  PhotoModule,
 } from '../module/photo.mjs';
 import type {ModuleFailure} from '../module/module.js';
 import {toError} from '../seamwise/failures.js';
@@ -73,24 +75,13 @@ export const photoTileModuleRequest = (
   ...{map: mapNumbers(map), isTile, group: symmetrise ?? '', flatten, vectors: flat(shape)},
 });
 
-/** @throws {SolverError} where no such thing is seen */
-export function photoObjectOf(
-  module: PhotoModule,
+export const photoObjectModuleRequest = (
   pixels: PhotoPixels,
   {object, at, map, shape}: PhotoObjectSettings,
-): PhotoObject {
-  const answer = module.knownObject({
-    ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
-    ...{map: mapNumbers(map), vectors: flat(shape), object, at: Float64Array.from(at)},
-  });
-  if (answer.failure) throw photoError(answer.failure);
-  const {outline, between, error} = answer;
-  const [from = at, to = at] = pointsOf(between.subarray(0, 4));
-  return {
-    ...{object, outline: pointsOf(outline), error},
-    between: {from, to, cm: between[4] ?? NaN},
-  };
-}
+): ModuleObjectRequest => ({
+  ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
+  ...{map: mapNumbers(map), vectors: flat(shape), object, at: Float64Array.from(at)},
+});
 
 const mapOf = (numbers: Float64Array): PhotoMap => ({
   homography: Array.from(numbers.subarray(0, 9)) as unknown as Homography,
@@ -145,28 +136,33 @@ function seamsOf({across, up, halfDrop, brick}: ModuleTileSeams): TileSeams {
   };
 }
 
+/** Has work on a picture go on until it has ended. @throws {SolverError}; what `runInSlices` throws */
+async function finish<Answer>(
+  picture: ModulePictureWork<Answer>,
+  hooks: PhotoHooks,
+  pace: Pace,
+): Promise<Answer> {
+  const work = (milliseconds: number): boolean => {
+    const more = stepsFor(milliseconds, () => picture.advance());
+    const failure = picture.failure();
+    if (failure) throw photoError(failure);
+    hooks.onProgress?.({stage: known(photoStages, picture.stage()), fraction: picture.fraction()});
+    return more;
+  };
+  await runInSlices(work, pace, hooks.signal);
+  return picture.answer();
+}
+
 /** @throws {SolverError} where no print is found; what `runInSlices` throws */
 export async function runPhoto(
-  photo: ModulePhoto,
+  photo: ModulePictureWork<ModulePhotoReport>,
   {width, height}: PhotoPixels,
   hooks: PhotoHooks,
   pace: Pace,
   hasSeams = false,
 ): Promise<PhotoReading> {
-  const advance = (): boolean => {
-    const more = photo.advance();
-    const failure = photo.failure();
-    if (failure) throw photoError(failure);
-    return more;
-  };
-  const work = (milliseconds: number): boolean => {
-    const more = stepsFor(milliseconds, advance);
-    hooks.onProgress?.({stage: known(photoStages, photo.stage()), fraction: photo.fraction()});
-    return more;
-  };
-  await runInSlices(work, pace, hooks.signal);
   const {group, groups, vectors, isScaled, uncertainty, others, differing, seams, ...report} =
-    photo.report();
+    await finish(photo, hooks, pace);
   const read = groups.map(groupOf);
   const own = read.find(({name}) => name === group);
   if (!own) throw new Error('A print has a group.');
@@ -189,20 +185,27 @@ export async function runPhoto(
 
 /** @throws {SolverError}; what `runInSlices` throws */
 export async function runPhotoTile(
-  tile: ModulePhotoTile,
+  tile: ModulePictureWork<ModuleTile>,
   gains: ColourGains | undefined,
   hooks: PhotoHooks,
   pace: Pace,
 ): Promise<PhotoPixels> {
-  const work = (milliseconds: number): boolean => {
-    const more = stepsFor(milliseconds, () => tile.advance());
-    const failure = tile.failure();
-    if (failure) throw photoError(failure);
-    hooks.onProgress?.({stage: 'tile', fraction: tile.fraction()});
-    return more;
-  };
-  await runInSlices(work, pace, hooks.signal);
-  const {width, height, pixels} = tile.tile();
+  const {width, height, pixels} = await finish(tile, hooks, pace);
   if (gains) balance(pixels, gains);
   return {width, height, data: pixels};
+}
+
+/** @throws {SolverError} where no such thing is seen; what `runInSlices` throws */
+export async function runPhotoObject(
+  search: ModulePictureWork<ModuleObject>,
+  {object, at}: PhotoObjectSettings,
+  hooks: PhotoHooks,
+  pace: Pace,
+): Promise<PhotoObject> {
+  const {outline, between, error} = await finish(search, hooks, pace);
+  const [from = at, to = at] = pointsOf(between.subarray(0, 4));
+  return {
+    ...{object, outline: pointsOf(outline), error},
+    between: {from, to, cm: between[4] ?? NaN},
+  };
 }
