@@ -49,10 +49,14 @@ LatticeMap mapOf(const std::vector<double>& numbers, const PixelView& view) {
   return map;
 }
 
-val mapValue(const LatticeMap& map) {
-  std::vector<double> numbers;
+void addNumbers(const LatticeMap& map, std::vector<double>& numbers) {
   for (int k = 0; k < 9; ++k) numbers.push_back(map.homography(k / 3, k % 3));
   numbers.push_back(map.lens);
+}
+
+val mapValue(const LatticeMap& map) {
+  std::vector<double> numbers;
+  addNumbers(map, numbers);
   return copied(numbers);
 }
 
@@ -152,13 +156,14 @@ val PhotoWork::answer() const {
   value.set("stripes", groups.stripes);
   value.set("copies", lattice.copies);
   value.set("explained", lattice.explained);
-  value.set("others", listOf(photo.others(),
-                             [](const LatticeReading& other) { return mapValue(other.map); }));
-  value.set("differing", listOf(photo.differing(), [](const DifferingRegion& region) {
-              const Vec2 low = region.low, high = region.high;
-              return copied(std::vector<double>{low.x(), low.y(), high.x(), low.y(), high.x(),
-                                                high.y(), low.x(), high.y()});
-            }));
+  std::vector<double> others, differing;
+  for (const LatticeReading& other : photo.others()) addNumbers(other.map, others);
+  for (const DifferingRegion& region : photo.differing()) {
+    const Vec2 low = region.low, high = region.high;
+    differing.insert(differing.end(), {low.x(), low.y(), high.x(), high.y()});
+  }
+  value.set("others", copied(others));
+  value.set("differing", copied(differing));
   value.set("notes",
             listOf(photo.notes(), [](PhotoNote note) { return nameOf(kPhotoNotes, note); }));
   value.set("seams", seamsValue(photo.seams()));

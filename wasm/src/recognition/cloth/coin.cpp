@@ -17,15 +17,14 @@ constexpr KnownObject kKnownObjects[] = {
     {"eur1", 2.325, 2.325, true}, {"eur2", 2.575, 2.575, true}, {"quarter", 2.426, 2.426, true},
     {"gbp1", 2.34, 2.34, true},   {"card", 8.56, 5.398, false}, {"a4", 29.7, 21, false}};
 
-constexpr double kCompareShare = 0.8;  // of the time
-constexpr int kOutlinePoints = 48;
+constexpr double kCompareShare = 0.8;   // of the time
 constexpr double kLeastRadius = 6;      // half the longer side, of what is compared. [px]
 constexpr double kMostOfPicture = 0.4;  // half of it, over the picture's longer side
-constexpr double kScaleStep = 1.04;
-constexpr double kCenterStep = 0.12;   // of half the longer side
-constexpr int kCenterSteps = 3;        // to each side
-constexpr int kTurnSteps = 30;         // of half a turn
-constexpr double kCoarseReach = 0.08;  // to both sides of an outline, of half the longer side
+constexpr double kScaleStep = 1.04;     // 110 of them from the least to the most
+constexpr double kCenterStep = 0.12;    // of half the longer side
+constexpr int kCenterSteps = 3;         // to each side
+constexpr int kTurnSteps = 30;          // of half a turn
+constexpr double kCoarseReach = 0.08;   // to both sides of an outline, of half the longer side
 constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // of the same
 constexpr int kWindowSamples = 12;                                  // to each side
 constexpr float kFaint = 24;          // of 3 x 255: things that stand out less are none
@@ -34,20 +33,20 @@ constexpr double kPixelError = 0.2;   // of what is compared, by which outlines 
 constexpr double kThickness = 0.007;  // what the height of a coin makes of its size
 constexpr double kCorner = 0.12;      // of a card's side, left out: corners are round
 
-std::vector<OutlineBit> outlineOf(const KnownObject& object) {
-  std::vector<OutlineBit> bits;
+std::array<OutlineBit, kOutlineBits> outlineOf(const KnownObject& object) {
+  std::array<OutlineBit, kOutlineBits> bits;
   const double ratio = object.height / object.width;
-  for (int k = 0; k < kOutlinePoints; ++k) {
-    const double part = (k + 0.5) / kOutlinePoints;
+  for (int k = 0; k < kOutlineBits; ++k) {
+    const double part = (k + 0.5) / kOutlineBits;
     if (object.round) {
-      bits.push_back({unit(2 * kPi * part), unit(2 * kPi * part)});
+      bits[k].at = bits[k].normal = unit(2 * kPi * part);
       continue;
     }
     const int side = k % 4;
     const double along = (1 - kCorner) * (2 * part - 1);
     const Vec2 normal = side < 2 ? Vec2(0, side == 0 ? 1 : -1) : Vec2(side == 2 ? 1 : -1, 0);
-    bits.push_back(
-        {side < 2 ? Vec2(along, ratio * normal.y()) : Vec2(normal.x(), ratio * along), normal});
+    bits[k] = {side < 2 ? Vec2(along, ratio * normal.y()) : Vec2(normal.x(), ratio * along),
+               normal};
   }
   return bits;
 }
@@ -79,7 +78,7 @@ ObjectSearch::ObjectSearch(const PixelView& pixels, const LatticeMap& map, const
   tapped_ = to_cloth_ * u;
   const Mat2 d = derivative(map, u) * to_lattice_;
   const double px = std::sqrt(std::abs(cross(d.col(0), d.col(1))));  // of a unit of length
-  size_ = least_ = kLeastRadius * difference_.factor() / px;
+  size_ = kLeastRadius * difference_.factor() / px;
   most_ = kMostOfPicture * std::max(pixels.width, pixels.height) / px;
 }
 
@@ -89,7 +88,7 @@ bool ObjectSearch::advance() {
       if (!difference_.advance()) stage_ = Stage::kSizes;
       break;
     case Stage::kSizes:
-      if (size_ < most_) {
+      if (size_ < most_ && count_ < kMostSizes) {
         trySize();
         break;
       }
@@ -116,7 +115,7 @@ double ObjectSearch::fraction() const {
     case Stage::kCompare:
       return kCompareShare * difference_.fraction();
     case Stage::kSizes:
-      return kCompareShare + (1 - kCompareShare) * (size_ - least_) / (most_ - least_);
+      return kCompareShare + (1 - kCompareShare) * std::min(1.0, size_ / most_);
     case Stage::kRefine:
     case Stage::kDone:
       break;
@@ -135,18 +134,18 @@ float ObjectSearch::edge(const Vec2& inside, const Vec2& outside) const {
 
 /// The edge that three quarters of the outline exceed, or 0 when that is not more than `least`.
 float ObjectSearch::clearness(const ObjectPlacing& placing, float least) const {
-  std::vector<double> edges(kOutlinePoints);
+  std::vector<double> edges(kOutlineBits);
   const Mat2 turned = rotation(placing.turn);
   int faint = 0;
-  for (int k = 0; k < kOutlinePoints; ++k) {
+  for (int k = 0; k < kOutlineBits; ++k) {
     const Vec2 at = placing.center + placing.size * (turned * bits_[k].at);
     const Vec2 reach = placing.size * kCoarseReach * (turned * bits_[k].normal);
     const float here = edge(at - reach, at + reach);
     edges[k] = static_cast<double>(here);
-    if (here <= least && ++faint > kOutlinePoints / 4) return 0;
+    if (here <= least && ++faint > kOutlineBits / 4) return 0;
   }
   sortNumbers(edges);
-  return static_cast<float>(edges[kOutlinePoints / 4]);
+  return static_cast<float>(edges[kOutlineBits / 4]);
 }
 
 void ObjectSearch::trySize() {
@@ -162,13 +161,13 @@ void ObjectSearch::trySize() {
     }
   }
   best_ = std::max(best_, clearest.first);
-  sizes_.push_back(clearest);
+  sizes_[count_++] = clearest;
   size_ *= kScaleStep;
 }
 
 /// The largest of the outlines that are nearly as clear as the clearest; false when none is.
 bool ObjectSearch::chooseSize() {
-  for (std::size_t k = sizes_.size(); k-- > 0;) {
+  for (int k = count_; k-- > 0;) {
     if (sizes_[k].first <= kFaint || sizes_[k].first < kAsGood * best_) continue;
     // Of neighbouring sizes, the clearest.
     while (k > 0 && sizes_[k - 1].first > sizes_[k].first) --k;
@@ -222,7 +221,7 @@ void ObjectSearch::refine(double window) {
 }
 
 void ObjectSearch::finish() {
-  const int corners = object_.round ? kOutlinePoints : 4;
+  const int corners = object_.round ? kOutlineBits : 4;
   const double ratio = object_.height / object_.width;
   for (int k = 0; k < corners; ++k) {
     const Vec2 bit = object_.round ? unit(2 * kPi * k / corners)
@@ -232,7 +231,7 @@ void ObjectSearch::finish() {
   found_.scale = object_.width / 2 / placing_.size;
   const double pixels = (onPicture(Vec2(1, 0)) - onPicture(Vec2(-1, 0))).norm() / 2;
   const double misplaced = kPixelError * difference_.factor() / pixels;
-  found_.error = std::sqrt(kThickness * kThickness + left_ * left_ / (kOutlinePoints / 4.0) +
+  found_.error = std::sqrt(kThickness * kThickness + left_ * left_ / (kOutlineBits / 4.0) +
                            misplaced * misplaced);
 }
 

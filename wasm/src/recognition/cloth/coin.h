@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -34,6 +35,9 @@ struct ObjectPlacing {
   Vec2 center = Vec2::Zero();
   double size = 1, turn = 0;
 };
+
+/// How many bits of an outline are looked at, and how many sizes of it at most.
+constexpr int kOutlineBits = 48, kMostSizes = 128;
 
 /// A bit of an outline whose longer half side is 1: place, and unit normal outwards.
 struct OutlineBit {
@@ -73,14 +77,15 @@ class ObjectSearch {
   PrintDifference difference_;
   LatticeMap map_;
   KnownObject object_;
-  std::vector<OutlineBit> bits_;
+  std::array<OutlineBit, kOutlineBits> bits_;
   Mat2 to_lattice_, to_cloth_;
-  Vec2 tapped_;                  ///< on the cloth
-  double least_ = 0, most_ = 0;  ///< sizes that are tried
+  Vec2 tapped_;      ///< on the cloth
+  double most_ = 0;  ///< size that is tried
   Stage stage_ = Stage::kCompare;
   double size_ = 0;  ///< the next one
   float best_;       ///< clearness of all sizes so far
-  std::vector<std::pair<float, ObjectPlacing>> sizes_;
+  std::array<std::pair<float, ObjectPlacing>, kMostSizes> sizes_;
+  int count_ = 0;  ///< of them
   ObjectPlacing placing_;
   double left_ = 0;  ///< root mean square of what least squares leave, over the size
   std::optional<Error> error_;

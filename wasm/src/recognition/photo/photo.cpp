@@ -110,12 +110,11 @@ void Photo::readWholeTile() {
 
 bool Photo::search() {
   if (search_->advance()) return true;
-  const auto& result = search_->result();
-  if (!result.ok()) {
-    fail(result.error());
+  if (search_->error()) {
+    fail(*search_->error());
     return false;
   }
-  lattice_ = result.value();
+  lattice_ = search_->result();
   if (lattice_.confidence == Confidence::kUncertain) {
     const auto& all = search_->candidates();
     for (std::size_t k = 1; k < all.size(); ++k) others_.push_back(all[k]);
@@ -214,7 +213,7 @@ void Photo::place(const Mat2& measured_gram) {
     const double along = is_scaled_ ? PhotoTuning::kAlongStripe : across * PhotoTuning::kStripeSide;
     gram << across * across, 0, 0, along * along;
   }
-  vectors_ = placedLattice(mapOf(best()), gram, 0);
+  vectors_ = placedLattice(mapOf(best()), gram);
   stage_ = PhotoStage::kDone;
 }
 

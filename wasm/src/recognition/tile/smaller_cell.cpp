@@ -36,9 +36,8 @@ int orderOfShift(const Vec2& shift, double error) {
   return 0;
 }
 
-/// Shifts at which a correlation has a maximum of almost the whole energy, the shortest first.
-std::vector<Vec2> likelyShifts(const std::vector<float>& values, int fine, double least,
-                               const Mat2& gram) {
+/// Shifts at which a correlation has a maximum of almost the whole energy.
+std::vector<Vec2> likelyShifts(const std::vector<float>& values, int fine, double least) {
   std::vector<Vec2> shifts;
   for (int j = 0; j < fine; ++j) {
     for (int i = 0; i < fine; ++i) {
@@ -54,7 +53,6 @@ std::vector<Vec2> likelyShifts(const std::vector<float>& values, int fine, doubl
       if (greatest) shifts.push_back(shift / fine);
     }
   }
-  sortBy(shifts, [&gram](const Vec2& shift) { return shift.dot(gram * shift); });
   return shifts;
 }
 
@@ -72,24 +70,28 @@ SmallerCellSearch::SmallerCellSearch(const CellPicture& cell, const Mat2& gram)
 void SmallerCellSearch::addStripes(const std::array<int, 2>& along, const Mat2& gram) {
   const IntegerMatrix basis = stripeBasis(along, gram);
   for (int k = TileReadingTuning::kMostStripes; k > 1; --k)
-    shifts_.push_back({k, basis[0], basis[2]});
+    shifts_[count_++] = {k, basis[0], basis[2]};
 }
 
+/// The shortest first.
 void SmallerCellSearch::addLikely(const Mat2& gram) {
   const int fine = 2 * spectrum_.n();
-  const auto values = spectrum_.correlation({1, 0, 0, 1});
   const double least = (1 - GroupReadingTuning::kHasNotShare) * spectrum_.energy();
-  for (const Vec2& shift : likelyShifts(values, fine, least, gram)) {
-    if (shifts_.size() == TileReadingTuning::kMostShifts) break;
+  const std::vector<Vec2> shifts = likelyShifts(spectrum_.correlation({1, 0, 0, 1}), fine, least);
+  std::vector<double> squares;
+  for (const Vec2& shift : shifts) squares.push_back(shift.dot(gram * shift));
+  for (const std::size_t place : placesInOrder(squares)) {
+    if (count_ == TileReadingTuning::kMostShifts) break;
+    const Vec2& shift = shifts[place];
     const int order = orderOfShift(shift, 1.0 / fine);
     if (order < 2) continue;
-    shifts_.push_back({order, static_cast<int>(std::lround(order * shift.x())),
-                       static_cast<int>(std::lround(order * shift.y()))});
+    shifts_[count_++] = {order, static_cast<int>(std::lround(order * shift.x())),
+                         static_cast<int>(std::lround(order * shift.y()))};
   }
 }
 
 bool SmallerCellSearch::advance() {
-  if (tested_ == shifts_.size()) return false;
+  if (tested_ == count_) return false;
   const auto [order, a, b] = shifts_[tested_++];
   const SymmetryResidual residual = tests_.residual(IntegerMatrix{1, 0, 0, 1}, Vec2(a, b) / order);
   const bool is_repeat = residual.rho <= GroupReadingTuning::kHasShare &&
@@ -97,7 +99,7 @@ bool SmallerCellSearch::advance() {
   if (!is_repeat) return true;
   missed_ = residual.raw;
   lattice_ = latticeWith(order, a, b);
-  tested_ = shifts_.size();
+  tested_ = count_;
   return false;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "recognition/symmetry/symmetry_tests.h"
+#include "tuning/tile_reading.h"
 
 namespace seamwise {
 
@@ -43,8 +44,9 @@ class SmallerCellSearch {
 
   CellSpectrum spectrum_;
   SymmetryTests tests_;
-  std::vector<ShareOfCell> shifts_;
-  std::size_t tested_ = 0;
+  std::array<ShareOfCell, std::max(TileReadingTuning::kMostStripes, TileReadingTuning::kMostShifts)>
+      shifts_;  ///< that are tested, in turn
+  int count_ = 0, tested_ = 0;
   FinerLattice lattice_;
   double missed_ = 0;
 };

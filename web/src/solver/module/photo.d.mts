@@ -56,10 +56,10 @@ export interface ModulePhotoReport {
   readonly stripes: boolean;
   readonly copies: number;
   readonly explained: number;
-  /** Maps of other lattices. */
-  readonly others: readonly Float64Array[];
-  /** Polygons where copies differ, each flat. */
-  readonly differing: readonly Float64Array[];
+  /** Maps of other lattices, ten numbers each. */
+  readonly others: Float64Array;
+  /** Rectangles where copies differ: x, y of the upper left corner, x, y of the lower right one. */
+  readonly differing: Float64Array;
   readonly notes: readonly string[];
   readonly seams: ModuleTileSeams;
 }

@@ -94,6 +94,19 @@ const pointsOf = (numbers: Float64Array): readonly Point[] =>
     numbers[2 * k + 1] ?? NaN,
   ]);
 
+const inParts = (numbers: Float64Array, length: number): readonly Float64Array[] =>
+  Array.from({length: numbers.length / length}, (_, k) =>
+    numbers.subarray(k * length, (k + 1) * length),
+  );
+
+const cornersOf = ([left = NaN, top = NaN, right = NaN, bottom = NaN]: Float64Array) =>
+  [
+    [left, top],
+    [right, top],
+    [right, bottom],
+    [left, bottom],
+  ] as const satisfies readonly Point[];
+
 /** Whose sentence begins and ends as sentences do. */
 function photoError({message, ...failure}: ModuleFailure): Error {
   const whole = /[.!?]$/.test(message) ? message : `${message}.`;
@@ -177,8 +190,8 @@ export async function runPhoto(
     confidence: known(photoConfidences, report.confidence),
     ...{oneWay, stripes, copies, explained},
     notes: report.notes.map((note) => known(photoNotes, note)),
-    others: others.map(mapOf),
-    differing: differing.map(pointsOf),
+    others: inParts(others, 10).map(mapOf),
+    differing: inParts(differing, 4).map(cornersOf),
     ...(hasSeams && {seams: seamsOf(seams)}),
   };
 }
