@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "cell_samples.h"
+#include "print_picture.h"
 #include "print_samples.h"
 #include "recognition/cloth/tile_symmetry.h"
-#include "recognition/symmetry/print_cell.h"
 
 namespace seamwise {
 namespace {
@@ -15,10 +15,18 @@ using testing::CellView;
 using testing::drawnCell;
 using testing::gramOf;
 using testing::photographedCell;
+using testing::printPicture;
 using testing::sampleGroup;
 using testing::SamplePrint;
 using testing::samplePrint;
 using Chance = seamwise::Random;
+
+GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance) {
+  GroupReader reader(cell, gram, tolerance);
+  while (reader.advance()) {
+  }
+  return reader.result();
+}
 
 std::string_view bestName(const GroupReading& reading) {
   return reading.groups[reading.best].group->name;

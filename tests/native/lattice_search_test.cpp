@@ -42,9 +42,9 @@ void finish(LatticeSearch& search) {
 std::string refusal(const DrawnPicture& picture) {
   LatticeSearch search(picture.view());
   finish(search);
-  if (search.result().ok()) return "";
-  EXPECT_EQ(search.result().error().code, Failure::kPicture);
-  return search.result().error().message;
+  if (!search.error()) return "";
+  EXPECT_EQ(search.error()->code, Failure::kPicture);
+  return search.error()->message;
 }
 
 TEST(LatticeSearch, FindsTheLatticeOfAPrintFromAboveWithinATenthOfAPercent) {
@@ -53,8 +53,8 @@ TEST(LatticeSearch, FindsTheLatticeOfAPrintFromAboveWithinATenthOfAPercent) {
   const DrawnPicture picture = photographed(truth, [&](const Vec2& u) { return print.at(u); });
   LatticeSearch search(picture.view());
   finish(search);
-  ASSERT_TRUE(search.result().ok()) << search.result().error().message;
-  const LatticeReading& reading = search.result().value();
+  ASSERT_FALSE(search.error()) << search.error()->message;
+  const LatticeReading& reading = search.result();
   EXPECT_LT(errorOf(reading.map, truth), 0.001);
   EXPECT_EQ(reading.confidence, Confidence::kSure);
   EXPECT_FALSE(reading.is_stripes);
@@ -70,9 +70,9 @@ TEST(LatticeSearch, FindsItOnTiltedCloth) {
   const DrawnPicture picture = photographed(truth, [&](const Vec2& u) { return print.at(u); });
   LatticeSearch search(picture.view());
   finish(search);
-  ASSERT_TRUE(search.result().ok()) << search.result().error().message;
-  EXPECT_LT(errorOf(search.result().value().map, truth), 0.003);
-  EXPECT_LT((TiltedLattice::of(search.result().value().map).tilt - truth.tilt).norm(), 0.005);
+  ASSERT_FALSE(search.error()) << search.error()->message;
+  EXPECT_LT(errorOf(search.result().map, truth), 0.003);
+  EXPECT_LT((TiltedLattice::of(search.result().map).tilt - truth.tilt).norm(), 0.005);
 }
 
 TEST(LatticeSearch, TakesTheLargerCellWhenHalvesDifferInColourAlone) {
@@ -86,8 +86,8 @@ TEST(LatticeSearch, TakesTheLargerCellWhenHalvesDifferInColourAlone) {
   });
   LatticeSearch search(picture.view());
   finish(search);
-  ASSERT_TRUE(search.result().ok()) << search.result().error().message;
-  EXPECT_LT(errorOf(search.result().value().map, truth), 0.003);
+  ASSERT_FALSE(search.error()) << search.error()->message;
+  EXPECT_LT(errorOf(search.result().map, truth), 0.003);
 }
 
 TEST(LatticeSearch, ReadsStripesByTheirPeriodAcross) {
@@ -98,9 +98,9 @@ TEST(LatticeSearch, ReadsStripesByTheirPeriodAcross) {
   });
   LatticeSearch search(picture.view());
   finish(search);
-  ASSERT_TRUE(search.result().ok()) << search.result().error().message;
-  EXPECT_TRUE(search.result().value().is_stripes);
-  const Mat2 basis = TiltedLattice::of(search.result().value().map).basis;
+  ASSERT_FALSE(search.error()) << search.error()->message;
+  EXPECT_TRUE(search.result().is_stripes);
+  const Mat2 basis = TiltedLattice::of(search.result().map).basis;
   const Vec2 along = basis.col(1).normalized();
   EXPECT_NEAR(std::abs(cross(along, basis.col(0))) * truth.radius, 65, 0.2);
   EXPECT_NEAR(std::abs(along.dot(truth.basis.col(0).normalized())), 0, 0.003);
@@ -137,15 +137,15 @@ TEST(LatticeSearch, AlignsAGivenLatticeOrKeepsIt) {
   guess.origin = Vec2(0.1, 0.05);
   LatticeSearch aligned(picture.view(), guess.map(), GivenLattice::kAlign);
   finish(aligned);
-  ASSERT_TRUE(aligned.result().ok());
-  const TiltedLattice found = TiltedLattice::of(aligned.result().value().map);
+  ASSERT_FALSE(aligned.error());
+  const TiltedLattice found = TiltedLattice::of(aligned.result().map);
   EXPECT_LT((found.basis - truth.basis).norm(), 0.002 * truth.basis.norm());
   EXPECT_LT((found.origin - guess.origin).norm(), 1e-9);
   LatticeSearch kept(picture.view(), guess.map(), GivenLattice::kKeep);
   finish(kept);
-  ASSERT_TRUE(kept.result().ok());
-  EXPECT_LT((TiltedLattice::of(kept.result().value().map).basis - guess.basis).norm(), 1e-9);
-  EXPECT_LT(kept.result().value().explained, aligned.result().value().explained);
+  ASSERT_FALSE(kept.error());
+  EXPECT_LT((TiltedLattice::of(kept.result().map).basis - guess.basis).norm(), 1e-9);
+  EXPECT_LT(kept.result().explained, aligned.result().explained);
 }
 
 TEST(Autocorrelation, IsTheSumOfProductsOverTheSumOfWeights) {

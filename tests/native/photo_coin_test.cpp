@@ -34,6 +34,14 @@ Photo withObject(Covers&& covers) {
       480, 360, print, inverse, [](const Vec2&) { return 1.0; }, 0.01);
 }
 
+/// Once it has ended.
+Outcome<FoundObject> outcomeOf(ObjectSearch& search) {
+  while (search.advance()) {
+  }
+  if (search.error()) return *search.error();
+  return search.found();
+}
+
 Outcome<FoundObject> found(const Photo& photo, int object, const Vec2& beside) {
   const CameraView view = closeUp();
   Mat2 w, gram;
@@ -43,7 +51,8 @@ Outcome<FoundObject> found(const Photo& photo, int object, const Vec2& beside) {
   const double area = cross(view.w1, view.w2);
   const Vec2 p = kMiddle + beside;
   const Vec2 u(cross(p, view.w2) / area, cross(view.w1, p) / area);
-  return findObject(photo.view(), view.map(), gram, knownObjects()[object], view.map()(u));
+  ObjectSearch search(photo.view(), view.map(), gram, knownObjects()[object], view.map()(u));
+  return outcomeOf(search);
 }
 
 TEST(PhotoCoin, ACoinTellsTheScaleUnderTilt) {
@@ -111,16 +120,19 @@ TEST(PhotoCoin, PlainClothHasNone) {
   EXPECT_NE(coin.error().message.find("No coin"), std::string::npos);
 }
 
-TEST(PhotoCoin, ItsScaleBecomesTheMetrics) {
-  MetricReading metric;
-  metric.gram << 2, 0, 0, 8;
-  FoundObject object;
-  object.scale = 3;
-  object.error = 0.01;
-  const MetricReading scaled = scaledByObject(metric, object);
-  EXPECT_TRUE(scaled.scaled);
-  EXPECT_EQ(scaled.gram(1, 1), 72);
-  EXPECT_DOUBLE_EQ(scaled.length_error, 0.01);
+TEST(PhotoCoin, IsLookedForInSmallSteps) {
+  const Photo photo = withObject([](const Vec2& off) { return off.norm() < 2.325 / 2; });
+  const LatticeMap map = closeUp().map();
+  ObjectSearch search(photo.view(), map, Mat2::Identity(), knownObjects()[0], map({0, 0}));
+  int steps = 1;
+  double fraction = 0;
+  while (search.advance()) {
+    ++steps;
+    EXPECT_GE(search.fraction(), fraction);
+    fraction = search.fraction();
+  }
+  EXPECT_GT(steps, 60);
+  EXPECT_FALSE(search.advance());
 }
 
 }  // namespace

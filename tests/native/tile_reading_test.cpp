@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "cell_samples.h"
+#include "print_picture.h"
 #include "print_samples.h"
-#include "recognition/symmetry/print_cell.h"
 
 namespace seamwise {
 namespace {
 
 using testing::CellView;
 using testing::drawnCell;
+using testing::printPicture;
 using testing::sampleGroup;
 using testing::samplePrint;
 using Chance = seamwise::Random;
@@ -80,8 +81,16 @@ TilePixels tileOf(const GroupData& group, int pixels, unsigned seed) {
   return pixelsOf(printPicture(cell, sides, Vec2::Zero(), 4 * pixels, 4 * rows));
 }
 
-std::string_view bestName(const TileReading& reading) {
-  return reading.groups.groups[reading.groups.best].group->name;
+TileReader readTile(const PixelView& tile, bool any_edges = false) {
+  TileReader reader(tile, any_edges);
+  while (reader.advance()) {
+  }
+  return reader;
+}
+
+std::string_view bestName(const TileReader& reader) {
+  const GroupReading& groups = reader.reading().groups;
+  return groups.groups[groups.best].group->name;
 }
 
 class ReadTile : public ::testing::TestWithParam<GroupData> {};
@@ -92,33 +101,33 @@ TEST_P(ReadTile, HasItsGroupWhereverItBeginsAndHoweverItIsTurned) {
   const TilePixels tile = tileOf(GetParam(), 96, 4);
   const TilePixels moved = turned(partOf(tile, 17, 40, tile.width, tile.height));
   const auto reading = readTile(moved.view());
-  ASSERT_TRUE(reading.ok()) << reading.error().message;
-  EXPECT_EQ(bestName(reading.value()), GetParam().name);
+  ASSERT_FALSE(reading.error()) << reading.error()->message;
+  EXPECT_EQ(bestName(reading), GetParam().name);
   const bool is_centred =
       GetParam().lattice == LatticeType::kRhombic || GetParam().lattice == LatticeType::kHexagonal;
-  EXPECT_EQ(reading.value().lattice.copies, is_centred ? 2 : 1);
+  EXPECT_EQ(reading.reading().lattice.copies, is_centred ? 2 : 1);
   const double area = moved.width * moved.height / (is_centred ? 2.0 : 1.0);
-  EXPECT_NEAR(std::sqrt(reading.value().gram.determinant()), area, 1e-6 * area);
+  EXPECT_NEAR(std::sqrt(reading.reading().gram.determinant()), area, 1e-6 * area);
 }
 
 TEST(TileReading, FindsTheCellOfAPictureOfSeveral) {
   const TilePixels tile = tileOf(*findGroup("pgg"), 48, 8);
   const auto reading = readTile(partOf(tile, 5, 9, 3 * tile.width, 2 * tile.height).view());
-  ASSERT_TRUE(reading.ok()) << reading.error().message;
-  EXPECT_EQ(reading.value().lattice.copies, 6);
-  EXPECT_EQ(bestName(reading.value()), "pgg");
+  ASSERT_FALSE(reading.error()) << reading.error()->message;
+  EXPECT_EQ(reading.reading().lattice.copies, 6);
+  EXPECT_EQ(bestName(reading), "pgg");
 }
 
 TEST(TileReading, NamesTheEdgesThatDoNotMeet) {
   const TilePixels tile = tileOf(*findGroup("p2"), 120, 6);
   const auto narrow = readTile(partOf(tile, 31, 12, tile.width - 1, tile.height).view());
-  ASSERT_FALSE(narrow.ok());
-  EXPECT_NE(narrow.error().message.find("left and right differ here"), std::string::npos);
+  ASSERT_TRUE(narrow.error());
+  EXPECT_NE(narrow.error()->message.find("left and right differ here"), std::string::npos);
   const auto low = readTile(partOf(tile, 31, 12, tile.width, tile.height - 1).view());
-  ASSERT_FALSE(low.ok());
-  EXPECT_NE(low.error().message.find("top and bottom differ here"), std::string::npos);
+  ASSERT_TRUE(low.error());
+  EXPECT_NE(low.error()->message.find("top and bottom differ here"), std::string::npos);
   const auto half = readTile(partOf(tile, 31, 12, tile.width / 2, tile.height).view());
-  EXPECT_FALSE(half.ok());
+  EXPECT_TRUE(half.error());
 }
 
 TEST(TileReading, FindsALineCutFromWhereMotifsAreMirrored) {
@@ -127,8 +136,8 @@ TEST(TileReading, FindsALineCutFromWhereMotifsAreMirrored) {
   Chance chance(2);
   const CellPicture cell = drawnCell(samplePrint(sampleGroup(*findGroup("p4m")), chance), view, 4);
   const TilePixels tile = pixelsOf(printPicture(cell, Mat2::Identity(), Vec2::Zero(), 480, 480));
-  ASSERT_TRUE(readTile(tile.view()).ok());
-  EXPECT_FALSE(readTile(partOf(tile, 0, 0, 119, 120).view()).ok());
+  ASSERT_FALSE(readTile(tile.view()).error());
+  EXPECT_TRUE(readTile(partOf(tile, 0, 0, 119, 120).view()).error());
 }
 
 TEST(TileReading, FindsALineCutFromFlatBands) {
@@ -144,32 +153,47 @@ TEST(TileReading, FindsALineCutFromFlatBands) {
       tile.rgba.insert(tile.rgba.end(), {value, value, value, 255});
     }
   }
-  EXPECT_TRUE(readTile(tile.view()).ok());
+  EXPECT_FALSE(readTile(tile.view()).error());
   const auto narrow = readTile(partOf(tile, 0, 0, 255, 256).view());
-  ASSERT_FALSE(narrow.ok());
-  EXPECT_NE(narrow.error().message.find("one column of pixels"), std::string::npos);
+  ASSERT_TRUE(narrow.error());
+  EXPECT_NE(narrow.error()->message.find("one column of pixels"), std::string::npos);
 }
 
 TEST(TileReading, SaysHowAPictureMeetsItsCopiesWhereThatIsAsked) {
   const TilePixels tile = tileOf(*findGroup("p1"), 96, 6);
-  TileQuestion question;
-  question.any_edges = true;
-  const auto whole = readTile(tile.view(), question);
-  ASSERT_TRUE(whole.ok());
-  EXPECT_TRUE(whole.value().seams.across.meets && whole.value().seams.up.meets);
-  EXPECT_TRUE(whole.value().seams.across.open.empty());
-  const auto half = readTile(partOf(tile, 0, 0, tile.width / 2, tile.height).view(), question);
-  ASSERT_TRUE(half.ok());
-  EXPECT_FALSE(half.value().seams.across.meets);
-  EXPECT_FALSE(half.value().seams.across.open.empty());
-  EXPECT_TRUE(half.value().seams.up.meets);
+  const auto whole = readTile(tile.view(), true);
+  ASSERT_FALSE(whole.error());
+  EXPECT_TRUE(whole.seams().across.meets && whole.seams().up.meets);
+  EXPECT_TRUE(whole.seams().across.open.empty());
+  const auto half = readTile(partOf(tile, 0, 0, tile.width / 2, tile.height).view(), true);
+  ASSERT_FALSE(half.error());
+  EXPECT_FALSE(half.seams().across.meets);
+  EXPECT_FALSE(half.seams().across.open.empty());
+  EXPECT_TRUE(half.seams().up.meets);
+}
+
+TEST(TileReading, GoesOnInSmallSteps) {
+  const TilePixels tile = tileOf(*findGroup("p1"), 256, 6);
+  TileReader reader(tile.view(), false);
+  int steps = 0, of_groups = 0;
+  double fraction = 0;
+  while (reader.advance()) {
+    ++steps;
+    of_groups += reader.readsGroups() ? 1 : 0;
+    EXPECT_GE(reader.fraction(), fraction);
+    fraction = reader.fraction();
+  }
+  EXPECT_GE(steps - of_groups, 4);  // of two edges, and the cell
+  EXPECT_GT(of_groups, 17);  // groups one by one, and those of the picture with one more line
+  EXPECT_FALSE(reader.advance());
+  EXPECT_EQ(reader.fraction(), 1);
 }
 
 TEST(TileReading, AsksForMorePixels) {
   const TilePixels tile = tileOf(*findGroup("p1"), 96, 6);
   const auto reading = readTile(partOf(tile, 0, 0, 5, 96).view());
-  ASSERT_FALSE(reading.ok());
-  EXPECT_EQ(reading.error().message,
+  ASSERT_TRUE(reading.error());
+  EXPECT_EQ(reading.error()->message,
             "the picture has only 5 x 96 pixels: give one of at least 8 each way");
 }
 

@@ -11,20 +11,15 @@ namespace {
 
 EMSCRIPTEN_BINDINGS(photo) {
   endWhenMemoryRunsOut();
-  emscripten::class_<PhotoHandle>("Photo")
-      .constructor<const val&>()
-      .function("failure", &PhotoHandle::failure)
-      .function("advance", &PhotoHandle::advance)
-      .function("stage", &PhotoHandle::stage)
-      .function("fraction", &PhotoHandle::fraction)
-      .function("report", &PhotoHandle::report);
-  emscripten::class_<PhotoTileHandle>("PhotoTile")
-      .constructor<const val&>()
-      .function("failure", &PhotoTileHandle::failure)
-      .function("advance", &PhotoTileHandle::advance)
-      .function("fraction", &PhotoTileHandle::fraction)
-      .function("tile", &PhotoTileHandle::tile);
-  emscripten::function("knownObject", &knownObjectIn);
+  emscripten::class_<PictureWork>("PictureWork")
+      .function("failure", &PictureWork::failure)
+      .function("advance", &PictureWork::advance)
+      .function("stage", &PictureWork::stage)
+      .function("fraction", &PictureWork::fraction)
+      .function("answer", &PictureWork::answer);
+  emscripten::function("photo", &photoWork, emscripten::allow_raw_pointers());
+  emscripten::function("photoTile", &photoTileWork, emscripten::allow_raw_pointers());
+  emscripten::function("photoObject", &photoObjectWork, emscripten::allow_raw_pointers());
 }
 
 }  // namespace

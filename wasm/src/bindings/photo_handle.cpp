@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "recognition/cloth/coin.h"
+#include "recognition/photo/photo.h"
+#include "recognition/photo/photo_tile.h"
 
 namespace seamwise {
 namespace {
@@ -29,15 +31,6 @@ std::vector<double> photoNumbers(const val& request, const char* field) {
 
 double photoNumber(const val& request, const char* field) { return request[field].as<double>(); }
 
-/// Nothing unless the picture has a size that its bytes fill.
-std::optional<PixelView> viewOf(const val& request, const std::vector<std::uint8_t>& bytes) {
-  const int width = request["width"].as<int>(), height = request["height"].as<int>();
-  constexpr int kMost = 1 << 14;
-  if (width < 1 || height < 1 || width > kMost || height > kMost) return std::nullopt;
-  if (bytes.size() != 4 * static_cast<std::size_t>(width) * height) return std::nullopt;
-  return PixelView{width, height, bytes};
-}
-
 Error noPicture() {
   return {Failure::kPicture, "The picture's pixels do not fill its width and height."};
 }
@@ -56,10 +49,14 @@ LatticeMap mapOf(const std::vector<double>& numbers, const PixelView& view) {
   return map;
 }
 
-val mapValue(const LatticeMap& map) {
-  std::vector<double> numbers;
+void addNumbers(const LatticeMap& map, std::vector<double>& numbers) {
   for (int k = 0; k < 9; ++k) numbers.push_back(map.homography(k / 3, k % 3));
   numbers.push_back(map.lens);
+}
+
+val mapValue(const LatticeMap& map) {
+  std::vector<double> numbers;
+  addNumbers(map, numbers);
   return copied(numbers);
 }
 
@@ -115,30 +112,31 @@ Mat2 gramOf(const std::vector<double>& w) {
   return vectors.transpose() * vectors;
 }
 
-}  // namespace
+class PhotoWork : public PictureWork {
+ public:
+  explicit PhotoWork(const val& request) : PictureWork(request) {
+    if (check()) photo_ = std::make_unique<Photo>(view(), settingsOf(request, view()));
+  }
+  bool advance() override {
+    if (failed()) return false;
+    const bool more = photo_->advance();
+    fail(photo_->error());
+    return more;
+  }
+  val stage() const override {
+    return nameOf(kPhotoStages, photo_ ? photo_->stage() : PhotoStage::kRepeat);
+  }
+  double fraction() const override { return photo_ ? photo_->fraction() : 0; }
+  val answer() const override;
 
-PhotoHandle::PhotoHandle(const val& request) : bytes_(bytesOf(request["pixels"])) {
-  const auto view = viewOf(request, bytes_);
-  if (view)
-    photo_ = std::make_unique<Photo>(*view, settingsOf(request, *view));
-  else
-    error_ = noPicture();
-}
+ private:
+  std::unique_ptr<Photo> photo_;
+};
 
-bool PhotoHandle::advance() {
-  if (error_) return false;
-  const bool more = photo_->advance();
-  error_ = photo_->error();
-  return more;
-}
-
-val PhotoHandle::stage() const {
-  return nameOf(kPhotoStages, photo_ ? photo_->stage() : PhotoStage::kRepeat);
-}
-
-val PhotoHandle::report() const {
-  const GroupReading& groups = photo_->groups();
-  const LatticeReading& lattice = photo_->lattice();
+val PhotoWork::answer() const {
+  const Photo& photo = *photo_;
+  const GroupReading& groups = photo.groups();
+  const LatticeReading& lattice = photo.lattice();
   val value = val::object();
   value.set("group", val(groups.groups[groups.best].group->name.data()));
   value.set("groups", listOf(groups.groups, [&](const GroupVerdict& verdict) {
@@ -147,86 +145,122 @@ val PhotoHandle::report() const {
               group.set("rho", verdict.rho);
               group.set("worst", verdict.worst);
               group.set("verdict", nameOf(kVerdicts, verdict.verdict));
-              group.set("map", mapValue(photo_->mapOf(verdict)));
+              group.set("map", mapValue(photo.mapOf(verdict)));
               return group;
             }));
-  value.set("vectors", vectorsValue(photo_->vectors()));
-  value.set("isScaled", photo_->isScaled());
-  value.set("confidence", nameOf(kConfidences, photo_->confidence()));
+  value.set("vectors", vectorsValue(photo.vectors()));
+  value.set("isScaled", photo.isScaled());
+  value.set("confidence", nameOf(kConfidences, photo.confidence()));
   value.set("uncertainty", lattice.uncertainty);
   value.set("oneWay", groups.one_way);
   value.set("stripes", groups.stripes);
   value.set("copies", lattice.copies);
   value.set("explained", lattice.explained);
-  value.set("others", listOf(photo_->others(),
-                             [](const LatticeReading& other) { return mapValue(other.map); }));
-  value.set("differing", listOf(photo_->differing(), [](const DifferingRegion& region) {
-              const Vec2 low = region.low, high = region.high;
-              return copied(std::vector<double>{low.x(), low.y(), high.x(), low.y(), high.x(),
-                                                high.y(), low.x(), high.y()});
-            }));
+  std::vector<double> others, differing;
+  for (const LatticeReading& other : photo.others()) addNumbers(other.map, others);
+  for (const DifferingRegion& region : photo.differing()) {
+    const Vec2 low = region.low, high = region.high;
+    differing.insert(differing.end(), {low.x(), low.y(), high.x(), high.y()});
+  }
+  value.set("others", copied(others));
+  value.set("differing", copied(differing));
   value.set("notes",
-            listOf(photo_->notes(), [](PhotoNote note) { return nameOf(kPhotoNotes, note); }));
-  value.set("seams", seamsValue(photo_->seams()));
+            listOf(photo.notes(), [](PhotoNote note) { return nameOf(kPhotoNotes, note); }));
+  value.set("seams", seamsValue(photo.seams()));
   return value;
 }
 
-PhotoTileHandle::PhotoTileHandle(const val& request) : bytes_(bytesOf(request["pixels"])) {
-  const auto view = viewOf(request, bytes_);
-  const std::vector<double> map = photoNumbers(request, "map");
-  const std::vector<double> w = photoNumbers(request, "vectors");
-  if (!view || map.size() != 10 || w.size() != 4) {
-    error_ = noPicture();
-    return;
+/// Of a cell: ten numbers of its map, and four of w1 and w2.
+bool isCell(const std::vector<double>& map, const std::vector<double>& w) {
+  return map.size() == 10 && w.size() == 4;
+}
+
+class PhotoTileWork : public PictureWork {
+ public:
+  explicit PhotoTileWork(const val& request) : PictureWork(request) {
+    const std::vector<double> map = photoNumbers(request, "map");
+    const std::vector<double> w = photoNumbers(request, "vectors");
+    if (!check(isCell(map, w))) return;
+    PhotoTileSettings settings;
+    settings.map = mapOf(map, view());
+    settings.gram = gramOf(w);
+    settings.is_tile = request["isTile"].as<bool>();
+    settings.flatten = photoNumber(request, "flatten");
+    settings.group = findGroup(request["group"].as<std::string>());
+    tile_ = std::make_unique<PhotoTile>(view(), settings);
   }
-  PhotoTileSettings settings;
-  settings.map = mapOf(map, *view);
-  settings.gram = gramOf(w);
-  settings.is_tile = request["isTile"].as<bool>();
-  settings.flatten = photoNumber(request, "flatten");
-  settings.group = findGroup(request["group"].as<std::string>());
-  tile_ = std::make_unique<PhotoTile>(*view, settings);
-}
-
-val PhotoTileHandle::tile() const {
-  const std::vector<std::uint8_t> image = tile_->image();
-  val value = val::object();
-  value.set("width", tile_->columns());
-  value.set("height", tile_->rows());
-  value.set("pixels", copied(image.size(), image.data()));
-  return value;
-}
-
-val knownObjectIn(const val& request) {
-  const std::vector<std::uint8_t> bytes = bytesOf(request["pixels"]);
-  const auto view = viewOf(request, bytes);
-  const std::vector<double> map = photoNumbers(request, "map"),
-                            w = photoNumbers(request, "vectors");
-  const std::vector<double> at = photoNumbers(request, "at");
-  const auto name = request["object"].as<std::string>();
-  const auto known = knownObjects();
-  const auto object =
-      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
-  val value = val::object();
-  if (!view || map.size() != 10 || w.size() != 4 || at.size() != 2 || object == known.end()) {
-    value.set("failure", failureValue(noPicture()));
+  bool advance() override { return tile_ && tile_->advance(); }
+  val stage() const override { return val("tile"); }
+  double fraction() const override { return tile_ ? tile_->fraction() : 0; }
+  val answer() const override {
+    const std::vector<std::uint8_t> image = tile_->image();
+    val value = val::object();
+    value.set("width", tile_->columns());
+    value.set("height", tile_->rows());
+    value.set("pixels", copied(image.size(), image.data()));
     return value;
   }
-  const auto found = findObject(*view, mapOf(map, *view), gramOf(w), *object, {at[0], at[1]});
-  if (!found.ok()) {
-    value.set("failure", failureValue(found.error()));
+
+ private:
+  std::unique_ptr<PhotoTile> tile_;
+};
+
+class PhotoObjectWork : public PictureWork {
+ public:
+  explicit PhotoObjectWork(const val& request) : PictureWork(request) {
+    const std::vector<double> map = photoNumbers(request, "map");
+    const std::vector<double> w = photoNumbers(request, "vectors");
+    const std::vector<double> at = photoNumbers(request, "at");
+    const auto name = request["object"].as<std::string>();
+    for (const KnownObject& known : knownObjects())
+      if (known.name == name) object_ = known;
+    if (!check(isCell(map, w) && at.size() == 2 && object_.width > 0)) return;
+    search_ = std::make_unique<ObjectSearch>(view(), mapOf(map, view()), gramOf(w), object_,
+                                             Vec2(at[0], at[1]));
+  }
+  bool advance() override {
+    if (failed()) return false;
+    const bool more = search_->advance();
+    fail(search_->error());
+    return more;
+  }
+  val stage() const override { return val("object"); }
+  double fraction() const override { return search_ ? search_->fraction() : 0; }
+  val answer() const override {
+    const std::vector<Vec2>& outline = search_->found().outline;
+    std::vector<double> numbers;
+    for (const Vec2& p : outline) numbers.insert(numbers.end(), {p.x(), p.y()});
+    const Vec2 from = outline[0], to = outline[object_.round ? outline.size() / 2 : 1];
+    val value = val::object();
+    value.set("outline", copied(numbers));
+    value.set("between",
+              copied(std::vector<double>{from.x(), from.y(), to.x(), to.y(), object_.width}));
+    value.set("error", search_->found().error);
     return value;
   }
-  const std::vector<Vec2>& outline = found.value().outline;
-  std::vector<double> numbers;
-  for (const Vec2& p : outline) numbers.insert(numbers.end(), {p.x(), p.y()});
-  const Vec2 from = outline[0], to = outline[object->round ? outline.size() / 2 : 1];
-  value.set("failure", val::null());
-  value.set("outline", copied(numbers));
-  value.set("between",
-            copied(std::vector<double>{from.x(), from.y(), to.x(), to.y(), object->width}));
-  value.set("error", found.value().error);
-  return value;
+
+ private:
+  KnownObject object_;
+  std::unique_ptr<ObjectSearch> search_;
+};
+
+}  // namespace
+
+PictureWork::PictureWork(const val& request)
+    : bytes_(bytesOf(request["pixels"])),
+      view_{request["width"].as<int>(), request["height"].as<int>(), bytes_} {}
+
+bool PictureWork::check(bool others_hold) {
+  constexpr int kMost = 1 << 14;
+  const auto [width, height, bytes] = view_;
+  const bool is_sized = width > 0 && height > 0 && width <= kMost && height <= kMost &&
+                        bytes.size() == 4 * static_cast<std::size_t>(width) * height;
+  if (!is_sized || !others_hold) error_ = noPicture();
+  return !error_;
 }
+
+PictureWork* photoWork(const val& request) { return new PhotoWork(request); }
+PictureWork* photoTileWork(const val& request) { return new PhotoTileWork(request); }
+PictureWork* photoObjectWork(const val& request) { return new PhotoObjectWork(request); }
 
 }  // namespace seamwise

@@ -4,6 +4,11 @@ namespace seamwise {
 
 /// Constants by which a picture is read that repeats edge to edge. Colours are in [0, 255].
 struct TileReadingTuning {
+  /// Share of the time that the comparison of edges takes, of 2048 x 2048 pixels.
+  static constexpr double kEdgesShare = 0.2;
+  /// Pixels that are compared in one step of some milliseconds.
+  static constexpr int kPixelsAtOnce = 200000;
+
   // --- one line of pixels cut away
 
   /// Gaussians along a line that lines are softened by, and that windows have in which what a line
@@ -45,6 +50,8 @@ struct TileReadingTuning {
 
   // --- the cell
 
+  /// Places of a picture that are looked at in one step of some milliseconds.
+  static constexpr int kPlacesAtOnce = 200000;
   static constexpr int kLeastPixels = 8;
   /// Samples along a cell's side.
   static constexpr int kLeastSamples = 64, kMostSamples = 128;

@@ -55,6 +55,7 @@ const stages: Readonly<Record<PhotoStage, string>> = {
   light: 'Evening out the light',
   symmetry: 'Comparing symmetries',
   tile: 'Making the cell',
+  object: 'Looking for the outline',
 };
 
 const read = (

@@ -74,7 +74,7 @@ export interface PhotoGroup {
   readonly map: PhotoMap;
 }
 
-export const photoStages = ['repeat', 'light', 'symmetry', 'tile'] as const;
+export const photoStages = ['repeat', 'light', 'symmetry', 'tile', 'object'] as const;
 export type PhotoStage = (typeof photoStages)[number];
 
 export interface PhotoProgress {

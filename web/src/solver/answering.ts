@@ -17,9 +17,10 @@ import type {SeamwiseModule} from './module/seamwise.mjs';
 import {decoded} from './photo/decode.js';
 import {
   photoModuleRequest,
-  photoObjectOf,
+  photoObjectModuleRequest,
   photoTileModuleRequest,
   runPhoto,
+  runPhotoObject,
   runPhotoTile,
 } from './photo/run-photo.js';
 import type {Requests} from './requests/requests.js';
@@ -139,7 +140,7 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
       answer: async (module, {picture, ...settings}, {hooks, pace}) => {
         const pixels = await decoded(picture);
         hooks.signal?.throwIfAborted();
-        return owning(new module.Photo(photoModuleRequest(pixels, settings)), (reading) =>
+        return owning(module.photo(photoModuleRequest(pixels, settings)), (reading) =>
           runPhoto(reading, pixels, hooks, pace, settings.anyEdges),
         );
       },
@@ -150,7 +151,7 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
       answer: async (module, {picture, ...settings}, {hooks, pace}) => {
         const pixels = await decoded(picture);
         hooks.signal?.throwIfAborted();
-        return owning(new module.PhotoTile(photoTileModuleRequest(pixels, settings)), (tile) =>
+        return owning(module.photoTile(photoTileModuleRequest(pixels, settings)), (tile) =>
           runPhotoTile(tile, settings.gains, hooks, pace),
         );
       },
@@ -158,10 +159,12 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
     photoObject: {
       module: 'photo',
       queue: photos,
-      answer: async (module, {picture, ...settings}, {hooks}) => {
+      answer: async (module, {picture, ...settings}, {hooks, pace}) => {
         const pixels = await decoded(picture);
         hooks.signal?.throwIfAborted();
-        return photoObjectOf(module, pixels, settings);
+        return owning(module.photoObject(photoObjectModuleRequest(pixels, settings)), (search) =>
+          runPhotoObject(search, settings, hooks, pace),
+        );
       },
     },
     share: {

@@ -110,10 +110,7 @@ export interface SolverService {
    * Where a coin, a card or a sheet lies on a picture of cloth, which makes lengths known.
    * @throws {SolverError} where none is seen
    */
-  photoObject(
-    request: PhotoObjectRequest,
-    hooks?: {readonly signal?: AbortSignal},
-  ): Promise<PhotoObject>;
+  photoObject(request: PhotoObjectRequest, hooks?: PhotoHooks): Promise<PhotoObject>;
 }
 
 /** A service for whoever can answer requests: it makes the requests. */
@@ -177,10 +174,7 @@ export abstract class TextService implements SolverService {
     return this.#ask('photoTile', () => request, hooks);
   }
 
-  photoObject(
-    request: PhotoObjectRequest,
-    hooks: {readonly signal?: AbortSignal} = {},
-  ): Promise<PhotoObject> {
+  photoObject(request: PhotoObjectRequest, hooks: PhotoHooks = {}): Promise<PhotoObject> {
     return this.#ask('photoObject', () => request, hooks);
   }
 

@@ -28,7 +28,8 @@ double gramArea(const Mat2& gram) {
   return std::sqrt(std::max(gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(0, 1), 1e-300));
 }
 
-double gramAngle(const Mat2& gram) { return std::atan2(gramArea(gram), gram(0, 1)); }
+/// Of the angle between w1 and w2, its cosine and sine.
+Vec2 gramAngle(const Mat2& gram) { return Vec2(gram(0, 1), gramArea(gram)).normalized(); }
 
 double gramAspect(const Mat2& gram) { return std::sqrt(gram(1, 1) / gram(0, 0)); }
 
@@ -122,7 +123,7 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   const auto vary = [&](const Vec2& off, double share) {
     const Mat2 other = gramFor(h, middle + longer * off, f * (1 + share));
     const double aspect = aspectOff(other, gramAspect(metric.gram));
-    const double angle = gramAngle(other) - gramAngle(metric.gram);
+    const double angle = cross(gramAngle(metric.gram), gramAngle(other));  // small: its sine
     aspect_squares += aspect * aspect;
     angle_squares += angle * angle;
   };
@@ -136,7 +137,7 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   metric.aspect_error = std::sqrt(aspect_squares);
   metric.angle_error = std::sqrt(angle_squares);
   if (first && second) {
-    const double angle = gramAngle(metric.gram), product = *first * *second * std::cos(angle);
+    const double product = *first * *second * gramAngle(metric.gram).x();
     metric.gram << *first * *first, product, product, *second * *second;
     metric.aspect_error = kTape * std::sqrt(2.0);
     scaleMetric(1, kTape, &metric);
@@ -161,19 +162,21 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   return metric;
 }
 
-std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram, int quarters) {
+std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram) {
   const double along = std::sqrt(gram(0, 0)), area = gramArea(gram);
   Mat2 w;  // w1 along x
   w << along, gram(0, 1) / along, 0, area / along;
   const Mat2 seen = derivative(map, MapInverse(map)(map.middle));
   const double det = cross(seen.col(0), seen.col(1));
-  // Where the picture's upward edge runs on the cloth: y is down there.
-  const Vec2 up = w * Vec2(seen(0, 1) / det, -seen(0, 0) / det);
-  const double turn = kPi / 2 - directionOf(up);
-  double nearest = kPi, snap = 0;
+  // Where the picture's upward edge runs on the cloth: y is down there. It is turned to y.
+  const Vec2 up = (w * Vec2(seen(0, 1) / det, -seen(0, 0) / det)).normalized();
+  const Mat2 upright = (Mat2() << up.y(), -up.x(), up.x(), up.y()).finished() * w;
+  // Of the turn to the nearest axis, its cosine and sine.
+  Vec2 snap = Vec2::UnitX();
+  double nearest = 1;
   const double longer = std::max(along, std::sqrt(gram(1, 1)));
   const bool rhombic = std::abs(gramAspect(gram) - 1) < kEqualSides;
-  const double cosine = std::abs(std::cos(gramAngle(gram)));
+  const double cosine = std::abs(gramAngle(gram).x());
   for (const Vec2& u : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1), Vec2(1, -1)}) {
     const bool diagonal = u.prod() != 0;
     if (rhombic && cosine > kRightAngle && std::abs(cosine - 0.5) > kRightAngle) {
@@ -182,13 +185,14 @@ std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram, int q
                !(rhombic && cosine <= kRightAngle)) {
       continue;  // six directions of hexagons, four of squares, two of rectangles
     }
-    const double angle = directionOf(rotation(turn) * (w * u));
-    const double edge = std::nearbyint(angle / (kPi / 2)) * (kPi / 2);
-    if (std::abs(edge - angle) >= nearest - 1e-6) continue;
-    nearest = std::abs(edge - angle);
-    snap = edge - angle;
+    Vec2 direction = (upright * u).normalized();
+    if (std::abs(direction.y()) > std::abs(direction.x())) direction = perp(direction);
+    const double off = std::abs(direction.y());
+    if (off >= nearest - 1e-6) continue;
+    nearest = off;
+    snap = Vec2(std::abs(direction.x()), std::copysign(off, -direction.x() * direction.y()));
   }
-  const Mat2 placed = rotation(turn + snap + quarters * (kPi / 2)) * w;
+  const Mat2 placed = (Mat2() << snap.x(), -snap.y(), snap.y(), snap.x()).finished() * upright;
   return {placed.col(0), placed.col(1)};
 }
 

@@ -60,7 +60,6 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
 /// are equally long, and of all three shortest ones of a hexagonal lattice.
 /// @param map      of this basis
 /// @param gram     of this basis
-/// @param quarters counter-clockwise turns by 90 degrees of what the cloth shows
-std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram, int quarters);
+std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram);
 
 }  // namespace seamwise

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "recognition/base/map_inverse.h"
-#include "recognition/cloth/copy_fields_fit.h"
-#include "recognition/cloth/lattice_canvas.h"
 #include "recognition/cloth/robust_mean.h"
 
 namespace seamwise {
@@ -14,7 +12,8 @@ namespace {
 
 constexpr int kLongerSide = 1280;  // of what is compared. [px]
 constexpr int kFewestSamples = 16, kMostSamples = 160;
-constexpr int kPixelsAtOnce = 1 << 22;
+constexpr int kPixelsAtOnce = 2'000'000;  // read when the picture is made smaller
+constexpr int kComparedAtOnce = 100'000;  // of what is compared
 
 int reductionOf(const PixelView& pixels) {
   return (std::max(pixels.width, pixels.height) + kLongerSide - 1) / kLongerSide;
@@ -23,48 +22,74 @@ int reductionOf(const PixelView& pixels) {
 }  // namespace
 
 PrintDifference::PrintDifference(const PixelView& pixels, const LatticeMap& map)
-    : factor_(reductionOf(pixels)),
+    : pixels_(pixels),
+      map_(map),
+      factor_(reductionOf(pixels)),
       reduced_(pixels, factor_),
-      n_(std::clamp(static_cast<int>(cellSize(map) / factor_), kFewestSamples, kMostSamples)) {
-  while (reduced_.advance(kPixelsAtOnce)) {
+      fit_(pixels, map, curve_),
+      n_(std::clamp(static_cast<int>(cellSize(map) / factor_), kFewestSamples, kMostSamples)) {}
+
+bool PrintDifference::advance() {
+  switch (stage_) {
+    case Stage::kReduce:
+      if (!reduced_.advance(kPixelsAtOnce)) stage_ = Stage::kFields;
+      break;
+    case Stage::kFields:
+      if (!fit_.advance()) stage_ = Stage::kCopies;
+      break;
+    case Stage::kCopies:
+      canvas_ = latticeCanvas(map_, pixels_.width, pixels_.height, n_);
+      sampleCanvas(reduced_.view(), factor_, fit_.fields().shift, &canvas_);
+      stage_ = Stage::kMean;
+      break;
+    case Stage::kMean:
+      average();
+      break;
+    case Stage::kCompare:
+      compare();
+      break;
+    case Stage::kDone:
+      break;
   }
-  CopyFieldsFit fit(pixels, map, curve_);
-  while (fit.advance()) {
-  }
-  fields_ = fit.fields();
-  average(map, pixels.width, pixels.height);
-  compare(map);
+  return stage_ != Stage::kDone;
+}
+
+double PrintDifference::fraction() const {
+  return (static_cast<double>(stage_) + (stage_ == Stage::kFields ? fit_.fraction() : 0)) / 5;
 }
 
 PixelLanes PrintDifference::flattened(PixelLanes colour, float x, float y) const {
   float light[3];
-  fields_.light.at(x, y, light);
+  fit_.fields().light.at(x, y, light);
   for (int c = 0; c < 3; ++c)
     colour[c] = 255 * curve_.code(curve_.linear(colour[c] / 255) * std::exp(-light[c]));
   return colour;
 }
 
-void PrintDifference::average(const LatticeMap& map, int width, int height) {
-  LatticeCanvas canvas = latticeCanvas(map, width, height, n_);
-  sampleCanvas(reduced_.view(), factor_, fields_.shift, &canvas);
+/// Of some more rows of the cell.
+void PrintDifference::average() {
   std::vector<PixelLanes> copies;
-  for (int b = 0; b < n_; ++b) {
-    for (int a = 0; a < n_; ++a) {
-      copies.clear();
-      for (int row = b; row < canvas.rows(); row += n_) {
-        for (int column = a; column < canvas.columns(); column += n_) {
-          const std::size_t k = static_cast<std::size_t>(row) * canvas.columns() + column;
-          if (!canvas.seen[k]) continue;
-          const auto& [red, green, blue] = canvas.planes;
-          const PixelLanes coded = {255 * red[k], 255 * green[k], 255 * blue[k], 0};
-          PixelLanes colour = flattened(coded, canvas.x[k], canvas.y[k]) / 255;
-          colour[3] = 1;
-          copies.push_back(colour);
-        }
+  const std::size_t places = static_cast<std::size_t>(n_) * n_;
+  const std::size_t at_once = places * kComparedAtOnce / canvas_.size() + n_;
+  const std::size_t end = std::min(places, mean_.size() + at_once);
+  for (std::size_t place = mean_.size(); place < end; ++place) {
+    copies.clear();
+    for (int row = static_cast<int>(place) / n_; row < canvas_.rows(); row += n_) {
+      for (int column = static_cast<int>(place) % n_; column < canvas_.columns(); column += n_) {
+        const std::size_t k = static_cast<std::size_t>(row) * canvas_.columns() + column;
+        if (!canvas_.seen[k]) continue;
+        const auto& [red, green, blue] = canvas_.planes;
+        const PixelLanes coded = {255 * red[k], 255 * green[k], 255 * blue[k], 0};
+        PixelLanes colour = flattened(coded, canvas_.x[k], canvas_.y[k]) / 255;
+        colour[3] = 1;
+        copies.push_back(colour);
       }
-      mean_.push_back(255 * agreedColour(copies.data(), static_cast<int>(copies.size())).colour);
     }
+    mean_.push_back(255 * agreedColour(copies.data(), static_cast<int>(copies.size())).colour);
   }
+  if (end < places) return;
+  canvas_ = {};
+  stage_ = Stage::kCompare;
 }
 
 PixelLanes PrintDifference::printAt(const Vec2& u) const {
@@ -76,24 +101,25 @@ PixelLanes PrintDifference::printAt(const Vec2& u) const {
          t * ((1 - s) * mean(0, 1) + s * mean(1, 1));
 }
 
-void PrintDifference::compare(const LatticeMap& map) {
+/// Some more rows of the picture.
+void PrintDifference::compare() {
   const PixelView view = reduced_.view();
-  const MapInverse inverse(map);
+  const MapInverse inverse(map_);
   columns_ = view.width;
-  rows_ = view.height;
-  difference_.resize(static_cast<std::size_t>(columns_) * rows_);
-  std::size_t k = 0;
-  for (int row = 0; row < rows_; ++row) {
-    for (int column = 0; column < columns_; ++column, ++k) {
-      const Vec2 p = factor_ * Vec2(column + 0.5, row + 0.5);
+  const int end = std::min(view.height, rows_ + 1 + kComparedAtOnce / columns_);
+  for (; rows_ < end; ++rows_) {
+    for (int column = 0; column < columns_; ++column) {
+      const Vec2 p = factor_ * Vec2(column + 0.5, rows_ + 0.5);
       const float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
       float shift[2];
-      fields_.shift.at(x, y, shift);
+      fit_.fields().shift.at(x, y, shift);
       const PixelLanes print = printAt(inverse(p - Vec2(shift[0], shift[1])));
-      const PixelLanes off = flattened(internal::pixelAt(&view.rgba[4 * k]), x, y) - print;
-      difference_[k] = std::abs(off[0]) + std::abs(off[1]) + std::abs(off[2]);
+      const std::uint8_t* const rgba = &view.rgba[4 * difference_.size()];
+      const PixelLanes off = flattened(internal::pixelAt(rgba), x, y) - print;
+      difference_.push_back(std::abs(off[0]) + std::abs(off[1]) + std::abs(off[2]));
     }
   }
+  if (end == view.height) stage_ = Stage::kDone;
 }
 
 float PrintDifference::at(const Vec2& p) const {

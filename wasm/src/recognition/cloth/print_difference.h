@@ -1,34 +1,53 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "recognition/base/lattice_map.h"
-#include "recognition/cloth/copy_fields.h"
+#include "recognition/cloth/copy_fields_fit.h"
+#include "recognition/cloth/lattice_canvas.h"
 #include "recognition/cloth/pixels.h"
 #include "recognition/cloth/srgb.h"
 
 namespace seamwise {
 
 /// How much a picture differs from what its copies of the cell agree on, light and creases taken
-/// away: what lies on the cloth stands out from its print.
+/// away: what lies on the cloth stands out from its print. Found step by step, each of some
+/// milliseconds.
 class PrintDifference {
  public:
+  /// `pixels` have to outlive it.
   PrintDifference(const PixelView& pixels, const LatticeMap& map);
+
+  PrintDifference(const PrintDifference&) = delete;  // its parts refer to each other
+  PrintDifference& operator=(const PrintDifference&) = delete;
+
+  /// False when nothing is left to do.
+  bool advance();
+  double fraction() const;
+
+  // Once done:
+
   /// At a place of the whole picture, red, green and blue of 0 to 255 each summed up; 0 outside.
   float at(const Vec2& p) const;
   /// What it was made from is so many times smaller than the picture.
   int factor() const { return factor_; }
 
  private:
-  void average(const LatticeMap& map, int width, int height);
-  void compare(const LatticeMap& map);
+  enum class Stage : std::uint8_t { kReduce, kFields, kCopies, kMean, kCompare, kDone };
+  void average();
+  void compare();
   PixelLanes flattened(PixelLanes colour, float x, float y) const;
   PixelLanes printAt(const Vec2& u) const;
 
+  PixelView pixels_;
+  LatticeMap map_;
   SrgbCurve curve_;
   int factor_;
   ReducedPixels reduced_;
-  CopyFields fields_;
+  CopyFieldsFit fit_;
   int n_;  ///< samples of a cell's side
+  Stage stage_ = Stage::kReduce;
+  LatticeCanvas canvas_;
   std::vector<PixelLanes> mean_;
   int columns_ = 0, rows_ = 0;
   std::vector<float> difference_;

@@ -56,7 +56,11 @@ CopyRegistration::CopyRegistration(LatticeCanvas canvas, const PixelView& pixels
 }
 
 bool CopyRegistration::advance() {
-  sample();
+  is_sampled_ = !is_sampled_;
+  if (is_sampled_) {
+    sample();
+    return true;
+  }
   average();
   if (++round_ > kShiftRounds) return false;  // the last round shows what the field has become
   step();

@@ -21,7 +21,8 @@ class CopyRegistration {
   CopyRegistration(LatticeCanvas canvas, const PixelView& pixels, int factor,
                    const PixelView& coarse, int coarse_factor, const SmoothField& light,
                    const SrgbCurve& curve, int width, int height, double cell_size);
-  /// One step of Gauss-Newton; false when that was the last.
+  /// Half a step of Gauss-Newton: the canvas is sampled, then the shift is mended by it. False when
+  /// that was the last.
   bool advance();
 
   /// Two channels, along x and y: what the map shows at p lies at p + shift(p). [px]
@@ -49,6 +50,7 @@ class CopyRegistration {
   std::array<std::vector<float>, 3> mean_;
   std::vector<float> count_;
   int round_ = 0;
+  bool is_sampled_ = false;
 };
 
 }  // namespace seamwise

@@ -13,39 +13,6 @@ constexpr double kLargestStep = 0.1;   // of the basis, as a share; chosen
 constexpr int kLeastSamples = 8;       // along a cell
 constexpr int kMostFitted = 40000;     // samples of all copies; more would measure no better
 
-/// The inverse of the first n rows and columns of A, symmetric and positive definite, by
-/// Cholesky's method; false where it is not so.
-bool invertNormal(const std::array<std::array<double, 7>, 7>& a, int n,
-                  std::array<std::array<double, 7>, 7>& inverse) {
-  std::array<std::array<double, 7>, 7> l{};
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      double sum = a[i][j];
-      for (int k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
-      if (i == j) {
-        if (!(sum > 1e-13 * a[i][i])) return false;
-        l[i][i] = std::sqrt(sum);
-      } else {
-        l[i][j] = sum / l[j][j];
-      }
-    }
-  }
-  for (int column = 0; column < n; ++column) {
-    std::array<double, 7> x{};
-    for (int i = column; i < n; ++i) {
-      double sum = i == column ? 1 : 0;
-      for (int k = column; k < i; ++k) sum -= l[i][k] * x[k];
-      x[i] = sum / l[i][i];
-    }
-    for (int i = n - 1; i >= 0; --i) {
-      double sum = x[i];
-      for (int k = i + 1; k < n; ++k) sum -= l[k][i] * inverse[k][column];
-      inverse[i][column] = sum / l[i][i];
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 FitStep linearised(const Copies& copies, const TiltedLattice& view) {
@@ -182,7 +149,7 @@ bool LatticeFit::step(const FitStage& stage) {
   }
   step.normal[6][6] += unit / (kLensSpread * kLensSpread);
   step.gradient[6] += view.lens * unit / (kLensSpread * kLensSpread);
-  std::array<std::array<double, 7>, 7> inverse{};
+  NormalMatrix inverse{};
   const int count = static_cast<int>(stage.unknowns);
   if (!invertNormal(step.normal, count, inverse)) return false;
   std::array<double, 7> move{};

@@ -2,6 +2,7 @@
 #include <array>
 #include <span>
 
+#include "recognition/base/normal_matrix.h"
 #include "recognition/lattice/copies.h"
 
 namespace seamwise {
@@ -13,10 +14,10 @@ enum class FitUnknowns : int { kBasis = 4, kTilt = 6, kLens = 7 };
 /// sum w |copy - mean of the copies|^2, the mean taken anew for every map, which is what comparing
 /// each copy with the others minimises as well.
 struct FitStep {
-  std::array<double, 7> gradient{};               ///< half of the sum's derivative
-  std::array<std::array<double, 7>, 7> normal{};  ///< J^T J
-  double sum = 0;                                 ///< of the squares
-  double count = 0;                               ///< of weighted samples, less those of the means
+  std::array<double, 7> gradient{};  ///< half of the sum's derivative
+  NormalMatrix normal{};             ///< J^T J
+  double sum = 0;                    ///< of the squares
+  double count = 0;                  ///< of weighted samples, less those of the means
 };
 
 /// The sum's linearisation at a view: basis (row by row), tilt, lens.

@@ -123,9 +123,9 @@ double LatticeSearch::fraction() const {
 
 void LatticeSearch::reduce() {
   if (std::min(picture_.width, picture_.height) < 32) {
-    result_ = Error{Failure::kPicture,
-                    "the picture is too small to see a print: it needs 32 pixels each way at least",
-                    -1, -1, "small"};
+    error_ = Error{Failure::kPicture,
+                   "the picture is too small to see a print: it needs 32 pixels each way at least",
+                   -1, -1, "small"};
     stage_ = Stage::kDone;
     return;
   }
@@ -271,18 +271,16 @@ void LatticeSearch::finish() {
     return;
   }
   if (candidates_.empty()) {
-    result_ = whyNoRepeat(levels_, votes_->bestOfMiddle());
+    error_ = whyNoRepeat(levels_, votes_->bestOfMiddle());
     return;
   }
   const LatticeHypothesis& best = aligned_.front();
   const Copies copies =
       sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
                    visibleCells(best.view, kAgreementReach), kAgreementSamples, false);
-  if (const auto error = whyRefused(agreementOf(copies), CopyDifferences(copies), repeatsOf(best)))
-    result_ = *error;
-  else
-    result_ = candidates_.front();
-  if (result_->ok() && mayBeMuchSmaller(best)) result_->value().confidence = Confidence::kUncertain;
+  error_ = whyRefused(agreementOf(copies), CopyDifferences(copies), repeatsOf(best));
+  result_ = candidates_.front();
+  if (mayBeMuchSmaller(best)) result_.confidence = Confidence::kUncertain;
 }
 
 bool LatticeSearch::mayBeMuchSmaller(const LatticeHypothesis& best) const {

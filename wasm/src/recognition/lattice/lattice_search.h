@@ -32,9 +32,11 @@ class LatticeSearch {
   bool advance();
   double fraction() const;  ///< 0 to 1
 
-  /// Once all is done. Errors: kPicture, one sentence that says what is wrong with the picture and
-  /// what would help.
-  const Outcome<LatticeReading>& result() const { return *result_; }
+  // Once all is done:
+
+  /// kPicture, one sentence that says what is wrong with the picture and what would help.
+  const std::optional<Error>& error() const { return error_; }
+  const LatticeReading& result() const { return result_; }
   /// The best lattices, at most three, the result first: for the user to choose from when the
   /// result is uncertain or an error.
   const std::vector<LatticeReading>& candidates() const { return candidates_; }
@@ -79,7 +81,8 @@ class LatticeSearch {
   std::size_t hypothesis_ = 0;
   std::optional<LatticeFit> fit_;
   std::vector<LatticeHypothesis> aligned_;  ///< the best first once one is chosen
-  std::optional<Outcome<LatticeReading>> result_;
+  std::optional<Error> error_;
+  LatticeReading result_;
   std::vector<LatticeReading> candidates_;
 };
 

@@ -41,7 +41,10 @@ Mat2 constrained(LatticeType type, const Mat2& gram) {
 
 Photo::Photo(const PixelView& pixels, const PhotoSettings& settings)
     : pixels_(pixels), settings_(settings) {
-  if (settings.is_tile) return;
+  if (settings.is_tile) {
+    tile_ = std::make_unique<TileReader>(pixels, settings.any_edges);
+    return;
+  }
   search_ = settings.lattice
                 ? std::make_unique<LatticeSearch>(pixels, *settings.lattice, settings.use)
                 : std::make_unique<LatticeSearch>(pixels);
@@ -51,11 +54,10 @@ bool Photo::advance() {
   if (error_ || stage_ == PhotoStage::kDone) return false;
   switch (stage_) {
     case PhotoStage::kRepeat:
-      if (settings_.is_tile) {
+      if (tile_)
         readWholeTile();
-      } else if (!search()) {
+      else if (!search())
         stage_ = PhotoStage::kLight;
-      }
       break;
     case PhotoStage::kLight:
       if (!fitFields()) stage_ = PhotoStage::kSymmetry;
@@ -63,6 +65,8 @@ bool Photo::advance() {
     case PhotoStage::kSymmetry:
       if (reader_)
         readSymmetry();
+      else if (tile_)
+        readWholeTile();
       else
         meanCopies();
       break;
@@ -73,6 +77,7 @@ bool Photo::advance() {
 }
 
 double Photo::fraction() const {
+  if (tile_) return tile_->fraction();
   switch (stage_) {
     case PhotoStage::kRepeat:
       return search_ ? PhotoTuning::kSearchShare * search_->fraction() : 0;
@@ -91,25 +96,25 @@ double Photo::fraction() const {
 void Photo::fail(const Error& error) { error_ = error; }
 
 void Photo::readWholeTile() {
-  TileQuestion question;
-  question.any_edges = settings_.any_edges;
-  auto reading = readTile(pixels_, question);
-  if (!reading.ok()) return fail(reading.error());
-  lattice_ = reading.value().lattice;
-  cell_ = reading.value().cell;
-  seams_ = reading.value().seams;
-  groups_ = std::move(reading).value().groups;
+  const bool more = tile_->advance();
+  if (tile_->readsGroups()) stage_ = PhotoStage::kSymmetry;
+  if (more) return;
+  if (tile_->error()) return fail(*tile_->error());
+  const SeamlessReading& reading = tile_->reading();
+  lattice_ = reading.lattice;
+  cell_ = reading.cell;
+  groups_ = reading.groups;
+  seams_ = tile_->seams();
   identify();
 }
 
 bool Photo::search() {
   if (search_->advance()) return true;
-  const auto& result = search_->result();
-  if (!result.ok()) {
-    fail(result.error());
+  if (search_->error()) {
+    fail(*search_->error());
     return false;
   }
-  lattice_ = result.value();
+  lattice_ = search_->result();
   if (lattice_.confidence == Confidence::kUncertain) {
     const auto& all = search_->candidates();
     for (std::size_t k = 1; k < all.size(); ++k) others_.push_back(all[k]);
@@ -211,7 +216,7 @@ void Photo::place(const Mat2& measured_gram, const Vec2& along) {
     const double along = is_scaled_ ? PhotoTuning::kAlongStripe : across * PhotoTuning::kStripeSide;
     gram << across * across, 0, 0, along * along;
   }
-  vectors_ = placedLattice(mapOf(best()), gram, 0);
+  vectors_ = placedLattice(mapOf(best()), gram);
   stage_ = PhotoStage::kDone;
 }
 

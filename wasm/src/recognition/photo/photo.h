@@ -85,6 +85,7 @@ class Photo {
   SrgbCurve curve_;
   PhotoStage stage_ = PhotoStage::kRepeat;
   std::optional<Error> error_;
+  std::unique_ptr<TileReader> tile_;  ///< of a seamless picture, in place of all others
   std::unique_ptr<LatticeSearch> search_;
   std::unique_ptr<CopyFieldsFit> fit_;
   std::unique_ptr<CellMean> mean_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recognition/symmetry/print_cell.h"
-#include "recognition/tile/tile_cell.h"
 #include "tuning/photo.h"
 
 namespace seamwise {
@@ -27,7 +25,10 @@ PhotoTile::PhotoTile(const PixelView& pixels, const PhotoTileSettings& settings)
       settings_(settings),
       grid_(nativeGrid(settings.map, settings.gram, Mat2::Identity(), Vec2::Zero(),
                        limitsOf(pixels, settings.is_tile))) {
-  if (!settings.is_tile) fit_ = std::make_unique<CopyFieldsFit>(pixels, settings.map, curve_);
+  if (settings.is_tile)
+    cell_ = std::make_unique<TileCell>(SeamlessTile{pixels}, settings.map, grid_);
+  else
+    fit_ = std::make_unique<CopyFieldsFit>(pixels, settings.map, curve_);
 }
 
 bool PhotoTile::advance() {
@@ -36,9 +37,9 @@ bool PhotoTile::advance() {
     planes_ = symmetry_->planes();
     return false;
   }
-  if (settings_.is_tile) {
-    sampleTile();
-    return symmetrise(std::move(planes_));
+  if (cell_) {
+    if (cell_->advance(PhotoTuning::kSamplesAtOnce)) return true;
+    return symmetrise(cell_->planes());
   }
   if (mean_) {
     if (mean_->advance(PhotoTuning::kSamplesAtOnce)) return true;
@@ -48,18 +49,6 @@ bool PhotoTile::advance() {
   mean_ = std::make_unique<CellMean>(pixels_, 1, settings_.map, fit_->fields(), grid_,
                                      settings_.flatten);
   return true;
-}
-
-void PhotoTile::sampleTile() {
-  const int samples = std::max(columns(), rows());
-  const CellPicture cell = tileCell({pixels_}, settings_.map, samples);
-  const Picture picture = printPicture(cell, Mat2::Identity(), Vec2::Zero(), columns(), rows());
-  for (int c = 0; c < 3; ++c) {
-    const std::vector<float>& from = picture.planes[c];
-    std::vector<float>& to = planes_[c];
-    for (int row = rows() - 1; row >= 0; --row)
-      to.insert(to.end(), from.begin() + row * columns(), from.begin() + (row + 1) * columns());
-  }
 }
 
 /// Whether there is more to do.
@@ -77,6 +66,7 @@ double PhotoTile::fraction() const {
   constexpr double kFit = 0.4, kMean = 0.5;
   if (symmetry_) return kFit + kMean + (1 - kFit - kMean) * symmetry_->fraction();
   if (mean_) return kFit + kMean * mean_->fraction();
+  if (cell_) return (kFit + kMean) * cell_->fraction();
   return fit_ ? kFit * fit_->fraction() : 0;
 }
 

@@ -6,6 +6,7 @@
 #include "recognition/cloth/cell_mean.h"
 #include "recognition/cloth/copy_fields_fit.h"
 #include "recognition/cloth/tile_symmetry.h"
+#include "recognition/tile/tile_cell.h"
 
 namespace seamwise {
 
@@ -41,14 +42,14 @@ class PhotoTile {
   std::vector<std::uint8_t> image() const;
 
  private:
-  void sampleTile();
   bool symmetrise(std::array<std::vector<float>, 3> planes);
 
   PixelView pixels_;
   PhotoTileSettings settings_;
   CellGrid grid_;
   SrgbCurve curve_;
-  std::unique_ptr<CopyFieldsFit> fit_;  ///< none of a tile, which is one copy
+  std::unique_ptr<TileCell> cell_;      ///< of a seamless picture, which is one copy
+  std::unique_ptr<CopyFieldsFit> fit_;  ///< of others
   std::unique_ptr<CellMean> mean_;
   std::unique_ptr<TileSymmetry> symmetry_;
   std::array<std::vector<float>, 3> planes_;

@@ -49,7 +49,8 @@ bool isOfLatticeType(LatticeType type, const Mat2& gram, double tolerance) {
     case LatticeType::kSquare:
       return equal && upright;
     case LatticeType::kHexagonal:
-      return equal && std::abs(directionOf(Vec2(cosine, sine)) - kPi / 3) <= tolerance;
+      // the sine of how far the angle is from 60 degrees
+      return equal && cosine > 0 && std::abs(sine - std::sqrt(3.0) * cosine) <= 2 * tolerance;
   }
   return false;
 }

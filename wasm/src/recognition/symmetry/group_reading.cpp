@@ -128,11 +128,4 @@ void GroupReader::choose() {
   reading_.confidence = is_plain ? Confidence::kUncertain : confidenceIn(reading_);
 }
 
-GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance) {
-  GroupReader reader(cell, gram, tolerance);
-  while (reader.advance()) {
-  }
-  return reader.result();
-}
-
 }  // namespace seamwise

@@ -66,7 +66,4 @@ class GroupReader {
   GroupReading reading_;
 };
 
-/// All of it at once.
-GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance);
-
 }  // namespace seamwise

@@ -55,43 +55,53 @@ double tileNoise(const SeamlessTile& tile) {
 
 }  // namespace
 
-CellPicture tileCell(const SeamlessTile& tile, const LatticeMap& map, int n) {
-  const Vec2 origin = map({0, 0}), w1 = map({1, 0}) - origin, w2 = map({0, 1}) - origin;
-  const double longer = std::max(w1.norm(), w2.norm());
-  const int times = std::clamp(static_cast<int>(std::ceil(longer / n)), 1, 64);
-  CellPicture cell;
-  cell.n = n;
-  for (auto& plane : cell.planes) plane.resize(static_cast<std::size_t>(n) * n);
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) {
-      std::array<float, 3> sum{};
-      for (int s = 0; s < times * times; ++s) {
-        const double u = (i + (s % times + 0.5) / times - 0.5) / n;
-        const int row = s / times;
-        const double v = (j + (row + 0.5) / times - 0.5) / n;
-        const Vec2 p = origin + u * w1 + v * w2 - Vec2(0.5, 0.5);
-        const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
-        const auto right = static_cast<float>(p.x() - x), below = static_cast<float>(p.y() - y);
-        const auto a = tileColour(tile, x, y), b = tileColour(tile, x + 1, y);
-        const auto c = tileColour(tile, x, y + 1), d = tileColour(tile, x + 1, y + 1);
-        for (int k = 0; k < 3; ++k) {
-          sum[k] += (1 - below) * ((1 - right) * a[k] + right * b[k]) +
-                    below * ((1 - right) * c[k] + right * d[k]);
-        }
-      }
-      for (int k = 0; k < 3; ++k) {
-        cell.planes[k][static_cast<std::size_t>(j) * n + i] =
-            sum[k] / static_cast<float>(times * times);
-      }
+TileCell::TileCell(const SeamlessTile& tile, const LatticeMap& map, const CellGrid& grid)
+    : tile_(tile),
+      grid_(grid),
+      origin_(map({0, 0})),
+      w1_(map({1, 0}) - origin_),
+      w2_(map({0, 1}) - origin_) {
+  const double apart = std::max(w1_.norm() / grid.columns, w2_.norm() / grid.rows);
+  times_ = std::clamp(static_cast<int>(std::ceil(apart)), 1, 64);
+  for (auto& plane : planes_) plane.resize(static_cast<std::size_t>(grid.columns) * grid.rows);
+}
+
+bool TileCell::advance(int places) {
+  for (; row_ < grid_.rows && places > 0; ++row_) {
+    for (int column = 0; column < grid_.columns; ++column) sample(column, row_);
+    places -= grid_.columns * times_ * times_;
+  }
+  return row_ < grid_.rows;
+}
+
+void TileCell::sample(int column, int row) {
+  std::array<float, 3> sum{};
+  for (int s = 0; s < times_ * times_; ++s) {
+    const int up = s / times_;
+    const double u = (column + (s % times_ + 0.5) / times_ - 0.5 + grid_.offset) / grid_.columns;
+    const double v = (row + (up + 0.5) / times_ - 0.5 + grid_.offset) / grid_.rows;
+    const Vec2 p = origin_ + u * w1_ + v * w2_ - Vec2(0.5, 0.5);
+    const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
+    const auto right = static_cast<float>(p.x() - x), below = static_cast<float>(p.y() - y);
+    const auto a = tileColour(tile_, x, y), b = tileColour(tile_, x + 1, y);
+    const auto c = tileColour(tile_, x, y + 1), d = tileColour(tile_, x + 1, y + 1);
+    for (int k = 0; k < 3; ++k) {
+      sum[k] += (1 - below) * ((1 - right) * a[k] + right * b[k]) +
+                below * ((1 - right) * c[k] + right * d[k]);
     }
   }
+  const std::size_t at = static_cast<std::size_t>(row) * grid_.columns + column;
+  for (int k = 0; k < 3; ++k) planes_[k][at] = sum[k] / static_cast<float>(times_ * times_);
+}
+
+CellPicture TileCell::picture() const {
   // squares of the opponent channels' coefficients, and pixels that a sample is the mean of
   constexpr double kChannelGain = 1.0 / 3 + 0.49 * 2 + 0.49 * 1.5;
-  const double pixels = std::max(1.0, std::abs(cross(w1, w2)) / (static_cast<double>(n) * n));
-  const double deviation = tileNoise(tile);
-  cell.noise.assign(static_cast<std::size_t>(n) * n,
-                    static_cast<float>(kChannelGain * deviation * deviation / pixels));
-  return cell;
+  const auto samples = static_cast<double>(planes_[0].size());
+  const double pixels = std::max(1.0, std::abs(cross(w1_, w2_)) / samples);
+  const double deviation = tileNoise(tile_);
+  const auto noise = static_cast<float>(kChannelGain * deviation * deviation / pixels);
+  return {grid_.columns, planes_, std::vector<float>(planes_[0].size(), noise)};
 }
 
 }  // namespace seamwise

@@ -14,7 +14,8 @@ using EdgeTuning = TileReadingTuning;
 /// Columns of pixels, or rows: red, green and blue in turn on white. [0, 255]
 class PixelLines {
  public:
-  PixelLines(const PixelView& view, bool columns, NextCopy next) : view_(view), columns_(columns) {
+  PixelLines(const PixelView& view, TileSides sides, NextCopy next)
+      : view_(view), columns_(sides == TileSides::kLeftAndRight) {
     if (next == NextCopy::kHalfAside) aside_ = (length() + 1) / 2;
   }
   int count() const { return columns_ ? view_.width : view_.height; }
@@ -139,20 +140,6 @@ StepErrors stepErrors(const PixelLines& lines, int at) {
   return errors;
 }
 
-/// Whether motifs step aside across the border as though a line of pixels were cut away there, and
-/// do so nowhere within.
-bool isCutShort(const PixelLines& lines, TileEdge& edge) {
-  const int count = lines.count();
-  const StepErrors border = stepErrors(lines, count - 1);
-  edge.differs_at = border.most_at;
-  if (!border.speakForCut()) return false;
-  for (int k = 1; k <= EdgeTuning::kLinesWithin; ++k) {
-    const StepErrors within = stepErrors(lines, k * count / (EdgeTuning::kLinesWithin + 1));
-    if (border.ratio() < EdgeTuning::kCutBeyond * within.ratio()) return false;
-  }
-  return true;
-}
-
 /// Change from one line to another: of all of it, as at the side of a stripe, and what single
 /// pixels change by beyond that, on average. [0, 255]
 struct LineStep {
@@ -190,16 +177,11 @@ struct InnerSteps {
   double greatest_excess = 0;
 };
 
-InnerSteps innerSteps(const PixelLines& lines) {
-  std::vector<double> one, two;
+/// @param one, two   what changes beyond all of a line, over one line and over two, in turn
+InnerSteps innerSteps(const std::vector<double>& one, std::vector<double>& two,
+                      double greatest_whole) {
   InnerSteps steps;
-  for (int k = 0; k + 1 < lines.count(); ++k) {
-    one.push_back(lineStep(lines.at(k), lines.at(k + 1)).beyond);
-    if (k + 2 == lines.count()) break;
-    const LineStep step = lineStep(lines.at(k), lines.at(k + 2));
-    two.push_back(step.beyond);
-    steps.greatest_whole = std::max(steps.greatest_whole, step.whole);
-  }
+  steps.greatest_whole = greatest_whole;
   for (std::size_t k = 1; k + 1 < one.size(); ++k) {
     steps.greatest_excess =
         std::max(steps.greatest_excess, one[k] - std::max(one[k - 1], one[k + 1]));
@@ -212,12 +194,11 @@ InnerSteps innerSteps(const PixelLines& lines) {
 
 /// Whether colours change more across the border than anywhere within, or almost as much and more
 /// abruptly.
-bool breaksOff(const PixelLines& lines, TileEdge& edge) {
+bool breaksOff(const PixelLines& lines, const InnerSteps& inner, TileEdge& edge) {
   const int count = lines.count();
   const std::vector<float> last = lines.at(count - 1), first = lines.at(count);
   const LineStep border = lineStep(last, first);
   edge.differs_at = (border.most_at + 0.5) / lines.length();
-  const InnerSteps inner = innerSteps(lines);
   if (border.whole > EdgeTuning::kLeastLine + EdgeTuning::kGreatestLine * inner.greatest_whole)
     return true;
   const bool straight = inner.greatest > EdgeTuning::kStraight * inner.usual;
@@ -258,22 +239,79 @@ std::vector<std::array<double, 2>> openStretches(const PixelLines& lines) {
   return stretches;
 }
 
-TileEdge comparedEdge(const PixelLines& lines) {
-  TileEdge edge;
-  if (lines.count() < 4) return edge;
-  edge.meets = !breaksOff(lines, edge) && !isCutShort(lines, edge);
-  if (!edge.meets) edge.open = openStretches(lines);
-  return edge;
-}
-
 }  // namespace
 
-TileEdge leftMeetsRight(const PixelView& tile, NextCopy next) {
-  return comparedEdge(PixelLines(tile, true, next));
+bool EdgeComparison::advance() {
+  switch (stage_) {
+    case Stage::kWithin:
+      lookWithin();
+      break;
+    case Stage::kBorder:
+      lookAtBorder();
+      break;
+    case Stage::kCut:
+      compareCut();
+      break;
+    case Stage::kDone:
+      break;
+  }
+  return stage_ != Stage::kDone;
 }
 
-TileEdge topMeetsBottom(const PixelView& tile, NextCopy next) {
-  return comparedEdge(PixelLines(tile, false, next));
+double EdgeComparison::fraction() const {
+  const int count = PixelLines(tile_, sides_, next_).count();
+  return stage_ == Stage::kWithin ? static_cast<double>(line_) / count : 1;
+}
+
+void EdgeComparison::lookWithin() {
+  const PixelLines lines(tile_, sides_, next_);
+  const int count = lines.count();
+  if (count < 4) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  const int end = std::min(count - 1, line_ + 1 + EdgeTuning::kPixelsAtOnce / lines.length());
+  std::vector<float> from = lines.at(line_), to = lines.at(line_ + 1);
+  for (; line_ < end; ++line_) {
+    one_.push_back(lineStep(from, to).beyond);
+    if (line_ + 2 == count) continue;
+    std::vector<float> after = lines.at(line_ + 2);
+    const LineStep step = lineStep(from, after);
+    two_.push_back(step.beyond);
+    greatest_whole_ = std::max(greatest_whole_, step.whole);
+    from = std::move(to);
+    to = std::move(after);
+  }
+  if (end == count - 1) stage_ = Stage::kBorder;
+}
+
+void EdgeComparison::lookAtBorder() {
+  const PixelLines lines(tile_, sides_, next_);
+  if (breaksOff(lines, innerSteps(one_, two_, greatest_whole_), edge_)) return foundOpen();
+  const StepErrors border = stepErrors(lines, lines.count() - 1);
+  edge_.differs_at = border.most_at;
+  border_ratio_ = border.ratio();
+  line_ = 0;
+  stage_ = border.speakForCut() ? Stage::kCut : Stage::kDone;
+}
+
+/// Whether motifs step aside at one more line within as they do across the border: then nothing is
+/// cut away there.
+void EdgeComparison::compareCut() {
+  const PixelLines lines(tile_, sides_, next_);
+  const int parts = EdgeTuning::kLinesWithin + 1;
+  const StepErrors within = stepErrors(lines, ++line_ * lines.count() / parts);
+  if (border_ratio_ < EdgeTuning::kCutBeyond * within.ratio()) {
+    stage_ = Stage::kDone;
+  } else if (line_ == EdgeTuning::kLinesWithin) {
+    foundOpen();
+  }
+}
+
+void EdgeComparison::foundOpen() {
+  edge_.meets = false;
+  edge_.open = openStretches(PixelLines(tile_, sides_, next_));
+  stage_ = Stage::kDone;
 }
 
 }  // namespace seamwise

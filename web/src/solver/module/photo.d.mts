@@ -56,21 +56,23 @@ export interface ModulePhotoReport {
   readonly stripes: boolean;
   readonly copies: number;
   readonly explained: number;
-  /** Maps of other lattices. */
-  readonly others: readonly Float64Array[];
-  /** Polygons where copies differ, each flat. */
-  readonly differing: readonly Float64Array[];
+  /** Maps of other lattices, ten numbers each. */
+  readonly others: Float64Array;
+  /** Rectangles where copies differ: x, y of the upper left corner, x, y of the lower right one. */
+  readonly differing: Float64Array;
   readonly notes: readonly string[];
   readonly seams: ModuleTileSeams;
 }
 
-export interface ModulePhoto extends EmbindObject {
+/** What goes on with a picture, step by step. */
+export interface ModulePictureWork<Answer> extends EmbindObject {
   failure(): ModuleFailure | null;
   /** One step of some milliseconds; false when nothing is left to do. */
   advance(): boolean;
   stage(): string;
   fraction(): number;
-  report(): ModulePhotoReport;
+  /** Once done. */
+  answer(): Answer;
 }
 
 export interface ModulePhotoTileRequest {
@@ -93,13 +95,6 @@ export interface ModuleTile {
   readonly pixels: Uint8Array;
 }
 
-export interface ModulePhotoTile extends EmbindObject {
-  failure(): ModuleFailure | null;
-  advance(): boolean;
-  fraction(): number;
-  tile(): ModuleTile;
-}
-
 export interface ModuleObjectRequest {
   readonly width: number;
   readonly height: number;
@@ -113,22 +108,19 @@ export interface ModuleObjectRequest {
   readonly at: Float64Array;
 }
 
-export type ModuleObject =
-  | {readonly failure: ModuleFailure}
-  | {
-      readonly failure: null;
-      /** A polygon, flat. */
-      readonly outline: Float64Array;
-      /** x, y, x, y, cm: the ends of its width. */
-      readonly between: Float64Array;
-      /** Standard error of a length by it, as a share. */
-      readonly error: number;
-    };
+export interface ModuleObject {
+  /** A polygon, flat. */
+  readonly outline: Float64Array;
+  /** x, y, x, y, cm: the ends of its width. */
+  readonly between: Float64Array;
+  /** Standard error of a length by it, as a share. */
+  readonly error: number;
+}
 
 export interface PhotoModule {
-  readonly Photo: new (request: ModulePhotoRequest) => ModulePhoto;
-  readonly PhotoTile: new (request: ModulePhotoTileRequest) => ModulePhotoTile;
-  knownObject(request: ModuleObjectRequest): ModuleObject;
+  photo(request: ModulePhotoRequest): ModulePictureWork<ModulePhotoReport>;
+  photoTile(request: ModulePhotoTileRequest): ModulePictureWork<ModuleTile>;
+  photoObject(request: ModuleObjectRequest): ModulePictureWork<ModuleObject>;
 }
 
 export default function createPhoto(settings?: ModuleSettings): Promise<PhotoModule>;

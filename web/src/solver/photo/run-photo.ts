@@ -24,13 +24,15 @@ import {
 import type {Point} from '../../model/geometry.js';
 import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
 import type {
-  ModulePhoto,
+  ModuleObject,
+  ModuleObjectRequest,
   ModulePhotoGroup,
+  ModulePhotoReport,
   ModulePhotoRequest,
-  ModulePhotoTile,
   ModulePhotoTileRequest,
+  ModulePictureWork,
+  ModuleTile,
   ModuleTileSeams,
-  PhotoModule,
 } from '../module/photo.mjs';
 import type {ModuleFailure} from '../module/module.js';
 import {toError} from '../seamwise/failures.js';
@@ -73,24 +75,13 @@ export const photoTileModuleRequest = (
   ...{map: mapNumbers(map), isTile, group: symmetrise ?? '', flatten, vectors: flat(shape)},
 });
 
-/** @throws {SolverError} where no such thing is seen */
-export function photoObjectOf(
-  module: PhotoModule,
+export const photoObjectModuleRequest = (
   pixels: PhotoPixels,
   {object, at, map, shape}: PhotoObjectSettings,
-): PhotoObject {
-  const answer = module.knownObject({
-    ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
-    ...{map: mapNumbers(map), vectors: flat(shape), object, at: Float64Array.from(at)},
-  });
-  if (answer.failure) throw photoError(answer.failure);
-  const {outline, between, error} = answer;
-  const [from = at, to = at] = pointsOf(between.subarray(0, 4));
-  return {
-    ...{object, outline: pointsOf(outline), error},
-    between: {from, to, cm: between[4] ?? NaN},
-  };
-}
+): ModuleObjectRequest => ({
+  ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
+  ...{map: mapNumbers(map), vectors: flat(shape), object, at: Float64Array.from(at)},
+});
 
 const mapOf = (numbers: Float64Array): PhotoMap => ({
   homography: Array.from(numbers.subarray(0, 9)) as unknown as Homography,
@@ -102,6 +93,19 @@ const pointsOf = (numbers: Float64Array): readonly Point[] =>
     numbers[2 * k] ?? NaN,
     numbers[2 * k + 1] ?? NaN,
   ]);
+
+const inParts = (numbers: Float64Array, length: number): readonly Float64Array[] =>
+  Array.from({length: numbers.length / length}, (_, k) =>
+    numbers.subarray(k * length, (k + 1) * length),
+  );
+
+const cornersOf = ([left = NaN, top = NaN, right = NaN, bottom = NaN]: Float64Array) =>
+  [
+    [left, top],
+    [right, top],
+    [right, bottom],
+    [left, bottom],
+  ] as const satisfies readonly Point[];
 
 /** Whose sentence begins and ends as sentences do. */
 function photoError({message, ...failure}: ModuleFailure): Error {
@@ -145,28 +149,33 @@ function seamsOf({across, up, halfDrop, brick}: ModuleTileSeams): TileSeams {
   };
 }
 
+/** Has work on a picture go on until it has ended. @throws {SolverError}; what `runInSlices` throws */
+async function finish<Answer>(
+  picture: ModulePictureWork<Answer>,
+  hooks: PhotoHooks,
+  pace: Pace,
+): Promise<Answer> {
+  const work = (milliseconds: number): boolean => {
+    const more = stepsFor(milliseconds, () => picture.advance());
+    const failure = picture.failure();
+    if (failure) throw photoError(failure);
+    hooks.onProgress?.({stage: known(photoStages, picture.stage()), fraction: picture.fraction()});
+    return more;
+  };
+  await runInSlices(work, pace, hooks.signal);
+  return picture.answer();
+}
+
 /** @throws {SolverError} where no print is found; what `runInSlices` throws */
 export async function runPhoto(
-  photo: ModulePhoto,
+  photo: ModulePictureWork<ModulePhotoReport>,
   {width, height}: PhotoPixels,
   hooks: PhotoHooks,
   pace: Pace,
   hasSeams = false,
 ): Promise<PhotoReading> {
-  const advance = (): boolean => {
-    const more = photo.advance();
-    const failure = photo.failure();
-    if (failure) throw photoError(failure);
-    return more;
-  };
-  const work = (milliseconds: number): boolean => {
-    const more = stepsFor(milliseconds, advance);
-    hooks.onProgress?.({stage: known(photoStages, photo.stage()), fraction: photo.fraction()});
-    return more;
-  };
-  await runInSlices(work, pace, hooks.signal);
   const {group, groups, vectors, isScaled, uncertainty, others, differing, seams, ...report} =
-    photo.report();
+    await finish(photo, hooks, pace);
   const read = groups.map(groupOf);
   const own = read.find(({name}) => name === group);
   if (!own) throw new Error('A print has a group.');
@@ -181,28 +190,35 @@ export async function runPhoto(
     confidence: known(photoConfidences, report.confidence),
     ...{oneWay, stripes, copies, explained},
     notes: report.notes.map((note) => known(photoNotes, note)),
-    others: others.map(mapOf),
-    differing: differing.map(pointsOf),
+    others: inParts(others, 10).map(mapOf),
+    differing: inParts(differing, 4).map(cornersOf),
     ...(hasSeams && {seams: seamsOf(seams)}),
   };
 }
 
 /** @throws {SolverError}; what `runInSlices` throws */
 export async function runPhotoTile(
-  tile: ModulePhotoTile,
+  tile: ModulePictureWork<ModuleTile>,
   gains: ColourGains | undefined,
   hooks: PhotoHooks,
   pace: Pace,
 ): Promise<PhotoPixels> {
-  const work = (milliseconds: number): boolean => {
-    const more = stepsFor(milliseconds, () => tile.advance());
-    const failure = tile.failure();
-    if (failure) throw photoError(failure);
-    hooks.onProgress?.({stage: 'tile', fraction: tile.fraction()});
-    return more;
-  };
-  await runInSlices(work, pace, hooks.signal);
-  const {width, height, pixels} = tile.tile();
+  const {width, height, pixels} = await finish(tile, hooks, pace);
   if (gains) balance(pixels, gains);
   return {width, height, data: pixels};
+}
+
+/** @throws {SolverError} where no such thing is seen; what `runInSlices` throws */
+export async function runPhotoObject(
+  search: ModulePictureWork<ModuleObject>,
+  {object, at}: PhotoObjectSettings,
+  hooks: PhotoHooks,
+  pace: Pace,
+): Promise<PhotoObject> {
+  const {outline, between, error} = await finish(search, hooks, pace);
+  const [from = at, to = at] = pointsOf(between.subarray(0, 4));
+  return {
+    ...{object, outline: pointsOf(outline), error},
+    between: {from, to, cm: between[4] ?? NaN},
+  };
 }

@@ -28,7 +28,7 @@ export type Requests = {
   readonly marker: {request: MarkerProblem; answer: MarkerAnswer; hooks: MarkerHooks};
   readonly photo: {request: PhotoRequest; answer: PhotoReading; hooks: PhotoHooks};
   readonly photoTile: {request: PhotoTileRequest; answer: PhotoPixels; hooks: PhotoHooks};
-  readonly photoObject: {request: PhotoObjectRequest; answer: PhotoObject; hooks: object};
+  readonly photoObject: {request: PhotoObjectRequest; answer: PhotoObject; hooks: PhotoHooks};
   /** A share of another thread's search: the order from `Solver.lend`, answered for `Solver.take`. */
   readonly share: {request: {readonly order: Float64Array}; answer: Float64Array; hooks: object};
   /** Of the module: its size, and what is in use of it. [bytes] */

@@ -17,6 +17,7 @@ export const photo: PhotoTexts = {
     light: 'Das Licht wird ausgeglichen',
     symmetry: 'Symmetrien werden verglichen',
     tile: 'Die Zelle entsteht',
+    object: 'Der Umriss wird gesucht',
   },
   faults: {
     plain:

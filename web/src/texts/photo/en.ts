@@ -23,6 +23,7 @@ export const photo = {
     light: 'Evening out the light',
     symmetry: 'Comparing symmetries',
     tile: 'Making the cell',
+    object: 'Looking for the outline',
   } satisfies Record<PhotoStage, string> as Record<PhotoStage, string>,
   faults: {
     plain:

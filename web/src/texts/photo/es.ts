@@ -17,6 +17,7 @@ export const photo: PhotoTexts = {
     light: 'Igualando la luz',
     symmetry: 'Comparando simetrías',
     tile: 'Componiendo la celda',
+    object: 'Buscando el contorno',
   },
   faults: {
     plain:

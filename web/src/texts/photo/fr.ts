@@ -17,6 +17,7 @@ export const photo: PhotoTexts = {
     light: 'Égalisation de la lumière',
     symmetry: 'Comparaison des symétries',
     tile: 'Composition de la maille',
+    object: 'Recherche du contour',
   },
   faults: {
     plain:

@@ -17,6 +17,7 @@ export const photo: PhotoTexts = {
     light: 'Luce resa uniforme',
     symmetry: 'Confronto delle simmetrie',
     tile: 'Composizione della cella',
+    object: 'Ricerca del contorno',
   },
   faults: {
     plain:

@@ -1,13 +1,16 @@
-#include "recognition/symmetry/print_cell.h"
-
+#pragma once
 #include <algorithm>
 
+#include "recognition/base/cell_picture.h"
+#include "recognition/base/picture.h"
 #include "recognition/base/repeating_place.h"
 
-namespace seamwise {
+namespace seamwise::testing {
 
-Picture printPicture(const CellPicture& cell, const Mat2& sides, const Vec2& corner, int width,
-                     int height) {
+/// The print on a parallelogram as pixels, the first row at its upper end: a corner, and its sides
+/// as columns, in lattice coordinates of the cell.
+inline Picture printPicture(const CellPicture& cell, const Mat2& sides, const Vec2& corner,
+                            int width, int height) {
   Picture picture;
   picture.width = width;
   picture.height = height;
@@ -26,4 +29,4 @@ Picture printPicture(const CellPicture& cell, const Mat2& sides, const Vec2& cor
   return picture;
 }
 
-}  // namespace seamwise
+}  // namespace seamwise::testing
