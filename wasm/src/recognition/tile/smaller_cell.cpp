@@ -79,6 +79,7 @@ void SmallerCellSearch::addLikely(const Mat2& gram) {
   const double least = (1 - GroupReadingTuning::kHasNotShare) * spectrum_.energy();
   const std::vector<Vec2> shifts = likelyShifts(spectrum_.correlation({1, 0, 0, 1}), fine, least);
   std::vector<double> squares;
+  squares.reserve(shifts.size());
   for (const Vec2& shift : shifts) squares.push_back(shift.dot(gram * shift));
   for (const std::size_t place : placesInOrder(squares)) {
     if (count_ == TileReadingTuning::kMostShifts) break;
