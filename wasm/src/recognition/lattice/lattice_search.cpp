@@ -279,6 +279,7 @@ void LatticeSearch::finish() {
       sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
                    visibleCells(best.view, kAgreementReach), kAgreementSamples, false);
   error_ = whyRefused(agreementOf(copies), CopyDifferences(copies), repeatsOf(best));
+  if (error_) return;
   result_ = candidates_.front();
   if (mayBeMuchSmaller(best)) result_.confidence = Confidence::kUncertain;
 }

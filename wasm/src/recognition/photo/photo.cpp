@@ -213,8 +213,9 @@ void Photo::place(const Mat2& measured_gram, const Vec2& along) {
   if (squared > 0) gram *= along.dot(measured_gram * along) / squared;
   if (groups_.stripes) {
     const double across = std::sqrt(gram.determinant() / gram(1, 1));
-    const double along = is_scaled_ ? PhotoTuning::kAlongStripe : across * PhotoTuning::kStripeSide;
-    gram << across * across, 0, 0, along * along;
+    const double stripe =
+        is_scaled_ ? PhotoTuning::kAlongStripe : across * PhotoTuning::kStripeSide;
+    gram << across * across, 0, 0, stripe * stripe;
   }
   vectors_ = placedLattice(mapOf(best()), gram);
   stage_ = PhotoStage::kDone;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/decimal.h"
 #include "tuning/tile_reading.h"
 
 namespace seamwise {
@@ -13,21 +14,10 @@ Mat2 squarePixels(const SeamlessTile& tile) {
   return Vec2(width * width, height * height).asDiagonal();
 }
 
-/// Not negative. The standard library's own takes 0.4 kB of a module, compressed.
-std::string digitsOf(int number) {
-  char digits[12] = {};
-  char* at = digits + sizeof digits - 1;
-  do {
-    *--at = static_cast<char>('0' + number % 10);
-    number /= 10;
-  } while (number > 0);
-  return at;
-}
-
 Error openEdge(bool sides, double at) {
   const std::string which = sides ? "left and right" : "top and bottom";
-  const std::string where = digitsOf(static_cast<int>(std::lround(100 * at))) +
-                            (sides ? " % of the way down" : " % of the way across");
+  const std::string where =
+      decimal(std::lround(100 * at)) + (sides ? " % of the way down" : " % of the way across");
   return {Failure::kPicture,
           "the picture's edges do not meet: " + which + " differ here (" + where +
               "): give the whole repeat, or a photo that shows several",
@@ -82,8 +72,8 @@ void TileReader::fail(const Error& error) {
 void TileReader::compareEdges() {
   if (std::min(tile_.width, tile_.height) < TileReadingTuning::kLeastPixels) {
     return fail({Failure::kPicture,
-                 "the picture has only " + digitsOf(tile_.width) + " x " + digitsOf(tile_.height) +
-                     " pixels: give one of at least " + digitsOf(TileReadingTuning::kLeastPixels) +
+                 "the picture has only " + decimal(tile_.width) + " x " + decimal(tile_.height) +
+                     " pixels: give one of at least " + decimal(TileReadingTuning::kLeastPixels) +
                      " each way",
                  -1, -1, "small"});
   }
