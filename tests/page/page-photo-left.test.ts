@@ -50,9 +50,12 @@ it('is there again as it was left, until its print is taken', async () => {
   await use(page).click();
   await expect.poll(() => dialogOf(page).count(), patient).toBe(0);
   await page.getByText('Your own: meadow').waitFor();
-  // its sides lie otherwise than their names say
-  await expect.poll(() => page.getByLabel(/Repeat width \(cm\)\s[↑↓]/).inputValue()).toBe('8');
-  await expect.poll(() => page.getByLabel(/Repeat height \(cm\)\s[←→]/).count()).toBe(1);
+  // its sides lie otherwise than their names say: that is drawn, and their names stay
+  const sides = page.locator('sw-repeat-fields');
+  const width = sides.getByRole('spinbutton', {name: 'Repeat width (cm)', exact: true});
+  await expect.poll(() => width.inputValue()).toBe('8');
+  await expect.poll(() => sides.getByText(/Repeat width \(cm\)\s[↑↓]/).count()).toBe(1);
+  await expect.poll(() => sides.getByText(/Repeat height \(cm\)\s[←→]/).count()).toBe(1);
   // once taken and kept, nothing of it is unfinished
   await openSheet(page);
   await expect.poll(() => lengths(dialog).first().inputValue(), patient).toBe('80');

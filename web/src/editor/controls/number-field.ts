@@ -20,6 +20,7 @@ const sixteenthMissed = 1 / 32;
 export class NumberField extends LitElement {
   static override properties = {
     label: {},
+    sign: {},
     value: {type: Number},
     least: {type: Number},
     most: {type: Number},
@@ -31,6 +32,8 @@ export class NumberField extends LitElement {
     typed: {state: true},
   };
   declare label: string;
+  /** Drawn behind the label; the field's name for those who hear it stays the label alone. */
+  declare sign: string;
   /** NaN for none. */
   declare value: number;
   declare least: number;
@@ -63,6 +66,7 @@ export class NumberField extends LitElement {
 
   constructor() {
     super();
+    this.sign = '';
     this.step = 1;
     this.digits = 2;
     this.fractions = false;
@@ -85,7 +89,7 @@ export class NumberField extends LitElement {
     const {isWrong} = this;
     return html`
       <label>
-        ${this.label}
+        ${this.label}${this.sign ? html`<span aria-hidden="true"> ${this.sign}</span>` : nothing}
         <input
           type=${this.fractions ? 'text' : 'number'}
           role=${this.fractions ? 'spinbutton' : nothing}

@@ -15,14 +15,10 @@ import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';
 import {choiceOf, missing} from './choices.js';
 import {leastRepeat, mostRepeat} from './limits.js';
 
-/** With an arrow as the side lies on the cloth, once that is not as its name says. */
-function lying(
-  label: (unit: string) => string,
-  direction: Point,
-  usual: string,
-): (unit: string) => string {
+/** The arrow of a side as it lies on the cloth, once that is not as its name says. */
+function signOfLying(direction: Point, usual: string): string {
   const sign = directionSign(direction);
-  return (unit) => (usual.includes(sign) ? label(unit) : `${label(unit)}\u00a0${sign}`);
+  return usual.includes(sign) ? '' : sign;
 }
 
 export class RepeatFields extends WorkbenchElement {
@@ -132,7 +128,7 @@ export class RepeatFields extends WorkbenchElement {
     const size = tileSize(print);
     const turn = radians(tileTurn(print));
     const width = (enter: (cm: number) => void): TemplateResult =>
-      this.#length('width', lying(texts.width, towards(turn), '→←'), size.width, enter);
+      this.#length('width', signOfLying(towards(turn), '→←'), size.width, enter);
     if (choiceOf(print) === 'stripes') {
       return width((cm) => {
         this.#resize(print, {...size, width: cm});
@@ -159,7 +155,7 @@ export class RepeatFields extends WorkbenchElement {
       </button>
       ${this.#length(
         'height',
-        lying(texts.height, towards(turn + radians(size.angleDeg)), '↑↓'),
+        signOfLying(towards(turn + radians(size.angleDeg)), '↑↓'),
         shownHeight,
         (cm) => {
           const free = {...size, height: cm};
@@ -204,7 +200,7 @@ export class RepeatFields extends WorkbenchElement {
 
   #length(
     side: 'width' | 'height',
-    label: (unit: string) => string,
+    sign: string,
     value: number,
     enter: (cm: number) => void,
   ): TemplateResult {
@@ -212,7 +208,8 @@ export class RepeatFields extends WorkbenchElement {
     const {format} = this;
     return html`<sw-number-field
       class=${side}
-      .label=${label(name)}
+      .label=${this.texts.print[side](name)}
+      .sign=${sign}
       .value=${this.workbench.design?.print.unscaled ? NaN : value / cm}
       .subject=${this.workbench.design?.print.image}
       .least=${leastRepeat / cm}
