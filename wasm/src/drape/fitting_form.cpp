@@ -4,8 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/disjoint_sets.h"
-#include "drape/wrap.h"
+#include "drape/hung_garment.h"
 
 namespace seamwise {
 namespace {
@@ -26,7 +25,6 @@ constexpr double kAroundTorso = 5;  ///< cm
 // depth of the hips. form_shape.cpp says how far apart they are. [1, cm, 1]
 constexpr double kAroundLegs = 1.61, kApart = 3.2, kOfLegs = 0.6;
 constexpr double kLeastRise = 18;                   ///< cm
-constexpr double kFarthestShoulder = 23;            ///< cm from the middle
 constexpr double kBesideNeck = 4, kUnderHips = 12;  ///< cm
 constexpr double kTightEnough = 12;  ///< cm of girth over all levels that sizes may lack
 constexpr double kOfRise = 6;        ///< of that, a missing cm of the body's rise
@@ -67,25 +65,10 @@ double shoulderHeight(const Form& form, double side) {
   return low;
 }
 
-/// A garment as its file hangs it.
+/// A search for the body that a garment fits on.
 class Fitting {
  public:
-  Fitting(const Garment& garment, const Pattern& pattern, const Form& form, const Hanging& hanging)
-      : pattern_(pattern), hanging_(hanging) {
-    for (int part = 0; part < kBodyParts; ++part)
-      girths_[part] = wornGirths(garment, pattern, form, static_cast<BodyPart>(part));
-    sewn_.resize(pattern.pieces.size());
-    for (std::size_t p = 0; p < sewn_.size(); ++p)
-      sewn_[p].assign(pattern.pieces[p].rest.size(), false);
-    for (const Seam& seam : pattern.seams)
-      for (const SeamSide* side : {&seam.a, &seam.b})
-        for (int v : side->vertices) sewn_[side->piece][v] = true;
-    for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
-      for (int v : pattern.pieces[p].outline) top_ = std::max(top_, at(static_cast<int>(p), v).y());
-    if (const std::optional<double> rise = wornRise(garment, pattern, form)) crotch_ = top_ - *rise;
-    findShoulders();
-    findTop();
-  }
+  explicit Fitting(const HungGarment& garment) : garment_(garment) {}
 
   FittingForm run() const {
     FittingForm best{measuresAt(2), 0};
@@ -103,70 +86,10 @@ class Fitting {
     double tightness;  ///< cm of girth that rings lacked before its girths were made smaller
   };
 
-  Vec3 at(int piece, int vertex) const {
-    return hanging_.placed[piece](pattern_.pieces[piece].rest[vertex]);
-  }
-
-  // Where the seams on the shoulders begin and end, from the middle.
-  void findShoulders() {
-    double highest = -1e9;
-    std::vector<std::pair<double, double>> seams;
-    for (double x = 4; x < kFarthestShoulder; x += 0.5)
-      for (const double side : {x, -x})
-        if (const std::optional<double> top = topOver(side, true); top && *top > kWaistOfFiles + 20)
-          seams.emplace_back(x, *top), highest = std::max(highest, *top);
-    constexpr double kSlope = 12;  // cm that shoulders fall
-    for (const auto& [x, top] : seams)
-      if (top > highest - kSlope) neck_ = std::min(neck_, x), shoulder_ = std::max(shoulder_, x);
-  }
-
-  // The edge that a garment ends in at its top, around what it hangs on: edges that are sewn to
-  // nothing, one after the other, across seams.
-  void findTop() {
-    std::vector<int> first;
-    int count = 0;
-    for (const Piece& piece : pattern_.pieces)
-      first.push_back(count), count += static_cast<int>(piece.rest.size());
-    DisjointSets knots(count);
-    for (const Seam& seam : pattern_.seams)
-      for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)
-        knots.join(first[seam.a.piece] + seam.a.vertices[i],
-                   first[seam.b.piece] + seam.b.vertices[i]);
-    const std::vector<std::vector<char>> sewn = sewnEdges(pattern_);
-    struct Edge {
-      int knot;
-      double length, low, high;
-    };
-    std::vector<Edge> edges;
-    for (std::size_t p = 0; p < pattern_.pieces.size(); ++p) {
-      const BodyPart part = hanging_.parts[p];
-      const std::vector<int>& outline = pattern_.pieces[p].outline;
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const int u = outline[i], v = outline[(i + 1) % outline.size()];
-        if (sewn[p][i]) continue;
-        knots.join(first[p] + u, first[p] + v);
-        if (part != BodyPart::kTorso && !(only(part) & kLegs)) continue;
-        const Vec3 a = at(static_cast<int>(p), u), b = at(static_cast<int>(p), v);
-        edges.push_back(
-            {first[p] + u, length(Vec3(b - a)), std::min(a.y(), b.y()), std::max(a.y(), b.y())});
-      }
-    }
-    int highest = -1;
-    for (const Edge& edge : edges)
-      if (edge.high > top_ - 1e-9 || highest < 0) {
-        highest = knots.find(edge.knot);
-        if (edge.high > top_ - 1e-9) break;
-      }
-    top_low_ = top_;
-    for (const Edge& edge : edges)
-      if (knots.find(edge.knot) == highest)
-        top_girth_ += edge.length, top_low_ = std::min(top_low_, edge.low);
-  }
-
   /// By how much what lies on the shoulders lies too low, in the mean; none where nothing does.
   /// [cm]
   std::optional<double> missingAtShoulders(const Form& form) const {
-    if (shoulder_ == 0) return std::nullopt;
+    if (!garment_.hasShoulders()) return std::nullopt;
     const double neck = form.measures().neck / (2 * kPi) + 2, tip = form.shoulderPoint().x() - 3;
     constexpr int kPlaces = 7;
     double sum = 0;
@@ -174,7 +97,7 @@ class Fitting {
     for (int k = 0; k < kPlaces; ++k) {
       const double side = neck + (tip - neck) * k / (kPlaces - 1);
       for (const double x : {side, -side}) {
-        const std::optional<double> top = topOver(x, false);
+        const std::optional<double> top = garment_.topOver(x, false);
         if (!top) continue;
         const double missing = shoulderHeight(form, side) - *top;
         if (std::abs(missing) > 0.5 * form.measures().back_length) continue;
@@ -191,45 +114,22 @@ class Fitting {
     constexpr double kRise = 0.125;  // of the back's length, from the tips to the neck
     constexpr double kWider = 9;     // cm
     constexpr double kUsualSlope = 0.33;
-    const double own = std::min(2 * shoulder_ + 1, m.shoulder_width);
+    const double own = std::min(2 * garment_.shoulder() + 1, m.shoulder_width);
     // Without sleeves it would slip off them.
-    const bool sleeves = !girths_[static_cast<int>(BodyPart::kLeftArm)].empty();
-    if (!sleeves || hasCollar() || shoulder_ < neck_ + 3) return own;
-    const double fall = topOver(neck_, true).value_or(0) - topOver(shoulder_, true).value_or(0);
-    const double slope = std::max(0.1, fall / (shoulder_ - neck_));
+    if (!garment_.hasSleeves() || garment_.hasCollar() || garment_.shoulder() < garment_.neck() + 3)
+      return own;
+    const double fall = garment_.topOver(garment_.neck(), true).value_or(0) -
+                        garment_.topOver(garment_.shoulder(), true).value_or(0);
+    const double slope = std::max(0.1, fall / (garment_.shoulder() - garment_.neck()));
     if (slope > kUsualSlope) return own;
     const double tip = m.neck / (2 * kPi) + 1 + kRise * m.back_length / slope;
     return std::clamp(2 * tip, own, own + kWider);
   }
 
-  bool hasCollar() const {
-    return std::find(hanging_.parts.begin(), hanging_.parts.end(), BodyPart::kNeck) !=
-           hanging_.parts.end();
-  }
-
-  /// The height of the torso's highest pieces there; with `sewn_only` none where they end in an
-  /// edge, as strapless ones do. [cm]
-  std::optional<double> topOver(double x, bool sewn_only) const {
-    double top = -1e9;
-    bool sewn = false;
-    for (std::size_t p = 0; p < pattern_.pieces.size(); ++p) {
-      if (hanging_.parts[p] != BodyPart::kTorso) continue;
-      const std::vector<int>& outline = pattern_.pieces[p].outline;
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const int u = outline[i], v = outline[(i + 1) % outline.size()];
-        const Vec3 a = at(static_cast<int>(p), u), b = at(static_cast<int>(p), v);
-        if ((a.x() < x) == (b.x() < x)) continue;
-        const double height = a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
-        if (height > top) top = height, sewn = sewn_[p][u] && sewn_[p][v];
-      }
-    }
-    return top > -1e9 && (sewn || !sewn_only) ? std::optional(top) : std::nullopt;
-  }
-
   /// The widest ring over the waist, of what has no shoulders. [cm]
   double girthAtBust(double lift, const Measures& m) const {
     double most = 0;
-    for (const WornGirth& ring : girths_[static_cast<int>(BodyPart::kTorso)])
+    for (const WornGirth& ring : garment_.girths(BodyPart::kTorso))
       if (ring.height + lift > m.waist_height + 0.25 * m.back_length)
         most = std::max(most, ring.girth);
     return most > 0 ? most : m.bust;
@@ -242,23 +142,25 @@ class Fitting {
     if (!usual.ok()) return std::nullopt;
     const std::optional<double> missing = missingAtShoulders(usual.value());
     double lift = missing.value_or(m.waist_height - kWaistOfFiles);
-    if (const double top = top_ + lift - m.waist_height; !missing && (top < -15 || top > 90))
-      lift = m.waist_height + kOverWaist - top_;
-    const bool at_bust = !missing && top_ + lift - m.waist_height > 0.3 * m.back_length;
+    if (const double top = garment_.top() + lift - m.waist_height;
+        !missing && (top < -15 || top > 90))
+      lift = m.waist_height + kOverWaist - garment_.top();
+    const bool at_bust = !missing && garment_.top() + lift - m.waist_height > 0.3 * m.back_length;
     if (!missing) {
       double girths = 2;
       if (at_bust)
         girths = sizeWith(&Measures::bust, girthAtBust(lift, m));
-      else if (top_girth_ > 40 && top_girth_ < 150)
-        girths = sizeWith(&Measures::waist, top_girth_ - kEaseOfHeld);
+      else if (garment_.topGirth() > 40 && garment_.topGirth() < 150)
+        girths = sizeWith(&Measures::waist, garment_.topGirth() - kEaseOfHeld);
       const Measures wide = measuresAt(girths);
       for (double Measures::*girth :
            {&Measures::bust, &Measures::waist, &Measures::hip, &Measures::upper_arm,
             &Measures::wrist, &Measures::thigh, &Measures::knee, &Measures::ankle})
         m.*girth = wide.*girth;
-    } else if (girths_[static_cast<int>(BodyPart::kTorso)].empty()) {
+    } else if (garment_.girths(BodyPart::kTorso).empty()) {
       // Open down to the hem: as wide as its shoulders.
-      m = measuresAt(std::min(size, sizeWith(&Measures::shoulder_width, 2 * shoulder_ + 1)));
+      m = measuresAt(
+          std::min(size, sizeWith(&Measures::shoulder_width, 2 * garment_.shoulder() + 1)));
     }
     double tightness = 0;
     if (missing) {
@@ -266,22 +168,24 @@ class Fitting {
           std::clamp(shoulderWidth(m), 0.75 * m.shoulder_width, 1.15 * m.shoulder_width);
       // A neckline lies around the neck's base, or goes straight over it from shoulder to shoulder;
       // a collar closes around the neck itself.
-      if (!hasCollar()) m.neck = std::clamp(2 * kPi * (neck_ - kBesideNeck), 0.7 * m.neck, m.neck);
+      if (!garment_.hasCollar())
+        m.neck = std::clamp(2 * kPi * (garment_.neck() - kBesideNeck), 0.7 * m.neck, m.neck);
       m.neck = std::min(m.neck, kPi * (m.shoulder_width - 7));
     }
     if (missing) {
       tightness = tightnessOn(m, lift);
-      if (crotch_ < 1e9)
-        tightness +=
-            kOfRise * std::max(0.0, crotch_ + lift + m.body_rise + kUnderCrotch - m.waist_height);
-    } else if (crotch_ < 1e9) {
+      if (garment_.hasLegs())
+        tightness += kOfRise * std::max(0.0, garment_.crotch() + lift + m.body_rise + kUnderCrotch -
+                                                 m.waist_height);
+    } else if (garment_.hasLegs()) {
       // Low-rise trousers hang lower; what else lies too high makes the body's rise shorter.
-      const double low = m.waist_height - m.body_rise - kUnderCrotch - crotch_;
+      const double low = m.waist_height - m.body_rise - kUnderCrotch - garment_.crotch();
       if (lift > low) lift = std::max(low, lift - 8);
     }
-    if (crotch_ < 1e9) {
+    if (garment_.hasLegs()) {
       const double under = kUnderCrotch + (missing ? kAroundTorso : 0);
-      m.body_rise = std::clamp(m.waist_height - crotch_ - lift - under, kLeastRise, m.body_rise);
+      m.body_rise =
+          std::clamp(m.waist_height - garment_.crotch() - lift - under, kLeastRise, m.body_rise);
       m.hip_depth = std::min(m.hip_depth, m.body_rise - 1.5);
     }
     for (int round = 0; round < kRounds; ++round)
@@ -306,9 +210,9 @@ class Fitting {
     const auto each = [&](BodyPart part, double ease, auto&& use) {
       forRings(form, part, lift, ease, use);
     };
-    const bool trousers = crotch_ < 1e9;
+    const bool trousers = garment_.hasLegs();
     // What hangs on no shoulders is held by being hardly wider than the body.
-    each(BodyPart::kTorso, shoulder_ > 0 ? kEaseCm : kEaseOfHeld,
+    each(BodyPart::kTorso, garment_.hasShoulders() ? kEaseCm : kEaseOfHeld,
          [&](double level, double missing) {
            const double up = level / m->back_length, down = -level / m->hip_depth;
            if (trousers && down > kOfLegs) {
@@ -357,26 +261,19 @@ class Fitting {
   void forRings(const Form& form, BodyPart part, double lift, double ease, const Use& use) const {
     const Tube& tube = form.tube(part);
     const bool arm = only(part) & kArms, torso = part == BodyPart::kTorso;
-    for (const WornGirth& ring : girths_[static_cast<int>(part)]) {
+    for (const WornGirth& ring : garment_.girths(part)) {
       double level = arm ? ring.height : ring.height + lift - tube.axis().origin.y();
       // Skirts go around both legs.
-      if (torso && crotch_ > 1e8 && level > tube.bottom() - kUnderHips)
+      if (torso && !garment_.hasLegs() && level > tube.bottom() - kUnderHips)
         level = std::max(level, tube.bottom());
       if (level < tube.bottom() || level > tube.top()) continue;
       // What ends at the waist lies at several heights there.
-      if (torso && shoulder_ == 0 && ring.height > top_low_ - 1) continue;
+      if (torso && !garment_.hasShoulders() && ring.height > garment_.topLow() - 1) continue;
       use(level, tube.section(level).girth() + ease - ring.girth);
     }
   }
 
-  const Pattern& pattern_;
-  const Hanging& hanging_;
-  std::vector<WornGirth> girths_[kBodyParts];
-  std::vector<std::vector<char>> sewn_;  ///< per piece, per vertex
-  double top_ = -1e9;                    ///< cm
-  double crotch_ = 1e9;                  ///< height of the lowest point between two legs, cm
-  double neck_ = 1e9, shoulder_ = 0;     ///< cm from the middle: where shoulder seams begin and end
-  double top_girth_ = 0, top_low_ = 0;   ///< cm: length of the top edge and its lowest height
+  const HungGarment& garment_;
 };
 
 }  // namespace
@@ -386,7 +283,8 @@ Outcome<FittingForm> fittingForm(const Garment& garment, const Pattern& pattern)
   if (!usual.ok()) return usual.error();
   const Outcome<Hanging> hanging = hang(garment, pattern, usual.value());
   if (!hanging.ok()) return hanging.error();
-  FittingForm fitting = Fitting(garment, pattern, usual.value(), hanging.value()).run();
+  const HungGarment hung(garment, pattern, usual.value(), hanging.value());
+  FittingForm fitting = Fitting(hung).run();
   if (!hanging.value().by_seams) return fitting;
   // Seams hang it by the heights of whatever form it is on.
   const Outcome<Form> own = Form::make(fitting.measures);
