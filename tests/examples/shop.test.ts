@@ -281,6 +281,28 @@ it('says in words what is wrong, and tries again when asked', async () => {
   await problem.waitFor({state: 'hidden'});
 });
 
+it('says what the element told before its script came', async () => {
+  const told = async (page: Page, what: (element: SeamwiseGarment) => boolean): Promise<void> => {
+    let deliver: (() => void) | undefined;
+    const isTold = new Promise<void>((resolve) => (deliver = resolve));
+    await page.route('**/shop.js', async (route) => {
+      await isTold;
+      await route.continue();
+    });
+    await page.goto(`${shop}garment/tee`, {waitUntil: 'commit'});
+    await expect.poll(() => garment(page).evaluate(what), patient).toBe(true);
+    deliver?.();
+  };
+  const solvedEarly = await open(shop);
+  await told(solvedEarly, ({clothLengthCm}) => (clothLengthCm ?? 0) > 0);
+  await priceTold(solvedEarly);
+  await solvedEarly.getByText(/^The print meets \d+ % better/).waitFor();
+  const failedEarly = await open(shop, {maySay: /404/});
+  await failedEarly.route('**/prints/p4m.json', (route) => route.fulfill({status: 404}));
+  await told(failedEarly, ({state}) => state === 'error');
+  await failedEarly.getByRole('alert').filter({hasText: 'We could not fetch'}).waitFor();
+});
+
 it('takes no design but one of its own', async () => {
   const page = await open(`${shop}garment/tee`);
   await solved(page);

@@ -57,6 +57,11 @@ function sell(form) {
       : 'Its pieces are being laid on the cloth.';
   }
 
+  function tellFit({fit, fitRandom}) {
+    const share = Math.round(100 * (1 - fit / fitRandom));
+    say(`The print meets ${share} % better than if it lay as it fell.`);
+  }
+
   form.addEventListener('change', (event) => {
     if (event.target !== garment) choose(event);
   });
@@ -73,13 +78,18 @@ function sell(form) {
     say(`${what}, ${quarter} %`);
   });
   garment.addEventListener('solve', ({detail: {metrics}}) => {
-    const share = Math.round(100 * (1 - metrics.fit / metrics.fitRandom));
-    say(`The print meets ${share} % better than if it lay as it fell.`);
+    tellFit(metrics);
   });
   garment.addEventListener('cloth', tellPrice);
   garment.addEventListener('error', ({detail}) => {
     complain(detail);
   });
+  // what the element told before this script could hear of it
+  if (garment.error) complain(garment.error);
+  if (garment.result) {
+    tellFit(garment.result.metrics);
+    tellPrice();
+  }
 
   problem.querySelector('button').addEventListener('click', () => {
     problem.hidden = true;
