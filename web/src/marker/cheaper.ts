@@ -136,6 +136,13 @@ export async function cheaperLays(
   return offers.sort((one, other) => one.lengthCm - other.lengthCm);
 }
 
+/** A plan that tells of them: but for another design's, each is also a layout without regard to the print. */
+export function withOffers(plan: LayPlan, cheaper: readonly CheaperLay[]): LayPlan {
+  const same = cheaper.filter(({kind}) => kind !== 'design').map(({lengthCm}) => lengthCm);
+  const {freeLengthCm: free} = plan;
+  return {...plan, cheaper, freeLengthCm: free === null ? null : Math.min(free, ...same)};
+}
+
 /** With the print moved under loose pieces and under joined ones; undefined where there are none, or no place. */
 async function shiftedAnswer(
   order: MarkerOrder,

@@ -1,5 +1,5 @@
 /** Pieces of results laid on cloth, as a plan. */
-import {cheaperLays} from '../marker/cheaper.js';
+import {cheaperLays, withOffers} from '../marker/cheaper.js';
 import type {SolveDesign} from '../marker/designs.js';
 import {foldedOrder} from '../marker/fold.js';
 import type {MarkerGarment} from '../marker/pieces.js';
@@ -61,5 +61,5 @@ export async function markerWith(
   const {signal} = hooks;
   const laid = {garments, settings, print, plan};
   const cheaper = await cheaperLays(laid, {lay, solve}, {...(signal && {signal})});
-  return {...plan, cheaper};
+  return withOffers(plan, cheaper);
 }

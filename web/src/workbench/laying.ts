@@ -1,4 +1,5 @@
 /** The answer to the present design laid on cloth: for as long as somebody looks at it, with what is moved there by hand. */
+import {withOffers} from '../marker/cheaper.js';
 import {placesIn} from '../marker/moved-plan.js';
 import {aroundPins} from '../model/pinned-plan.js';
 import type {Bolt} from '../marker/places.js';
@@ -309,7 +310,7 @@ export class Laying extends Observable {
   /** The plan is that of all steps in which its pieces were moved since. */
   #offer(work: ClothWork, plan: LayPlan, cheaper: LayPlan['cheaper']): void {
     if (cheaper.length === 0) return;
-    const offering = {...plan, cheaper};
+    const offering = withOffers(plan, cheaper);
     work.history = mapped(work.history, (step) =>
       step.plan === plan ? {...step, plan: offering} : step,
     );
