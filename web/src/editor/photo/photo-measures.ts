@@ -64,6 +64,8 @@ export class PhotoMeasures extends PhotoElement {
   declare object: KnownObject;
   /** Along which a tape is held. */
   declare protected repeats: Readonly<Record<Vector, number>>;
+  /** How far the search is, where that is shown. */
+  #note: Element | null = null;
 
   constructor() {
     super();
@@ -273,6 +275,13 @@ export class PhotoMeasures extends PhotoElement {
           ${object ? words.byObject(format.percent(Math.max(leastError, object.error))) : nothing}
         </p>`;
     }
+  }
+
+  /** On a narrow page what is looked for is below what is seen. */
+  protected override updated(): void {
+    const note = this.renderRoot.querySelector('.note');
+    if (note && note !== this.#note) note.scrollIntoView({block: 'nearest'});
+    this.#note = note;
   }
 
   /** The focus was on what is not there any more. */

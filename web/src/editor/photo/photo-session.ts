@@ -94,9 +94,13 @@ export class PhotoSession extends Observable {
     return this.#read({});
   }
 
+  get history(): History<PhotoStep> | undefined {
+    return this.#history;
+  }
+
   /** As it was left before. */
-  resume(step: PhotoStep): void {
-    this.#history = begun(step);
+  resume(history: History<PhotoStep>): void {
+    this.#history = history;
     this.#become({kind: 'done'});
   }
 
