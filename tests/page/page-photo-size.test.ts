@@ -4,7 +4,7 @@ import {beforeAll, expect, it, vi} from 'vitest';
 
 import {usePage} from '../support/page.js';
 import {designOf} from '../support/page-design.js';
-import {dialogOf, found, give, openSheet, patient, use} from '../support/page-photo.js';
+import {dialogOf, found, give, measure, openSheet, patient, use} from '../support/page-photo.js';
 import {jpegOf} from '../support/photo/files.js';
 import {card, coin, withThing} from '../support/photo/known-objects.js';
 import {floralCase} from '../support/photo/print-cases.js';
@@ -67,6 +67,48 @@ it('follows from a coin and from a card, is undone, and is refused where there i
   const {print} = await designOf(page);
   expect(print.unscaled).toBeUndefined();
   expect(Math.abs(print.size.width / repeat - 1)).toBeLessThan(0.01);
+});
+
+it('tells how far the search for a coin is, and is given up at once', async () => {
+  const page = await openPage();
+  const dialog = await openSheet(page);
+  await give(page, photograph);
+  await found(dialog);
+  await measure(dialog, 80);
+  const before = await said(dialog);
+  await dialog.getByLabel('Coin or card', {exact: true}).check();
+  const look = dialog.getByRole('button', {name: 'Look for it at the ring'});
+  // in one go: no solver is as fast as a part of the page is drawn
+  const seen = await look.evaluate(async (button: HTMLButtonElement) => {
+    const root = button.getRootNode() as ShadowRoot;
+    const host = root.host as Element & {readonly updateComplete: Promise<unknown>};
+    await host.updateComplete;
+    button.click();
+    await host.updateComplete;
+    const note = root.querySelector('.note');
+    const bar = note?.querySelector('progress');
+    const told = {
+      ...{role: note?.role, text: note?.querySelector('p')?.textContent},
+      ...{label: bar?.ariaLabel, value: bar?.value, isBusy: button.disabled},
+    };
+    note?.querySelector('button')?.click();
+    await host.updateComplete;
+    return {
+      ...told,
+      isLeft: !root.querySelector('.note'),
+      isFocused: root.activeElement === button,
+    };
+  });
+  expect(seen).toEqual({
+    ...{role: 'status', text: expect.stringMatching(/^Looking for the outline, 0\s?%$/) as string},
+    ...{label: 'Looking for the outline', value: 0, isBusy: true, isLeft: true, isFocused: true},
+  });
+  await expect.poll(() => said(dialog)).toBe(before);
+  await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(0);
+  await expect.poll(() => look.isEnabled()).toBe(true);
+  // the next one is not held up by it
+  await look.click();
+  await dialog.getByText(/^(No outline of that is seen there|Measured by)/).waitFor(patient);
 });
 
 it('is measured and made white by keys alone', async () => {

@@ -23,13 +23,16 @@ import {SolverError} from '@/model/failure.js';
 import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
 import {groupNames, type GroupName} from '@/model/print.js';
 import type {
+  PhotoHooks,
   PhotoMap,
+  PhotoObject,
   PhotoObjectRequest,
   PhotoReading,
   PhotoRequest,
   PhotoTileRequest,
 } from '@/model/photo.js';
 import {balance} from '@/solver/photo/balance.js';
+import type {SolverService} from '@/solver/service.js';
 
 const size = {width: 900, height: 600};
 
@@ -90,8 +93,11 @@ function solver() {
   };
 }
 
-async function opened(reading = read('pmm')) {
-  const made = solver();
+async function opened(
+  reading = read('pmm'),
+  more: Partial<Pick<SolverService, 'photoObject'>> = {},
+) {
+  const made = {...solver(), ...more};
   const session = new PhotoSession(made, picture);
   void session.begin();
   await vi.waitFor(() => {
@@ -181,6 +187,45 @@ describe('a coin', () => {
     session.undo();
     expect(session.step?.object).toBeUndefined();
     expect(session.step && measuresOf(session.step).size.width).toBeCloseTo(8, 3);
+  });
+
+  it('is looked for with progress, and given up at once, with what was measured before', async () => {
+    const searches: (PhotoHooks & {answer: (object: PhotoObject) => void})[] = [];
+    const {session} = await opened(read('pmm'), {
+      photoObject: (_, hooks = {}) =>
+        new Promise((answer) => {
+          searches.push({...hooks, answer});
+        }),
+    });
+    session.measure('w1', {repeats: 10, cm: 80});
+    const {step} = session;
+    const searched = session.measureBy('eur1', [400, 300]);
+    expect(session.search).toEqual({kind: 'looking', stage: 'object', fraction: 0});
+    searches[0]?.onProgress?.({stage: 'object', fraction: 0.4});
+    expect(session.search).toEqual({kind: 'looking', stage: 'object', fraction: 0.4});
+    session.cancelSearch();
+    expect(searches[0]?.signal?.aborted).toBe(true);
+    expect(session.search.kind).toBe('none');
+    searches[0]?.onProgress?.({stage: 'object', fraction: 0.5});
+    const at = pixelOf(map, size, [0, 0]);
+    const between = {from: at, to: at, cm: 1};
+    searches[0]?.answer({object: 'eur1', outline: [at], between, error: 0});
+    await searched;
+    expect(session.search.kind).toBe('none');
+    expect(session.step).toBe(step);
+  });
+
+  it('is not looked for any more once the lattice is another', async () => {
+    const signals: (AbortSignal | undefined)[] = [];
+    const {session} = await opened(read('pmm'), {
+      photoObject: (_, {signal} = {}) => {
+        signals.push(signal);
+        return new Promise(() => undefined);
+      },
+    });
+    void session.measureBy('eur1', [400, 300]);
+    void session.align(map);
+    expect(signals[0]?.aborted).toBe(true);
   });
 
   it('that is not seen changes nothing, and is said until something else is done', async () => {

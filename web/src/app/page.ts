@@ -28,11 +28,9 @@ import type {Projects} from './projects/projects.js';
 import type {SaveMenu} from './save-menu.js';
 import {savePicture, saveProject, saveResult} from './save.js';
 
-/** Photographs that prints were made of stay in this browser. */
-const keptPhotos = async (): Promise<PhotoKeeper> => {
-  const {keepPhoto, keptPhoto} = await import('./storage/kept-photos.js');
-  return {keep: keepPhoto, kept: keptPhoto};
-};
+/** Photographs that prints were made of, or will be, stay in this browser. */
+const keptPhotos = async (): Promise<PhotoKeeper> =>
+  (await import('./storage/photo-storage.js')).photoStorage;
 
 export class SeamwisePage extends WorkbenchElement {
   static override properties = {

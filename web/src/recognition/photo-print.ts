@@ -24,20 +24,30 @@ const rounded = (value: number, step: number): number =>
 
 const crisp = ([x, y]: Point): Point => [rounded(x, vectorStep), rounded(y, vectorStep)];
 
+/** The repeat of a lattice in numbers that a person can read, on the sheet and in files. */
+export function readableRepeat(
+  lattice: Parameters<typeof repeatOf>[0],
+): ReturnType<typeof repeatOf> {
+  const {size, turnDeg} = repeatOf(lattice);
+  const {width, height, angleDeg} = size;
+  return {
+    size: {
+      width: rounded(width, lengthStep),
+      height: rounded(height, lengthStep),
+      angleDeg: rounded(angleDeg, angleStep),
+    },
+    turnDeg: rounded(turnDeg, angleStep),
+  };
+}
+
 /** Without a picture. Its repeat is rounded, and its vectors are what the group makes of that. */
 export function printOfPhoto({group, w1, w2, shape, oneWay}: ReadPrint): Print {
   const isScaled = w1 !== null && w2 !== null;
   const [a, b] = isScaled ? [w1, w2] : shape;
   const factor = isScaled ? 1 : assumedWidth;
   const scaled = ([x, y]: Point): Point => [factor * x, factor * y];
-  const {size, turnDeg} = repeatOf({group, w1: scaled(a), w2: scaled(b)});
-  const {width, height, angleDeg} = size;
-  const measured = {
-    width: rounded(width, lengthStep),
-    height: rounded(height, lengthStep),
-    angleDeg: rounded(angleDeg, angleStep),
-  };
-  const [first, second] = latticeVectors(group, measured, rounded(turnDeg, angleStep));
+  const {size, turnDeg} = readableRepeat({group, w1: scaled(a), w2: scaled(b)});
+  const [first, second] = latticeVectors(group, size, turnDeg);
   return {
     ...{format: 'seamwise-print/1', group, w1: crisp(first), w2: crisp(second)},
     ...{cell: 'primitive', oneWay},

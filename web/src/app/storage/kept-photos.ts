@@ -16,7 +16,8 @@ const longest = 2048;
 const most = 20;
 const store = 'photos';
 
-async function keyOf(image: string): Promise<string> {
+/** The SHA-256 of a picture's address. */
+export async function keyOf(image: string): Promise<string> {
   const digest = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(image));
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }

@@ -21,6 +21,7 @@ import {photoFoot} from './photo-foot.js';
 import {photoIntake} from './photo-intake.js';
 import {areSame} from './same-picture.js';
 import {shownPicture} from './shown-picture.js';
+import {UnfinishedWork, type PhotoBefore} from './unfinished-work.js';
 
 export class PhotoDialog extends WorkbenchElement {
   static override properties = {
@@ -49,6 +50,7 @@ export class PhotoDialog extends WorkbenchElement {
   #resumed: PhotoStep | undefined;
   /** The picture of the design's print when the sheet was left unfinished. */
   #leftAt: string | undefined;
+  readonly #unfinished = new UnfinishedWork(() => ({keeper: this.keeper, image: this.#image}));
   /** The focus went to what takes the print, once. */
   #isLed = false;
 
@@ -169,6 +171,7 @@ export class PhotoDialog extends WorkbenchElement {
       take: this.#given,
       rename: (given) => {
         this.name = given;
+        this.#keep(session);
       },
       draw: () => {
         this.hand = startLattice(session.step?.reading ?? natural);
@@ -188,7 +191,7 @@ export class PhotoDialog extends WorkbenchElement {
     this.#given(file);
   }
 
-  async #take(picture: Blob, name: string, step?: PhotoStep): Promise<void> {
+  async #take(picture: Blob, name: string, before?: PhotoBefore): Promise<void> {
     this.#forget();
     this.name = name.replace(/\.[^.]*$/, '');
     const address = URL.createObjectURL(picture);
@@ -200,10 +203,28 @@ export class PhotoDialog extends WorkbenchElement {
       return;
     }
     this.size = shown;
-    this.session = new PhotoSession(this.workbench.solver, picture);
-    this.#resumed = step;
-    if (step) this.session.resume(step);
-    else void this.session.begin();
+    const session = new PhotoSession(this.workbench.solver, picture);
+    this.session = session;
+    if (before?.isFinished) this.#resumed = before.history?.present;
+    if (before?.history) session.resume(before.history);
+    else void session.begin();
+    if (before && !before.isFinished) this.#unfinished.resume(session, this.name);
+    session.subscribe(() => {
+      this.#keep(session);
+    });
+    this.#keep(session);
+  }
+
+  /** A page that is loaded again has it still. */
+  #keep(session: PhotoSession): void {
+    const isFinished = session.step !== undefined && session.step === this.#resumed;
+    if (!isFinished) this.#unfinished.keep(session, this.name);
+  }
+
+  /** Nobody will want to go on with it. */
+  #drop(): void {
+    this.#unfinished.drop();
+    this.#forget();
   }
 
   get #image(): string {
@@ -215,9 +236,9 @@ export class PhotoDialog extends WorkbenchElement {
     const image = this.#image;
     const address = this.#address;
     if (address !== undefined && image === this.#leftAt) return;
-    const kept = image.startsWith('data:') ? await this.keeper?.kept(image) : undefined;
-    if (!kept || this.#address !== address) return;
-    await this.#take(kept.picture, kept.name, kept.step);
+    const found = await this.#unfinished.find(address !== undefined);
+    if (!found || this.#address !== address) return;
+    await this.#take(found.picture, found.name, found);
   }
 
   /** Whether that picture is the one that was left unfinished. */
@@ -242,7 +263,7 @@ export class PhotoDialog extends WorkbenchElement {
       this.workbench.change({print: {title: this.name || this.words.title, ...measures, image}});
       void this.keeper?.keep(image, {picture: session.picture, name: this.name, step});
       this.#close();
-      this.#forget();
+      this.#drop();
     } catch (error) {
       this.trouble = toFailure(error).message;
     } finally {
@@ -276,7 +297,7 @@ export class PhotoDialog extends WorkbenchElement {
     const isUnfinished =
       this.hand !== undefined || (step ? step !== this.#resumed : state?.kind === 'reading');
     if (isUnfinished) this.#leftAt = this.#image;
-    else this.#forget();
+    else this.#drop();
   };
 
   #forget(): void {
@@ -286,6 +307,7 @@ export class PhotoDialog extends WorkbenchElement {
     this.hand = undefined;
     this.trouble = undefined;
     this.#resumed = undefined;
+    this.#unfinished.leave();
     this.#isLed = false;
     if (this.#address !== undefined) URL.revokeObjectURL(this.#address);
     this.#address = undefined;

@@ -1,6 +1,7 @@
 /** What the parts of the photograph's sheet have in common. */
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
+import type {Said} from './photo-progress.js';
 import type {PhotoSession} from './photo-session.js';
 
 export abstract class PhotoElement extends WorkbenchElement {
@@ -10,5 +11,11 @@ export abstract class PhotoElement extends WorkbenchElement {
   protected get words(): PhotoTexts {
     const {language, messages} = this.workbench.preferences;
     return photoTexts(language, messages);
+  }
+
+  /** What a bar with a Cancel says. */
+  protected get said(): Said {
+    const {words, format, texts} = this;
+    return {words, cancel: texts.app.cancel, percent: (share) => format.percent(share)};
   }
 }

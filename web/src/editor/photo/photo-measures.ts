@@ -10,6 +10,8 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {panelStyle} from './panel-style.js';
 import {PhotoElement} from './photo-element.js';
+import {progressNote} from './photo-progress.js';
+import type {PhotoSession} from './photo-session.js';
 import type {TwoPoints} from './photo-stage.js';
 import {
   cellOf,
@@ -20,6 +22,7 @@ import {
   unmeasured,
   type PhotoStep,
 } from '../print/photo-step.js';
+import {progressStyle} from './progress-style.js';
 import {saidFailure} from './said-failure.js';
 import {vectors, type Vector} from './stage-marks.js';
 
@@ -54,13 +57,15 @@ export class PhotoMeasures extends PhotoElement {
     object: {},
     repeats: {state: true},
   };
-  static override styles = [controls, panelStyle];
+  static override styles = [controls, panelStyle, progressStyle];
   declare way: Measuring;
   declare points: TwoPoints | undefined;
   /** That lies on the cloth. */
   declare object: KnownObject;
   /** Along which a tape is held. */
   declare protected repeats: Readonly<Record<Vector, number>>;
+  /** How far the search is, where that is shown. */
+  #note: Element | null = null;
 
   constructor() {
     super();
@@ -217,9 +222,8 @@ export class PhotoMeasures extends PhotoElement {
   }
 
   #object({object}: PhotoStep): TemplateResult {
-    const {words, format, session} = this;
+    const {words, session} = this;
     const {search} = session;
-    const isLooking = search.kind === 'looking';
     return html`<label>
         ${words.object}
         <select
@@ -240,8 +244,8 @@ export class PhotoMeasures extends PhotoElement {
       <p class="soft">${words.tap}</p>
       <div class="row">
         <button
-          class="outlined"
-          ?disabled=${isLooking}
+          class="outlined look"
+          ?disabled=${search.kind === 'looking'}
           @click=${() => {
             this.#fire('look');
           }}
@@ -250,18 +254,39 @@ export class PhotoMeasures extends PhotoElement {
         </button>
         ${object ? this.#remove('object', words.objects[object.object]) : nothing}
       </div>
-      ${
-        search.kind === 'failed'
-          ? html`<p class="error" role="alert">${saidFailure(words, search.failure)}</p>`
-          : html`<p role="status">
-              ${
-                isLooking
-                  ? words.looking
-                  : object
-                    ? words.byObject(format.percent(Math.max(leastError, object.error)))
-                    : nothing
-              }
-            </p>`
-      }`;
+      ${this.#searched(search, object)}`;
+  }
+
+  #searched(
+    search: PhotoSession['search'],
+    object: PhotoStep['object'],
+  ): TemplateResult | typeof nothing {
+    const {words, format} = this;
+    switch (search.kind) {
+      case 'looking':
+        return progressNote(search, this.said, () => {
+          this.session.cancelSearch();
+          void this.#toLook();
+        });
+      case 'failed':
+        return html`<p class="error" role="alert">${saidFailure(words, search.failure)}</p>`;
+      case 'none':
+        return html`<p role="status">
+          ${object ? words.byObject(format.percent(Math.max(leastError, object.error))) : nothing}
+        </p>`;
+    }
+  }
+
+  /** On a narrow page what is looked for is below what is seen. */
+  protected override updated(): void {
+    const note = this.renderRoot.querySelector('.note');
+    if (note && note !== this.#note) note.scrollIntoView({block: 'nearest'});
+    this.#note = note;
+  }
+
+  /** The focus was on what is not there any more. */
+  async #toLook(): Promise<void> {
+    await this.updateComplete;
+    this.renderRoot.querySelector<HTMLElement>('.look')?.focus();
   }
 }

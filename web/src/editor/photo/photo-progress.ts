@@ -1,11 +1,12 @@
 /** How far the reading of a photograph is, and what came of it where nothing else shows that. */
 import {html, nothing, type TemplateResult} from 'lit';
 
+import type {PhotoProgress} from '../../model/photo.js';
 import type {PhotoTexts} from '../../texts/photo-texts.js';
 import type {PhotoSession} from './photo-session.js';
 import {saidFailure} from './said-failure.js';
 
-interface Said {
+export interface Said {
   readonly words: PhotoTexts;
   readonly cancel: string;
   readonly percent: (share: number) => string;
@@ -23,29 +24,27 @@ export function drawnByHand(
   </div>`;
 }
 
-export function photoProgress(
-  session: PhotoSession,
+/** A bar with what is done, and a button that ends it. */
+export function progressNote(
+  {stage, fraction}: PhotoProgress,
   {words, cancel, percent}: Said,
-): TemplateResult | typeof nothing {
+  stop: () => void,
+): TemplateResult {
+  return html`<div class="note" role="status">
+    <p>${words.reading(words.stages[stage], percent(fraction))}</p>
+    <progress max="1" .value=${fraction} aria-label=${words.stages[stage]}></progress>
+    <button class="outlined" @click=${stop}>${cancel}</button>
+  </div>`;
+}
+
+export function photoProgress(session: PhotoSession, said: Said): TemplateResult | typeof nothing {
   const {state} = session;
+  const {words} = said;
   switch (state.kind) {
     case 'reading':
-      return html`<div class="note" role="status">
-        <p>${words.reading(words.stages[state.stage], percent(state.fraction))}</p>
-        <progress
-          max="1"
-          .value=${state.fraction}
-          aria-label=${words.stages[state.stage]}
-        ></progress>
-        <button
-          class="outlined"
-          @click=${() => {
-            session.cancel();
-          }}
-        >
-          ${cancel}
-        </button>
-      </div>`;
+      return progressNote(state, said, () => {
+        session.cancel();
+      });
     case 'cancelled':
       return html`<div class="note" role="status">
         <p>${words.cancelled}</p>

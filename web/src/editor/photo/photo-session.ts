@@ -27,7 +27,9 @@ type PhotoState =
 
 /** The search for a coin or card, and what came of it last unless that is a step. */
 type ObjectSearch =
-  {readonly kind: 'none' | 'looking'} | {readonly kind: 'failed'; readonly failure: Failure};
+  | {readonly kind: 'none'}
+  | {readonly kind: 'looking'; readonly stage: PhotoStage; readonly fraction: number}
+  | {readonly kind: 'failed'; readonly failure: Failure};
 
 type Asked = Pick<SolverService, 'photo' | 'photoTile' | 'photoObject'>;
 
@@ -92,9 +94,13 @@ export class PhotoSession extends Observable {
     return this.#read({});
   }
 
+  get history(): History<PhotoStep> | undefined {
+    return this.#history;
+  }
+
   /** As it was left before. */
-  resume(step: PhotoStep): void {
-    this.#history = begun(step);
+  resume(history: History<PhotoStep>): void {
+    this.#history = history;
     this.#become({kind: 'done'});
   }
 
@@ -134,15 +140,29 @@ export class PhotoSession extends Observable {
     if (!step) return;
     const {signal} = this.#searches.begin();
     const {map, shape} = step.reading;
-    this.#found({kind: 'looking'});
+    this.#found({kind: 'looking', stage: 'object', fraction: 0});
     try {
       const request = {picture: this.picture, map, shape, object, at};
-      const found = await this.#solver.photoObject(request, {signal});
+      const found = await this.#solver.photoObject(request, {
+        signal,
+        onProgress: (progress) => {
+          if (signal.aborted) return;
+          this.#search = {kind: 'looking', ...progress};
+          this.changedOften();
+        },
+      });
       if (signal.aborted) return;
       this.change({...unmeasured, object: found});
     } catch (error) {
       if (!signal.aborted) this.#found({kind: 'failed', failure: toFailure(error)});
     }
+  }
+
+  /** Ends the search for a coin or card; what was measured before stays. */
+  cancelSearch(): void {
+    if (this.#search.kind !== 'looking') return;
+    this.#searches.stop();
+    this.#found({kind: 'none'});
   }
 
   /** What lies there is white. */
@@ -208,6 +228,7 @@ export class PhotoSession extends Observable {
   async #read(settings: PhotoSettings): Promise<void> {
     const {signal} = this.#reads.begin();
     const isOver = (): boolean => signal.aborted;
+    this.#searches.stop(); // its measure would be of the lattice before
     this.#become({kind: 'reading', stage: 'repeat', fraction: 0});
     try {
       // a photograph that was kept does not say it any more

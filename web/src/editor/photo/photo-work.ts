@@ -12,6 +12,7 @@ import {drawnByHand, photoProgress} from './photo-progress.js';
 import type {Moved, Placed, TwoPoints} from './photo-stage.js';
 import {groupIn, groupOf, type PhotoStep} from '../print/photo-step.js';
 import type {Overlays, Vector} from './stage-marks.js';
+import {progressStyle} from './progress-style.js';
 import {workStyle} from './work-style.js';
 
 /** Fires `hand` with a `PhotoMap` that somebody draws, or with nothing when that is at its end. */
@@ -30,7 +31,7 @@ export class PhotoWork extends PhotoElement {
     object: {state: true},
     broken: {state: true},
   };
-  static override styles = [controls, workStyle];
+  static override styles = [controls, workStyle, progressStyle];
   /** Its address. */
   declare picture: string;
   /** Its size as the browser shows it. */
@@ -105,7 +106,7 @@ export class PhotoWork extends PhotoElement {
         }}
       ></sw-photo-stage>
       <div class="side">
-        ${hand ? this.#drawn(hand) : photoProgress(session, this.#said)}
+        ${hand ? this.#drawn(hand) : photoProgress(session, this.said)}
         ${hand ? nothing : this.#panel(size)}
       </div>`;
   }
@@ -157,16 +158,11 @@ export class PhotoWork extends PhotoElement {
     </sw-photo-panel>`;
   }
 
-  get #said() {
-    const {words, format, texts} = this;
-    return {words, cancel: texts.app.cancel, percent: (share: number) => format.percent(share)};
-  }
-
   #drawn(hand: PhotoMap): TemplateResult {
     const leave = (): void => {
       this.#draw(undefined);
     };
-    return drawnByHand(this.#said, {
+    return drawnByHand(this.said, {
       leave,
       align: () => {
         leave();

@@ -19,17 +19,6 @@ export const workStyle = css`
     overflow-y: auto;
     border-left: 1px solid var(--sw-line);
   }
-  .note {
-    display: grid;
-    gap: var(--sw-space-2);
-    padding: var(--sw-space-3);
-    border-radius: var(--sw-radius);
-    background: var(--sw-tint);
-  }
-  progress {
-    width: 100%;
-    accent-color: var(--sw-accent);
-  }
   @media (width < 48rem) {
     :host {
       grid-template-columns: minmax(0, 1fr);

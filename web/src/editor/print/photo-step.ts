@@ -13,9 +13,8 @@ import type {
   RepeatsMeasured,
 } from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
-import {repeatOf} from '../../model/repeat.js';
 import {isCentred, latticeType} from '../../model/wallpaper.js';
-import {assumedWidth} from '../../recognition/photo-print.js';
+import {assumedWidth, readableRepeat} from '../../recognition/photo-print.js';
 import {alongStripe, turnsOver} from './choices.js';
 
 /** What undo steps through. */
@@ -214,32 +213,25 @@ export function conflictIn(step: PhotoStep): MeasureConflict | undefined {
   return share > most ? {w1, w2, expected, share, isOfGroup} : undefined;
 }
 
-const rounded = (value: number): number => Math.round(1000 * value) / 1000 + 0;
-
 /** Above -180, up to 180. */
 export const wrappedTurn = (degrees: number): number => {
   const turn = ((degrees % 360) + 360) % 360;
   return turn > 180 ? turn - 360 : turn;
 };
 
-/** The print without its picture; lengths are rounded to what somebody could measure. */
+/** The print without its picture, rounded as files of prints are. */
 export function measuresOf(
   step: PhotoStep,
 ): Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled'> {
   const group = groupOf(step);
   const {w1, w2, isScaled} = cellOf(step);
   const factor = isScaled ? 1 : assumedWidth;
-  const {size, turnDeg} = repeatOf({group, w1: times(w1, factor), w2: times(w2, factor)});
-  const {width, height, angleDeg} = size;
+  const {size, turnDeg} = readableRepeat({group, w1: times(w1, factor), w2: times(w2, factor)});
   const isStriped = step.reading.stripes && ['pm', 'pmm'].includes(group);
   return {
     group,
-    size: {
-      width: rounded(width),
-      height: rounded(isStriped ? Math.min(height, alongStripe) : height),
-      angleDeg: rounded(angleDeg),
-    },
-    turnDeg: wrappedTurn(rounded(turnDeg) + 90 * step.quarterTurns),
+    size: isStriped ? {...size, height: Math.min(size.height, alongStripe)} : size,
+    turnDeg: wrappedTurn(turnDeg + 90 * step.quarterTurns),
     oneWay: isOneWay(step),
     cell: isCentred(group) ? 'rectangular' : 'primitive',
     ...(!isScaled && {unscaled: true}),

@@ -114,7 +114,6 @@ export const photo: PhotoTexts = {
   aim: 'Mitte der Münze oder Karte',
   tap: 'Sie liegt flach auf dem Stoff: bitte auf dem Foto ihre Mitte antippen. Oder den Ring mit den Pfeiltasten bewegen und Enter drücken.',
   look: 'Beim Ring danach suchen',
-  looking: 'Der Umriss wird gesucht …',
   byObject: (error) => `Gemessen am roten Umriss, auf etwa ${error} genau.`,
   distance: (unit) => `Ihr Abstand (${unit})`,
   measures: (width, height) => `Ein Rapport ist ${width} × ${height}.`,

@@ -115,7 +115,6 @@ export const photo = {
   aim: 'Middle of the coin or card',
   tap: 'It lies flat on the cloth: tap its middle on the photo. Or move the ring with the arrow keys and press Enter.',
   look: 'Look for it at the ring',
-  looking: 'Looking for its outline …',
   byObject: (error: string) => `Measured by the red outline, good to about ${error}.`,
   distance: (unit: string) => `Distance between them (${unit})`,
   measures: (width: string, height: string) => `One repeat is ${width} × ${height}.`,

@@ -108,7 +108,6 @@ export const photo: PhotoTexts = {
   aim: 'Centro de la moneda o tarjeta',
   tap: 'Está plana sobre la tela: toca su centro en la foto. O mueve el anillo con las flechas y pulsa Intro.',
   look: 'Buscarla en el anillo',
-  looking: 'Buscando el contorno…',
   byObject: (error) => `Medido por el contorno rojo, con un error de un ${error} aproximadamente.`,
   distance: (unit) => `Distancia entre ellos (${unit})`,
   measures: (width, height) => `Una repetición mide ${width} × ${height}.`,

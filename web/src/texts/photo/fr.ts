@@ -113,7 +113,6 @@ export const photo: PhotoTexts = {
   aim: 'Milieu de la pièce ou de la carte',
   tap: 'Elle est à plat sur le tissu : touchez son milieu sur la photo. Ou déplacez l’anneau avec les flèches et appuyez sur Entrée.',
   look: 'La chercher à l’anneau',
-  looking: 'Recherche du contour…',
   byObject: (error) => `Mesuré par le contour rouge, à ${error} près environ.`,
   distance: (unit) => `Distance entre eux (${unit})`,
   measures: (width, height) => `Un rapport mesure ${width} × ${height}.`,

@@ -113,7 +113,6 @@ export const photo: PhotoTexts = {
   aim: 'Centro della moneta o tessera',
   tap: 'Sta piatta sul tessuto: tocca il suo centro nella foto. Oppure sposta l’anello con le frecce e premi Invio.',
   look: 'Cercala presso l’anello',
-  looking: 'Ricerca del contorno…',
   byObject: (error) => `Misurato con il contorno rosso, con un errore di circa ${error}.`,
   distance: (unit) => `Distanza tra loro (${unit})`,
   measures: (width, height) => `Un rapporto misura ${width} × ${height}.`,

@@ -1,0 +1,9 @@
+/** All that this browser keeps of photographs. */
+import type {PhotoKeeper} from '../../editor/photo/photo-keeper.js';
+import {keepPhoto, keptPhoto} from './kept-photos.js';
+import {forgetUnfinished, keepUnfinished, unfinished} from './unfinished-photo.js';
+
+export const photoStorage: PhotoKeeper = {
+  ...{keep: keepPhoto, kept: keptPhoto},
+  ...{keepUnfinished, unfinished, forgetUnfinished},
+};

@@ -1,0 +1,102 @@
+/** The photograph that a tab has made no print of yet, kept in this browser until it has. */
+import {openDB, type DBSchema, type IDBPDatabase} from 'idb';
+
+import type {FoundPhoto, UnfinishedPhoto} from '../../editor/photo/photo-keeper.js';
+import {keyOf} from './kept-photos.js';
+
+interface Schema extends DBSchema {
+  /** By the tab's name. Written once: they are large. */
+  pictures: {key: string; value: StoredPicture; indexes: {kept: number}};
+  steps: {key: string; value: Omit<UnfinishedPhoto, 'picture'>};
+}
+
+interface StoredPicture {
+  readonly picture: Blob;
+  /** The key of the picture of the design's print. */
+  readonly print: string;
+  /** [ms since 1970] */
+  readonly kept: number;
+}
+
+/** Of so many tabs; those of others are forgotten, the oldest first. */
+const most = 4;
+const stores = ['pictures', 'steps'] as const;
+/** Names this tab for as long as it lives. */
+const tabKey = 'seamwise.photo';
+
+/** What this page has written. */
+let written: (Pick<UnfinishedPhoto, 'picture'> & {readonly image: string}) | undefined;
+/** One after the other, in the order in which they were asked for. */
+let queue: Promise<unknown> = Promise.resolve();
+
+/** Whatever the browser refuses, the photograph can be opened again from its file. */
+function safely<T>(
+  work: (database: IDBPDatabase<Schema>, tab: string) => Promise<T>,
+): Promise<T | undefined> {
+  const done = queue.then(async () => {
+    let database: IDBPDatabase<Schema> | undefined;
+    try {
+      const tab = sessionStorage.getItem(tabKey) ?? crypto.randomUUID();
+      sessionStorage.setItem(tabKey, tab);
+      database = await openDB<Schema>('seamwise-unfinished', 1, {
+        upgrade: (made) => {
+          made.createObjectStore('pictures').createIndex('kept', 'kept');
+          made.createObjectStore('steps');
+        },
+      });
+      return await work(database, tab);
+    } catch {
+      return undefined;
+    } finally {
+      database?.close();
+    }
+  });
+  queue = done;
+  return done;
+}
+
+const drop = async (database: IDBPDatabase<Schema>, tabs: readonly string[]): Promise<void> => {
+  const transaction = database.transaction(stores, 'readwrite');
+  const dropped = tabs.flatMap((tab) =>
+    stores.map((store) => transaction.objectStore(store).delete(tab)),
+  );
+  await Promise.all([...dropped, transaction.done]);
+};
+
+/** In place of the tab's one before. @param image the picture of the design's print */
+export const keepUnfinished = (image: string, photo: UnfinishedPhoto): Promise<void> =>
+  safely(async (database, tab) => {
+    const {picture, ...steps} = photo;
+    const isWritten = written?.picture === picture && written.image === image;
+    if (!isWritten || (await database.getKey('pictures', tab)) === undefined) {
+      written = undefined;
+      await drop(database, [tab]); // never one's steps beside another's picture
+      const stored = {picture, print: await keyOf(image), kept: Date.now()};
+      await database.put('pictures', stored, tab);
+      written = {picture, image};
+      const tabs = await database.getAllKeysFromIndex('pictures', 'kept');
+      await drop(database, tabs.slice(0, -most));
+    }
+    await database.put('steps', steps, tab);
+  });
+
+export const unfinished = (image: string): Promise<FoundPhoto | undefined> =>
+  safely(async (database, tab) => {
+    const [found, steps] = await Promise.all([
+      database.get('pictures', tab),
+      database.get('steps', tab),
+    ]);
+    if (!(found?.picture instanceof Blob)) return undefined;
+    const {picture, print} = found;
+    return {
+      ...{name: '', history: undefined, ...steps},
+      picture,
+      isOfPrint: print === (await keyOf(image)),
+    };
+  });
+
+export const forgetUnfinished = (): Promise<void> =>
+  safely(async (database, tab) => {
+    written = undefined;
+    await drop(database, [tab]);
+  });
