@@ -52,13 +52,13 @@ export class ClothPanel extends ClothElement {
 
   protected override render(): TemplateResult {
     const {laying, words} = this;
-    const {step, plan, state, isStale} = laying;
+    const {step, plan, state, isStale, isAwaited} = laying;
     const isShown = plan !== undefined && state.kind !== 'failed';
-    return html`<section aria-label=${words.panel} class=${isStale ? 'stale' : ''}>
+    return html`<section aria-label=${words.panel} class=${isStale || isAwaited ? 'stale' : ''}>
         ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#fields()}
       </section>
       ${isShown && step ? html`${this.#pieces(step)} ${this.#flaws(step)}` : nothing}
-      ${isShown ? this.#widths(plan) : nothing}`;
+      ${isShown && step?.plan ? this.#widths(step, step.plan) : nothing}`;
   }
 
   #result(plan: LayPlan): TemplateResult {
@@ -281,10 +281,14 @@ export class ClothPanel extends ClothElement {
     </section>`;
   }
 
-  #widths(plan: LayPlan): TemplateResult | typeof nothing {
+  /** @param plan as its pieces were packed: their lengths are no others while some are moved, or off the cloth */
+  #widths({pins}: LayStep, plan: LayPlan): TemplateResult | typeof nothing {
     const {laying, words, format} = this;
+    const {packed, unpinned} = words.widthsOf;
+    const isPinned = pins.size > 0 || plan.unpinnedLengthCm !== undefined;
     return clothWidths(plan, {
       ...{units: this.workbench.preferences.units, words, format},
+      of: isPinned ? unpinned : laying.isMoved ? packed : undefined,
       take: (widthCm) => {
         laying.choose({widthCm});
       },

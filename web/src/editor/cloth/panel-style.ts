@@ -108,6 +108,12 @@ export const panelStyle = css`
   .widths {
     margin-bottom: var(--sw-space-4);
   }
+  .widths .of {
+    display: block;
+    color: var(--sw-soft);
+    font-size: var(--sw-text-small);
+    font-weight: 400;
+  }
   .widths .present > * {
     font-weight: 600;
   }

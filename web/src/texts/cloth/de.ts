@@ -61,6 +61,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Unbekannt', known: 'Gemessen'},
   phaseIn: (unit) => `Vom linken Rand zu einer Ecke des Rapports (${unit})`,
   widths: 'Auf anderen Breiten',
+  widthsOf: {
+    packed: 'Längen aller Teile, neu gepackt',
+    unpinned: 'Längen aller Teile, neu gepackt und keines angeheftet',
+  },
   widthColumn: 'Breite',
   lengthColumn: 'Länge',
   nowhere: 'passt nicht',

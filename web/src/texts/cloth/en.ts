@@ -71,6 +71,11 @@ export const cloth = {
   phases: {unknown: 'Unknown', known: 'Measured'},
   phaseIn: (unit: string) => `From the left edge to a corner of the repeat (${unit})`,
   widths: 'On other widths',
+  /** Where pieces lie otherwise. */
+  widthsOf: {
+    packed: 'Lengths of all pieces, packed anew',
+    unpinned: 'Lengths of all pieces, packed anew with none pinned',
+  },
   widthColumn: 'Width',
   lengthColumn: 'Length',
   nowhere: 'does not fit',

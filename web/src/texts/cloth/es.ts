@@ -60,6 +60,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Desconocido', known: 'Medido'},
   phaseIn: (unit) => `Del borde izquierdo a una esquina de la repetición (${unit})`,
   widths: 'En otros anchos',
+  widthsOf: {
+    packed: 'Largos de todas las piezas, colocadas de nuevo',
+    unpinned: 'Largos de todas las piezas, colocadas de nuevo sin fijar ninguna',
+  },
   widthColumn: 'Ancho',
   lengthColumn: 'Largo',
   nowhere: 'no cabe',

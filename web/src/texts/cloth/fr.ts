@@ -61,6 +61,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Inconnu', known: 'Mesuré'},
   phaseIn: (unit) => `Du bord gauche à un coin du raccord (${unit})`,
   widths: 'Sur d’autres largeurs',
+  widthsOf: {
+    packed: 'Longueurs de toutes les pièces, placées à nouveau',
+    unpinned: 'Longueurs de toutes les pièces, placées à nouveau sans épingles',
+  },
   widthColumn: 'Largeur',
   lengthColumn: 'Longueur',
   nowhere: 'ne tient pas',

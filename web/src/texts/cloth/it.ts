@@ -59,6 +59,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Sconosciuto', known: 'Misurato'},
   phaseIn: (unit) => `Dal bordo sinistro a un angolo del rapporto (${unit})`,
   widths: 'Su altre altezze',
+  widthsOf: {
+    packed: 'Lunghezze di tutti i pezzi, disposti di nuovo',
+    unpinned: 'Lunghezze di tutti i pezzi, disposti di nuovo senza fissarne nessuno',
+  },
   widthColumn: 'Altezza',
   lengthColumn: 'Lunghezza',
   nowhere: 'non ci sta',
