@@ -179,6 +179,8 @@ it('lists its keys, and none of the pattern, which it takes the place of', async
     ['Delete', 'Take off the cloth'],
     ['A', 'Pack the rest'],
     ['X', 'Mark a flaw'],
+    ['Shift X', 'Add a flaw'],
+    ['Shift ←  →  ↑  ↓', 'Make the chosen flaw larger or smaller'],
     ['Shift N', 'Piece before'],
   ] as const) {
     const shown = keys.locator('dt', {hasText: new RegExp(`^${key}$`)});
@@ -279,7 +281,7 @@ it('keeps pieces off a flaw that is drawn, until it is removed', async () => {
   await panel(page)
     .getByRole('button', {name: /^Remove: Flaw 1/})
     .click();
-  await expect.poll(() => panel(page).locator('.flaws').count()).toBe(0);
+  await expect.poll(() => panel(page).locator('.flaws li').count()).toBe(0);
 });
 
 it('cuts as many garments as are asked for, with the allowances of cutting files', async () => {

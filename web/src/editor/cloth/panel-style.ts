@@ -117,13 +117,7 @@ export const panelStyle = css`
   .widths .present > * {
     font-weight: 600;
   }
-  .flaws {
+  sw-cloth-flaws {
     border-top: 1px solid var(--sw-line);
-  }
-  .flaws li {
-    display: flex;
-    align-items: baseline;
-    justify-content: space-between;
-    gap: var(--sw-space-3);
   }
 `;

@@ -4,7 +4,7 @@ import type {ClothTexts} from './en.js';
 export const cloth: ClothTexts = {
   label: 'Stoff mit den Teilen darauf',
   description:
-    'Pfeiltasten legen das gewählte Teil auf den nächsten freien Platz, mit Alt auch auf den nächsten belegten; R dreht es, P heftet es an, Entf nimmt es weg, N und Umschalt N gehen von Teil zu Teil, Plus und Minus zoomen, 0 zeigt alles.',
+    'Pfeiltasten legen das gewählte Teil auf den nächsten freien Platz, mit Alt auch auf den nächsten belegten; R dreht es, P heftet es an, Entf nimmt es weg, N und Umschalt N gehen von Teil zu Teil, Plus und Minus zoomen, 0 zeigt alles. Umschalt X fügt in der Mitte einen Fehler ein, den dann die Pfeiltasten verschieben.',
   panel: 'Stoff',
   buy: (length) => `${length} kaufen`,
   notLying: (count) =>
@@ -99,6 +99,17 @@ export const cloth: ClothTexts = {
     'Einen Kasten über den Fehler ziehen oder seine Ecken anklicken und Enter drücken; Esc beendet.',
   flaws: 'Fehler im Stoff',
   flawAt: (number, left, start) => `Fehler ${number}, ${left} von links, ${start} vom Anfang`,
+  addFlaw: 'Fehler einfügen',
+  flawKeys:
+    'Pfeiltasten verschieben einen Fehler der Liste, mit Umschalt ändern sie seine Größe; Entf entfernt ihn.',
+  flawSize: (width, length) => `${width} breit, ${length} lang`,
+  flawRemoved: (number) => `Fehler ${number} ist entfernt.`,
+  flawFields: {
+    left: (unit) => `Vom linken Rand (${unit})`,
+    start: (unit) => `Vom Anfang (${unit})`,
+    width: (unit) => `Breite (${unit})`,
+    length: (unit) => `Länge (${unit})`,
+  },
   remove: 'Entfernen',
   removeFlaw: (flaw) => `Entfernen: ${flaw}`,
   savePlan: 'Legeplan speichern (JSON)',
@@ -126,6 +137,9 @@ export const cloth: ClothTexts = {
     turnOnto: 'Das Teil drehen, auch wo andere liegen',
     leave: 'Beenden, was im Gang ist; kein Teil ist gewählt',
     closeFlaw: 'Den Umriss eines Fehlers schließen',
+    moveFlaw: 'Den gewählten Fehler verschieben',
+    sizeFlaw: 'Die Größe des gewählten Fehlers ändern',
+    removeFlaw: 'Den gewählten Fehler entfernen',
   },
   steps: {
     move: 'Verschieben auf dem Stoff',

@@ -10,7 +10,7 @@ function ordinal(n: number): string {
 export const cloth = {
   label: 'Cloth with the pieces on it',
   description:
-    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all.',
+    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all. Shift X adds a flaw in the middle, which the arrow keys then move.',
   panel: 'Cloth',
   /** What there is to buy. */
   buy: (length: string) => `Buy ${length}`,
@@ -112,6 +112,17 @@ export const cloth = {
   flaws: 'Flaws',
   flawAt: (number: number, left: string, start: string) =>
     `Flaw ${number}, ${left} from the left, ${start} from the start`,
+  addFlaw: 'Add a flaw',
+  flawKeys:
+    'Arrow keys move a flaw in the list, with Shift they make it larger or smaller; Delete removes it.',
+  flawSize: (width: string, length: string) => `${width} wide, ${length} long`,
+  flawRemoved: (number: number) => `Flaw ${number} is removed.`,
+  flawFields: {
+    left: (unit: string) => `From the left edge (${unit})`,
+    start: (unit: string) => `From the start (${unit})`,
+    width: (unit: string) => `Width (${unit})`,
+    length: (unit: string) => `Length (${unit})`,
+  },
   remove: 'Remove',
   removeFlaw: (flaw: string) => `Remove: ${flaw}`,
   savePlan: 'Save lay plan (JSON)',
@@ -139,6 +150,9 @@ export const cloth = {
     turnOnto: 'Turn the piece, even where others lie',
     leave: 'End what is under way; no piece is selected',
     closeFlaw: 'Close the outline of a flaw',
+    moveFlaw: 'Move the chosen flaw',
+    sizeFlaw: 'Make the chosen flaw larger or smaller',
+    removeFlaw: 'Remove the chosen flaw',
   },
   steps: {
     move: 'move on the cloth',
