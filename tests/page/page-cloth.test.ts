@@ -180,7 +180,10 @@ it('lists its keys, and none of the pattern, which it takes the place of', async
     ['A', 'Pack the rest'],
     ['X', 'Mark a flaw'],
     ['Shift X', 'Add a flaw'],
-    ['Shift ←  →  ↑  ↓', 'Make the chosen flaw larger or smaller'],
+    [
+      'Shift ←  →  ↑  ↓',
+      'Make the chosen flaw larger or smaller; arrows alone move it, Delete removes it',
+    ],
     ['Shift N', 'Piece before'],
   ] as const) {
     const shown = keys.locator('dt', {hasText: new RegExp(`^${key}$`)});

@@ -112,7 +112,7 @@ export const clothCommands = (
 
 /** All keys of the view, whether or not there is anything to use them on just now. */
 export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
-  const {move, moveOnto, turnOnto, leave, closeFlaw, moveFlaw, sizeFlaw, removeFlaw} = words.keys;
+  const {move, moveOnto, turnOnto, leave, closeFlaw, sizeFlaw} = words.keys;
   const arrows = '←  →  ↑  ↓';
   const {Shift} = texts.keyNames;
   const shown = (key: string): string =>
@@ -123,9 +123,7 @@ export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts
     [`Alt ${arrows}`, moveOnto],
     ...commands.map(([key, meaning]) => [shown(key), meaning] as const),
     ['Alt R', turnOnto],
-    [arrows, moveFlaw],
     [`${Shift} ${arrows}`, sizeFlaw],
-    [words.deleteKey, removeFlaw],
     ['Enter', closeFlaw],
     ['Esc', leave],
   ];

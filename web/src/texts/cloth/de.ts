@@ -137,9 +137,8 @@ export const cloth: ClothTexts = {
     turnOnto: 'Das Teil drehen, auch wo andere liegen',
     leave: 'Beenden, was im Gang ist; kein Teil ist gewählt',
     closeFlaw: 'Den Umriss eines Fehlers schließen',
-    moveFlaw: 'Den gewählten Fehler verschieben',
-    sizeFlaw: 'Die Größe des gewählten Fehlers ändern',
-    removeFlaw: 'Den gewählten Fehler entfernen',
+    sizeFlaw:
+      'Die Größe des gewählten Fehlers ändern; Pfeile allein verschieben ihn, Entf entfernt ihn',
   },
   steps: {
     move: 'Verschieben auf dem Stoff',

@@ -150,9 +150,7 @@ export const cloth = {
     turnOnto: 'Turn the piece, even where others lie',
     leave: 'End what is under way; no piece is selected',
     closeFlaw: 'Close the outline of a flaw',
-    moveFlaw: 'Move the chosen flaw',
-    sizeFlaw: 'Make the chosen flaw larger or smaller',
-    removeFlaw: 'Remove the chosen flaw',
+    sizeFlaw: 'Make the chosen flaw larger or smaller; arrows alone move it, Delete removes it',
   },
   steps: {
     move: 'move on the cloth',

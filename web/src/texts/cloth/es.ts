@@ -137,9 +137,7 @@ export const cloth: ClothTexts = {
     turnOnto: 'Girar la pieza, aunque haya otras',
     leave: 'Terminar lo que está en curso; ninguna pieza elegida',
     closeFlaw: 'Cerrar el contorno de un defecto',
-    moveFlaw: 'Mover el defecto elegido',
-    sizeFlaw: 'Agrandar o reducir el defecto elegido',
-    removeFlaw: 'Quitar el defecto elegido',
+    sizeFlaw: 'Agrandar o reducir el defecto elegido; las flechas solas lo mueven, Supr lo quita',
   },
   steps: {
     move: 'mover sobre la tela',

@@ -138,9 +138,8 @@ export const cloth: ClothTexts = {
     turnOnto: 'Tourner la pièce, même sur d’autres',
     leave: 'Terminer ce qui est en cours ; aucune pièce choisie',
     closeFlaw: 'Fermer le contour d’un défaut',
-    moveFlaw: 'Déplacer le défaut choisi',
-    sizeFlaw: 'Agrandir ou réduire le défaut choisi',
-    removeFlaw: 'Retirer le défaut choisi',
+    sizeFlaw:
+      'Agrandir ou réduire le défaut choisi ; les flèches seules le déplacent, Suppr le retire',
   },
   steps: {
     move: 'déplacement sur le tissu',

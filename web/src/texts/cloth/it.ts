@@ -136,9 +136,8 @@ export const cloth: ClothTexts = {
     turnOnto: 'Girare il pezzo, anche dove ce ne sono altri',
     leave: 'Terminare ciò che è in corso; nessun pezzo scelto',
     closeFlaw: 'Chiudere il contorno di un difetto',
-    moveFlaw: 'Spostare il difetto scelto',
-    sizeFlaw: 'Ingrandire o ridurre il difetto scelto',
-    removeFlaw: 'Togliere il difetto scelto',
+    sizeFlaw:
+      'Ingrandire o ridurre il difetto scelto; le frecce da sole lo spostano, Canc lo toglie',
   },
   steps: {
     move: 'spostamento sul tessuto',
