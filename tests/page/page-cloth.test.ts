@@ -1,53 +1,31 @@
 /** The pieces on their cloth, on the page: laid, moved, turned and pinned there, and told what is wrong. */
-import type {Locator, Page} from 'playwright-core';
+import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
 import type {LayPlan} from '@/model/lay-plan.js';
 import {barriers} from '../support/barriers.js';
-import {button, saved, savedCut, showSample, solved, usePage} from '../support/page.js';
+import {button, saved, savedCut, solved, usePage} from '../support/page.js';
+import {
+  bought,
+  clothOf,
+  facts,
+  laid,
+  pane,
+  panel,
+  rowOf,
+  said,
+  status,
+} from '../support/page-cloth.js';
 
 const openPage = usePage();
-
-const pane = (page: Page): Locator => page.locator('sw-cloth');
-const panel = (page: Page): Locator => page.locator('sw-cloth-panel');
-const status = (page: Page): Promise<string | null> =>
-  pane(page).locator('[role=status]').textContent();
-/** What is said below the cloth. */
-const said = async (page: Page): Promise<string> =>
-  (await pane(page).locator('.said').textContent())?.trim() ?? '';
-const bought = (page: Page): Promise<string | null> => panel(page).locator('h2').textContent();
-/** What is said of the plan. */
-const facts = (page: Page): Promise<string> => panel(page).locator('.facts').innerText();
-const rowOf = (page: Page, name: string): Locator =>
-  panel(page).locator('.pieces').getByRole('row', {name});
 
 /** Where the selected piece is said to lie, without how far it has gone. */
 const lies = async (page: Page): Promise<string | undefined> =>
   (await status(page))?.replace(/ \(moved .*\)$/, '');
 
-/** Until nothing is laid any more. */
-async function laid(page: Page): Promise<void> {
-  const state = () => pane(page).locator('.pane').getAttribute('data-state');
-  await expect.poll(state, {timeout: 60_000}).toBe('done');
-  await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
-}
-
-/** A tee in a print that may lie upside down, on its cloth. */
-async function openCloth(options: Parameters<typeof openPage>[0] = {}): Promise<Page> {
-  const page = await openPage(options);
-  await solved(page);
-  await showSample(page, 'tee');
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const print = workbench?.design?.print;
-    if (print) workbench.change({print: {...print, group: 'p2', oneWay: false}, symmetry: 'none'});
-  });
-  await solved(page);
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
-  await laid(page);
-  return page;
-}
+const openCloth = async (options: Parameters<typeof openPage>[0] = {}): Promise<Page> =>
+  clothOf(await openPage(options));
 
 it('lays the pieces in their print, says what there is to buy, and marks what is picked everywhere', async () => {
   const page = await openCloth();
@@ -201,6 +179,11 @@ it('lists its keys, and none of the pattern, which it takes the place of', async
     ['Delete', 'Take off the cloth'],
     ['A', 'Pack the rest'],
     ['X', 'Mark a flaw'],
+    ['Shift X', 'Add a flaw'],
+    [
+      'Shift ←  →  ↑  ↓',
+      'Make the chosen flaw larger or smaller; arrows alone move it, Delete removes it',
+    ],
     ['Shift N', 'Piece before'],
   ] as const) {
     const shown = keys.locator('dt', {hasText: new RegExp(`^${key}$`)});
@@ -301,7 +284,7 @@ it('keeps pieces off a flaw that is drawn, until it is removed', async () => {
   await panel(page)
     .getByRole('button', {name: /^Remove: Flaw 1/})
     .click();
-  await expect.poll(() => panel(page).locator('.flaws').count()).toBe(0);
+  await expect.poll(() => panel(page).locator('.flaws li').count()).toBe(0);
 });
 
 it('cuts as many garments as are asked for, with the allowances of cutting files', async () => {

@@ -192,6 +192,64 @@ describe('pieces on their cloth', () => {
     expect([laying.undo(), laying.undo(), laying.plan?.proven]).toEqual([true, true, true]);
   });
 
+  it('have lengths on other widths of pieces as they lie, or none', async () => {
+    const {laying, asked} = await laidOut();
+    laying.choose({gapCm: 0.3});
+    await settled();
+    asked[1]?.answer({
+      widthLengthsCm: [9, 9, 9, 8, 8, 7],
+      phaseLengthsCm: [8, 9, 9, 9, 9, 9, 9, 9],
+    });
+    await settled();
+    const lengths = () => laying.plan?.widths.map(({lengthCm}) => lengthCm);
+    expect(lengths()?.[3]).toBe(laying.plan?.lengthCm);
+    expect(laying.plan?.notes.join()).toMatch(/where the print starts/);
+    laying.move(1, placed(12, 13));
+    expect(laying.plan).toMatchObject({widths: [], cheaper: [], notes: [], noteDetails: []});
+    expect(laying.plan?.phases).toEqual([{phaseCm: 2, lengthCm: laying.plan?.lengthCm}]);
+    laying.remove(0);
+    expect(laying.plan?.phases).toEqual([{phaseCm: 2, lengthCm: null}]);
+    expect(laying.step?.plan?.widths).toHaveLength(6);
+  });
+
+  it('are those of the cloth that is shown: where a change of it is taken back or given up', async () => {
+    const {laying, asked, source} = await laidOut();
+    laying.choose({copies: 2});
+    await settled();
+    asked[1]?.answer({places: [0, 10, 20, 30].map((x) => placed(x, 3))});
+    await settled();
+    expect([laying.undo(), laying.names.length, laying.plan?.unplaced]).toEqual([true, 2, []]);
+    laying.choose({widthCm: 90});
+    expect([laying.isAwaited, source.preferences.cloths]).toMatchObject([true, {}]);
+    laying.move(0, placed(22, 3)); // it is soon laid anew
+    laying.choose({selvedgeCm: 2});
+    await settled();
+    expect([laying.isAwaited, laying.state.kind, laying.isMoved]).toEqual([true, 'laying', false]);
+    laying.cancel();
+    expect([laying.isAwaited, laying.state.kind]).toEqual([false, 'done']);
+    expect(laying.choices).toMatchObject({widthCm: 140, selvedgeCm: 1, copies: 1});
+    expect([laying.redo(), laying.plan?.widthCm]).toEqual([false, 140]);
+    laying.choose({widthCm: 90});
+    await settled();
+    asked.at(-1)?.hooks.onLayout?.(layout);
+    laying.cancel();
+    expect([laying.state.kind, laying.plan?.widthCm]).toEqual(['cancelled', 90]);
+  });
+
+  it('are laid on the cloth as it was changed last by whoever comes back to them', async () => {
+    const {laying, asked, end} = await laidOut();
+    laying.choose({widthCm: 90});
+    await settled();
+    end();
+    expect(laying.state.kind).toBe('waiting');
+    laying.show();
+    await settled();
+    expect(asked.at(-1)?.problem.widthCm).toBe(90);
+    asked.at(-1)?.answer();
+    await settled();
+    expect([laying.state.kind, laying.plan?.widthCm]).toEqual(['done', 90]);
+  });
+
   it('keep in mind around pins what they took without, on the same cloth', async () => {
     const {laying, asked} = await laidOut();
     expect(laying.plan).not.toHaveProperty('unpinnedLengthCm');

@@ -49,7 +49,7 @@ function phaseNotes(phases: readonly PhaseLength[]): readonly LayNote[] {
   ];
 }
 
-/** What lies on a cloth lies on a wider one, too. */
+/** What lies on a cloth lies on a wider one, too; what it takes on the cloth of the plan is the plan's length. */
 function widthsOf(
   {problem: {widthCm: own, widthsCm}}: MarkerOrder,
   {widthLengthsCm}: Layout,
@@ -61,7 +61,7 @@ function widthsOf(
   ];
   return widthsCm.map((widthCm) => {
     const lengths = known.filter((other) => other.widthCm <= widthCm).map((one) => one.lengthCm);
-    const least = Math.min(...lengths);
+    const least = widthCm === own ? lengthCm : Math.min(...lengths);
     return {widthCm, lengthCm: widthLengthsCm && least < Infinity ? least : null};
   });
 }

@@ -3,9 +3,10 @@ import type {LayPlan} from './lay-plan.js';
 
 /** A plan around pinned pieces, with what is known of the same pieces, none of them pinned. @param before the plan that was pinned in; undefined where its cloth was another */
 export function aroundPins(plan: LayPlan, before: LayPlan | undefined): LayPlan {
-  if (!before) return {...plan, unpinnedLengthCm: null};
-  const {lengthCm, unpinnedLengthCm = lengthCm, freeLengthCm} = before;
-  return {...plan, unpinnedLengthCm, freeLengthCm: freeLengthCm ?? plan.freeLengthCm};
+  // nothing is pinned on cloth of another width
+  if (!before) return {...plan, widths: [], unpinnedLengthCm: null};
+  const {lengthCm, unpinnedLengthCm = lengthCm, freeLengthCm, widths} = before;
+  return {...plan, widths, unpinnedLengthCm, freeLengthCm: freeLengthCm ?? plan.freeLengthCm};
 }
 
 /** Each undefined where it is not known, or nothing is pinned. */

@@ -1,5 +1,5 @@
 /** One answer on its cloth: what is laid of it, the steps of whoever has it in hand, and what is to be seen of them. */
-import {movedPlan, placesIn} from '../marker/moved-plan.js';
+import {isMoved, movedPlan} from '../marker/moved-plan.js';
 import type {Bolt, LaidPiece} from '../marker/places.js';
 import type {MarkerOrder} from '../marker/problem.js';
 import {printOf, type Design, type DesignPrint} from '../model/design.js';
@@ -20,8 +20,6 @@ export interface PieceOnCloth extends LaidPiece {
 export class ClothWork {
   readonly result: SolveResult;
   readonly print: DesignPrint;
-  /** Undefined until something is laid. */
-  order: MarkerOrder | undefined;
   history: History<LayStep>;
 
   constructor(result: SolveResult, print: DesignPrint, history: History<LayStep>) {
@@ -40,7 +38,8 @@ export class ClothWork {
     const {flaws = [], plan} = before?.print === print ? before.step : {};
     const {copies} = before?.step.choices ?? choices;
     const step = {
-      ...{choices: {...choices, copies}, flaws, pins: noPins, places: [], failure: undefined},
+      ...{choices: {...choices, copies}, flaws, pins: noPins, places: []},
+      ...{failure: undefined, order: undefined},
       plan: flaws.length > 0 ? plan : undefined,
     };
     return new ClothWork(result, print, begun(step));
@@ -56,28 +55,24 @@ export class ClothWork {
 
   /** The plan with the pieces as they lie now. */
   get plan(): LayPlan | undefined {
-    const {plan, places} = this.step;
-    return this.order && plan && this.#planOf(this.order, plan, places);
+    const {order, plan, places} = this.step;
+    return order && plan && this.#planOf(order, plan, places);
   }
 
   readonly #planOf = lastOf(movedPlan);
 
   /** Somebody has moved pieces since they were laid. */
   get isMoved(): boolean {
-    const {plan, places} = this.step;
-    return (
-      this.order !== undefined && plan !== undefined && this.#areMoved(this.order, plan, places)
-    );
+    const {order, plan, places} = this.step;
+    return order !== undefined && plan !== undefined && this.#areMoved(order, plan, places);
   }
 
-  readonly #areMoved = lastOf(
-    (order: MarkerOrder, plan: LayPlan, places: LayStep['places']): boolean =>
-      JSON.stringify(placesIn(order, plan)) !== JSON.stringify(places),
-  );
+  readonly #areMoved = lastOf(isMoved);
 
   /** All that have a place. */
   get pieces(): readonly PieceOnCloth[] {
-    return this.order ? this.#piecesOf(this.order, this.step.places) : [];
+    const {order, places} = this.step;
+    return order ? this.#piecesOf(order, places) : [];
   }
 
   readonly #piecesOf = lastOf(

@@ -1,4 +1,5 @@
 /** What is laid on cloth as somebody has it: how the cloth is, what is pinned, what is to be left out. */
+import type {MarkerOrder} from '../marker/problem.js';
 import type {Failure} from '../model/failure.js';
 import type {Alignment, Point} from '../model/geometry.js';
 import type {LayPlan} from '../model/lay-plan.js';
@@ -15,6 +16,8 @@ export interface LayStep {
   readonly pins: ReadonlySet<number>;
   /** Undefined where one has none. */
   readonly places: readonly (Alignment | undefined)[];
+  /** What was laid last; undefined before. */
+  readonly order: MarkerOrder | undefined;
   /** As it was laid last; undefined before. */
   readonly plan: LayPlan | undefined;
   /** Why it could not be laid. */

@@ -6,7 +6,15 @@ import type {Bolt} from '../marker/places.js';
 import type {DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {Alignment} from '../model/geometry.js';
-import {amended, mapped, redone, stepped, undone, type History} from '../model/history.js';
+import {
+  amended,
+  mapped,
+  redone,
+  stepped,
+  undone,
+  withdrawn,
+  type History,
+} from '../model/history.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {SolveResult} from '../model/result.js';
 import {allowancesIn} from './allowances.js';
@@ -38,6 +46,8 @@ export class Laying extends Observable {
   readonly #known = new WeakMap<SolveResult, ClothWork>();
   #state: LayingState = {kind: 'waiting'};
   #running: AbortController | undefined;
+  /** Cloth was changed, and nothing is laid on it yet: what is shown lies on the cloth before. */
+  #isAwaited = false;
   #viewers = 0;
   #end: (() => void) | undefined;
 
@@ -59,6 +69,11 @@ export class Laying extends Observable {
   get isStale(): boolean {
     const {result, design} = this.#source;
     return this.#work !== undefined && !this.#work.isOf(result, design);
+  }
+
+  /** The same of other cloth, on which nothing is laid yet. */
+  get isAwaited(): boolean {
+    return this.#isAwaited;
   }
 
   /** What there is to be taken back; undefined for nothing, as where another design is to be laid. */
@@ -83,7 +98,7 @@ export class Laying extends Observable {
 
   /** Names of all that are laid, by their numbers. */
   get names(): readonly string[] {
-    return (this.#work?.order ?? this.#next?.order)?.pieces.map(({piece}) => piece) ?? [];
+    return (this.#work ?? this.#next)?.step.order?.pieces.map(({piece}) => piece) ?? [];
   }
 
   /** The cloth that is shown; undefined until something is laid. */
@@ -105,7 +120,7 @@ export class Laying extends Observable {
 
   /** Which of the garment's edges have allowances of their own, as far as something is laid. */
   get ownAllowances(): ReturnType<typeof ownAllowancesOf> {
-    const toLay = this.#work?.order && this.#toLay(this.#work);
+    const toLay = this.#work?.step.order && this.#toLay(this.#work);
     return toLay && !this.isStale ? ownAllowancesOf(toLay) : 'none';
   }
 
@@ -122,17 +137,36 @@ export class Laying extends Observable {
       this.#end?.();
       this.#end = undefined;
       if (this.#state.kind !== 'laying') return;
-      this.#stop();
-      this.#become({kind: this.step?.plan && !this.#next ? 'cancelled' : 'waiting'});
+      const isShown = this.step?.plan && !this.#next && !this.#isAwaited;
+      this.#leave();
+      this.#become({kind: isShown ? 'cancelled' : 'waiting'});
       this.#next = undefined;
     };
   }
 
-  /** Ends what is under way; the best so far stays. */
+  /** Ends what is under way; the best so far stays, and where there is none on the cloth as it was changed, that is taken back. */
   cancel(): void {
-    if (this.#state.kind !== 'laying') return;
+    if (this.#state.kind !== 'laying' || this.#withdraw()) return;
     this.#stop();
     this.#become({kind: 'cancelled'});
+  }
+
+  /** What is laid anew is begun again when somebody comes back to it. */
+  #leave(): void {
+    if (this.#isAwaited && this.#work) this.#known.delete(this.#work.result);
+    this.#stop();
+  }
+
+  /** @returns whether there was a change of the cloth on which nothing was laid yet */
+  #withdraw(): boolean {
+    const work = this.#work;
+    const history = this.#isAwaited && work ? withdrawn(work.history) : undefined;
+    if (!work || !history) return false;
+    this.#stop();
+    work.history = history;
+    this.#settle(history.present);
+    this.#remember(history.present.choices);
+    return true;
   }
 
   /** Lays all but the pinned ones anew. */
@@ -188,6 +222,7 @@ export class Laying extends Observable {
 
   #travel(way: (history: History<LayStep>) => History<LayStep> | undefined): boolean {
     const history = this.history && way(this.history);
+    if (way === undone && this.#withdraw()) return true;
     if (!this.#work || !history) return false;
     this.#stop();
     this.#work.history = history;
@@ -205,12 +240,15 @@ export class Laying extends Observable {
   #change(change: Partial<LayStep>, packs: boolean): void {
     const work = this.#next ?? this.#work;
     if (!work?.isOf(this.#source.result, this.#source.design)) return;
+    const isAwaited = this.#isAwaited;
+    if (isAwaited && !packs) return; // what is shown is soon laid anew
     // offers are those of the plan, wherever its pieces are moved meanwhile
     if (packs || this.#state.kind === 'laying') this.#stop();
     const {history, step} = work;
     const next = {...step, ...change, failure: undefined};
-    work.history = step.plan ? stepped(history, next) : amended(history, next);
-    const isSameCloth = next.choices === step.choices && next.flaws === step.flaws;
+    work.history = step.plan && !isAwaited ? stepped(history, next) : amended(history, next);
+    const isSameCloth = !isAwaited && next.choices === step.choices && next.flaws === step.flaws;
+    this.#isAwaited = work === this.#work && !isSameCloth;
     if (packs) void this.#run(work, isSameCloth ? step.plan : undefined);
     else this.#become({kind: 'done'});
   }
@@ -227,12 +265,13 @@ export class Laying extends Observable {
   #stop(): void {
     this.#running?.abort();
     this.#running = undefined;
+    this.#isAwaited = false;
   }
 
   #follow(): void {
     const {design, garment, result} = this.#source;
     if (!design || !garment || !result) {
-      this.#stop();
+      this.#leave();
       this.#next = undefined;
       this.#become({kind: 'waiting'});
       return;
@@ -247,7 +286,7 @@ export class Laying extends Observable {
   #begin(result: SolveResult, before: ClothWork | undefined): void {
     const {design, preferences} = this.#source;
     if (!design) return;
-    this.#stop();
+    this.#leave();
     const known = this.#known.get(result);
     if (known?.isOf(result, design) && known.step.plan) {
       this.#next = undefined;
@@ -285,8 +324,9 @@ export class Laying extends Observable {
         onPlan: (order, found) => {
           const plan = step.pins.size > 0 ? aroundPins(found, before) : found;
           const isFirst = this.#work !== work;
-          work.order = order;
-          work.history = amended(work.history, {...step, plan, places: placesIn(order, plan)});
+          const places = placesIn(order, plan);
+          work.history = amended(work.history, {...step, order, plan, places});
+          this.#isAwaited = false;
           this.#work = work;
           this.#next = undefined;
           if (isFirst) this.changed();
@@ -299,9 +339,9 @@ export class Laying extends Observable {
       this.#running = undefined;
     } catch (error) {
       if (running.signal.aborted) return;
-      this.#running = undefined;
+      this.#stop();
       const failure = toFailure(error);
-      const places = work.order?.pieces.map(() => undefined) ?? [];
+      const places = step.order?.pieces.map(() => undefined) ?? [];
       work.history = amended(work.history, {...step, places, failure});
       this.#become({kind: 'failed', failure});
     }

@@ -8,6 +8,8 @@ import {drawn, icon} from '../style/icons.js';
 /** The cloth as its buttons see it. */
 interface BarredCloth {
   readonly isReady: boolean;
+  /** Flaws can be marked. */
+  readonly canMark: boolean;
   /** A piece is selected, and whether it is pinned. */
   readonly chosen: {readonly isPinned: boolean} | undefined;
   readonly hasPins: boolean;
@@ -49,7 +51,7 @@ const tool = ({label, picture, key, isPossible, isOn, act}: Tool): TemplateResul
   </button>`;
 
 export function clothBar(cloth: BarredCloth, words: ClothTexts): TemplateResult {
-  const {isReady, chosen, hasPins, isMarking} = cloth;
+  const {isReady, canMark, chosen, hasPins, isMarking} = cloth;
   const isPossible = isReady && chosen !== undefined;
   const isPinned = chosen?.isPinned ?? false;
   const pack = hasPins ? words.packRest : words.packAgain;
@@ -69,7 +71,7 @@ export function clothBar(cloth: BarredCloth, words: ClothTexts): TemplateResult 
         },
       })}
       ${tool({
-        ...{label: words.flaw, picture: flawIcon, key: 'X', isPossible: isReady, isOn: isMarking},
+        ...{label: words.flaw, picture: flawIcon, key: 'X', isPossible: canMark, isOn: isMarking},
         act: () => {
           cloth.toggleFlawTool();
         },

@@ -16,6 +16,8 @@ interface CommandedCloth {
   takeOff(): void;
   pack(): void;
   toggleFlawTool(): void;
+  /** Where it is seen, to be moved by keys. */
+  putFlaw(): void;
 }
 
 /** One notch of zoom by a key. */
@@ -90,6 +92,12 @@ function handling(cloth: CommandedCloth, {commands}: Texts, words: ClothTexts): 
         cloth.toggleFlawTool();
       },
     },
+    {
+      ...{id: 'add flaw', title: words.addFlaw, key: 'Shift X'},
+      run: () => {
+        cloth.putFlaw();
+      },
+    },
   ];
 }
 
@@ -104,7 +112,7 @@ export const clothCommands = (
 
 /** All keys of the view, whether or not there is anything to use them on just now. */
 export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
-  const {move, moveOnto, turnOnto, leave, closeFlaw} = words.keys;
+  const {move, moveOnto, turnOnto, leave, closeFlaw, sizeFlaw} = words.keys;
   const arrows = '←  →  ↑  ↓';
   const {Shift} = texts.keyNames;
   const shown = (key: string): string =>
@@ -115,6 +123,7 @@ export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts
     [`Alt ${arrows}`, moveOnto],
     ...commands.map(([key, meaning]) => [shown(key), meaning] as const),
     ['Alt R', turnOnto],
+    [`${Shift} ${arrows}`, sizeFlaw],
     ['Enter', closeFlaw],
     ['Esc', leave],
   ];

@@ -11,7 +11,7 @@ import {wantSize} from '../print/size-wanted.js';
 import {controls} from '../style/controls.js';
 import {clothBar, clothZoom} from './cloth-bar.js';
 import {clothCommands, clothKeys} from './cloth-commands.js';
-import {PieceActions} from './piece-actions.js';
+import {FlawActions} from './flaw-actions.js';
 import {ways} from './cloth-moves.js';
 import {clothFiles} from './cloth-files.js';
 import {ClothPointing, type PointedCloth} from './cloth-pointing.js';
@@ -21,7 +21,7 @@ import {clothStyle} from './cloth-style.js';
 import {conflicts, conflictWords, lyingWords, roundedLength} from './cloth-words.js';
 import {layStepWords} from './lay-step-words.js';
 import {scrollTo} from './scroll-to.js';
-import {margin, type SheetFrame} from './sheet-frame.js';
+import {margin, middleInSight, type SheetFrame} from './sheet-frame.js';
 import {sheetStyle} from './sheet-style.js';
 
 const zooms = {least: 1, most: 12} as const;
@@ -31,7 +31,7 @@ const beyond = 14;
 const leastLength = 50;
 /** Long cloth is shown at this share of the scale at which its width fills the view, at the least. */
 const leastShare = 0.6;
-export class ClothPane extends PieceActions {
+export class ClothPane extends FlawActions {
   static override styles = [controls, clothStyle, sheetStyle];
   readonly #conflictsOf = lastOf(conflicts);
   readonly #pointing = new ClothPointing(this);
@@ -116,7 +116,18 @@ export class ClothPane extends PieceActions {
   }
 
   toggleFlawTool(): void {
-    if (this.isReady) this.#pointing.toggleFlawTool();
+    if (this.canMark) this.#pointing.toggleFlawTool();
+  }
+
+  protected override get middle(): Point | undefined {
+    const {renderRoot, laying} = this;
+    const [view, sheet] = [
+      renderRoot.querySelector('.application'),
+      renderRoot.querySelector<SVGSVGElement>('.sheet'),
+    ];
+    return view && sheet && laying.bolt
+      ? middleInSight(view, sheet, laying.bolt.widthCm)
+      : undefined;
   }
 
   get isMarking(): boolean {
@@ -183,6 +194,8 @@ export class ClothPane extends PieceActions {
         .workbench=${this.workbench}
         .selected=${this.selected}
         .conflicts=${this.#conflicts}
+        .actions=${this}
+        .chosenFlaw=${this.chosenFlaw}
         @sw-piece-chosen=${({detail}: CustomEvent<number>) => {
           this.choose(detail);
           this.toBeSeen = 'on cloth';
@@ -225,6 +238,7 @@ export class ClothPane extends PieceActions {
       pointed: this.numberOf(this.workbench.pointed),
       bad: new Set(this.#conflicts.keys()),
       dragged: this.#pointing.dragged,
+      chosenFlaw: this.chosenFlaw,
       draft: this.#pointing.draft,
     });
   }
@@ -254,7 +268,8 @@ export class ClothPane extends PieceActions {
     const why =
       state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
     return {
-      ...{laying, words, format, why, said: this.said, isMarking: this.isMarking},
+      ...{laying, words, format, why, said: this.said, told: this.told},
+      isMarking: this.isMarking,
       isDragging: dragged !== undefined,
       toSize: this.#toSize,
       ...{conflict: dragged ? this.#inWay(dragged) : (own ?? [...conflicts.values()][0])},
@@ -280,7 +295,9 @@ export class ClothPane extends PieceActions {
     event.stopPropagation();
   };
 
-  #handled({key, altKey, shiftKey}: KeyboardEvent): boolean {
+  #handled(event: KeyboardEvent): boolean {
+    const {key, altKey, shiftKey} = event;
+    if (this.pressForFlaw(event)) return true;
     const way = ways[key];
     if (way) return this.nudge(way, altKey);
     if (key === 'Escape') return this.#pointing.cancel() || this.letGo();
@@ -293,7 +310,10 @@ export class ClothPane extends PieceActions {
       this.turn(true);
       return true;
     }
-    const command = commandFor(this.commands, shiftKey && /^n$/i.test(key) ? 'Shift N' : key);
+    const command = commandFor(
+      this.commands,
+      shiftKey && /^[nx]$/i.test(key) ? `Shift ${key.toUpperCase()}` : key,
+    );
     command?.run();
     return command !== undefined;
   }

@@ -11,14 +11,8 @@ import {icon} from '../style/icons.js';
 import {ClothElement} from './cloth-element.js';
 import {clothFields} from './cloth-fields.js';
 import {clothWidths} from './cloth-widths.js';
-import {
-  costWords,
-  flawWords,
-  leastCost,
-  lengthRange,
-  placeWords,
-  soldLength,
-} from './cloth-words.js';
+import {costWords, leastCost, lengthRange, placeWords, soldLength} from './cloth-words.js';
+import type {FlawActions} from './flaw-actions.js';
 import {panelStyle} from './panel-style.js';
 
 export class ClothPanel extends ClothElement {
@@ -26,6 +20,8 @@ export class ClothPanel extends ClothElement {
     ...ClothElement.properties,
     selected: {attribute: false},
     conflicts: {attribute: false},
+    actions: {attribute: false},
+    chosenFlaw: {attribute: false},
     hasOwnWidth: {state: true},
     hasAllowances: {state: true},
   };
@@ -34,6 +30,9 @@ export class ClothPanel extends ClothElement {
   declare selected: number | undefined;
   /** Why pieces do not lie well, by their numbers. */
   declare conflicts: ReadonlyMap<number, string>;
+  /** What changes flaws, and the number of the one that is chosen, from 0. */
+  declare actions: FlawActions;
+  declare chosenFlaw: number | undefined;
   declare protected hasOwnWidth: boolean;
   declare protected hasAllowances: boolean;
 
@@ -52,13 +51,22 @@ export class ClothPanel extends ClothElement {
 
   protected override render(): TemplateResult {
     const {laying, words} = this;
-    const {step, plan, state, isStale} = laying;
+    const {step, plan, state, isStale, isAwaited} = laying;
     const isShown = plan !== undefined && state.kind !== 'failed';
-    return html`<section aria-label=${words.panel} class=${isStale ? 'stale' : ''}>
+    return html`<section aria-label=${words.panel} class=${isStale || isAwaited ? 'stale' : ''}>
         ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#fields()}
       </section>
-      ${isShown && step ? html`${this.#pieces(step)} ${this.#flaws(step)}` : nothing}
-      ${isShown ? this.#widths(plan) : nothing}`;
+      ${
+        isShown && step
+          ? html`${this.#pieces(step)}
+              <sw-cloth-flaws
+                .workbench=${this.workbench}
+                .actions=${this.actions}
+                .chosen=${this.chosenFlaw}
+              ></sw-cloth-flaws>`
+          : nothing
+      }
+      ${isShown && step?.plan ? this.#widths(step, step.plan) : nothing}`;
   }
 
   #result(plan: LayPlan): TemplateResult {
@@ -255,36 +263,14 @@ export class ClothPanel extends ClothElement {
     this.dispatchEvent(new CustomEvent<number>('sw-piece-chosen', {detail: number}));
   }
 
-  #flaws({flaws}: LayStep): TemplateResult | typeof nothing {
-    const {laying, words} = this;
-    if (flaws.length === 0) return nothing;
-    return html`<section class="flaws" aria-label=${words.flaws}>
-      <h3>${words.flaws}</h3>
-      <ul>
-        ${flaws.map((flaw, k) => {
-          const said = flawWords(flaw, k + 1, words, this.format);
-          return html`<li>
-            <span>${said}</span>
-            <button
-              class="link"
-              aria-label=${words.removeFlaw(said)}
-              ?disabled=${laying.isStale}
-              @click=${() => {
-                laying.setFlaws(flaws.filter((one) => one !== flaw));
-              }}
-            >
-              ${words.remove}
-            </button>
-          </li>`;
-        })}
-      </ul>
-    </section>`;
-  }
-
-  #widths(plan: LayPlan): TemplateResult | typeof nothing {
+  /** @param plan as its pieces were packed: their lengths are no others while some are moved, or off the cloth */
+  #widths({pins}: LayStep, plan: LayPlan): TemplateResult | typeof nothing {
     const {laying, words, format} = this;
+    const {packed, unpinned} = words.widthsOf;
+    const isPinned = pins.size > 0 || plan.unpinnedLengthCm !== undefined;
     return clothWidths(plan, {
       ...{units: this.workbench.preferences.units, words, format},
+      of: isPinned ? unpinned : laying.isMoved ? packed : undefined,
       take: (widthCm) => {
         laying.choose({widthCm});
       },

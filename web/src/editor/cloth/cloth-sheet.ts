@@ -47,6 +47,8 @@ interface SheetState {
   /** Numbers of those that lie where others do. */
   readonly bad: ReadonlySet<number>;
   readonly dragged: Dragged | undefined;
+  /** The number of the flaw that is chosen, from 0. */
+  readonly chosenFlaw: number | undefined;
   /** What is being drawn as a flaw. */
   readonly draft: readonly Point[];
   readonly units: Units;
@@ -231,7 +233,8 @@ export function clothSheet(state: SheetState): TemplateResult {
     <defs>${printPattern(state)}${hatching(frame)}</defs>
     <rect y=${top} width=${right} height=${-top} fill="url(#print)" />
     <rect class="pale" y=${top} width=${right} height=${-top} />
-    ${edges(state)} ${rulers(state)} ${bolt.flaws.map((flaw) => flawDrawing(flaw))}
+    ${edges(state)} ${rulers(state)}
+    ${bolt.flaws.map((flaw, k) => flawDrawing(flaw, k === state.chosenFlaw))}
     ${ordered.slice(0, below).map((piece) => pieceDrawing(piece, state))}
     ${dragged ? target(dragged) : nothing}
     ${ordered.slice(below).map((piece) => pieceDrawing(piece, state))}
@@ -240,5 +243,5 @@ export function clothSheet(state: SheetState): TemplateResult {
   </svg>`;
 }
 
-const flawDrawing = (flaw: readonly Point[]): TemplateResult =>
-  svg`<path class="flaw" d=${closed(flaw)} />`;
+const flawDrawing = (flaw: readonly Point[], isChosen: boolean): TemplateResult =>
+  svg`<path class="flaw ${isChosen ? 'chosen' : ''}" d=${closed(flaw)} />`;

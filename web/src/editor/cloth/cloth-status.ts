@@ -9,6 +9,8 @@ interface Status {
   readonly laying: Laying;
   /** Of a failure. */
   readonly why: string;
+  /** What was done to a flaw last, whatever is laid meanwhile. */
+  readonly told: string;
   /** What was done last. */
   readonly said: string;
   readonly conflict: string | undefined;
@@ -56,15 +58,17 @@ export function clothStatus(status: Status): TemplateResult {
   }
 }
 
-function doneWords({said, conflict, place, words}: Status): TemplateResult {
+function doneWords({told, said, conflict, place, words}: Status): TemplateResult {
+  if (told !== '') return html`<p class="told">${told}</p>`;
   if (said !== '') return html`<p class="told">${said}</p>`;
   if (conflict !== undefined) return html`<p class="told bad">${conflict}</p>`;
   return html`<span class="place">${place ?? words.hint}</span>`;
 }
 
 /** For who does not see it. */
-export function spokenStatus({laying, said, conflict, place, words, format}: Status): string {
+export function spokenStatus({laying, told, said, conflict, place, words, format}: Status): string {
   const {state} = laying;
+  if (told !== '') return told;
   if (state.kind === 'laying') {
     return words.laying(format.percent(Math.floor(state.fraction * 4) / 4));
   }

@@ -11,18 +11,20 @@ interface Widths {
   readonly units: Units;
   readonly words: ClothTexts;
   readonly format: Format;
+  /** Which lengths they are, where those of the pieces as they lie are others. */
+  readonly of: string | undefined;
   /** Lays on cloth of that width. [cm] */
   readonly take: (widthCm: number) => void;
 }
 
 export function clothWidths(
   {widths, widthCm}: LayPlan,
-  {units, words, format, take}: Widths,
+  {units, words, format, of, take}: Widths,
 ): TemplateResult | typeof nothing {
   if (!widths.some(({lengthCm}) => lengthCm !== null)) return nothing;
   return html`<table class="widths">
     <caption>
-      ${words.widths}
+      ${words.widths} ${of === undefined ? nothing : html`<span class="of">${of}</span>`}
     </caption>
     <thead>
       <tr>

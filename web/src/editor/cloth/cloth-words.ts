@@ -106,6 +106,12 @@ export function flawWords(
   return words.flawAt(number, format.length(low[0]), format.length(low[1]));
 }
 
+/** How large it is. */
+export function flawSizeWords(flaw: readonly Point[], words: ClothTexts, format: Format): string {
+  const {low, high} = boxOf(flaw);
+  return words.flawSize(format.length(high[0] - low[0]), format.length(high[1] - low[1]));
+}
+
 /** What is in the way of a piece; undefined for nothing. */
 export function conflictWords(
   piece: PieceOnCloth,

@@ -108,16 +108,16 @@ export const panelStyle = css`
   .widths {
     margin-bottom: var(--sw-space-4);
   }
+  .widths .of {
+    display: block;
+    color: var(--sw-soft);
+    font-size: var(--sw-text-small);
+    font-weight: 400;
+  }
   .widths .present > * {
     font-weight: 600;
   }
-  .flaws {
+  sw-cloth-flaws {
     border-top: 1px solid var(--sw-line);
-  }
-  .flaws li {
-    display: flex;
-    align-items: baseline;
-    justify-content: space-between;
-    gap: var(--sw-space-3);
   }
 `;

@@ -25,8 +25,8 @@ export abstract class PieceActions extends ClothElement {
   #target: Target | undefined;
 
   get isReady(): boolean {
-    const {bolt, isStale, state} = this.laying;
-    return !isStale && bolt !== undefined && state.kind !== 'failed';
+    const {bolt, isStale, isAwaited, state} = this.laying;
+    return !isStale && !isAwaited && bolt !== undefined && state.kind !== 'failed';
   }
 
   walk(step: 1 | -1): void {

@@ -43,6 +43,21 @@ export const offSheet = ({x, y}: {readonly x: number; readonly y: number}): Poin
   -y / unit,
 ];
 
+/** The middle of what is seen of the cloth in a view that scrolls. @param sheet its picture */
+export function middleInSight(
+  view: Element,
+  sheet: SVGSVGElement,
+  widthCm: number,
+): Point | undefined {
+  const matrix = sheet.getScreenCTM();
+  if (!matrix) return undefined;
+  const [seen, all] = [view, sheet].map((one) => one.getBoundingClientRect()) as [DOMRect, DOMRect];
+  const x = (Math.max(seen.left, all.left) + Math.min(seen.right, all.right)) / 2;
+  const y = (Math.max(seen.top, all.top) + Math.min(seen.bottom, all.bottom)) / 2;
+  const [across, along] = offSheet(new DOMPoint(x, y).matrixTransform(matrix.inverse()));
+  return [Math.min(widthCm, Math.max(0, across)), Math.max(0, along)];
+}
+
 /** A closed line as the data of a path. */
 export const closed = (points: readonly Point[]): string =>
   `${points

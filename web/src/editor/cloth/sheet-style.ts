@@ -143,6 +143,9 @@ export const sheetStyle = css`
     stroke-width: 1.5;
     pointer-events: none;
   }
+  .flaw.chosen {
+    stroke-width: 3.5;
+  }
   .flaw.draft {
     stroke-dasharray: 4 3;
   }

@@ -4,7 +4,7 @@ import type {ClothTexts} from './en.js';
 export const cloth: ClothTexts = {
   label: 'Stoff mit den Teilen darauf',
   description:
-    'Pfeiltasten legen das gewählte Teil auf den nächsten freien Platz, mit Alt auch auf den nächsten belegten; R dreht es, P heftet es an, Entf nimmt es weg, N und Umschalt N gehen von Teil zu Teil, Plus und Minus zoomen, 0 zeigt alles.',
+    'Pfeiltasten legen das gewählte Teil auf den nächsten freien Platz, mit Alt auch auf den nächsten belegten; R dreht es, P heftet es an, Entf nimmt es weg, N und Umschalt N gehen von Teil zu Teil, Plus und Minus zoomen, 0 zeigt alles. Umschalt X fügt in der Mitte einen Fehler ein, den dann die Pfeiltasten verschieben.',
   panel: 'Stoff',
   buy: (length) => `${length} kaufen`,
   notLying: (count) =>
@@ -61,6 +61,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Unbekannt', known: 'Gemessen'},
   phaseIn: (unit) => `Vom linken Rand zu einer Ecke des Rapports (${unit})`,
   widths: 'Auf anderen Breiten',
+  widthsOf: {
+    packed: 'Längen aller Teile, neu gepackt',
+    unpinned: 'Längen aller Teile, neu gepackt und keines angeheftet',
+  },
   widthColumn: 'Breite',
   lengthColumn: 'Länge',
   nowhere: 'passt nicht',
@@ -95,6 +99,17 @@ export const cloth: ClothTexts = {
     'Einen Kasten über den Fehler ziehen oder seine Ecken anklicken und Enter drücken; Esc beendet.',
   flaws: 'Fehler im Stoff',
   flawAt: (number, left, start) => `Fehler ${number}, ${left} von links, ${start} vom Anfang`,
+  addFlaw: 'Fehler einfügen',
+  flawKeys:
+    'Pfeiltasten verschieben einen Fehler der Liste, mit Umschalt ändern sie seine Größe; Entf entfernt ihn.',
+  flawSize: (width, length) => `${width} breit, ${length} lang`,
+  flawRemoved: (number) => `Fehler ${number} ist entfernt.`,
+  flawFields: {
+    left: (unit) => `Vom linken Rand (${unit})`,
+    start: (unit) => `Vom Anfang (${unit})`,
+    width: (unit) => `Breite (${unit})`,
+    length: (unit) => `Länge (${unit})`,
+  },
   remove: 'Entfernen',
   removeFlaw: (flaw) => `Entfernen: ${flaw}`,
   savePlan: 'Legeplan speichern (JSON)',
@@ -122,6 +137,8 @@ export const cloth: ClothTexts = {
     turnOnto: 'Das Teil drehen, auch wo andere liegen',
     leave: 'Beenden, was im Gang ist; kein Teil ist gewählt',
     closeFlaw: 'Den Umriss eines Fehlers schließen',
+    sizeFlaw:
+      'Die Größe des gewählten Fehlers ändern; Pfeile allein verschieben ihn, Entf entfernt ihn',
   },
   steps: {
     move: 'Verschieben auf dem Stoff',

@@ -10,7 +10,7 @@ function ordinal(n: number): string {
 export const cloth = {
   label: 'Cloth with the pieces on it',
   description:
-    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all.',
+    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all. Shift X adds a flaw in the middle, which the arrow keys then move.',
   panel: 'Cloth',
   /** What there is to buy. */
   buy: (length: string) => `Buy ${length}`,
@@ -71,6 +71,11 @@ export const cloth = {
   phases: {unknown: 'Unknown', known: 'Measured'},
   phaseIn: (unit: string) => `From the left edge to a corner of the repeat (${unit})`,
   widths: 'On other widths',
+  /** Where pieces lie otherwise. */
+  widthsOf: {
+    packed: 'Lengths of all pieces, packed anew',
+    unpinned: 'Lengths of all pieces, packed anew with none pinned',
+  },
   widthColumn: 'Width',
   lengthColumn: 'Length',
   nowhere: 'does not fit',
@@ -107,6 +112,17 @@ export const cloth = {
   flaws: 'Flaws',
   flawAt: (number: number, left: string, start: string) =>
     `Flaw ${number}, ${left} from the left, ${start} from the start`,
+  addFlaw: 'Add a flaw',
+  flawKeys:
+    'Arrow keys move a flaw in the list, with Shift they make it larger or smaller; Delete removes it.',
+  flawSize: (width: string, length: string) => `${width} wide, ${length} long`,
+  flawRemoved: (number: number) => `Flaw ${number} is removed.`,
+  flawFields: {
+    left: (unit: string) => `From the left edge (${unit})`,
+    start: (unit: string) => `From the start (${unit})`,
+    width: (unit: string) => `Width (${unit})`,
+    length: (unit: string) => `Length (${unit})`,
+  },
   remove: 'Remove',
   removeFlaw: (flaw: string) => `Remove: ${flaw}`,
   savePlan: 'Save lay plan (JSON)',
@@ -134,6 +150,7 @@ export const cloth = {
     turnOnto: 'Turn the piece, even where others lie',
     leave: 'End what is under way; no piece is selected',
     closeFlaw: 'Close the outline of a flaw',
+    sizeFlaw: 'Make the chosen flaw larger or smaller; arrows alone move it, Delete removes it',
   },
   steps: {
     move: 'move on the cloth',

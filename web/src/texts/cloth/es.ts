@@ -4,7 +4,7 @@ import type {ClothTexts} from './en.js';
 export const cloth: ClothTexts = {
   label: 'Tela con las piezas encima',
   description:
-    'Las flechas llevan la pieza elegida al siguiente sitio libre, con Alt al siguiente aunque esté ocupado; R la gira, P la fija, Supr la quita, N y Mayús N van de pieza en pieza, más y menos acercan y alejan, 0 muestra todo.',
+    'Las flechas llevan la pieza elegida al siguiente sitio libre, con Alt al siguiente aunque esté ocupado; R la gira, P la fija, Supr la quita, N y Mayús N van de pieza en pieza, más y menos acercan y alejan, 0 muestra todo. Mayús X añade en el centro un defecto, que las flechas mueven después.',
   panel: 'Tela',
   buy: (length) => `Compra ${length}`,
   notLying: (count) =>
@@ -60,6 +60,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Desconocido', known: 'Medido'},
   phaseIn: (unit) => `Del borde izquierdo a una esquina de la repetición (${unit})`,
   widths: 'En otros anchos',
+  widthsOf: {
+    packed: 'Largos de todas las piezas, colocadas de nuevo',
+    unpinned: 'Largos de todas las piezas, colocadas de nuevo sin fijar ninguna',
+  },
   widthColumn: 'Ancho',
   lengthColumn: 'Largo',
   nowhere: 'no cabe',
@@ -95,6 +99,17 @@ export const cloth: ClothTexts = {
   flaws: 'Defectos',
   flawAt: (number, left, start) =>
     `Defecto ${number}, a ${left} de la izquierda, a ${start} del inicio`,
+  addFlaw: 'Añadir un defecto',
+  flawKeys:
+    'Las flechas mueven un defecto de la lista, con Mayús cambian su tamaño; Supr lo quita.',
+  flawSize: (width, length) => `${width} de ancho, ${length} de largo`,
+  flawRemoved: (number) => `El defecto ${number} se ha quitado.`,
+  flawFields: {
+    left: (unit) => `Desde el borde izquierdo (${unit})`,
+    start: (unit) => `Desde el inicio (${unit})`,
+    width: (unit) => `Ancho (${unit})`,
+    length: (unit) => `Largo (${unit})`,
+  },
   remove: 'Quitar',
   removeFlaw: (flaw) => `Quitar: ${flaw}`,
   savePlan: 'Guardar el plan de corte (JSON)',
@@ -122,6 +137,7 @@ export const cloth: ClothTexts = {
     turnOnto: 'Girar la pieza, aunque haya otras',
     leave: 'Terminar lo que está en curso; ninguna pieza elegida',
     closeFlaw: 'Cerrar el contorno de un defecto',
+    sizeFlaw: 'Agrandar o reducir el defecto elegido; las flechas solas lo mueven, Supr lo quita',
   },
   steps: {
     move: 'mover sobre la tela',

@@ -6,7 +6,7 @@ const ordinal = (n: number): string => (n === 1 ? '1er' : `${n}e`);
 export const cloth: ClothTexts = {
   label: 'Tissu avec les pièces posées dessus',
   description:
-    'Les flèches déplacent la pièce choisie à la place libre suivante, avec Alt à la suivante même occupée ; R la tourne, P l’épingle, Suppr la retire, N et Maj N passent de pièce en pièce, plus et moins zooment, 0 montre tout.',
+    'Les flèches déplacent la pièce choisie à la place libre suivante, avec Alt à la suivante même occupée ; R la tourne, P l’épingle, Suppr la retire, N et Maj N passent de pièce en pièce, plus et moins zooment, 0 montre tout. Maj X ajoute au milieu un défaut, que les flèches déplacent ensuite.',
   panel: 'Tissu',
   buy: (length) => `Achetez ${length}`,
   notLying: (count) =>
@@ -61,6 +61,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Inconnu', known: 'Mesuré'},
   phaseIn: (unit) => `Du bord gauche à un coin du raccord (${unit})`,
   widths: 'Sur d’autres largeurs',
+  widthsOf: {
+    packed: 'Longueurs de toutes les pièces, placées à nouveau',
+    unpinned: 'Longueurs de toutes les pièces, placées à nouveau sans épingles',
+  },
   widthColumn: 'Largeur',
   lengthColumn: 'Longueur',
   nowhere: 'ne tient pas',
@@ -96,6 +100,17 @@ export const cloth: ClothTexts = {
     'Tracez un cadre sur le défaut, ou cliquez ses coins puis appuyez sur Entrée ; Échap termine.',
   flaws: 'Défauts',
   flawAt: (number, left, start) => `Défaut ${number}, à ${left} de la gauche, à ${start} du début`,
+  addFlaw: 'Ajouter un défaut',
+  flawKeys:
+    'Les flèches déplacent un défaut de la liste, avec Maj elles changent sa taille ; Suppr le retire.',
+  flawSize: (width, length) => `largeur ${width}, longueur ${length}`,
+  flawRemoved: (number) => `Défaut ${number} retiré.`,
+  flawFields: {
+    left: (unit) => `Du bord gauche (${unit})`,
+    start: (unit) => `Du début (${unit})`,
+    width: (unit) => `Largeur (${unit})`,
+    length: (unit) => `Longueur (${unit})`,
+  },
   remove: 'Retirer',
   removeFlaw: (flaw) => `Retirer : ${flaw}`,
   savePlan: 'Enregistrer le plan de coupe (JSON)',
@@ -123,6 +138,8 @@ export const cloth: ClothTexts = {
     turnOnto: 'Tourner la pièce, même sur d’autres',
     leave: 'Terminer ce qui est en cours ; aucune pièce choisie',
     closeFlaw: 'Fermer le contour d’un défaut',
+    sizeFlaw:
+      'Agrandir ou réduire le défaut choisi ; les flèches seules le déplacent, Suppr le retire',
   },
   steps: {
     move: 'déplacement sur le tissu',

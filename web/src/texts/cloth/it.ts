@@ -4,7 +4,7 @@ import type {ClothTexts} from './en.js';
 export const cloth: ClothTexts = {
   label: 'Tessuto con i pezzi sopra',
   description:
-    'Le frecce portano il pezzo scelto al prossimo posto libero, con Alt al prossimo anche se occupato; R lo gira, P lo fissa, Canc lo toglie, N e Maiusc N vanno di pezzo in pezzo, più e meno ingrandiscono e riducono, 0 mostra tutto.',
+    'Le frecce portano il pezzo scelto al prossimo posto libero, con Alt al prossimo anche se occupato; R lo gira, P lo fissa, Canc lo toglie, N e Maiusc N vanno di pezzo in pezzo, più e meno ingrandiscono e riducono, 0 mostra tutto. Maiusc X aggiunge al centro un difetto, che le frecce poi spostano.',
   panel: 'Tessuto',
   buy: (length) => `Compra ${length}`,
   notLying: (count) =>
@@ -59,6 +59,10 @@ export const cloth: ClothTexts = {
   phases: {unknown: 'Sconosciuto', known: 'Misurato'},
   phaseIn: (unit) => `Dal bordo sinistro a un angolo del rapporto (${unit})`,
   widths: 'Su altre altezze',
+  widthsOf: {
+    packed: 'Lunghezze di tutti i pezzi, disposti di nuovo',
+    unpinned: 'Lunghezze di tutti i pezzi, disposti di nuovo senza fissarne nessuno',
+  },
   widthColumn: 'Altezza',
   lengthColumn: 'Lunghezza',
   nowhere: 'non ci sta',
@@ -94,6 +98,17 @@ export const cloth: ClothTexts = {
   flaws: 'Difetti',
   flawAt: (number, left, start) =>
     `Difetto ${number}, a ${left} da sinistra, a ${start} dall’inizio`,
+  addFlaw: 'Aggiungi un difetto',
+  flawKeys:
+    'Le frecce spostano un difetto dell’elenco, con Maiusc ne cambiano la misura; Canc lo toglie.',
+  flawSize: (width, length) => `larghezza ${width}, lunghezza ${length}`,
+  flawRemoved: (number) => `Il difetto ${number} è tolto.`,
+  flawFields: {
+    left: (unit) => `Dal bordo sinistro (${unit})`,
+    start: (unit) => `Dall’inizio (${unit})`,
+    width: (unit) => `Larghezza (${unit})`,
+    length: (unit) => `Lunghezza (${unit})`,
+  },
   remove: 'Togli',
   removeFlaw: (flaw) => `Togli: ${flaw}`,
   savePlan: 'Salva il piano di taglio (JSON)',
@@ -121,6 +136,8 @@ export const cloth: ClothTexts = {
     turnOnto: 'Girare il pezzo, anche dove ce ne sono altri',
     leave: 'Terminare ciò che è in corso; nessun pezzo scelto',
     closeFlaw: 'Chiudere il contorno di un difetto',
+    sizeFlaw:
+      'Ingrandire o ridurre il difetto scelto; le frecce da sole lo spostano, Canc lo toglie',
   },
   steps: {
     move: 'spostamento sul tessuto',

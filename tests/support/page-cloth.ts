@@ -1,0 +1,42 @@
+/** The view of the pieces on their cloth, on the page. */
+import type {Locator, Page} from 'playwright-core';
+import {expect} from 'vitest';
+
+import type {SeamwisePage} from '@/app/page.js';
+import {showSample, solved} from './page.js';
+
+export const pane = (page: Page): Locator => page.locator('sw-cloth');
+export const panel = (page: Page): Locator => page.locator('sw-cloth-panel');
+export const status = (page: Page): Promise<string | null> =>
+  pane(page).locator('[role=status]').textContent();
+/** What is said below the cloth. */
+export const said = async (page: Page): Promise<string> =>
+  (await pane(page).locator('.said').textContent())?.trim() ?? '';
+export const bought = (page: Page): Promise<string | null> =>
+  panel(page).locator('h2').textContent();
+/** What is said of the plan. */
+export const facts = (page: Page): Promise<string> => panel(page).locator('.facts').innerText();
+export const rowOf = (page: Page, name: string): Locator =>
+  panel(page).locator('.pieces').getByRole('row', {name});
+
+/** Until nothing is laid any more. */
+export async function laid(page: Page): Promise<void> {
+  const state = () => pane(page).locator('.pane').getAttribute('data-state');
+  await expect.poll(state, {timeout: 60_000}).toBe('done');
+  await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
+}
+
+/** A tee in a print that may lie upside down, on its cloth. */
+export async function clothOf(page: Page): Promise<Page> {
+  await solved(page);
+  await showSample(page, 'tee');
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    const print = workbench?.design?.print;
+    if (print) workbench.change({print: {...print, group: 'p2', oneWay: false}, symmetry: 'none'});
+  });
+  await solved(page);
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+  await laid(page);
+  return page;
+}
