@@ -69,6 +69,8 @@ describe('a photograph', () => {
     const {code, out, err} = await photo(file('stars.png'), ...words);
     expect({code, err}).toMatchObject({code: 0});
     expect(out).toContain('p31m, one repeat 8.00 x 13.86 cm, w1 8.00 and w2 8.00 cm (+-');
+    // whoever holds a tape has to know along what
+    expect(out).toMatch(/, w1 (down|up|to the (left|right))[a-z ]* and w2 [a-z ]+ on the picture,/);
     const print = JSON.parse(readFileSync(file('read.json'), 'utf8')) as PrintVectors;
     const {size: repeat} = repeatOf({group: 'p31m', ...print});
     expect(repeat.width).toBeCloseTo(8, 6);

@@ -30,6 +30,7 @@ function read(group: GroupName, turnDeg: number, w1Cm?: number): PhotoReading {
     groups: groupNames.map((name) => ({...{name, rho: 0, worst: 0, map}, verdict: 'has'})),
     ...{confidence: 'sure', latticeUncertainty: 0.001, oneWay: false, stripes: false},
     ...{copies: 30, explained: 0.95, others: [], differing: [], notes: []},
+    seen: {aspect: 1, error: 0.03},
   };
 }
 

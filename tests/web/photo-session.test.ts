@@ -54,6 +54,7 @@ const read = (group: GroupName, of = map, more: Partial<PhotoReading> = {}): Pho
   })),
   ...{confidence: 'sure', latticeUncertainty: 0.001, oneWay: false, stripes: false},
   ...{copies: 30, explained: 0.95, others: [], differing: [], notes: []},
+  seen: {aspect: 1, error: 0.03},
   ...more,
 });
 

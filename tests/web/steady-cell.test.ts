@@ -25,6 +25,7 @@ const reading = (map: PhotoMap, group: GroupName): PhotoReading => ({
   })),
   ...{confidence: 'sure', latticeUncertainty: 0.001, oneWay: false, stripes: false},
   ...{copies: 9, explained: 0.95, others: [], differing: [], notes: []},
+  seen: {aspect: 1, error: 0.03},
 });
 
 /** Where the corners of a cell lie. */

@@ -150,6 +150,8 @@ val PhotoWork::answer() const {
             }));
   value.set("vectors", vectorsValue(photo.vectors()));
   value.set("isScaled", photo.isScaled());
+  value.set("seenAspect", photo.seenAspect());
+  value.set("seenError", photo.seenError());
   value.set("confidence", nameOf(kConfidences, photo.confidence()));
   value.set("uncertainty", lattice.uncertainty);
   value.set("oneWay", groups.one_way);

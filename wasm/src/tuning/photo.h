@@ -17,6 +17,9 @@ struct PhotoTuning {
   static constexpr double kMeasured = 0.005;
   /// A share of the proportions that a maker would see on cloth.
   static constexpr double kWorthSaying = 0.005;
+  /// Of |w2| / |w1|: by which a photograph of creased cloth errs, and if its camera is unknown.
+  /// [share]
+  static constexpr double kCreased = 0.03, kAnyCamera = 0.15;
   /// Of a stripe, which is any length along itself, as prints have it [cm]; as a share of its
   /// width where nobody knows that.
   static constexpr double kAlongStripe = 0.5, kStripeSide = 0.5;

@@ -82,6 +82,9 @@ export async function cut(words: readonly string[]): Promise<void> {
   });
   for (const {path, content} of wanted) await writeWhole(path, await content(done, args));
   print(figures(resultFile, done));
+  if (wanted.length === 0) {
+    remark(`Nothing was written: name a file by ${Object.keys(outputs).join(', ')}.`);
+  }
 }
 
 /** @throws {UsageError} */

@@ -1,13 +1,15 @@
 import {basename, dirname, extname, join} from 'node:path';
 
-import type {
-  PhotoNote,
-  PhotoReading,
-  PhotoSettings,
-  PhotoStage,
-  RepeatsMeasured,
+import {
+  oneRepeat,
+  shareApart,
+  type PhotoNote,
+  type PhotoReading,
+  type PhotoSettings,
+  type PhotoStage,
+  type RepeatsMeasured,
 } from '../model/photo.js';
-import {norm} from '../model/geometry.js';
+import {norm, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {repeatOf, type RepeatSize} from '../model/repeat.js';
 import {isCentred} from '../model/wallpaper.js';
@@ -40,12 +42,12 @@ export async function photo(words: readonly string[]): Promise<void> {
   }
   const {pixels, f35} = await pictureIn(await readBytes(path, pictureLimit), path);
   const known = {...(f35 !== undefined && {f35}), ...settings};
-  const found = await timed(path, () => read(pixels, known, args.has('--symmetrise')));
+  const found = await timed(path, known, () => read(pixels, known, args.has('--symmetrise')));
   if (outFile !== undefined && tileFile !== undefined) {
     await writeWhole(tileFile, await pngOf(found.tile));
     await writeWhole(outFile, printText(found.print, path, tileFile));
   }
-  report(path, found.reading, args.has('--json'));
+  report(path, found.reading, known, args.has('--json'));
 }
 
 const status = new StatusLine();
@@ -73,13 +75,19 @@ const read = (
     },
   );
 
-/** Names the file that is at fault. */
-async function timed(path: string, work: () => Promise<PrintFromPixels>): Promise<PrintFromPixels> {
+/** Names the file that is at fault, and what else it may be. */
+async function timed(
+  path: string,
+  {isTile = false}: PhotoSettings,
+  work: () => Promise<PrintFromPixels>,
+): Promise<PrintFromPixels> {
   try {
     return await work();
   } catch (error) {
     if (!(error instanceof SolverError) || error.code === 'internal') throw error;
-    throw new SolverError({...failureOf(error), message: `${path}: ${error.message}`});
+    const mayBeTile = !isTile && (error.reason === 'noRepeat' || error.reason === 'fewRepeats');
+    const hint = mayBeTile ? ' If it is one seamless tile, say --tile.' : '';
+    throw new SolverError({...failureOf(error), message: `${path}: ${error.message}${hint}`});
   } finally {
     status.clear();
   }
@@ -152,17 +160,25 @@ function printText(found: Print, path: string, tileFile: string): string {
   return `${JSON.stringify({...found, title, image: basename(tileFile)}, null, 2)}\n`;
 }
 
-function report(path: string, reading: PhotoReading, isJson: boolean): void {
+function report(
+  path: string,
+  reading: PhotoReading,
+  settings: PhotoSettings,
+  isJson: boolean,
+): void {
   if (isJson) {
     print(JSON.stringify(plainReading(reading)));
     return;
   }
-  const {group, copies, confidence, notes} = reading;
+  const {group, copies, confidence, notes, stripes} = reading;
   const size = sizeOf(reading);
   const said = size
     ? sizeWords(reading, size)
     : 'size unknown (measure it: --measure w1=REPEATS/CM)';
-  print(`${path}: ${group}, ${said}, ${copies} copies, ${confidence}`);
+  const seen = stripes ? '' : `, ${copies} copies`;
+  print(`${path}: ${group}, ${said}, ${lying(reading)}${seen}, ${confidence}`);
+  const apart = conflict(reading, settings);
+  if (apart !== undefined) remark(apart);
   if (confidence === 'uncertain')
     remark('No repeat is certain: compare the tile with your cloth before you use it.');
   notes.forEach((note) => {
@@ -184,15 +200,43 @@ const sizeOf = ({group, w1, w2}: PhotoReading): RepeatSize | null =>
   w1 && w2 ? repeatOf({group, w1, w2}).size : null;
 
 function sizeWords(
-  {group, w1, w2, latticeUncertainty}: PhotoReading,
+  {group, w1, w2, latticeUncertainty, stripes}: PhotoReading,
   {width, height}: RepeatSize,
 ): string {
+  if (stripes) return `stripes, one repeat ${width.toFixed(2)} cm`;
   const [across, up, first, second] = [width, height, norm(w1 ?? [0, 0]), norm(w2 ?? [0, 0])].map(
     (length) => length.toFixed(2),
   );
   const vectors = isCentred(group) ? `, w1 ${first} and w2 ${second} cm` : '';
   const error = (100 * latticeUncertainty).toFixed(2);
   return `one repeat ${across} x ${up} cm${vectors} (+-${error} %)`;
+}
+
+/** Which way a vector of the picture runs, y downwards. */
+function directionOf([x, y]: Point): string {
+  const eighth = (Math.round((4 * Math.atan2(y, x)) / Math.PI) + 8) % 8;
+  const words = ['to the right', 'down to the right', 'down', 'down to the left'];
+  const others = ['to the left', 'up to the left', 'up', 'up to the right'];
+  return [...words, ...others][eighth] ?? '';
+}
+
+/** What has to be known of w1 and w2 to measure them. */
+const lying = ({w1Px, w2Px, stripes}: PhotoReading): string =>
+  stripes
+    ? `w1 ${directionOf(w1Px)} across them`
+    : `w1 ${directionOf(w1Px)} and w2 ${directionOf(w2Px)} on the picture`;
+
+/** Said of two lengths that the picture does not show so. */
+function conflict(
+  {seen, stripes}: PhotoReading,
+  {w1Measured, w2Measured}: PhotoSettings,
+): string | undefined {
+  const [w1, w2] = [oneRepeat(w1Measured), oneRepeat(w2Measured)];
+  if (w1 === undefined || w2 === undefined || stripes) return undefined;
+  const share = shareApart(w1, w2, seen.aspect);
+  if (share <= seen.error) return undefined;
+  const [first, second, expected] = [w1, w2, w1 * seen.aspect].map((cm) => cm.toFixed(2));
+  return `The lengths disagree by ${(100 * share).toFixed(0)} %: with ${first} cm along w1, the picture shows ${expected} cm along w2, not ${second} cm. Both were taken; measure again.`;
 }
 
 /** What programs are told. */

@@ -133,6 +133,8 @@ export interface PhotoReading {
   readonly w2: Point | null;
   /** The same, longer or shorter by a factor that nobody knows: |w1| is 1. */
   readonly shape: readonly [Point, Point];
+  /** |w2| / |w1| as the picture alone shows it, whatever was measured, and the share by which it may err. */
+  readonly seen: {readonly aspect: number; readonly error: number};
   readonly group: GroupName;
   /** All 17, in their usual order. */
   readonly groups: readonly PhotoGroup[];
@@ -154,6 +156,14 @@ export interface PhotoReading {
   /** Of a seamless picture that was read with any edges. */
   readonly seams?: TileSeams;
 }
+
+/** The length of one repeat. [cm] */
+export const oneRepeat = (measured: RepeatsMeasured | undefined): number | undefined =>
+  measured && measured.cm / measured.repeats;
+
+/** The share by which w2 is longer or shorter than is to be expected of w1. @param aspect |w2| / |w1| */
+export const shareApart = (w1: number, w2: number, aspect: number): number =>
+  Math.abs(w2 / (w1 * aspect) - 1);
 
 /** A clean picture of the print's cell, as prints have it. */
 export interface PhotoTileSettings {

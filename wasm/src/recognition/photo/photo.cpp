@@ -218,7 +218,20 @@ void Photo::place(const Mat2& measured_gram, const Vec2& along) {
     gram << across * across, 0, 0, stripe * stripe;
   }
   vectors_ = placedLattice(mapOf(best()), gram);
+  see();
   stage_ = PhotoStage::kDone;
+}
+
+/// How long the sides of the best group's cell are by the picture alone.
+void Photo::see() {
+  MetricHints camera;
+  camera.f35 = settings_.hints.f35;
+  const auto metric = measured(mapOf(best()), camera);
+  if (!metric.ok()) return fail(metric.error());
+  const MetricReading& seen = metric.value();
+  seen_aspect_ = std::sqrt(seen.gram(1, 1) / seen.gram(0, 0));
+  seen_error_ = seen.source == MetricSource::kAssumedFocalLength ? PhotoTuning::kAnyCamera
+                                                                 : PhotoTuning::kCreased;
 }
 
 LatticeMap Photo::mapOf(const GroupVerdict& verdict) const {

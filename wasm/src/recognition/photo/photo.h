@@ -60,6 +60,10 @@ class Photo {
   /// unit until `isScaled`.
   const std::array<Vec2, 2>& vectors() const { return vectors_; }
   bool isScaled() const { return is_scaled_; }
+  /// |w2| / |w1| as the picture alone shows it, whatever was measured, and the share by which it
+  /// may err.
+  double seenAspect() const { return seen_aspect_; }
+  double seenError() const { return seen_error_; }
   Confidence confidence() const;
   /// Other lattices that it may be.
   const std::vector<LatticeReading>& others() const { return others_; }
@@ -75,6 +79,7 @@ class Photo {
   void meanCopies();
   void readSymmetry();
   void identify();
+  void see();
   void place(const Mat2& measured_gram, const Vec2& along);
   const GroupVerdict& best() const { return groups_.groups[groups_.best]; }
   Outcome<MetricReading> measured(const LatticeMap& map, const MetricHints& hints) const;
@@ -96,6 +101,7 @@ class Photo {
   std::optional<Mat2> measured_gram_;  ///< of the lattice's basis, once lengths of both are known
   std::array<Vec2, 2> vectors_{Vec2::UnitX(), Vec2::UnitY()};
   bool is_scaled_ = false;
+  double seen_aspect_ = 1, seen_error_ = 0;
   std::vector<LatticeReading> others_;
   std::vector<DifferingRegion> differing_;
   std::vector<PhotoNote> notes_;

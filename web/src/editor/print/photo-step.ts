@@ -2,15 +2,17 @@
 import type {DesignPrint} from '../../model/design.js';
 import {combined, minus, norm, type Point} from '../../model/geometry.js';
 import {latticeOf, pixelOf, vectorsAtMiddle} from '../../model/photo-map.js';
-import type {
-  ColourGains,
-  PhotoGroup,
-  PhotoMap,
-  PhotoObject,
-  PhotoReading,
-  PhotoTileSettings,
-  PointsMeasured,
-  RepeatsMeasured,
+import {
+  oneRepeat,
+  shareApart,
+  type ColourGains,
+  type PhotoGroup,
+  type PhotoMap,
+  type PhotoObject,
+  type PhotoReading,
+  type PhotoTileSettings,
+  type PointsMeasured,
+  type RepeatsMeasured,
 } from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
 import {isCentred, latticeType} from '../../model/wallpaper.js';
@@ -132,9 +134,6 @@ function shapeOf({reading}: PhotoStep, map: PhotoMap): readonly [Point, Point] {
 
 const times = ([x, y]: Point, factor: number): Point => [factor * x, factor * y];
 
-const oneRepeat = (measured: RepeatsMeasured | undefined): number | undefined =>
-  measured && measured.cm / measured.repeats;
-
 interface PhotoCell {
   readonly w1: Point;
   readonly w2: Point;
@@ -178,11 +177,8 @@ function byPoints({reading, object, ...step}: PhotoStep): number | undefined {
   return apart > 0 ? between.cm / apart : undefined;
 }
 
-/** What two measures may be apart, as a share: of sides that the group has equal, by how a tape errs. */
+/** What two measures of sides may be apart that the group has equal, as a share: by how a tape errs. */
 const tapeError = 0.005;
-/** Of others, by how a photograph errs that lies in creases, and if its camera is unknown. */
-const photoError = 0.03;
-const unknownCameraError = 0.15;
 
 const isEqualSided = (step: PhotoStep): boolean =>
   ['square', 'rhombic', 'hexagonal'].includes(latticeType(groupOf(step)));
@@ -202,15 +198,14 @@ interface MeasureConflict {
 
 export function conflictIn(step: PhotoStep): MeasureConflict | undefined {
   const [w1, w2] = [oneRepeat(step.w1Measured), oneRepeat(step.w2Measured)];
-  const {stripes, notes} = step.reading;
+  const {stripes, seen} = step.reading;
   if (w1 === undefined || w2 === undefined || stripes) return undefined;
   const isOfGroup = isEqualSided(step);
   const [a, b] = shapeOf(step, groupIn(step).map);
-  const expected = isOfGroup ? w1 : (w1 * norm(b)) / norm(a);
-  const share = Math.abs(w2 / expected - 1);
-  const seen = notes.includes('focalLength') ? unknownCameraError : photoError;
-  const most = isOfGroup ? tapeError : seen;
-  return share > most ? {w1, w2, expected, share, isOfGroup} : undefined;
+  const aspect = isOfGroup ? 1 : norm(b) / norm(a);
+  const share = shareApart(w1, w2, aspect);
+  const most = isOfGroup ? tapeError : seen.error;
+  return share > most ? {w1, w2, expected: w1 * aspect, share, isOfGroup} : undefined;
 }
 
 /** Above -180, up to 180. */

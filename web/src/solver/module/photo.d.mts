@@ -50,6 +50,8 @@ export interface ModulePhotoReport {
   /** w1x, w1y, w2x, w2y as prints have them; |w1| is 1 unless `isScaled`. */
   readonly vectors: Float64Array;
   readonly isScaled: boolean;
+  readonly seenAspect: number;
+  readonly seenError: number;
   readonly confidence: string;
   readonly uncertainty: number;
   readonly oneWay: boolean;

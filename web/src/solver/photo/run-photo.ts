@@ -2,6 +2,7 @@
 import {groupNames} from '../../model/print.js';
 import {vectorsAtMiddle} from '../../model/photo-map.js';
 import {
+  oneRepeat,
   photoConfidences,
   photoNotes,
   photoStages,
@@ -46,9 +47,6 @@ const mapNumbers = ({homography, lens}: PhotoMap): Float64Array =>
 const bytesOf = ({data}: PhotoPixels): Uint8Array =>
   new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
 
-const oneRepeat = (measured: PhotoSettings['w1Measured']): number =>
-  measured ? measured.cm / measured.repeats : NaN;
-
 export const photoModuleRequest = (
   pixels: PhotoPixels,
   settings: PhotoSettings,
@@ -57,8 +55,8 @@ export const photoModuleRequest = (
   f35: settings.f35 ?? NaN,
   isTile: settings.isTile ?? false,
   anyEdges: settings.anyEdges ?? false,
-  w1Cm: oneRepeat(settings.w1Measured),
-  w2Cm: oneRepeat(settings.w2Measured),
+  w1Cm: oneRepeat(settings.w1Measured) ?? NaN,
+  w2Cm: oneRepeat(settings.w2Measured) ?? NaN,
   between: settings.between
     ? Float64Array.of(...settings.between.from, ...settings.between.to, settings.between.cm)
     : new Float64Array(),
@@ -182,10 +180,11 @@ export async function runPhoto(
   const [w1 = [1, 0], w2 = [0, 1]] = pointsOf(vectors);
   const unit = 1 / Math.hypot(...w1);
   const scaled = ([x, y]: Point): Point => [unit * x, unit * y];
-  const {oneWay, stripes, copies, explained} = report;
+  const {oneWay, stripes, copies, explained, seenAspect, seenError} = report;
   return {
     ...{width, height, map: own.map, ...vectorsAtMiddle(own.map, {width, height})},
     ...{w1: isScaled ? w1 : null, w2: isScaled ? w2 : null, shape: [scaled(w1), scaled(w2)]},
+    seen: {aspect: seenAspect, error: seenError},
     ...{group: own.name, groups: read, latticeUncertainty: uncertainty},
     confidence: known(photoConfidences, report.confidence),
     ...{oneWay, stripes, copies, explained},
