@@ -38,12 +38,6 @@ export function undone<State>({past, present, future}: History<State>): History<
   return {past: past.slice(0, -1), present: before, future: [present, ...future]};
 }
 
-/** The step before, as if the present one had never been taken, if there is one. */
-export function withdrawn<State>({past}: History<State>): History<State> | undefined {
-  const before = past.at(-1);
-  return before && {past: past.slice(0, -1), present: before, future: []};
-}
-
 /** One step forward again, if there is one. */
 export function redone<State>({past, present, future}: History<State>): History<State> | undefined {
   const [next, ...later] = future;

@@ -6,15 +6,7 @@ import type {Bolt} from '../marker/places.js';
 import type {DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {Alignment} from '../model/geometry.js';
-import {
-  amended,
-  mapped,
-  redone,
-  stepped,
-  undone,
-  withdrawn,
-  type History,
-} from '../model/history.js';
+import {amended, mapped, redone, stepped, undone, type History} from '../model/history.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {SolveResult} from '../model/result.js';
 import {allowancesIn} from './allowances.js';
@@ -160,12 +152,12 @@ export class Laying extends Observable {
   /** @returns whether there was a change of the cloth on which nothing was laid yet */
   #withdraw(): boolean {
     const work = this.#work;
-    const history = this.#isAwaited && work ? withdrawn(work.history) : undefined;
-    if (!work || !history) return false;
+    const before = this.#isAwaited && work ? undone(work.history) : undefined;
+    if (!work || !before) return false;
     this.#stop();
-    work.history = history;
-    this.#settle(history.present);
-    this.#remember(history.present.choices);
+    work.history = {...before, future: []}; // there is nothing to come back to
+    this.#settle(before.present);
+    this.#remember(before.present.choices);
     return true;
   }
 
