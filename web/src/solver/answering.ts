@@ -148,6 +148,7 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
     photoTile: {
       module: 'photo',
       queue: photos,
+      transfers: ['answer'],
       answer: async (module, {picture, ...settings}, {hooks, pace}) => {
         const pixels = await decoded(picture);
         hooks.signal?.throwIfAborted();
