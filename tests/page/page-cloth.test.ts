@@ -17,6 +17,7 @@ import {
   said,
   status,
 } from '../support/page-cloth.js';
+import {symmetricTee} from '../support/symmetric-tee.js';
 
 const openPage = usePage();
 
@@ -421,4 +422,20 @@ it.each([
   await page.keyboard.press('p');
   await expect.poll(() => status(page)).toMatch(/pinned$/);
   expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
+});
+
+it('says why nothing is laid where the print cannot keep what is asked of it, and leads out', async () => {
+  const page = await symmetricTee(openPage);
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    const print = workbench?.design?.print;
+    if (print) workbench.change({print: {...print, group: 'p2'}});
+  });
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+  const why = panel(page).getByRole('alert');
+  await why.filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
+  await expect.poll(() => said(page)).toBe('Not aligned');
+  await button(page, 'Leave out what it cannot keep').click();
+  await laid(page);
+  await expect.poll(() => why.count()).toBe(0);
 });

@@ -269,6 +269,7 @@ export class ClothPane extends FlawActions {
       state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
     return {
       ...{laying, words, format, why, said: this.said, told: this.told},
+      unaligned: this.workbench.state.kind === 'failed' ? this.texts.progress.failed : undefined,
       isMarking: this.isMarking,
       isDragging: dragged !== undefined,
       toSize: this.#toSize,

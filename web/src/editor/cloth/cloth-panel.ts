@@ -54,7 +54,8 @@ export class ClothPanel extends ClothElement {
     const {step, plan, state, isStale, isAwaited} = laying;
     const isShown = plan !== undefined && state.kind !== 'failed';
     return html`<section aria-label=${words.panel} class=${isStale || isAwaited ? 'stale' : ''}>
-        ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#fields()}
+        ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#unaligned()}
+        ${this.#fields()}
       </section>
       ${
         isShown && step
@@ -67,6 +68,13 @@ export class ClothPanel extends ClothElement {
           : nothing
       }
       ${isShown && step?.plan ? this.#widths(step, step.plan) : nothing}`;
+  }
+
+  /** What keeps the print from being aligned keeps pieces from being laid: why, and the ways out. */
+  #unaligned(): TemplateResult | typeof nothing {
+    const {state} = this.workbench;
+    if (state.kind !== 'failed') return nothing;
+    return html`<sw-ways-out .workbench=${this.workbench} .failure=${state.failure}></sw-ways-out>`;
   }
 
   #result(plan: LayPlan): TemplateResult {

@@ -15,6 +15,8 @@ interface Status {
   readonly said: string;
   readonly conflict: string | undefined;
   readonly place: string | undefined;
+  /** The print cannot be aligned as it is asked for; the panel says why. */
+  readonly unaligned: string | undefined;
   readonly isMarking: boolean;
   readonly isDragging: boolean;
   /** Leads to where the size of the print is said. */
@@ -38,7 +40,9 @@ export function clothStatus(status: Status): TemplateResult {
   if (status.isDragging) return doneWords(status);
   switch (state.kind) {
     case 'waiting':
-      return html`<p class="told">${laying.step ? words.stale : words.waiting}</p>`;
+      return html`<p class="told">
+        ${status.unaligned ?? (laying.step ? words.stale : words.waiting)}
+      </p>`;
     case 'laying':
       return html`<p class="told">
         <span class="numbers">${words.laying(format.percent(state.fraction))}</span>
