@@ -28,6 +28,8 @@ constexpr double kCoarseReach = 0.08;   // to both sides of an outline, of half 
 constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // of the same
 constexpr double kCoverWindow = 0.06;  // wider ones go by what is covered: it has no rings within
 constexpr double kCloseTo = 0.02;      // an outline, of the same: its edge
+constexpr double kClosePixels = 0.5;   // at least, of what is compared. [px]
+constexpr double kLeastWindow = 1;     // the same
 constexpr int kFewestSupports = kOutlineBits / 3;  // 10 at most had the 5 of 167 wrong by > 1.5 %
 constexpr int kWindowSamples = 12;                 // to each side
 constexpr float kUnclear = 0.3f;      // edge of what is covered: things that have less are none
@@ -106,7 +108,8 @@ bool ObjectSearch::advance() {
       break;
     case Stage::kRefine:
       for (const double window : kWindows)
-        refine(window, window > kCoverWindow ? Edge::kCovered : Edge::kSteepest);
+        refine(std::max(window, kLeastWindow * pixel()),
+               window > kCoverWindow ? Edge::kCovered : Edge::kSteepest);
       if (supports_ < kFewestSupports) {
         error_ = notSeen(object_);
       } else {
@@ -135,6 +138,11 @@ double ObjectSearch::fraction() const {
 
 Vec2 ObjectSearch::onPicture(const Vec2& bit) const {
   return pictureOf(placing_.center + placing_.size * (rotation(placing_.turn) * bit));
+}
+
+/// Of what is compared, over half the longer side.
+double ObjectSearch::pixel() const {
+  return 2 * difference_.factor() / (onPicture(Vec2(1, 0)) - onPicture(Vec2(-1, 0))).norm();
 }
 
 /// By how much more the inside differs from the print than the outside; 0 where it does not.
@@ -198,6 +206,7 @@ void ObjectSearch::refine(double window, Edge of) {
   double squares = 0, weights = 1e-12;
   supports_ = 0;
   const Mat2 turned = rotation(placing_.turn);
+  const double close = std::max(kCloseTo, kClosePixels * pixel());
   const double step = window * placing_.size / kWindowSamples;
   for (const OutlineBit& bit : bits_) {
     const Vec2 at = placing_.center + placing_.size * (turned * bit.at), n = turned * bit.normal;
@@ -220,7 +229,7 @@ void ObjectSearch::refine(double window, Edge of) {
       for (int j = 0; j < kUnknowns; ++j) normal[i][j] += weight * slope[i] * slope[j];
       gradient[i] += weight * slope[i] * off;
     }
-    if (std::abs(off) < kCloseTo) ++supports_;
+    if (std::abs(off) < close) ++supports_;
     squares += weight * off * off;
     weights += weight;
   }
@@ -244,8 +253,7 @@ void ObjectSearch::finish() {
     found_.outline.push_back(onPicture(bit));
   }
   found_.scale = object_.width / 2 / placing_.size;
-  const double pixels = (onPicture(Vec2(1, 0)) - onPicture(Vec2(-1, 0))).norm() / 2;
-  const double misplaced = kPixelError * difference_.factor() / pixels;
+  const double misplaced = kPixelError * pixel();
   found_.error = std::sqrt(kThickness * kThickness + left_ * left_ / (kOutlineBits / 4.0) +
                            misplaced * misplaced);
 }

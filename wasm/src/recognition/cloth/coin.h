@@ -77,6 +77,7 @@ class ObjectSearch {
   float edge(const Vec2& inside, const Vec2& outside, Edge of) const;
   Vec2 pictureOf(const Vec2& cloth) const { return map_(to_lattice_ * cloth); }
   Vec2 onPicture(const Vec2& bit) const;
+  double pixel() const;
 
   PrintDifference difference_;
   LatticeMap map_;
