@@ -108,6 +108,23 @@ TEST(PhotoCoin, IsToldFromABoldPrint) {
   EXPECT_FALSE(found(photo, 0, Vec2(-9, 4)).ok());
 }
 
+/// A coin whose light rim differs from the light ground by little, around a darker middle.
+TEST(PhotoCoin, ARimLikeTheGroundIsNotPassedOverForTheRingWithin) {
+  const CameraView view = closeUp();
+  const Photo photo = photographed(
+      480, 360,
+      [&](const Vec2& u) {
+        const double off = (u.x() * view.w1 + u.y() * view.w2 - kMiddle).norm();
+        if (off < 0.36 * 2.325) return std::array<double, 3>{0.4, 0.4, 0.4};
+        if (off < 2.325 / 2) return std::array<double, 3>{0.74, 0.7, 0.66};
+        return boldPrint(u - Vec2(0.4, 0.1));
+      },
+      MapInverse(view.map()), [](const Vec2&) { return 1.0; }, 0.01);
+  const Outcome<FoundObject> coin = found(photo, 0, Vec2(0.1, 0.1));
+  ASSERT_TRUE(coin.ok());
+  EXPECT_NEAR(coin.value().scale, 3, 0.045);
+}
+
 TEST(PhotoCoin, PlainClothHasNone) {
   const Photo photo = photographed(
       480, 360,

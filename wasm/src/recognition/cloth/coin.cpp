@@ -26,8 +26,15 @@ constexpr int kCenterSteps = 3;         // to each side
 constexpr int kTurnSteps = 30;          // of half a turn
 constexpr double kCoarseReach = 0.08;   // to both sides of an outline, of half the longer side
 constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // of the same
-constexpr int kWindowSamples = 12;                                  // to each side
-constexpr float kFaint = 24;          // of 3 x 255: things that stand out less are none
+constexpr double kCoverWindow = 0.06;  // wider ones go by what is covered: it has no rings within
+constexpr double kCloseTo = 0.02;      // an outline, of the same: its edge
+constexpr double kClosePixels = 0.5;   // at least, of what is compared. [px]
+constexpr double kLeastWindow = 1;     // the same
+constexpr int kFewestSupports = kOutlineBits / 3;  // 10 at most had the 5 of 167 wrong by > 1.5 %
+constexpr int kWindowSamples = 12;                 // to each side
+constexpr float kUnclear = 0.3f;      // edge of what is covered: things that have less are none
+constexpr float kFaintCover = 0.12f;  // the same, of one bit while sizes are refined
+constexpr float kFaint = 12;          // of 3 x 255, the same for the difference itself
 constexpr float kAsGood = 0.8f;       // of the best outline: coins have rings within
 constexpr double kPixelError = 0.2;   // of what is compared, by which outlines lie off. [px]
 constexpr double kThickness = 0.007;  // what the height of a coin makes of its size
@@ -69,7 +76,7 @@ ObjectSearch::ObjectSearch(const PixelView& pixels, const LatticeMap& map, const
       map_(map),
       object_(object),
       bits_(outlineOf(object)),
-      best_(kFaint) {
+      best_(kUnclear) {
   const double along = std::sqrt(gram(0, 0)), across = gram(0, 1) / along;
   const double up = std::sqrt(std::max(gram(1, 1) - across * across, 1e-300));
   to_lattice_ << 1 / along, -across / (along * up), 0, 1 / up;
@@ -100,8 +107,14 @@ bool ObjectSearch::advance() {
       stage_ = Stage::kDone;
       break;
     case Stage::kRefine:
-      for (const double window : kWindows) refine(window);
-      finish();
+      for (const double window : kWindows)
+        refine(std::max(window, kLeastWindow * pixel()),
+               window > kCoverWindow ? Edge::kCovered : Edge::kSteepest);
+      if (supports_ < kFewestSupports) {
+        error_ = notSeen(object_);
+      } else {
+        finish();
+      }
       stage_ = Stage::kDone;
       break;
     case Stage::kDone:
@@ -127,9 +140,16 @@ Vec2 ObjectSearch::onPicture(const Vec2& bit) const {
   return pictureOf(placing_.center + placing_.size * (rotation(placing_.turn) * bit));
 }
 
+/// Of what is compared, over half the longer side.
+double ObjectSearch::pixel() const {
+  return 2 * difference_.factor() / (onPicture(Vec2(1, 0)) - onPicture(Vec2(-1, 0))).norm();
+}
+
 /// By how much more the inside differs from the print than the outside; 0 where it does not.
-float ObjectSearch::edge(const Vec2& inside, const Vec2& outside) const {
-  return std::max(0.0f, difference_.at(pictureOf(inside)) - difference_.at(pictureOf(outside)));
+float ObjectSearch::edge(const Vec2& inside, const Vec2& outside, Edge of) const {
+  const Vec2 in = pictureOf(inside), out = pictureOf(outside);
+  return std::max(0.0f, of == Edge::kCovered ? difference_.covered(in) - difference_.covered(out)
+                                             : difference_.at(in) - difference_.at(out));
 }
 
 /// The edge that three quarters of the outline exceed, or 0 when that is not more than `least`.
@@ -140,7 +160,7 @@ float ObjectSearch::clearness(const ObjectPlacing& placing, float least) const {
   for (int k = 0; k < kOutlineBits; ++k) {
     const Vec2 at = placing.center + placing.size * (turned * bits_[k].at);
     const Vec2 reach = placing.size * kCoarseReach * (turned * bits_[k].normal);
-    const float here = edge(at - reach, at + reach);
+    const float here = edge(at - reach, at + reach, Edge::kCovered);
     edges[k] = static_cast<double>(here);
     if (here <= least && ++faint > kOutlineBits / 4) return 0;
   }
@@ -155,7 +175,8 @@ void ObjectSearch::trySize() {
       for (int i = -kCenterSteps; i <= kCenterSteps; ++i) {
         const ObjectPlacing placing{tapped_ + kCenterStep * size_ * Vec2(i, j), size_,
                                     turn * kPi / kTurnSteps};
-        const float clear = clearness(placing, std::max({kFaint, kAsGood * best_, clearest.first}));
+        const float clear =
+            clearness(placing, std::max({kUnclear, kAsGood * best_, clearest.first}));
         if (clear > clearest.first) clearest = {clear, placing};
       }
     }
@@ -168,7 +189,7 @@ void ObjectSearch::trySize() {
 /// The largest of the outlines that are nearly as clear as the clearest; false when none is.
 bool ObjectSearch::chooseSize() {
   for (int k = count_; k-- > 0;) {
-    if (sizes_[k].first <= kFaint || sizes_[k].first < kAsGood * best_) continue;
+    if (sizes_[k].first <= kUnclear || sizes_[k].first < kAsGood * best_) continue;
     // Of neighbouring sizes, the clearest.
     while (k > 0 && sizes_[k - 1].first > sizes_[k].first) --k;
     placing_ = sizes_[k].second;
@@ -177,24 +198,26 @@ bool ObjectSearch::chooseSize() {
   return false;
 }
 
-void ObjectSearch::refine(double window) {
+void ObjectSearch::refine(double window, Edge of) {
   // Unknowns: the center's shift, growth and turn, in sizes; a circle does not turn.
   constexpr int kUnknowns = 4;
   NormalMatrix normal{}, inverse{};
   double gradient[kUnknowns] = {};
   double squares = 0, weights = 1e-12;
+  supports_ = 0;
   const Mat2 turned = rotation(placing_.turn);
+  const double close = std::max(kCloseTo, kClosePixels * pixel());
   const double step = window * placing_.size / kWindowSamples;
   for (const OutlineBit& bit : bits_) {
     const Vec2 at = placing_.center + placing_.size * (turned * bit.at), n = turned * bit.normal;
     std::array<float, 2 * kWindowSamples + 1> edges;
     for (int k = 0; k <= 2 * kWindowSamples; ++k) {
       const Vec2 p = at + (k - kWindowSamples) * step * n;
-      edges[k] = edge(p - 1.5 * step * n, p + 1.5 * step * n);
+      edges[k] = edge(p - 1.5 * step * n, p + 1.5 * step * n, of);
     }
     const int top =
         static_cast<int>(std::max_element(edges.begin() + 1, edges.end() - 1) - edges.begin());
-    if (edges[top] < kFaint / 2) continue;
+    if (edges[top] < (of == Edge::kCovered ? kFaintCover : kFaint)) continue;
     const float before = edges[top - 1], after = edges[top + 1];
     const float bend = before - 2 * edges[top] + after;
     const double peak = top + (bend < 0 ? 0.5 * (before - after) / bend : 0.0);
@@ -206,6 +229,7 @@ void ObjectSearch::refine(double window) {
       for (int j = 0; j < kUnknowns; ++j) normal[i][j] += weight * slope[i] * slope[j];
       gradient[i] += weight * slope[i] * off;
     }
+    if (std::abs(off) < close) ++supports_;
     squares += weight * off * off;
     weights += weight;
   }
@@ -229,8 +253,7 @@ void ObjectSearch::finish() {
     found_.outline.push_back(onPicture(bit));
   }
   found_.scale = object_.width / 2 / placing_.size;
-  const double pixels = (onPicture(Vec2(1, 0)) - onPicture(Vec2(-1, 0))).norm() / 2;
-  const double misplaced = kPixelError * difference_.factor() / pixels;
+  const double misplaced = kPixelError * pixel();
   found_.error = std::sqrt(kThickness * kThickness + left_ * left_ / (kOutlineBits / 4.0) +
                            misplaced * misplaced);
 }

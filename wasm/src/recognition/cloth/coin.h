@@ -47,7 +47,9 @@ struct OutlineBit {
 /// Looks for an object's outline around a point that somebody has set in it, within a third of its
 /// size from its middle, step by step: first where all of the outline parts what differs from the
 /// print from what does not, one size after the other, then by least squares on where each bit of
-/// it does so most. Its thickness alone makes an error of about 1 %.
+/// it does so most. What has such an edge along less than a third is refused: parts of a rim that
+/// look like the cloth beside it leave its size open. Its thickness alone makes an error of about
+/// 1 %.
 class ObjectSearch {
  public:
   /// `pixels` have to outlive it.
@@ -65,14 +67,17 @@ class ObjectSearch {
 
  private:
   enum class Stage : std::uint8_t { kCompare, kSizes, kRefine, kDone };
+  /// Between what is surely print and what is not, or where the difference itself is steepest.
+  enum class Edge : std::uint8_t { kCovered, kSteepest };
   void trySize();
   bool chooseSize();
-  void refine(double window);
+  void refine(double window, Edge of);
   void finish();
   float clearness(const ObjectPlacing& placing, float least) const;
-  float edge(const Vec2& inside, const Vec2& outside) const;
+  float edge(const Vec2& inside, const Vec2& outside, Edge of) const;
   Vec2 pictureOf(const Vec2& cloth) const { return map_(to_lattice_ * cloth); }
   Vec2 onPicture(const Vec2& bit) const;
+  double pixel() const;
 
   PrintDifference difference_;
   LatticeMap map_;
@@ -87,7 +92,8 @@ class ObjectSearch {
   std::array<std::pair<float, ObjectPlacing>, kMostSizes> sizes_;
   int count_ = 0;  ///< of them
   ObjectPlacing placing_;
-  double left_ = 0;  ///< root mean square of what least squares leave, over the size
+  int supports_ = 0;  ///< bits of the outline that have an edge close to it
+  double left_ = 0;   ///< root mean square of what least squares leave, over the size
   std::optional<Error> error_;
   FoundObject found_;
 };

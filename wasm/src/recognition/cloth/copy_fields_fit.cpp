@@ -32,11 +32,13 @@ int samplesPerCell(const PixelView& pixels, double cell_size) {
 
 }  // namespace
 
-CopyFieldsFit::CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, const SrgbCurve& curve)
+CopyFieldsFit::CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, const SrgbCurve& curve,
+                             double nodes_across)
     : pixels_(pixels),
       map_(map),
       curve_(curve),
       cell_size_(cellSize(map)),
+      nodes_across_(nodes_across),
       samples_(samplesPerCell(pixels, cell_size_)),
       reduced_(pixels, reductionFor(cell_size_, kReducedCell)) {}
 
@@ -84,7 +86,8 @@ void CopyFieldsFit::beginLight() {
   LatticeCanvas canvas = latticeCanvas(map_, width, height, std::min(kLightPerCell, samples_));
   sampleCanvas(coarse_->view(), reduced_.factor() * fine_->factor() * coarse_->factor(), flat,
                &canvas);
-  light_ = std::make_unique<LightFit>(std::move(canvas), curve_, width, height, cell_size_);
+  light_ = std::make_unique<LightFit>(std::move(canvas), curve_, width, height, cell_size_,
+                                      nodes_across_);
 }
 
 void CopyFieldsFit::beginShift() {

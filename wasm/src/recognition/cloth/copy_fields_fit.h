@@ -16,7 +16,8 @@ namespace seamwise {
 class CopyFieldsFit {
  public:
   /// `pixels` and `curve` have to outlive it.
-  CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, const SrgbCurve& curve);
+  CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, const SrgbCurve& curve,
+                double nodes_across = 10);
   /// False when nothing is left to do.
   bool advance();
   double fraction() const;
@@ -35,7 +36,7 @@ class CopyFieldsFit {
   PixelView pixels_;
   LatticeMap map_;
   const SrgbCurve& curve_;
-  double cell_size_;
+  double cell_size_, nodes_across_;
   int samples_;  ///< of a cell's side
   Stage stage_ = Stage::kReduce;
   ReducedPixels reduced_;

@@ -8,7 +8,6 @@ namespace seamwise {
 namespace {
 constexpr int kLightRounds = 14;          // later ones change the field by less than 0.1 %
 constexpr int kPlainLightRounds = 3;      // before errors are weighted by their size
-constexpr double kLightNodesAcross = 10;  // of the longer side; lamps and lenses vary no faster
 constexpr float kLightStiffness = 0.02f;  // of a node's mean weight
 constexpr float kNoisyLight = 0.02f;      // linear light in which noise is as large as the signal
 constexpr float kGlareCode = 0.98f;       // coded values above are cut off by the camera
@@ -16,12 +15,12 @@ constexpr float kLightTail = 3;           // errors beyond so many mean errors c
 }  // namespace
 
 LightFit::LightFit(LatticeCanvas canvas, const SrgbCurve& curve, int width, int height,
-                   double cell_size)
+                   double cell_size, double nodes_across)
     : canvas_(std::move(canvas)) {
   const double longer = std::max(width, height);
-  field_ = SmoothField(
-      3, width, height,
-      std::clamp(cell_size / 2, longer / (2 * kLightNodesAcross), longer / kLightNodesAcross));
+  field_ =
+      SmoothField(3, width, height,
+                  std::clamp(cell_size / 2, longer / (2 * nodes_across), longer / nodes_across));
   for (int c = 0; c < 3; ++c) {
     std::vector<float>& plane = canvas_.planes[c];
     weights_[c].resize(plane.size());

@@ -16,7 +16,8 @@ class LightFit {
  public:
   /// @param canvas   sampled; a cell of 8 to 16 samples is enough, light being smooth
   /// @param width, height   of the whole picture. [px]
-  LightFit(LatticeCanvas canvas, const SrgbCurve& curve, int width, int height, double cell_size);
+  LightFit(LatticeCanvas canvas, const SrgbCurve& curve, int width, int height, double cell_size,
+           double nodes_across);
   /// One round of fitting both; false when that was the last.
   bool advance();
   /// Red, green, blue: the natural logarithm of light over its mean on what is seen.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "recognition/base/map_inverse.h"
 #include "recognition/cloth/robust_mean.h"
 
@@ -14,6 +15,13 @@ constexpr int kLongerSide = 1280;  // of what is compared. [px]
 constexpr int kFewestSamples = 16, kMostSamples = 160;
 constexpr int kPixelsAtOnce = 2'000'000;  // read when the picture is made smaller
 constexpr int kComparedAtOnce = 100'000;  // of what is compared
+constexpr double kLightNodesAcross = 2;   // too few to follow the brightness of a card
+constexpr int kNoiseStep = 5;             // from one place to the next where noise is measured
+constexpr float kLeastHalf = 4, kTimesNoise = 3;  // see `covered`
+
+float summed(const PixelLanes& off) {
+  return std::abs(off[0]) + std::abs(off[1]) + std::abs(off[2]);
+}
 
 int reductionOf(const PixelView& pixels) {
   return (std::max(pixels.width, pixels.height) + kLongerSide - 1) / kLongerSide;
@@ -26,7 +34,7 @@ PrintDifference::PrintDifference(const PixelView& pixels, const LatticeMap& map)
       map_(map),
       factor_(reductionOf(pixels)),
       reduced_(pixels, factor_),
-      fit_(pixels, map, curve_),
+      fit_(pixels, map, curve_, kLightNodesAcross),
       n_(std::clamp(static_cast<int>(cellSize(map) / factor_), kFewestSamples, kMostSamples)) {}
 
 bool PrintDifference::advance() {
@@ -48,6 +56,13 @@ bool PrintDifference::advance() {
     case Stage::kCompare:
       compare();
       break;
+    case Stage::kNoise:
+      measureNoise();
+      stage_ = Stage::kCover;
+      break;
+    case Stage::kCover:
+      cover();
+      break;
     case Stage::kDone:
       break;
   }
@@ -55,7 +70,7 @@ bool PrintDifference::advance() {
 }
 
 double PrintDifference::fraction() const {
-  return (static_cast<double>(stage_) + (stage_ == Stage::kFields ? fit_.fraction() : 0)) / 5;
+  return (static_cast<double>(stage_) + (stage_ == Stage::kFields ? fit_.fraction() : 0)) / 7;
 }
 
 PixelLanes PrintDifference::flattened(PixelLanes colour, float x, float y) const {
@@ -116,18 +131,54 @@ void PrintDifference::compare() {
       const PixelLanes print = printAt(inverse(p - Vec2(shift[0], shift[1])));
       const std::uint8_t* const rgba = &view.rgba[4 * difference_.size()];
       const PixelLanes off = flattened(internal::pixelAt(rgba), x, y) - print;
-      difference_.push_back(std::abs(off[0]) + std::abs(off[1]) + std::abs(off[2]));
+      off_.push_back(off);
+      difference_.push_back(summed(off));
     }
   }
-  if (end == view.height) stage_ = Stage::kDone;
+  if (end == view.height) stage_ = Stage::kNoise;
 }
 
-float PrintDifference::at(const Vec2& p) const {
+/// Not at the picture's border.
+PixelLanes PrintDifference::averaged(int column, int row) const {
+  PixelLanes sum{};
+  for (int j = -1; j <= 1; ++j) {
+    const PixelLanes* at = &off_[static_cast<std::size_t>(row + j) * columns_ + column];
+    sum += at[-1] + at[0] + at[1];
+  }
+  return sum / 9;
+}
+
+void PrintDifference::measureNoise() {
+  std::vector<double> sums;
+  for (int row = 1; row + 1 < rows_; row += kNoiseStep)
+    for (int column = 1; column + 1 < columns_; column += kNoiseStep)
+      sums.push_back(static_cast<double>(summed(averaged(column, row))));
+  sortNumbers(sums);
+  if (!sums.empty()) noise_ = static_cast<float>(sums[sums.size() / 2]);
+}
+
+/// Some more rows of the picture.
+void PrintDifference::cover() {
+  const float half = kLeastHalf + kTimesNoise * noise_;
+  const std::size_t end =
+      std::min(off_.size(), covered_.size() + kComparedAtOnce + static_cast<std::size_t>(columns_));
+  for (std::size_t k = covered_.size(); k < end; ++k) {
+    const int column = static_cast<int>(k) % columns_, row = static_cast<int>(k) / columns_;
+    const bool inner = column > 0 && row > 0 && column + 1 < columns_ && row + 1 < rows_;
+    const float sum = inner ? summed(averaged(column, row)) : 0.0f;
+    covered_.push_back(sum * sum / (sum * sum + half * half));
+  }
+  if (end < off_.size()) return;
+  off_ = {};
+  stage_ = Stage::kDone;
+}
+
+float PrintDifference::between(const std::vector<float>& map, const Vec2& p) const {
   const double x = p.x() / factor_ - 0.5, y = p.y() / factor_ - 0.5;
   if (!(x >= 0 && y >= 0 && x < columns_ - 1 && y < rows_ - 1)) return 0;
   const int i = static_cast<int>(x), j = static_cast<int>(y);
   const float s = static_cast<float>(x - i), t = static_cast<float>(y - j);
-  const float* above = &difference_[static_cast<std::size_t>(j) * columns_ + i];
+  const float* above = &map[static_cast<std::size_t>(j) * columns_ + i];
   const float* below = above + columns_;
   return (1 - t) * ((1 - s) * above[0] + s * above[1]) + t * ((1 - s) * below[0] + s * below[1]);
 }
