@@ -71,6 +71,11 @@ describe('a photograph', () => {
     expect(out).toContain('p31m, one repeat 8.00 x 13.86 cm, w1 8.00 and w2 8.00 cm (+-');
     // whoever holds a tape has to know along what
     expect(out).toMatch(/, w1 (down|up|to the (left|right))[a-z ]* and w2 [a-z ]+ on the picture,/);
+    expect(err).not.toContain('disagree');
+    const apart = await photo(file('stars.png'), '--measure', 'w1=10/80', '--measure', 'w2=10/40');
+    expect(apart.err).toMatch(
+      /The lengths disagree by 50 %: with 8\.00 cm along w1, .* 8\.0. cm along w2, not 4\.00 cm/,
+    );
     const print = JSON.parse(readFileSync(file('read.json'), 'utf8')) as PrintVectors;
     const {size: repeat} = repeatOf({group: 'p31m', ...print});
     expect(repeat.width).toBeCloseTo(8, 6);
@@ -83,7 +88,7 @@ describe('a photograph', () => {
     const {code, out} = await photo(file('roses.jpg'), '--out', file('loose.json'));
     expect(code).toBe(0);
     expect(out).toMatch(
-      /roses\.jpg: pmg, size unknown \(measure it: --measure w1=REPEATS\/CM\), \d+ copies/,
+      /roses\.jpg: pmg, size unknown \(measure it: --measure w1=REPEATS\/CM\), w1 [a-z ]+ and w2 [a-z ]+ on the picture, \d+ copies/,
     );
     expect(JSON.parse(readFileSync(file('loose.json'), 'utf8'))).toMatchObject({unscaled: true});
   });
