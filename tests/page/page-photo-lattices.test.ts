@@ -55,20 +55,16 @@ const makeUncertain = (dialog: Locator): Promise<void> =>
     const host = (element.getRootNode() as ShadowRoot).host as unknown as {
       session: {
         step: {reading: {map: {homography: number[]}}};
-        resume: (step: object) => void;
+        resume: (history: object) => void;
       };
     };
     const {step} = host.session;
     const {homography} = step.reading.map;
     const twice = homography.map((value, k) => (k % 3 === 0 ? 2 * value : value));
-    host.session.resume({
-      ...step,
-      reading: {
-        ...step.reading,
-        confidence: 'uncertain',
-        others: [{...step.reading.map, homography: twice}],
-      },
-    });
+    const {reading} = step;
+    const others = [{...reading.map, homography: twice}];
+    const present = {...step, reading: {...reading, confidence: 'uncertain', others}};
+    host.session.resume({past: [], present, future: []});
   });
 
 it('is of another lattice when somebody says so', async () => {
