@@ -16,7 +16,7 @@ const kilobyte = 1000;
 /** Compressed as a whole, as the registry sends it; three is not in it. [bytes] */
 const mostForPackage = 1165 * kilobyte;
 /** The scripts for pages without a bundler, three and Lit included, the solver's module not. [bytes] */
-const mostForStandalone = 575 * kilobyte;
+const mostForStandalone = 580 * kilobyte;
 /** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
 const mostForDrape = 107 * kilobyte;
 /** The module that lays pieces on cloth, which is fetched only for that. [bytes] */

@@ -18,7 +18,7 @@ constexpr double kFirstShrink = 0.01, kMostShrink = 0.03, kLeastShrink = 2e-3;
 /// On fine boards pieces are laid one by one in some other orders, too, while that has taken fewer
 /// reads: the search afterwards seldom changes how few pieces lie by and large. A tee of four
 /// pieces that takes 114.4 cm in any of the first orders takes 93.9 cm by these.
-constexpr int kShuffledOrders = 24;
+constexpr std::size_t kRoundsOfOrders = 9;
 constexpr double kShuffledReads = 1e8;
 constexpr int kDoublings = 8;       ///< of the height in which pieces are laid one by one
 constexpr float kMostWeight = 1e9;  ///< sums of weighted depths stay finite
@@ -55,27 +55,27 @@ LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uin
            [&](int item) { return pieces.items()[item].is_pinned ? -1e9 : -size(item, by); });
     orders_.push_back(order);
   }
-  if (pieces.isFine()) addShuffled(std::move(order));
 }
 
-void LayoutSearch::addShuffled(std::vector<int> order) {
-  const int pinned = static_cast<int>(std::count_if(
-      order.begin(), order.end(), [&](int item) { return pieces_.items()[item].is_pinned; }));
-  for (int k = 0; k < kShuffledOrders; ++k) {
-    for (int last = count_ - 1; last > pinned; --last)
-      std::swap(order[last], order[pinned + random_.below(last - pinned + 1)]);
-    orders_.push_back(order);
-  }
+void LayoutSearch::shuffle(std::vector<int>* items) {
+  for (int k = static_cast<int>(items->size()); k > 1; --k)
+    std::swap((*items)[k - 1], (*items)[random_.below(k)]);
 }
 
 bool LayoutSearch::construct() {
-  if (next_ == orders_.size() * beginnings_.size() || homeless_ >= 0) return false;
-  if (laid_ == 0 && next_ >= kSortedOrders && pieces_.isFine() && reads_ > kShuffledReads)
+  const bool is_fine = pieces_.isFine();
+  if (next_ == orders_.size() * (is_fine ? kRoundsOfOrders : beginnings_.size()) || homeless_ >= 0)
     return false;
-  const std::vector<int>& order = orders_[next_ % orders_.size()];
+  const bool is_shuffled = is_fine && next_ >= orders_.size();
+  std::vector<int>& order = is_shuffled ? orders_.back() : orders_[next_ % orders_.size()];
   if (laid_ == 0) {
+    if (is_shuffled) {
+      // what is pinned has to be there first
+      if (reads_ > kShuffledReads || pieces_.items()[order.front()].is_pinned) return false;
+      shuffle(&order);
+    }
     if (doublings_ == 0) height_ = firstHeight();
-    setWindow(beginnings_[next_ / orders_.size()], height_);
+    setWindow(beginnings_[next_ / orders_.size() % beginnings_.size()], height_);
     for (LayPlace& place : places_) place.way = -1;
   }
   const int item = order[laid_];
@@ -199,8 +199,7 @@ void LayoutSearch::sweep() {
   };
   for (int item = 0; item < count_; ++item)
     if (meets(item)) meeting.push_back(item);
-  for (std::size_t k = meeting.size(); k > 1; --k)
-    std::swap(meeting[k - 1], meeting[random_.below(static_cast<int>(k))]);
+  shuffle(&meeting);
   for (const int item : meeting)
     if (meets(item)) place(item, leastOverlap(item).place);
 }

@@ -50,7 +50,7 @@ class LayoutSearch {
     float score;
   };
 
-  void addShuffled(std::vector<int> order);
+  void shuffle(std::vector<int>* items);
   void setWindow(double bottom, double length);
   bool begin();
   void closeUp(double by);

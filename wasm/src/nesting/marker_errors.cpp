@@ -53,15 +53,14 @@ void Marker::fail() {
   const NestingPiece& piece = problem_.pieces[item];
   stage_ = Stage::kDone;
   if (piece.pin) {
-    error_ = Error{Failure::kOptions, piece.name +
-                                          " cannot lie where it is pinned: it overlaps another "
-                                          "pinned piece or a flaw, or leaves the cloth; move it."};
+    error_ =
+        Error{Failure::kOptions,
+              piece.name + " cannot lie where it is pinned, over a pin, flaw or edge; move it."};
     return;
   }
   if (!problem_.flaws.empty()) {
-    error_ = Error{
-        Failure::kOptions,
-        piece.name + " finds no place between the flaws of the cloth; take cloth that has fewer."};
+    error_ = Error{Failure::kOptions,
+                   piece.name + " finds no place between the flaws; take cloth with fewer."};
     return;
   }
   const std::string nowhere =
