@@ -4,7 +4,7 @@ import {expect, it} from 'vitest';
 
 import type {LayPlan} from '@/model/lay-plan.js';
 import {button, saved, usePage} from '../support/page.js';
-import {bought, clothOf, facts, laid, pane, panel, rowOf} from '../support/page-cloth.js';
+import {bought, clothOf, facts, laid, layTwice, pane, panel, rowOf} from '../support/page-cloth.js';
 
 const openPage = usePage();
 
@@ -56,11 +56,7 @@ it('tells the lengths on other widths as those of all pieces packed anew while s
 it('counts the garments that are laid when their number is taken back', async () => {
   const page = await clothOf(await openPage());
   const before = await bought(page);
-  const garments = panel(page).getByLabel('Garments');
-  await garments.fill('2');
-  await garments.press('Enter');
-  await expect.poll(() => pane(page).locator('.piece').count(), {timeout: 60_000}).toBe(8);
-  await laid(page);
+  await layTwice(page);
   await button(page, 'Undo').click();
   await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
   await expect.poll(() => bought(page)).toBe(before);

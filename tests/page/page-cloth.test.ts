@@ -11,6 +11,7 @@ import {
   clothOf,
   facts,
   laid,
+  layTwice,
   pane,
   panel,
   rowOf,
@@ -293,11 +294,7 @@ it('cuts as many garments as are asked for, with the allowances of cutting files
   const allowances = () => panel(page).locator('.allowances').innerText();
   await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 3 cm/);
   const before = await bought(page);
-  const garments = panel(page).getByLabel('Garments');
-  await garments.fill('2');
-  await garments.press('Enter');
-  await expect.poll(() => pane(page).locator('.piece').count(), {timeout: 60_000}).toBe(8);
-  await laid(page);
+  await layTwice(page);
   await expect.poll(() => rowOf(page, 'Front 2').count()).toBe(1);
   expect(await bought(page)).not.toBe(before);
   await panel(page).getByRole('button', {name: 'Change'}).click();

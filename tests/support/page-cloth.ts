@@ -26,6 +26,15 @@ export async function laid(page: Page): Promise<void> {
   await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
 }
 
+/** Lays two of a garment of four pieces. */
+export async function layTwice(page: Page): Promise<void> {
+  const garments = panel(page).getByLabel('Garments');
+  await garments.fill('2');
+  await garments.press('Enter');
+  await expect.poll(() => pane(page).locator('.piece').count(), {timeout: 60_000}).toBe(8);
+  await laid(page);
+}
+
 /** A tee in a print that may lie upside down, on its cloth. */
 export async function clothOf(page: Page): Promise<Page> {
   await solved(page);

@@ -18,7 +18,7 @@ constexpr double kFirstShrink = 0.01, kMostShrink = 0.03, kLeastShrink = 2e-3;
 /// On fine boards pieces are laid one by one in some other orders, too, while that has taken fewer
 /// reads: the search afterwards seldom changes how few pieces lie by and large. A tee of four
 /// pieces that takes 114.4 cm in any of the first orders takes 93.9 cm by these.
-constexpr std::size_t kRoundsOfOrders = 9;
+constexpr std::size_t kRoundsOfOrders = 9;  ///< the first of them sorted
 constexpr double kShuffledReads = 1e8;
 constexpr int kDoublings = 8;       ///< of the height in which pieces are laid one by one
 constexpr float kMostWeight = 1e9;  ///< sums of weighted depths stay finite

@@ -1,5 +1,6 @@
 /** A plan with its pieces lying otherwise: as somebody has moved them. Lengths in cm. */
 import {onPiece, type Alignment} from '../model/geometry.js';
+import {isOfPhases} from '../model/lay-note.js';
 import type {LaidPlacement, LayPlan} from '../model/lay-plan.js';
 import {boxOf, signedArea} from '../model/polyline.js';
 import {saidNote} from './draw/note-texts.js';
@@ -34,9 +35,7 @@ export const isMoved = (
 /** What is said of the same pieces packed otherwise is no part of a plan whose pieces were moved. */
 function unpacked(plan: LayPlan, lengthCm: number | null): Partial<LayPlan> {
   const {printOrigin} = plan;
-  const noteDetails = plan.noteDetails.filter(
-    ({code}) => code !== 'phaseRange' && code !== 'phaseNowhere',
-  );
+  const noteDetails = plan.noteDetails.filter((note) => !isOfPhases(note));
   return {
     phases: printOrigin ? [{phaseCm: printOrigin[0], lengthCm}] : [],
     ...{widths: [], cheaper: []},

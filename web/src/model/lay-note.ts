@@ -30,3 +30,7 @@ export const layNote = (
   code: LayNoteCode,
   {pieces = [], lengthsCm = [], counts = []}: Partial<LayNote> = {},
 ): LayNote => ({code, pieces, lengthsCm, counts});
+
+/** It compares places where the print may start. */
+export const isOfPhases = ({code}: LayNote): boolean =>
+  code === 'phaseRange' || code === 'phaseNowhere';

@@ -16,6 +16,8 @@ namespace seamwise {
 class CopyFieldsFit {
  public:
   /// `pixels` and `curve` have to outlive it.
+  /// @param nodes_across   of the field of light, along the longer side: lamps and lenses vary no
+  ///   faster than ten can follow
   CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, const SrgbCurve& curve,
                 double nodes_across = 10);
   /// False when nothing is left to do.

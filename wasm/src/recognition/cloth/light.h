@@ -16,6 +16,7 @@ class LightFit {
  public:
   /// @param canvas   sampled; a cell of 8 to 16 samples is enough, light being smooth
   /// @param width, height   of the whole picture. [px]
+  /// @param nodes_across   of the field, along the longer side
   LightFit(LatticeCanvas canvas, const SrgbCurve& curve, int width, int height, double cell_size,
            double nodes_across);
   /// One round of fitting both; false when that was the last.

@@ -1,6 +1,7 @@
 /** Beside the cloth: what there is to buy, what cloth it is, and the pieces as a list. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
+import {isOfPhases} from '../../model/lay-note.js';
 import type {CheaperDesign, LayPlan} from '../../model/lay-plan.js';
 import type {LayStep} from '../../workbench/lay-step.js';
 import {saidNote} from '../../marker/draw/note-texts.js';
@@ -127,7 +128,7 @@ export class ClothPanel extends ClothElement {
     const length = (cm: number): string => format.length(cm);
     const range = (least: number, most: number) => [length(least), length(most)] as const;
     return noteDetails
-      .filter(({code}) => code !== 'phaseRange' && code !== 'phaseNowhere')
+      .filter((note) => !isOfPhases(note))
       .map((note) =>
         saidNote(note, notes, {
           ...{length, rounded: length, range, count: (count) => format.number(count)},
