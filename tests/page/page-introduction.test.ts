@@ -6,6 +6,7 @@ import type {SeamwisePage} from '@/app/page.js';
 import {askedSymmetries} from '@/model/design.js';
 import {designOf} from '../support/page-design.js';
 import {button, solved, usePage} from '../support/page.js';
+import {frames} from '../support/waiting.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -19,6 +20,22 @@ const showsDraft = (page: Page): Promise<boolean> =>
 const hint = (page: Page) => page.getByRole('note', {name: /^Hint/});
 const dismiss = (page: Page) => hint(page).getByRole('button', {name: 'Dismiss'});
 const stage = (page: Page) => page.locator('sw-pattern .stage').boundingBox();
+
+/** Counts the frames that show the draft, from now until the answer. */
+async function framesWithDraft(page: Page): Promise<number> {
+  const seen = await page.evaluateHandle(() => {
+    const seen = {drafts: 0};
+    const look = (): void => {
+      if (document.querySelector<SeamwisePage>('seamwise-page')?.pattern?.showsDraft) seen.drafts++;
+      requestAnimationFrame(look);
+    };
+    look();
+    return seen;
+  });
+  await solved(page);
+  await frames(page);
+  return seen.evaluate(({drafts}) => drafts);
+}
 
 /** As on a first visit, once the draft is being shown. */
 async function openDraft(): Promise<Page> {
@@ -36,15 +53,12 @@ it('shows a symmetric garment as drafted and then as it meets, on the first visi
     expect.arrayContaining(['piece', 'pair']),
   );
   await solved(page);
-  expect(await button(page, 'Accept all symmetries').count()).toBe(0); // they hold already
+  // they hold already
+  await expect.poll(() => button(page, 'Accept all symmetries').count()).toBe(0);
   await expect.poll(() => showsDraft(page), {timeout: 30_000}).toBe(false);
   for (const again of [page, await openPage({beside: page, isFirst: true})]) {
     if (again === page) await page.reload();
-    let drafts = 0;
-    const answered = solved(again).then(() => true);
-    while (!(await Promise.race([answered, again.waitForTimeout(50).then(() => false)])))
-      if (await showsDraft(again)) drafts++;
-    expect(drafts).toBe(0);
+    expect(await framesWithDraft(again)).toBe(0);
   }
 });
 
@@ -60,11 +74,7 @@ it('is in the way of nobody: the first key or press shows the answer', async () 
 
 it('shows no draft to who wants no motion', async () => {
   const page = await openPage({isFirst: true, reducedMotion: 'reduce'});
-  let drafts = 0;
-  const answered = solved(page).then(() => true);
-  while (!(await Promise.race([answered, page.waitForTimeout(50).then(() => false)])))
-    if (await showsDraft(page)) drafts++;
-  expect(drafts).toBe(0);
+  expect(await framesWithDraft(page)).toBe(0);
   expect((await designOf(page)).garment.sample?.style).toBe('princess-dress');
 });
 
