@@ -7,6 +7,8 @@ import {twoStrips} from '../wasm/garments.js';
 import {sample, tee, useElementPage, type ElementPage} from './element/open.js';
 import {isHelper} from './fixture/open.js';
 import type {Sequence} from './element/sequences.js';
+import {cases} from '../support/level.js';
+import {workersLeft} from '../support/waiting.js';
 
 const openPage = useElementPage();
 
@@ -44,7 +46,7 @@ async function held(page: Page): Promise<Record<string, number>> {
   const client = await page.context().newCDPSession(page);
   await client.send('Performance.enable');
   const card = await page.evaluate(() => heldByCard());
-  await expect.poll(() => page.workers().length, {timeout: 15_000}).toBe(0);
+  await workersLeft(page, 0);
   for (let k = 0; k < 3; k++) await client.send('HeapProfiler.collectGarbage');
   const {metrics} = await client.send('Performance.getMetrics');
   await client.detach();
@@ -61,13 +63,14 @@ async function held(page: Page): Promise<Record<string, number>> {
 const from = (seed: number, count: number): readonly number[] =>
   Array.from({length: count}, (_, k) => seed + k);
 
-it('shows the last state after 200 random sequences, and leaves nothing behind', async () => {
+it('shows the last state after random sequences, and leaves nothing behind', async () => {
   const {page} = await openSmall();
+  const count = cases(25, 100);
   const wrong = async (seeds: readonly number[]): Promise<readonly Sequence[]> =>
     (await run(page, seeds)).filter((one) => one.wrong.length > 0);
-  expect(await wrong(from(1, 100))).toEqual([]); // whatever is made once has been made then
+  expect(await wrong(from(1, count))).toEqual([]); // whatever is made once has been made then
   const before = await held(page);
-  expect(await wrong(from(101, 100))).toEqual([]);
+  expect(await wrong(from(1 + count, count))).toEqual([]);
   const after = await held(page);
   for (const [name, value] of Object.entries(before)) {
     expect.soft(after[name], name).toBeLessThanOrEqual(1.1 * value);
@@ -77,44 +80,51 @@ it('shows the last state after 200 random sequences, and leaves nothing behind',
 it('can be ended at any moment: promises settle, the worker stays, the next answer is right', async () => {
   const {put, page} = await openPage();
   await put('<main></main>');
-  const seen = await page.evaluate(async (markup) => {
-    const main = document.querySelector('main');
-    if (!main) throw new Error('It is gone.');
-    const fresh = (k: number) => {
-      main.innerHTML = markup;
-      const element = main.querySelector('seamwise-garment');
-      if (!element) throw new Error('It is gone.');
-      element.size = k % 2 ? 'l' : 'm';
-      return element;
-    };
-    const start = performance.now();
-    await fresh(0).solve();
-    const whole = performance.now() - start;
-    const ends: Record<string, number> = {};
-    const designs: string[] = [];
-    for (let k = 0; k < 60; k++) {
-      const element = fresh(k);
-      const late = new AbortController();
-      setTimeout(
-        () => {
+  const [rounds, perRound] = [cases(2, 5), 12];
+  const seen = await page.evaluate(
+    async ([markup, rounds, perRound]) => {
+      const main = document.querySelector('main');
+      if (!main) throw new Error('It is gone.');
+      const fresh = (k: number) => {
+        main.innerHTML = markup;
+        const element = main.querySelector('seamwise-garment');
+        if (!element) throw new Error('It is gone.');
+        element.size = k % 2 ? 'l' : 'm';
+        return element;
+      };
+      const start = performance.now();
+      await fresh(0).solve();
+      const whole = performance.now() - start;
+      const ends: string[] = [];
+      const designs: string[] = [];
+      const count = rounds * perRound;
+      for (let k = 0; k < count; k++) {
+        const element = fresh(k);
+        const late = new AbortController();
+        const abort = (): void => {
           late.abort();
-        },
-        (whole * k) / 50,
-      );
-      const end = await element.solve({signal: late.signal}).then(
-        () => 'answer',
-        (error: unknown) => (error as Error).name,
-      );
-      ends[end] = (ends[end] ?? 0) + 1;
-      if (k % 12 !== 11) continue;
-      await element.solve();
-      designs.push(element.value);
-    }
-    return {ends, designs};
-  }, tee);
-  expect(Object.keys(seen.ends).sort()).toEqual(['AbortError', 'answer']);
+        };
+        // spread over a solve; the first moment precedes every answer, and the last follows its own
+        if (k < count - 1) setTimeout(abort, (1.2 * whole * k) / count);
+        ends.push(
+          await element.solve({signal: late.signal}).then(
+            () => 'answer',
+            (error: unknown) => (error as Error).name,
+          ),
+        );
+        abort();
+        if (k % perRound !== perRound - 1) continue;
+        await element.solve();
+        designs.push(element.value);
+      }
+      return {ends, designs};
+    },
+    [tee, rounds, perRound] as const,
+  );
+  expect([...new Set(seen.ends)].sort()).toEqual(['AbortError', 'answer']);
+  expect([seen.ends[0], seen.ends.at(-1)]).toEqual(['AbortError', 'answer']);
   expect(page.workers().filter((worker) => !isHelper(worker))).toHaveLength(1);
   const read = (url: string) => Promise.resolve(Buffer.from(sample(url.slice(page.url().length))));
-  expect(seen.designs).toHaveLength(5);
+  expect(seen.designs).toHaveLength(rounds);
   for (const design of seen.designs) expect((await order(design, {read})).reproduced).toBe(true);
 });
