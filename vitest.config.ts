@@ -3,15 +3,42 @@ import {fileURLToPath} from 'node:url';
 import {defineConfig} from 'vitest/config';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+const isThorough = process.env.SEAMWISE_TESTS === 'thorough';
 
 export default defineConfig({
   // tests name sources by their rooms, as in tsconfig.json
   resolve: {alias: {'@/': at('web/src/'), '@samples/': at('web/samples/')}},
   test: {
-    include: ['tests/**/*.test.ts'],
     testTimeout: 120_000,
     hookTimeout: 240_000,
     // parts of the page draw when there is time: a second is short on two cores that also compile
     expect: {poll: {timeout: 10_000}},
+    projects: [
+      {
+        extends: true,
+        test: {
+          name: 'scripts',
+          include: ['tests/architecture.test.ts', 'tests/{web,wasm,package}/**/*.test.ts'],
+        },
+      },
+      {
+        extends: true,
+        test: {
+          name: 'browser',
+          include: ['tests/{page,examples}/**/*.test.ts'],
+          exclude: isThorough ? [] : ['tests/examples/{bundlers,other-browsers}.test.ts'],
+          globalSetup: 'tests/support/start-browser.ts',
+        },
+      },
+      {
+        extends: true,
+        test: {
+          name: 'timing',
+          include: ['tests/timing/**/*.test.ts'],
+          globalSetup: 'tests/support/start-browser.ts',
+          fileParallelism: false,
+        },
+      },
+    ],
   },
 });

@@ -208,7 +208,7 @@ async function run() {
   const platforms = both.filter((platform) =>
     names.some((name) => parts[name].platforms.includes(platform)),
   );
-  await build();
+  await build('scripts');
   const {warmUpProblems} = await import('../../dist/solver/warm-up.js');
   settings.programs = new Programs(await buildBench(platforms), warmUpProblems);
   const results = circumstances();

@@ -20,7 +20,7 @@ const configFile = join(root, 'vite.config.ts');
 export async function measurePage({say}) {
   say('page');
   await ensureSystem(forBrowserTests);
-  await build();
+  await build('scripts');
   const outDir = await mkdtemp(join(tmpdir(), 'seamwise-bench-page-'));
   try {
     const [node, vite] = tool('vite');

@@ -11,6 +11,7 @@ import {beforeAll, expect, it} from 'vitest';
 
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {barriers} from '../support/barriers.js';
+import {bytesOf} from '../support/browser.js';
 import {samples, solved, useChromium, useExamples} from '../support/examples.js';
 
 const {copy, serve} = useExamples();
@@ -100,7 +101,7 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
   await page.goto(cart);
   const download = page.waitForEvent('download');
   await page.getByRole('button', {name: /^Order file for the workshop/}).click();
-  const cut = await readFile(await (await download).path(), 'utf8');
+  const cut = (await bytesOf(await download)).toString();
   expect(sha256Of(cut)).toBe(sold.sha256);
   const address = await page.getByRole('link', {name: /^Design/}).getAttribute('href');
   const stored = new URL(address ?? '', shop).href;

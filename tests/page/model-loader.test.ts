@@ -1,6 +1,4 @@
 /** An exported model in the loader of three.js, as somebody else's page opens it. */
-import {fileURLToPath} from 'node:url';
-
 import type {Browser} from 'playwright-core';
 import {afterAll, beforeAll, expect, it} from 'vitest';
 
@@ -8,23 +6,18 @@ import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry
 import {cellPicture, glb} from '@/model/glb.js';
 import type {Print} from '@/model/print.js';
 import {imageCell} from '@/model/wallpaper.js';
-import {openBrowser, serveSources, type Served} from '../support/browser.js';
+import {openBrowser, sourcesOf} from '../support/browser.js';
 import {everywhere, painted, pngOf} from '../support/pictures.js';
 import {at} from '../support/plane.js';
 import {readGlb} from '../support/read-glb.js';
 import {squaresDrape, squaresResult} from '../support/sewn-squares.js';
 
 let browser: Browser | undefined;
-let served: Served | undefined;
 
 beforeAll(async () => {
-  const folder = fileURLToPath(new URL('loader/', import.meta.url));
-  [browser, served] = await Promise.all([openBrowser(), serveSources(folder)]);
+  browser = await openBrowser();
 });
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
+afterAll(() => browser?.close());
 
 const print: Print = {group: 'p1', w1: [5, 1], w2: [2, 6], cell: 'primitive'};
 const alignments: readonly Alignment[] = [
@@ -36,7 +29,7 @@ const result = {
 };
 
 it('is opened by the loader of three.js, which shows the print where the pieces lie on it', async () => {
-  if (!browser || !served) throw new Error('The browser is not open yet.');
+  if (!browser) throw new Error('The browser is not open yet.');
   const {width, height, paint} = everywhere;
   const picture = cellPicture(new Uint8Array(pngOf(painted(width, height, paint))));
   if (!picture) throw new Error('a PNG is one');
@@ -57,7 +50,7 @@ it('is opened by the loader of three.js, which shows the print where the pieces 
       }),
     );
   const page = await browser.newPage();
-  await page.goto(served.url);
+  await page.goto(sourcesOf('loader'));
   await page.waitForFunction(() => 'openModel' in globalThis);
   const model = Buffer.from(bytes).toString('base64');
   const asked = middles(positions) as readonly (readonly [number, number, number])[];

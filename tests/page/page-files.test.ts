@@ -11,6 +11,7 @@ import {expect, it, vi} from 'vitest';
 
 import {designOf} from '../support/page-design.js';
 import {choose, hand, jsonFile, squares, type HandedFile} from '../support/page-files.js';
+import {bytesOf} from '../support/browser.js';
 import {button, saved, savedCut, showSample, solved, usePage} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
@@ -242,7 +243,7 @@ it('gives the pieces to cut in millimetres, and a picture', async () => {
     button(page, 'Save picture').click(),
   ]);
   expect(download.suggestedFilename()).toBe('squares.png');
-  const png = await readFile(await download.path());
+  const png = await bytesOf(download);
   expect(png.subarray(1, 4).toString()).toBe('PNG');
 });
 

@@ -1,10 +1,10 @@
 /** The garment as it is worn, on the page: beside its pattern or in its place, and what is meant in one is meant in both. */
-import {readFile} from 'node:fs/promises';
 
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
+import {bytesOf} from '../support/browser.js';
 import {button, saved, solved, usePage} from '../support/page.js';
 import {readGlb} from '../support/read-glb.js';
 
@@ -161,7 +161,7 @@ it('gives away a picture of what is seen, a model and a film', async () => {
       page.waitForEvent('download', {timeout: 60_000}),
       button(page, name).click(),
     ]);
-    return {name: download.suggestedFilename(), bytes: await readFile(await download.path())};
+    return {name: download.suggestedFilename(), bytes: await bytesOf(download)};
   };
   const picture = await given('Save picture of the garment');
   expect(picture.name).toMatch(/\.worn\.png$/);

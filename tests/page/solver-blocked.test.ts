@@ -4,7 +4,7 @@ import {afterAll, afterEach, beforeAll, beforeEach, describe, expect, it} from '
 
 import {openBrowser, serveBuilt, strictPolicy} from '../support/browser.js';
 import {checks, twoStrips} from '../wasm/garments.js';
-import {fixture, tee, useFixture, withoutTimes} from './fixture/open.js';
+import {tee, useFixture, withoutTimes} from './fixture/open.js';
 
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 
@@ -151,7 +151,7 @@ describe("a page's policy", () => {
   afterAll(() => browser.close());
 
   async function withPolicy(policy: string, check: (page: Page) => Promise<void>): Promise<void> {
-    const served = await serveBuilt(fixture, policy);
+    const served = await serveBuilt('fixture', policy);
     const page = await browser.newPage();
     try {
       await page.goto(served.url);

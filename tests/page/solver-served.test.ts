@@ -5,7 +5,7 @@ import {solve} from 'seamwise/node';
 import {afterAll, beforeAll, expect, it, vi} from 'vitest';
 
 import {openBrowser, serveBuilt, serveFiles, type Served} from '../support/browser.js';
-import {fixture, isHelper, jacket, tee, withoutTimes} from './fixture/open.js';
+import {isHelper, jacket, tee, withoutTimes} from './fixture/open.js';
 
 vi.setConfig({testTimeout: 180_000});
 let browser: Browser;
@@ -38,7 +38,7 @@ async function withPage(served: Served, path: string, check: (page: Page) => Pro
 }
 
 it('solves in a page that Vite has built, under a strict policy, with a worker to help the worker', async () => {
-  await withPage(await serveBuilt(fixture), '', async (page) => {
+  await withPage(await serveBuilt('fixture'), '', async (page) => {
     await page.waitForFunction(() => 'Client' in globalThis);
     const solving = page.evaluate((problem) => new Client({}, () => 1).solve(problem), jacket);
     await expect.poll(() => page.workers().filter(isHelper), {timeout: 60_000}).toHaveLength(1);

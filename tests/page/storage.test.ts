@@ -1,28 +1,21 @@
 /** What the page keeps of its projects in a real browser, with one tab and with two. */
-import {fileURLToPath} from 'node:url';
-
 import type {Browser, BrowserContext, Page} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, describe, expect, it, vi} from 'vitest';
 
-import {openBrowser, serveSources, type Served} from '../support/browser.js';
+import {openBrowser, sourcesOf} from '../support/browser.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 let browser: Browser | undefined;
-let served: Served | undefined;
 let contexts: BrowserContext[] = [];
 beforeAll(async () => {
-  const folder = fileURLToPath(new URL('./storage/', import.meta.url));
-  [browser, served] = await Promise.all([openBrowser(), serveSources(folder)]);
+  browser = await openBrowser();
 });
 afterEach(async () => {
   await Promise.all(contexts.map((context) => context.close()));
   contexts = [];
 });
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
+afterAll(() => browser?.close());
 
 /** A browser of somebody who was never here before. */
 async function newcomer(): Promise<BrowserContext> {
@@ -34,7 +27,7 @@ async function newcomer(): Promise<BrowserContext> {
 
 async function tab(context: BrowserContext): Promise<Page> {
   const page = await context.newPage();
-  await page.goto(served?.url ?? '');
+  await page.goto(sourcesOf('storage'));
   await page.waitForFunction(() => 'Storing' in globalThis);
   return page;
 }

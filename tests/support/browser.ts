@@ -1,12 +1,12 @@
 /** A real browser for tests, and the page served to it in the ways that there are. */
-import {mkdtemp, rm} from 'node:fs/promises';
 import type {AddressInfo} from 'node:net';
-import {tmpdir} from 'node:os';
 import {join} from 'node:path';
+import {buffer} from 'node:stream/consumers';
 import {fileURLToPath} from 'node:url';
 
-import {chromium, type Browser} from 'playwright-core';
-import {build, createServer, preview, type InlineConfig} from 'vite';
+import {chromium, type Browser, type BrowserServer, type Download} from 'playwright-core';
+import {createServer, preview, type InlineConfig} from 'vite';
+import {inject} from 'vitest';
 
 import {chromiumPath} from '../../web/setup/chromium.mjs';
 
@@ -27,18 +27,33 @@ export interface Served {
   readonly close: () => Promise<void>;
 }
 
-export async function openBrowser(): Promise<Browser> {
+/** Starts the browser that all files of tests share. */
+export async function launchBrowser(): Promise<BrowserServer> {
   const executablePath = chromiumPath();
   if (executablePath === null) {
     throw new Error('There is no Chromium; install it, or set CHROME_PATH.');
   }
   // Chromium refuses to run as root inside its sandbox; WebGL is drawn in software.
   const asRoot = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
-  return chromium.launch({executablePath, args: [...asRoot, '--enable-unsafe-swiftshader']});
+  return chromium.launchServer({executablePath, args: [...asRoot, '--enable-unsafe-swiftshader']});
+}
+
+/** Connects to the browser. Closing the connection closes the contexts that were opened by it. */
+export const openBrowser = (): Promise<Browser> => chromium.connect(inject('browser'));
+
+/** The file that a page saves. */
+export const bytesOf = async (download: Download): Promise<Buffer> =>
+  buffer(await download.createReadStream());
+
+/** The address of a page of tests/page, served from its sources. */
+export function sourcesOf(name: 'fixture' | 'loader' | 'storage' | 'viewer'): string {
+  const url = inject('sources')[name];
+  if (url === undefined) throw new Error(`Nothing serves tests/page/${name}.`);
+  return url;
 }
 
 /** The sources in `folder`, and whatever of the project they import, by Vite's development server. */
-export async function serveSources(folder: string): Promise<Served> {
+export async function serveFolder(folder: string): Promise<Served> {
   const server = await createServer({
     ...settings(folder),
     server: {port: 0, hmr: false, watch: null, fs: {allow: [project]}},
@@ -48,19 +63,9 @@ export async function serveSources(folder: string): Promise<Served> {
   return {url: addressOf(server.httpServer), close: () => server.close()};
 }
 
-/** The same, as Vite builds it for production, under a content security policy: a strict one by itself. */
-export async function serveBuilt(folder: string, policy = strictPolicy): Promise<Served> {
-  const outDir = await mkdtemp(join(tmpdir(), 'seamwise-page-'));
-  await build({...settings(folder), base: './', build: {outDir, emptyOutDir: true}});
-  const {url, close} = await serveFiles(outDir, policy);
-  return {
-    url,
-    close: async () => {
-      await close();
-      await rm(outDir, {recursive: true});
-    },
-  };
-}
+/** A page of tests/page as it is built for production, under a content security policy: a strict one by default. */
+export const serveBuilt = (name: 'element' | 'fixture', policy = strictPolicy): Promise<Served> =>
+  serveFiles(join(project, 'build/fixtures', name), policy);
 
 /** A folder as it is, under the same policy. */
 export async function serveFiles(outDir: string, policy = strictPolicy): Promise<Served> {
@@ -77,7 +82,7 @@ function settings(root: string): InlineConfig {
   return {root, configFile: false, logLevel: 'warn', publicDir: false};
 }
 
-function addressOf(server: {address(): string | AddressInfo | null} | null): string {
+export function addressOf(server: {address(): string | AddressInfo | null} | null): string {
   const address = server?.address();
   if (typeof address !== 'object' || address === null) throw new Error('The server has no port.');
   return `http://localhost:${address.port}/`;

@@ -6,6 +6,8 @@ import {dirname, join, relative, sep} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {promisify} from 'node:util';
 
+import {build, tarball} from '../../web/setup/build.mjs';
+
 const run = promisify(execFile);
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -37,12 +39,10 @@ export interface Packed {
   readonly remove: () => Promise<void>;
 }
 
-/** Packs and installs. Dependencies are the project's own, so that no registry is asked. */
+/** Installs the package as it is packed. Dependencies are the project's own, so that no registry is asked. */
 export async function packed(): Promise<Packed> {
   const home = await mkdtemp(join(tmpdir(), 'seamwise-package-'));
-  const {stdout} = await run('npm', ['pack', '--json', '--pack-destination', home], {cwd: project});
-  const [{filename}] = JSON.parse(stdout) as [{filename: string}];
-  const tarball = join(home, filename);
+  await build('tarball');
   const folder = await install(tarball, home);
   const manifest = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8')) as Manifest;
   const installIn = async (other: string, others: readonly string[]): Promise<void> => {

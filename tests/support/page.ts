@@ -1,21 +1,9 @@
 /** The page itself in a real browser, as it is built and served for users. */
-import {execFile} from 'node:child_process';
-import {mkdtemp, readFile, rm} from 'node:fs/promises';
-import {tmpdir} from 'node:os';
-import {join} from 'node:path';
-import {fileURLToPath} from 'node:url';
-import {promisify} from 'node:util';
-
 import type {Browser, BrowserContextOptions, Locator, Page} from 'playwright-core';
-import {preview, type PreviewServer} from 'vite';
-import {afterAll, afterEach, beforeAll, expect} from 'vitest';
+import {afterAll, afterEach, beforeAll, expect, inject} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
-import {openBrowser} from './browser.js';
-
-const run = promisify(execFile);
-const vite = fileURLToPath(new URL('../../node_modules/vite/bin/vite.js', import.meta.url));
-const configFile = fileURLToPath(new URL('../../vite.config.ts', import.meta.url));
+import {bytesOf, openBrowser} from './browser.js';
 
 export interface PageOptions extends BrowserContextOptions {
   /** What follows the address: `?garment=...`, `#...`. */
@@ -28,37 +16,20 @@ export interface PageOptions extends BrowserContextOptions {
   readonly maySay?: RegExp;
 }
 
-/** Builds and serves the page for one file of tests. Whatever the page says on its console fails the test. */
+/** Opens the page for one file of tests. Whatever the page says on its console fails the test. */
 export function usePage(): (options?: PageOptions) => Promise<Page> {
   let browser: Browser;
-  let server: PreviewServer;
-  let outDir: string;
   const said: string[] = [];
   const opened: Page[] = [];
 
   beforeAll(async () => {
-    outDir = await mkdtemp(join(tmpdir(), 'seamwise-built-'));
-    // in a process of its own: a test's is not the production that users get
-    await run(process.execPath, [vite, 'build', '--config', configFile, '--outDir', outDir], {
-      env: {...process.env, NODE_ENV: 'production'},
-    });
-    server = await preview({
-      configFile,
-      logLevel: 'warn',
-      build: {outDir},
-      preview: {port: 0, strictPort: false},
-    });
     browser = await openBrowser();
   });
   afterEach(async () => {
     await Promise.all(opened.splice(0).map((page) => page.context().close()));
     expect(said.splice(0)).toEqual([]);
   });
-  afterAll(async () => {
-    await browser.close();
-    await server.close();
-    await rm(outDir, {recursive: true});
-  });
+  afterAll(() => browser.close());
 
   return async ({query = '', beside, isFirst = false, maySay, ...context} = {}) => {
     const page = await (
@@ -90,9 +61,7 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
     page.on('pageerror', (error) => {
       hear(error.message);
     });
-    const address = server.httpServer.address();
-    if (typeof address !== 'object' || !address) throw new Error('The server has no port.');
-    await page.goto(`http://localhost:${address.port}/${query}`);
+    await page.goto(`${inject('page')}${query}`);
     return page;
   };
 }
@@ -132,7 +101,7 @@ export async function showSample(page: Page, style: string): Promise<void> {
 export async function saved(page: Page, name: string): Promise<string> {
   if (!(await button(page, name).isVisible())) await button(page, 'Save …').click();
   const [download] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
-  return readFile(await download.path(), 'utf8');
+  return (await bytesOf(download)).toString();
 }
 
 /** What the dialog that asks how to cut gives to save, as text; it stays what is asked for the next time. */
@@ -147,5 +116,5 @@ export async function savedCut(page: Page, file: 'PDF' | 'SVG' | 'DXF' | 'HP-GL'
     page.waitForEvent('download'),
     dialog.getByRole('button', {name: `Save ${file}`}).click(),
   ]);
-  return readFile(await download.path(), 'latin1');
+  return (await bytesOf(download)).toString('latin1');
 }

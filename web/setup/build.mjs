@@ -5,11 +5,12 @@ import {
   mkdirSync,
   readdirSync,
   readFileSync,
+  renameSync,
   rmSync,
   statSync,
   writeFileSync,
 } from 'node:fs';
-import {join} from 'node:path';
+import {dirname, join, relative} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
 import {pathToFileURL} from 'node:url';
 
@@ -20,6 +21,7 @@ import {ensurePackages} from './packages.mjs';
 import {main, must, root, say, SetupError, tool} from './shell.mjs';
 import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
+const at = (...parts) => join(root, ...parts);
 const moduleFolder = 'web/src/solver/module';
 /** What the modules are; all but the first are fetched only when they are asked: to drape a garment, to lay its pieces. */
 const moduleFiles = ['seamwise', 'drape', 'marker', 'photo'].flatMap((name) => [
@@ -29,9 +31,11 @@ const moduleFiles = ['seamwise', 'drape', 'marker', 'photo'].flatMap((name) => [
 const declarations = 'build/declarations';
 /** What the module is made from. */
 export const moduleSources = ['CMakeLists.txt', 'CMakePresets.json', 'wasm'];
-const at = (...parts) => join(root, ...parts);
 
-/** The parts of a build, each made from those before it; `from` is what it is made from besides. */
+/** The package as `npm pack` writes it. */
+export const tarball = at('build/package/seamwise.tgz');
+
+/** The parts of a build: each is made from the part that it comes `after`, and from the files in `from`. */
 const parts = {
   module: {
     from: moduleSources,
@@ -39,23 +43,43 @@ const parts = {
     products: moduleFiles.map((file) => `${moduleFolder}/${file}`),
   },
   scripts: {
+    after: 'module',
     from: ['package.json', 'tsconfig.json', 'tsconfig.build.json', 'web/src'],
     make: buildScripts,
     products: ['dist/cli/main.js', ...moduleFiles.map((file) => `dist/solver/module/${file}`)],
   },
   standalone: {
+    after: 'scripts',
     from: ['vite.standalone.config.ts', 'package-lock.json', 'LICENSE', 'web/setup/notices'],
     make: buildStandalone,
     products: ['seamwise.js', 'seamwise.wasm', 'drape.wasm', 'marker.wasm', 'photo.wasm'].map(
       (file) => `dist/standalone/${file}`,
     ),
   },
+  tarball: {
+    after: 'standalone',
+    from: ['CHANGELOG.md', 'CONTRIBUTING.md', 'README.md', 'docs', 'public', 'web/examples'],
+    make: pack,
+    products: [relative(root, tarball)],
+  },
+  page: {
+    after: 'scripts',
+    from: ['vite.config.ts', 'package-lock.json', 'public', 'web/index.html', 'web/setup/notices'],
+    make: buildPage,
+    products: ['build/page/index.html', 'build/page/service-worker.js'],
+  },
+  // pages of tests that import sources of the project
+  fixtures: {
+    after: 'scripts',
+    from: ['package-lock.json', 'tests/page/element', 'tests/page/fixture'],
+    make: buildFixtures,
+    products: ['element', 'fixture'].map((name) => `build/fixtures/${name}/index.html`),
+  },
 };
 
-/** Builds what is missing or out of date: solver and scripts, or the whole package. */
-export async function build(wanted = ['module', 'scripts']) {
-  let state = '';
-  const states = wanted.map((part) => [part, (state = signature(parts[part].from, state))]);
+/** Builds the parts that are missing or out of date, and those that they are made from. */
+export async function build(...wanted) {
+  const states = [...new Set(wanted.flatMap(chain))].map((part) => [part, stateOf(part)]);
   if (states.every(([part, state]) => isFresh(part, state))) return;
   const unlock = await lock();
   try {
@@ -69,8 +93,20 @@ export async function build(wanted = ['module', 'scripts']) {
   }
 }
 
-/** All that the package holds. */
-export const buildPackage = () => build(Object.keys(parts));
+/** Builds all that the package contains. */
+export const buildPackage = () => build('standalone');
+
+/** A part after all that it is made from. */
+function chain(part) {
+  const {after} = parts[part];
+  return after ? [...chain(after), part] : [part];
+}
+
+/** Identifies the state of the files that a part is made from. */
+function stateOf(part) {
+  const {after, from} = parts[part];
+  return signature(from, after ? stateOf(after) : '');
+}
 
 async function buildModule() {
   await ensureSystem(forModule);
@@ -138,6 +174,34 @@ async function buildStandalone() {
   // also when it is begun by tests, which set another: Lit would come in the build for its developers
   await must(node, build, {env: {NODE_ENV: 'production'}});
   copyNotices();
+}
+
+/** Packs the package. Its parts are up to date, so npm's own call of the build is left out. */
+async function pack() {
+  say('Packing ...');
+  const folder = dirname(tarball);
+  rmSync(folder, {recursive: true, force: true});
+  mkdirSync(folder, {recursive: true});
+  await must('npm', ['pack', '--ignore-scripts', '--loglevel=error', '--pack-destination', folder]);
+  const [name] = readdirSync(folder);
+  renameSync(join(folder, name), tarball);
+}
+
+async function buildPage() {
+  say('Building the page ...');
+  const [node, vite] = tool('vite');
+  await must(node, [vite, 'build', '--logLevel', 'warn'], {env: {NODE_ENV: 'production'}});
+}
+
+async function buildFixtures() {
+  say('Building the pages of tests ...');
+  const [node, vite] = tool('vite');
+  for (const name of ['element', 'fixture']) {
+    const folders = [at('tests/page', name), '--outDir', at('build/fixtures', name)];
+    const config = ['-c', at('tests/page/vite.config.ts'), '--logLevel', 'warn'];
+    const build = [vite, 'build', ...folders, ...config];
+    await must(node, build, {env: {NODE_ENV: 'production'}});
+  }
 }
 
 /** Stands for the state of files and folders: their names, sizes and times of change. */

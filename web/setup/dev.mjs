@@ -11,7 +11,7 @@ import {main, root, say, SetupError, tool} from './shell.mjs';
 /** Compiles the module if it is out of date. @returns whether there is one that fits its sources */
 async function buildModule() {
   try {
-    await build(['module']);
+    await build('module');
     return true;
   } catch (error) {
     if (!(error instanceof SetupError)) throw error;

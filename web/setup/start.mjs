@@ -3,10 +3,9 @@ import {build} from './build.mjs';
 import {main, root, say, SetupError} from './shell.mjs';
 
 await main(async () => {
-  await build();
+  await build('page');
   const vite = await import('vite'); // installed by now
   const configFile = `${root}/vite.config.ts`;
-  await vite.build({configFile, logLevel: 'warn'});
   try {
     const {httpServer} = await vite.preview({configFile, logLevel: 'warn'});
     say(`Seamwise is at http://localhost:${httpServer.address().port}`);

@@ -94,7 +94,7 @@ const slowTests = ['api-reference', 'embedding-docs'];
  * the tests of scripts alone.
  */
 async function fast() {
-  await build(); // some import the package by its name
+  await build('scripts'); // some import the package by its name
   const cache = ['--cache', '--cache-location', 'build/eslint/'];
   const others = slowTests.flatMap((name) => ['--exclude', `tests/web/${name}.test.ts`]);
   const quick = [

@@ -8,7 +8,6 @@ import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {openBrowser, serveBuilt, strictPolicy, type Served} from '../../support/browser.js';
 
-const fixture = fileURLToPath(new URL('.', import.meta.url));
 const policy = `${strictPolicy}; style-src 'self'; img-src 'self'`;
 
 /** A file of the samples. */
@@ -52,7 +51,7 @@ export function useElementPage(
   const said: string[] = [];
   const pages: Page[] = [];
   beforeAll(async () => {
-    [browser, served] = await Promise.all([openBrowser(), serveBuilt(fixture, allowed)]);
+    [browser, served] = await Promise.all([openBrowser(), serveBuilt('element', allowed)]);
   });
   afterEach(async () => {
     await Promise.all(pages.splice(0).map((page) => page.context().close()));

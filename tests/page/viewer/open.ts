@@ -1,6 +1,4 @@
 /** The view of a pattern in a browser, and what a print has to look like in it. */
-import {fileURLToPath} from 'node:url';
-
 import {createCanvas} from '@napi-rs/canvas';
 import type {Browser, Page} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
@@ -20,7 +18,7 @@ import {imageCell} from '@/model/wallpaper.js';
 import {isInside} from '@/model/polyline.js';
 import {pick} from '@/scene/marks.js';
 import type {PatternScene, ScenePiece} from '@/scene/scene.js';
-import {openBrowser, serveSources, type Served} from '../../support/browser.js';
+import {openBrowser, sourcesOf} from '../../support/browser.js';
 
 /** A browser that draws in software may have to share a busy machine. [ms] */
 const patience = 180_000;
@@ -34,28 +32,23 @@ export interface Window {
   readonly before?: () => void;
 }
 
-/** Opens browser and server once for a file of tests; no page may report an error. @returns what opens the page anew */
+/** Opens the browser once for a file of tests; no page may report an error. @returns what opens the page anew */
 export function useViewer(): (window?: Window) => Promise<Page> {
   let browser: Browser | undefined;
-  let served: Served | undefined;
   let pages: Page[] = [];
   const errors: string[] = [];
   vi.setConfig({testTimeout: patience});
   beforeAll(async () => {
-    const folder = fileURLToPath(new URL('.', import.meta.url));
-    [browser, served] = await Promise.all([openBrowser(), serveSources(folder)]);
+    browser = await openBrowser();
   });
   afterEach(async () => {
     await Promise.all(pages.map((page) => page.close()));
     pages = [];
     expect(errors.splice(0)).toEqual([]);
   });
-  afterAll(async () => {
-    await browser?.close();
-    await served?.close();
-  });
+  afterAll(() => browser?.close());
   return async ({width = 900, height = 600, ratio = 1, before} = {}) => {
-    if (!browser || !served) throw new Error('The browser is not open yet.');
+    if (!browser) throw new Error('The browser is not open yet.');
     const page = await browser.newPage({viewport: {width, height}, deviceScaleFactor: ratio});
     pages.push(page);
     page.setDefaultTimeout(patience);
@@ -64,7 +57,7 @@ export function useViewer(): (window?: Window) => Promise<Page> {
       if (message.type() === 'error') errors.push(message.text());
     });
     if (before) await page.addInitScript(before);
-    await page.goto(served.url);
+    await page.goto(sourcesOf('viewer'));
     await page.waitForFunction(() => 'Viewer' in globalThis);
     return page;
   };
