@@ -116,60 +116,31 @@ describe('the client', () => {
     expect(order).toEqual(['small', 'large']);
     expect(workers).toBe(1);
   });
-
-  // Another program that holds up the whole machine shows as a long task too; one of ours comes back.
-  it('never keeps the page busy for more than 50 ms', {retry: 3}, async () => {
-    const [ours, control] = await page.evaluate(async (problem) => {
-      let longest = 0;
-      const observer = new PerformanceObserver((list) => {
-        for (const {duration} of list.getEntries()) longest = Math.max(longest, duration);
-      });
-      const settled = () => new Promise((resolve) => setTimeout(resolve, 200));
-      const client = new Client();
-      await client.convert(problem.garment); // the worker has started
-      await settled();
-      observer.observe({type: 'longtask'});
-      await client.solve(problem);
-      await settled();
-      const ours = longest;
-      setTimeout(() => {
-        const started = performance.now();
-        while (performance.now() - started < 80);
-      });
-      await settled();
-      return [ours, longest];
-    }, tee);
-    expect(ours).toBe(0);
-    expect(control).toBeGreaterThan(50);
-  });
 });
 
 describe('cancelling', () => {
-  it('rejects within 100 ms in the middle of a solve, and the worker goes on answering', async () => {
-    const [name, waited, result] = await page.evaluate(
+  it('rejects in the same task in the middle of a solve, and the worker goes on answering', async () => {
+    const [name, tasks, result] = await page.evaluate(
       async ([large, small]) => {
         const client = new Client();
         const controller = new AbortController();
-        let aborted = Infinity;
+        let tasks = NaN;
         const name = await client
           .solve(large, {
             signal: controller.signal,
             onProgress: ({fraction}) => {
-              if (fraction === 0 || aborted < Infinity) return;
-              setTimeout(() => {
-                aborted = performance.now();
-                controller.abort();
-              });
+              if (fraction === 0 || controller.signal.aborted) return;
+              tasks = 0;
+              controller.abort();
+              setTimeout(() => (tasks += 1));
             },
           })
           .catch((error: unknown) => (error as Error).name);
-        const waited = performance.now() - aborted;
-        return [name, waited, await client.solve(small)] as const;
+        return [name, tasks, await client.solve(small)] as const;
       },
       [jacket, strips] as const,
     );
-    expect(name).toBe('AbortError');
-    expect(waited).toBeLessThan(100);
+    expect([name, tasks]).toEqual(['AbortError', 0]);
     expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
     expect(workers).toBe(1);
   });

@@ -1,0 +1,57 @@
+/** The time for which solving holds up the thread of the page. */
+import type {Page} from 'playwright-core';
+import {afterEach, beforeEach, expect, it} from 'vitest';
+
+import {tee, useFixture} from '../page/fixture/open.js';
+
+const openPage = useFixture();
+let page: Page;
+
+beforeEach(async () => {
+  page = await openPage();
+});
+
+afterEach(() => page.close());
+
+it('is below 50 ms at a time while a worker solves', async () => {
+  const [ours, control] = await page.evaluate(async (problem) => {
+    let longest = 0;
+    const observer = new PerformanceObserver((list) => {
+      for (const {duration} of list.getEntries()) longest = Math.max(longest, duration);
+    });
+    const settled = () => new Promise((resolve) => setTimeout(resolve, 200));
+    const client = new Client();
+    await client.convert(problem.garment); // the worker has started
+    await settled();
+    observer.observe({type: 'longtask'});
+    await client.solve(problem);
+    await settled();
+    const ours = longest;
+    setTimeout(() => {
+      const started = performance.now();
+      while (performance.now() - started < 80);
+    });
+    await settled();
+    return [ours, longest];
+  }, tee);
+  expect(ours).toBe(0);
+  expect(control).toBeGreaterThan(50);
+});
+
+it('is a slice of some milliseconds at a time where the page itself solves', async () => {
+  const slices = await page.evaluate(async (problem) => {
+    const solver = new InPage();
+    await solver.solve(problem); // the module is compiled, the garment meshed
+    const slices: number[] = [];
+    let before = 0;
+    const onProgress = () => {
+      const now = performance.now();
+      if (before > 0) slices.push(now - before);
+      before = now;
+    };
+    await solver.solve({...problem, seed: 2}, {onProgress});
+    return slices.sort((a, b) => a - b);
+  }, tee);
+  expect(slices.length).toBeGreaterThan(5);
+  expect(slices.at(-2)).toBeLessThan(16); // the system may take the processor away once
+});
