@@ -12,6 +12,12 @@ export default defineConfig({
     testTimeout: 120_000,
     hookTimeout: 240_000,
     // parts of the page draw when there is time: a second is short on two cores that also compile
+    tags: [
+      {
+        name: 'thorough',
+        description: 'Left out by `npm test`; variants of what other tests check.',
+      },
+    ],
     expect: {poll: {timeout: 10_000}},
     projects: [
       {

@@ -129,46 +129,54 @@ async function dragPrint(page: Page): Promise<void> {
   await page.mouse.up();
 }
 
-it('shows the garment as it is worn, its pieces when asked, and the worn one again in another print', async () => {
-  const page = await open(`${shop}garment/tee`);
-  const worn = garment(page).locator('sw-worn');
-  const poster = garment(page).locator('[part=poster]');
-  await poster.waitFor({state: 'hidden'});
-  expect(await worn.isVisible()).toBe(true);
-  await page.getByRole('button', {name: 'Show the pieces'}).click();
-  await garment(page).locator('sw-drawing').waitFor();
-  await poster.waitFor({state: 'hidden'});
-  expect(await worn.count()).toBe(0);
-  await page.getByRole('button', {name: 'Place the print yourself'}).click();
-  await garment(page).locator('sw-place-bar').waitFor();
-  await page.getByRole('button', {name: 'Place the print yourself'}).click();
-  await worn.waitFor();
-  await poster.waitFor({state: 'hidden'});
-  await page.getByText('Snow crystal', {exact: true}).click();
-  await solved(page);
-  expect(await poster.isVisible()).toBe(false);
-});
+it(
+  'shows the garment as it is worn, its pieces when asked, and the worn one again in another print',
+  {tags: ['thorough']},
+  async () => {
+    const page = await open(`${shop}garment/tee`);
+    const worn = garment(page).locator('sw-worn');
+    const poster = garment(page).locator('[part=poster]');
+    await poster.waitFor({state: 'hidden'});
+    expect(await worn.isVisible()).toBe(true);
+    await page.getByRole('button', {name: 'Show the pieces'}).click();
+    await garment(page).locator('sw-drawing').waitFor();
+    await poster.waitFor({state: 'hidden'});
+    expect(await worn.count()).toBe(0);
+    await page.getByRole('button', {name: 'Place the print yourself'}).click();
+    await garment(page).locator('sw-place-bar').waitFor();
+    await page.getByRole('button', {name: 'Place the print yourself'}).click();
+    await worn.waitFor();
+    await poster.waitFor({state: 'hidden'});
+    await page.getByText('Snow crystal', {exact: true}).click();
+    await solved(page);
+    expect(await poster.isVisible()).toBe(false);
+  },
+);
 
-it('asks for the cloth that it cuts, in steps of 5 cm, as soon as that is known', async () => {
-  const page = await open(`${shop}garment/tee`);
-  const length = page.locator('#length');
-  const said = /^Cut from (\d\.\d\d) m of cloth, 140 cm wide\.$/;
-  const centimetres = async (): Promise<number> =>
-    (await garment(page).evaluate((element: SeamwiseGarment) => element.clothLengthCm)) ?? 0;
-  const sold = async (): Promise<number> => {
-    await expect.poll(() => length.textContent(), patient).toMatch(said);
-    const metres = Number(said.exec((await length.textContent()) ?? '')?.[1]);
-    expect(100 * metres).toBeCloseTo(5 * Math.ceil((await centimetres()) / 5), 6);
-    await expect.poll(() => price(page).textContent()).toBe(`€${(34 * metres).toFixed(2)}`);
-    return centimetres();
-  };
-  const first = await sold();
-  await page.getByText('XL', {exact: true}).click();
-  await expect.poll(() => price(page).textContent(), patient).toBe('…');
-  expect(await sold()).toBeGreaterThan(first);
-});
+it(
+  'asks for the cloth that it cuts, in steps of 5 cm, as soon as that is known',
+  {tags: ['thorough']},
+  async () => {
+    const page = await open(`${shop}garment/tee`);
+    const length = page.locator('#length');
+    const said = /^Cut from (\d\.\d\d) m of cloth, 140 cm wide\.$/;
+    const centimetres = async (): Promise<number> =>
+      (await garment(page).evaluate((element: SeamwiseGarment) => element.clothLengthCm)) ?? 0;
+    const sold = async (): Promise<number> => {
+      await expect.poll(() => length.textContent(), patient).toMatch(said);
+      const metres = Number(said.exec((await length.textContent()) ?? '')?.[1]);
+      expect(100 * metres).toBeCloseTo(5 * Math.ceil((await centimetres()) / 5), 6);
+      await expect.poll(() => price(page).textContent()).toBe(`€${(34 * metres).toFixed(2)}`);
+      return centimetres();
+    };
+    const first = await sold();
+    await page.getByText('XL', {exact: true}).click();
+    await expect.poll(() => price(page).textContent(), patient).toBe('…');
+    expect(await sold()).toBeGreaterThan(first);
+  },
+);
 
-it('can be walked by keys alone', async () => {
+it('can be walked by keys alone', {tags: ['thorough']}, async () => {
   const page = await open(shop);
   const focused = (): Promise<string> =>
     page.evaluate(() => {
@@ -218,20 +226,24 @@ it('can be walked by keys alone', async () => {
   await page.waitForURL(/line=/);
 });
 
-it.each(['light', 'dark'] as const)('keeps nobody out, in %s colours', async (colorScheme) => {
-  const page = await open(shop, {colorScheme});
-  const all = ['minor', 'moderate', 'serious', 'critical'] as const;
-  expect(await barriers(page, all)).toEqual([]);
-  await page.goto(`${shop}garment/tee`);
-  await solved(page);
-  expect(await barriers(page, all)).toEqual([]);
-  await page.getByRole('button', {name: 'Place the print yourself'}).click();
-  await garment(page).locator('sw-place-bar').waitFor();
-  expect(await barriers(page, all)).toEqual([]);
-  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
-  await page.waitForURL(/\/cart\//, patient);
-  expect(await barriers(page, all)).toEqual([]);
-});
+it.each(['light', 'dark'] as const)(
+  'keeps nobody out, in %s colours',
+  {tags: ['thorough']},
+  async (colorScheme) => {
+    const page = await open(shop, {colorScheme});
+    const all = ['minor', 'moderate', 'serious', 'critical'] as const;
+    expect(await barriers(page, all)).toEqual([]);
+    await page.goto(`${shop}garment/tee`);
+    await solved(page);
+    expect(await barriers(page, all)).toEqual([]);
+    await page.getByRole('button', {name: 'Place the print yourself'}).click();
+    await garment(page).locator('sw-place-bar').waitFor();
+    expect(await barriers(page, all)).toEqual([]);
+    await page.getByRole('button', {name: 'Add to cart'}).click(patient);
+    await page.waitForURL(/\/cart\//, patient);
+    expect(await barriers(page, all)).toEqual([]);
+  },
+);
 
 it('keeps what was chosen before its script came', async () => {
   const page = await open(shop);
@@ -252,20 +264,24 @@ it('keeps what was chosen before its script came', async () => {
   expect(print.url).toContain(new URL(page.url()).searchParams.get('print'));
 });
 
-it('adds to the cart what is still being solved, as soon as it is there', async () => {
-  const page = await open(shop);
-  let deliver: (() => void) | undefined;
-  const pressed = new Promise<void>((resolve) => (deliver = resolve));
-  await page.route('**/garments/tee-xs.json', async (route) => {
-    await pressed;
-    await route.continue();
-  });
-  await page.goto(`${shop}garment/tee?size=xs&print=check`);
-  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
-  deliver?.();
-  await page.waitForURL(/\/cart\//, patient);
-  expect(await page.locator('.line').textContent()).toContain('Tee, XS');
-});
+it(
+  'adds to the cart what is still being solved, as soon as it is there',
+  {tags: ['thorough']},
+  async () => {
+    const page = await open(shop);
+    let deliver: (() => void) | undefined;
+    const pressed = new Promise<void>((resolve) => (deliver = resolve));
+    await page.route('**/garments/tee-xs.json', async (route) => {
+      await pressed;
+      await route.continue();
+    });
+    await page.goto(`${shop}garment/tee?size=xs&print=check`);
+    await page.getByRole('button', {name: 'Add to cart'}).click(patient);
+    deliver?.();
+    await page.waitForURL(/\/cart\//, patient);
+    expect(await page.locator('.line').textContent()).toContain('Tee, XS');
+  },
+);
 
 it('says in words what is wrong, and tries again when asked', async () => {
   const page = await open(shop, {maySay: /404/});
@@ -282,7 +298,7 @@ it('says in words what is wrong, and tries again when asked', async () => {
   await problem.waitFor({state: 'hidden'});
 });
 
-it('says what the element told before its script came', async () => {
+it('says what the element told before its script came', {tags: ['thorough']}, async () => {
   const told = async (page: Page, what: (element: SeamwiseGarment) => boolean): Promise<void> => {
     let deliver: (() => void) | undefined;
     const isTold = new Promise<void>((resolve) => (deliver = resolve));
@@ -370,7 +386,7 @@ it('keeps a thousand carts in little memory, and forgets the oldest when there a
   expect(carts.put(second, 'none', {design: 'z'})).not.toBe(second);
 });
 
-it('has its own price, and no other files than its own', async () => {
+it('has its own price, and no other files than its own', {tags: ['thorough']}, async () => {
   const page = await open(`${shop}garment/tee`);
   await solved(page);
   const told = await priceTold(page);

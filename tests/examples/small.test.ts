@@ -30,7 +30,7 @@ async function vite(folder: string, words: readonly string[]): Promise<string> {
   return serve(folder, [join(folder, 'node_modules/vite/bin/vite.js'), ...words, '--port', '0']);
 }
 
-it('works with Vite, served to its developer and built', async () => {
+it('works with Vite, served to its developer and built', {tags: ['thorough']}, async () => {
   const folder = await copy('vite', ['three', 'vite']);
   await cp(samples, join(folder, 'public'), {recursive: true});
   await solved(await open(await vite(folder, ['dev'])));

@@ -61,61 +61,69 @@ it('tells what its answer takes of the cloth, as the package lays it', async () 
   expect(plan.placements).toHaveLength(result.pieces.length);
 });
 
-it('lays nothing, and loads nothing for it, where no width is given', async () => {
-  const {page, put, run} = await openPage();
-  const files = markerFiles(page);
-  await put(tee);
-  await page.locator('seamwise-garment:state(ready)').waitFor();
-  const refused = await run((element) =>
-    element.layPlan().then(
-      () => 'laid',
-      (error: unknown) => (error as Error).message,
-    ),
-  );
-  expect(refused).toMatch(/attribute 'cloth-width'/);
-  await page.waitForTimeout(500);
-  expect(files).toEqual([]);
-  expect(await run((element) => element.clothLengthCm)).toBeNull();
-  await run((element) => {
-    element.clothWidth = 140;
-  });
-  await expect.poll(() => run((element) => element.clothLengthCm), patient).toBeGreaterThan(50);
-  for (const part of [/cloth-layer.*\.js$/, /marker.*\.wasm$/]) {
-    expect(files.some((file) => part.test(file))).toBe(true);
-  }
-});
+it(
+  'lays nothing, and loads nothing for it, where no width is given',
+  {tags: ['thorough']},
+  async () => {
+    const {page, put, run} = await openPage();
+    const files = markerFiles(page);
+    await put(tee);
+    await page.locator('seamwise-garment:state(ready)').waitFor();
+    const refused = await run((element) =>
+      element.layPlan().then(
+        () => 'laid',
+        (error: unknown) => (error as Error).message,
+      ),
+    );
+    expect(refused).toMatch(/attribute 'cloth-width'/);
+    await page.waitForTimeout(500);
+    expect(files).toEqual([]);
+    expect(await run((element) => element.clothLengthCm)).toBeNull();
+    await run((element) => {
+      element.clothWidth = 140;
+    });
+    await expect.poll(() => run((element) => element.clothLengthCm), patient).toBeGreaterThan(50);
+    for (const part of [/cloth-layer.*\.js$/, /marker.*\.wasm$/]) {
+      expect(files.some((file) => part.test(file))).toBe(true);
+    }
+  },
+);
 
-it('knows no length of another answer or cloth than what is shown', async () => {
-  const {page, put, run} = await openPage();
-  const heard = await listening(page);
-  await put(onCloth);
-  await page.locator('seamwise-garment:state(ready)').waitFor();
-  // while it is being laid
-  const [plan, width] = await run(async (element) => {
-    const waiting = element.layPlan();
-    await new Promise((resolve) => setTimeout(resolve, 200));
-    element.print = 'prints/cm.json';
-    element.clothWidth = 110;
-    return [await waiting, element.clothWidth] as const;
-  });
-  expect([plan.widthCm, width, plan.print.group]).toEqual([110, 110, 'cm']);
-  expect(await heard()).toMatchObject([
-    {type: 'cloth', detail: {widthCm: 110, lengthCm: plan.lengthCm}},
-  ]);
-  const lengths = await run(async (element) => {
-    const before = element.clothLengthCm;
-    element.size = 's';
-    const during = element.clothLengthCm;
-    await element.solve();
-    const solved = element.clothLengthCm;
-    const {lengthCm} = await element.layPlan();
-    return {before, during, solved, isKept: element.clothLengthCm === lengthCm};
-  });
-  expect(lengths).toEqual({before: plan.lengthCm, during: null, solved: null, isKept: true});
-  const both = (await heard()).map(({detail}) => detail.lengthCm);
-  expect(both).toHaveLength(2);
-  expect(both[1]).toBeLessThan(plan.lengthCm);
-});
+it(
+  'knows no length of another answer or cloth than what is shown',
+  {tags: ['thorough']},
+  async () => {
+    const {page, put, run} = await openPage();
+    const heard = await listening(page);
+    await put(onCloth);
+    await page.locator('seamwise-garment:state(ready)').waitFor();
+    // while it is being laid
+    const [plan, width] = await run(async (element) => {
+      const waiting = element.layPlan();
+      await new Promise((resolve) => setTimeout(resolve, 200));
+      element.print = 'prints/cm.json';
+      element.clothWidth = 110;
+      return [await waiting, element.clothWidth] as const;
+    });
+    expect([plan.widthCm, width, plan.print.group]).toEqual([110, 110, 'cm']);
+    expect(await heard()).toMatchObject([
+      {type: 'cloth', detail: {widthCm: 110, lengthCm: plan.lengthCm}},
+    ]);
+    const lengths = await run(async (element) => {
+      const before = element.clothLengthCm;
+      element.size = 's';
+      const during = element.clothLengthCm;
+      await element.solve();
+      const solved = element.clothLengthCm;
+      const {lengthCm} = await element.layPlan();
+      return {before, during, solved, isKept: element.clothLengthCm === lengthCm};
+    });
+    expect(lengths).toEqual({before: plan.lengthCm, during: null, solved: null, isKept: true});
+    const both = (await heard()).map(({detail}) => detail.lengthCm);
+    expect(both).toHaveLength(2);
+    expect(both[1]).toBeLessThan(plan.lengthCm);
+  },
+);
 
 it('says what cannot be laid, and keeps the answer', async () => {
   const {page, put, run} = await openPage();
@@ -134,42 +142,50 @@ it('says what cannot be laid, and keeps the answer', async () => {
   expect(refused).toMatch(/selvedges of 1 cm/);
 });
 
-it('lays outside the document for who waits, until they do no more', async () => {
-  const {page, put, run} = await openPage();
-  await put(onCloth);
-  const {length, aborted, cancelled} = await run(async (element) => {
-    element.remove();
-    const nameOf = (error: unknown): string => (error as Error).name;
-    const {lengthCm} = await element.layPlan();
-    element.clothWidth = 120;
-    const aborting = new AbortController();
-    const waits = element.layPlan({signal: aborting.signal}).then(() => 'laid', nameOf);
-    await new Promise((resolve) => setTimeout(resolve, 100));
-    aborting.abort();
-    const aborted = await waits;
-    element.clothWidth = 115;
-    const other = element.layPlan().then(() => 'laid', nameOf);
-    await new Promise((resolve) => setTimeout(resolve, 100));
-    element.cancel();
-    return {length: lengthCm, aborted, cancelled: await other};
-  });
-  expect(length).toBeGreaterThan(50);
-  expect([aborted, cancelled]).toEqual(['AbortError', 'AbortError']);
-  expect(await page.locator('seamwise-garment').count()).toBe(0);
-});
+it(
+  'lays outside the document for who waits, until they do no more',
+  {tags: ['thorough']},
+  async () => {
+    const {page, put, run} = await openPage();
+    await put(onCloth);
+    const {length, aborted, cancelled} = await run(async (element) => {
+      element.remove();
+      const nameOf = (error: unknown): string => (error as Error).name;
+      const {lengthCm} = await element.layPlan();
+      element.clothWidth = 120;
+      const aborting = new AbortController();
+      const waits = element.layPlan({signal: aborting.signal}).then(() => 'laid', nameOf);
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      aborting.abort();
+      const aborted = await waits;
+      element.clothWidth = 115;
+      const other = element.layPlan().then(() => 'laid', nameOf);
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      element.cancel();
+      return {length: lengthCm, aborted, cancelled: await other};
+    });
+    expect(length).toBeGreaterThan(50);
+    expect([aborted, cancelled]).toEqual(['AbortError', 'AbortError']);
+    expect(await page.locator('seamwise-garment').count()).toBe(0);
+  },
+);
 
-it('keeps nothing in the browser of what is said of the cloth in its editor', async () => {
-  const {page, put} = await openPage();
-  await put(tee.replace('alt=', 'mode="edit" alt='));
-  const editor = page.locator('seamwise-garment sw-editor');
-  await editor.getByRole('button', {name: 'Cloth', exact: true}).click();
-  const panel = page.locator('sw-cloth-panel');
-  const facts = () => panel.locator('.facts').innerText();
-  await expect.poll(facts, patient).toMatch(/long/);
-  await panel.locator('select.width').selectOption('115');
-  await expect
-    .poll(() => page.locator('sw-cloth .pane').getAttribute('data-state'), patient)
-    .toBe('done');
-  await expect.poll(() => panel.locator('select.width').inputValue()).toBe('115');
-  expect(await page.evaluate(() => localStorage.length)).toBe(0);
-});
+it(
+  'keeps nothing in the browser of what is said of the cloth in its editor',
+  {tags: ['thorough']},
+  async () => {
+    const {page, put} = await openPage();
+    await put(tee.replace('alt=', 'mode="edit" alt='));
+    const editor = page.locator('seamwise-garment sw-editor');
+    await editor.getByRole('button', {name: 'Cloth', exact: true}).click();
+    const panel = page.locator('sw-cloth-panel');
+    const facts = () => panel.locator('.facts').innerText();
+    await expect.poll(facts, patient).toMatch(/long/);
+    await panel.locator('select.width').selectOption('115');
+    await expect
+      .poll(() => page.locator('sw-cloth .pane').getAttribute('data-state'), patient)
+      .toBe('done');
+    await expect.poll(() => panel.locator('select.width').inputValue()).toBe('115');
+    expect(await page.evaluate(() => localStorage.length)).toBe(0);
+  },
+);

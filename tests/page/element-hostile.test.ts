@@ -230,147 +230,155 @@ it('runs nothing of an SVG, asks for nothing that it names, and refuses one that
   expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
 });
 
-it('refuses, or goes on with, whatever is too much, and stays free meanwhile', async () => {
-  const open = await openPage({before: watch});
-  const usual = await usualPause(open);
-  const deep = `${'['.repeat(1e6)}${']'.repeat(1e6)}`;
-  const far = JSON.stringify(twoStrips()).replaceAll('10', '1e300');
-  const files: Record<string, string> = {deep, far, endless: JSON.stringify(twoStrips(Infinity))};
-  for (const [name, body] of Object.entries(files)) {
-    await open.answer(`garments/${name}.json`, (route) =>
-      route.fulfill({contentType: 'application/json', body}),
-    );
-  }
-  const many = strips(Array.from({length: 10_000}, (_, k) => `piece ${k}`));
-  await open.answer('garments/many.json', (route) => route.fulfill({json: many}));
-  await open.answer('garments/html.json', (route) =>
-    route.fulfill({contentType: 'text/html', body: '<!doctype html><script>hurt()</script>'}),
-  );
-  await open.answer('garments/typed.json', (route) =>
-    route.fulfill({contentType: 'image/png', body: JSON.stringify(twoStrips())}),
-  );
-  const cases: readonly (readonly [string, unknown, RegExp])[] = [
-    ['60 MB', `${hostUrl}/large.json`, /^too-large$/],
-    ['without end', `${hostUrl}/endless.json`, /^too-large$/],
-    ['deep', 'garments/deep.json', /^notJson$/],
-    ['far', 'garments/far.json', /^\w+$/],
-    ['infinite', 'garments/endless.json', /^\w+$/],
-    ['an HTML page', 'garments/html.json', /^notJson$/],
-    ['of another type', 'garments/typed.json', /^$/],
-    ['10,000 pieces', 'garments/many.json', /^\w*$/],
-  ];
-  for (const [what, garment, code] of cases) {
-    const seen = await heard(open, {garment, print: 'prints/p4m.json'});
-    expect.soft(seen.codes.join(), what).toMatch(code);
-    expect.soft(seen.pause, what).toBeLessThan(usual + longestPause);
-    for (const message of seen.messages) expect(message).toMatch(/^.{10,400}\.$/s);
-  }
-  const objects = await open.page.evaluate(async (text) => {
-    const codes: string[] = [];
-    const cyclic: Record<string, unknown> = {};
-    cyclic.pattern = cyclic;
-    let nested: object = {};
-    for (let k = 0; k < 1e5; k++) nested = {nested};
-    const numberless = JSON.parse(text, (_, value: unknown) =>
-      value === 10 ? NaN : value,
-    ) as object;
-    for (const garment of [cyclic, nested, numberless, [], {}]) {
-      const element = document.createElement('seamwise-garment');
-      Object.assign(element, {garment, print: 'prints/p4m.json'});
-      const code = await element.solve().then(
-        () => 'solved',
-        (error: unknown) => (error as {code: string}).code,
+it(
+  'refuses, or goes on with, whatever is too much, and stays free meanwhile',
+  {tags: ['thorough']},
+  async () => {
+    const open = await openPage({before: watch});
+    const usual = await usualPause(open);
+    const deep = `${'['.repeat(1e6)}${']'.repeat(1e6)}`;
+    const far = JSON.stringify(twoStrips()).replaceAll('10', '1e300');
+    const files: Record<string, string> = {deep, far, endless: JSON.stringify(twoStrips(Infinity))};
+    for (const [name, body] of Object.entries(files)) {
+      await open.answer(`garments/${name}.json`, (route) =>
+        route.fulfill({contentType: 'application/json', body}),
       );
-      codes.push(code);
     }
-    return codes;
-  }, JSON.stringify(twoStrips()));
-  expect(objects).toEqual(['notJson', 'notJson', 'number', 'notAGarment', 'notAGarment']);
-});
+    const many = strips(Array.from({length: 10_000}, (_, k) => `piece ${k}`));
+    await open.answer('garments/many.json', (route) => route.fulfill({json: many}));
+    await open.answer('garments/html.json', (route) =>
+      route.fulfill({contentType: 'text/html', body: '<!doctype html><script>hurt()</script>'}),
+    );
+    await open.answer('garments/typed.json', (route) =>
+      route.fulfill({contentType: 'image/png', body: JSON.stringify(twoStrips())}),
+    );
+    const cases: readonly (readonly [string, unknown, RegExp])[] = [
+      ['60 MB', `${hostUrl}/large.json`, /^too-large$/],
+      ['without end', `${hostUrl}/endless.json`, /^too-large$/],
+      ['deep', 'garments/deep.json', /^notJson$/],
+      ['far', 'garments/far.json', /^\w+$/],
+      ['infinite', 'garments/endless.json', /^\w+$/],
+      ['an HTML page', 'garments/html.json', /^notJson$/],
+      ['of another type', 'garments/typed.json', /^$/],
+      ['10,000 pieces', 'garments/many.json', /^\w*$/],
+    ];
+    for (const [what, garment, code] of cases) {
+      const seen = await heard(open, {garment, print: 'prints/p4m.json'});
+      expect.soft(seen.codes.join(), what).toMatch(code);
+      expect.soft(seen.pause, what).toBeLessThan(usual + longestPause);
+      for (const message of seen.messages) expect(message).toMatch(/^.{10,400}\.$/s);
+    }
+    const objects = await open.page.evaluate(async (text) => {
+      const codes: string[] = [];
+      const cyclic: Record<string, unknown> = {};
+      cyclic.pattern = cyclic;
+      let nested: object = {};
+      for (let k = 0; k < 1e5; k++) nested = {nested};
+      const numberless = JSON.parse(text, (_, value: unknown) =>
+        value === 10 ? NaN : value,
+      ) as object;
+      for (const garment of [cyclic, nested, numberless, [], {}]) {
+        const element = document.createElement('seamwise-garment');
+        Object.assign(element, {garment, print: 'prints/p4m.json'});
+        const code = await element.solve().then(
+          () => 'solved',
+          (error: unknown) => (error as {code: string}).code,
+        );
+        codes.push(code);
+      }
+      return codes;
+    }, JSON.stringify(twoStrips()));
+    expect(objects).toEqual(['notJson', 'notJson', 'number', 'notAGarment', 'notAGarment']);
+  },
+);
 
 const bytes = (text: string): Buffer => Buffer.from(text.replaceAll(' ', ''), 'hex');
 
-it('refuses a picture of too many pixels by its first bytes, and scales what it can', async () => {
-  const open = await openPage({before: watch});
-  const box = (type: string, ...data: Buffer[]): Buffer => {
-    const head = Buffer.alloc(8);
-    const all = Buffer.concat(data);
-    head.writeUInt32BE(8 + all.length, 0);
-    head.write(type, 4, 'latin1');
-    return Buffer.concat([head, all]);
-  };
-  const pictured = (image: string) =>
-    heard(open, {garment: twoStrips(), print: {...print, image, colourways: undefined}});
-  await open.answer('prints/largest.png', (route) =>
-    route.fulfill({contentType: 'image/png', body: png(4096, 4096)}),
-  );
-  // the largest texture that there is
-  const {pause: usual} = await pictured(`${open.page.url()}prints/largest.png`);
-  const cases: readonly (readonly [string, string, string, Buffer])[] = [
-    ['PNG head', 'too-large', 'image/png', png(20_000, 20_000, false)],
-    ['PNG', 'too-large', 'image/png', png(20_000, 20_000)],
-    [
-      'JPEG',
-      'too-large',
-      'image/jpeg',
-      bytes('ffd8 ffe00004 0000 ffff ffc0 0011 08 4e20 4e20 03 000000000000'),
-    ],
-    [
-      'WebP',
-      'too-large',
-      'image/webp',
-      bytes('52494646 00100000 57454250 56503858 0a000000 00000000 1f4e00 1f4e00 00000000'),
-    ],
-    [
-      'GIF',
-      'too-large',
-      'image/gif',
-      bytes('474946383961 0100 0100 00 00 00 21f904 01000000 00 2c 0000 0000 204e 204e 00 02'),
-    ],
-    [
-      'AVIF',
-      'too-large',
-      'image/avif',
-      Buffer.concat([
-        box('ftyp', Buffer.from('avif\0\0\0\0mif1', 'latin1')),
-        box(
-          'meta',
-          Buffer.alloc(4),
-          box('iprp', box('ipco', box('ispe', bytes('00000000 00004e20 00004e20')))),
-        ),
-      ]),
-    ],
-    [
-      'BMP',
-      'not-an-image',
-      'image/bmp',
-      bytes('424d 36000000 00000000 36000000 28000000 204e0000 204e0000 0100 1800'),
-    ],
-    ['cut short', 'not-an-image', 'image/png', png(100, 100).subarray(0, 20)],
-    ['a lie', 'not-an-image', 'image/png', png(100, 100, false).subarray(0, 60)],
-    ['HTML', 'not-an-image', 'text/html', Buffer.from('<script>hurt()</script>')],
-    ['a PNG as an SVG', 'not-an-image', 'image/svg+xml', png(100, 100)],
-    [
-      'an SVG of another type',
-      'not-an-image',
-      'image/png',
-      Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" onload="hurt()"/>'),
-    ],
-    ['a PNG of another type', '', 'text/html', png(100, 100)],
-    ['60 megapixels', '', 'image/png', png(20_000, 3000)],
-  ];
-  for (const [what, code, contentType, body] of cases) {
-    const path = `prints/${encodeURIComponent(what)}.bin`;
-    await open.answer(path, (route) => route.fulfill({contentType, body}));
-    const urls = [`${open.page.url()}${path}`];
-    if (body.length < 1000 && !contentType.includes('svg')) {
-      urls.push(`data:${contentType};base64,${body.toString('base64')}`);
+it(
+  'refuses a picture of too many pixels by its first bytes, and scales what it can',
+  {tags: ['thorough']},
+  async () => {
+    const open = await openPage({before: watch});
+    const box = (type: string, ...data: Buffer[]): Buffer => {
+      const head = Buffer.alloc(8);
+      const all = Buffer.concat(data);
+      head.writeUInt32BE(8 + all.length, 0);
+      head.write(type, 4, 'latin1');
+      return Buffer.concat([head, all]);
+    };
+    const pictured = (image: string) =>
+      heard(open, {garment: twoStrips(), print: {...print, image, colourways: undefined}});
+    await open.answer('prints/largest.png', (route) =>
+      route.fulfill({contentType: 'image/png', body: png(4096, 4096)}),
+    );
+    // the largest texture that there is
+    const {pause: usual} = await pictured(`${open.page.url()}prints/largest.png`);
+    const cases: readonly (readonly [string, string, string, Buffer])[] = [
+      ['PNG head', 'too-large', 'image/png', png(20_000, 20_000, false)],
+      ['PNG', 'too-large', 'image/png', png(20_000, 20_000)],
+      [
+        'JPEG',
+        'too-large',
+        'image/jpeg',
+        bytes('ffd8 ffe00004 0000 ffff ffc0 0011 08 4e20 4e20 03 000000000000'),
+      ],
+      [
+        'WebP',
+        'too-large',
+        'image/webp',
+        bytes('52494646 00100000 57454250 56503858 0a000000 00000000 1f4e00 1f4e00 00000000'),
+      ],
+      [
+        'GIF',
+        'too-large',
+        'image/gif',
+        bytes('474946383961 0100 0100 00 00 00 21f904 01000000 00 2c 0000 0000 204e 204e 00 02'),
+      ],
+      [
+        'AVIF',
+        'too-large',
+        'image/avif',
+        Buffer.concat([
+          box('ftyp', Buffer.from('avif\0\0\0\0mif1', 'latin1')),
+          box(
+            'meta',
+            Buffer.alloc(4),
+            box('iprp', box('ipco', box('ispe', bytes('00000000 00004e20 00004e20')))),
+          ),
+        ]),
+      ],
+      [
+        'BMP',
+        'not-an-image',
+        'image/bmp',
+        bytes('424d 36000000 00000000 36000000 28000000 204e0000 204e0000 0100 1800'),
+      ],
+      ['cut short', 'not-an-image', 'image/png', png(100, 100).subarray(0, 20)],
+      ['a lie', 'not-an-image', 'image/png', png(100, 100, false).subarray(0, 60)],
+      ['HTML', 'not-an-image', 'text/html', Buffer.from('<script>hurt()</script>')],
+      ['a PNG as an SVG', 'not-an-image', 'image/svg+xml', png(100, 100)],
+      [
+        'an SVG of another type',
+        'not-an-image',
+        'image/png',
+        Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" onload="hurt()"/>'),
+      ],
+      ['a PNG of another type', '', 'text/html', png(100, 100)],
+      ['60 megapixels', '', 'image/png', png(20_000, 3000)],
+    ];
+    for (const [what, code, contentType, body] of cases) {
+      const path = `prints/${encodeURIComponent(what)}.bin`;
+      await open.answer(path, (route) => route.fulfill({contentType, body}));
+      const urls = [`${open.page.url()}${path}`];
+      if (body.length < 1000 && !contentType.includes('svg')) {
+        urls.push(`data:${contentType};base64,${body.toString('base64')}`);
+      }
+      for (const image of urls) {
+        const seen = await pictured(image);
+        expect.soft([seen.codes.join(), seen.state], what).toEqual([code, 'ready']);
+        expect.soft(seen.pause, what).toBeLessThan(usual + longestPause);
+      }
     }
-    for (const image of urls) {
-      const seen = await pictured(image);
-      expect.soft([seen.codes.join(), seen.state], what).toEqual([code, 'ready']);
-      expect.soft(seen.pause, what).toBeLessThan(usual + longestPause);
-    }
-  }
-  expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
-});
+    expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
+  },
+);

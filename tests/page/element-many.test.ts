@@ -71,75 +71,79 @@ async function coloursOf(page: Page): Promise<readonly number[]> {
   });
 }
 
-it('shows 24 with one graphics context and four workers, each when it is near', async () => {
-  const {put, page, asked} = await openPage({
-    ...{before: watch, viewport: {width: 1200, height: 720}},
-    maySay: /Context (Lost|Restored)|not belong to this context|too many errors/, // three.js, of what was lost
-  });
-  let workers = 0;
-  page.on('worker', () => {
-    const solving = page.workers().filter((worker) => !isHelper(worker));
-    workers = Math.max(workers, solving.length);
-  });
-  expect(tags).toHaveLength(24);
-  await put(`<main>${tags.join('')}</main>`);
-  await page.locator('seamwise-garment:state(ready)').first().waitFor();
-  await page.waitForTimeout(500);
-  const near = (await states(page)).filter((state) => state !== 'idle').length;
-  expect(near).toBeLessThanOrEqual(2);
-  expect(asked.filter((path) => path.startsWith('garments/'))).toHaveLength(near);
+it(
+  'shows 24 with one graphics context and four workers, each when it is near',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, asked} = await openPage({
+      ...{before: watch, viewport: {width: 1200, height: 720}},
+      maySay: /Context (Lost|Restored)|not belong to this context|too many errors/, // three.js, of what was lost
+    });
+    let workers = 0;
+    page.on('worker', () => {
+      const solving = page.workers().filter((worker) => !isHelper(worker));
+      workers = Math.max(workers, solving.length);
+    });
+    expect(tags).toHaveLength(24);
+    await put(`<main>${tags.join('')}</main>`);
+    await page.locator('seamwise-garment:state(ready)').first().waitFor();
+    await page.waitForTimeout(500);
+    const near = (await states(page)).filter((state) => state !== 'idle').length;
+    expect(near).toBeLessThanOrEqual(2);
+    expect(asked.filter((path) => path.startsWith('garments/'))).toHaveLength(near);
 
-  await page.evaluate(() => {
-    document.querySelector('main')?.classList.add('grid');
-  });
-  await page.waitForFunction(
-    () => document.querySelectorAll('seamwise-garment:state(ready)').length === 24,
-    undefined,
-    {timeout: 120_000},
-  );
-  await allDrawn(page);
-  expect(workers).toBeLessThanOrEqual(4);
-  expect(workers).toBeGreaterThan(1);
-  expect(await page.evaluate(() => Contexts.length)).toBe(1);
-  const before = await coloursOf(page);
-  expect(Math.min(...before)).toBeGreaterThan(20);
+    await page.evaluate(() => {
+      document.querySelector('main')?.classList.add('grid');
+    });
+    await page.waitForFunction(
+      () => document.querySelectorAll('seamwise-garment:state(ready)').length === 24,
+      undefined,
+      {timeout: 120_000},
+    );
+    await allDrawn(page);
+    expect(workers).toBeLessThanOrEqual(4);
+    expect(workers).toBeGreaterThan(1);
+    expect(await page.evaluate(() => Contexts.length)).toBe(1);
+    const before = await coloursOf(page);
+    expect(Math.min(...before)).toBeGreaterThan(20);
 
-  // taken away and given back, as by a driver that was restarted
-  await page.evaluate(async () => {
-    const [context] = Contexts;
-    const extension = context?.getExtension('WEBGL_lose_context');
-    const canvas = context?.canvas as HTMLCanvasElement;
-    const heard = (type: string): Promise<unknown> =>
-      new Promise((resolve) => {
-        canvas.addEventListener(type, resolve, {once: true});
-      });
-    const lost = heard('webglcontextlost');
-    extension?.loseContext();
-    await lost;
-    await new Promise((resolve) => setTimeout(resolve, 100));
-    const restored = heard('webglcontextrestored');
-    extension?.restoreContext();
-    await restored;
-    for (let k = 0; k < 12; k++) await new Promise(requestAnimationFrame);
-  });
-  expect(await coloursOf(page)).toEqual(before);
-  expect(await page.evaluate(() => Contexts.length)).toBe(1);
+    // taken away and given back, as by a driver that was restarted
+    await page.evaluate(async () => {
+      const [context] = Contexts;
+      const extension = context?.getExtension('WEBGL_lose_context');
+      const canvas = context?.canvas as HTMLCanvasElement;
+      const heard = (type: string): Promise<unknown> =>
+        new Promise((resolve) => {
+          canvas.addEventListener(type, resolve, {once: true});
+        });
+      const lost = heard('webglcontextlost');
+      extension?.loseContext();
+      await lost;
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      const restored = heard('webglcontextrestored');
+      extension?.restoreContext();
+      await restored;
+      for (let k = 0; k < 12; k++) await new Promise(requestAnimationFrame);
+    });
+    expect(await coloursOf(page)).toEqual(before);
+    expect(await page.evaluate(() => Contexts.length)).toBe(1);
 
-  const held = await page.evaluate(() => heldByCard());
-  await page.evaluate(() => {
-    for (const one of [...document.querySelectorAll('seamwise-garment')].slice(1)) one.remove();
-  });
-  await page.waitForTimeout(500);
-  const left = await page.evaluate(() => heldByCard());
-  expect(left.geometries).toBeLessThan(held.geometries / 8);
-  expect(left.textures).toBeLessThan(held.textures / 8);
-  await expect.poll(() => page.workers().length, {timeout: 15_000}).toBe(1);
-  await page.evaluate(() => document.querySelector('seamwise-garment')?.remove());
-  await expect.poll(() => page.workers().length, {timeout: 15_000}).toBe(0);
-  expect(await page.evaluate(() => Contexts.every((context) => context.isContextLost()))).toBe(
-    true,
-  );
-});
+    const held = await page.evaluate(() => heldByCard());
+    await page.evaluate(() => {
+      for (const one of [...document.querySelectorAll('seamwise-garment')].slice(1)) one.remove();
+    });
+    await page.waitForTimeout(500);
+    const left = await page.evaluate(() => heldByCard());
+    expect(left.geometries).toBeLessThan(held.geometries / 8);
+    expect(left.textures).toBeLessThan(held.textures / 8);
+    await expect.poll(() => page.workers().length, {timeout: 15_000}).toBe(1);
+    await page.evaluate(() => document.querySelector('seamwise-garment')?.remove());
+    await expect.poll(() => page.workers().length, {timeout: 15_000}).toBe(0);
+    expect(await page.evaluate(() => Contexts.every((context) => context.isContextLost()))).toBe(
+      true,
+    );
+  },
+);
 
 it('keeps its state wherever it is moved, and asks for nothing again', async () => {
   const {put, page, asked} = await openPage({viewport: {width: 1200, height: 720}});

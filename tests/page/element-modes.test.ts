@@ -4,6 +4,7 @@ import {expect, it} from 'vitest';
 
 import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import {tee, useElementPage} from './element/open.js';
+import {sampleOf} from '../support/level.js';
 
 const openPage = useElementPage();
 
@@ -150,7 +151,7 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
   });
 });
 
-it('lets the print be scaled and exchanged, by keys as well', async () => {
+it('lets the print be scaled and exchanged, by keys as well', {tags: ['thorough']}, async () => {
   const {put, page, run} = await openPage({viewport: {width: 900, height: 700}});
   await put(tee.replace('alt=', 'mode="place" alt='));
   await run(async (element) => {
@@ -246,11 +247,13 @@ it('leaves the wheel to the page while a print is placed, and zooms with ctrl', 
   expect(await scale()).toBe(zoomed);
 });
 
-it.each([
-  ['its own', '', 700],
-  ['that of its variable', '--sw-editor-height', 500],
-  ['that of the page', 'height', 420],
-])('keeps in its editor to a height, where it is narrow, too: %s', async (_, property, height) => {
+it.each(
+  sampleOf(1, [
+    ['its own', '', 700],
+    ['that of its variable', '--sw-editor-height', 500],
+    ['that of the page', 'height', 420],
+  ]),
+)('keeps in its editor to a height, where it is narrow, too: %s', async (_, property, height) => {
   const {put, run, page} = await openPage({viewport: {width: 820, height: 700}});
   await put(tee.replace('alt=', 'mode="edit" alt='));
   await run(
@@ -271,7 +274,7 @@ it.each([
   expect(seen.scrolled).toBeGreaterThan(100); // what is below can be reached
 });
 
-it('is as light or dark as what is around it', async () => {
+it('is as light or dark as what is around it', {tags: ['thorough']}, async () => {
   const {put, run, page} = await openPage({colorScheme: 'light'});
   await put(tee);
   await run(async (element) => {
@@ -293,27 +296,31 @@ it('is as light or dark as what is around it', async () => {
   expect(await brightness()).toBeLessThan(60);
 });
 
-it('shows the worn garment beside the pieces where a print is placed, and below them where that is narrow', async () => {
-  const {put, page, run} = await openPage({viewport: {width: 900, height: 700}});
-  await put(tee.replace('alt=', 'mode="place" view="garment" alt='));
-  await page.locator('seamwise-garment sw-place-bar').waitFor();
-  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-  const boxes = async () => {
-    const [flat, worn] = await Promise.all(
-      ['sw-pattern', 'sw-worn'].map((name) => page.locator(name).boundingBox()),
-    );
-    if (!flat || !worn) throw new Error('One of them has no place.');
-    return {flat, worn};
-  };
-  const wide = await boxes();
-  expect(wide.worn.x).toBeGreaterThanOrEqual(wide.flat.x + wide.flat.width);
-  await page.setViewportSize({width: 390, height: 800});
-  await expect.poll(async () => (await boxes()).worn.width).toBeGreaterThan(300);
-  const {flat, worn} = await boxes();
-  expect(worn.y).toBeGreaterThanOrEqual(flat.y + flat.height);
-  await run((element) => {
-    element.mode = 'preview';
-  });
-  await expect.poll(() => page.locator('sw-pattern').count()).toBe(0);
-  await expect.poll(() => page.locator('sw-worn').count()).toBe(1);
-});
+it(
+  'shows the worn garment beside the pieces where a print is placed, and below them where that is narrow',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run} = await openPage({viewport: {width: 900, height: 700}});
+    await put(tee.replace('alt=', 'mode="place" view="garment" alt='));
+    await page.locator('seamwise-garment sw-place-bar').waitFor();
+    await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    const boxes = async () => {
+      const [flat, worn] = await Promise.all(
+        ['sw-pattern', 'sw-worn'].map((name) => page.locator(name).boundingBox()),
+      );
+      if (!flat || !worn) throw new Error('One of them has no place.');
+      return {flat, worn};
+    };
+    const wide = await boxes();
+    expect(wide.worn.x).toBeGreaterThanOrEqual(wide.flat.x + wide.flat.width);
+    await page.setViewportSize({width: 390, height: 800});
+    await expect.poll(async () => (await boxes()).worn.width).toBeGreaterThan(300);
+    const {flat, worn} = await boxes();
+    expect(worn.y).toBeGreaterThanOrEqual(flat.y + flat.height);
+    await run((element) => {
+      element.mode = 'preview';
+    });
+    await expect.poll(() => page.locator('sw-pattern').count()).toBe(0);
+    await expect.poll(() => page.locator('sw-worn').count()).toBe(1);
+  },
+);

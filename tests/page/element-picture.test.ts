@@ -1,3 +1,4 @@
+import {sampleOf} from '../support/level.js';
 /** What is drawn of an element, and what pictures of it there are: also where the browser takes the graphics away. */
 import {expect, it} from 'vitest';
 
@@ -38,7 +39,7 @@ it('refuses a picture of a width that there cannot be, and says which there can'
   expect(Number(widest)).toBeLessThanOrEqual(8192);
 });
 
-it.each(['preview', 'edit'])(
+it.each(sampleOf(1, ['preview', 'edit']))(
   'is a picture of the answer as soon as it is there, with mode="%s"',
   async (mode) => {
     const open = await openPage({viewport: {width: 1300, height: 800}});
@@ -70,7 +71,7 @@ it.each(['preview', 'edit'])(
   },
 );
 
-it.each(['preview', 'place', 'edit'])(
+it.each(sampleOf(1, ['edit', 'preview', 'place']))(
   'says with mode="%s" when the graphics context is taken away for good, and draws again when it is not',
   async (mode) => {
     const open = await openPage({

@@ -77,54 +77,59 @@ it('shows the last state after random sequences, and leaves nothing behind', asy
   }
 });
 
-it('can be ended at any moment: promises settle, the worker stays, the next answer is right', async () => {
-  const {put, page} = await openPage();
-  await put('<main></main>');
-  const [rounds, perRound] = [cases(2, 5), 12];
-  const seen = await page.evaluate(
-    async ([markup, rounds, perRound]) => {
-      const main = document.querySelector('main');
-      if (!main) throw new Error('It is gone.');
-      const fresh = (k: number) => {
-        main.innerHTML = markup;
-        const element = main.querySelector('seamwise-garment');
-        if (!element) throw new Error('It is gone.');
-        element.size = k % 2 ? 'l' : 'm';
-        return element;
-      };
-      const start = performance.now();
-      await fresh(0).solve();
-      const whole = performance.now() - start;
-      const ends: string[] = [];
-      const designs: string[] = [];
-      const count = rounds * perRound;
-      for (let k = 0; k < count; k++) {
-        const element = fresh(k);
-        const late = new AbortController();
-        const abort = (): void => {
-          late.abort();
+it(
+  'can be ended at any moment: promises settle, the worker stays, the next answer is right',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page} = await openPage();
+    await put('<main></main>');
+    const [rounds, perRound] = [cases(2, 5), 12];
+    const seen = await page.evaluate(
+      async ([markup, rounds, perRound]) => {
+        const main = document.querySelector('main');
+        if (!main) throw new Error('It is gone.');
+        const fresh = (k: number) => {
+          main.innerHTML = markup;
+          const element = main.querySelector('seamwise-garment');
+          if (!element) throw new Error('It is gone.');
+          element.size = k % 2 ? 'l' : 'm';
+          return element;
         };
-        // spread over a solve; the first moment precedes every answer, and the last follows its own
-        if (k < count - 1) setTimeout(abort, (1.2 * whole * k) / count);
-        ends.push(
-          await element.solve({signal: late.signal}).then(
-            () => 'answer',
-            (error: unknown) => (error as Error).name,
-          ),
-        );
-        abort();
-        if (k % perRound !== perRound - 1) continue;
-        await element.solve();
-        designs.push(element.value);
-      }
-      return {ends, designs};
-    },
-    [tee, rounds, perRound] as const,
-  );
-  expect([...new Set(seen.ends)].sort()).toEqual(['AbortError', 'answer']);
-  expect([seen.ends[0], seen.ends.at(-1)]).toEqual(['AbortError', 'answer']);
-  expect(page.workers().filter((worker) => !isHelper(worker))).toHaveLength(1);
-  const read = (url: string) => Promise.resolve(Buffer.from(sample(url.slice(page.url().length))));
-  expect(seen.designs).toHaveLength(rounds);
-  for (const design of seen.designs) expect((await order(design, {read})).reproduced).toBe(true);
-});
+        const start = performance.now();
+        await fresh(0).solve();
+        const whole = performance.now() - start;
+        const ends: string[] = [];
+        const designs: string[] = [];
+        const count = rounds * perRound;
+        for (let k = 0; k < count; k++) {
+          const element = fresh(k);
+          const late = new AbortController();
+          const abort = (): void => {
+            late.abort();
+          };
+          // spread over a solve; the first moment precedes every answer, and the last follows its own
+          if (k < count - 1) setTimeout(abort, (1.2 * whole * k) / count);
+          ends.push(
+            await element.solve({signal: late.signal}).then(
+              () => 'answer',
+              (error: unknown) => (error as Error).name,
+            ),
+          );
+          abort();
+          if (k % perRound !== perRound - 1) continue;
+          await element.solve();
+          designs.push(element.value);
+        }
+        return {ends, designs};
+      },
+      [tee, rounds, perRound] as const,
+    );
+    expect([...new Set(seen.ends)].sort()).toEqual(['AbortError', 'answer']);
+    expect([seen.ends[0], seen.ends.at(-1)]).toEqual(['AbortError', 'answer']);
+    expect(page.workers().filter((worker) => !isHelper(worker))).toHaveLength(1);
+    const read = (url: string) =>
+      Promise.resolve(Buffer.from(sample(url.slice(page.url().length))));
+    expect(seen.designs).toHaveLength(rounds);
+    for (const design of seen.designs) expect((await order(design, {read})).reproduced).toBe(true);
+  },
+);

@@ -80,20 +80,24 @@ it('shares one graphics context and one worker that drapes, and drapes those in 
   expect(drapers).toBe(1);
 });
 
-it('settles in a tab that is put away, and is drawn once it is back', async () => {
-  const {put, page, run} = await openPage({before: watch, viewport: {width: 700, height: 600}});
-  await put(tee.replace('alt=', 'view="garment" alt='));
-  await page.waitForFunction(() => worn.draped.size > 0, undefined, patient);
-  const browser = await page.context().newCDPSession(page);
-  await browser.send('Page.setWebLifecycleState', {state: 'frozen'});
-  await new Promise((resolve) => setTimeout(resolve, 2000));
-  await browser.send('Page.setWebLifecycleState', {state: 'active'});
-  await page.waitForFunction(() => worn.settled > 0, undefined, patient);
-  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-  const picture = await page.locator('seamwise-garment').screenshot();
-  expect(picture.length).toBeGreaterThan(10_000);
-  expect(await run((element) => element.state)).toBe('ready');
-});
+it(
+  'settles in a tab that is put away, and is drawn once it is back',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run} = await openPage({before: watch, viewport: {width: 700, height: 600}});
+    await put(tee.replace('alt=', 'view="garment" alt='));
+    await page.waitForFunction(() => worn.draped.size > 0, undefined, patient);
+    const browser = await page.context().newCDPSession(page);
+    await browser.send('Page.setWebLifecycleState', {state: 'frozen'});
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    await browser.send('Page.setWebLifecycleState', {state: 'active'});
+    await page.waitForFunction(() => worn.settled > 0, undefined, patient);
+    await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    const picture = await page.locator('seamwise-garment').screenshot();
+    expect(picture.length).toBeGreaterThan(10_000);
+    expect(await run((element) => element.state)).toBe('ready');
+  },
+);
 
 /** Counts what is drawn, and hides the document as far as its scripts can tell. */
 function watchDrawing(): void {
@@ -106,28 +110,32 @@ function watchDrawing(): void {
   });
 }
 
-it('draws nothing while the document is hidden, nor turns, and shows the settled garment afterwards', async () => {
-  const {put, page} = await openPage({before: watch, viewport: {width: 700, height: 600}});
-  await page.evaluate(watchDrawing);
-  const show = (state: DocumentVisibilityState): Promise<void> =>
-    page.evaluate((visibilityState) => {
-      Object.defineProperty(document, 'visibilityState', {
-        ...{value: visibilityState, configurable: true},
-      });
-      document.dispatchEvent(new Event('visibilitychange'));
-    }, state);
-  const draws = (): Promise<number> => page.evaluate(() => globalThis.drawn);
-  await put(tee.replace('alt=', 'view="garment" turntable alt='));
-  await page.waitForFunction(
-    () => worn.draped.size > 0 && globalThis.drawn > 0,
-    undefined,
-    patient,
-  );
-  await show('hidden');
-  const before = await draws();
-  await page.waitForFunction(() => worn.settled > 0, undefined, patient);
-  await page.waitForTimeout(1000);
-  expect(await draws()).toBe(before);
-  await show('visible');
-  await expect.poll(draws, patient).toBeGreaterThan(before + 50); // it turns again
-});
+it(
+  'draws nothing while the document is hidden, nor turns, and shows the settled garment afterwards',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page} = await openPage({before: watch, viewport: {width: 700, height: 600}});
+    await page.evaluate(watchDrawing);
+    const show = (state: DocumentVisibilityState): Promise<void> =>
+      page.evaluate((visibilityState) => {
+        Object.defineProperty(document, 'visibilityState', {
+          ...{value: visibilityState, configurable: true},
+        });
+        document.dispatchEvent(new Event('visibilitychange'));
+      }, state);
+    const draws = (): Promise<number> => page.evaluate(() => globalThis.drawn);
+    await put(tee.replace('alt=', 'view="garment" turntable alt='));
+    await page.waitForFunction(
+      () => worn.draped.size > 0 && globalThis.drawn > 0,
+      undefined,
+      patient,
+    );
+    await show('hidden');
+    const before = await draws();
+    await page.waitForFunction(() => worn.settled > 0, undefined, patient);
+    await page.waitForTimeout(1000);
+    expect(await draws()).toBe(before);
+    await show('visible');
+    await expect.poll(draws, patient).toBeGreaterThan(before + 50); // it turns again
+  },
+);

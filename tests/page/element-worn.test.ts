@@ -67,37 +67,46 @@ it('drapes what it shows, tells how far it is, and gives a picture of it from wh
   await expect.poll(async () => (await seen()).ground, patient).toBeGreaterThan(shown.ground);
 });
 
-it('is turned by keys, says what is seen, and comes back after the graphics were away', async () => {
-  const {page, put, run} = await openPage({
-    maySay: /Context (Lost|Restored)/,
-    viewport: {width: 700, height: 600},
-  });
-  await put(worn);
-  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-  const garment = page.getByRole('application', {name: 'Garment, worn'});
-  const status = page.locator('seamwise-garment sw-worn [role=status]');
-  await expect.poll(() => status.textContent(), patient).toContain('Front view.');
-  await expect.poll(() => status.textContent(), patient).toMatch(/\d+ seams; worst .+ mm at .+\.$/);
-  await garment.focus();
-  await page.keyboard.press('2');
-  await expect.poll(() => status.textContent(), patient).toContain('Back view.');
-  for (let k = 0; k < 6; k++) await page.keyboard.press('ArrowRight');
-  await expect.poll(() => status.textContent(), patient).toContain('View from the right.');
-  await page.evaluate(() => {
-    const deep = document.querySelector('seamwise-garment')?.shadowRoot?.querySelector('sw-worn');
-    const extension = deep?.shadowRoot
-      ?.querySelector('canvas')
-      ?.getContext('webgl2')
-      ?.getExtension('WEBGL_lose_context');
-    extension?.loseContext();
-    setTimeout(() => extension?.restoreContext(), 300);
-  });
-  await expect
-    .poll(() => run((element) => element.toBlob({width: 80}).then(() => 'drawn', String)), patient)
-    .toBe('drawn');
-});
+it(
+  'is turned by keys, says what is seen, and comes back after the graphics were away',
+  {tags: ['thorough']},
+  async () => {
+    const {page, put, run} = await openPage({
+      maySay: /Context (Lost|Restored)/,
+      viewport: {width: 700, height: 600},
+    });
+    await put(worn);
+    await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    const garment = page.getByRole('application', {name: 'Garment, worn'});
+    const status = page.locator('seamwise-garment sw-worn [role=status]');
+    await expect.poll(() => status.textContent(), patient).toContain('Front view.');
+    await expect
+      .poll(() => status.textContent(), patient)
+      .toMatch(/\d+ seams; worst .+ mm at .+\.$/);
+    await garment.focus();
+    await page.keyboard.press('2');
+    await expect.poll(() => status.textContent(), patient).toContain('Back view.');
+    for (let k = 0; k < 6; k++) await page.keyboard.press('ArrowRight');
+    await expect.poll(() => status.textContent(), patient).toContain('View from the right.');
+    await page.evaluate(() => {
+      const deep = document.querySelector('seamwise-garment')?.shadowRoot?.querySelector('sw-worn');
+      const extension = deep?.shadowRoot
+        ?.querySelector('canvas')
+        ?.getContext('webgl2')
+        ?.getExtension('WEBGL_lose_context');
+      extension?.loseContext();
+      setTimeout(() => extension?.restoreContext(), 300);
+    });
+    await expect
+      .poll(
+        () => run((element) => element.toBlob({width: 80}).then(() => 'drawn', String)),
+        patient,
+      )
+      .toBe('drawn');
+  },
+);
 
-it('is turned by one finger, and moved and zoomed by two', async () => {
+it('is turned by one finger, and moved and zoomed by two', {tags: ['thorough']}, async () => {
   const {page, put, run} = await openPage({viewport: {width: 700, height: 600}, hasTouch: true});
   await put(worn);
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
@@ -129,7 +138,7 @@ it('is turned by one finger, and moved and zoomed by two', async () => {
   expect(await run((element) => element.state)).toBe('ready');
 });
 
-it('drapes nothing that nobody sees', async () => {
+it('drapes nothing that nobody sees', {tags: ['thorough']}, async () => {
   const {page, put} = await openPage({viewport: {width: 700, height: 600}});
   const told = await counted(page, 'drape');
   await put(`${'<br>'.repeat(200)}${worn.replace('alt=', 'loading="eager" alt=')}`);
@@ -157,7 +166,7 @@ it('is of a fabric that its design keeps, without being solved for it again', as
   expect(await solved()).toBe(2);
 });
 
-it('is drawn as finely after it has moved as before', async () => {
+it('is drawn as finely after it has moved as before', {tags: ['thorough']}, async () => {
   const {page, put} = await openPage({viewport: {width: 600, height: 450}});
   await put(worn);
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});

@@ -301,41 +301,49 @@ it('is loading until all have heard that its files are there, and may be told ot
   expect(seen).toEqual(['loading', 'ready', 'AbortError', 'stale']);
 });
 
-it('goes on with what it does by itself when somebody who waited has gone', async () => {
-  const {put, page, run} = await openPage();
-  await put(tee.replace('tee-{size}', 'patchwork-jacket-{size}'));
-  const end = await run(async (element) => {
-    const late = new AbortController();
-    const solved = element.solve({signal: late.signal});
-    late.abort();
-    return solved.catch((error: unknown) => (error as Error).name);
-  });
-  expect(end).toBe('AbortError');
-  await page.locator('seamwise-garment:state(ready)').waitFor();
-});
-
-it('ends what it does for nobody else when they have gone, and begins again when it is near', async () => {
-  const {put, page, run} = await openPage();
-  await put(`<div class="far"></div>${tee.replace('tee-{size}', 'patchwork-jacket-{size}')}`);
-  const seen = await run(async (element) => {
-    const states: string[] = [element.state];
-    for (const phase of ['loading', 'solving']) {
+it(
+  'goes on with what it does by itself when somebody who waited has gone',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run} = await openPage();
+    await put(tee.replace('tee-{size}', 'patchwork-jacket-{size}'));
+    const end = await run(async (element) => {
       const late = new AbortController();
       const solved = element.solve({signal: late.signal});
-      while (element.state !== phase) await new Promise((resolve) => setTimeout(resolve));
       late.abort();
-      const end = await solved.catch((error: unknown) => (error as Error).name);
-      states.push(end as string, element.state);
-    }
-    await new Promise((resolve) => setTimeout(resolve, 300));
-    return [...states, element.state];
-  });
-  expect(seen).toEqual(['idle', 'AbortError', 'idle', 'AbortError', 'stale', 'stale']);
-  await run((element) => {
-    element.scrollIntoView();
-  });
-  await page.locator('seamwise-garment:state(ready)').waitFor();
-});
+      return solved.catch((error: unknown) => (error as Error).name);
+    });
+    expect(end).toBe('AbortError');
+    await page.locator('seamwise-garment:state(ready)').waitFor();
+  },
+);
+
+it(
+  'ends what it does for nobody else when they have gone, and begins again when it is near',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run} = await openPage();
+    await put(`<div class="far"></div>${tee.replace('tee-{size}', 'patchwork-jacket-{size}')}`);
+    const seen = await run(async (element) => {
+      const states: string[] = [element.state];
+      for (const phase of ['loading', 'solving']) {
+        const late = new AbortController();
+        const solved = element.solve({signal: late.signal});
+        while (element.state !== phase) await new Promise((resolve) => setTimeout(resolve));
+        late.abort();
+        const end = await solved.catch((error: unknown) => (error as Error).name);
+        states.push(end as string, element.state);
+      }
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      return [...states, element.state];
+    });
+    expect(seen).toEqual(['idle', 'AbortError', 'idle', 'AbortError', 'stale', 'stale']);
+    await run((element) => {
+      element.scrollIntoView();
+    });
+    await page.locator('seamwise-garment:state(ready)').waitFor();
+  },
+);
 
 it('gives pictures of the formats that browsers write', async () => {
   const {put, run, page} = await openPage();

@@ -6,11 +6,12 @@ import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {button, drawn, showSample, solved, usePage} from '../support/page.js';
 import {clickPiece, clickSeam, middleOfPiece} from '../support/page-pattern.js';
+import {sampleOf} from '../support/level.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
-describe.each(['light', 'dark'] as const)('in %s colours', (colorScheme) => {
+describe.each(sampleOf(1, ['light', 'dark'] as const))('in %s colours', (colorScheme) => {
   it('keeps nobody out of the garment, its lens, a tool, or the settings', async () => {
     const page = await openPage({colorScheme});
     await showSample(page, 'raglan');
@@ -27,16 +28,20 @@ describe.each(['light', 'dark'] as const)('in %s colours', (colorScheme) => {
   });
 });
 
-it('shows the keys on a small screen, too, by a button as large as a finger', async () => {
-  const page = await openPage({viewport: {width: 390, height: 844}, hasTouch: true});
-  await solved(page);
-  const help = button(page, 'Keys');
-  const {x, width, height} = (await help.boundingBox()) ?? {x: 0, width: 0, height: 0};
-  expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
-  expect(x + width).toBeLessThanOrEqual(390);
-  await help.tap();
-  await page.getByRole('region', {name: 'Keys', exact: true}).waitFor();
-});
+it(
+  'shows the keys on a small screen, too, by a button as large as a finger',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({viewport: {width: 390, height: 844}, hasTouch: true});
+    await solved(page);
+    const help = button(page, 'Keys');
+    const {x, width, height} = (await help.boundingBox()) ?? {x: 0, width: 0, height: 0};
+    expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
+    expect(x + width).toBeLessThanOrEqual(390);
+    await help.tap();
+    await page.getByRole('region', {name: 'Keys', exact: true}).waitFor();
+  },
+);
 
 it('keeps nobody out on a small screen', async () => {
   const page = await openPage({viewport: {width: 390, height: 844}});
@@ -134,23 +139,27 @@ it('makes a pair symmetric by keys alone, and takes that back', async () => {
   expect((await designOf(page)).symmetry).toHaveLength(1);
 });
 
-it('moves a print by keys alone, and says that its piece is pinned', async () => {
-  const page = await openPage();
-  await solved(page);
-  await pattern(page).focus();
-  await press(page, 'ArrowRight');
-  const name = (await spoken(page)).replace(/, \d+ seams?$/, '');
-  await press(page, 'm', 'ArrowRight', 'Shift+ArrowUp');
-  const {pins = {}} = (await designOf(page)).options;
-  expect(Object.keys(pins).length).toBe(1);
-  await solved(page);
-  const row = page.getByRole('table', {name: 'Pieces', exact: true}).getByRole('row', {name});
-  await row.filter({hasText: 'Pinned'}).waitFor();
-  await press(page, 'Control+z');
-  expect((await designOf(page)).options.pins).toBeUndefined();
-});
+it(
+  'moves a print by keys alone, and says that its piece is pinned',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await pattern(page).focus();
+    await press(page, 'ArrowRight');
+    const name = (await spoken(page)).replace(/, \d+ seams?$/, '');
+    await press(page, 'm', 'ArrowRight', 'Shift+ArrowUp');
+    const {pins = {}} = (await designOf(page)).options;
+    expect(Object.keys(pins).length).toBe(1);
+    await solved(page);
+    const row = page.getByRole('table', {name: 'Pieces', exact: true}).getByRole('row', {name});
+    await row.filter({hasText: 'Pinned'}).waitFor();
+    await press(page, 'Control+z');
+    expect((await designOf(page)).options.pins).toBeUndefined();
+  },
+);
 
-it('takes a drag that rests on its way back in one step', async () => {
+it('takes a drag that rests on its way back in one step', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   await button(page, 'Move print').click();
@@ -167,7 +176,7 @@ it('takes a drag that rests on its way back in one step', async () => {
   expect(await designOf(page)).toEqual(before);
 });
 
-it('chooses a group by arrow keys', async () => {
+it('chooses a group by arrow keys', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   const chosen = page
@@ -179,7 +188,7 @@ it('chooses a group by arrow keys', async () => {
   await solved(page);
 });
 
-it('shows and hides the map of keys from anywhere', async () => {
+it('shows and hides the map of keys from anywhere', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   const map = page.getByRole('region', {name: 'Keys', exact: true});

@@ -64,52 +64,59 @@ it('adds a flaw in the middle of what is seen, moves it and makes it larger by k
   await expect.poll(() => pane(page).locator('.sheet .flaw').count()).toBe(1);
 });
 
-it('takes the place and size of a flaw by figures, removes it by Delete, and leaves the focus near', async () => {
-  const page = await clothOf(await openPage());
-  await pane(page).locator('.application').focus();
-  await page.keyboard.press('Shift+X');
-  await page.keyboard.press('ArrowRight'); // it is the one that is meant
-  await expect.poll(() => told(page)).toHaveLength(4);
-  const [left = 0] = await told(page);
-  const figures = rows(page).getByRole('group', {name: /^Flaw 1/});
-  const field = (name: string): Locator => figures.getByLabel(name);
-  await expect
-    .poll(async () => Number(await field('From the left edge (cm)').inputValue()))
-    .toBeCloseTo(left, 1);
-  for (const [name, value] of [
-    ['From the left edge (cm)', '30'],
-    ['From the start (cm)', '12.5'],
-    ['Width (cm)', '8'],
-    ['Length (cm)', '3'],
-  ] as const) {
-    await field(name).fill(value);
-    await field(name).press('Enter');
-    await expect.poll(() => status(page)).toContain(value);
-  }
-  await expect.poll(() => told(page)).toEqual([30, 12.5, 8, 3]);
-  await field('From the left edge (cm)').fill('139');
-  await field('From the left edge (cm)').press('Enter');
-  await expect.poll(() => figures.getByRole('alert').textContent()).toMatch(/from 0 cm to 132 cm/);
-  await laid(page);
-  await panel(page).getByRole('button', {name: 'Add a flaw'}).click();
-  await expect.poll(() => isFocused(nameOf(page, 2))).toBe(true);
-  await page.keyboard.press('Delete');
-  await expect.poll(() => status(page)).toBe('Flaw 2 is removed.');
-  await expect.poll(() => isFocused(nameOf(page, 1))).toBe(true);
-  await expect.poll(() => nameOf(page, 1).textContent()).toMatch(/30.* 12.5/);
-  await page.keyboard.press('Delete');
-  await expect.poll(() => rows(page).count()).toBe(0);
-  await expect
-    .poll(() => isFocused(panel(page).getByRole('button', {name: 'Add a flaw'})))
-    .toBe(true);
-  await laid(page);
-});
+it(
+  'takes the place and size of a flaw by figures, removes it by Delete, and leaves the focus near',
+  {tags: ['thorough']},
+  async () => {
+    const page = await clothOf(await openPage());
+    await pane(page).locator('.application').focus();
+    await page.keyboard.press('Shift+X');
+    await page.keyboard.press('ArrowRight'); // it is the one that is meant
+    await expect.poll(() => told(page)).toHaveLength(4);
+    const [left = 0] = await told(page);
+    const figures = rows(page).getByRole('group', {name: /^Flaw 1/});
+    const field = (name: string): Locator => figures.getByLabel(name);
+    await expect
+      .poll(async () => Number(await field('From the left edge (cm)').inputValue()))
+      .toBeCloseTo(left, 1);
+    for (const [name, value] of [
+      ['From the left edge (cm)', '30'],
+      ['From the start (cm)', '12.5'],
+      ['Width (cm)', '8'],
+      ['Length (cm)', '3'],
+    ] as const) {
+      await field(name).fill(value);
+      await field(name).press('Enter');
+      await expect.poll(() => status(page)).toContain(value);
+    }
+    await expect.poll(() => told(page)).toEqual([30, 12.5, 8, 3]);
+    await field('From the left edge (cm)').fill('139');
+    await field('From the left edge (cm)').press('Enter');
+    await expect
+      .poll(() => figures.getByRole('alert').textContent())
+      .toMatch(/from 0 cm to 132 cm/);
+    await laid(page);
+    await panel(page).getByRole('button', {name: 'Add a flaw'}).click();
+    await expect.poll(() => isFocused(nameOf(page, 2))).toBe(true);
+    await page.keyboard.press('Delete');
+    await expect.poll(() => status(page)).toBe('Flaw 2 is removed.');
+    await expect.poll(() => isFocused(nameOf(page, 1))).toBe(true);
+    await expect.poll(() => nameOf(page, 1).textContent()).toMatch(/30.* 12.5/);
+    await page.keyboard.press('Delete');
+    await expect.poll(() => rows(page).count()).toBe(0);
+    await expect
+      .poll(() => isFocused(panel(page).getByRole('button', {name: 'Add a flaw'})))
+      .toBe(true);
+    await laid(page);
+  },
+);
 
 it.each([
   ['light', 1280],
   ['dark', 390],
 ] as const)(
   'keeps nobody out of the list of flaws in %s, %i pixels wide',
+  {tags: ['thorough']},
   async (colorScheme, width) => {
     const page = await clothOf(await openPage({colorScheme, viewport: {width, height: 800}}));
     await panel(page).getByRole('button', {name: 'Add a flaw'}).click();

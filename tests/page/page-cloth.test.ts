@@ -101,55 +101,63 @@ const isSeen = (page: Page, name: string): Promise<boolean> =>
       );
     });
 
-it('tells how far a piece goes that finds no nearer place, and keeps it in sight', async () => {
-  const page = await openCloth({viewport: {width: 1280, height: 600}});
-  await rowOf(page, 'Front').focus();
-  for (let k = 0; k < 4; k++) await page.keyboard.press('+');
-  const where = String.raw`repeat from the left, [\d.]+ cm from the start`;
-  await page.keyboard.press('ArrowUp');
-  await expect
-    .poll(() => status(page))
-    .toMatch(
-      new RegExp(`^Front: .* ${where} \\(moved [\\d.]+ cm, as nearer places are not free\\)$`),
-    );
-  await expect.poll(() => isSeen(page, 'Front')).toBe(true);
-  // above all others there is room
-  await page.keyboard.press('ArrowUp');
-  await expect.poll(() => status(page)).toMatch(new RegExp(`^Front: .* ${where}$`));
-  await expect.poll(() => isSeen(page, 'Front')).toBe(true);
-  await page.keyboard.press('n');
-  await expect.poll(() => status(page)).toMatch(/^Back: /);
-  await expect.poll(() => isSeen(page, 'Back')).toBe(true);
-});
+it(
+  'tells how far a piece goes that finds no nearer place, and keeps it in sight',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth({viewport: {width: 1280, height: 600}});
+    await rowOf(page, 'Front').focus();
+    for (let k = 0; k < 4; k++) await page.keyboard.press('+');
+    const where = String.raw`repeat from the left, [\d.]+ cm from the start`;
+    await page.keyboard.press('ArrowUp');
+    await expect
+      .poll(() => status(page))
+      .toMatch(
+        new RegExp(`^Front: .* ${where} \\(moved [\\d.]+ cm, as nearer places are not free\\)$`),
+      );
+    await expect.poll(() => isSeen(page, 'Front')).toBe(true);
+    // above all others there is room
+    await page.keyboard.press('ArrowUp');
+    await expect.poll(() => status(page)).toMatch(new RegExp(`^Front: .* ${where}$`));
+    await expect.poll(() => isSeen(page, 'Front')).toBe(true);
+    await page.keyboard.press('n');
+    await expect.poll(() => status(page)).toMatch(/^Back: /);
+    await expect.poll(() => isSeen(page, 'Back')).toBe(true);
+  },
+);
 
-it('turns what is pinned about where it lies, or leaves it there and says so', async () => {
-  const page = await openCloth();
-  const start = async (): Promise<number> =>
-    Number(/([\d.]+) cm from the start/.exec((await status(page)) ?? '')?.[1]);
-  await rowOf(page, 'Front').focus();
-  await page.keyboard.press('p');
-  await expect.poll(() => status(page)).toMatch(/pinned$/);
-  const before = await status(page);
-  await page.keyboard.press('r');
-  // the others are laid close to it
-  await expect
-    .poll(() => status(page))
-    .toMatch(/^Front stays as it lies: turned, it has no free place within [\d.]+ cm\.$/);
-  await rowOf(page, 'Back').focus();
-  await rowOf(page, 'Front').focus();
-  await expect.poll(() => status(page)).toBe(before);
-  // above all others there is room
-  await page.keyboard.press('ArrowUp');
-  await page.keyboard.press('ArrowUp');
-  await expect.poll(() => status(page)).not.toBe(before);
-  await expect.poll(start).toBeGreaterThan(60);
-  const from = await start();
-  await page.keyboard.press('r');
-  await expect.poll(() => status(page)).toMatch(/turned 180°, pinned$/);
-  expect(Math.abs((await start()) - from)).toBeLessThan(12);
-});
+it(
+  'turns what is pinned about where it lies, or leaves it there and says so',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    const start = async (): Promise<number> =>
+      Number(/([\d.]+) cm from the start/.exec((await status(page)) ?? '')?.[1]);
+    await rowOf(page, 'Front').focus();
+    await page.keyboard.press('p');
+    await expect.poll(() => status(page)).toMatch(/pinned$/);
+    const before = await status(page);
+    await page.keyboard.press('r');
+    // the others are laid close to it
+    await expect
+      .poll(() => status(page))
+      .toMatch(/^Front stays as it lies: turned, it has no free place within [\d.]+ cm\.$/);
+    await rowOf(page, 'Back').focus();
+    await rowOf(page, 'Front').focus();
+    await expect.poll(() => status(page)).toBe(before);
+    // above all others there is room
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('ArrowUp');
+    await expect.poll(() => status(page)).not.toBe(before);
+    await expect.poll(start).toBeGreaterThan(60);
+    const from = await start();
+    await page.keyboard.press('r');
+    await expect.poll(() => status(page)).toMatch(/turned 180°, pinned$/);
+    expect(Math.abs((await start()) - from)).toBeLessThan(12);
+  },
+);
 
-it('tells what pins cost apart from what the print does', async () => {
+it('tells what pins cost apart from what the print does', {tags: ['thorough']}, async () => {
   const page = await openCloth();
   const cost = async (): Promise<string | undefined> =>
     /The print costs [\d.]+ cm/.exec(await facts(page))?.[0];
@@ -166,54 +174,62 @@ it('tells what pins cost apart from what the print does', async () => {
   expect(plan.lengthCm).toBeGreaterThan(plan.unpinnedLengthCm ?? Infinity);
 });
 
-it('lists its keys, and none of the pattern, which it takes the place of', async () => {
-  const page = await openCloth();
-  const keys = page.locator('sw-key-map [popover]');
-  await pane(page).locator('.application').focus();
-  await page.keyboard.press('?');
-  await keys.waitFor();
-  const all = await keys.innerText();
-  for (const [key, meaning] of [
-    ['←  →  ↑  ↓', 'Move the piece to the next free place'],
-    ['Alt ←  →  ↑  ↓', 'The same, even where others lie'],
-    ['R', 'Turn'],
-    ['P', 'Pin'],
-    ['Delete', 'Take off the cloth'],
-    ['A', 'Pack the rest'],
-    ['X', 'Mark a flaw'],
-    ['Shift X', 'Add a flaw'],
-    [
-      'Shift ←  →  ↑  ↓',
-      'Make the chosen flaw larger or smaller; arrows alone move it, Delete removes it',
-    ],
-    ['Shift N', 'Piece before'],
-  ] as const) {
-    const shown = keys.locator('dt', {hasText: new RegExp(`^${key}$`)});
-    await expect.poll(() => shown.count(), {message: key}).toBe(1);
-    await expect
-      .poll(() => shown.locator('xpath=following-sibling::dd[1]').innerText())
-      .toBe(meaning);
-  }
-  expect(all).not.toContain('Hold for before');
-});
+it(
+  'lists its keys, and none of the pattern, which it takes the place of',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    const keys = page.locator('sw-key-map [popover]');
+    await pane(page).locator('.application').focus();
+    await page.keyboard.press('?');
+    await keys.waitFor();
+    const all = await keys.innerText();
+    for (const [key, meaning] of [
+      ['←  →  ↑  ↓', 'Move the piece to the next free place'],
+      ['Alt ←  →  ↑  ↓', 'The same, even where others lie'],
+      ['R', 'Turn'],
+      ['P', 'Pin'],
+      ['Delete', 'Take off the cloth'],
+      ['A', 'Pack the rest'],
+      ['X', 'Mark a flaw'],
+      ['Shift X', 'Add a flaw'],
+      [
+        'Shift ←  →  ↑  ↓',
+        'Make the chosen flaw larger or smaller; arrows alone move it, Delete removes it',
+      ],
+      ['Shift N', 'Piece before'],
+    ] as const) {
+      const shown = keys.locator('dt', {hasText: new RegExp(`^${key}$`)});
+      await expect.poll(() => shown.count(), {message: key}).toBe(1);
+      await expect
+        .poll(() => shown.locator('xpath=following-sibling::dd[1]').innerText())
+        .toBe(meaning);
+    }
+    expect(all).not.toContain('Hold for before');
+  },
+);
 
-it('leads from a print of unknown size to where that is entered', async () => {
-  const page = await openCloth();
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const print = workbench?.design?.print;
-    if (print) workbench.change({print: {...print, unscaled: true}});
-  });
-  await expect.poll(() => said(page)).toMatch(/^The size of this print is unknown/);
-  await pane(page).getByRole('button', {name: 'Enter its size'}).click();
-  const width = page.locator('sw-repeat-fields').getByLabel('Repeat width (cm)');
-  await expect.poll(() => width.evaluate((field) => field.matches(':focus'))).toBe(true);
-  await page.keyboard.type('12');
-  await page.keyboard.press('Enter');
-  await laid(page);
-});
+it(
+  'leads from a print of unknown size to where that is entered',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    await page.evaluate(() => {
+      const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+      const print = workbench?.design?.print;
+      if (print) workbench.change({print: {...print, unscaled: true}});
+    });
+    await expect.poll(() => said(page)).toMatch(/^The size of this print is unknown/);
+    await pane(page).getByRole('button', {name: 'Enter its size'}).click();
+    const width = page.locator('sw-repeat-fields').getByLabel('Repeat width (cm)');
+    await expect.poll(() => width.evaluate((field) => field.matches(':focus'))).toBe(true);
+    await page.keyboard.type('12');
+    await page.keyboard.press('Enter');
+    await laid(page);
+  },
+);
 
-it('leaves what is pinned where it is when it packs the rest', async () => {
+it('leaves what is pinned where it is when it packs the rest', {tags: ['thorough']}, async () => {
   const page = await openCloth();
   await rowOf(page, 'Back').focus();
   await page.keyboard.press('ArrowUp');
@@ -266,7 +282,7 @@ it('lets a piece be dragged: to the nearest free place, or with Alt on others, w
   await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Back'}).count()).toBe(1);
 });
 
-it('keeps pieces off a flaw that is drawn, until it is removed', async () => {
+it('keeps pieces off a flaw that is drawn, until it is removed', {tags: ['thorough']}, async () => {
   const page = await openCloth();
   const places = () => panel(page).locator('.pieces').innerText();
   const before = await places();
@@ -289,34 +305,38 @@ it('keeps pieces off a flaw that is drawn, until it is removed', async () => {
   await expect.poll(() => panel(page).locator('.flaws li').count()).toBe(0);
 });
 
-it('cuts as many garments as are asked for, with the allowances of cutting files', async () => {
-  const page = await openCloth();
-  const allowances = () => panel(page).locator('.allowances').innerText();
-  await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 3 cm/);
-  const before = await bought(page);
-  await layTwice(page);
-  await expect.poll(() => rowOf(page, 'Front 2').count()).toBe(1);
-  expect(await bought(page)).not.toBe(before);
-  await panel(page).getByRole('button', {name: 'Change'}).click();
-  const hem = panel(page).getByLabel('Hem (cm)');
-  await hem.fill('5');
-  await hem.press('Enter');
-  await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 5 cm/);
-  await laid(page);
-  await page.keyboard.press('Control+Shift+S');
-  const dialog = page.locator('sw-cut-dialog').getByRole('dialog');
-  await expect.poll(() => dialog.getByLabel('Hem (cm)').inputValue()).toBe('5');
-  await dialog.getByLabel('Seam allowance (cm)').fill('2');
-  await dialog.getByLabel('Seam allowance (cm)').press('Enter');
-  await savedCut(page, 'SVG');
-  await expect.poll(allowances).toMatch(/^Seam allowance 2 cm, hems 5 cm/);
-  await laid(page);
-  await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: cloth');
-  await button(page, 'Undo').click();
-  await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 5 cm/);
-});
+it(
+  'cuts as many garments as are asked for, with the allowances of cutting files',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    const allowances = () => panel(page).locator('.allowances').innerText();
+    await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 3 cm/);
+    const before = await bought(page);
+    await layTwice(page);
+    await expect.poll(() => rowOf(page, 'Front 2').count()).toBe(1);
+    expect(await bought(page)).not.toBe(before);
+    await panel(page).getByRole('button', {name: 'Change'}).click();
+    const hem = panel(page).getByLabel('Hem (cm)');
+    await hem.fill('5');
+    await hem.press('Enter');
+    await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 5 cm/);
+    await laid(page);
+    await page.keyboard.press('Control+Shift+S');
+    const dialog = page.locator('sw-cut-dialog').getByRole('dialog');
+    await expect.poll(() => dialog.getByLabel('Hem (cm)').inputValue()).toBe('5');
+    await dialog.getByLabel('Seam allowance (cm)').fill('2');
+    await dialog.getByLabel('Seam allowance (cm)').press('Enter');
+    await savedCut(page, 'SVG');
+    await expect.poll(allowances).toMatch(/^Seam allowance 2 cm, hems 5 cm/);
+    await laid(page);
+    await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: cloth');
+    await button(page, 'Undo').click();
+    await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 5 cm/);
+  },
+);
 
-it('takes a piece off the cloth, until it is packed again', async () => {
+it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}, async () => {
   const page = await openCloth();
   await rowOf(page, 'Sleeve left').focus();
   await page.keyboard.press('Delete');
@@ -347,49 +367,59 @@ it('takes a piece off the cloth, until it is packed again', async () => {
   await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
 });
 
-it('says that the plan is of the design before, and lays the new one', async () => {
-  const page = await openCloth();
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    workbench?.prefer({solveAsIGo: false});
-    const print = workbench?.design?.print;
-    if (print)
-      workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
-  });
-  await expect.poll(() => said(page)).toBe('The design has changed: this is the plan from before.');
-  await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(1);
-  await expect
-    .poll(() => pane(page).getByRole('button', {name: 'Pack again'}).isDisabled())
-    .toBe(true);
-  await button(page, 'Align').click();
-  await laid(page);
-  await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(0);
-  // what was found out of the design before is not looked for again
-  await button(page, 'Undo').click();
-  await expect.poll(() => said(page)).not.toMatch(/changed/);
-});
+it(
+  'says that the plan is of the design before, and lays the new one',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    await page.evaluate(() => {
+      const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+      workbench?.prefer({solveAsIGo: false});
+      const print = workbench?.design?.print;
+      if (print)
+        workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
+    });
+    await expect
+      .poll(() => said(page))
+      .toBe('The design has changed: this is the plan from before.');
+    await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(1);
+    await expect
+      .poll(() => pane(page).getByRole('button', {name: 'Pack again'}).isDisabled())
+      .toBe(true);
+    await button(page, 'Align').click();
+    await laid(page);
+    await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(0);
+    // what was found out of the design before is not looked for again
+    await button(page, 'Undo').click();
+    await expect.poll(() => said(page)).not.toMatch(/changed/);
+  },
+);
 
-it('says of cloth that is too narrow which piece is too wide, and remembers what the cloth is like', async () => {
-  const page = await openCloth();
-  const width = panel(page).locator('select.width');
-  await width.selectOption('150');
-  await laid(page);
-  await width.selectOption('other');
-  const own = panel(page).getByLabel('Cloth width (cm)');
-  await own.fill('30');
-  await own.press('Enter');
-  await expect.poll(() => said(page), {timeout: 30_000}).toMatch(/wide/);
-  await expect.poll(() => pane(page).getByRole('alert').count()).toBe(1);
-  await expect.poll(() => pane(page).locator('.piece').count()).toBe(0);
-  await button(page, 'Undo').click();
-  await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
-  await expect.poll(() => width.inputValue()).toBe('150');
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Pattern'}).click();
-  await page.reload();
-  await solved(page);
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
-  await expect.poll(() => width.inputValue()).toBe('150');
-});
+it(
+  'says of cloth that is too narrow which piece is too wide, and remembers what the cloth is like',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    const width = panel(page).locator('select.width');
+    await width.selectOption('150');
+    await laid(page);
+    await width.selectOption('other');
+    const own = panel(page).getByLabel('Cloth width (cm)');
+    await own.fill('30');
+    await own.press('Enter');
+    await expect.poll(() => said(page), {timeout: 30_000}).toMatch(/wide/);
+    await expect.poll(() => pane(page).getByRole('alert').count()).toBe(1);
+    await expect.poll(() => pane(page).locator('.piece').count()).toBe(0);
+    await button(page, 'Undo').click();
+    await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
+    await expect.poll(() => width.inputValue()).toBe('150');
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Pattern'}).click();
+    await page.reload();
+    await solved(page);
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+    await expect.poll(() => width.inputValue()).toBe('150');
+  },
+);
 
 it('gives the plan away as it lies, and nothing while pieces lie on each other', async () => {
   const page = await openCloth();
@@ -412,27 +442,35 @@ it('gives the plan away as it lies, and nothing while pieces lie on each other',
 it.each([
   ['light', 1280],
   ['dark', 390],
-] as const)('keeps nobody out in %s, %i pixels wide', async (colorScheme, width) => {
-  const page = await openCloth({colorScheme, viewport: {width, height: 800}});
-  await rowOf(page, 'Front').focus();
-  await page.keyboard.press('ArrowUp');
-  await page.keyboard.press('p');
-  await expect.poll(() => status(page)).toMatch(/pinned$/);
-  expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
-});
+] as const)(
+  'keeps nobody out in %s, %i pixels wide',
+  {tags: ['thorough']},
+  async (colorScheme, width) => {
+    const page = await openCloth({colorScheme, viewport: {width, height: 800}});
+    await rowOf(page, 'Front').focus();
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('p');
+    await expect.poll(() => status(page)).toMatch(/pinned$/);
+    expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
+  },
+);
 
-it('says why nothing is laid where the print cannot keep what is asked of it, and leads out', async () => {
-  const page = await symmetricTee(openPage);
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const print = workbench?.design?.print;
-    if (print) workbench.change({print: {...print, group: 'p2'}});
-  });
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
-  const why = panel(page).getByRole('alert');
-  await why.filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
-  await expect.poll(() => said(page)).toBe('Not aligned');
-  await button(page, 'Leave out what it cannot keep').click();
-  await laid(page);
-  await expect.poll(() => why.count()).toBe(0);
-});
+it(
+  'says why nothing is laid where the print cannot keep what is asked of it, and leads out',
+  {tags: ['thorough']},
+  async () => {
+    const page = await symmetricTee(openPage);
+    await page.evaluate(() => {
+      const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+      const print = workbench?.design?.print;
+      if (print) workbench.change({print: {...print, group: 'p2'}});
+    });
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+    const why = panel(page).getByRole('alert');
+    await why.filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
+    await expect.poll(() => said(page)).toBe('Not aligned');
+    await button(page, 'Leave out what it cannot keep').click();
+    await laid(page);
+    await expect.poll(() => why.count()).toBe(0);
+  },
+);

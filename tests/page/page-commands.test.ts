@@ -5,6 +5,7 @@ import {expect, it, vi} from 'vitest';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {button, solved, usePage} from '../support/page.js';
+import {sampleOf} from '../support/level.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -49,21 +50,25 @@ it('chooses a print by its name, names it in undo, and takes it back', async () 
   await expect.poll(() => button(page, 'Redo').getAttribute('title')).toBe('Redo: print, Majolica');
 });
 
-it('says why a print will not do only until the design is another', async () => {
-  const page = await openPage();
-  await solved(page);
-  await command(page, 'accept', 'Accept all symmetries');
-  await command(page, 'turn back', 'Turn Back by 90°');
-  const denied = page.getByText(/needs a print with mirrors/);
-  await page.getByRole('radio', {name: /^p1\b/}).click({force: true});
-  await denied.waitFor();
-  await page.keyboard.press('Control+k');
-  await field(page).fill('meadow');
-  await expect.poll(() => active(page).getAttribute('aria-disabled')).toBe('true');
-  await page.keyboard.press('Escape');
-  await page.keyboard.press('Control+z');
-  await denied.waitFor({state: 'detached'});
-});
+it(
+  'says why a print will not do only until the design is another',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await command(page, 'accept', 'Accept all symmetries');
+    await command(page, 'turn back', 'Turn Back by 90°');
+    const denied = page.getByText(/needs a print with mirrors/);
+    await page.getByRole('radio', {name: /^p1\b/}).click({force: true});
+    await denied.waitFor();
+    await page.keyboard.press('Control+k');
+    await field(page).fill('meadow');
+    await expect.poll(() => active(page).getAttribute('aria-disabled')).toBe('true');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Control+z');
+    await denied.waitFor({state: 'detached'});
+  },
+);
 
 it('gives the focus back on Escape, and is closed by its own key as well', async () => {
   const page = await openPage();
@@ -112,27 +117,33 @@ it('is walked by arrow keys, says how many there are, and why one cannot be carr
   await page.getByText('No command has these words.').waitFor();
 });
 
-it('turns a piece, hands a tool over to the keys of the pattern, and changes the language', async () => {
-  const page = await openPage();
-  await solved(page);
-  await command(page, 'rotate back', 'Turn Back by 90°');
-  expect((await designOf(page)).options.grain?.pieces).toEqual({back: 'across'});
-  await expect
-    .poll(() => button(page, 'Undo').first().getAttribute('title'))
-    .toBe('Undo: turn Back');
-  await page.getByRole('status').getByRole('button', {name: 'Undo'}).click();
-  await page.getByText('Undone: turn Back.').waitFor();
-  await command(page, 'move print', 'Move print');
-  await expect.poll(() => button(page, 'Move print').getAttribute('aria-pressed')).toBe('true');
-  expect(await pattern(page).evaluate((element) => element.matches(':focus'))).toBe(true);
-  await command(page, 'deutsch', 'Language: Deutsch');
-  await page.getByRole('button', {name: 'Befehle'}).waitFor();
-});
+it(
+  'turns a piece, hands a tool over to the keys of the pattern, and changes the language',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await command(page, 'rotate back', 'Turn Back by 90°');
+    expect((await designOf(page)).options.grain?.pieces).toEqual({back: 'across'});
+    await expect
+      .poll(() => button(page, 'Undo').first().getAttribute('title'))
+      .toBe('Undo: turn Back');
+    await page.getByRole('status').getByRole('button', {name: 'Undo'}).click();
+    await page.getByText('Undone: turn Back.').waitFor();
+    await command(page, 'move print', 'Move print');
+    await expect.poll(() => button(page, 'Move print').getAttribute('aria-pressed')).toBe('true');
+    expect(await pattern(page).evaluate((element) => element.matches(':focus'))).toBe(true);
+    await command(page, 'deutsch', 'Language: Deutsch');
+    await page.getByRole('button', {name: 'Befehle'}).waitFor();
+  },
+);
 
-it.each([
-  ['light', 1280],
-  ['dark', 390],
-] as const)('is accessible in %s, %i pixels wide', async (colorScheme, width) => {
+it.each(
+  sampleOf(1, [
+    ['dark', 390],
+    ['light', 1280],
+  ] as const),
+)('is accessible in %s, %i pixels wide', async (colorScheme, width) => {
   const page = await openPage({colorScheme, viewport: {width, height: 800}});
   await solved(page);
   await button(page, 'Commands').click();
@@ -145,39 +156,43 @@ it.each([
   expect(Math.min(...sizes)).toBeGreaterThanOrEqual(44);
 });
 
-it('finds the views, and with the garment worn what that can be asked for, with the keys of it', async () => {
-  const page = await openPage();
-  await solved(page);
-  await command(page, 'shown garment', 'Shown as: Garment');
-  const worn = page.locator('sw-worn');
-  const status = worn.locator('[role=status]');
-  await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('Front view.');
-  await command(page, 'seen back', 'Seen from: Back');
-  await expect.poll(() => status.textContent(), {timeout: 20_000}).toContain('Back view.');
-  await command(page, 'jersey', 'Fabric: Jersey');
-  expect((await designOf(page)).fabric).toBe('jersey');
-  const garment = page.getByRole('application', {name: 'Garment, worn'});
-  await garment.focus();
-  const toggled = (name: string): Promise<string | null> =>
-    worn.getByRole('button', {name, exact: true}).getAttribute('aria-pressed');
-  for (const [key, name, is] of [
-    ['s', 'Seams', 'true'],
-    ['b', 'Before and after', 'true'],
-    ['d', 'Form', 'false'],
-    ['t', 'Turntable', 'true'],
-  ] as const) {
-    await page.keyboard.press(key);
-    await expect.poll(() => toggled(name)).toBe(is);
-  }
-  await page.keyboard.press('t');
-  await page.keyboard.press('?');
-  const map = page.getByRole('region', {name: 'Keys'});
-  await map.getByRole('heading', {name: 'Garment'}).waitFor();
-  await expect.poll(() => map.getByText('Seen from: Three-quarter').isVisible()).toBe(true);
-  await page.keyboard.press('Escape');
-  await page.keyboard.press('v');
-  await expect.poll(() => pattern(page).isVisible()).toBe(true);
-  await expect.poll(() => garment.isVisible()).toBe(true);
-  await page.keyboard.press('v');
-  await expect.poll(() => worn.count()).toBe(0);
-});
+it(
+  'finds the views, and with the garment worn what that can be asked for, with the keys of it',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await command(page, 'shown garment', 'Shown as: Garment');
+    const worn = page.locator('sw-worn');
+    const status = worn.locator('[role=status]');
+    await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('Front view.');
+    await command(page, 'seen back', 'Seen from: Back');
+    await expect.poll(() => status.textContent(), {timeout: 20_000}).toContain('Back view.');
+    await command(page, 'jersey', 'Fabric: Jersey');
+    expect((await designOf(page)).fabric).toBe('jersey');
+    const garment = page.getByRole('application', {name: 'Garment, worn'});
+    await garment.focus();
+    const toggled = (name: string): Promise<string | null> =>
+      worn.getByRole('button', {name, exact: true}).getAttribute('aria-pressed');
+    for (const [key, name, is] of [
+      ['s', 'Seams', 'true'],
+      ['b', 'Before and after', 'true'],
+      ['d', 'Form', 'false'],
+      ['t', 'Turntable', 'true'],
+    ] as const) {
+      await page.keyboard.press(key);
+      await expect.poll(() => toggled(name)).toBe(is);
+    }
+    await page.keyboard.press('t');
+    await page.keyboard.press('?');
+    const map = page.getByRole('region', {name: 'Keys'});
+    await map.getByRole('heading', {name: 'Garment'}).waitFor();
+    await expect.poll(() => map.getByText('Seen from: Three-quarter').isVisible()).toBe(true);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('v');
+    await expect.poll(() => pattern(page).isVisible()).toBe(true);
+    await expect.poll(() => garment.isVisible()).toBe(true);
+    await page.keyboard.press('v');
+    await expect.poll(() => worn.count()).toBe(0);
+  },
+);

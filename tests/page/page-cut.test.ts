@@ -67,43 +67,47 @@ it('writes in its worker what Node writes of the same answer', async () => {
   expect(dxf).toBe(sheetDxf(sheet));
 });
 
-it('shows what it will save: waits for the answer, and follows the next one', async () => {
-  const page = await openPage();
-  await squaresShown(page);
-  await page.keyboard.press('Control+Shift+S');
-  const dialog = dialogOf(page);
-  const [caption, save] = [dialog.locator('figcaption'), dialog.getByText('Save PDF')];
-  await caption.filter({hasText: /page/}).waitFor();
-  const drawn = dialog.locator('.map .pieces');
-  const before = await drawn.getAttribute('d');
-  const open = (side: number): Promise<void> =>
-    page.locator('seamwise-page').evaluate(
-      async (element, text) => {
-        const {workbench} = element as SeamwisePage;
-        workbench.prefer({solveAsIGo: false});
-        await workbench.open({name: 'others.json', text});
-      },
-      JSON.stringify(squares(side)),
-    );
-  await open(60);
-  await caption.filter({hasText: 'There is no answer to cut: align the print first.'}).waitFor();
-  expect([await save.isDisabled(), await drawn.count()]).toEqual([true, 0]);
-  await page.locator('seamwise-page').evaluate((element) => {
-    (element as SeamwisePage).workbench.align();
-  });
-  await dialog.getByText('The answer has changed: this is the new one.').waitFor();
-  await caption.filter({hasText: /page/}).waitFor();
-  await expect.poll(() => save.isDisabled()).toBe(false);
-  expect(await drawn.getAttribute('d')).not.toBe(before);
-  await page.keyboard.press('Escape');
+it(
+  'shows what it will save: waits for the answer, and follows the next one',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await squaresShown(page);
+    await page.keyboard.press('Control+Shift+S');
+    const dialog = dialogOf(page);
+    const [caption, save] = [dialog.locator('figcaption'), dialog.getByText('Save PDF')];
+    await caption.filter({hasText: /page/}).waitFor();
+    const drawn = dialog.locator('.map .pieces');
+    const before = await drawn.getAttribute('d');
+    const open = (side: number): Promise<void> =>
+      page.locator('seamwise-page').evaluate(
+        async (element, text) => {
+          const {workbench} = element as SeamwisePage;
+          workbench.prefer({solveAsIGo: false});
+          await workbench.open({name: 'others.json', text});
+        },
+        JSON.stringify(squares(side)),
+      );
+    await open(60);
+    await caption.filter({hasText: 'There is no answer to cut: align the print first.'}).waitFor();
+    expect([await save.isDisabled(), await drawn.count()]).toEqual([true, 0]);
+    await page.locator('seamwise-page').evaluate((element) => {
+      (element as SeamwisePage).workbench.align();
+    });
+    await dialog.getByText('The answer has changed: this is the new one.').waitFor();
+    await caption.filter({hasText: /page/}).waitFor();
+    await expect.poll(() => save.isDisabled()).toBe(false);
+    expect(await drawn.getAttribute('d')).not.toBe(before);
+    await page.keyboard.press('Escape');
 
-  // asked for before there is an answer, it says that it waits
-  await open(50);
-  await page.keyboard.press('Control+Shift+S');
-  await caption.filter({hasText: 'There is no answer to cut'}).waitFor();
-});
+    // asked for before there is an answer, it says that it waits
+    await open(50);
+    await page.keyboard.press('Control+Shift+S');
+    await caption.filter({hasText: 'There is no answer to cut'}).waitFor();
+  },
+);
 
-it('says that the pattern has its own allowances', async () => {
+it('says that the pattern has its own allowances', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await squaresShown(page);
   const garment = squares(40) as GarmentCodeSpecification;
@@ -132,54 +136,62 @@ it('forgets what was changed and not saved', async () => {
   await expect.poll(() => hem.inputValue()).toBe('3');
 });
 
-it('proposes the paper of its user, and remembers what was saved', async () => {
-  const page = await openPage();
-  await squaresShown(page);
-  const paper = dialogOf(page).getByLabel('Paper');
-  const opened = async (): Promise<string> => {
-    await page.keyboard.press('Control+Shift+S');
-    return paper.inputValue();
-  };
-  expect(await opened()).toBe('a4');
-  await page.keyboard.press('Escape');
-  await page.locator('seamwise-page').evaluate((element) => {
-    (element as SeamwisePage).workbench.prefer({units: 'inch'});
-  });
-  expect(await opened()).toBe('letter');
-  await paper.selectOption('projector');
-  await savedCut(page, 'PDF');
-  expect(await opened()).toBe('projector');
-});
+it(
+  'proposes the paper of its user, and remembers what was saved',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await squaresShown(page);
+    const paper = dialogOf(page).getByLabel('Paper');
+    const opened = async (): Promise<string> => {
+      await page.keyboard.press('Control+Shift+S');
+      return paper.inputValue();
+    };
+    expect(await opened()).toBe('a4');
+    await page.keyboard.press('Escape');
+    await page.locator('seamwise-page').evaluate((element) => {
+      (element as SeamwisePage).workbench.prefer({units: 'inch'});
+    });
+    expect(await opened()).toBe('letter');
+    await paper.selectOption('projector');
+    await savedCut(page, 'PDF');
+    expect(await opened()).toBe('projector');
+  },
+);
 
-it('says of a print of unknown size nothing but that, and leads to where it is entered', async () => {
-  const page = await openPage();
-  await squaresShown(page);
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const print = workbench?.design?.print;
-    if (print) workbench.change({print: {...print, unscaled: true}});
-  });
-  await solved(page);
-  await page.keyboard.press('Control+Shift+S');
-  const dialog = dialogOf(page);
-  const save = dialog.getByRole('button', {name: 'Save PDF'});
-  await expect
-    .poll(() => dialog.locator('figcaption').innerText())
-    .toMatch(/^The size of this print is unknown: .*\s+Enter its size$/);
-  await expect.poll(() => save.isDisabled()).toBe(true);
-  // another file or paper changes nothing of that
-  await dialog.getByLabel('Paper').selectOption('a0');
-  await expect.poll(() => dialog.getByText(/unknown/).count()).toBe(1);
-  await expect.poll(() => dialog.getByText(/Laying the pieces out/).count()).toBe(0);
-  expect(await barriers(page)).toEqual([]);
-  await dialog.getByRole('button', {name: 'Enter its size'}).click();
-  await expect.poll(() => dialog.isVisible()).toBe(false);
-  const width = page.locator('sw-repeat-fields').getByLabel('Repeat width (cm)');
-  await expect.poll(() => width.evaluate((field) => field.matches(':focus'))).toBe(true);
-  await page.keyboard.type('12');
-  await page.keyboard.press('Enter');
-  await solved(page);
-  await page.keyboard.press('Control+Shift+S');
-  await expect.poll(() => save.isEnabled()).toBe(true);
-  await expect.poll(() => dialog.locator('figcaption').innerText()).toMatch(/page/);
-});
+it(
+  'says of a print of unknown size nothing but that, and leads to where it is entered',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await squaresShown(page);
+    await page.evaluate(() => {
+      const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+      const print = workbench?.design?.print;
+      if (print) workbench.change({print: {...print, unscaled: true}});
+    });
+    await solved(page);
+    await page.keyboard.press('Control+Shift+S');
+    const dialog = dialogOf(page);
+    const save = dialog.getByRole('button', {name: 'Save PDF'});
+    await expect
+      .poll(() => dialog.locator('figcaption').innerText())
+      .toMatch(/^The size of this print is unknown: .*\s+Enter its size$/);
+    await expect.poll(() => save.isDisabled()).toBe(true);
+    // another file or paper changes nothing of that
+    await dialog.getByLabel('Paper').selectOption('a0');
+    await expect.poll(() => dialog.getByText(/unknown/).count()).toBe(1);
+    await expect.poll(() => dialog.getByText(/Laying the pieces out/).count()).toBe(0);
+    expect(await barriers(page)).toEqual([]);
+    await dialog.getByRole('button', {name: 'Enter its size'}).click();
+    await expect.poll(() => dialog.isVisible()).toBe(false);
+    const width = page.locator('sw-repeat-fields').getByLabel('Repeat width (cm)');
+    await expect.poll(() => width.evaluate((field) => field.matches(':focus'))).toBe(true);
+    await page.keyboard.type('12');
+    await page.keyboard.press('Enter');
+    await solved(page);
+    await page.keyboard.press('Control+Shift+S');
+    await expect.poll(() => save.isEnabled()).toBe(true);
+    await expect.poll(() => dialog.locator('figcaption').innerText()).toMatch(/page/);
+  },
+);

@@ -64,17 +64,21 @@ it('says so when the solver cannot be loaded, and solves once it can be', async 
   await solved(page);
 });
 
-it('solves in the page itself where the worker cannot be started, and says why', async () => {
-  const page = await openPage({maySay: /404/});
-  await page.route('**/solver.worker*', (route) => route.fulfill({status: 404, body: 'gone'}));
-  await page.reload();
-  await solved(page);
-  await page.getByText(/^The solver's worker could not be started from /).waitFor();
-  expect(page.workers()).toEqual([]);
-  await group(page, 'pgg');
-  await solved(page);
-  expect((await designOf(page)).print.group).toBe('pgg');
-});
+it(
+  'solves in the page itself where the worker cannot be started, and says why',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({maySay: /404/});
+    await page.route('**/solver.worker*', (route) => route.fulfill({status: 404, body: 'gone'}));
+    await page.reload();
+    await solved(page);
+    await page.getByText(/^The solver's worker could not be started from /).waitFor();
+    expect(page.workers()).toEqual([]);
+    await group(page, 'pgg');
+    await solved(page);
+    expect((await designOf(page)).print.group).toBe('pgg');
+  },
+);
 
 it('takes a garment where no sample can be read', async () => {
   const page = await openPage({maySay: /Failed to load resource/});
@@ -119,20 +123,24 @@ it('says that what is shown is out of date once a solve is cancelled', async () 
   await expect.poll(() => page.getByText('The picture is out of date').count()).toBe(0);
 });
 
-it('waits for Align where nobody wants to solve with every change', async () => {
-  const page = await openPage();
-  await solved(page);
-  await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
-  await group(page, 'cmm');
-  await says(page, /^Out of date/);
-  await page.getByText('The picture is out of date').waitFor();
-  await button(page, 'Save …').click();
-  await expect.poll(() => button(page, 'Save result').isDisabled()).toBe(true);
-  await page.keyboard.press('Escape');
-  await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
-  await button(page, 'Align').click();
-  await solved(page);
-  await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
-  await group(page, 'pgg');
-  await solved(page);
-});
+it(
+  'waits for Align where nobody wants to solve with every change',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+    await group(page, 'cmm');
+    await says(page, /^Out of date/);
+    await page.getByText('The picture is out of date').waitFor();
+    await button(page, 'Save …').click();
+    await expect.poll(() => button(page, 'Save result').isDisabled()).toBe(true);
+    await page.keyboard.press('Escape');
+    await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
+    await button(page, 'Align').click();
+    await solved(page);
+    await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+    await group(page, 'pgg');
+    await solved(page);
+  },
+);

@@ -9,6 +9,7 @@ import type {Page} from 'playwright-core';
 import type {SolveResult} from 'seamwise/node';
 import {expect, it, vi} from 'vitest';
 
+import {sampleOf} from '../support/level.js';
 import {designOf} from '../support/page-design.js';
 import {choose, hand, jsonFile, squares, type HandedFile} from '../support/page-files.js';
 import {bytesOf} from '../support/browser.js';
@@ -63,47 +64,57 @@ it('opens a saved project to the same design', async () => {
   expect(await designOf(other)).toEqual(before);
 });
 
-it('opens a saved result to its design, which solves to the same result', async () => {
-  const page = await openPage();
-  await solved(page);
-  await showSample(page, 'tee');
-  await button(page, 'Accept all symmetries').click();
-  await solved(page);
-  const design = await designOf(page);
-  const result = await saved(page, 'Save result');
-  const other = await openPage();
-  await solved(other);
-  await hand(other, 'drop', jsonFile('tee.result.json', result));
-  await garmentShown(other, design.garment.name);
-  await solved(other);
-  expect(await designOf(other)).toEqual(design);
-  expect(answerIn(await saved(other, 'Save result')) === answerIn(result)).toBe(true);
-});
+it(
+  'opens a saved result to its design, which solves to the same result',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await showSample(page, 'tee');
+    await button(page, 'Accept all symmetries').click();
+    await solved(page);
+    const design = await designOf(page);
+    const result = await saved(page, 'Save result');
+    const other = await openPage();
+    await solved(other);
+    await hand(other, 'drop', jsonFile('tee.result.json', result));
+    await garmentShown(other, design.garment.name);
+    await solved(other);
+    expect(await designOf(other)).toEqual(design);
+    expect(answerIn(await saved(other, 'Save result')) === answerIn(result)).toBe(true);
+  },
+);
 
-it('opens the result of a command line to the same garment, print and symmetries', async () => {
-  const folder = await mkdtemp(join(tmpdir(), 'seamwise-'));
-  const out = join(folder, 'skirt.result.json');
-  const files = ['public/garments/six-gore-skirt-m.json', '--print', 'public/prints/pgg.json'];
-  await promisify(execFile)('node', ['dist/cli/main.js', 'align', ...files, '--out', out]);
-  const content = await readFile(out, 'utf8');
-  await rm(folder, {recursive: true});
-  const page = await openPage();
-  await choose(page, 'Open garment', {
-    name: 'skirt.result.json',
-    mimeType: 'application/json',
-    content,
-  });
-  await garmentShown(page, 'six-gore-skirt-m.json');
-  await solved(page);
-  const {print} = await designOf(page);
-  expect(print).toMatchObject({title: 'Parquet', group: 'pgg'});
-  expect(print.image).toMatch(/^data:image\/svg/);
-  const [before, after] = [content, await saved(page, 'Save result')].map(
-    (text) => JSON.parse(text) as SolveResult,
-  );
-  expect(after?.symmetries.map(({kind}) => kind)).toEqual(before?.symmetries.map(({kind}) => kind));
-  expect(after?.metrics.fit).toBeLessThan(1.1 * (before?.metrics.fit ?? 0));
-});
+it(
+  'opens the result of a command line to the same garment, print and symmetries',
+  {tags: ['thorough']},
+  async () => {
+    const folder = await mkdtemp(join(tmpdir(), 'seamwise-'));
+    const out = join(folder, 'skirt.result.json');
+    const files = ['public/garments/six-gore-skirt-m.json', '--print', 'public/prints/pgg.json'];
+    await promisify(execFile)('node', ['dist/cli/main.js', 'align', ...files, '--out', out]);
+    const content = await readFile(out, 'utf8');
+    await rm(folder, {recursive: true});
+    const page = await openPage();
+    await choose(page, 'Open garment', {
+      name: 'skirt.result.json',
+      mimeType: 'application/json',
+      content,
+    });
+    await garmentShown(page, 'six-gore-skirt-m.json');
+    await solved(page);
+    const {print} = await designOf(page);
+    expect(print).toMatchObject({title: 'Parquet', group: 'pgg'});
+    expect(print.image).toMatch(/^data:image\/svg/);
+    const [before, after] = [content, await saved(page, 'Save result')].map(
+      (text) => JSON.parse(text) as SolveResult,
+    );
+    expect(after?.symmetries.map(({kind}) => kind)).toEqual(
+      before?.symmetries.map(({kind}) => kind),
+    );
+    expect(after?.metrics.fit).toBeLessThan(1.1 * (before?.metrics.fit ?? 0));
+  },
+);
 
 it('opens a print file, and a picture as a print', async () => {
   const page = await quietPage();
@@ -171,7 +182,7 @@ it('knows a file by its first bytes, whatever it is called and whether or not a 
   }
 });
 
-it('offers to sew when a file has no seams', async () => {
+it('offers to sew when a file has no seams', {tags: ['thorough']}, async () => {
   const page = await openPage();
   const garment = squares(40) as {pattern: {stitches: unknown[]}};
   garment.pattern.stitches = [];
@@ -181,7 +192,7 @@ it('offers to sew when a file has no seams', async () => {
   await page.getByText('No seams to match').waitFor();
 });
 
-it('asks about the unit of a garment that fits nobody', async () => {
+it('asks about the unit of a garment that fits nobody', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await choose(page, 'Open garment', jsonFile('small.json', squares(6)));
   await page.getByText('Is the tallest piece really 6 cm tall?').waitFor();
@@ -213,10 +224,12 @@ it('refuses an address on another host, and shows a sample in its place', async 
   expect((await designOf(page)).garment.name).toBe('asymmetric-dress-m.json');
 });
 
-it.each([
-  ['nowhere.json', /^nowhere\.json cannot be read/],
-  ['prints/pgg.json', /^pgg\.json .+[.]$/],
-])(
+it.each(
+  sampleOf(1, [
+    ['nowhere.json', /^nowhere\.json cannot be read/],
+    ['prints/pgg.json', /^pgg\.json .+[.]$/],
+  ]),
+)(
   'says why %s in its address is no garment, and shows a sample in its place',
   async (file, why) => {
     const page = await openPage({query: `?garment=${file}`, maySay: /404/});
@@ -247,7 +260,7 @@ it('gives the pieces to cut in millimetres, and a picture', async () => {
   expect(png.subarray(1, 4).toString()).toBe('PNG');
 });
 
-it.each(['-1', '12', ''])(
+it.each(sampleOf(1, ['-1', '12', '']))(
   'refuses to cut with an allowance of "%s", and keeps what was typed',
   async (typed) => {
     const page = await openPage();

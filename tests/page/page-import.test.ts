@@ -10,6 +10,7 @@ import {designOf} from '../support/page-design.js';
 import {choose, hand, type HandedFile} from '../support/page-files.js';
 import {solved, usePage} from '../support/page.js';
 import {plainDxf, type PlainPiece} from '../support/plain-dxf.js';
+import {sampleOf} from '../support/level.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -87,7 +88,7 @@ it('opens what is chosen of a DXF as a project of its own, ready to be sewn', as
   await page.getByRole('button', {name: 'Sew', exact: true, pressed: true}).waitFor();
 });
 
-it('takes another unit than it guessed, from who knows better', async () => {
+it('takes another unit than it guessed, from who knows better', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   const pieces = await samplePieces(1);
   const dialog = await offered(page, dxf(plainDxf(pieces)));
@@ -148,7 +149,7 @@ it('says that a file is damaged or empty, and takes it for no picture', async ()
   await alert.filter({hasText: 'choose DXF, SVG, OBJ or a GarmentCode file'}).waitFor();
 });
 
-it('reads on until Escape', async () => {
+it('reads on until Escape', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   const before = await designOf(page);
   await page.route('**/drawing.worker*', async (route) => {
@@ -165,33 +166,37 @@ it('reads on until Escape', async () => {
   expect(await designOf(page)).toEqual(before);
 });
 
-it('asks whether an SVG that may be a pattern is one, and takes every other as a print', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  const file = {name: 'two.svg', mimeType: 'image/svg+xml', content: svg};
-  await hand(page, 'drop', file);
-  await sheet(page).getByRole('heading', {name: 'What is two.svg?'}).waitFor();
-  await page.keyboard.press('Escape');
-  await sheet(page).waitFor({state: 'detached'});
-  expect(await designOf(page)).toEqual(before);
+it(
+  'asks whether an SVG that may be a pattern is one, and takes every other as a print',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    const file = {name: 'two.svg', mimeType: 'image/svg+xml', content: svg};
+    await hand(page, 'drop', file);
+    await sheet(page).getByRole('heading', {name: 'What is two.svg?'}).waitFor();
+    await page.keyboard.press('Escape');
+    await sheet(page).waitFor({state: 'detached'});
+    expect(await designOf(page)).toEqual(before);
 
-  await hand(page, 'drop', file);
-  await sheet(page).getByRole('button', {name: 'A sewing pattern'}).click();
-  await sheet(page).getByText('2 of 2 pieces').waitFor();
-  await sheet(page).getByRole('button', {name: 'Cancel'}).click();
+    await hand(page, 'drop', file);
+    await sheet(page).getByRole('button', {name: 'A sewing pattern'}).click();
+    await sheet(page).getByText('2 of 2 pieces').waitFor();
+    await sheet(page).getByRole('button', {name: 'Cancel'}).click();
 
-  await hand(page, 'drop', file);
-  await sheet(page).getByRole('button', {name: 'A print'}).click();
-  const image = async (): Promise<string> => (await designOf(page)).print.image;
-  await expect.poll(image, {timeout: 60_000}).not.toBe(before.print.image);
-  const two = await image();
+    await hand(page, 'drop', file);
+    await sheet(page).getByRole('button', {name: 'A print'}).click();
+    const image = async (): Promise<string> => (await designOf(page)).print.image;
+    await expect.poll(image, {timeout: 60_000}).not.toBe(before.print.image);
+    const two = await image();
 
-  const dots = `<svg xmlns="http://www.w3.org/2000/svg" width="40" height="40"><circle cx="20" cy="20" r="9"/></svg>`;
-  await hand(page, 'drop', {name: 'dots.svg', mimeType: 'image/svg+xml', content: dots});
-  await expect.poll(image, {timeout: 60_000}).not.toBe(two);
-});
+    const dots = `<svg xmlns="http://www.w3.org/2000/svg" width="40" height="40"><circle cx="20" cy="20" r="9"/></svg>`;
+    await hand(page, 'drop', {name: 'dots.svg', mimeType: 'image/svg+xml', content: dots});
+    await expect.poll(image, {timeout: 60_000}).not.toBe(two);
+  },
+);
 
-describe.each(['light', 'dark'] as const)('in %s colours', (colorScheme) => {
+describe.each(sampleOf(1, ['dark', 'light'] as const))('in %s colours', (colorScheme) => {
   it('keeps nobody out, on a small screen either', async () => {
     for (const viewport of [
       {width: 1440, height: 900},

@@ -62,15 +62,19 @@ it('shows a symmetric garment as drafted and then as it meets, on the first visi
   }
 });
 
-it('is in the way of nobody: the first key or press shows the answer', async () => {
-  const page = await openDraft();
-  await page.keyboard.press('Shift');
-  expect(await showsDraft(page)).toBe(false);
-  const other = await openDraft();
-  await button(other, 'Move print').click();
-  expect(await showsDraft(other)).toBe(false);
-  await expect.poll(() => button(other, 'Move print').getAttribute('aria-pressed')).toBe('true');
-});
+it(
+  'is in the way of nobody: the first key or press shows the answer',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openDraft();
+    await page.keyboard.press('Shift');
+    expect(await showsDraft(page)).toBe(false);
+    const other = await openDraft();
+    await button(other, 'Move print').click();
+    expect(await showsDraft(other)).toBe(false);
+    await expect.poll(() => button(other, 'Move print').getAttribute('aria-pressed')).toBe('true');
+  },
+);
 
 it('shows no draft to who wants no motion', async () => {
   const page = await openPage({isFirst: true, reducedMotion: 'reduce'});
@@ -101,17 +105,21 @@ it('gives three hints, one at a time, that move nothing and do not come back', a
   await expect.poll(() => hint(later).count()).toBe(0);
 });
 
-it('needs no hint for what somebody does by themselves, and remembers the others', async () => {
-  const page = await openPage({isFirst: true});
-  await solved(page);
-  await hint(page).getByText('another print').waitFor();
-  await button(page, 'Before and after').click();
-  await button(page, 'Before and after').click();
-  await page.getByRole('radio', {name: /^pmm,/}).press('Space');
-  await hint(page).getByText('Press a seam').waitFor(); // the one before is done
-  const later = await openPage({beside: page, isFirst: true});
-  await solved(later);
-  await hint(later).getByText('Press a seam').waitFor();
-  await later.getByRole('application', {name: 'Pattern'}).press('1');
-  await expect.poll(() => hint(later).count()).toBe(0);
-});
+it(
+  'needs no hint for what somebody does by themselves, and remembers the others',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({isFirst: true});
+    await solved(page);
+    await hint(page).getByText('another print').waitFor();
+    await button(page, 'Before and after').click();
+    await button(page, 'Before and after').click();
+    await page.getByRole('radio', {name: /^pmm,/}).press('Space');
+    await hint(page).getByText('Press a seam').waitFor(); // the one before is done
+    const later = await openPage({beside: page, isFirst: true});
+    await solved(later);
+    await hint(later).getByText('Press a seam').waitFor();
+    await later.getByRole('application', {name: 'Pattern'}).press('1');
+    await expect.poll(() => hint(later).count()).toBe(0);
+  },
+);

@@ -20,27 +20,31 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 const openPage = usePage();
 const quietPage = (options?: PageOptions): Promise<Page> => quiet(openPage, options);
 
-it('comes back to the same design after a reload during a solve, and solves it', async () => {
-  const page = await openPage();
-  await solved(page);
-  await showSample(page, 'patchwork-jacket');
-  const {garment} = await designOf(page);
-  const left = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
-    while (cancel.hidden) await new Promise(requestAnimationFrame); // until a solve begins
-    setTimeout(() => {
-      location.reload();
+it(
+  'comes back to the same design after a reload during a solve, and solves it',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await showSample(page, 'patchwork-jacket');
+    const {garment} = await designOf(page);
+    const left = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
+      while (cancel.hidden) await new Promise(requestAnimationFrame); // until a solve begins
+      setTimeout(() => {
+        location.reload();
+      });
     });
-  });
-  await Promise.all([
-    page.waitForEvent('load'),
-    left,
-    page.getByRole('radio', {name: /^pgg\b/}).press('Space'),
-  ]);
-  await solved(page);
-  const design = await designOf(page);
-  expect(design.garment).toEqual(garment);
-  expect(design.print.group).toBe('pgg');
-});
+    await Promise.all([
+      page.waitForEvent('load'),
+      left,
+      page.getByRole('radio', {name: /^pgg\b/}).press('Space'),
+    ]);
+    await solved(page);
+    const design = await designOf(page);
+    expect(design.garment).toEqual(garment);
+    expect(design.print.group).toBe('pgg');
+  },
+);
 
 it('keeps all steps over a reload', async () => {
   const page = await quietPage();
@@ -77,7 +81,7 @@ it('keeps what is changed at the very moment of a reload', async () => {
   expect((await designOf(page)).options.maxChangeCm).toBe(0.2);
 });
 
-it('carries a design of samples in a link', async () => {
+it('carries a design of samples in a link', {tags: ['thorough']}, async () => {
   const page = await openPage({permissions: ['clipboard-read', 'clipboard-write']});
   await solved(page);
   await showSample(page, 'tee');
@@ -122,7 +126,7 @@ it('takes up a link in a tab that shows something else, and keeps what is made o
   expect([garment.name, print.group]).toEqual(['apron-s.json', 'p6m']);
 });
 
-it('keeps work on a file that the address names', async () => {
+it('keeps work on a file that the address names', {tags: ['thorough']}, async () => {
   const page = await quietPage({query: '?garment=garments/tee-s.json'});
   await chooseGroup(page, 'pgg');
   await reloaded(page);
@@ -130,7 +134,7 @@ it('keeps work on a file that the address names', async () => {
   expect([garment.name, print.group]).toEqual(['tee-s.json', 'pgg']);
 });
 
-it('keeps two tabs apart that began with the same project', async () => {
+it('keeps two tabs apart that began with the same project', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await chooseGroup(page, 'pgg');
   await reloaded(page); // by now it is kept

@@ -36,7 +36,7 @@ it('shows the seam that is selected', async () => {
   await lens(page).getByText('Back right', {exact: true}).waitFor();
 });
 
-it('shows the seam that the pointer is over, until it leaves', async () => {
+it('shows the seam that the pointer is over, until it leaves', {tags: ['thorough']}, async () => {
   const page = await opened();
   await seam(page, 'Centre back').click();
   await seam(page, 'Centre front').hover();
@@ -55,7 +55,7 @@ it('keeps a pinned seam until Escape', async () => {
   expect(await name(page)).toBe('Centre front');
 });
 
-it('goes to the next worst seam and back', async () => {
+it('goes to the next worst seam and back', {tags: ['thorough']}, async () => {
   const page = await opened();
   const ranked = (rank: number): Promise<void> => lens(page).getByText(`, ${rank} of 12`).waitFor();
   await page.getByRole('button', {name: 'Next worst seam'}).click();
@@ -80,7 +80,7 @@ it('wipes between before and after', async () => {
   await expect.poll(() => seen(page), {timeout: 20_000}).not.toBe(after);
 });
 
-it('tells where on the seam the pointer is', async () => {
+it('tells where on the seam the pointer is', {tags: ['thorough']}, async () => {
   const page = await opened();
   await seam(page, 'Centre back').click();
   await page.evaluate(() => {

@@ -61,7 +61,7 @@ it('sorts by a column, and the other way round when asked again', async () => {
   expect(await column(page, 'Seams', 1)).toEqual(falling(lengths).reverse());
 });
 
-it('selects in the picture what is clicked in a table', async () => {
+it('selects in the picture what is clicked in a table', {tags: ['thorough']}, async () => {
   const page = await opened();
   const front = row(page, 'Front left');
   await front.getByRole('rowheader').click();
@@ -69,13 +69,17 @@ it('selects in the picture what is clicked in a table', async () => {
   expect(await workbench(page, 'selected')).toMatchObject({kind: 'piece'});
 });
 
-it('points in the picture at what the pointer is over in a table', async () => {
-  const page = await opened();
-  await row(page, 'Centre back').getByRole('rowheader').hover();
-  expect(await workbench(page, 'pointed')).toMatchObject({kind: 'seam'});
-  await page.getByRole('heading', {name: 'Seamwise'}).hover();
-  expect(await workbench(page, 'pointed')).toBeUndefined();
-});
+it(
+  'points in the picture at what the pointer is over in a table',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    await row(page, 'Centre back').getByRole('rowheader').hover();
+    expect(await workbench(page, 'pointed')).toMatchObject({kind: 'seam'});
+    await page.getByRole('heading', {name: 'Seamwise'}).hover();
+    expect(await workbench(page, 'pointed')).toBeUndefined();
+  },
+);
 
 it('walks the rows by keys', async () => {
   const page = await opened();
@@ -88,7 +92,7 @@ it('walks the rows by keys', async () => {
   await expect.poll(() => rows(page, 'Pieces').last().getAttribute('aria-selected')).toBe('false');
 });
 
-it('shows the row of what is selected in the picture', async () => {
+it('shows the row of what is selected in the picture', {tags: ['thorough']}, async () => {
   const page = await opened();
   await page.evaluate(() => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
@@ -114,7 +118,7 @@ it('lets a seam match less, or not at all, as one step each', async () => {
   await expect.poll(() => match.inputValue()).toBe('full');
 });
 
-it('cuts a piece from plain cloth, or on a grain of its own', async () => {
+it('cuts a piece from plain cloth, or on a grain of its own', {tags: ['thorough']}, async () => {
   const page = await opened();
   await page.getByRole('checkbox', {name: 'Printed: Front left'}).click();
   await page.getByRole('combobox', {name: 'Grain: Back left'}).selectOption('bias');
@@ -123,7 +127,7 @@ it('cuts a piece from plain cloth, or on a grain of its own', async () => {
   });
 });
 
-it('frees a piece that was pinned', async () => {
+it('frees a piece that was pinned', {tags: ['thorough']}, async () => {
   const page = await opened();
   await page.evaluate(() => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');

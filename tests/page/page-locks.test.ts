@@ -73,19 +73,23 @@ it('keeps a hem that is clicked, lets it go with the next click, and undoes both
   await expect.poll(() => lockedOf(page)).toBeUndefined();
 });
 
-it('keeps a sewn edge and its mirror image, and says so in both tables', async () => {
-  const page = await symmetricTee(openPage);
-  await button(page, 'Keep as drafted').click();
-  const {seam, side} = await seamOf(page, 'Side seam, left', 'front');
-  await clickSeam(page, seam, side);
-  const kept = page.getByRole('row').filter({hasText: 'kept on Front'});
-  await expect.poll(() => kept.count()).toBe(2);
-  const box = page.getByRole('checkbox', {name: 'Kept as drafted: Front'});
-  expect(await box.evaluate((input: HTMLInputElement) => input.indeterminate)).toBe(true);
-  expect(await lockedOf(page)).toEqual({front: [1]});
-  await solved(page);
-  for (const edge of [1, 7]) expect(await movedAlong(page, 'front', edge)).toBeLessThan(0.02);
-});
+it(
+  'keeps a sewn edge and its mirror image, and says so in both tables',
+  {tags: ['thorough']},
+  async () => {
+    const page = await symmetricTee(openPage);
+    await button(page, 'Keep as drafted').click();
+    const {seam, side} = await seamOf(page, 'Side seam, left', 'front');
+    await clickSeam(page, seam, side);
+    const kept = page.getByRole('row').filter({hasText: 'kept on Front'});
+    await expect.poll(() => kept.count()).toBe(2);
+    const box = page.getByRole('checkbox', {name: 'Kept as drafted: Front'});
+    expect(await box.evaluate((input: HTMLInputElement) => input.indeterminate)).toBe(true);
+    expect(await lockedOf(page)).toEqual({front: [1]});
+    await solved(page);
+    for (const edge of [1, 7]) expect(await movedAlong(page, 'front', edge)).toBeLessThan(0.02);
+  },
+);
 
 it('keeps a whole piece and its twin, from the picture or from the table', async () => {
   const page = await symmetricTee(openPage);
@@ -98,7 +102,7 @@ it('keeps a whole piece and its twin, from the picture or from the table', async
   await expect.poll(() => lockedOf(page)).toBeUndefined();
 });
 
-it('keeps edges by keys alone', async () => {
+it('keeps edges by keys alone', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await showSample(page, 'tee');
   await page.getByRole('application', {name: 'Pattern'}).focus();

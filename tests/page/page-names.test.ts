@@ -103,23 +103,27 @@ it('asks once for the grain of a file without one, and takes its own proposals a
   expect((await designOf(page)).options.grain?.default).toBe('on');
 });
 
-it('lays the grain line by two points or an edge, and turns a piece by 90 degrees', async () => {
-  const page = await opened();
-  await page.getByRole('combobox', {name: 'Grain: Left front torso'}).selectOption('line');
-  const hint = page.getByRole('status', {name: 'What to do next'});
-  await hint.getByText('Click an edge that the grain runs along').waitFor();
-  await clickPiece(page, 'left_ftorso');
-  await hint.getByText('Now click a second point').waitFor();
-  const [x, y] = await middleOfPiece(page, 'left_ftorso');
-  await page.mouse.click(x + 30, y);
-  await expect.poll(() => linesOf(page)).toHaveProperty('left_ftorso.angleDeg');
-  const pieces = (await linesOf(page)) as {left_ftorso: {angleDeg: number}};
-  expect(Math.abs(Math.sin((pieces.left_ftorso.angleDeg * Math.PI) / 180))).toBeLessThan(0.1);
-  await page.keyboard.press('Escape');
+it(
+  'lays the grain line by two points or an edge, and turns a piece by 90 degrees',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    await page.getByRole('combobox', {name: 'Grain: Left front torso'}).selectOption('line');
+    const hint = page.getByRole('status', {name: 'What to do next'});
+    await hint.getByText('Click an edge that the grain runs along').waitFor();
+    await clickPiece(page, 'left_ftorso');
+    await hint.getByText('Now click a second point').waitFor();
+    const [x, y] = await middleOfPiece(page, 'left_ftorso');
+    await page.mouse.click(x + 30, y);
+    await expect.poll(() => linesOf(page)).toHaveProperty('left_ftorso.angleDeg');
+    const pieces = (await linesOf(page)) as {left_ftorso: {angleDeg: number}};
+    expect(Math.abs(Math.sin((pieces.left_ftorso.angleDeg * Math.PI) / 180))).toBeLessThan(0.1);
+    await page.keyboard.press('Escape');
 
-  await button(page, 'Turn by 90 degrees: Left back torso').click();
-  expect(await linesOf(page)).toMatchObject({left_btorso: {lock: 'across'}});
-  await page.getByText('Left back torso turned by 90 degrees.').waitFor();
-  await page.getByRole('row').filter({hasText: 'Left back torso'}).first().press('r');
-  expect(await linesOf(page)).toMatchObject({left_btorso: {lock: 'on'}});
-});
+    await button(page, 'Turn by 90 degrees: Left back torso').click();
+    expect(await linesOf(page)).toMatchObject({left_btorso: {lock: 'across'}});
+    await page.getByText('Left back torso turned by 90 degrees.').waitFor();
+    await page.getByRole('row').filter({hasText: 'Left back torso'}).first().press('r');
+    expect(await linesOf(page)).toMatchObject({left_btorso: {lock: 'on'}});
+  },
+);

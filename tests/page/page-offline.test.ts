@@ -42,37 +42,45 @@ it('works without a network after the first visit, with all that was done', asyn
   expect(await groupOf(page)).toBe('cm');
 });
 
-it('says what is not on the device yet, and brings it once the network is back', async () => {
-  const page = await keptPage();
-  await page.context().setOffline(true);
-  await page.getByLabel('Garment', {exact: true}).selectOption('apron');
-  await notice(page, 'Apron is not on this device yet').waitFor();
-  expect((await designOf(page)).garment.name).toBe('asymmetric-dress-m.json');
-  await page.context().setOffline(false);
-  await expect
-    .poll(async () => (await designOf(page)).garment.name, {timeout: 20_000})
-    .toBe('apron-m.json');
+it(
+  'says what is not on the device yet, and brings it once the network is back',
+  {tags: ['thorough']},
+  async () => {
+    const page = await keptPage();
+    await page.context().setOffline(true);
+    await page.getByLabel('Garment', {exact: true}).selectOption('apron');
+    await notice(page, 'Apron is not on this device yet').waitFor();
+    expect((await designOf(page)).garment.name).toBe('asymmetric-dress-m.json');
+    await page.context().setOffline(false);
+    await expect
+      .poll(async () => (await designOf(page)).garment.name, {timeout: 20_000})
+      .toBe('apron-m.json');
 
-  await page.context().setOffline(true);
-  await chooseGroup(page, 'p4');
-  await button(page, 'Moss').click();
-  await notice(page, 'is not on this device yet').waitFor();
-  await page.context().setOffline(false);
-  await notice(page, 'is not on this device yet').waitFor({state: 'hidden'});
-});
+    await page.context().setOffline(true);
+    await chooseGroup(page, 'p4');
+    await button(page, 'Moss').click();
+    await notice(page, 'is not on this device yet').waitFor();
+    await page.context().setOffline(false);
+    await notice(page, 'is not on this device yet').waitFor({state: 'hidden'});
+  },
+);
 
-it('says that a new version is there, and shows it after a reload', async () => {
-  const page = await keptPage();
-  await chooseGroup(page, 'pgg');
-  // as if the page were of the version before, and the host served another worker now
-  await page.evaluate(async () => {
-    document.querySelector('script[type=module]')?.setAttribute('src', './assets/older.js');
-    await navigator.serviceWorker.register('service-worker.js?newer');
-  });
-  await notice(page, 'A new version is ready.').waitFor();
-  await Promise.all([page.waitForEvent('load'), button(page, 'Reload').click()]);
-  await expect.poll(() => groupOf(page), {timeout: 20_000}).toBe('pgg');
-});
+it(
+  'says that a new version is there, and shows it after a reload',
+  {tags: ['thorough']},
+  async () => {
+    const page = await keptPage();
+    await chooseGroup(page, 'pgg');
+    // as if the page were of the version before, and the host served another worker now
+    await page.evaluate(async () => {
+      document.querySelector('script[type=module]')?.setAttribute('src', './assets/older.js');
+      await navigator.serviceWorker.register('service-worker.js?newer');
+    });
+    await notice(page, 'A new version is ready.').waitFor();
+    await Promise.all([page.waitForEvent('load'), button(page, 'Reload').click()]);
+    await expect.poll(() => groupOf(page), {timeout: 20_000}).toBe('pgg');
+  },
+);
 
 it('can be installed: its manifest names icons that are there', async () => {
   const page = await openPage();

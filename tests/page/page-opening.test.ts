@@ -68,26 +68,30 @@ it('gives one final answer to three quick changes, that of the last', async () =
   expect(result.print.group).toBe('p6m');
 });
 
-it('undoes to the start and redoes to the end, with identical answers', async () => {
-  const page = await openPage();
-  await solved(page);
-  const results = [await saved(page, 'Save result')];
-  await button(page, 'Accept all symmetries').click();
-  await solved(page);
-  results.push(await saved(page, 'Save result'));
-  await page.getByRole('radio', {name: /^cmm\b/}).click();
-  await solved(page);
-  results.push(await saved(page, 'Save result'));
-  for (const k of [1, 0]) {
-    await button(page, 'Undo').click();
+it(
+  'undoes to the start and redoes to the end, with identical answers',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
     await solved(page);
-    expect((await saved(page, 'Save result')) === results[k]).toBe(true);
-  }
-  await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
-  for (const k of [1, 2]) {
-    await button(page, 'Redo').click();
+    const results = [await saved(page, 'Save result')];
+    await button(page, 'Accept all symmetries').click();
     await solved(page);
-    expect((await saved(page, 'Save result')) === results[k]).toBe(true);
-  }
-  await expect.poll(() => button(page, 'Redo').isDisabled()).toBe(true);
-});
+    results.push(await saved(page, 'Save result'));
+    await page.getByRole('radio', {name: /^cmm\b/}).click();
+    await solved(page);
+    results.push(await saved(page, 'Save result'));
+    for (const k of [1, 0]) {
+      await button(page, 'Undo').click();
+      await solved(page);
+      expect((await saved(page, 'Save result')) === results[k]).toBe(true);
+    }
+    await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
+    for (const k of [1, 2]) {
+      await button(page, 'Redo').click();
+      await solved(page);
+      expect((await saved(page, 'Save result')) === results[k]).toBe(true);
+    }
+    await expect.poll(() => button(page, 'Redo').isDisabled()).toBe(true);
+  },
+);

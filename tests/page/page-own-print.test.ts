@@ -7,6 +7,7 @@ import {barriers} from '../support/barriers.js';
 import {cut, halfDrop, leaf, painted, pngOf} from '../support/pictures.js';
 import {button, usePage} from '../support/page.js';
 import {designOf} from '../support/page-design.js';
+import {sampleOf} from '../support/level.js';
 
 const openPage = usePage();
 
@@ -31,7 +32,7 @@ const give = (page: Page, name: string, content: Buffer | string): Promise<void>
 const leafFile = (dpi?: number): Buffer => pngOf(painted(240, 200, leaf), dpi);
 const repeat = (page: Page, name: string) => page.getByRole('radio', {name, exact: true});
 
-it('is as large as its file says, and again when asked', async () => {
+it('is as large as its file says, and again when asked', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await give(page, 'leaf.png', leafFile(100));
   await page.getByText('From the file: 100 dpi, 6.1 cm wide').waitFor();
@@ -89,20 +90,24 @@ it('is not taken while its edges do not meet, and can be mirrored with one click
   await page.getByText('does not repeat as it is').waitFor({state: 'detached'});
 });
 
-it('is known as a half-drop by its edges, or taken as it is when that is meant', async () => {
-  const page = await quietPage();
-  const file = pngOf(painted(220, 200, halfDrop));
-  await give(page, 'drop.png', file);
-  await page.getByText('Its left and right edges do not meet.').waitFor();
-  await button(page, 'It is a half-drop').click();
-  await page.getByText('Your own: drop').waitFor();
-  expect((await designOf(page)).print.tile).toMatchObject({repeat: 'halfDrop'});
-  await give(page, 'drop again.png', file);
-  await button(page, 'Use it anyway').click();
-  await page.getByText('Your own: drop again').waitFor();
-  expect((await designOf(page)).print).toMatchObject({group: 'p1', cell: 'primitive'});
-  await page.getByText('Its left and right edges do not meet.').waitFor(); // as long as it is used so
-});
+it(
+  'is known as a half-drop by its edges, or taken as it is when that is meant',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const file = pngOf(painted(220, 200, halfDrop));
+    await give(page, 'drop.png', file);
+    await page.getByText('Its left and right edges do not meet.').waitFor();
+    await button(page, 'It is a half-drop').click();
+    await page.getByText('Your own: drop').waitFor();
+    expect((await designOf(page)).print.tile).toMatchObject({repeat: 'halfDrop'});
+    await give(page, 'drop again.png', file);
+    await button(page, 'Use it anyway').click();
+    await page.getByText('Your own: drop again').waitFor();
+    expect((await designOf(page)).print).toMatchObject({group: 'p1', cell: 'primitive'});
+    await page.getByText('Its left and right edges do not meet.').waitFor(); // as long as it is used so
+  },
+);
 
 /** Two cells of a sample side by side, from any point of them on. */
 async function twoCells(name: string, [x, y]: readonly [number, number]): Promise<Buffer> {
@@ -118,11 +123,13 @@ async function twoCells(name: string, [x, y]: readonly [number, number]): Promis
   return canvas.toBuffer('image/png');
 }
 
-it.each([
-  ['p4m', 1],
-  ['cmm', 5 / 7],
-  ['pgg', 9 / 11],
-])('is cut to one cell of %s where it shows two that begin anywhere', async (name, ratio) => {
+it.each(
+  sampleOf(1, [
+    ['p4m', 1],
+    ['cmm', 5 / 7],
+    ['pgg', 9 / 11],
+  ]),
+)('is cut to one cell of %s where it shows two that begin anywhere', async (name, ratio) => {
   const page = await quietPage();
   await give(page, 'two.png', await twoCells(name, [0.375, 0.25]));
   await page.getByText('Your own: two').waitFor();
@@ -138,7 +145,7 @@ it.each([
   expect(pixels).toBeCloseTo(ratio, 1);
 });
 
-it('is measured by two points, by mouse or by keys', async () => {
+it('is measured by two points, by mouse or by keys', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await give(page, 'leaf.png', leafFile(100));
   await page.getByText('Your own: leaf').waitFor();
@@ -196,7 +203,7 @@ it('is no print where it is damaged or another kind of file, and the print befor
   expect(await designOf(page)).toEqual(before);
 });
 
-it('says all of it without a fault that axe could find', async () => {
+it('says all of it without a fault that axe could find', {tags: ['thorough']}, async () => {
   const page = await quietPage(390);
   await give(page, 'leaf.png', leafFile(72));
   await page.getByText('Your own: leaf').waitFor();

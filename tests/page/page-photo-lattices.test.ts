@@ -19,6 +19,7 @@ it.each([
   ['p31m', 8],
 ] as const)(
   'is a print of group %s as the cloth has it, pasted',
+  {tags: ['thorough']},
   async (group: GroupName, seed) => {
     const {truth, pixels} = await floralCase(
       {name: group, level: 'normal', seed, size: [800, 640]},

@@ -22,7 +22,7 @@ beforeAll(async () => {
 
 const lengths = (dialog: Locator): Locator => dialog.getByLabel('measure (cm)');
 
-it('is there again as it was left, until its print is taken', async () => {
+it('is there again as it was left, until its print is taken', {tags: ['thorough']}, async () => {
   const page = await openPage();
   const dialog = await openSheet(page);
   await give(page, photograph);

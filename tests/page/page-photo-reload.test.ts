@@ -58,54 +58,62 @@ const measured = (dialog: Locator): Promise<string> =>
 /** What the sheet asks for where there is no photograph. */
 const intake = (dialog: Locator): Locator => dialog.getByRole('button', {name: 'Choose a picture'});
 
-it('is there with all its steps, until another is dropped or its print is taken', async () => {
-  const page = await openPage();
-  let dialog = await openSheet(page);
-  await give(page, photographs[0]);
-  expect(await found(dialog)).toBe('Found: pmm.');
-  await measure(dialog, 80);
-  await dialog.getByText(/One repeat is 8 cm × /).waitFor();
-  await dialog.getByLabel('Name').fill('river');
-  await dialog.getByLabel('Name').blur();
-  await expect.poll(() => keptOf(page)).toEqual([1, 1]);
-  dialog = await again(page);
-  await expect.poll(() => dialog.getByText('Found: pmm.').count()).toBe(1);
-  await expect.poll(() => measured(dialog)).toBe('80');
-  await expect.poll(() => dialog.getByLabel('Name').inputValue()).toBe('river');
-  await dialog.getByRole('button', {name: 'Undo'}).click();
-  await dialog.getByText(/^Size unknown/).waitFor();
-  // taken back, too, and closed in between
-  await page.keyboard.press('Escape');
-  await expect.poll(() => dialogOf(page).count()).toBe(0);
-  dialog = await again(page);
-  await dialog.getByText(/^Size unknown/).waitFor();
-  await dialog.getByRole('button', {name: 'Redo'}).click();
-  await expect.poll(() => measured(dialog)).toBe('80');
-  await give(page, photographs[1], 'other.jpg');
-  await dialog.getByText('Found: p4.').waitFor(patient);
-  dialog = await again(page);
-  await dialog.getByText('Found: p4.').waitFor(patient);
-  await expect.poll(() => dialog.getByLabel('Name').inputValue()).toBe('other');
-  await expect.poll(() => keptOf(page)).toEqual([1, 1]);
-  await use(page).click();
-  await page.getByText('Your own: other').waitFor(patient);
-  await expect.poll(() => keptOf(page)).toEqual([0, 0]);
-});
+it(
+  'is there with all its steps, until another is dropped or its print is taken',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    let dialog = await openSheet(page);
+    await give(page, photographs[0]);
+    expect(await found(dialog)).toBe('Found: pmm.');
+    await measure(dialog, 80);
+    await dialog.getByText(/One repeat is 8 cm × /).waitFor();
+    await dialog.getByLabel('Name').fill('river');
+    await dialog.getByLabel('Name').blur();
+    await expect.poll(() => keptOf(page)).toEqual([1, 1]);
+    dialog = await again(page);
+    await expect.poll(() => dialog.getByText('Found: pmm.').count()).toBe(1);
+    await expect.poll(() => measured(dialog)).toBe('80');
+    await expect.poll(() => dialog.getByLabel('Name').inputValue()).toBe('river');
+    await dialog.getByRole('button', {name: 'Undo'}).click();
+    await dialog.getByText(/^Size unknown/).waitFor();
+    // taken back, too, and closed in between
+    await page.keyboard.press('Escape');
+    await expect.poll(() => dialogOf(page).count()).toBe(0);
+    dialog = await again(page);
+    await dialog.getByText(/^Size unknown/).waitFor();
+    await dialog.getByRole('button', {name: 'Redo'}).click();
+    await expect.poll(() => measured(dialog)).toBe('80');
+    await give(page, photographs[1], 'other.jpg');
+    await dialog.getByText('Found: p4.').waitFor(patient);
+    dialog = await again(page);
+    await dialog.getByText('Found: p4.').waitFor(patient);
+    await expect.poll(() => dialog.getByLabel('Name').inputValue()).toBe('other');
+    await expect.poll(() => keptOf(page)).toEqual([1, 1]);
+    await use(page).click();
+    await page.getByText('Your own: other').waitFor(patient);
+    await expect.poll(() => keptOf(page)).toEqual([0, 0]);
+  },
+);
 
-it('is read again where its reading was cut short, and is forgotten once that is given up', async () => {
-  const page = await openPage();
-  await openSheet(page);
-  await give(page, photographs[0]);
-  await expect.poll(async () => (await keptOf(page))[0]).toBe(1);
-  const dialog = await again(page);
-  await dialog.getByText('Found: pmm.').waitFor(patient);
-  // of one that shows no print there is nothing to go on with
-  await give(page, await jpegOf(plain, 92));
-  await dialog.getByRole('alert').waitFor(patient);
-  await dialog.getByRole('button', {name: 'Close'}).click();
-  await expect.poll(() => keptOf(page)).toEqual([0, 0]);
-  await intake(await again(page)).waitFor();
-});
+it(
+  'is read again where its reading was cut short, and is forgotten once that is given up',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await openSheet(page);
+    await give(page, photographs[0]);
+    await expect.poll(async () => (await keptOf(page))[0]).toBe(1);
+    const dialog = await again(page);
+    await dialog.getByText('Found: pmm.').waitFor(patient);
+    // of one that shows no print there is nothing to go on with
+    await give(page, await jpegOf(plain, 92));
+    await dialog.getByRole('alert').waitFor(patient);
+    await dialog.getByRole('button', {name: 'Close'}).click();
+    await expect.poll(() => keptOf(page)).toEqual([0, 0]);
+    await intake(await again(page)).waitFor();
+  },
+);
 
 it('is taken as a print where the browser keeps nothing, and nothing is said', async () => {
   const page = await openPage();

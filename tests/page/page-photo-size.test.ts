@@ -34,82 +34,93 @@ async function said(dialog: Locator): Promise<number> {
   return Number(/is ([\d.]+) cm/.exec(text)?.[1]);
 }
 
-it('follows from a coin and from a card, is undone, and is refused where there is none', async () => {
-  const page = await openPage();
-  const dialog = await openSheet(page);
-  await give(page, photograph);
-  expect(await found(dialog)).toBe('Found: p4.');
-  await dialog.getByLabel('Coin or card', {exact: true}).check();
-  const tap = async (x: number, y: number): Promise<void> => {
-    const box = await page.locator('sw-photo-stage .frame').boundingBox();
-    if (!box) throw new Error('There is no photograph.');
-    await page.mouse.click(box.x + (x * box.width) / size[0], box.y + (y * box.height) / size[1]);
-  };
-  await tap(coinAt[0] + 5, coinAt[1] - 4);
-  await dialog
-    .getByText(/Measured by the red outline, good to about 1(\.\d)? %\./)
-    .waitFor(patient);
-  expect(Math.abs((await said(dialog)) / repeat - 1)).toBeLessThan(0.02);
-  await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(1);
-  const undo = dialog.getByRole('button', {name: 'Undo'});
-  await undo.click();
-  await dialog.getByText(/^Size unknown/).waitFor();
-  await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(0);
-  await tap(120, 640);
-  await dialog.getByText(/^No outline of that is seen there.*\.$/).waitFor(patient);
-  await expect.poll(() => undo.isEnabled()).toBe(false);
-  await dialog.getByLabel('Which').selectOption('card');
-  await tap(606, 412);
-  await dialog.getByText(/Measured by the red outline/).waitFor(patient);
-  expect(Math.abs((await said(dialog)) / repeat - 1)).toBeLessThan(0.02);
-  await use(page).click();
-  await expect.poll(() => dialogOf(page).count(), patient).toBe(0);
-  const {print} = await designOf(page);
-  expect(print.unscaled).toBeUndefined();
-  expect(Math.abs(print.size.width / repeat - 1)).toBeLessThan(0.01);
-});
+it(
+  'follows from a coin and from a card, is undone, and is refused where there is none',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    const dialog = await openSheet(page);
+    await give(page, photograph);
+    expect(await found(dialog)).toBe('Found: p4.');
+    await dialog.getByLabel('Coin or card', {exact: true}).check();
+    const tap = async (x: number, y: number): Promise<void> => {
+      const box = await page.locator('sw-photo-stage .frame').boundingBox();
+      if (!box) throw new Error('There is no photograph.');
+      await page.mouse.click(box.x + (x * box.width) / size[0], box.y + (y * box.height) / size[1]);
+    };
+    await tap(coinAt[0] + 5, coinAt[1] - 4);
+    await dialog
+      .getByText(/Measured by the red outline, good to about 1(\.\d)? %\./)
+      .waitFor(patient);
+    expect(Math.abs((await said(dialog)) / repeat - 1)).toBeLessThan(0.02);
+    await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(1);
+    const undo = dialog.getByRole('button', {name: 'Undo'});
+    await undo.click();
+    await dialog.getByText(/^Size unknown/).waitFor();
+    await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(0);
+    await tap(120, 640);
+    await dialog.getByText(/^No outline of that is seen there.*\.$/).waitFor(patient);
+    await expect.poll(() => undo.isEnabled()).toBe(false);
+    await dialog.getByLabel('Which').selectOption('card');
+    await tap(606, 412);
+    await dialog.getByText(/Measured by the red outline/).waitFor(patient);
+    expect(Math.abs((await said(dialog)) / repeat - 1)).toBeLessThan(0.02);
+    await use(page).click();
+    await expect.poll(() => dialogOf(page).count(), patient).toBe(0);
+    const {print} = await designOf(page);
+    expect(print.unscaled).toBeUndefined();
+    expect(Math.abs(print.size.width / repeat - 1)).toBeLessThan(0.01);
+  },
+);
 
-it('tells how far the search for a coin is, and is given up at once', async () => {
-  const page = await openPage();
-  const dialog = await openSheet(page);
-  await give(page, photograph);
-  await found(dialog);
-  await measure(dialog, 80);
-  const before = await said(dialog);
-  await dialog.getByLabel('Coin or card', {exact: true}).check();
-  const look = dialog.getByRole('button', {name: 'Look for it at the ring'});
-  // in one go: no solver is as fast as a part of the page is drawn
-  const seen = await look.evaluate(async (button: HTMLButtonElement) => {
-    const root = button.getRootNode() as ShadowRoot;
-    const host = root.host as Element & {readonly updateComplete: Promise<unknown>};
-    await host.updateComplete;
-    button.click();
-    await host.updateComplete;
-    const note = root.querySelector('.note');
-    const bar = note?.querySelector('progress');
-    const told = {
-      ...{role: note?.role, text: note?.querySelector('p')?.textContent},
-      ...{label: bar?.ariaLabel, value: bar?.value, isBusy: button.disabled},
-    };
-    note?.querySelector('button')?.click();
-    await host.updateComplete;
-    return {
-      ...told,
-      isLeft: !root.querySelector('.note'),
-      isFocused: root.activeElement === button,
-    };
-  });
-  expect(seen).toEqual({
-    ...{role: 'status', text: expect.stringMatching(/^Looking for the outline, 0\s?%$/) as string},
-    ...{label: 'Looking for the outline', value: 0, isBusy: true, isLeft: true, isFocused: true},
-  });
-  await expect.poll(() => said(dialog)).toBe(before);
-  await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(0);
-  await expect.poll(() => look.isEnabled()).toBe(true);
-  // the next one is not held up by it
-  await look.click();
-  await dialog.getByText(/^(No outline of that is seen there|Measured by)/).waitFor(patient);
-});
+it(
+  'tells how far the search for a coin is, and is given up at once',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    const dialog = await openSheet(page);
+    await give(page, photograph);
+    await found(dialog);
+    await measure(dialog, 80);
+    const before = await said(dialog);
+    await dialog.getByLabel('Coin or card', {exact: true}).check();
+    const look = dialog.getByRole('button', {name: 'Look for it at the ring'});
+    // in one go: no solver is as fast as a part of the page is drawn
+    const seen = await look.evaluate(async (button: HTMLButtonElement) => {
+      const root = button.getRootNode() as ShadowRoot;
+      const host = root.host as Element & {readonly updateComplete: Promise<unknown>};
+      await host.updateComplete;
+      button.click();
+      await host.updateComplete;
+      const note = root.querySelector('.note');
+      const bar = note?.querySelector('progress');
+      const told = {
+        ...{role: note?.role, text: note?.querySelector('p')?.textContent},
+        ...{label: bar?.ariaLabel, value: bar?.value, isBusy: button.disabled},
+      };
+      note?.querySelector('button')?.click();
+      await host.updateComplete;
+      return {
+        ...told,
+        isLeft: !root.querySelector('.note'),
+        isFocused: root.activeElement === button,
+      };
+    });
+    expect(seen).toEqual({
+      ...{
+        role: 'status',
+        text: expect.stringMatching(/^Looking for the outline, 0\s?%$/) as string,
+      },
+      ...{label: 'Looking for the outline', value: 0, isBusy: true, isLeft: true, isFocused: true},
+    });
+    await expect.poll(() => said(dialog)).toBe(before);
+    await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(0);
+    await expect.poll(() => look.isEnabled()).toBe(true);
+    // the next one is not held up by it
+    await look.click();
+    await dialog.getByText(/^(No outline of that is seen there|Measured by)/).waitFor(patient);
+  },
+);
 
 it('is measured and made white by keys alone', async () => {
   const page = await openPage();
@@ -137,16 +148,20 @@ it('is measured and made white by keys alone', async () => {
   await expect.poll(() => dialog.getByRole('button', {name: 'Colours as taken'}).count()).toBe(0);
 });
 
-it('shows on the photograph, too, where a symmetry that is chosen breaks', async () => {
-  const page = await openPage();
-  const dialog = await openSheet(page);
-  await give(page, photograph);
-  await found(dialog);
-  const broken = () => page.locator('sw-photo-stage .broken').getAttribute('d');
-  await expect.poll(broken).toBe('');
-  await dialog.getByRole('radio', {name: /^p4m, has not/}).check();
-  await dialog.getByText('Where it breaks p4m').waitFor(patient);
-  await expect.poll(async () => (await broken())?.split('Z').length ?? 0).toBeGreaterThan(100);
-  await dialog.getByLabel('Where it breaks the symmetry').uncheck();
-  await expect.poll(broken).toBe('');
-});
+it(
+  'shows on the photograph, too, where a symmetry that is chosen breaks',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    const dialog = await openSheet(page);
+    await give(page, photograph);
+    await found(dialog);
+    const broken = () => page.locator('sw-photo-stage .broken').getAttribute('d');
+    await expect.poll(broken).toBe('');
+    await dialog.getByRole('radio', {name: /^p4m, has not/}).check();
+    await dialog.getByText('Where it breaks p4m').waitFor(patient);
+    await expect.poll(async () => (await broken())?.split('Z').length ?? 0).toBeGreaterThan(100);
+    await dialog.getByLabel('Where it breaks the symmetry').uncheck();
+    await expect.poll(broken).toBe('');
+  },
+);

@@ -137,32 +137,36 @@ describe('a photograph', () => {
     await dialog.getByText('half.jpg is a JPEG picture, but damaged').waitFor();
   });
 
-  it('of unknown size is aligned, but neither cut nor laid until it is measured', async () => {
-    const page = await openPage();
-    await solved(page);
-    const dialog = await openSheet(page);
-    await give(page, photograph);
-    await found(dialog);
-    // by keys alone: the focus is on what takes it
-    await expect.poll(() => use(page).evaluate((one) => one.matches(':focus'))).toBe(true);
-    await page.keyboard.press('Enter');
-    await page.getByText('Your own: meadow').waitFor(patient);
-    expect((await designOf(page)).print.unscaled).toBe(true);
-    await solved(page);
-    const unknown = 'The size of this print is unknown';
-    await page.getByText(unknown).waitFor();
-    await page.keyboard.press('Control+Shift+S');
-    const cutting = page.locator('sw-cut-dialog').getByRole('dialog');
-    await cutting.getByText(unknown).waitFor();
-    await cutting.getByRole('button', {name: 'Close'}).click();
-    await page.getByLabel('Repeat width (cm)').fill('10');
-    await page.getByLabel('Repeat width (cm)').press('Enter');
-    await expect.poll(async () => (await designOf(page)).print.unscaled).toBe(false);
-    expect((await designOf(page)).print.size.width).toBeCloseTo(10, 6);
-  });
+  it(
+    'of unknown size is aligned, but neither cut nor laid until it is measured',
+    {tags: ['thorough']},
+    async () => {
+      const page = await openPage();
+      await solved(page);
+      const dialog = await openSheet(page);
+      await give(page, photograph);
+      await found(dialog);
+      // by keys alone: the focus is on what takes it
+      await expect.poll(() => use(page).evaluate((one) => one.matches(':focus'))).toBe(true);
+      await page.keyboard.press('Enter');
+      await page.getByText('Your own: meadow').waitFor(patient);
+      expect((await designOf(page)).print.unscaled).toBe(true);
+      await solved(page);
+      const unknown = 'The size of this print is unknown';
+      await page.getByText(unknown).waitFor();
+      await page.keyboard.press('Control+Shift+S');
+      const cutting = page.locator('sw-cut-dialog').getByRole('dialog');
+      await cutting.getByText(unknown).waitFor();
+      await cutting.getByRole('button', {name: 'Close'}).click();
+      await page.getByLabel('Repeat width (cm)').fill('10');
+      await page.getByLabel('Repeat width (cm)').press('Enter');
+      await expect.poll(async () => (await designOf(page)).print.unscaled).toBe(false);
+      expect((await designOf(page)).print.size.width).toBeCloseTo(10, 6);
+    },
+  );
 });
 
-it('is offered for a picture whose edges do not meet', async () => {
+it('is offered for a picture whose edges do not meet', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await page.locator('sw-print-panel input[type=file]').setInputFiles({
     name: 'cut.png',
@@ -173,17 +177,21 @@ it('is offered for a picture whose edges do not meet', async () => {
   await dialogOf(page).getByRole('img', {name: 'Photo of the cloth'}).waitFor();
 });
 
-it('is read on a phone in the dark without a fault that axe could find', async () => {
-  const page = await openPage({
-    viewport: {width: 390, height: 760},
-    colorScheme: 'dark',
-  });
-  const dialog = await openSheet(page);
-  expect(await barriers(page)).toEqual([]);
-  await give(page, photograph);
-  await found(dialog);
-  await tileMade(dialog);
-  expect(await barriers(page)).toEqual([]);
-  const width = await dialog.evaluate((one) => one.scrollWidth - one.clientWidth);
-  expect(width).toBe(0);
-});
+it(
+  'is read on a phone in the dark without a fault that axe could find',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({
+      viewport: {width: 390, height: 760},
+      colorScheme: 'dark',
+    });
+    const dialog = await openSheet(page);
+    expect(await barriers(page)).toEqual([]);
+    await give(page, photograph);
+    await found(dialog);
+    await tileMade(dialog);
+    expect(await barriers(page)).toEqual([]);
+    const width = await dialog.evaluate((one) => one.scrollWidth - one.clientWidth);
+    expect(width).toBe(0);
+  },
+);

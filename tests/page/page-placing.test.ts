@@ -92,19 +92,23 @@ it('slides a symmetric piece along its axis, and clicks it over to the next mirr
   await page.locator('sw-pattern [data-sign="pin"]').waitFor();
 });
 
-it('has the image of a pair follow, and the newest of two drags count', async () => {
-  const page = await symmetricTee(openPage);
-  await button(page, 'Move print').click();
-  await drag(page, 'sleeve_left', [20, 12]);
-  await solved(page);
-  expect(Object.keys(await pinsOf(page))).toEqual(['sleeve_left']);
-  await drag(page, 'sleeve_right', [-15, 9]);
-  await solved(page);
-  expect(Object.keys(await pinsOf(page))).toEqual(['sleeve_right']);
-  await button(page, 'Unpin Sleeve right').click();
-  await solved(page);
-  expect(await pinsOf(page)).toEqual({});
-});
+it(
+  'has the image of a pair follow, and the newest of two drags count',
+  {tags: ['thorough']},
+  async () => {
+    const page = await symmetricTee(openPage);
+    await button(page, 'Move print').click();
+    await drag(page, 'sleeve_left', [20, 12]);
+    await solved(page);
+    expect(Object.keys(await pinsOf(page))).toEqual(['sleeve_left']);
+    await drag(page, 'sleeve_right', [-15, 9]);
+    await solved(page);
+    expect(Object.keys(await pinsOf(page))).toEqual(['sleeve_right']);
+    await button(page, 'Unpin Sleeve right').click();
+    await solved(page);
+    expect(await pinsOf(page)).toEqual({});
+  },
+);
 
 it('centres a motif on the edge that is chosen', async () => {
   const page = await symmetricTee(openPage);
@@ -145,7 +149,7 @@ it('takes a stored pin to the nearest place that keeps the symmetry, as part of 
   expect(await pinsOf(page)).toEqual({});
 });
 
-it('takes a pin along when a symmetry is asked for later', async () => {
+it('takes a pin along when a symmetry is asked for later', {tags: ['thorough']}, async () => {
   const page = await symmetricTee(openPage);
   const {symmetry} = await designOf(page);
   const {alignment} = await lying(page, 'front');
@@ -162,48 +166,58 @@ it('takes a pin along when a symmetry is asked for later', async () => {
   expect((await pinsOf(page)).front?.translation[0]).toBeCloseTo(x, 5);
 });
 
-it('offers ways out where the pins of a pair contradict each other', async () => {
-  const page = await symmetricTee(openPage);
-  const pins = {
-    sleeve_left: {angle: 0, translation: [0, 0]},
-    sleeve_right: {angle: 0, translation: [1, 2]},
-  } as const;
-  await change(page, {options: {pins}});
-  const ways = page.getByRole('group', {name: 'Ways out'});
-  await ways.getByRole('button', {name: 'Let Sleeve right mirror Sleeve left'}).waitFor();
-  expect(await barriers(page)).toEqual([]);
-  expect(await ways.getByRole('button').allInnerTexts()).toEqual([
-    'Let Sleeve right mirror Sleeve left',
-    'Unpin Sleeve left',
-    'Unpin Sleeve right',
-    'Drop the symmetry: Sleeve left, Sleeve right',
-  ]);
-  await ways.getByRole('button', {name: 'Let Sleeve right mirror Sleeve left'}).click();
-  await solved(page);
-  expect((await pinsOf(page)).sleeve_left).toEqual(pins.sleeve_left);
-  await button(page, 'Undo').click();
-  await ways.getByRole('button', {name: 'Unpin Sleeve left'}).click();
-  await solved(page);
-  expect(Object.keys(await pinsOf(page))).toEqual(['sleeve_right']);
-});
+it(
+  'offers ways out where the pins of a pair contradict each other',
+  {tags: ['thorough']},
+  async () => {
+    const page = await symmetricTee(openPage);
+    const pins = {
+      sleeve_left: {angle: 0, translation: [0, 0]},
+      sleeve_right: {angle: 0, translation: [1, 2]},
+    } as const;
+    await change(page, {options: {pins}});
+    const ways = page.getByRole('group', {name: 'Ways out'});
+    await ways.getByRole('button', {name: 'Let Sleeve right mirror Sleeve left'}).waitFor();
+    expect(await barriers(page)).toEqual([]);
+    expect(await ways.getByRole('button').allInnerTexts()).toEqual([
+      'Let Sleeve right mirror Sleeve left',
+      'Unpin Sleeve left',
+      'Unpin Sleeve right',
+      'Drop the symmetry: Sleeve left, Sleeve right',
+    ]);
+    await ways.getByRole('button', {name: 'Let Sleeve right mirror Sleeve left'}).click();
+    await solved(page);
+    expect((await pinsOf(page)).sleeve_left).toEqual(pins.sleeve_left);
+    await button(page, 'Undo').click();
+    await ways.getByRole('button', {name: 'Unpin Sleeve left'}).click();
+    await solved(page);
+    expect(Object.keys(await pinsOf(page))).toEqual(['sleeve_right']);
+  },
+);
 
-it('offers ways out where grain and symmetry do not go together', async () => {
-  const page = await symmetricTee(openPage);
-  await change(page, {print: {turnDeg: 110}});
-  const ways = page.getByRole('group', {name: 'Ways out'});
-  await ways.getByRole('button', {name: /^Turn the print by -20°|^Turn the print by −20°/}).click();
-  await solved(page);
-  expect((await designOf(page)).print.turnDeg).toBeCloseTo(90, 6);
-  await button(page, 'Undo').click();
-  await ways
-    .getByRole('button', {name: /^Let .* lie at any angle$/})
-    .first()
-    .waitFor();
-  await ways
-    .getByRole('button', {name: /^Drop the symmetry: /})
-    .first()
-    .waitFor();
-});
+it(
+  'offers ways out where grain and symmetry do not go together',
+  {tags: ['thorough']},
+  async () => {
+    const page = await symmetricTee(openPage);
+    await change(page, {print: {turnDeg: 110}});
+    const ways = page.getByRole('group', {name: 'Ways out'});
+    await ways
+      .getByRole('button', {name: /^Turn the print by -20°|^Turn the print by −20°/})
+      .click();
+    await solved(page);
+    expect((await designOf(page)).print.turnDeg).toBeCloseTo(90, 6);
+    await button(page, 'Undo').click();
+    await ways
+      .getByRole('button', {name: /^Let .* lie at any angle$/})
+      .first()
+      .waitFor();
+    await ways
+      .getByRole('button', {name: /^Drop the symmetry: /})
+      .first()
+      .waitFor();
+  },
+);
 
 it('offers to leave out what the print cannot keep', async () => {
   const page = await symmetricTee(openPage);

@@ -55,7 +55,7 @@ it('offers the 17 groups and stripes, which arrow keys walk through', async () =
   expect((await designOf(page)).print).toMatchObject({group: 'pmm', sample: {name: 'ticking'}});
 });
 
-it('names its prints, and shows only those that are looked for', async () => {
+it('names its prints, and shows only those that are looked for', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   const majolica = page.getByRole('radio', {name: 'p4m, Majolica'});
   await expect.poll(() => majolica.innerText()).toBe('Majolica');
@@ -93,7 +93,7 @@ it('says why a group will not do, and which would', async () => {
   await page.getByRole('radio', {name: 'cmm, Foulard', checked: true}).waitFor();
 });
 
-it('keeps the repeat when only the colours change', async () => {
+it('keeps the repeat when only the colours change', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await enter(page, 'Repeat width (cm)', '8');
   await button(page, 'Night').click();
@@ -102,23 +102,27 @@ it('keeps the repeat when only the colours change', async () => {
   expect(image).toBe('prints/p4m-night.svg');
 });
 
-it('offers every print in the colours that it comes in, whatever is chosen', async () => {
-  const page = await quietPage();
-  const offered = (): Promise<string[]> =>
-    page
-      .locator('.groups image, .more image')
-      .evaluateAll((images) => images.map((image) => image.getAttribute('href') ?? ''));
-  const before = await offered();
-  await button(page, 'Night').click();
-  await expect.poll(async () => (await designOf(page)).print.sample?.colourway).toBe('Night');
-  expect(await offered()).toEqual(before);
-  await group(page, 'p4').click();
-  await group(page, 'p4')
-    .and(page.getByRole('radio', {checked: true}))
-    .waitFor();
-  const {image} = (await designOf(page)).print;
-  expect(before).toContain(image.replace('.svg', '.png'));
-});
+it(
+  'offers every print in the colours that it comes in, whatever is chosen',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const offered = (): Promise<string[]> =>
+      page
+        .locator('.groups image, .more image')
+        .evaluateAll((images) => images.map((image) => image.getAttribute('href') ?? ''));
+    const before = await offered();
+    await button(page, 'Night').click();
+    await expect.poll(async () => (await designOf(page)).print.sample?.colourway).toBe('Night');
+    expect(await offered()).toEqual(before);
+    await group(page, 'p4').click();
+    await group(page, 'p4')
+      .and(page.getByRole('radio', {checked: true}))
+      .waitFor();
+    const {image} = (await designOf(page)).print;
+    expect(before).toContain(image.replace('.svg', '.png'));
+  },
+);
 
 it('refuses a repeat that is too small or too large in one sentence', async () => {
   const page = await quietPage();
@@ -147,7 +151,7 @@ it('keeps the proportions of a repeat until that is taken back', async () => {
   expect((await designOf(page)).print.size).toMatchObject({width: 4, height});
 });
 
-it('offers the group that still fits cloth that was measured', async () => {
+it('offers the group that still fits cloth that was measured', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await proportions(page).click();
   await enter(page, 'Repeat height (cm)', '12');
@@ -160,20 +164,24 @@ it('offers the group that still fits cloth that was measured', async () => {
   expect(print.image).toBe('prints/p4m.svg');
 });
 
-it('turns the picture where the smaller group has its axes the other way', async () => {
-  const page = await quietPage();
-  await group(page, 'p3m1').click();
-  await page.getByRole('radio', {name: /^p3m1,/, checked: true}).waitFor();
-  await proportions(page).click();
-  await enter(page, 'Repeat height (cm)', '18');
-  await button(page, 'Take cm').click();
-  await group(page, 'cm')
-    .and(page.getByRole('radio', {checked: true}))
-    .waitFor();
-  const {size, turnDeg, image} = (await designOf(page)).print;
-  expect([size.width, size.height, turnDeg]).toEqual([18, 10, 90]);
-  expect(image).toMatch(/^data:image\/png;base64,/);
-});
+it(
+  'turns the picture where the smaller group has its axes the other way',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await group(page, 'p3m1').click();
+    await page.getByRole('radio', {name: /^p3m1,/, checked: true}).waitFor();
+    await proportions(page).click();
+    await enter(page, 'Repeat height (cm)', '18');
+    await button(page, 'Take cm').click();
+    await group(page, 'cm')
+      .and(page.getByRole('radio', {checked: true}))
+      .waitFor();
+    const {size, turnDeg, image} = (await designOf(page)).print;
+    expect([size.width, size.height, turnDeg]).toEqual([18, 10, 90]);
+    expect(image).toMatch(/^data:image\/png;base64,/);
+  },
+);
 
 it('gives a picture the group that it has, and shows where it breaks another', async () => {
   const page = await quietPage();
@@ -191,14 +199,14 @@ it('gives a picture the group that it has, and shows where it breaks another', a
   await report.getByText('Repeats, without turns or mirrors.').waitFor();
 });
 
-it('finds both mirrors of a picture', async () => {
+it('finds both mirrors of a picture', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await open(page, 'dot.svg', 'image/svg+xml', tile());
   await page.getByText('Your own: dot').waitFor();
   expect((await designOf(page)).print).toMatchObject({group: 'pmm', oneWay: false});
 });
 
-it('asks for the picture that a print file names, and takes it', async () => {
+it('asks for the picture that a print file names, and takes it', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   const file = {title: 'Mine', group: 'pmm', w1: [6, 0], w2: [0, 8], image: 'mine.svg'};
   await open(page, 'mine.json', 'application/json', JSON.stringify(file));

@@ -74,16 +74,20 @@ it('goes on in a new tab with what was worked on last, unless another tab works 
   expect(await groupOf(later)).not.toBe('pgg');
 });
 
-it('leaves what cannot be read unopened, and everything as it was', async () => {
-  const page = await quietPage();
-  await chooseGroup(page, 'pgg');
-  const before = await designOf(page);
-  await hand(page, 'drop', jsonFile('torn.json', '{"pattern": 1}'));
-  await page.getByRole('alert').filter({hasText: 'torn.json'}).waitFor();
-  expect(await designOf(page)).toEqual(before);
-  await expect.poll(() => button(page, 'Undo').isEnabled()).toBe(true);
-  expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M']);
-});
+it(
+  'leaves what cannot be read unopened, and everything as it was',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await chooseGroup(page, 'pgg');
+    const before = await designOf(page);
+    await hand(page, 'drop', jsonFile('torn.json', '{"pattern": 1}'));
+    await page.getByRole('alert').filter({hasText: 'torn.json'}).waitFor();
+    expect(await designOf(page)).toEqual(before);
+    await expect.poll(() => button(page, 'Undo').isEnabled()).toBe(true);
+    expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M']);
+  },
+);
 
 it('lists projects with their pictures in every tab, and opens them with their history', async () => {
   const page = await quietPage();
@@ -111,7 +115,7 @@ it('lists projects with their pictures in every tab, and opens them with their h
   expect(await groupOf(other)).toBe(plain);
 });
 
-it('does not list samples that were only looked at', async () => {
+it('does not list samples that were only looked at', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   for (const style of ['apron', 'tee', 'shirt']) await chooseSample(page, style);
   await reloaded(page);
@@ -142,7 +146,7 @@ it('calls window and files by the name that somebody gives a project', async () 
   await expect.poll(() => page.title()).toBe('scarf – Seamwise');
 });
 
-it('duplicates a project, deletes one, and takes that back', async () => {
+it('duplicates a project, deletes one, and takes that back', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await drop(page, 'scarf.json');
   const list = await listOf(page);
@@ -166,68 +170,80 @@ it('duplicates a project, deletes one, and takes that back', async () => {
   expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M']);
 });
 
-it('gives a second tab a copy of what is open in the first, and lets it delete nothing of it', async () => {
-  const page = await quietPage();
-  await chooseGroup(page, 'pgg');
-  const other = await quietPage({beside: page});
-  const list = await listOf(other);
-  await list.getByText('open in another tab').waitFor();
-  expect(await button(other, 'Delete Asymmetric dress, M').count()).toBe(1); // its own
-  await card(list, 'Asymmetric dress, M').last().click();
-  await other.getByText('The project is open in another tab').waitFor();
-  await chooseGroup(other, 'cmm');
-  await chooseGroup(page, 'p6m');
-  await Promise.all([reloaded(page), reloaded(other)]);
-  expect([await groupOf(page), await groupOf(other)]).toEqual(['p6m', 'cmm']);
-});
+it(
+  'gives a second tab a copy of what is open in the first, and lets it delete nothing of it',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await chooseGroup(page, 'pgg');
+    const other = await quietPage({beside: page});
+    const list = await listOf(other);
+    await list.getByText('open in another tab').waitFor();
+    expect(await button(other, 'Delete Asymmetric dress, M').count()).toBe(1); // its own
+    await card(list, 'Asymmetric dress, M').last().click();
+    await other.getByText('The project is open in another tab').waitFor();
+    await chooseGroup(other, 'cmm');
+    await chooseGroup(page, 'p6m');
+    await Promise.all([reloaded(page), reloaded(other)]);
+    expect([await groupOf(page), await groupOf(other)]).toEqual(['p6m', 'cmm']);
+  },
+);
 
-it('keeps projects as long as the tab lives where the browser keeps nothing, and says so', async () => {
-  const page = await openPage({viewport: {width: 640, height: 480}});
-  await page.addInitScript(() => {
-    Object.defineProperty(globalThis, 'indexedDB', {value: undefined});
-  });
-  await page.reload();
-  await quiet(() => Promise.resolve(page));
-  await chooseGroup(page, 'pgg');
-  const note = 'This browser keeps nothing for this page; save the project before you leave.';
-  await page.getByRole('alert').filter({hasText: note}).waitFor();
-  await drop(page, 'scarf.json');
-  const list = await listOf(page);
-  await list.getByText(note).waitFor();
-  await expect.poll(() => cards(list)).toEqual(['scarf', 'Asymmetric dress, M']);
-  await card(list, 'Asymmetric dress, M').click();
-  await shows(page, 'asymmetric-dress-m.json');
-  expect(await groupOf(page)).toBe('pgg');
-  await reloaded(page);
-  expect(await groupOf(page)).toBe('pgg');
-});
+it(
+  'keeps projects as long as the tab lives where the browser keeps nothing, and says so',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({viewport: {width: 640, height: 480}});
+    await page.addInitScript(() => {
+      Object.defineProperty(globalThis, 'indexedDB', {value: undefined});
+    });
+    await page.reload();
+    await quiet(() => Promise.resolve(page));
+    await chooseGroup(page, 'pgg');
+    const note = 'This browser keeps nothing for this page; save the project before you leave.';
+    await page.getByRole('alert').filter({hasText: note}).waitFor();
+    await drop(page, 'scarf.json');
+    const list = await listOf(page);
+    await list.getByText(note).waitFor();
+    await expect.poll(() => cards(list)).toEqual(['scarf', 'Asymmetric dress, M']);
+    await card(list, 'Asymmetric dress, M').click();
+    await shows(page, 'asymmetric-dress-m.json');
+    expect(await groupOf(page)).toBe('pgg');
+    await reloaded(page);
+    expect(await groupOf(page)).toBe('pgg');
+  },
+);
 
-it('carries a garment, a print, how that repeats, and a name of somebody’s own in a link', async () => {
-  const page = await quietPage({permissions: ['clipboard-read', 'clipboard-write']});
-  await drop(page, 'scarf.json');
-  await hand(page, 'drop', {
-    name: 'dots.svg',
-    mimeType: 'image/svg+xml',
-    content: `<svg xmlns="http://www.w3.org/2000/svg" width="90" height="60"><path d="${'M1 2h3'.repeat(900)}" stroke="#000"/></svg>`,
-  });
-  await expect.poll(async () => (await designOf(page)).print.title).toBe('dots');
-  await page.getByRole('radio', {name: 'Half-drop', exact: true}).click();
-  await expect.poll(async () => (await designOf(page)).print.tile?.repeat).toBe('halfDrop');
-  await page.locator('seamwise-page').evaluate((element) => {
-    const {workbench} = element as HTMLElement & {workbench: {align: () => void}};
-    workbench.align();
-  });
-  await button(page, 'Save …').click({timeout: 60_000});
-  await button(page, 'Copy link').click();
-  await page.getByText(/The link is in the clipboard/).waitFor();
-  const design = await designOf(page);
-  const link = await page.evaluate(() => navigator.clipboard.readText());
-  expect(link.length).toBeLessThan(3000);
-  const other = await quietPage({query: new URL(link).hash});
-  expect(await designOf(other)).toEqual(design);
-  expect(other.url()).not.toContain('#');
-  expect(await cards(await listOf(other))).toEqual(['scarf']);
-});
+it(
+  'carries a garment, a print, how that repeats, and a name of somebody’s own in a link',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage({permissions: ['clipboard-read', 'clipboard-write']});
+    await drop(page, 'scarf.json');
+    await hand(page, 'drop', {
+      name: 'dots.svg',
+      mimeType: 'image/svg+xml',
+      content: `<svg xmlns="http://www.w3.org/2000/svg" width="90" height="60"><path d="${'M1 2h3'.repeat(900)}" stroke="#000"/></svg>`,
+    });
+    await expect.poll(async () => (await designOf(page)).print.title).toBe('dots');
+    await page.getByRole('radio', {name: 'Half-drop', exact: true}).click();
+    await expect.poll(async () => (await designOf(page)).print.tile?.repeat).toBe('halfDrop');
+    await page.locator('seamwise-page').evaluate((element) => {
+      const {workbench} = element as HTMLElement & {workbench: {align: () => void}};
+      workbench.align();
+    });
+    await button(page, 'Save …').click({timeout: 60_000});
+    await button(page, 'Copy link').click();
+    await page.getByText(/The link is in the clipboard/).waitFor();
+    const design = await designOf(page);
+    const link = await page.evaluate(() => navigator.clipboard.readText());
+    expect(link.length).toBeLessThan(3000);
+    const other = await quietPage({query: new URL(link).hash});
+    expect(await designOf(other)).toEqual(design);
+    expect(other.url()).not.toContain('#');
+    expect(await cards(await listOf(other))).toEqual(['scarf']);
+  },
+);
 
 it('says that a link is damaged, and leaves everything as it was', async () => {
   const page = await quietPage();

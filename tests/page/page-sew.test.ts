@@ -75,52 +75,56 @@ async function tab(page: Page, from: number, to: number): Promise<void> {
   for (let k = to; k < from; k++) await page.keyboard.press('Shift+Tab');
 }
 
-it('is sewn by keys alone, and fits as the one whose seams it had', async () => {
-  const page = await openPage();
-  await solved(page);
-  await choose(page, 'Open garment', jsonFile('tee.json', stripped));
-  await says(page, /^Choose an edge/);
-  await expect.poll(() => button(page, 'Sew').getAttribute('aria-pressed')).toBe('true');
-  await pattern(page).focus();
-  await page.keyboard.press('Tab');
-  await says(page, /^Hem of Front, 56 cm/);
-  await expect.poll(() => pattern(page).getAttribute('aria-activedescendant')).toBe('edge-0-0');
-  let present = 0;
-  const count: number[] = [];
-  for (const [a, b] of stitches) {
-    const {pieces, seams} = await garmentOf(page);
-    count.push(seams.length);
-    const isSewn = seams.some(({a: {piece, edge}, b: end}) =>
-      [{piece, edge}, end].some(
-        (one) => `${pieces[one.piece]?.name ?? ''} ${one.edge}` === nameOf(a),
-      ),
-    );
-    if (isSewn) continue; // as the mirror image of another
-    await tab(page, present, orderOf(a));
-    await page.keyboard.press('Enter');
-    await says(page, /Now choose what it is sewn to/);
-    await tab(page, orderOf(a), orderOf(b));
-    await says(page, /Press Enter to sew\.$/);
-    await page.keyboard.press('Enter');
-    await says(page, /Sewn to/);
-    present = orderOf(a);
-  }
-  expect(seamsOf(await garmentOf(page))).toEqual(wanted);
-  expect(new Set(count).size).toBeLessThan(stitches.length); // mirror images have followed
-  await page.getByText('20 of 26 edges sewn, 0 open').waitFor();
-  const fit = await fitOf(page);
+it(
+  'is sewn by keys alone, and fits as the one whose seams it had',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await choose(page, 'Open garment', jsonFile('tee.json', stripped));
+    await says(page, /^Choose an edge/);
+    await expect.poll(() => button(page, 'Sew').getAttribute('aria-pressed')).toBe('true');
+    await pattern(page).focus();
+    await page.keyboard.press('Tab');
+    await says(page, /^Hem of Front, 56 cm/);
+    await expect.poll(() => pattern(page).getAttribute('aria-activedescendant')).toBe('edge-0-0');
+    let present = 0;
+    const count: number[] = [];
+    for (const [a, b] of stitches) {
+      const {pieces, seams} = await garmentOf(page);
+      count.push(seams.length);
+      const isSewn = seams.some(({a: {piece, edge}, b: end}) =>
+        [{piece, edge}, end].some(
+          (one) => `${pieces[one.piece]?.name ?? ''} ${one.edge}` === nameOf(a),
+        ),
+      );
+      if (isSewn) continue; // as the mirror image of another
+      await tab(page, present, orderOf(a));
+      await page.keyboard.press('Enter');
+      await says(page, /Now choose what it is sewn to/);
+      await tab(page, orderOf(a), orderOf(b));
+      await says(page, /Press Enter to sew\.$/);
+      await page.keyboard.press('Enter');
+      await says(page, /Sewn to/);
+      present = orderOf(a);
+    }
+    expect(seamsOf(await garmentOf(page))).toEqual(wanted);
+    expect(new Set(count).size).toBeLessThan(stitches.length); // mirror images have followed
+    await page.getByText('20 of 26 edges sewn, 0 open').waitFor();
+    const fit = await fitOf(page);
 
-  await page.keyboard.press('u');
-  expect((await garmentOf(page)).seams.length).toBeLessThan(stitches.length);
-  await expect.poll(() => button(page, 'Redo').getAttribute('title')).toBe('Redo: seams');
-  await page.keyboard.press('Control+Shift+z');
-  await expect.poll(async () => seamsOf(await garmentOf(page))).toEqual(wanted);
+    await page.keyboard.press('u');
+    expect((await garmentOf(page)).seams.length).toBeLessThan(stitches.length);
+    await expect.poll(() => button(page, 'Redo').getAttribute('title')).toBe('Redo: seams');
+    await page.keyboard.press('Control+Shift+z');
+    await expect.poll(async () => seamsOf(await garmentOf(page))).toEqual(wanted);
 
-  await choose(page, 'Open garment', jsonFile('tee-sewn.json', plain));
-  await expect.poll(async () => (await garmentOf(page)).seams.length).toBe(stitches.length);
-  const sewn = await fitOf(page);
-  expect(Math.abs(fit - sewn)).toBeLessThan(0.02 * sewn);
-});
+    await choose(page, 'Open garment', jsonFile('tee-sewn.json', plain));
+    await expect.poll(async () => (await garmentOf(page)).seams.length).toBe(stitches.length);
+    const sewn = await fitOf(page);
+    expect(Math.abs(fit - sewn)).toBeLessThan(0.02 * sewn);
+  },
+);
 
 /** A place on an edge of a piece on the screen. */
 async function placeOn(page: Page, name: string, edge: number, share = 0.5): Promise<Point> {
@@ -215,7 +219,7 @@ const places = (page: Page): Promise<readonly string[]> =>
 
 const sides = async (page: Page): Promise<readonly string[]> => seamsOf(await garmentOf(page));
 
-it('sets sleeves in by keys alone, without a piece that moves', async () => {
+it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   await choose(page, 'Open garment', jsonFile('shirt.json', shirtSpecification()));

@@ -3,6 +3,7 @@ import type {Locator, Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
 import type {PatternPane} from '@/editor/index.js';
+import {sampleOf} from '../support/level.js';
 import {designOf} from '../support/page-design.js';
 import {button, solved, usePage} from '../support/page.js';
 
@@ -79,22 +80,26 @@ it('gives a finger something to meet, and fields that no phone zooms into', asyn
   }
 });
 
-it('speaks of taps to who has a finger, and of clicks to who has a mouse', async () => {
-  for (const [options, word] of [
-    [phone, 'Tap'],
-    [{}, 'Click'],
-  ] as const) {
-    const page = await openPage(options);
-    await solved(page);
-    await button(page, 'Symmetric pair').click();
-    await page
-      .getByRole('status', {name: 'What to do next'})
-      .filter({hasText: new RegExp(`^${word} the first`)})
-      .waitFor();
-  }
-});
+it(
+  'speaks of taps to who has a finger, and of clicks to who has a mouse',
+  {tags: ['thorough']},
+  async () => {
+    for (const [options, word] of [
+      [phone, 'Tap'],
+      [{}, 'Click'],
+    ] as const) {
+      const page = await openPage(options);
+      await solved(page);
+      await button(page, 'Symmetric pair').click();
+      await page
+        .getByRole('status', {name: 'What to do next'})
+        .filter({hasText: new RegExp(`^${word} the first`)})
+        .waitFor();
+    }
+  },
+);
 
-it.each([820, 1280, 1366, 1440])('has one row at its head at %d px', async (width) => {
+it.each(sampleOf(2, [820, 1280, 1366, 1440]))('has one row at its head at %d px', async (width) => {
   const page = await openPage({viewport: {width, height: 800}});
   await solved(page);
   expect(await heightOfHead(page)).toBeLessThan(52);
@@ -102,7 +107,7 @@ it.each([820, 1280, 1366, 1440])('has one row at its head at %d px', async (widt
   expect(tools.height).toBeLessThan(44);
 });
 
-it('says what the next step back takes back', async () => {
+it('says what the next step back takes back', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   await button(page, 'Woven shirt').click();
@@ -129,19 +134,23 @@ const places = (page: Page): Promise<unknown> =>
     .locator('sw-pattern')
     .evaluate(({workbench}: PatternPane) => workbench.scenes?.now.pieces.map(({offset}) => offset));
 
-it('leaves pieces where they lie when the window or a panel changes, or a print is chosen', async () => {
-  const page = await openPage();
-  await solved(page);
-  const before = await places(page);
-  await button(page, 'Enlarge').click();
-  await page.setViewportSize({width: 700, height: 1000});
-  await page.setViewportSize({width: 1900, height: 700});
-  await page.getByRole('radio', {name: /^p4m\b/}).click();
-  await solved(page);
-  expect(await places(page)).toEqual(before);
-});
+it(
+  'leaves pieces where they lie when the window or a panel changes, or a print is chosen',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    const before = await places(page);
+    await button(page, 'Enlarge').click();
+    await page.setViewportSize({width: 700, height: 1000});
+    await page.setViewportSize({width: 1900, height: 700});
+    await page.getByRole('radio', {name: /^p4m\b/}).click();
+    await solved(page);
+    expect(await places(page)).toEqual(before);
+  },
+);
 
-it('moves nothing on the page while another print is fitted', async () => {
+it('moves nothing on the page while another print is fitted', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   // every place at which a part stands in any frame from now on
@@ -166,7 +175,7 @@ it('moves nothing on the page while another print is fitted', async () => {
   expect(seen.length, seen.join('; ')).toBe(5);
 });
 
-it('leaves no gap below the figures once there is less to say', async () => {
+it('leaves no gap below the figures once there is less to say', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   const part = page.locator('sw-headline');

@@ -60,96 +60,114 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   await expect.poll(() => status.textContent(), {timeout: 30_000}).toContain('Back view.');
 });
 
-it('shows the pieces again where the worn garment took their place', async () => {
-  const page = await openWorn();
-  const views = page.locator('sw-editor .views');
-  const stages = {Pattern: 'sw-pattern .stage', Garment: 'sw-worn .stage'};
-  for (const name of ['Pattern', 'Garment', 'Pattern'] as const) {
-    await views.getByRole('button', {name}).click();
-    // an empty picture takes next to no bytes
-    await expect
-      .poll(async () => (await page.locator(stages[name]).screenshot()).length, {timeout: 20_000})
-      .toBeGreaterThan(40_000);
-  }
-});
+it(
+  'shows the pieces again where the worn garment took their place',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openWorn();
+    const views = page.locator('sw-editor .views');
+    const stages = {Pattern: 'sw-pattern .stage', Garment: 'sw-worn .stage'};
+    for (const name of ['Pattern', 'Garment', 'Pattern'] as const) {
+      await views.getByRole('button', {name}).click();
+      // an empty picture takes next to no bytes
+      await expect
+        .poll(async () => (await page.locator(stages[name]).screenshot()).length, {timeout: 20_000})
+        .toBeGreaterThan(40_000);
+    }
+  },
+);
 
-it('keeps the worn garment in sight while another print is on its way', async () => {
-  const page = await openWorn();
-  const worn = page.locator('sw-worn');
-  const status = worn.locator('[role=status]');
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const print = workbench?.design?.print;
-    if (print)
-      workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
-  });
-  // never an empty picture, which takes next to no bytes
-  for (let k = 0; k < 8; k++) {
-    const picture = await worn.locator('.stage').screenshot();
-    expect(picture.length).toBeGreaterThan(20_000);
-    await page.waitForTimeout(150);
-  }
-  await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('view.');
-});
+it(
+  'keeps the worn garment in sight while another print is on its way',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openWorn();
+    const worn = page.locator('sw-worn');
+    const status = worn.locator('[role=status]');
+    await page.evaluate(() => {
+      const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+      const print = workbench?.design?.print;
+      if (print)
+        workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
+    });
+    // never an empty picture, which takes next to no bytes
+    for (let k = 0; k < 8; k++) {
+      const picture = await worn.locator('.stage').screenshot();
+      expect(picture.length).toBeGreaterThan(20_000);
+      await page.waitForTimeout(150);
+    }
+    await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('view.');
+  },
+);
 
-it('wipes between before and after by a handle that keys move as well, and by a key that is held', async () => {
-  const page = await openWorn();
-  const worn = page.locator('sw-worn');
-  const stage = await worn.locator('.stage').boundingBox();
-  if (!stage) throw new Error('The garment has no stage.');
-  /** What is seen of the garment on both sides of the middle, off the line itself. */
-  const halves = async (): Promise<readonly [string, string]> => {
-    const {x, y, width, height} = stage;
-    const half = {y: y + 0.1 * height, width: 0.15 * width, height: 0.5 * height};
-    const seen = async (from: number): Promise<string> =>
-      (await page.screenshot({clip: {...half, x: x + from * width}})).toString('base64');
-    return [await seen(0.32), await seen(0.53)];
-  };
-  await expect.poll(() => worn.locator('progress').isVisible(), {timeout: 60_000}).toBe(false);
-  const [left, right] = await halves();
-  await worn.getByRole('button', {name: 'Before and after'}).click();
-  const handle = worn.getByRole('slider', {name: 'Before and after'});
-  await expect.poll(() => handle.inputValue()).toBe('50');
-  await expect.poll(async () => (await halves())[0], {timeout: 20_000}).not.toBe(left);
-  expect((await halves())[1]).toBe(right);
-  await handle.focus();
-  await page.keyboard.press('ArrowRight');
-  await expect.poll(() => handle.inputValue()).toBe('51');
-  await page.keyboard.press('End');
-  await expect.poll(async () => (await halves())[1], {timeout: 20_000}).not.toBe(right);
-  await page.mouse.move(stage.x + stage.width - 1, stage.y + stage.height / 2);
-  await page.mouse.down();
-  await page.mouse.move(stage.x + 1, stage.y + stage.height / 2, {steps: 4});
-  await page.mouse.up();
-  expect(Number(await handle.inputValue())).toBeLessThan(2);
-  await worn.getByRole('button', {name: 'Before and after'}).click();
-  await expect.poll(() => handle.count()).toBe(0);
-  await page.getByRole('application', {name: 'Garment, worn'}).focus();
-  await page.keyboard.down('w');
-  await handle.waitFor();
-  await expect.poll(() => handle.inputValue()).toBe('100');
-  await page.keyboard.up('w');
-  await expect.poll(() => handle.count()).toBe(0);
-});
+it(
+  'wipes between before and after by a handle that keys move as well, and by a key that is held',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openWorn();
+    const worn = page.locator('sw-worn');
+    const stage = await worn.locator('.stage').boundingBox();
+    if (!stage) throw new Error('The garment has no stage.');
+    /** What is seen of the garment on both sides of the middle, off the line itself. */
+    const halves = async (): Promise<readonly [string, string]> => {
+      const {x, y, width, height} = stage;
+      const half = {y: y + 0.1 * height, width: 0.15 * width, height: 0.5 * height};
+      const seen = async (from: number): Promise<string> =>
+        (await page.screenshot({clip: {...half, x: x + from * width}})).toString('base64');
+      return [await seen(0.32), await seen(0.53)];
+    };
+    await expect.poll(() => worn.locator('progress').isVisible(), {timeout: 60_000}).toBe(false);
+    const [left, right] = await halves();
+    await worn.getByRole('button', {name: 'Before and after'}).click();
+    const handle = worn.getByRole('slider', {name: 'Before and after'});
+    await expect.poll(() => handle.inputValue()).toBe('50');
+    await expect.poll(async () => (await halves())[0], {timeout: 20_000}).not.toBe(left);
+    expect((await halves())[1]).toBe(right);
+    await handle.focus();
+    await page.keyboard.press('ArrowRight');
+    await expect.poll(() => handle.inputValue()).toBe('51');
+    await page.keyboard.press('End');
+    await expect.poll(async () => (await halves())[1], {timeout: 20_000}).not.toBe(right);
+    await page.mouse.move(stage.x + stage.width - 1, stage.y + stage.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(stage.x + 1, stage.y + stage.height / 2, {steps: 4});
+    await page.mouse.up();
+    expect(Number(await handle.inputValue())).toBeLessThan(2);
+    await worn.getByRole('button', {name: 'Before and after'}).click();
+    await expect.poll(() => handle.count()).toBe(0);
+    await page.getByRole('application', {name: 'Garment, worn'}).focus();
+    await page.keyboard.down('w');
+    await handle.waitFor();
+    await expect.poll(() => handle.inputValue()).toBe('100');
+    await page.keyboard.up('w');
+    await expect.poll(() => handle.count()).toBe(0);
+  },
+);
 
-it('is of a fabric that can be taken back, and that the project keeps', async () => {
-  const page = await openWorn();
-  const fabric = page.locator('sw-worn').getByLabel('Fabric');
-  await expect.poll(() => fabric.inputValue()).toBe('poplin');
-  await fabric.selectOption('denim');
-  await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: fabric');
-  expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({design: {fabric: 'denim'}});
-  await solved(page); // no answer depends on it
-  await button(page, 'Undo').click();
-  await expect.poll(() => fabric.inputValue()).toBe('poplin');
-  await button(page, 'Redo').click();
-  await page.reload();
-  await solved(page);
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
-  await expect.poll(() => fabric.inputValue()).toBe('denim');
-});
+it(
+  'is of a fabric that can be taken back, and that the project keeps',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openWorn();
+    const fabric = page.locator('sw-worn').getByLabel('Fabric');
+    await expect.poll(() => fabric.inputValue()).toBe('poplin');
+    await fabric.selectOption('denim');
+    await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: fabric');
+    expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({
+      design: {fabric: 'denim'},
+    });
+    await solved(page); // no answer depends on it
+    await button(page, 'Undo').click();
+    await expect.poll(() => fabric.inputValue()).toBe('poplin');
+    await button(page, 'Redo').click();
+    await page.reload();
+    await solved(page);
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
+    await expect.poll(() => fabric.inputValue()).toBe('denim');
+  },
+);
 
-it('gives away a picture of what is seen, a model and a film', async () => {
+it('gives away a picture of what is seen, a model and a film', {tags: ['thorough']}, async () => {
   const page = await openWorn();
   await page.keyboard.press('v'); // both, since nothing has the focus
   await expect

@@ -63,7 +63,7 @@ it('takes a size that is typed, by keys alone, and gives the focus back', async 
   await sizes(page).waitFor({state: 'hidden'});
 });
 
-it('keeps all tools of the pattern in one row at every width', async () => {
+it('keeps all tools of the pattern in one row at every width', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   for (const width of [390, 820, 1280]) {

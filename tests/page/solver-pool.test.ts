@@ -132,23 +132,27 @@ describe('the pool', () => {
 });
 
 describe('releasing', () => {
-  it('ends a worker that nobody has leased for some seconds, not one that is leased again', async () => {
-    await page.evaluate(async ({garment}) => {
-      const first = lease();
-      await first.solver.convert(garment);
-      first.release();
-      const second = lease();
-      await second.solver.convert(garment);
-      globalThis.setTimeout(second.release, 7000);
-      await new Promise((resolve) => setTimeout(resolve, 6500));
-    }, strips);
-    const kept = page.workers().filter((worker) => !isHelper(worker));
-    expect([workers, kept.length]).toEqual([1, 1]);
-    await expect.poll(() => page.workers().length, {timeout: 60_000}).toBe(0);
-    const result = await page.evaluate((problem) => lease().solver.solve(problem), strips);
-    expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
-    expect(workers).toBe(2);
-  });
+  it(
+    'ends a worker that nobody has leased for some seconds, not one that is leased again',
+    {tags: ['thorough']},
+    async () => {
+      await page.evaluate(async ({garment}) => {
+        const first = lease();
+        await first.solver.convert(garment);
+        first.release();
+        const second = lease();
+        await second.solver.convert(garment);
+        globalThis.setTimeout(second.release, 7000);
+        await new Promise((resolve) => setTimeout(resolve, 6500));
+      }, strips);
+      const kept = page.workers().filter((worker) => !isHelper(worker));
+      expect([workers, kept.length]).toEqual([1, 1]);
+      await expect.poll(() => page.workers().length, {timeout: 60_000}).toBe(0);
+      const result = await page.evaluate((problem) => lease().solver.solve(problem), strips);
+      expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
+      expect(workers).toBe(2);
+    },
+  );
 
   it('cancels what is pending of the lease, and disturbs no other lease', async () => {
     const [ends, others] = await page.evaluate(
@@ -175,31 +179,35 @@ describe('releasing', () => {
     }
   });
 
-  it('does not end a worker that is deaf for a while, and at work for another lease', async () => {
-    const [ended, result] = await page.evaluate(async (problem) => {
-      const places = {workerUrl: 'breaking.worker.ts'};
-      const [leaving, staying] = [lease(places), lease(places)];
-      const deaf = new Promise((resolve) => {
-        new BroadcastChannel('hangs').addEventListener('message', resolve);
-      });
-      let result: Promise<unknown> | undefined;
-      await new Promise<void>((resolve) => {
-        const onProgress = () => {
-          resolve();
-        };
-        result = staying.solver.solve(problem, {onProgress});
-      });
-      const ended = leaving.solver
-        .solve(problem, {names: {garment: 'pauses'}})
-        .catch((error: unknown) => (error as {code: string}).code);
-      await deaf;
-      leaving.release();
-      return [await ended, (await result) as Awaited<ReturnType<typeof staying.solver.solve>>];
-    }, jacket);
-    expect(ended).toBe('cancelled');
-    expect(withoutTimes(result)).toBe(withoutTimes(await solve(jacket)));
-    expect(workers).toBe(1);
-  });
+  it(
+    'does not end a worker that is deaf for a while, and at work for another lease',
+    {tags: ['thorough']},
+    async () => {
+      const [ended, result] = await page.evaluate(async (problem) => {
+        const places = {workerUrl: 'breaking.worker.ts'};
+        const [leaving, staying] = [lease(places), lease(places)];
+        const deaf = new Promise((resolve) => {
+          new BroadcastChannel('hangs').addEventListener('message', resolve);
+        });
+        let result: Promise<unknown> | undefined;
+        await new Promise<void>((resolve) => {
+          const onProgress = () => {
+            resolve();
+          };
+          result = staying.solver.solve(problem, {onProgress});
+        });
+        const ended = leaving.solver
+          .solve(problem, {names: {garment: 'pauses'}})
+          .catch((error: unknown) => (error as {code: string}).code);
+        await deaf;
+        leaving.release();
+        return [await ended, (await result) as Awaited<ReturnType<typeof staying.solver.solve>>];
+      }, jacket);
+      expect(ended).toBe('cancelled');
+      expect(withoutTimes(result)).toBe(withoutTimes(await solve(jacket)));
+      expect(workers).toBe(1);
+    },
+  );
 });
 
 describe('aborting', () => {

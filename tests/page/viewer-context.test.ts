@@ -66,50 +66,54 @@ it('keeps the pictures while the context is lost, and draws them all again after
   expect(difference(await picture(page, area), before)).toBe(0);
 });
 
-it('frees all that a view had made, and the context after the last one', async () => {
-  const page = await opened();
-  const memory = (): Promise<unknown> =>
-    page.evaluate(() => {
-      const screen = Viewer.openScreen();
-      const {memory: used, programs} = screen.renderer.info;
-      screen.dispose();
-      return {...used, programs: programs?.length};
+it(
+  'frees all that a view had made, and the context after the last one',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    const memory = (): Promise<unknown> =>
+      page.evaluate(() => {
+        const screen = Viewer.openScreen();
+        const {memory: used, programs} = screen.renderer.info;
+        screen.dispose();
+        return {...used, programs: programs?.length};
+      });
+    const nothing = {geometries: 0, textures: 0, programs: 0};
+    expect(await memory()).toMatchObject(nothing);
+    await openViews(page, grid);
+    await page.evaluate(async () => {
+      for (const view of views.slice(0, 3)) {
+        view.setMovement({factor: 10});
+        view.setOverlay({highlight: {seam: 0, side: 'a'}, cursors: [{piece: 0, point: [1, 1]}]});
+      }
+      await views[0]?.toBlob(500);
     });
-  const nothing = {geometries: 0, textures: 0, programs: 0};
-  expect(await memory()).toMatchObject(nothing);
-  await openViews(page, grid);
-  await page.evaluate(async () => {
-    for (const view of views.slice(0, 3)) {
-      view.setMovement({factor: 10});
-      view.setOverlay({highlight: {seam: 0, side: 'a'}, cursors: [{piece: 0, point: [1, 1]}]});
-    }
-    await views[0]?.toBlob(500);
-  });
-  await frames(page, 3);
-  expect(await memory()).not.toMatchObject(nothing);
-  await page.evaluate(() => {
-    for (const view of views) view.dispose();
-  });
-  expect(await memory()).toMatchObject(nothing);
-  const alive = (): Promise<boolean[]> =>
-    page.evaluate(() => Seen.contexts.map((context) => !context.isContextLost()));
-  expect(await alive()).toEqual([true]);
-  // an element that only moves takes the context with it
-  await page.evaluate(() => {
-    globalThis.views = [Viewer.openView({width: 200, height: 150})];
-  });
-  expect(await alive()).toEqual([true]);
-  await page.evaluate(() => views[0]?.dispose());
-  expect(await canvases(page)).toEqual({direct: 0, copied: 0});
-  await eventually(alive).toEqual([false]);
-  await page.evaluate((scene) => {
-    globalThis.views = [Viewer.openView({width: 200, height: 150})];
-    views[0]?.show(scene);
-  }, sceneFor(1));
-  await frames(page, 3);
-  expect(await alive()).toEqual([false, true]);
-  expect(colours(await picture(page, {width: 200, height: 150}))).toBeGreaterThan(2);
-});
+    await frames(page, 3);
+    expect(await memory()).not.toMatchObject(nothing);
+    await page.evaluate(() => {
+      for (const view of views) view.dispose();
+    });
+    expect(await memory()).toMatchObject(nothing);
+    const alive = (): Promise<boolean[]> =>
+      page.evaluate(() => Seen.contexts.map((context) => !context.isContextLost()));
+    expect(await alive()).toEqual([true]);
+    // an element that only moves takes the context with it
+    await page.evaluate(() => {
+      globalThis.views = [Viewer.openView({width: 200, height: 150})];
+    });
+    expect(await alive()).toEqual([true]);
+    await page.evaluate(() => views[0]?.dispose());
+    expect(await canvases(page)).toEqual({direct: 0, copied: 0});
+    await eventually(alive).toEqual([false]);
+    await page.evaluate((scene) => {
+      globalThis.views = [Viewer.openView({width: 200, height: 150})];
+      views[0]?.show(scene);
+    }, sceneFor(1));
+    await frames(page, 3);
+    expect(await alive()).toEqual([false, true]);
+    expect(colours(await picture(page, {width: 200, height: 150}))).toBeGreaterThan(2);
+  },
+);
 
 it('throws where there is no WebGL 2, and works once there is', async () => {
   const page = await opened();

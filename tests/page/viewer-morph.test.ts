@@ -84,25 +84,29 @@ async function widthIn(page: Page, pixels: Pixels): Promise<number> {
   return (edge - x) / scale;
 }
 
-it('moves an outline and the cloth to their new place in 200 ms, and ends exactly there', async () => {
-  const page = await openStill();
-  const drafted = await widthIn(page, await screenOf(page));
-  await showMoving(page, scene(1, {angle: 0, translation: [1, 0.5]}));
-  const widths: number[] = [];
-  for (const ms of [0, 40, 100, 190])
-    widths.push((await widthIn(page, await at(page, ms))) - drafted);
-  const [start = NaN, ...way] = widths;
-  expect(start).toBeCloseTo(0, 1);
-  for (const [k, width] of way.entries()) {
-    expect(width).toBeGreaterThan((widths[k] ?? NaN) + 0.01);
-    expect(width).toBeLessThan(1);
-  }
-  const end = await at(page, 201);
-  expect((await widthIn(page, end)) - drafted).toBeCloseTo(1, 1);
-  const plain = await openStill();
-  await showMoving(plain, scene(1, {angle: 0, translation: [1, 0.5]}), 'none');
-  expect(difference(end, await at(plain, 201))).toBe(0);
-});
+it(
+  'moves an outline and the cloth to their new place in 200 ms, and ends exactly there',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openStill();
+    const drafted = await widthIn(page, await screenOf(page));
+    await showMoving(page, scene(1, {angle: 0, translation: [1, 0.5]}));
+    const widths: number[] = [];
+    for (const ms of [0, 40, 100, 190])
+      widths.push((await widthIn(page, await at(page, ms))) - drafted);
+    const [start = NaN, ...way] = widths;
+    expect(start).toBeCloseTo(0, 1);
+    for (const [k, width] of way.entries()) {
+      expect(width).toBeGreaterThan((widths[k] ?? NaN) + 0.01);
+      expect(width).toBeLessThan(1);
+    }
+    const end = await at(page, 201);
+    expect((await widthIn(page, end)) - drafted).toBeCloseTo(1, 1);
+    const plain = await openStill();
+    await showMoving(plain, scene(1, {angle: 0, translation: [1, 0.5]}), 'none');
+    expect(difference(end, await at(plain, 201))).toBe(0);
+  },
+);
 
 it('slides the print the shortest way to where it looks the same as asked for', async () => {
   const page = await openStill();
