@@ -3,6 +3,7 @@ import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
+import {frames} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';
 import {sampleOf} from '../support/level.js';
 
@@ -107,6 +108,7 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
     const [x, y] = pane.view.screenOf([piece.offset[0], piece.offset[1] + 20]);
     return [stage.left + x, stage.top + y] as const;
   });
+  await page.clock.install();
   await page.mouse.move(...at);
   await page.mouse.down();
   /** How often it was said that something goes on, and that something has changed. */
@@ -118,16 +120,17 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
   for (const k of [1, 2, 3]) {
     await page.mouse.move(at[0] + 4 * k, at[1] - 3 * k);
     await expect.poll(told, {timeout: 60_000}).toEqual([k, 0]);
-    await page.waitForTimeout(k === 2 ? 1200 : 200); // longer than changes are taken together by themselves
+    await page.clock.fastForward(k === 2 ? 1200 : 200); // longer than changes are taken together by themselves
   }
   await page.mouse.up();
   await expect.poll(told).toEqual([3, 1]);
-  await page.waitForTimeout(500);
-  expect(await told()).toEqual([3, 1]);
   await page.waitForFunction(() => {
     const element = document.querySelector('seamwise-garment');
     return element !== null && 'design' in element && element.state === 'ready';
   });
+  await page.clock.fastForward(1200);
+  await frames(page);
+  expect(await told()).toEqual([3, 1]);
   const seen = await run((element) => {
     const {heard, design} = element as unknown as {
       heard: readonly string[];
@@ -283,17 +286,16 @@ it('is as light or dark as what is around it', {tags: ['thorough']}, async () =>
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
   const brightness = () =>
     run(async (element) => {
-      await new Promise((resolve) => setTimeout(resolve, 300));
       const picture = await createImageBitmap(await element.toBlob({width: 200}));
       const context = new OffscreenCanvas(4, 4).getContext('2d');
       context?.drawImage(picture, 0, 0);
       return context?.getImageData(1, 1, 1, 1).data[0] ?? -1;
     });
-  expect(await brightness()).toBeGreaterThan(200);
+  await expect.poll(brightness).toBeGreaterThan(200);
   await run((element) => {
     element.classList.add('dark');
   });
-  expect(await brightness()).toBeLessThan(60);
+  await expect.poll(brightness).toBeLessThan(60);
 });
 
 it(

@@ -10,6 +10,7 @@ import {expect, it, vi} from 'vitest';
 
 import {openBrowser, serveFiles} from '../support/browser.js';
 import {snippetWith, textOf} from '../support/embedding.js';
+import {frames} from '../support/waiting.js';
 
 vi.setConfig({testTimeout: 180_000});
 const project = fileURLToPath(new URL('../..', import.meta.url));
@@ -58,7 +59,8 @@ it('loads next to nothing while its element is far below, and as much as is said
     };
     await opened.goto(served.url);
     await opened.waitForFunction(() => customElements.get('seamwise-garment'));
-    await opened.waitForTimeout(1000);
+    await frames(opened); // whether it is near has been reported
+    await opened.waitForLoadState('networkidle');
     const far = await loaded();
     expect(far.module).toBe(0);
     const isNear = (size: number, figure: number): void => {

@@ -165,10 +165,11 @@ it('takes a drag that rests on its way back in one step', {tags: ['thorough']}, 
   await button(page, 'Move print').click();
   const before = await designOf(page);
   const [x, y] = await middleOfPiece(page, 'back');
+  await page.clock.install();
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 10, y);
-  await page.waitForTimeout(1300);
+  await page.clock.fastForward(1300); // longer than changes are taken together by themselves
   await page.mouse.move(x + 10, y + 10);
   await page.mouse.up();
   expect((await designOf(page)).options.pins).toBeDefined();

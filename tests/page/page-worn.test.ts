@@ -7,6 +7,7 @@ import type {SeamwisePage} from '@/app/page.js';
 import {bytesOf} from '../support/browser.js';
 import {button, saved, solved, usePage} from '../support/page.js';
 import {readGlb} from '../support/read-glb.js';
+import {frames} from '../support/waiting.js';
 
 const openPage = usePage();
 
@@ -94,7 +95,7 @@ it(
     for (let k = 0; k < 8; k++) {
       const picture = await worn.locator('.stage').screenshot();
       expect(picture.length).toBeGreaterThan(20_000);
-      await page.waitForTimeout(150);
+      await frames(page, 4);
     }
     await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('view.');
   },
