@@ -23,7 +23,7 @@ export default defineConfig({
       {
         extends: true,
         test: {
-          name: 'scripts',
+          name: 'web',
           include: ['tests/architecture.test.ts', 'tests/{web,wasm,package}/**/*.test.ts'],
         },
       },

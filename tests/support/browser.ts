@@ -4,11 +4,18 @@ import {join} from 'node:path';
 import {buffer} from 'node:stream/consumers';
 import {fileURLToPath} from 'node:url';
 
-import {chromium, type Browser, type BrowserServer, type Download} from 'playwright-core';
+import {
+  chromium,
+  type Browser,
+  type BrowserContext,
+  type BrowserServer,
+  type Download,
+} from 'playwright-core';
 import {createServer, preview, type InlineConfig} from 'vite';
 import {inject} from 'vitest';
 
 import {chromiumPath} from '../../web/setup/chromium.mjs';
+import {count} from '../../web/setup/counts.mjs';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -35,11 +42,37 @@ export async function launchBrowser(): Promise<BrowserServer> {
   }
   // Chromium refuses to run as root inside its sandbox; WebGL is drawn in software.
   const asRoot = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
+  count('browser start');
   return chromium.launchServer({executablePath, args: [...asRoot, '--enable-unsafe-swiftshader']});
 }
 
 /** Connects to the browser. Closing the connection closes the contexts that were opened by it. */
-export const openBrowser = (): Promise<Browser> => chromium.connect(inject('browser'));
+export async function openBrowser(): Promise<Browser> {
+  const browser = await chromium.connect(inject('browser'));
+  const newContext = browser.newContext.bind(browser);
+  browser.newContext = async (options) => {
+    const context = await newContext(options);
+    await countSolves(context);
+    return context;
+  };
+  return browser;
+}
+
+/** Counts the solves that pages ask their workers for: most of what a test costs. */
+async function countSolves(context: BrowserContext): Promise<void> {
+  await context.exposeBinding('countSolve', () => {
+    count('page solve');
+  });
+  await context.addInitScript(() => {
+    if (typeof Worker === 'undefined') return;
+    const {countSolve} = globalThis as unknown as {countSolve: () => Promise<void>};
+    const post = Worker.prototype.postMessage as (...words: unknown[]) => void;
+    Worker.prototype.postMessage = function (this: Worker, ...words: unknown[]) {
+      if ((words[0] as {name?: unknown} | undefined)?.name === 'solve') void countSolve();
+      post.apply(this, words);
+    };
+  });
+}
 
 /** The file that a page saves. */
 export const bytesOf = async (download: Download): Promise<Buffer> =>

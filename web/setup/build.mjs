@@ -15,6 +15,7 @@ import {setTimeout as sleep} from 'node:timers/promises';
 import {pathToFileURL} from 'node:url';
 
 import {configure} from './cmake.mjs';
+import {count} from './counts.mjs';
 import {copyDeclarations} from './declarations.mjs';
 import {copyNotices} from './notices.mjs';
 import {ensurePackages} from './packages.mjs';
@@ -188,6 +189,7 @@ async function pack() {
 }
 
 async function buildPage() {
+  count('page build');
   say('Building the page ...');
   const [node, vite] = tool('vite');
   await must(node, [vite, 'build', '--logLevel', 'warn'], {env: {NODE_ENV: 'production'}});
@@ -200,6 +202,7 @@ async function buildFixtures() {
     const folders = [at('tests/page', name), '--outDir', at('build/fixtures', name)];
     const config = ['-c', at('tests/page/vite.config.ts'), '--logLevel', 'warn'];
     const build = [vite, 'build', ...folders, ...config];
+    count('page build');
     await must(node, build, {env: {NODE_ENV: 'production'}});
   }
 }

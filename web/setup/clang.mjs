@@ -1,7 +1,8 @@
-import {execFile} from 'node:child_process';
-import {readdirSync, readFileSync} from 'node:fs';
+import {execFile, spawnSync} from 'node:child_process';
+import {createHash} from 'node:crypto';
+import {existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {availableParallelism} from 'node:os';
-import {join} from 'node:path';
+import {basename, join, resolve} from 'node:path';
 import {promisify} from 'node:util';
 
 import {has, root, run, say} from './shell.mjs';
@@ -36,22 +37,43 @@ export async function checkFormat() {
 
 /**
  * Runs clang-tidy over the core. Its units are those of the build, one a folder, so that Eigen is parsed a dozen
- * times, not for every file.
- * @param folder of a build that has been configured
+ * times, not for every file. A unit that passed is left out until one of its files changes.
+ * @param folder of a build whose core is compiled
+ * @param isAnew whether to check all units
  */
-export async function tidy(folder) {
+export async function tidy(folder, isAnew) {
   const commands = JSON.parse(readFileSync(join(root, folder, 'compile_commands.json'), 'utf8'));
-  const units = commands.map(({file}) => file).filter((file) => /[\\/]Unity[\\/]/.test(file));
+  const units = commands.filter(({file}) => /[\\/]Unity[\\/]/.test(file));
+  const kept = join(root, 'build/tidy');
+  mkdirSync(kept, {recursive: true});
   // what GCC is told to leave out is unknown to clang
   const flags = ['-p', folder, '--quiet', '--extra-arg=-Wno-unknown-warning-option'];
   const program = clangTool('clang-tidy');
   let passed = units.length > 0;
   const work = async () => {
     for (let unit = units.pop(); unit !== undefined; unit = units.pop()) {
-      const words = [...flags, '--warnings-as-errors=*', unit];
-      if (!(await run(program, words, {output: 'on failure'}))) passed = false;
+      const state = stateOf(folder, unit);
+      const stamp = join(kept, `${basename(unit.file)}.passed`);
+      if (!isAnew && existsSync(stamp) && readFileSync(stamp, 'utf8') === state) continue;
+      const words = [...flags, '--warnings-as-errors=*', unit.file];
+      if (await run(program, words, {output: 'on failure'})) writeFileSync(stamp, state);
+      else passed = false;
     }
   };
   await Promise.all(Array.from({length: availableParallelism()}, work));
   return passed || !(await decides(program));
+}
+
+/** Identifies a unit of a build: how it is compiled, and the project's files that it includes. */
+function stateOf(folder, {command, output}) {
+  const {stdout} = spawnSync('ninja', ['-C', folder, '-t', 'deps', output], {
+    cwd: root,
+    encoding: 'utf8',
+  });
+  const files = stdout.split('\n').map((line) => resolve(root, folder, line.trim()));
+  const sources = files.filter((file) => file.startsWith(join(root, 'wasm')) && existsSync(file));
+  // without a list of its files, a unit counts as another each time
+  const hash = createHash('sha256').update(`${command} ${sources.length || Date.now()}`);
+  for (const file of [join(root, '.clang-tidy'), ...sources]) hash.update(readFileSync(file));
+  return hash.digest('hex');
 }

@@ -1,11 +1,9 @@
-import {mkdirSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
-import {clangTool} from './clang.mjs';
-import {configure} from './cmake.mjs';
-import {root, run, say} from './shell.mjs';
+import {root, run} from './shell.mjs';
 
-const folder = join(root, 'build/fuzz');
+const folder = join(root, 'build/sanitize');
 /** What runs find; beside the build, which is begun anew where it was moved. */
 const found = join(root, 'build/fuzz-found');
 /** Between the texts of an input, as in tests/fuzz/problem_fuzz.cpp. */
@@ -64,32 +62,35 @@ function dictionary() {
   return [...words].map((word) => `"\\"${word.replaceAll(/["\\]/g, '\\$&')}\\""`).join('\n');
 }
 
+/** Ends a run after a time, which goes on from what earlier runs have found. */
+export const forSeconds = (seconds) => ({
+  corpus: join(found, 'corpus'),
+  limit: `-max_total_time=${seconds}`,
+});
+
+/** Ends a run after a number of problems, always the same ones. */
+export const forProblems = (count) => {
+  const corpus = join(folder, 'corpus');
+  rmSync(corpus, {recursive: true, force: true});
+  return {corpus, limit: `-runs=${count}`};
+};
+
 /**
- * Reads and solves problems made by chance, going on from what earlier runs have found.
- * @param seconds for how long
- * @returns whether none of them was too much for the solver; one that was stays in build/fuzz-found
+ * Reads and solves random problems in the build with sanitizers.
+ * @returns whether the solver survived all of them; a problem that broke it stays in build/fuzz-found
  */
-export async function fuzz(seconds = 60) {
-  const corpus = join(found, 'corpus');
-  const compiler = [`-DCMAKE_CXX_COMPILER=${clangTool('clang++')}`];
-  const build = ['--build', '--preset', 'fuzz', '--target', 'problem_fuzz', '--', '--quiet'];
-  const built =
-    (await configure('fuzz', compiler)) && (await run('cmake', build, {output: 'on failure'}));
-  if (!built) return false;
+export async function fuzz({corpus, limit}) {
+  const build = ['--build', '--preset', 'sanitize', '--target', 'problem_fuzz', '--', '--quiet'];
+  if (!(await run('cmake', build, {output: 'on failure'}))) return false;
   mkdirSync(corpus, {recursive: true});
+  mkdirSync(found, {recursive: true});
   for (const [name, texts] of Object.entries(seeds())) {
     const input = texts.map((text) => JSON.stringify(text)).join(separator);
     writeFileSync(join(corpus, `seed-${name}`), input);
   }
   writeFileSync(join(folder, 'words.dict'), dictionary());
-  const limits = [
-    `-max_total_time=${seconds}`,
-    '-max_len=20000',
-    '-timeout=25',
-    '-rss_limit_mb=2048',
-  ];
+  const limits = [limit, '-seed=1', '-max_len=20000', '-timeout=25', '-rss_limit_mb=2048'];
   const words = [`-dict=${folder}/words.dict`, `-artifact_prefix=${found}/broken-`, corpus];
   const program = join(folder, 'tests/fuzz/problem_fuzz');
-  say(`Solving problems made by chance for ${seconds} s ...`);
   return run(program, ['-print_final_stats=1', '-verbosity=0', ...limits, ...words]);
 }

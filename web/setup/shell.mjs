@@ -1,3 +1,4 @@
+import {AsyncLocalStorage} from 'node:async_hooks';
 import {spawn, spawnSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -11,9 +12,24 @@ export class SetupError extends Error {
   name = 'SetupError';
 }
 
-/** Says what is going on, on standard error: standard output belongs to results. */
+/** Where the output of what runs at the same time as something else is kept until it ends. */
+const outputs = new AsyncLocalStorage();
+
+/** Prints the output of some work when it ends, so that it is not mixed with that of other work. */
+export async function collected(work) {
+  const output = [];
+  try {
+    return await outputs.run(output, work);
+  } finally {
+    process.stderr.write(Buffer.concat(output));
+  }
+}
+
+/** Prints what is going on, on standard error: standard output belongs to results. */
 export function say(text) {
-  process.stderr.write(`${text}\n`);
+  const output = outputs.getStore();
+  if (output) output.push(Buffer.from(`${text}\n`));
+  else process.stderr.write(`${text}\n`);
 }
 
 /** Whether a command can be found on the PATH. */
@@ -31,7 +47,8 @@ export function has(command) {
 export function run(command, args, {output = 'always', env = {}} = {}) {
   return new Promise((resolve, reject) => {
     const said = [];
-    const stream = {always: 2, inherit: 'inherit'}[output] ?? 'pipe';
+    const kept = output === 'always' ? outputs.getStore() : undefined;
+    const stream = kept ? 'pipe' : ({always: 2, inherit: 'inherit'}[output] ?? 'pipe');
     const child = spawn(command, args, {
       cwd: root,
       env: {...process.env, ...env},
@@ -41,7 +58,8 @@ export function run(command, args, {output = 'always', env = {}} = {}) {
     child.stderr?.on('data', (chunk) => said.push(chunk));
     child.on('error', (error) => reject(new SetupError(`${command}: ${error.message}`)));
     child.on('close', (code) => {
-      if (code !== 0 && output === 'on failure') process.stderr.write(Buffer.concat(said));
+      const print = (bytes) => outputs.getStore()?.push(bytes) ?? process.stderr.write(bytes);
+      if (kept || (code !== 0 && output === 'on failure')) print(Buffer.concat(said));
       resolve(code === 0);
     });
   });

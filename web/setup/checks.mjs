@@ -1,0 +1,153 @@
+import {availableParallelism} from 'node:os';
+
+import {build} from './build.mjs';
+import {checkFormat, clangTool, tidy} from './clang.mjs';
+import {configure} from './cmake.mjs';
+import {forProblems, forSeconds, fuzz} from './fuzz.mjs';
+import {timesOf} from './report.mjs';
+import {run, say, tool} from './shell.mjs';
+import {
+  ensureSystem,
+  forBrowserTests,
+  forFormat,
+  forFuzzing,
+  forLint,
+  forModule,
+  forNativeTests,
+  forWebTests,
+  hasOrInstalls,
+  installOtherBrowsers,
+} from './system.mjs';
+
+/** Runs a program of an npm package. */
+function runTool(name, ...args) {
+  const [node, program] = tool(name, name === 'typescript' ? 'tsc' : name);
+  return run(node, [program, ...args]);
+}
+
+/** Each native test file runs once for a commit: fast ones under sanitizers, slow ones optimised. */
+const nativeTests = {native: 'slow', sanitize: 'fast'};
+
+/** Builds a preset and runs its native tests. */
+async function native(preset, {isThorough}, flags = []) {
+  await ensureSystem(forNativeTests);
+  const chosen = `-DSEAMWISE_TESTS=${isThorough ? 'all' : nativeTests[preset]}`;
+  // Another compiler's new warning is no reason to fail on a user's machine.
+  const strict = process.env.SEAMWISE_STRICT ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
+  const built =
+    (await configure(preset, [chosen, ...strict, ...flags])) &&
+    (await run('cmake', ['--build', '--preset', preset, '--', '--quiet'], {output: 'on failure'}));
+  const parallel = ['-j', String(availableParallelism())];
+  const times = ['--output-junit', timesOf(`${preset}.xml`)];
+  return built && run('ctest', ['--preset', preset, ...parallel, ...times]);
+}
+
+/** One build for tests and fuzzer, by clang; another compiler does where that is not to be had. */
+async function sanitize(level) {
+  const canFuzz = await hasOrInstalls(forFuzzing);
+  const clang = [`-DCMAKE_CXX_COMPILER=${clangTool('clang++')}`, '-DSEAMWISE_FUZZ=ON'];
+  return native('sanitize', level, canFuzz ? clang : []);
+}
+
+/** Left out where there is no fuzzer. */
+async function fuzzed({isThorough}) {
+  if (await hasOrInstalls(forFuzzing)) return fuzz(isThorough ? forSeconds(60) : forProblems(2000));
+  say('Left out: there is no clang with a fuzzer (in Debian clang and libclang-rt-dev).');
+  return true;
+}
+
+/** Layout, of scripts and texts by Prettier, of C++ by clang-format. */
+async function format({isThorough}) {
+  await ensureSystem(forFormat);
+  const cache = ['--cache', '--cache-strategy=content', '--cache-location=build/prettier.json'];
+  const flags = ['--check', '--log-level=warn', ...(isThorough ? [] : cache)];
+  const scripts = await runTool('prettier', ...flags, '.');
+  return (await checkFormat()) && scripts;
+}
+
+const types = () =>
+  runTool(
+    'typescript',
+    ...['-p', 'tsconfig.json', '--incremental', '--tsBuildInfoFile', 'build/types.tsbuildinfo'],
+  );
+
+/** ESLint on what changed since it passed, and on all in the thorough run. */
+function eslint({isThorough}) {
+  const cache = ['--cache', '--cache-strategy', 'content', '--cache-location', 'build/eslint/'];
+  return runTool('eslint', '.', '--max-warnings=0', ...(isThorough ? [] : cache));
+}
+
+async function clangTidy({isThorough}) {
+  await ensureSystem(forLint);
+  return tidy('build/native', isThorough);
+}
+
+/** Runs a project of vitest.config.ts. @param more arguments */
+function vitest(name, {isThorough, level}, ...more) {
+  const levels = isThorough ? [] : ['--tags-filter=!thorough'];
+  const times = [
+    '--reporter=default',
+    '--reporter=json',
+    `--outputFile=${timesOf(`${name}.json`)}`,
+  ];
+  const [node, program] = tool('vitest');
+  const words = [program, 'run', `--project=${name}`, ...levels, ...times, ...more];
+  return run(node, words, {env: {SEAMWISE_TESTS: level}});
+}
+
+/** What needs neither compiler nor browser. */
+async function web(level, ...files) {
+  await ensureSystem(forWebTests);
+  return vitest('web', level, `--maxWorkers=${availableParallelism()}`, ...files);
+}
+
+/** What only a browser can show. A page waits for frames and timers, so there is one file more than cores. */
+async function browser(level) {
+  await ensureSystem(forBrowserTests);
+  if (level.isThorough) await installOtherBrowsers();
+  return vitest('browser', level, `--maxWorkers=${availableParallelism() + 1}`);
+}
+
+/** What measures time; nothing else runs beside it. */
+async function timing(level) {
+  await ensureSystem(forBrowserTests);
+  return vitest('timing', level);
+}
+
+async function product() {
+  await ensureSystem(forModule);
+  await build('tarball', 'page', 'fixtures');
+  return true;
+}
+
+/** Checks by name, in the order in which they begin; `after` are those whose products they need. */
+export const checks = {
+  build: {run: product},
+  native: {run: (level) => native('native', level)},
+  browser: {after: ['build'], run: browser},
+  sanitize: {run: sanitize},
+  web: {after: ['build', 'native'], run: (level) => web(level)},
+  fuzz: {after: ['sanitize'], run: fuzzed},
+  tidy: {after: ['native'], run: clangTidy},
+  eslint: {after: ['build'], run: eslint},
+  types: {after: ['build'], run: types},
+  format: {run: format},
+  timing: {after: ['build'], isAlone: true, run: timing},
+};
+
+/** What a commit needs. */
+export const ordinary = Object.keys(checks).filter((name) => name !== 'timing');
+/** What is left of it while somebody works: below two minutes once all is built. */
+export const fast = ['build', 'sanitize', 'eslint', 'types', 'format', 'scripts'];
+/** Tests of scripts that start no program and solve nothing. */
+checks.scripts = {
+  after: ['build'],
+  run: (level) => web(level, 'tests/web', 'tests/architecture.test.ts'),
+};
+
+export const systemNeeds = [
+  ...new Set([
+    ...[...forModule, ...forNativeTests, ...forFormat, ...forLint],
+    ...[...forBrowserTests, ...forWebTests],
+  ]),
+];
