@@ -14,8 +14,9 @@ import {
 import {createServer, preview, type InlineConfig} from 'vite';
 import {inject} from 'vitest';
 
-import {chromiumPath} from '../../web/setup/chromium.mjs';
+import {chromiumPath, headlessPath} from '../../web/setup/chromium.mjs';
 import {count} from '../../web/setup/counts.mjs';
+import {isThorough} from './level.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -36,7 +37,7 @@ export interface Served {
 
 /** Starts the browser that all files of tests share. */
 export async function launchBrowser(): Promise<BrowserServer> {
-  const executablePath = chromiumPath();
+  const executablePath = isThorough ? chromiumPath() : headlessPath();
   if (executablePath === null) {
     throw new Error('There is no Chromium; install it, or set CHROME_PATH.');
   }

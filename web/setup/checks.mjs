@@ -16,6 +16,7 @@ import {
   forNativeTests,
   forWebTests,
   hasOrInstalls,
+  installHeadlessShell,
   installOtherBrowsers,
 } from './system.mjs';
 
@@ -104,7 +105,7 @@ async function web(level, ...files) {
 /** What only a browser can show. A page waits for frames and timers, so there is one file more than cores. */
 async function browser(level) {
   await ensureSystem(forBrowserTests);
-  if (level.isThorough) await installOtherBrowsers();
+  await (level.isThorough ? installOtherBrowsers() : installHeadlessShell());
   return vitest('browser', level, `--maxWorkers=${availableParallelism() + 1}`);
 }
 
