@@ -3,6 +3,7 @@ import type {Page} from 'playwright-core';
 import {marker, readGarment} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
+import {caughtUp} from '../support/waiting.js';
 import {sample, tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
@@ -28,6 +29,27 @@ async function listening(page: Page): Promise<() => Promise<readonly Heard[]>> {
     return all;
   });
   return () => heard.jsonValue();
+}
+
+declare global {
+  /** Settles when a worker is asked to lay pieces. */
+  var laying: Promise<void>;
+  var noteLaying: () => void;
+}
+
+/** Notes the next request for laying pieces. */
+function noteLaying(): void {
+  const post = Reflect.get(Worker.prototype, 'postMessage') as (...given: unknown[]) => unknown;
+  const note = (): void => {
+    globalThis.laying = new Promise((resolve) => {
+      Reflect.set(Worker.prototype, 'postMessage', function (this: unknown, ...given: unknown[]) {
+        Reflect.apply(post, this, given);
+        if ((given[0] as {name?: unknown}).name === 'marker') resolve();
+      });
+    });
+  };
+  globalThis.noteLaying = note;
+  note();
 }
 
 /** Files of what lays pieces that are asked for from now on. */
@@ -76,7 +98,7 @@ it(
       ),
     );
     expect(refused).toMatch(/attribute 'cloth-width'/);
-    await page.waitForTimeout(500);
+    await caughtUp(page);
     expect(files).toEqual([]);
     expect(await run((element) => element.clothLengthCm)).toBeNull();
     await run((element) => {
@@ -95,12 +117,12 @@ it(
   async () => {
     const {page, put, run} = await openPage();
     const heard = await listening(page);
+    await page.evaluate(noteLaying);
     await put(onCloth);
     await page.locator('seamwise-garment:state(ready)').waitFor();
-    // while it is being laid
     const [plan, width] = await run(async (element) => {
       const waiting = element.layPlan();
-      await new Promise((resolve) => setTimeout(resolve, 200));
+      await laying; // the worker has been asked
       element.print = 'prints/cm.json';
       element.clothWidth = 110;
       return [await waiting, element.clothWidth] as const;
@@ -148,25 +170,28 @@ it(
   async () => {
     const {page, put, run} = await openPage();
     await put(onCloth);
+    await page.evaluate(noteLaying);
     const {length, aborted, cancelled} = await run(async (element) => {
       element.remove();
       const nameOf = (error: unknown): string => (error as Error).name;
       const {lengthCm} = await element.layPlan();
       element.clothWidth = 120;
       const aborting = new AbortController();
+      noteLaying();
       const waits = element.layPlan({signal: aborting.signal}).then(() => 'laid', nameOf);
-      await new Promise((resolve) => setTimeout(resolve, 100));
+      await laying;
       aborting.abort();
       const aborted = await waits;
       element.clothWidth = 115;
+      noteLaying();
       const other = element.layPlan().then(() => 'laid', nameOf);
-      await new Promise((resolve) => setTimeout(resolve, 100));
+      await laying;
       element.cancel();
       return {length: lengthCm, aborted, cancelled: await other};
     });
     expect(length).toBeGreaterThan(50);
     expect([aborted, cancelled]).toEqual(['AbortError', 'AbortError']);
-    expect(await page.locator('seamwise-garment').count()).toBe(0);
+    await expect.poll(() => page.locator('seamwise-garment').count()).toBe(0);
   },
 );
 

@@ -2,6 +2,7 @@
 import {expect, it} from 'vitest';
 
 import {snippetWith} from '../support/embedding.js';
+import {caughtUp} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
@@ -118,7 +119,7 @@ it('is pointed at by the browser when its form is submitted too early, and begin
       document.title = typeof sent === 'string' ? `sent ${sent}` : 'sent nothing';
     });
   });
-  await page.waitForTimeout(300);
+  await caughtUp(page);
   expect(asked).toEqual([]);
   const button = page.getByRole('button', {name: 'Now'});
   await button.click();

@@ -7,6 +7,7 @@ import {expect, it} from 'vitest';
 import {decoded} from '@samples/prints/raster.js';
 import {useElementPage} from './element/open.js';
 import {isHelper} from './fixture/open.js';
+import {caughtUp, frames, workersLeft} from '../support/waiting.js';
 
 const openPage = useElementPage();
 
@@ -87,7 +88,7 @@ it(
     expect(tags).toHaveLength(24);
     await put(`<main>${tags.join('')}</main>`);
     await page.locator('seamwise-garment:state(ready)').first().waitFor();
-    await page.waitForTimeout(500);
+    await caughtUp(page);
     const near = (await states(page)).filter((state) => state !== 'idle').length;
     expect(near).toBeLessThanOrEqual(2);
     expect(asked.filter((path) => path.startsWith('garments/'))).toHaveLength(near);
@@ -119,7 +120,7 @@ it(
       const lost = heard('webglcontextlost');
       extension?.loseContext();
       await lost;
-      await new Promise((resolve) => setTimeout(resolve, 100));
+      for (let k = 0; k < 3; k++) await new Promise(requestAnimationFrame);
       const restored = heard('webglcontextrestored');
       extension?.restoreContext();
       await restored;
@@ -132,13 +133,12 @@ it(
     await page.evaluate(() => {
       for (const one of [...document.querySelectorAll('seamwise-garment')].slice(1)) one.remove();
     });
-    await page.waitForTimeout(500);
-    const left = await page.evaluate(() => heldByCard());
-    expect(left.geometries).toBeLessThan(held.geometries / 8);
-    expect(left.textures).toBeLessThan(held.textures / 8);
-    await expect.poll(() => page.workers().length, {timeout: 15_000}).toBe(1);
+    const left = () => page.evaluate(() => heldByCard());
+    await expect.poll(async () => (await left()).geometries).toBeLessThan(held.geometries / 8);
+    await expect.poll(async () => (await left()).textures).toBeLessThan(held.textures / 8);
+    await workersLeft(page, 1);
     await page.evaluate(() => document.querySelector('seamwise-garment')?.remove());
-    await expect.poll(() => page.workers().length, {timeout: 15_000}).toBe(0);
+    await workersLeft(page, 0);
     expect(await page.evaluate(() => Contexts.every((context) => context.isContextLost()))).toBe(
       true,
     );
@@ -154,7 +154,8 @@ it('keeps its state wherever it is moved, and asks for nothing again', async () 
   );
   await allDrawn(page);
   const before = asked.length;
-  const events = await page.evaluate(async () => {
+  await page.clock.install();
+  const watched = await page.evaluateHandle(async () => {
     const all = [...document.querySelectorAll('seamwise-garment')];
     const [a, b, c] = all;
     const [main, aside] = [document.querySelector('main'), document.querySelector('aside')];
@@ -172,8 +173,6 @@ it('keeps its state wherever it is moved, and asks for nothing again', async () 
       );
       if (!isSame) heard.push('other');
     };
-    const rest = (time: number): Promise<unknown> =>
-      new Promise((resolve) => setTimeout(resolve, time));
     const root = aside.attachShadow({mode: 'open'});
     const moves: readonly (readonly [ParentNode, ...Element[]])[] = [
       [main, a],
@@ -184,16 +183,25 @@ it('keeps its state wherever it is moved, and asks for nothing again', async () 
       [main, c, b, a],
     ];
     for (const [place, ...moved] of moves) {
-      for (const time of [0, 50]) {
+      for (const frames of [0, 3]) {
         place.append(...moved);
-        await rest(time);
+        await Promise.resolve();
+        for (let k = 0; k < frames; k++) await new Promise(requestAnimationFrame);
         look();
       }
     }
     for (const one of all) one.remove();
-    await rest(1500); // longer than on the way to another place
-    main.append(a, b, c);
-    await rest(100);
+    const back = (): void => {
+      main.append(a, b, c);
+    };
+    return {heard, look, back};
+  });
+  await page.clock.fastForward(1500); // longer than on the way to another place
+  await watched.evaluate(({back}) => {
+    back();
+  });
+  await frames(page, 3);
+  const events = await watched.evaluate(({look, heard}) => {
     look();
     return heard;
   });

@@ -3,6 +3,7 @@ import {readdirSync} from 'node:fs';
 
 import {expect, it} from 'vitest';
 
+import {frames} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';
 import {isHelper} from './fixture/open.js';
 
@@ -59,7 +60,15 @@ it('shares one graphics context and one worker that drapes, and drapes those in 
   expect(tags).toHaveLength(24);
   await put(`<main>${tags.join('')}</main>`);
   await page.waitForFunction(() => worn.settled > 0, undefined, patient);
-  await page.waitForTimeout(1000);
+  await page.waitForFunction(
+    () =>
+      [...document.querySelectorAll('seamwise-garment')]
+        .filter((one) => one.getBoundingClientRect().top < innerHeight)
+        .every((one) => worn.draped.has(one)),
+    undefined,
+    patient,
+  );
+  await frames(page);
   const inView = await page.evaluate(
     () =>
       [...document.querySelectorAll('seamwise-garment')].filter(
@@ -133,7 +142,7 @@ it(
     await show('hidden');
     const before = await draws();
     await page.waitForFunction(() => worn.settled > 0, undefined, patient);
-    await page.waitForTimeout(1000);
+    await frames(page, 30);
     expect(await draws()).toBe(before);
     await show('visible');
     await expect.poll(draws, patient).toBeGreaterThan(before + 50); // it turns again

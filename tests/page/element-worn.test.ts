@@ -6,6 +6,7 @@ import {expect, it} from 'vitest';
 
 import type {WornPane} from '@/editor/worn/worn-pane.js';
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
+import {frames} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
@@ -13,13 +14,19 @@ const openPage = useElementPage();
 const patient = {timeout: 60_000};
 const worn = tee.replace('alt=', 'view="garment" alt=');
 
-/** Counts events of elements from now on. @returns how many there were */
-async function counted(page: Page, type: string): Promise<() => Promise<number>> {
-  const count = await page.evaluateHandle((type) => {
-    const told = {times: 0};
-    document.addEventListener(type, () => told.times++, true);
-    return told;
-  }, type);
+/** Counts events of the elements that match a selector, from now on. @returns how many there were */
+async function counted(page: Page, type: string, selector = '*'): Promise<() => Promise<number>> {
+  const count = await page.evaluateHandle(
+    ([type, selector]) => {
+      const told = {times: 0};
+      const hear = ({target}: Event): void => {
+        if (target instanceof Element && target.matches(selector)) told.times++;
+      };
+      document.addEventListener(type, hear, true);
+      return told;
+    },
+    [type, selector] as const,
+  );
   return () => count.evaluate(({times}) => times);
 }
 
@@ -140,12 +147,25 @@ it('is turned by one finger, and moved and zoomed by two', {tags: ['thorough']},
 
 it('drapes nothing that nobody sees', {tags: ['thorough']}, async () => {
   const {page, put} = await openPage({viewport: {width: 700, height: 600}});
-  const told = await counted(page, 'drape');
-  await put(`${'<br>'.repeat(200)}${worn.replace('alt=', 'loading="eager" alt=')}`);
+  const told = await counted(page, 'drape', 'p *');
+  await put(`${'<br>'.repeat(200)}<p>${worn.replace('alt=', 'loading="eager" alt=')}</p>`);
   await page.locator('seamwise-garment:state(ready)').waitFor();
-  await page.waitForTimeout(1500);
+  await frames(page, 3);
+  // another garment is draped after all that has been asked for by now
+  await page.evaluate((markup) => {
+    Object.assign(globalThis, {
+      settled: new Promise<void>((resolve) => {
+        const hear = (event: Event): void => {
+          if ((event as CustomEvent<{settled: boolean}>).detail.settled) resolve();
+        };
+        document.addEventListener('drape', hear, true);
+      }),
+    });
+    document.body.insertAdjacentHTML('afterbegin', `<aside>${markup}</aside>`);
+  }, worn);
+  await page.evaluate(() => (globalThis as unknown as {settled: Promise<void>}).settled);
   expect(await told()).toBe(0);
-  await page.locator('seamwise-garment').scrollIntoViewIfNeeded();
+  await page.locator('p seamwise-garment').scrollIntoViewIfNeeded();
   await expect.poll(told, patient).toBeGreaterThan(0);
 });
 
@@ -168,6 +188,7 @@ it('is of a fabric that its design keeps, without being solved for it again', as
 
 it('is drawn as finely after it has moved as before', {tags: ['thorough']}, async () => {
   const {page, put} = await openPage({viewport: {width: 600, height: 450}});
+  await page.clock.install();
   await put(worn);
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
   const garment = page.getByRole('application', {name: 'Garment, worn'});
@@ -178,9 +199,15 @@ it('is drawn as finely after it has moved as before', {tags: ['thorough']}, asyn
     createHash('sha256')
       .update(await stage.screenshot())
       .digest('hex');
+  /** Lets the view rest for as long as it waits until it is drawn finely. */
+  const rest = async (): Promise<void> => {
+    await frames(page);
+    await page.clock.fastForward(3000);
+    await frames(page);
+  };
   await garment.focus();
   await page.keyboard.press('1');
-  await page.waitForTimeout(1500);
+  await rest();
   const rested = await picture();
   await page.keyboard.press('2');
   await expect.poll(() => status.textContent(), patient).toContain('Back view.');
@@ -190,7 +217,7 @@ it('is drawn as finely after it has moved as before', {tags: ['thorough']}, asyn
       {};
     view?.camera.setTurntable(true);
   });
-  await page.waitForTimeout(3000);
+  await rest();
   expect(await picture()).not.toBe(rested);
   await page.keyboard.press('1');
   await expect.poll(picture, patient).toBe(rested);

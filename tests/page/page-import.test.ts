@@ -11,6 +11,7 @@ import {choose, hand, type HandedFile} from '../support/page-files.js';
 import {solved, usePage} from '../support/page.js';
 import {plainDxf, type PlainPiece} from '../support/plain-dxf.js';
 import {sampleOf} from '../support/level.js';
+import {caughtUp} from '../support/waiting.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -51,7 +52,9 @@ it('shows the pieces of a DXF with the unit that fits, and leaves all as it is w
   await dialog.getByRole('img', {name: 'Ruler, 20 cm'}).waitFor();
   await dialog.getByText('4 of 4 pieces').waitFor();
   for (const name of ['Front', 'Back', 'Sleeve left', 'Sleeve right'])
-    expect(await dialog.getByRole('checkbox', {name, exact: true}).isChecked(), name).toBe(true);
+    await expect
+      .poll(() => dialog.getByRole('checkbox', {name, exact: true}).isChecked(), {message: name})
+      .toBe(true);
   // what is half as large is drawn half as large
   const widths = await dialog
     .locator('li svg')
@@ -152,17 +155,27 @@ it('says that a file is damaged or empty, and takes it for no picture', async ()
 it('reads on until Escape', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   const before = await designOf(page);
+  let release = (): void => undefined;
+  const held = new Promise<void>((resolve) => {
+    release = resolve;
+  });
   await page.route('**/drawing.worker*', async (route) => {
-    await new Promise((resolve) => setTimeout(resolve, 3000));
-    await route.continue();
+    await held;
+    await route.continue().catch(() => undefined); // it may not be wanted any more
   });
   await hand(page, 'drop', dxf(plainDxf(await samplePieces())));
   const reading = page.getByText('Reading tee.dxf …');
   await reading.waitFor();
   await page.keyboard.press('Escape');
   await reading.waitFor({state: 'detached'});
-  await page.waitForTimeout(4000);
-  await expect.poll(() => sheet(page).isVisible()).toBe(false);
+  release();
+  // what is read after it is shown, and it is not
+  await offered(page, dxf(plainDxf((await samplePieces()).slice(0, 2)), 'later.dxf'));
+  await sheet(page).getByText('2 of 2 pieces').waitFor();
+  await page.keyboard.press('Escape');
+  await sheet(page).waitFor({state: 'detached'});
+  await caughtUp(page);
+  await expect.poll(() => sheet(page).count()).toBe(0);
   expect(await designOf(page)).toEqual(before);
 });
 

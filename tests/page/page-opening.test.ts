@@ -22,38 +22,39 @@ it('names all that tests and screen readers rely on', async () => {
     ...['Undo', 'Redo', 'Open garment', 'Open print', 'Save …'],
     ...['Symmetric piece', 'Symmetric pair', 'Move print', 'Accept all symmetries'],
   ]) {
-    expect(await button(page, name).count(), name).toBe(1);
+    await expect.poll(() => button(page, name).count(), {message: name}).toBe(1);
   }
   // nobody has to ask for what comes by itself, or to end what has ended
-  for (const name of ['Align', 'Cancel']) expect(await button(page, name).count(), name).toBe(0);
+  for (const name of ['Align', 'Cancel'])
+    await expect.poll(() => button(page, name).count(), {message: name}).toBe(0);
   await button(page, 'Save …').click();
   for (const name of ['Save project', 'Save result', 'Save picture', 'Cut …', 'Copy link'])
-    expect(await button(page, name).count(), name).toBe(1);
+    await expect.poll(() => button(page, name).count(), {message: name}).toBe(1);
   await page.keyboard.press('Escape');
   for (const name of ['Pieces', 'Seams'])
-    expect(await page.getByRole('table', {name, exact: true}).count(), name).toBe(1);
+    await expect
+      .poll(() => page.getByRole('table', {name, exact: true}).count(), {message: name})
+      .toBe(1);
   for (const name of ['Repeat width (cm)', 'Repeat height (cm)', 'Greatest change (mm)'])
-    expect(await page.getByRole('spinbutton', {name, exact: true}).count(), name).toBe(1);
+    await expect
+      .poll(() => page.getByRole('spinbutton', {name, exact: true}).count(), {message: name})
+      .toBe(1);
   await expect.poll(() => page.getByRole('radiogroup', {name: 'Wallpaper group'}).count()).toBe(1);
 });
 
-it('cancels within a tenth of a second, and aligns again when asked', async () => {
+it('cancels in the same task, and aligns again when asked', async () => {
   const page = await openPage();
   await solved(page);
-  const measured = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
+  const cancelled = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
     const status = (cancel.getRootNode() as ShadowRoot).querySelector('sw-progress')?.shadowRoot;
     while (cancel.hidden) await new Promise(requestAnimationFrame);
-    const begun = performance.now();
     cancel.click();
-    // asked within the same task: a frame drawn in software would count as waiting
     for (let k = 0; k < 100 && !status?.textContent.includes('Cancelled'); k++)
       await Promise.resolve();
-    if (!status?.textContent.includes('Cancelled')) return Infinity;
-    return performance.now() - begun;
+    return status?.textContent.includes('Cancelled');
   });
   await page.getByLabel('Garment', {exact: true}).selectOption('princess-dress');
-  const waited = await measured;
-  expect(waited).toBeLessThan(100);
+  expect(await cancelled).toBe(true);
   await button(page, 'Align').click();
   await solved(page);
 });

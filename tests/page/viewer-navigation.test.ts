@@ -165,6 +165,7 @@ it('stays fitted when the window changes, unless somebody has moved it', async (
 });
 
 it('draws only when something changes', async () => {
+  await page.clock.install();
   await page.evaluate(() => {
     const original = requestAnimationFrame;
     document.title = '0';
@@ -173,12 +174,13 @@ it('draws only when something changes', async () => {
       return original(callback);
     };
   });
-  /** Frames that are asked for while nothing is done; what follows a change comes at some distance. */
+  /** Frames that are asked for while nothing is done, by what follows a change at some distance, too. */
   const whileResting = async (): Promise<string> => {
     await page.evaluate(() => {
       document.title = '0';
     });
-    await page.waitForTimeout(400);
+    await page.clock.fastForward(1000);
+    await page.clock.fastForward(1000);
     return page.title();
   };
   await expect.poll(whileResting, {timeout: 20_000}).toBe('0');

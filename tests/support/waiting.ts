@@ -1,16 +1,18 @@
-/** Waits of browser tests: for a frame, a state or the end of a worker, never for a time. */
-import type {JSHandle, Page, Worker} from 'playwright-core';
+/** Waits of browser tests: for frames, events and workers, never for a time. */
+import type {Page, Worker} from 'playwright-core';
 import {expect} from 'vitest';
 
-/** Waits until the page has drawn frames, by two of which its observers have reported and its microtasks are done. */
+/** Waits until the page has drawn frames; after two, its observers have reported. */
 export const frames = (page: Page, count = 2): Promise<void> =>
   page.evaluate(async (left) => {
     for (let k = 0; k < left; k++) await new Promise(requestAnimationFrame);
   }, count);
 
-/** Waits for a state of the page that an object on it describes. */
-export async function reached<T>(handle: JSHandle<T>, isReached: (state: T) => boolean) {
-  await expect.poll(async () => isReached(await handle.evaluate((state) => state as T))).toBe(true);
+/** Waits until the page has drawn, and every request it has sent by then has been reported to the test. */
+export async function caughtUp(page: Page): Promise<void> {
+  await frames(page, 3);
+  // answered after all that was sent before
+  await page.evaluate(async () => (await fetch(location.href)).text());
 }
 
 /** Waits until the page has this number of workers that count. */
