@@ -37,7 +37,7 @@ it('keeps the garment in sight on a phone, whatever is chosen below it', async (
   ] as const) {
     await sheets.getByRole('button', {name}).tap();
     await what.scrollIntoViewIfNeeded();
-    expect(await what.isVisible(), name).toBe(true);
+    await expect.poll(() => what.isVisible(), {message: name}).toBe(true);
     const [{y, height}, below] = [
       await box(stage),
       await box(page.locator('sw-editor .workbench > .side')),
@@ -54,6 +54,7 @@ it('keeps the garment in sight on a phone, whatever is chosen below it', async (
 it('gives a finger something to meet, and fields that no phone zooms into', async () => {
   const page = await openPage(phone);
   await solved(page);
+  await page.locator('.remedy').first().waitFor({state: 'attached'}); // the last of what is drawn
   const small = async (): Promise<readonly string[]> =>
     page.evaluate(() => {
       const found: string[] = [];

@@ -57,7 +57,7 @@ export class StaysOff extends WorkbenchElement {
       .remedy {
         width: 100%;
         height: auto;
-        min-height: 2.25rem;
+        min-height: max(2.25rem, var(--sw-target));
         margin-top: var(--sw-space-2);
         justify-content: start;
         padding-block: var(--sw-space-1);
