@@ -205,6 +205,12 @@ export function unborne(file: DrapeFile, result: SolveResult): number {
   return norm3(left) / whole;
 }
 
+/** The energy of the cloth in the places of the file. [J] */
+export function restingEnergy(file: DrapeFile, result: SolveResult): number {
+  const {membrane, bending, weight} = energiesOf(ratedBy(result, file), new SewnCloth(file));
+  return membrane + bending + weight;
+}
+
 const ratedBy = ({seams}: SolveResult, file: DrapeFile): RatedDrape => ({
   file,
   ratios: seams.map(({lengthRatio}) => lengthRatio),

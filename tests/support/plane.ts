@@ -1,15 +1,5 @@
 /** Geometry for the checks of results, besides that of the sources. */
-import {
-  between,
-  cross,
-  distance,
-  minus,
-  nearestShare,
-  plus,
-  rotated,
-  type Alignment,
-  type Point,
-} from '@/model/geometry.js';
+import {cross, minus, plus, rotated, type Alignment, type Point} from '@/model/geometry.js';
 
 export const scale = (a: Point, s: number): Point => [a[0] * s, a[1] * s];
 
@@ -37,11 +27,18 @@ export const sum = (values: readonly number[]): number => values.reduce((s, v) =
 export const greatest = (values: readonly number[]): number =>
   values.reduce((m, v) => Math.max(m, v), 0);
 
-/** The distance from a point to a polyline. */
-export const toLine = (point: Point, line: readonly Point[]): number =>
-  Math.min(
-    ...alongLine(line).map(([p, q]) => distance(point, between(p, q, nearestShare(p, q, point)))),
-  );
+/** The distance from a point to a polyline. Without arrays, since the checks measure millions. */
+export function toLine([x, y]: Point, line: readonly Point[]): number {
+  let least = Infinity;
+  for (let k = 1; k < line.length; k++) {
+    const [[ax, ay], [bx, by]] = [at(line, k - 1), at(line, k)];
+    const [wx, wy, px, py] = [bx - ax, by - ay, x - ax, y - ay];
+    const share = Math.max(0, Math.min(1, (px * wx + py * wy) / (wx * wx + wy * wy || 1)));
+    const [dx, dy] = [px - share * wx, py - share * wy];
+    least = Math.min(least, dx * dx + dy * dy);
+  }
+  return Math.sqrt(least);
+}
 
 /** Whether two of the segments cross in their insides; neighbours, which share an end, never do. */
 export function crossesItself(lines: readonly (readonly [Point, Point])[]): boolean {

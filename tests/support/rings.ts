@@ -1,7 +1,7 @@
 /** Closed lines for the checks of lay plans: how near two come, and how much they overlap. Lengths in cm. */
 import {Clipper, FillRule} from 'clipper2-ts';
 
-import {cross, dot, minus, plus, type Point} from '@/model/geometry.js';
+import {cross, minus, plus, type Point} from '@/model/geometry.js';
 import {aroundLoop, at, greatest} from './plane.js';
 
 export type Ring = readonly Point[];
@@ -54,16 +54,26 @@ const extentGap = (a: Extent, b: Extent, [dx, dy]: Point): number =>
     Math.max(0, a[1] - b[3] - dy, b[1] + dy - a[3]),
   );
 
-function toSegment(p: Point, a: Point, b: Point): number {
-  const along = minus(b, a);
-  const from = minus(p, a);
-  const share = Math.max(0, Math.min(1, dot(from, along) / (dot(along, along) || 1)));
-  return Math.hypot(from[0] - share * along[0], from[1] - share * along[1]);
+/** Square of the distance from a point to a segment. Without arrays, since the checks measure millions. */
+function squareToSegment([x, y]: Point, [ax, ay]: Point, [bx, by]: Point): number {
+  const [wx, wy, px, py] = [bx - ax, by - ay, x - ax, y - ay];
+  const share = Math.max(0, Math.min(1, (px * wx + py * wy) / (wx * wx + wy * wy || 1)));
+  const [dx, dy] = [px - share * wx, py - share * wy];
+  return dx * dx + dy * dy;
 }
 
+const toSegment = (p: Point, a: Point, b: Point): number => Math.sqrt(squareToSegment(p, a, b));
+
 /** From a point to a closed line. */
-export const toRing = (p: Point, ring: Ring): number =>
-  Math.min(...aroundLoop(ring).map(([a, b]) => toSegment(p, a, b)));
+export function toRing(p: Point, ring: Ring): number {
+  let least = Infinity;
+  let from = at(ring, -1);
+  for (const to of ring) {
+    least = Math.min(least, squareToSegment(p, from, to));
+    from = to;
+  }
+  return Math.sqrt(least);
+}
 
 function betweenSegments(a: Point, b: Point, c: Point, d: Point): number {
   const [ab, cd] = [minus(b, a), minus(d, c)];

@@ -51,7 +51,7 @@ export function toTriangle([a, b, c]: readonly [Place, Place, Place], p: Place):
 /** Things in space by the cells of a grid that their boxes reach into. */
 export class Cells {
   readonly #size: number;
-  readonly #cells = new Map<string, number[]>();
+  readonly #cells = new Map<number, number[]>();
 
   /** @param size of a cell; the boxes are those of the points of each thing */
   constructor(things: readonly (readonly Place[])[], size: number) {
@@ -70,7 +70,8 @@ export class Cells {
     return new Set(this.#keys(points, margin).flatMap((key) => this.#cells.get(key) ?? []));
   }
 
-  #keys(points: readonly Place[], margin: number): string[] {
+  /** Cells far apart may share a key: then more is near than need be. */
+  #keys(points: readonly Place[], margin: number): number[] {
     const range = (axis: 0 | 1 | 2): number[] => {
       const values = points.map((point) => point[axis]);
       const low = Math.floor((Math.min(...values) - margin) / this.#size);
@@ -78,6 +79,6 @@ export class Cells {
       return Array.from({length: high - low + 1}, (_, k) => low + k);
     };
     const [ys, zs] = [range(1), range(2)];
-    return range(0).flatMap((x) => ys.flatMap((y) => zs.map((z) => `${x},${y},${z}`)));
+    return range(0).flatMap((x) => ys.flatMap((y) => zs.map((z) => (x * 65536 + y) * 65536 + z)));
   }
 }
