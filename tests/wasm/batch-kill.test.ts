@@ -4,7 +4,8 @@ import {setTimeout as sleep} from 'node:timers/promises';
 import * as fc from 'fast-check';
 import {afterAll, beforeAll, expect, it} from 'vitest';
 
-import {Shop, until} from '../support/batch.js';
+import {endlessJob, Shop, until} from '../support/batch.js';
+import {cases} from '../support/level.js';
 
 let shop: Shop;
 beforeAll(() => {
@@ -14,8 +15,9 @@ afterAll(() => {
   shop.remove();
 });
 
-const jobs = 500;
-const kills = 20;
+const jobs = cases(150, 500);
+const kills = cases(5, 20);
+const threads = 2;
 
 /** When to kill: so many milliseconds after the start, or after the first result of the run. */
 const moments = fc.sample(
@@ -29,13 +31,24 @@ it('loses nothing and does nothing twice, whenever it is killed', async () => {
     print: 'checks.json',
     seed,
   }));
-  shop.writeJobs('jobs.ndjson', [...lines, {garment: 'checks.json', print: 'checks.json'}]);
+  const wrong = {garment: 'checks.json', print: 'checks.json'};
+  // its threads never get beyond these: each kill finds them at work
+  const obstacles = Array.from({length: threads}, (_, seed) => ({...endlessJob, seed}));
+  const middle = Math.floor(jobs / 2);
+  shop.writeJobs('killed.ndjson', [
+    ...lines.slice(0, middle),
+    ...obstacles,
+    ...lines.slice(middle),
+    wrong,
+  ]);
+  shop.writeJobs('jobs.ndjson', [...lines, wrong]);
   const count = () => (existsSync(shop.at('out/results')) ? shop.results('out').length : 0);
-  const words = ['batch', 'jobs.ndjson', '--out', 'out', '--workers', '2'];
+  const words = ['batch', 'killed.ndjson', '--out', 'out', '--workers', String(threads)];
   for (const {afterResult, milliseconds} of moments) {
     const before = count();
     const {child, end} = shop.start(words);
-    if (afterResult) await until(() => count() > before || child.exitCode !== null);
+    // no more results come once all threads are at an endless job
+    if (afterResult && before < middle / 2) await until(() => count() > before);
     await sleep(milliseconds);
     child.kill('SIGKILL');
     expect((await end).code).toBe(null); // it was still at work
