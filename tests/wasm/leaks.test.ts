@@ -9,7 +9,10 @@ import {SharedModule} from '@/solver/answers/shared-module.js';
 import {seamwise} from '@/solver/module/load.js';
 import {problemTexts} from '@/solver/requests/texts.js';
 import {Solver} from '@/solver/seamwise/solver.js';
+import {cases} from '../support/level.js';
 import {checks, sample, twoStrips} from './garments.js';
+
+const many = cases(200, 1000);
 
 const problem: Problem = {garment: twoStrips(2), print: checks};
 
@@ -57,27 +60,27 @@ async function abortedAt(report: number, garment = problem.garment): Promise<voi
   await solve({...problem, garment}, {signal: controller.signal, onProgress}).catch(() => null);
 }
 
-it('memory stays as it is over 1000 solves', async () => {
-  await expectFlat(1000, () => solve(problem));
-}, 300_000);
+it(`memory stays as it is over ${many} solves`, async () => {
+  await expectFlat(many, () => solve(problem));
+}, 600_000);
 
-it('memory stays as it is over 1000 solves that are aborted early, late or by a listener', async () => {
-  await expectFlat(1000, (k) => {
+it(`memory stays as it is over ${many} solves that are aborted early, late or by a listener`, async () => {
+  await expectFlat(many, (k) => {
     if (k % 4 < 3) return abortedAt(k % 4);
     const onPartial = () => {
       throw new Error('listener');
     };
     return solve(problem, {onPartial}).catch(() => null);
   });
-}, 300_000);
+}, 600_000);
 
 it('memory stays as it is over solves of a whole garment that are aborted in the middle', async () => {
   const tee = sample('tee');
   await solve({...problem, garment: tee}); // all that is kept for the next one is there
-  await expectFlat(30, (k) => abortedAt(1 + (k % 6), tee));
-}, 300_000);
+  await expectFlat(cases(12, 30), (k) => abortedAt(1 + (k % 6), tee));
+}, 600_000);
 
-it('memory stays as it is over 1000 solvers that are disposed of half way', async () => {
+it(`memory stays as it is over ${many} solvers that are disposed of half way`, async () => {
   const wasmBinary = await readFile(
     new URL('../../web/src/solver/module/seamwise.wasm', import.meta.url),
   );
@@ -88,12 +91,12 @@ it('memory stays as it is over 1000 solvers that are disposed of half way', asyn
     for (let step = 0; step < k % 5; step++) solver.advance(0.1);
     solver.delete();
   };
-  await expectFlat(1000, attempt, () =>
+  await expectFlat(many, attempt, () =>
     Promise.resolve({heap: module.heapBytes(), live: module.liveBytes()}),
   );
-}, 300_000);
+}, 600_000);
 
-it('memory stays as it is over 1000 failures of every stage', async () => {
+it(`memory stays as it is over ${many} failures of every stage`, async () => {
   const piece = 'left';
   const broken: readonly Problem[] = [
     {...problem, garment: '{'},
@@ -112,16 +115,16 @@ it('memory stays as it is over 1000 failures of every stage', async () => {
     },
   ];
   let failed = 0;
-  await expectFlat(1000, async (k) => {
+  await expectFlat(many, async (k) => {
     const one = broken[k % broken.length] ?? problem;
     await solve(one).catch(() => failed++);
   });
-  expect(failed).toBe(1200); // with those of the warm-up
-}, 300_000);
+  expect(failed).toBe(1.2 * many); // with those of the warm-up
+}, 600_000);
 
-it('memory stays as it is over 1000 detected symmetries and conversions', async () => {
-  await expectFlat(500, async () => {
+it(`memory stays as it is over ${many} detected symmetries and conversions`, async () => {
+  await expectFlat(many / 2, async () => {
     await symmetries(twoStrips(2));
     await convert(twoStrips(2));
   });
-}, 300_000);
+}, 600_000);

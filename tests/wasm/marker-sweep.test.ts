@@ -9,6 +9,7 @@ import {expect, it} from 'vitest';
 
 import {groupNames} from '@/model/print.js';
 import {planComplaints} from '../support/check-plan.js';
+import {cases} from '../support/level.js';
 import {at} from '../support/plane.js';
 import {chance, randomLay} from '../support/random-lay.js';
 import {sample} from './garments.js';
@@ -18,7 +19,7 @@ const garments = [
   ...['hoodie', 'asymmetric-dress', 'gathered-skirt', 'patchwork-jacket', 'shift-dress'],
 ] as const;
 
-const count = Number(process.env.SEAMWISE_SWEEP ?? 6);
+const count = Number(process.env.SEAMWISE_SWEEP ?? cases(3, 6));
 
 const options = {grain: {default: 'on'}, proof: 0} as const;
 
