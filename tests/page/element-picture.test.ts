@@ -2,6 +2,7 @@ import {sampleOf} from '../support/level.js';
 /** What is drawn of an element, and what pictures of it there are: also where the browser takes the graphics away. */
 import {expect, it} from 'vitest';
 
+import {frames} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
@@ -46,7 +47,10 @@ it.each(sampleOf(1, ['preview', 'edit']))(
     await open.put(tee.replace('alt=', `mode="${mode}" alt=`));
     await open.page.locator('seamwise-garment:state(ready)').waitFor();
     await open.page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-    const differences = await open.run(async (element) => {
+    await open.page.clock.install();
+    const pictures = await open.page.evaluateHandle(async () => {
+      const element = document.querySelector('seamwise-garment');
+      if (!element) throw new Error('It is gone.');
       const pixels = async (): Promise<Uint8ClampedArray> => {
         const bitmap = await createImageBitmap(await element.toBlob({width: 200}));
         const {width, height} = bitmap;
@@ -61,8 +65,12 @@ it.each(sampleOf(1, ['preview', 'edit']))(
       const before = await pixels();
       element.print = 'prints/cm.json';
       await element.solve();
-      const atOnce = await pixels();
-      await new Promise((resolve) => setTimeout(resolve, 1500));
+      return {before, atOnce: await pixels(), pixels, difference};
+    });
+    await frames(open.page);
+    await open.page.clock.fastForward(1500); // whatever moves has come to rest
+    await frames(open.page);
+    const differences = await pictures.evaluate(async ({before, atOnce, pixels, difference}) => {
       const later = await pixels();
       return {fromBefore: difference(before, atOnce), fromLater: difference(later, atOnce)};
     });

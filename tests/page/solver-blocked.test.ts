@@ -68,6 +68,7 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
   it('also for leases that come later, which try again only once all others are released', async () => {
     let asked = 0;
     page.on('request', (request) => (asked += Number(request.url().endsWith('nowhere.js'))));
+    await page.clock.install();
     const heard = await page.evaluate(async (garment) => {
       Object.defineProperty(navigator, 'hardwareConcurrency', {value: 5});
       const heard: string[] = [];
@@ -82,10 +83,11 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
     }, strips.garment);
     expect(heard).toEqual(['first', 'second', 'third']);
     expect(asked).toBe(2); // the first two had places of their own before anything was known
-    await page.evaluate(async (garment) => {
-      await new Promise((resolve) => setTimeout(resolve, 6000));
-      await lease({workerUrl: 'nowhere.js'}).solver.convert(garment);
-    }, strips.garment);
+    await page.clock.fastForward(6000); // nobody leases anything for a while
+    await page.evaluate(
+      (garment) => lease({workerUrl: 'nowhere.js'}).solver.convert(garment),
+      strips.garment,
+    );
     expect(asked).toBe(3);
   });
 

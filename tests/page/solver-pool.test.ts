@@ -2,6 +2,7 @@ import type {Page} from 'playwright-core';
 import {solve} from 'seamwise/node';
 import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
+import {caughtUp, workersLeft} from '../support/waiting.js';
 import {checks, twoStrips} from '../wasm/garments.js';
 import {isHelper, jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
 
@@ -136,18 +137,24 @@ describe('releasing', () => {
     'ends a worker that nobody has leased for some seconds, not one that is leased again',
     {tags: ['thorough']},
     async () => {
-      await page.evaluate(async ({garment}) => {
+      await page.clock.install();
+      const second = await page.evaluateHandle(async ({garment}) => {
         const first = lease();
         await first.solver.convert(garment);
         first.release();
         const second = lease();
         await second.solver.convert(garment);
-        globalThis.setTimeout(second.release, 7000);
-        await new Promise((resolve) => setTimeout(resolve, 6500));
+        return second;
       }, strips);
+      await page.clock.fastForward(60_000);
+      await caughtUp(page);
       const kept = page.workers().filter((worker) => !isHelper(worker));
       expect([workers, kept.length]).toEqual([1, 1]);
-      await expect.poll(() => page.workers().length, {timeout: 60_000}).toBe(0);
+      await second.evaluate(({release}) => {
+        release();
+      });
+      await page.clock.fastForward(6000);
+      await workersLeft(page, 0);
       const result = await page.evaluate((problem) => lease().solver.solve(problem), strips);
       expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
       expect(workers).toBe(2);

@@ -139,7 +139,7 @@ describe('a pixel of the screen is the pixel of the tile', () => {
       context.loseContext();
       await lost;
       Viewer.view.panBy(10, 0); // moving meanwhile does no harm
-      await new Promise((resolve) => setTimeout(resolve, 100));
+      for (let k = 0; k < 3; k++) await new Promise(requestAnimationFrame);
       const restored = once('webglcontextrestored');
       context.restoreContext();
       await restored;

@@ -182,11 +182,10 @@ it('knows what lies under a point, and marks a place across the seam', async () 
 
 it('fits a long seam into its box, and follows the box', async () => {
   const {strip} = await opened(sceneIn(plainPrint, runsOn));
-  const narrow = await strip.evaluate(async (view) => {
+  await strip.evaluate(() => {
     const box = document.querySelector<HTMLElement>('body > div');
     if (box) box.style.width = '84px';
-    await new Promise((resolve) => setTimeout(resolve, 300));
-    return {scale: view.scale, span: view.span};
   });
-  expect(narrow).toEqual({scale: 15, span: [12, 72]});
+  const shown = () => strip.evaluate(({scale, span}) => ({scale, span}));
+  await expect.poll(shown).toEqual({scale: 15, span: [12, 72]});
 });
