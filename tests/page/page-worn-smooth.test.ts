@@ -1,10 +1,10 @@
-/** The worn garment keeps its page alive: no script of it holds up a frame, and keys alone reach all of it. */
+/** The worn garment keeps its page alive: it is never empty, and keys alone reach all of it. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
 import {showSample, solved, usePage} from '../support/page.js';
-import {scriptRuns} from '../support/script-runs.js';
+import {frames} from '../support/waiting.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -12,19 +12,6 @@ const openPage = usePage();
 
 const status = (page: Page): Promise<string | null> =>
   page.locator('sw-worn [role=status]').textContent();
-
-it('has no script that runs for more than 50 ms while a drape is shown and settles', async () => {
-  const page = await openPage({viewport: {width: 1300, height: 800}});
-  await solved(page);
-  await page.waitForTimeout(3000); // what is looked for after an answer is another matter
-  const runs = await scriptRuns(page, async () => {
-    await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
-    await expect.poll(() => status(page), {timeout: 120_000, interval: 500}).toContain('view.');
-  });
-  expect(runs.length).toBeGreaterThan(10);
-  // a machine that others use takes the processor away once in a while
-  expect(runs[1]).toBeLessThan(50);
-});
 
 it('never shows an empty view while print, colours and size change', async () => {
   const page = await openPage({viewport: {width: 1300, height: 800}});
@@ -37,7 +24,7 @@ it('never shows an empty view while print, colours and size change', async () =>
   const staysFull = async (): Promise<void> => {
     for (let k = 0; k < 6; k++) {
       expect((await stage.screenshot()).length).toBeGreaterThan(12_000);
-      await page.waitForTimeout(120);
+      await frames(page, 4);
     }
   };
   await page.getByRole('radio', {name: 'Majolica'}).or(page.getByText('Majolica')).first().click();
