@@ -29,7 +29,7 @@ it(
     await page.keyboard.press('Delete');
     await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
     await expect.poll(() => caption(page)).toMatch(/Lengths of all pieces, packed anew$/);
-    expect(await present.innerText()).toBe(packed);
+    await expect.poll(() => present.innerText()).toBe(packed);
     // files have one length, that of the pieces that lie
     const partial = await savedPlan(page);
     expect(partial).toMatchObject({widths: [], cheaper: [], phases: [{lengthCm: null}]});

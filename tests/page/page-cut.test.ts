@@ -90,14 +90,16 @@ it(
       );
     await open(60);
     await caption.filter({hasText: 'There is no answer to cut: align the print first.'}).waitFor();
-    expect([await save.isDisabled(), await drawn.count()]).toEqual([true, 0]);
+    await expect
+      .poll(async () => [await save.isDisabled(), await drawn.count()])
+      .toEqual([true, 0]);
     await page.locator('seamwise-page').evaluate((element) => {
       (element as SeamwisePage).workbench.align();
     });
     await dialog.getByText('The answer has changed: this is the new one.').waitFor();
     await caption.filter({hasText: /page/}).waitFor();
     await expect.poll(() => save.isDisabled()).toBe(false);
-    expect(await drawn.getAttribute('d')).not.toBe(before);
+    await expect.poll(() => drawn.getAttribute('d')).not.toBe(before);
     await page.keyboard.press('Escape');
 
     // asked for before there is an answer, it says that it waits

@@ -35,7 +35,7 @@ it('is there again as it was left, until its print is taken', {tags: ['thorough'
   const before = (await designOf(page)).print.title;
   await openSheet(page);
   // not read again: it is there at once, with its steps
-  expect(await dialog.getByText('Found: pmm.').count()).toBe(1);
+  await expect.poll(() => dialog.getByText('Found: pmm.').count()).toBe(1);
   await expect.poll(() => lengths(dialog).first().inputValue()).toBe('80');
   await dialog.getByRole('button', {name: 'Undo'}).click();
   await dialog.getByText(/^Size unknown/).waitFor();
@@ -75,9 +75,11 @@ it('says once which lengths disagree, and lets either be removed', async () => {
   await second.press('Enter');
   const alert = dialog.getByRole('alert');
   await alert.waitFor();
-  expect(await alert.innerText()).toMatch(
-    /^Your measures disagree by (99|10[01]) %: with 8 cm along w1, the photo shows .* not .* Both count until you remove one\.$/,
-  );
+  await expect
+    .poll(() => alert.innerText())
+    .toMatch(
+      /^Your measures disagree by (99|10[01]) %: with 8 cm along w1, the photo shows .* not .* Both count until you remove one\.$/,
+    );
   // the arrow that is measured along is marked as long as the field has the focus
   const marked = page.locator('sw-photo-stage .arrow.measured');
   await expect.poll(() => marked.getAttribute('class')).toBe('arrow w2 measured');

@@ -128,8 +128,10 @@ describe('a photograph', () => {
     const dialog = await openSheet(page);
     await give(page, decoy, 'noise.jpg');
     await dialog.getByRole('alert').waitFor(patient);
-    expect(await dialog.getByRole('alert').innerText()).toMatch(/^[A-Z].*\.$/);
-    expect(await dialog.getByRole('img', {name: 'Photo of the cloth'}).isVisible()).toBe(true);
+    await expect.poll(() => dialog.getByRole('alert').innerText()).toMatch(/^[A-Z].*\.$/);
+    await expect
+      .poll(() => dialog.getByRole('img', {name: 'Photo of the cloth'}).isVisible())
+      .toBe(true);
     await dialog.getByRole('button', {name: 'Draw the cell by hand'}).click();
     await dialog.getByRole('button', {name: 'Find the repeat from here'}).waitFor();
     await dialog.getByRole('button', {name: 'End of w1'}).waitFor();

@@ -179,12 +179,14 @@ it(
     const ways = page.getByRole('group', {name: 'Ways out'});
     await ways.getByRole('button', {name: 'Let Sleeve right mirror Sleeve left'}).waitFor();
     expect(await barriers(page)).toEqual([]);
-    expect(await ways.getByRole('button').allInnerTexts()).toEqual([
-      'Let Sleeve right mirror Sleeve left',
-      'Unpin Sleeve left',
-      'Unpin Sleeve right',
-      'Drop the symmetry: Sleeve left, Sleeve right',
-    ]);
+    await expect
+      .poll(() => ways.getByRole('button').allInnerTexts())
+      .toEqual([
+        'Let Sleeve right mirror Sleeve left',
+        'Unpin Sleeve left',
+        'Unpin Sleeve right',
+        'Drop the symmetry: Sleeve left, Sleeve right',
+      ]);
     await ways.getByRole('button', {name: 'Let Sleeve right mirror Sleeve left'}).click();
     await solved(page);
     expect((await pinsOf(page)).sleeve_left).toEqual(pins.sleeve_left);

@@ -72,7 +72,7 @@ it('names its prints, and shows only those that are looked for', {tags: ['thorou
   await expect.poll(() => tartan.count()).toBe(0);
   await button(page, 'With mirrors').click();
   await expect.poll(() => radios.allInnerTexts()).toContain('Snow crystal');
-  expect(await radios.allInnerTexts()).not.toContain('Trailing rose');
+  await expect.poll(() => radios.allInnerTexts()).not.toContain('Trailing rose');
   await button(page, 'With mirrors').click();
   await expect.poll(() => radios.count()).toBe(18);
 });
@@ -192,7 +192,7 @@ it('gives a picture the group that it has, and shows where it breaks another', a
   await group(page, 'pmm').click();
   await page.getByText('This picture reads differently from left to right').waitFor();
   const outline = page.getByRole('img', {name: 'Dots, with'}).locator('path').first();
-  expect(await outline.getAttribute('d')).not.toBe('');
+  await expect.poll(() => outline.getAttribute('d')).not.toBe('');
   const report = page.locator('sw-tile-report');
   await report.getByRole('button', {name: 'Repeats, without turns or mirrors.'}).click();
   await page.getByText('This picture reads differently').waitFor({state: 'detached'});

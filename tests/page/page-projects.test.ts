@@ -179,7 +179,7 @@ it(
     const other = await quietPage({beside: page});
     const list = await listOf(other);
     await list.getByText('open in another tab').waitFor();
-    expect(await button(other, 'Delete Asymmetric dress, M').count()).toBe(1); // its own
+    await expect.poll(() => button(other, 'Delete Asymmetric dress, M').count()).toBe(1); // its own
     await card(list, 'Asymmetric dress, M').last().click();
     await other.getByText('The project is open in another tab').waitFor();
     await chooseGroup(other, 'cmm');
