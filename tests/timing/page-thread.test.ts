@@ -39,19 +39,24 @@ it('is below 50 ms at a time while a worker solves', async () => {
 });
 
 it('is a slice of some milliseconds at a time where the page itself solves', async () => {
-  const slices = await page.evaluate(async (problem) => {
+  const runs = await page.evaluate(async (problem) => {
     const solver = new InPage();
     await solver.solve(problem); // the module is compiled, the garment meshed
-    const slices: number[] = [];
-    let before = 0;
-    const onProgress = () => {
-      const now = performance.now();
-      if (before > 0) slices.push(now - before);
-      before = now;
-    };
-    await solver.solve({...problem, seed: 2}, {onProgress});
-    return slices.sort((a, b) => a - b);
+    const runs: number[][] = [];
+    for (const seed of [2, 3, 4, 5, 6]) {
+      const slices: number[] = [];
+      let before = 0;
+      const onProgress = () => {
+        const now = performance.now();
+        if (before > 0) slices.push(now - before);
+        before = now;
+      };
+      await solver.solve({...problem, seed}, {onProgress});
+      runs.push(slices);
+    }
+    return runs;
   }, tee);
-  expect(slices.length).toBeGreaterThan(5);
-  expect(slices.at(-2)).toBeLessThan(16); // the system may take the processor away once
+  for (const slices of runs) expect(slices.length).toBeGreaterThan(5);
+  // the system may take the processor away in one run; a long slice of ours is in all of them
+  expect(Math.min(...runs.map((slices) => Math.max(...slices)))).toBeLessThan(16);
 });
