@@ -50,7 +50,9 @@ inline double leastArea(const Pattern& pattern, const Shapes& shapes) {
   double least = 1;
   for (std::size_t p = 0; p < shapes.size(); ++p) {
     for (const auto& [i, j, k] : pattern.pieces[p].triangles) {
-      auto area = [&](const std::vector<Vec2>& x) { return cross(x[j] - x[i], x[k] - x[i]); };
+      auto area = [i = i, j = j, k = k](const std::vector<Vec2>& x) {
+        return cross(x[j] - x[i], x[k] - x[i]);
+      };
       least = std::min(least, area(shapes[p]) / area(pattern.pieces[p].rest));
     }
   }
