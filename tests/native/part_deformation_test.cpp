@@ -37,7 +37,9 @@ void expectKept(const PartDeformation& deformation) {
     }
   }
   for (const auto& [i, j, k] : part.triangles) {
-    auto area = [&](const std::vector<Vec2>& p) { return cross(p[j] - p[i], p[k] - p[i]); };
+    auto area = [i = i, j = j, k = k](const std::vector<Vec2>& p) {
+      return cross(p[j] - p[i], p[k] - p[i]);
+    };
     EXPECT_GT(area(x), 0.3 * area(part.rest));
   }
 }
