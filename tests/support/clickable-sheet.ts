@@ -1,5 +1,5 @@
 import type {Sheet, SheetPiece} from '@/clicks/sheet.js';
-import type {Point} from '@/model/geometry.js';
+import {plus, type Point} from '@/model/geometry.js';
 import type {SeamSide} from '@/model/result.js';
 
 export interface DrawnPiece extends Partial<Omit<SheetPiece, 'outline' | 'holes'>> {
@@ -91,3 +91,32 @@ export const sewnSquares = (more: Partial<DrawnPiece> = {}): Sheet =>
       ],
     ],
   );
+
+/** Vertices of the outline of each round piece. */
+const roundSides = 200;
+
+const roundAt = (k: number): Point => [45 * (k % 8), 45 * Math.floor(k / 8)];
+
+const onCircle = (share: number): Point => [
+  20 * Math.cos(2 * Math.PI * share),
+  20 * Math.sin(2 * Math.PI * share),
+];
+
+/** Round pieces in rows of eight, each of four edges, and each sewn to the next one. */
+export function manyRounds(count: number): Sheet {
+  const loop = Array.from({length: roundSides}, (_, k) => onCircle(k / roundSides));
+  const quarter = roundSides / 4;
+  const edges = loop.map((_, k) => Math.floor(k / quarter));
+  const vertices = Array.from({length: quarter + 1}, (_, k) => k);
+  return sheetOf(
+    Array.from({length: count}, (_, k) => ({loop, edges, offset: roundAt(k)})),
+    Array.from({length: count - 1}, (_, k) => [
+      [k, ...vertices],
+      [k + 1, ...vertices.map((v) => v + quarter)],
+    ]),
+  );
+}
+
+/** Points on the outlines of these pieces, spread over all of them. */
+export const pressesOn = (pieces: number, count: number): Point[] =>
+  Array.from({length: count}, (_, k) => plus(roundAt(k % pieces), onCircle(k / count)));

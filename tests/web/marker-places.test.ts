@@ -18,16 +18,7 @@ import {
   type LaidPiece,
   type LayablePiece,
 } from '@/marker/places.js';
-import {
-  distance,
-  minus,
-  onPiece,
-  onPrint,
-  plus,
-  rotated,
-  towards,
-  type Point,
-} from '@/model/geometry.js';
+import {distance, minus, onPiece, onPrint, plus, rotated, type Point} from '@/model/geometry.js';
 import {boxOf, distanceTo, isInside} from '@/model/polyline.js';
 import {groupNames} from '@/model/print.js';
 import {latticeVectors} from '@/model/repeat.js';
@@ -212,23 +203,6 @@ describe('what is in the way', () => {
       ),
       {numRuns: 300},
     );
-  });
-
-  it('is known within a frame for twelve pieces of 200 points', () => {
-    const outline = wavy(15);
-    const laid = Array.from({length: 12}, (_, k): LaidPiece => ({
-      piece: piece({outline, turns: 'any'}),
-      place: {angle: 0, translation: [16 + 30 * (k % 4), 18 + 32 * Math.floor(k / 4)]},
-    }));
-    const cloth = bolt({widthCm: 150});
-    for (const one of laid) turnsOf(one.piece, cloth);
-    obstaclesTo(laid, 0, {angle: 0, translation: [30, 30]}, cloth); // what is made once
-    const times = Array.from({length: 60}, (_, k) => {
-      const begun = performance.now();
-      obstaclesTo(laid, 0, {angle: 0, translation: plus([70, 50], towards(k), 20)}, cloth);
-      return performance.now() - begun;
-    }).sort((a, b) => a - b);
-    expect(times[30]).toBeLessThan(4);
   });
 });
 
