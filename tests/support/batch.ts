@@ -115,9 +115,18 @@ export class Shop {
   }
 }
 
-/** Waits, looking every few milliseconds. Only the time limit of the test ends it. */
-export async function until(isSo: () => boolean): Promise<void> {
-  while (!isSo()) await sleep(5);
+/**
+ * Waits, looking every few milliseconds. Only the time limit of the test ends it.
+ * @param by the program that has to bring it about
+ * @throws {Error} when that has ended before
+ */
+export async function until(isSo: () => boolean, by?: Started): Promise<void> {
+  let outcome: Outcome | undefined;
+  void by?.end.then((end) => (outcome = end));
+  while (!isSo()) {
+    if (outcome) throw new Error(`the program has ended: ${JSON.stringify(outcome)}`);
+    await sleep(5);
+  }
 }
 
 const shipped = new URL('../../public/', import.meta.url).href;

@@ -46,12 +46,12 @@ it('loses nothing and does nothing twice, whenever it is killed', async () => {
   const words = ['batch', 'killed.ndjson', '--out', 'out', '--workers', String(threads)];
   for (const {afterResult, milliseconds} of moments) {
     const before = count();
-    const {child, end} = shop.start(words);
+    const batch = shop.start(words);
     // no more results come once all threads are at an endless job
-    if (afterResult && before < middle / 2) await until(() => count() > before);
+    if (afterResult && before < middle / 2) await until(() => count() > before, batch);
     await sleep(milliseconds);
-    child.kill('SIGKILL');
-    expect((await end).code).toBe(null); // it was still at work
+    batch.child.kill('SIGKILL');
+    expect((await batch.end).code).toBe(null); // it was still at work
   }
   const survived = count();
   expect(survived).toBeGreaterThan(0);

@@ -10,36 +10,36 @@ import {fileURLToPath, pathToFileURL} from 'node:url';
 import {Queue, QueueEvents} from 'bullmq';
 import * as fc from 'fast-check';
 import {Redis} from 'ioredis';
-import {afterAll, afterEach, beforeAll, describe, expect, it} from 'vitest';
+import {afterAll, beforeAll, describe, expect, it, type TestContext} from 'vitest';
 
 import {has} from '../../web/setup/shell.mjs';
 import {sha256Of} from '@/model/result-text.js';
 import {packageVersion} from '@/model/version.js';
 import {Shop, until, type Started} from '../support/batch.js';
+import {cases} from '../support/level.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 let shop: Shop;
 let server: ChildProcess | undefined;
 let port = 0;
-/** Every program that a test has started. */
-const started: Started[] = [];
-
 beforeAll(() => {
   shop = new Shop();
-});
-afterEach(async () => {
-  for (const {child} of started) child.kill('SIGKILL');
-  await Promise.all(started.splice(0).map(({end}) => end));
 });
 afterAll(() => {
   shop.remove();
 });
 
-function start(...words: string[]): Started {
-  const one = shop.start(['batch', ...words]);
-  started.push(one);
-  return one;
-}
+/** Starts programs for a test, and kills them at its end. */
+const starter =
+  ({onTestFinished}: TestContext) =>
+  (...words: string[]): Started => {
+    const one = shop.start(['batch', ...words]);
+    onTestFinished(async () => {
+      one.child.kill('SIGKILL');
+      await one.end;
+    });
+    return one;
+  };
 
 async function freePort(): Promise<number> {
   const listener = createServer();
@@ -53,7 +53,8 @@ const job = {garment: 'strips-8.json', print: 'checks.json'};
 const seeds = (count: number) => Array.from({length: count}, (_, seed) => ({...job, seed}));
 const count = (out: string) => (existsSync(shop.at(out, 'results')) ? shop.results(out).length : 0);
 
-describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
+// most of the time is spent on waiting for the time limits of the queue
+describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)', () => {
   const queue = (database = 0) => `redis://127.0.0.1:${port}/${database}`;
 
   beforeAll(async () => {
@@ -95,17 +96,20 @@ describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
     }
   });
 
-  it('keeps the batches of several folders apart', async () => {
-    shop.writeJobs('apart.ndjson', seeds(30));
-    start('--work', '--out', 'other', '--queue', queue(), '--workers', '1');
-    await until(() => existsSync(shop.at('other/queue-id')));
+  it('keeps the batches of several folders apart', async (context) => {
+    const start = starter(context);
+    shop.writeJobs('apart.ndjson', seeds(10));
+    const other = start('--work', '--out', 'other', '--queue', queue(), '--workers', '1');
+    await until(() => existsSync(shop.at('other/queue-id')), other);
     expect((await shop.batch('apart.ndjson', 'apart', '--queue', queue())).code).toBe(0);
-    expect(count('apart')).toBe(30);
+    expect(count('apart')).toBe(10);
     expect(count('other')).toBe(0);
   });
 
-  it('lets workers go and come', async () => {
-    shop.writeJobs('away.ndjson', seeds(300));
+  it('lets workers go and come', async (context) => {
+    const start = starter(context);
+    const jobs = cases(150, 300);
+    shop.writeJobs('away.ndjson', seeds(jobs));
     const lead = start(
       'away.ndjson',
       '--out',
@@ -118,18 +122,20 @@ describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
     );
     const words = ['--work', '--out', 'away', '--queue', queue(), '--workers', '1'];
     const first = start(...words);
-    await until(() => count('away') > 5);
+    await until(() => count('away') > 5, first);
     first.child.kill('SIGTERM');
     expect(await first.end).toEqual({code: 130, out: '', err: ''});
-    expect(count('away')).toBeLessThan(300);
+    expect(count('away')).toBeLessThan(jobs);
     start(...words);
     const {code, out, err} = await lead.end;
     expect({code, err}).toEqual({code: 0, err: ''});
-    expect(JSON.parse(out)).toMatchObject({done: 300, failed: 0, now: 300});
+    expect(JSON.parse(out)).toMatchObject({done: jobs, failed: 0, now: jobs});
   });
 
-  it('loses nothing when its workers and its head are killed at random moments', async () => {
-    shop.writeJobs('many.ndjson', seeds(300));
+  it('loses nothing when its workers and its head are killed at random moments', async (context) => {
+    const start = starter(context);
+    const jobs = cases(150, 300);
+    shop.writeJobs('many.ndjson', seeds(jobs));
     const place = ['--out', 'many', '--queue', queue(1)];
     const lead = () => start('many.ndjson', ...place, '--workers', '0', '--json');
     const work = () => start('--work', ...place, '--workers', '1');
@@ -138,14 +144,14 @@ describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
         victim: fc.integer({min: 0, max: 5}),
         milliseconds: fc.integer({min: 0, max: 120}),
       }),
-      {seed: 3, numRuns: 12},
+      {seed: 3, numRuns: cases(4, 12)},
     );
     const [first, ...others] = [lead(), work(), work()];
     let head = first;
     const workers = others;
     for (const {victim, milliseconds} of moments) {
       const before = count('many');
-      await until(() => count('many') > before || count('many') === 300);
+      await until(() => count('many') > before || count('many') === jobs);
       await sleep(milliseconds);
       const one = victim === 0 ? head : workers[victim % 2];
       one?.child.kill('SIGKILL');
@@ -153,20 +159,21 @@ describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
       if (victim === 0) head = lead();
       else workers[victim % 2] = work();
     }
-    expect(count('many')).toBeLessThan(300); // all of them were at work
+    expect(count('many')).toBeLessThan(jobs); // all of them were at work
     const {code, err} = await head.end;
     expect({code, err}).toEqual({code: 0, err: ''});
     await shop.batch('many.ndjson', 'many-clean');
     const keys = shop.done('many').map(({key}) => key);
-    expect(keys).toHaveLength(300);
-    expect(new Set(keys).size).toBe(300);
+    expect(keys).toHaveLength(jobs);
+    expect(new Set(keys).size).toBe(jobs);
     const results = (out: string) =>
       shop.truth(out).files.filter((file) => !file.includes('.tmp '));
     expect(results('many')).toEqual(results('many-clean'));
     expect(shop.truth('many').lines).toEqual(shop.truth('many-clean').lines);
   });
 
-  it('does nothing that a stranger has put there', async () => {
+  it('does nothing that a stranger has put there', async (context) => {
+    const start = starter(context);
     shop.writeJobs('public.ndjson', seeds(1));
     const words = ['--out', 'public', '--queue', queue(3), '--workers', '1'];
     expect((await shop.run('batch', 'public.ndjson', ...words)).code).toBe(0);
@@ -215,9 +222,11 @@ describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
     expect(existsSync(shop.at('outside.json'))).toBe(false);
   });
 
-  it('goes on when the server forgets everything', async () => {
-    shop.writeJobs('forgotten.ndjson', seeds(200));
-    const {child, end} = start(
+  it('goes on when the server forgets everything', async (context) => {
+    const start = starter(context);
+    const jobs = cases(100, 200);
+    shop.writeJobs('forgotten.ndjson', seeds(jobs));
+    const batch = start(
       'forgotten.ndjson',
       '--out',
       'forgotten',
@@ -226,13 +235,13 @@ describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
       '--workers',
       '1',
     );
-    await until(() => count('forgotten') > 5);
+    await until(() => count('forgotten') > 5, batch);
     const client = new Redis(queue(2));
     await client.flushdb();
     client.disconnect();
-    expect(child.exitCode).toBe(null);
-    expect((await end).code).toBe(0);
-    expect(shop.done('forgotten')).toHaveLength(200);
+    expect(batch.child.exitCode).toBe(null);
+    expect((await batch.end).code).toBe(0);
+    expect(shop.done('forgotten')).toHaveLength(jobs);
   });
 });
 

@@ -252,7 +252,7 @@ describe('two batches', () => {
     shop.writeJobs('many.ndjson', seeds(5000));
     const words = ['batch', 'many.ndjson', '--out', 'locked'];
     const first = shop.start(words);
-    await until(() => existsSync(shop.at('locked/batch.lock')));
+    await until(() => existsSync(shop.at('locked/batch.lock')), first);
     const second = await shop.run(...words);
     expect(second).toMatchObject({code: 2, out: ''});
     expect(second.err).toMatch(
@@ -314,12 +314,12 @@ it.each(['SIGINT', 'SIGTERM'] as const)(
     shop.writeJobs('more.ndjson', jobs);
     // a batch that waited for all its jobs would never end
     shop.writeJobs('endless.ndjson', [...jobs.slice(0, 20), endlessJob, ...jobs.slice(20)]);
-    const {child, end} = shop.start(['batch', 'endless.ndjson', '--out', folder, '--workers', '1']);
+    const batch = shop.start(['batch', 'endless.ndjson', '--out', folder, '--workers', '1']);
     const hasResults = () =>
       existsSync(shop.at(folder, 'results')) && shop.results(folder).length > 5;
-    await until(hasResults);
-    child.kill(signal);
-    const {code, err} = await end;
+    await until(hasResults, batch);
+    batch.child.kill(signal);
+    const {code, err} = await batch.end;
     expect({code, err}).toEqual({
       code: 130,
       err: 'note: the batch was interrupted; the same command goes on from there.\n',
