@@ -67,7 +67,8 @@ async function countSolves(context: BrowserContext): Promise<void> {
   await context.addInitScript(() => {
     if (typeof Worker === 'undefined') return;
     const {countSolve} = globalThis as unknown as {countSolve: () => Promise<void>};
-    const post = Worker.prototype.postMessage as (...words: unknown[]) => void;
+    const own = Object.getOwnPropertyDescriptor(Worker.prototype, 'postMessage');
+    const post = own?.value as (...words: unknown[]) => void;
     Worker.prototype.postMessage = function (this: Worker, ...words: unknown[]) {
       if ((words[0] as {name?: unknown} | undefined)?.name === 'solve') void countSolve();
       post.apply(this, words);
