@@ -2,10 +2,9 @@
 import {spawn} from 'node:child_process';
 import {once} from 'node:events';
 import {createServer, type AddressInfo} from 'node:net';
-import {setTimeout as sleep} from 'node:timers/promises';
 import {fileURLToPath} from 'node:url';
 
-import {expect, it} from 'vitest';
+import {afterEach, beforeEach, describe, expect, it, vi} from 'vitest';
 
 import {again} from '../../web/setup/again.mjs';
 
@@ -13,50 +12,58 @@ const unexpected = (error: unknown): void => {
   throw error;
 };
 
-it('builds once for changes that come together', async () => {
-  let builds = 0;
-  const build = (): void => {
-    builds++;
-  };
-  const changed = again(build, unexpected, 20);
-  changed();
-  await sleep(5);
-  changed();
-  changed();
-  await sleep(100);
-  expect(builds).toBe(1);
-});
+describe('builds', () => {
+  const after = (milliseconds: number) => vi.advanceTimersByTimeAsync(milliseconds);
 
-it('builds once more for changes that come while it builds', async () => {
-  let [builds, atOnce, most] = [0, 0, 0];
-  const build = async (): Promise<void> => {
-    builds++;
-    most = Math.max(most, ++atOnce);
-    await sleep(100);
-    atOnce--;
-  };
-  const changed = again(build, unexpected, 0);
-  changed();
-  await sleep(20);
-  changed();
-  await sleep(20);
-  changed();
-  await sleep(300);
-  expect({builds, most}).toEqual({builds: 2, most: 1});
-});
+  beforeEach(() => {
+    vi.useFakeTimers();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+  });
 
-it('says what failed, and builds at the next change', async () => {
-  let builds = 0;
-  const said: unknown[] = [];
-  const build = (): void => {
-    if (++builds === 1) throw new Error('a semicolon is missing');
-  };
-  const changed = again(build, (error) => said.push(error), 0);
-  changed();
-  await sleep(50);
-  changed();
-  await sleep(50);
-  expect({builds, said}).toEqual({builds: 2, said: [new Error('a semicolon is missing')]});
+  it('once for changes that come together', async () => {
+    const build = vi.fn();
+    const changed = again(build, unexpected, 20);
+    changed();
+    await after(5);
+    changed();
+    changed();
+    await after(100);
+    expect(build).toHaveBeenCalledTimes(1);
+  });
+
+  it('once more for changes that come while it builds', async () => {
+    let [builds, atOnce, most] = [0, 0, 0];
+    const build = async (): Promise<void> => {
+      builds++;
+      most = Math.max(most, ++atOnce);
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      atOnce--;
+    };
+    const changed = again(build, unexpected, 0);
+    changed();
+    await after(20);
+    changed();
+    await after(20);
+    changed();
+    await after(300);
+    expect({builds, most}).toEqual({builds: 2, most: 1});
+  });
+
+  it('at the next change after a failure, which it reports', async () => {
+    let builds = 0;
+    const said: unknown[] = [];
+    const build = (): void => {
+      if (++builds === 1) throw new Error('a semicolon is missing');
+    };
+    const changed = again(build, (error) => said.push(error), 0);
+    changed();
+    await after(50);
+    changed();
+    await after(50);
+    expect({builds, said}).toEqual({builds: 2, said: [new Error('a semicolon is missing')]});
+  });
 });
 
 async function freePort(): Promise<number> {

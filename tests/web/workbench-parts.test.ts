@@ -1,6 +1,6 @@
 /** A workbench consists of parts, and whoever shows one of them is not called for another. */
 import {ReactiveElement, type PropertyValues} from 'lit';
-import {expect, it, vi} from 'vitest';
+import {afterEach, beforeEach, expect, it, vi} from 'vitest';
 
 import {WorkbenchElement} from '@/editor/base/workbench-element.js';
 import {seamRows} from '@/editor/lists/rows.js';
@@ -27,6 +27,13 @@ const result: SolveResult = {
 };
 
 /** A workbench whose solves go on as they are told, and who was called of its parts since it was asked last. */
+beforeEach(() => {
+  vi.useFakeTimers();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
 function atWork() {
   let hooks: SolveHooks = {};
   let answer: ((result: SolveResult) => void) | undefined;
@@ -54,7 +61,7 @@ function atWork() {
     },
     answer: () => answer?.(result),
     called: async () => {
-      await new Promise((resolve) => setTimeout(resolve, 150));
+      await vi.advanceTimersByTimeAsync(150);
       return new Set(called.splice(0));
     },
   };
