@@ -7,6 +7,7 @@ import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 import {sha256Of} from '@/model/result-text.js';
 import {progressText} from '@/cli/batch/progress.js';
 import {endlessJob, Shop, until, type JobLine} from '../support/batch.js';
+import {cases} from '../support/level.js';
 
 let shop: Shop;
 beforeAll(() => {
@@ -218,14 +219,15 @@ it('finds on request which results are not those on record, and solves them agai
 });
 
 it('ends a job that takes too long, records it, and tries it again on request only', async () => {
-  // the time limit holds for as few other jobs as shows that the batch goes on
-  shop.writeJobs('before.ndjson', seeds(2));
+  // after the endless job the thorough run has another one, to which the time limit applies as well
+  shop.writeJobs('before.ndjson', seeds(cases(3, 2)));
   await shop.batch('before.ndjson', 'endless');
   shop.writeJobs('endless.ndjson', [endlessJob, ...seeds(3)]);
+  const limit = cases(1, 5);
   const words = ['batch', 'endless.ndjson', '--out', 'endless', '--workers', '1', '--json'];
   const tries = [
-    [['--job-timeout', '5'], 2, 5],
-    [[], 0, 5],
+    [['--job-timeout', String(limit)], cases(1, 2), limit],
+    [[], 0, limit],
     [['--job-timeout', '1', '--retry-timeouts'], 1, 1],
   ] as const;
   for (const [more, now, seconds] of tries) {

@@ -9,15 +9,21 @@ import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 import type {DrapeFile, GarmentCodeSpecification} from 'seamwise/node';
 import {Shop} from '../support/batch.js';
 import {seamwise} from '../support/command-line.js';
+import {isThorough} from '../support/level.js';
 import {readGlb} from '../support/read-glb.js';
 import {checks, sample, twoStrips} from './garments.js';
 
 const prints = fileURLToPath(new URL('../../public/prints/', import.meta.url));
 const print = join(prints, 'p4m.json');
 
+/** A skirt takes half of the time. */
+const garment = isThorough
+  ? ({name: 'tee', title: 'Tee'} as const)
+  : ({name: 'gathered-skirt', title: 'Gathered skirt'} as const);
+
 let folder = '';
 const file = (name: string) => join(folder, name);
-const drape = (...words: string[]) => seamwise('drape', file('tee.result.json'), ...words);
+const drape = (...words: string[]) => seamwise('drape', file('garment.result.json'), ...words);
 
 /** Pieces that nothing joins hang nowhere. */
 const unsewn = (garment: GarmentCodeSpecification): object => ({
@@ -27,9 +33,9 @@ const unsewn = (garment: GarmentCodeSpecification): object => ({
 
 beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
-  writeFileSync(file('tee.json'), sample('tee'));
-  const words = ['--print', print, '--no-remedies', '--out', file('tee.result.json')];
-  await seamwise('align', file('tee.json'), ...words);
+  writeFileSync(file('garment.json'), sample(garment.name));
+  const words = ['--print', print, '--no-remedies', '--out', file('garment.result.json')];
+  await seamwise('align', file('garment.json'), ...words);
 });
 
 afterAll(() => {
@@ -116,8 +122,8 @@ describe('says in one sentence', () => {
 it('drapes the jobs of a batch that ask for it, beside their results', async () => {
   const shop = new Shop();
   try {
-    shop.write('tee.json', sample('tee'));
-    const job = {garment: 'tee.json', print: 'checks.json'};
+    shop.write(`${garment.name}.json`, sample(garment.name));
+    const job = {garment: `${garment.name}.json`, print: 'checks.json'};
     shop.write('unsewn.json', JSON.stringify(unsewn(twoStrips())));
     shop.writeJobs('jobs.ndjson', [
       {...job, drape: true},
@@ -139,7 +145,7 @@ it('drapes the jobs of a batch that ask for it, beside their results', async () 
     const key = results.find((name) => name.endsWith('.glb'))?.replace('.glb', '') ?? '';
     expect(results).toEqual(expect.arrayContaining([`${key}.json`, `${key}.drape.json`]));
     const {extras} = readGlb(readFileSync(shop.at('out', 'results', `${key}.glb`))).json;
-    expect(extras).toMatchObject({garment: 'Tee', sha256: draped?.sha256});
+    expect(extras).toMatchObject({garment: garment.title, sha256: draped?.sha256});
     const again = await shop.batch('jobs.ndjson', 'out', '--json');
     expect(JSON.parse(again.out)).toMatchObject({done: 2, failed: 2});
   } finally {

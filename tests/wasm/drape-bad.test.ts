@@ -2,6 +2,7 @@
 import {drape, solve, type DrapeSettings, type ResultPiece, type SolveResult} from 'seamwise/node';
 import {beforeAll, describe, expect, it} from 'vitest';
 
+import {sampleOf} from '../support/level.js';
 import {at} from '../support/plane.js';
 import {checks, sample} from './garments.js';
 
@@ -99,13 +100,14 @@ const insideOut: Change = (result) => ({
 });
 
 const torn: readonly [string, Change, DrapeSettings, string][] = [
-  ['with a sleeve sewn inside out', insideOut, {}, 'look at how its pieces are sewn'],
   ['that is far too large', larger(2.5), {}, 'slides off the form'],
   ['that is too small for the form', (result) => result, {size: 'XL'}, 'too small for its form'],
+  // takes as long as all others
+  ['with a sleeve sewn inside out', insideOut, {}, 'look at how its pieces are sewn'],
 ];
 
 describe('shows no garment', () => {
-  it.each(torn)('%s', async (_, change, settings, sentence) => {
+  it.each(sampleOf(2, torn))('%s', async (_, change, settings, sentence) => {
     await expect(drape(change(tee), settings)).rejects.toThrow(sentence);
   });
 });

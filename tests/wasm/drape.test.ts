@@ -14,7 +14,7 @@ import {describe, expect, it} from 'vitest';
 
 import {apart, judgeDrape, restingEnergy, unborne} from '../support/drape-judge.js';
 import {broken, type DrapeLimits} from '../support/drape-limits.js';
-import {sampleOf} from '../support/level.js';
+import {isThorough, sampleOf} from '../support/level.js';
 import {at} from '../support/plane.js';
 import {readGlb} from '../support/read-glb.js';
 import {checks, sample} from './garments.js';
@@ -206,16 +206,30 @@ it('has the seams of its result, without those that close its cuffs', async () =
   );
 });
 
-it('takes forms of other sizes and cloths', async () => {
-  const result = await resultOf('tee');
-  const small = await drape(result, {size: 'S', fabric: 'jersey'});
-  const large = await drape(result, {body: {...small.form.body, bust: 112, waist: 100}});
+it('takes forms of other bodies', async () => {
+  const {form} = await drapeOf('tee');
+  const body = {...form.body, bust: 112, waist: 100};
+  const large = await drape(await resultOf('tee'), {body});
+  expect(large.form.body).toMatchObject({bust: 112, waist: 100});
+  expect(large.check.tension.max).toBeGreaterThan(0.03); // it is drafted for 96 cm
+});
+
+// the command line takes both in each run
+it.runIf(isThorough)('takes forms of other sizes, and other fabrics', async () => {
+  const small = await drape(await resultOf('tee'), {size: 'S', fabric: 'jersey'});
   expect(small.form.body).toMatchObject({bust: 88, waist: 72});
   expect(small.fabric.name).toBe('jersey');
-  expect(large.form.body).toMatchObject({bust: 112, waist: 100});
-  const most = (drape: typeof small) => drape.check.tension.max;
-  expect(most(large)).toBeGreaterThan(0.03); // it is drafted for 96 cm
 });
+
+it.each(sampleOf(1, ['tee', 'princess-dress'] as const))(
+  'gives the same bytes for a %s with other names',
+  async (name) => {
+    const result = await resultOf(name);
+    const pieces = result.pieces.map((piece, k) => ({...piece, name: `piece ${100 - k}`}));
+    const {positions} = await drape({...result, pieces});
+    expect(positions).toEqual((await drapeOf(name)).positions);
+  },
+);
 
 it('ends when nobody wants it any more', async () => {
   const stop = new AbortController();
