@@ -23,7 +23,8 @@ const garment = isThorough
 
 let folder = '';
 const file = (name: string) => join(folder, name);
-const drape = (...words: string[]) => seamwise('drape', file('garment.result.json'), ...words);
+const drape = (...words: string[]) =>
+  seamwise('drape', file(`${garment.name}.result.json`), ...words);
 
 /** Pieces that nothing joins hang nowhere. */
 const unsewn = (garment: GarmentCodeSpecification): object => ({
@@ -33,9 +34,9 @@ const unsewn = (garment: GarmentCodeSpecification): object => ({
 
 beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
-  writeFileSync(file('garment.json'), sample(garment.name));
-  const words = ['--print', print, '--no-remedies', '--out', file('garment.result.json')];
-  await seamwise('align', file('garment.json'), ...words);
+  writeFileSync(file(`${garment.name}.json`), sample(garment.name));
+  const words = ['--print', print, '--no-remedies', '--out', file(`${garment.name}.result.json`)];
+  await seamwise('align', file(`${garment.name}.json`), ...words);
 });
 
 afterAll(() => {
@@ -59,7 +60,7 @@ it('writes what is worn as a file and as GLB, with figures in one line', async (
   const {issues} = await validateBytes(new Uint8Array(glb));
   expect(issues).toMatchObject({numErrors: 0, numWarnings: 0});
   const {json, bytesOf} = readGlb(glb);
-  expect(json.extras).toMatchObject({garment: 'Tee', print: {title: 'Majolica'}});
+  expect(json.extras).toMatchObject({garment: garment.title, print: {title: 'Majolica'}});
   const raster = readFileSync(join(prints, 'p4m-night.png'));
   expect(bytesOf(json.images?.[0]?.bufferView ?? -1)).toEqual(raster);
 
