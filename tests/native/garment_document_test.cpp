@@ -55,7 +55,7 @@ TEST(GarmentDocument, TakesUnitsOutOfEveryLengthAndLaysPiecesFaceUp) {
   Json& front = panelOf(garment, "front");
   front["grain"] = Json::parse(R"({"line": [[2, 0], [2, 30]], "lock": "on"})");
   front["cutLine"] = front["internalLines"] = Json::parse("[[-2, -2], [12, -2]]");
-  front["internalLines"] = {front["cutLine"]};
+  front["internalLines"] = Json::array({front["cutLine"]});
   front["rotation"] = {10, 20, 30};
   garment["symmetries"] = Json::parse(
       R"([{"kind": "piece", "piece": "front", "axis": [[2.5, 0], [2.5, 10]], "residual": 0}])");

@@ -9,16 +9,20 @@ namespace seamwise {
 namespace {
 
 /// For each cell of a grid in space that an item's box reaches into, a number and the item; sorted.
-/// Cells more than 2^16 from the origin may share their numbers with others, to no harm but time.
+/// Cells more than 2^16 from the origin may share their numbers with others, to no harm but time. A
+/// box without a place, as of a vertex that is no number, reaches into none.
 std::vector<std::pair<double, std::size_t>> cellsOf(const std::vector<SpaceBox>& boxes,
                                                     double size) {
-  constexpr double kCells = 1 << 17;
+  constexpr double kCells = 1 << 17, kFar = 1 << 30;
   std::vector<std::pair<double, std::size_t>> cells;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const SpaceBox& box = boxes[i];
+    const double farthest = kFar * size;
+    if (!(box.low.array() > -farthest).all() || !(box.high.array() < farthest).all()) continue;
     std::array<int, 3> low{}, high{};
     for (int c = 0; c < 3; ++c) {
-      low[c] = static_cast<int>(std::floor(boxes[i].low[c] / size));
-      high[c] = static_cast<int>(std::floor(boxes[i].high[c] / size));
+      low[c] = static_cast<int>(std::floor(box.low[c] / size));
+      high[c] = static_cast<int>(std::floor(box.high[c] / size));
     }
     for (int a = low[0]; a <= high[0]; ++a)
       for (int b = low[1]; b <= high[1]; ++b)

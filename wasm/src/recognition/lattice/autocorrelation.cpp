@@ -38,8 +38,8 @@ class WeightOverlap {
     const int x0 = std::max(0, -dx), x1 = std::min(columns_, columns_ - dx);
     for (int y = 0; y + dy < rows_; ++y) {
       const float* here = &weights_[y * columns_];
-      const float* there = &weights_[(y + dy) * columns_ + dx];
-      for (int x = x0; x < x1; ++x) sum += here[x] * there[x];
+      const float* there = &weights_[(y + dy) * columns_];
+      for (int x = x0; x < x1; ++x) sum += here[x] * there[x + dx];
     }
     return sum;
   }
