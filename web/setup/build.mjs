@@ -95,7 +95,7 @@ export async function build(...wanted) {
 }
 
 /** Builds all that the package contains. */
-export const buildPackage = () => build('standalone');
+const buildPackage = () => build('standalone');
 
 /** A part after all that it is made from. */
 function chain(part) {
