@@ -14,9 +14,8 @@ import {
 import {createServer, preview, type InlineConfig} from 'vite';
 import {inject} from 'vitest';
 
-import {chromiumPath, headlessPath} from '../../web/setup/chromium.mjs';
+import {chromiumPath} from '../../web/setup/chromium.mjs';
 import {count} from '../../web/setup/counts.mjs';
-import {isThorough} from './level.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -37,7 +36,7 @@ export interface Served {
 
 /** Starts the browser that all files of tests share. */
 export async function launchBrowser(): Promise<BrowserServer> {
-  const executablePath = isThorough ? chromiumPath() : headlessPath();
+  const executablePath = chromiumPath();
   if (executablePath === null) {
     throw new Error('There is no Chromium; install it, or set CHROME_PATH.');
   }
