@@ -16,7 +16,6 @@ import {
   forNativeTests,
   forWebTests,
   hasOrInstalls,
-  installHeadlessShell,
   installOtherBrowsers,
 } from './system.mjs';
 
@@ -105,7 +104,7 @@ async function web(level, ...files) {
 /** What only a browser can show. A page waits for frames and timers, so there is one file more than cores. */
 async function browser(level) {
   await ensureSystem(forBrowserTests);
-  await (level.isThorough ? installOtherBrowsers() : installHeadlessShell());
+  if (level.isThorough) await installOtherBrowsers();
   return vitest('browser', level, `--maxWorkers=${availableParallelism() + 1}`);
 }
 

@@ -115,12 +115,6 @@ const chromium = {
   brew: 'google-chrome',
 };
 
-/** Debian and its kin have it; Chromium itself does as well. */
-const headlessShell = {
-  found: () => has('chromium-headless-shell'),
-  apt: 'chromium-headless-shell',
-};
-
 const redis = {
   found: () => has('redis-server'),
   apt: 'redis-server',
@@ -165,9 +159,6 @@ export async function hasOrInstalls(needs) {
   await installMissing(needs);
   return needs.every((need) => need.found());
 }
-
-/** Makes browser tests faster where it is to be had. */
-export const installHeadlessShell = () => installMissing([headlessShell]);
 
 /** One by one, since not every distribution has all of them. */
 export async function installOtherBrowsers() {
