@@ -52,7 +52,7 @@ it('lays results as a plan, the same bytes each time, and says one line', async 
   expect(plan.widths.map(({widthCm}) => widthCm)).toEqual([90, 110, 115, 140, 150, 160]);
 
   const again = await marker(...words, '--out', file('again.json'), '--json');
-  expect(readFileSync(file('again.json'))).toEqual(readFileSync(file('plan.json')));
+  expect(readFileSync(file('again.json'), 'utf8')).toBe(readFileSync(file('plan.json'), 'utf8'));
   const {lengthCm, boundCm} = plan;
   expect(JSON.parse(again.out)).toMatchObject({pieces: 8, lengthCm, boundCm, unplaced: []});
 });

@@ -42,6 +42,13 @@ function drapeOf(name: Sample, effort: Effort = 1): Promise<Drape> {
   return known;
 }
 
+const bytesOf = ({buffer, byteOffset, byteLength}: ArrayBufferView) =>
+  Buffer.from(buffer, byteOffset, byteLength);
+
+/** Compares in a moment what takes `toEqual` seconds. */
+const bytesAlike = (one: ArrayBufferView, other: ArrayBufferView): boolean =>
+  bytesOf(one).equals(bytesOf(other));
+
 /** Where a sample keeps less than is asked of all: measured, and rounded up. */
 const kept: Readonly<Partial<Record<Sample, Partial<DrapeLimits>>>> = {
   tee: {tension: {median: 0.005, p99: 0.035, max: 0.1}},
@@ -93,7 +100,7 @@ it('gives the same bytes again, and for pieces in another order those of the sam
   const result = await resultOf('tee');
   const [one, again] = [await drapeOf('tee'), await drape(JSON.stringify(result))];
   expect(drapeText(drapeFile(result, again))).toBe(drapeText(drapeFile(result, one)));
-  expect(glb(result, again, checks)).toEqual(glb(result, one, checks));
+  expect(bytesAlike(glb(result, again, checks), glb(result, one, checks))).toBe(true);
 
   const last = result.pieces.length - 1;
   const turned = <T extends {readonly piece: number}>(side: T): T => ({
@@ -227,7 +234,7 @@ it.each(sampleOf(1, ['tee', 'princess-dress'] as const))(
     const result = await resultOf(name);
     const pieces = result.pieces.map((piece, k) => ({...piece, name: `piece ${100 - k}`}));
     const {positions} = await drape({...result, pieces});
-    expect(positions).toEqual((await drapeOf(name)).positions);
+    expect(bytesAlike(positions, (await drapeOf(name)).positions)).toBe(true);
   },
 );
 
