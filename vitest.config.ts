@@ -34,6 +34,7 @@ export default defineConfig({
           include: ['tests/{page,examples}/**/*.test.ts'],
           exclude: isThorough ? [] : ['tests/examples/{bundlers,other-browsers}.test.ts'],
           globalSetup: 'tests/support/start-browser.ts',
+          isolate: false,
         },
       },
       {

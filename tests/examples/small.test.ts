@@ -5,7 +5,7 @@ import {join} from 'node:path';
 import {promisify} from 'node:util';
 
 import {resultText, solve} from 'seamwise/node';
-import {expect, it} from 'vitest';
+import {expect, it, onTestFinished} from 'vitest';
 
 import {serveFiles} from '../support/browser.js';
 import {samples, solved, useChromium, useExamples} from '../support/examples.js';
@@ -43,6 +43,6 @@ it('works by a script tag alone', async () => {
   const folder = await copy('script-tag');
   await cp(samples, join(folder, 'samples'), {recursive: true});
   const {url, close} = await serveFiles(folder, "default-src 'self' 'wasm-unsafe-eval'");
+  onTestFinished(close); // the page, which goes on loading, is closed before
   await solved(await open(url));
-  await close();
 });

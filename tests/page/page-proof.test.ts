@@ -10,7 +10,7 @@ it('proves how good a placing is once it is shown', async () => {
   await solved(page);
   await showSample(page, 'shift-dress');
   await page.getByText('More figures').click();
-  await page.getByText('The best of all placings tried.').waitFor();
+  await page.getByText('The best of all placings tried.').waitFor({timeout: 60_000});
   await page
     .getByText(/^No other placing fits (better|more than \d+\s?% better)\.$/)
     .waitFor({timeout: 60_000});

@@ -1,8 +1,20 @@
-/** When nobody minds. */
+/** Waits for times in which background work disturbs nobody. */
 
-/** However busy a page is, after this it is idle enough. [ms] */
+/** Long enough for a user who reads the answer and acts on it. [ms] */
+const pause = 1500;
+
+/** A page that is busy for longer than this counts as idle. [ms] */
 const patience = 2000;
 
+const inputs = ['keydown', 'pointerdown', 'pointermove', 'wheel', 'input'];
+
+/** Waits until the user has paused for a while, counted from the call, and the page is idle. */
+export async function paused(): Promise<void> {
+  if (typeof document !== 'undefined') await noInput(pause);
+  await idle();
+}
+
+/** Waits until the page is idle. */
 export const idle = (): Promise<void> =>
   new Promise((resolve) => {
     const done = (): void => {
@@ -12,3 +24,21 @@ export const idle = (): Promise<void> =>
     if (typeof requestIdleCallback === 'function') requestIdleCallback(done, {timeout: patience});
     else setTimeout(done, 100);
   });
+
+function noInput(time: number): Promise<void> {
+  return new Promise((resolve) => {
+    const listening = new AbortController();
+    const end = (): void => {
+      listening.abort();
+      resolve();
+    };
+    let timer = setTimeout(end, time);
+    const restart = (): void => {
+      clearTimeout(timer);
+      timer = setTimeout(end, time);
+    };
+    for (const kind of inputs) {
+      addEventListener(kind, restart, {capture: true, passive: true, signal: listening.signal});
+    }
+  });
+}

@@ -5,7 +5,7 @@ import {problemOf} from '../model/design-problem.js';
 import type {Proof, SolveResult} from '../model/result.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
-import {idle} from './idle.js';
+import {paused} from './idle.js';
 
 /** What is not proven by then would need far longer, and a battery. [ms] */
 const patience = 60_000;
@@ -34,7 +34,7 @@ export class Proving {
     const {method, searchBound, searchCost} = metrics;
     if (method !== 'best' || searchBound === 1 || this.#bounds.isFinished(design)) return;
     const running = this.#task.begin();
-    await idle();
+    await paused();
     const late = setTimeout(() => {
       this.#bounds.finish(design); // looked into for as long as makes sense
       running.abort();

@@ -5,7 +5,7 @@ import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
-import {idle} from './idle.js';
+import {idle, paused} from './idle.js';
 
 export class RemedySearch {
   readonly #solver: SolverService;
@@ -29,7 +29,8 @@ export class RemedySearch {
     const {signal} = this.#task.begin();
     const found: Remedy[] = [];
     try {
-      await idle();
+      await paused();
+      signal.throwIfAborted();
       const {remediesOf} = await import('../remedies/remedies.js');
       signal.throwIfAborted();
       await remediesOf(
