@@ -320,7 +320,7 @@ it('says what the element told before its script came', {tags: ['thorough']}, as
   await failedEarly.getByRole('alert').filter({hasText: 'We could not fetch'}).waitFor();
 });
 
-it('takes no design but one of its own', async () => {
+it('takes no design but one of its own', {tags: ['thorough']}, async () => {
   const page = await open(`${shop}garment/tee`);
   await solved(page);
   const {design} = await shown(page);

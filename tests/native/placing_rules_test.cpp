@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "level.h"
 #include "solver_samples.h"
 
 namespace seamwise {
@@ -172,7 +173,7 @@ double mostOffUpright(const Result& r) {
 TEST(OneWayPrints, NeverHangUpsideDownThoughTheGrainIsFree) {
   for (const char* garment : {"tee", "asymmetric-dress"})
     for (const char* group : {"p1", "pm", "pg", "p3m1"})
-      for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+      for (std::uint32_t seed : testing::sampleOf<std::uint32_t>(1, {1, 2, 3})) {
         Task t = task(garment, group);
         t.print["oneWay"] = true, t.seed = seed;
         EXPECT_LE(mostOffUpright(solved(t)), 60 + 1e-6) << garment << " " << group << " " << seed;

@@ -1,4 +1,5 @@
 #include "io/result_json.h"
+#include "level.h"
 #include "solver_samples.h"
 
 namespace seamwise {
@@ -12,8 +13,8 @@ using testing::task;
 
 /// Problems whose alignment search ends at the same place whatever the order of its random draws.
 std::vector<Task> settledTasks() {
-  return {task("gathered-skirt", "p1"), task("princess-dress", "pmm"),
-          task("princess-dress", "p31m")};
+  return testing::sampleOf<Task>(1, {task("princess-dress", "p31m"), task("gathered-skirt", "p1"),
+                                     task("princess-dress", "pmm")});
 }
 
 /// Three rectangles sewn side by side. A tube's girth is two repeats of the sample prints, so that
@@ -143,7 +144,8 @@ TEST(SolverInvariants, ShiftedPanelsFitAsBefore) {
 
 TEST(SolverInvariants, PinsMovedByALatticeVectorFitAsBefore) {
   for (const char* group : {"p1", "p4m"}) {
-    for (const char* garment : {"gathered-skirt", "tee", "princess-dress"}) {
+    for (const char* garment :
+         testing::sampleOf<const char*>(1, {"tee", "gathered-skirt", "princess-dress"})) {
       Task t = task(garment, group);
       t.symmetry = "none";
       const WallpaperGroup print = testing::problemOf(t).print.group;
@@ -185,8 +187,9 @@ TEST(SolverInvariants, TheSameSeedGivesTheSameBytes) {
 
 TEST(SolverInvariants, WithoutSymmetryTheSearchIsNoWorse) {
   // the symmetric answer is one that it starts from
-  for (const char* group : {"pmm", "p31m", "pgg"}) {
-    for (const char* garment : {"gathered-skirt", "tee", "princess-dress"}) {
+  for (const char* group : testing::sampleOf<const char*>(2, {"p31m", "pgg", "pmm"})) {
+    for (const char* garment :
+         testing::sampleOf<const char*>(1, {"tee", "gathered-skirt", "princess-dress"})) {
       Task t = task(garment, group);
       const double symmetric = solved(t).total_search;
       t.symmetry = "none";
@@ -196,8 +199,9 @@ TEST(SolverInvariants, WithoutSymmetryTheSearchIsNoWorse) {
 }
 
 TEST(SolverInvariants, NoOutlineMovesFurtherThanAllowed) {
-  for (const char* group : {"p1", "pmm", "p6m"}) {
-    for (const char* garment : {"gathered-skirt", "tee", "princess-dress"}) {
+  for (const char* group : testing::sampleOf<const char*>(1, {"pmm", "p1", "p6m"})) {
+    for (const char* garment :
+         testing::sampleOf<const char*>(1, {"tee", "gathered-skirt", "princess-dress"})) {
       for (double allowed : {0.2, 1.0}) {
         Task t = task(garment, group);
         t.options["maxChangeCm"] = allowed;

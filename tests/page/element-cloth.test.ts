@@ -62,26 +62,30 @@ function markerFiles(page: Page): readonly string[] {
   return files;
 }
 
-it('tells what its answer takes of the cloth, as the package lays it', async () => {
-  const {page, put, run} = await openPage();
-  const heard = await listening(page);
-  await put(onCloth);
-  await expect.poll(async () => (await heard()).length, patient).toBe(1);
-  const {lengthCm, plan, result} = await run(async (element) => ({
-    ...{lengthCm: element.clothLengthCm, plan: await element.layPlan(), result: element.result},
-  }));
-  if (!result) throw new Error('There is no result.');
-  const garment = await readGarment(sample('garments/tee-m.json'));
-  const {lengthCm: told, widthCm, proven, notes} = plan;
-  expect(await heard()).toEqual([
-    {type: 'cloth', detail: {widthCm, lengthCm: told, proven, notes}},
-  ]);
-  expect(lengthCm).toBe(told);
-  const laid = await marker([{result, garment, options: {grain: {default: 'on'}}}], {widthCm});
-  expect(plan).toEqual({...laid, cheaper: []}); // a shop offers its customer no other cloth
-  expect(widthCm).toBe(140);
-  expect(plan.placements).toHaveLength(result.pieces.length);
-});
+it(
+  'tells what its answer takes of the cloth, as the package lays it',
+  {tags: ['thorough']},
+  async () => {
+    const {page, put, run} = await openPage();
+    const heard = await listening(page);
+    await put(onCloth);
+    await expect.poll(async () => (await heard()).length, patient).toBe(1);
+    const {lengthCm, plan, result} = await run(async (element) => ({
+      ...{lengthCm: element.clothLengthCm, plan: await element.layPlan(), result: element.result},
+    }));
+    if (!result) throw new Error('There is no result.');
+    const garment = await readGarment(sample('garments/tee-m.json'));
+    const {lengthCm: told, widthCm, proven, notes} = plan;
+    expect(await heard()).toEqual([
+      {type: 'cloth', detail: {widthCm, lengthCm: told, proven, notes}},
+    ]);
+    expect(lengthCm).toBe(told);
+    const laid = await marker([{result, garment, options: {grain: {default: 'on'}}}], {widthCm});
+    expect(plan).toEqual({...laid, cheaper: []}); // a shop offers its customer no other cloth
+    expect(widthCm).toBe(140);
+    expect(plan.placements).toHaveLength(result.pieces.length);
+  },
+);
 
 it(
   'lays nothing, and loads nothing for it, where no width is given',

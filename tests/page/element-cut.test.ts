@@ -37,7 +37,7 @@ it('gives the pieces to cut as files, and says what it has not', async () => {
   expect(heard[1]).toBe('options: An allowance is 0 to 10 cm; ask for one of these.');
 });
 
-it('has nothing to cut before there is an answer', async () => {
+it('has nothing to cut before there is an answer', {tags: ['thorough']}, async () => {
   const {run, put} = await openPage();
   await put('<seamwise-garment></seamwise-garment>');
   const heard = await run((element) =>

@@ -32,7 +32,7 @@ const network = /Failed to load resource/;
 it.each([
   ['not-found', 404],
   ['network', 500],
-])('says %s where a host answers %i', async (code, status) => {
+])('says %s where a host answers %i', {tags: ['thorough']}, async (code, status) => {
   const open = await openPage({maySay: network});
   await open.answer('garments/tee-m.json', (route) => route.fulfill({status}));
   await open.put(tee);
@@ -43,18 +43,22 @@ it.each([
   expect(seen.states).toEqual(['error', code, true, false]);
 });
 
-it('says network where there is no host, and recovers with the next garment', async () => {
-  const open = await openPage({maySay: network});
-  await open.answer('garments/tee-m.json', (route) => route.abort());
-  await open.put(tee);
-  expect((await failing(open)).code).toBe('network');
-  const state = await open.run(async (element) => {
-    element.size = 'l';
-    await element.solve();
-    return [element.state, element.error];
-  });
-  expect(state).toEqual(['ready', undefined]);
-});
+it(
+  'says network where there is no host, and recovers with the next garment',
+  {tags: ['thorough']},
+  async () => {
+    const open = await openPage({maySay: network});
+    await open.answer('garments/tee-m.json', (route) => route.abort());
+    await open.put(tee);
+    expect((await failing(open)).code).toBe('network');
+    const state = await open.run(async (element) => {
+      element.size = 'l';
+      await element.solve();
+      return [element.state, element.error];
+    });
+    expect(state).toEqual(['ready', undefined]);
+  },
+);
 
 it('gives up after half a minute', async () => {
   const open = await openPage();
@@ -67,7 +71,7 @@ it('gives up after half a minute', async () => {
   expect(await failed).toBe('timeout');
 });
 
-it('shows hostile names as the text that they are', async () => {
+it('shows hostile names as the text that they are', {tags: ['thorough']}, async () => {
   const open = await openPage();
   const name = '<img src=x onerror=alert(1)><style>*{display:none}</style>';
   const print = {...(JSON.parse(sample('prints/p4m.json')) as object), title: name};
@@ -102,33 +106,37 @@ it.each([
   expect((await failing(open)).code).toBe(code);
 });
 
-it('refuses a picture of too many pixels before it is decoded, and solves all the same', async () => {
-  const open = await openPage();
-  const head = Buffer.alloc(33);
-  head.write('\u0089PNG\r\n\u001a\n', 'latin1');
-  head.writeUInt32BE(30_000, 16);
-  head.writeUInt32BE(100, 20);
-  const print = {...(JSON.parse(sample('prints/p4m.json')) as object), image: 'huge.png'};
-  await open.answer('prints/p4m.json', (route) => route.fulfill({json: print}));
-  await open.answer('prints/huge.png', (route) =>
-    route.fulfill({contentType: 'image/png', body: head}),
-  );
-  await open.page.evaluate(() => {
-    const told = new Promise((resolve) => {
-      const hear = ({detail}: Event & {detail?: {code: string}}): void => {
-        resolve(detail?.code);
-      };
-      document.addEventListener('error', hear, true); // before there is an element, which may be quick
+it(
+  'refuses a picture of too many pixels before it is decoded, and solves all the same',
+  {tags: ['thorough']},
+  async () => {
+    const open = await openPage();
+    const head = Buffer.alloc(33);
+    head.write('\u0089PNG\r\n\u001a\n', 'latin1');
+    head.writeUInt32BE(30_000, 16);
+    head.writeUInt32BE(100, 20);
+    const print = {...(JSON.parse(sample('prints/p4m.json')) as object), image: 'huge.png'};
+    await open.answer('prints/p4m.json', (route) => route.fulfill({json: print}));
+    await open.answer('prints/huge.png', (route) =>
+      route.fulfill({contentType: 'image/png', body: head}),
+    );
+    await open.page.evaluate(() => {
+      const told = new Promise((resolve) => {
+        const hear = ({detail}: Event & {detail?: {code: string}}): void => {
+          resolve(detail?.code);
+        };
+        document.addEventListener('error', hear, true); // before there is an element, which may be quick
+      });
+      Object.assign(globalThis, {told});
     });
-    Object.assign(globalThis, {told});
-  });
-  await open.put(tee);
-  const seen = await open.run(async (element) => {
-    await element.solve();
-    return [await (globalThis as unknown as {told: Promise<string>}).told, element.state];
-  });
-  expect(seen).toEqual(['too-large', 'ready']);
-});
+    await open.put(tee);
+    const seen = await open.run(async (element) => {
+      await element.solve();
+      return [await (globalThis as unknown as {told: Promise<string>}).told, element.state];
+    });
+    expect(seen).toEqual(['too-large', 'ready']);
+  },
+);
 
 it('says once in the editor what is wrong with a picture, which several of its parts show', async () => {
   const open = await openPage();

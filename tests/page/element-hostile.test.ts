@@ -114,13 +114,16 @@ it('shows names as the text that they are, in every mode', async () => {
   expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
 });
 
-it('runs nothing of an SVG, asks for nothing that it names, and refuses one that takes in pictures from elsewhere', async () => {
-  const open = await openPage({before: watch});
-  const elsewhere: string[] = [];
-  open.page.on('request', (request) => {
-    if (request.url().includes('elsewhere')) elsewhere.push(request.url());
-  });
-  const svg = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"
+it(
+  'runs nothing of an SVG, asks for nothing that it names, and refuses one that takes in pictures from elsewhere',
+  {tags: ['thorough']},
+  async () => {
+    const open = await openPage({before: watch});
+    const elsewhere: string[] = [];
+    open.page.on('request', (request) => {
+      if (request.url().includes('elsewhere')) elsewhere.push(request.url());
+    });
+    const svg = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"
     width="1000000000" height="1000000000" viewBox="0 0 10 10" onload="parent.hurt()">
     <script>parent.hurt(); hurt()</script><script href="https://elsewhere.test/a.js"/>
     <style>@import url(https://elsewhere.test/a.css); rect {fill: url(https://elsewhere.test/b.svg#b)}</style>
@@ -130,34 +133,35 @@ it('runs nothing of an SVG, asks for nothing that it names, and refuses one that
       <img src="https://elsewhere.test/f.png" onerror="parent.hurt()"/>
       <iframe src="https://elsewhere.test/g.html"/></body></foreignObject>
     <animate attributeName="x" onbegin="parent.hurt()"/><rect width="5" height="5"/></svg>`;
-  const without = (part: RegExp, text: string): string => text.replaceAll(part, '');
-  const html = /<foreignObject.*<\/foreignObject>/gs;
-  const pictures = /<image[^>]*>|<use[^>]*>|<img[^>]*>|rect {fill[^}]*}/g;
-  const plain = without(pictures, without(html, svg));
-  const data = (text: string): string =>
-    `data:image/svg+xml;base64,${Buffer.from(text).toString('base64')}`;
-  const outside = /takes in pictures from elsewhere/;
-  // with HTML in it, browsers keep its pixels to themselves, or draw it
-  const cases: readonly (readonly [text: string, code: RegExp, message: RegExp])[] = [
-    [plain, /^$/, /^$/],
-    [without(pictures, svg), /^(not-an-image)?$/, /^((?!pictures from elsewhere).)*$/],
-    [without(html, svg), /^not-an-image$/, outside],
-    [svg, /^not-an-image$/, outside],
-  ];
-  for (const [k, [text, code, message]] of cases.entries()) {
-    const path = `prints/hostile-${k}.svg`;
-    await open.answer(path, (route) => route.fulfill({contentType: 'image/svg+xml', body: text}));
-    for (const image of [`${open.page.url()}${path}`, data(text)]) {
-      const given = {garment: twoStrips(), print: {...print, image, colourways: undefined}};
-      const seen = await heard(open, given);
-      expect(seen.codes.join(), text).toMatch(code);
-      expect(seen.messages.join(), text).toMatch(message);
-      expect(seen.state).toBe('ready');
+    const without = (part: RegExp, text: string): string => text.replaceAll(part, '');
+    const html = /<foreignObject.*<\/foreignObject>/gs;
+    const pictures = /<image[^>]*>|<use[^>]*>|<img[^>]*>|rect {fill[^}]*}/g;
+    const plain = without(pictures, without(html, svg));
+    const data = (text: string): string =>
+      `data:image/svg+xml;base64,${Buffer.from(text).toString('base64')}`;
+    const outside = /takes in pictures from elsewhere/;
+    // with HTML in it, browsers keep its pixels to themselves, or draw it
+    const cases: readonly (readonly [text: string, code: RegExp, message: RegExp])[] = [
+      [plain, /^$/, /^$/],
+      [without(pictures, svg), /^(not-an-image)?$/, /^((?!pictures from elsewhere).)*$/],
+      [without(html, svg), /^not-an-image$/, outside],
+      [svg, /^not-an-image$/, outside],
+    ];
+    for (const [k, [text, code, message]] of cases.entries()) {
+      const path = `prints/hostile-${k}.svg`;
+      await open.answer(path, (route) => route.fulfill({contentType: 'image/svg+xml', body: text}));
+      for (const image of [`${open.page.url()}${path}`, data(text)]) {
+        const given = {garment: twoStrips(), print: {...print, image, colourways: undefined}};
+        const seen = await heard(open, given);
+        expect(seen.codes.join(), text).toMatch(code);
+        expect(seen.messages.join(), text).toMatch(message);
+        expect(seen.state).toBe('ready');
+      }
     }
-  }
-  expect(elsewhere).toEqual([]);
-  expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
-});
+    expect(elsewhere).toEqual([]);
+    expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
+  },
+);
 
 it(
   'refuses, or goes on with, whatever is too much, and stays free meanwhile',

@@ -118,12 +118,16 @@ const own = snippetWith('html', 'src="/seamwise/seamwise.js"');
 const cross = snippetWith('html', `src="${elsewhere}`);
 
 describe('on its own host', () => {
-  it('solves in a worker and draws, under a policy that allows nothing else', async () => {
-    expect(await visit(ownPolicy, own)).toMatchObject({
-      ...{state: 'ready', codes: [], said: []},
-      workers: ['/seamwise/solver.worker.js'],
-    });
-  });
+  it(
+    'solves in a worker and draws, under a policy that allows nothing else',
+    {tags: ['thorough']},
+    async () => {
+      expect(await visit(ownPolicy, own)).toMatchObject({
+        ...{state: 'ready', codes: [], said: []},
+        workers: ['/seamwise/solver.worker.js'],
+      });
+    },
+  );
 
   it.each([
     ["'wasm-unsafe-eval'", '', 'no-wasm', 'error'],
@@ -150,26 +154,30 @@ describe('where the page demands trusted types', () => {
     });
   });
 
-  it("says which name is missing where the worker may have none, and solves on the page's thread", async () => {
-    const seen = await visit(`${ownPolicy}; ${demand}; trusted-types lit-html`, own);
-    expect(seen).toMatchObject({state: 'ready', codes: ['worker-blocked'], workers: []});
-    expect(seen.sentences).toEqual([
-      expect.stringMatching(
-        /demands trusted types; let it allow ours: trusted-types seamwise lit-html\.$/,
-      ),
-    ]);
-  });
+  it(
+    "says which name is missing where the worker may have none, and solves on the page's thread",
+    {tags: ['thorough']},
+    async () => {
+      const seen = await visit(`${ownPolicy}; ${demand}; trusted-types lit-html`, own);
+      expect(seen).toMatchObject({state: 'ready', codes: ['worker-blocked'], workers: []});
+      expect(seen.sentences).toEqual([
+        expect.stringMatching(
+          /demands trusted types; let it allow ours: trusted-types seamwise lit-html\.$/,
+        ),
+      ]);
+    },
+  );
 });
 
 describe('with its scripts on another host', () => {
-  it("has a worker by one line of the page's own", async () => {
+  it("has a worker by one line of the page's own", {tags: ['thorough']}, async () => {
     expect(await visit(crossPolicy, cross)).toMatchObject({
       ...{state: 'ready', codes: [], said: []},
       workers: ['/seamwise-worker.js'],
     });
   });
 
-  it("solves on the page's thread without", async () => {
+  it("solves on the page's thread without", {tags: ['thorough']}, async () => {
     const seen = await visit(crossPolicy, cross.replace(/worker-url=".*"/, ''));
     expect(seen).toMatchObject({state: 'ready', codes: ['worker-blocked'], workers: []});
   });

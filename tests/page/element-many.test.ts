@@ -145,68 +145,72 @@ it(
   },
 );
 
-it('keeps its state wherever it is moved, and asks for nothing again', async () => {
-  const {put, page, asked} = await openPage({viewport: {width: 1200, height: 720}});
-  const [first = '', second = '', third = ''] = tags;
-  await put(`<main class="grid">${first}${second}${third}</main><aside></aside>`);
-  await page.waitForFunction(
-    () => document.querySelectorAll('seamwise-garment:state(ready)').length === 3,
-  );
-  await allDrawn(page);
-  const before = asked.length;
-  await page.clock.install();
-  const watched = await page.evaluateHandle(async () => {
-    const all = [...document.querySelectorAll('seamwise-garment')];
-    const [a, b, c] = all;
-    const [main, aside] = [document.querySelector('main'), document.querySelector('aside')];
-    if (!a || !b || !c || !main || !aside) throw new Error('They are gone.');
-    const results = all.map(({result}) => result);
-    const heard: string[] = [];
-    for (const one of all) {
-      for (const type of ['load', 'progress', 'solve', 'change', 'error'] as const) {
-        one.addEventListener(type, () => heard.push(type));
+it(
+  'keeps its state wherever it is moved, and asks for nothing again',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, asked} = await openPage({viewport: {width: 1200, height: 720}});
+    const [first = '', second = '', third = ''] = tags;
+    await put(`<main class="grid">${first}${second}${third}</main><aside></aside>`);
+    await page.waitForFunction(
+      () => document.querySelectorAll('seamwise-garment:state(ready)').length === 3,
+    );
+    await allDrawn(page);
+    const before = asked.length;
+    await page.clock.install();
+    const watched = await page.evaluateHandle(async () => {
+      const all = [...document.querySelectorAll('seamwise-garment')];
+      const [a, b, c] = all;
+      const [main, aside] = [document.querySelector('main'), document.querySelector('aside')];
+      if (!a || !b || !c || !main || !aside) throw new Error('They are gone.');
+      const results = all.map(({result}) => result);
+      const heard: string[] = [];
+      for (const one of all) {
+        for (const type of ['load', 'progress', 'solve', 'change', 'error'] as const) {
+          one.addEventListener(type, () => heard.push(type));
+        }
       }
-    }
-    const look = (): void => {
-      const isSame = all.every(
-        (one, k) => one.isConnected && one.state === 'ready' && one.result === results[k],
-      );
-      if (!isSame) heard.push('other');
-    };
-    const root = aside.attachShadow({mode: 'open'});
-    const moves: readonly (readonly [ParentNode, ...Element[]])[] = [
-      [main, a],
-      [main, c, b],
-      [document.body, b],
-      [root, a, b],
-      [main, b, a],
-      [main, c, b, a],
-    ];
-    for (const [place, ...moved] of moves) {
-      for (const frames of [0, 3]) {
-        place.append(...moved);
-        await Promise.resolve();
-        for (let k = 0; k < frames; k++) await new Promise(requestAnimationFrame);
-        look();
+      const look = (): void => {
+        const isSame = all.every(
+          (one, k) => one.isConnected && one.state === 'ready' && one.result === results[k],
+        );
+        if (!isSame) heard.push('other');
+      };
+      const root = aside.attachShadow({mode: 'open'});
+      const moves: readonly (readonly [ParentNode, ...Element[]])[] = [
+        [main, a],
+        [main, c, b],
+        [document.body, b],
+        [root, a, b],
+        [main, b, a],
+        [main, c, b, a],
+      ];
+      for (const [place, ...moved] of moves) {
+        for (const frames of [0, 3]) {
+          place.append(...moved);
+          await Promise.resolve();
+          for (let k = 0; k < frames; k++) await new Promise(requestAnimationFrame);
+          look();
+        }
       }
-    }
-    for (const one of all) one.remove();
-    const back = (): void => {
-      main.append(a, b, c);
-    };
-    return {heard, look, back};
-  });
-  await page.clock.fastForward(1500); // longer than on the way to another place
-  await watched.evaluate(({back}) => {
-    back();
-  });
-  await frames(page, 3);
-  const events = await watched.evaluate(({look, heard}) => {
-    look();
-    return heard;
-  });
-  expect(events).toEqual([]);
-  await allDrawn(page);
-  expect(Math.min(...(await coloursOf(page)))).toBeGreaterThan(20);
-  expect(asked.length).toBe(before);
-});
+      for (const one of all) one.remove();
+      const back = (): void => {
+        main.append(a, b, c);
+      };
+      return {heard, look, back};
+    });
+    await page.clock.fastForward(1500); // longer than on the way to another place
+    await watched.evaluate(({back}) => {
+      back();
+    });
+    await frames(page, 3);
+    const events = await watched.evaluate(({look, heard}) => {
+      look();
+      return heard;
+    });
+    expect(events).toEqual([]);
+    await allDrawn(page);
+    expect(Math.min(...(await coloursOf(page)))).toBeGreaterThan(20);
+    expect(asked.length).toBe(before);
+  },
+);

@@ -25,31 +25,35 @@ async function described(page: Page): Promise<readonly [string, string]> {
   return [String(node?.role?.value), String(node?.name?.value)];
 }
 
-it('is a picture for who looks at it: no key and no wheel stops there, and no editor is loaded', async () => {
-  const {put, page, run} = await openPage();
-  const scripts: string[] = [];
-  page.on('request', (request) => {
-    if (request.url().endsWith('.js')) scripts.push(request.url());
-  });
-  await put(`${tee}<div class="far"></div><button>after</button>`);
-  await run(async (element) => {
-    await element.solve();
-  });
-  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-  expect(await described(page)).toEqual(['image', 'A tee']);
-  await page.mouse.move(200, 200);
-  await page.mouse.wheel(0, 300);
-  await page.waitForFunction(() => scrollY > 0);
-  await page.keyboard.press('Tab');
-  expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('after');
-  expect(scripts.filter((url) => /editor|placing|parts/.test(url))).toEqual([]);
-  await run((element) => {
-    element.mode = 'edit';
-  });
-  await page.locator('seamwise-garment sw-editor').waitFor();
-  expect(scripts.some((url) => url.includes('editor'))).toBe(true);
-  expect(await described(page)).toEqual(['group', 'A tee']);
-});
+it(
+  'is a picture for who looks at it: no key and no wheel stops there, and no editor is loaded',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run} = await openPage();
+    const scripts: string[] = [];
+    page.on('request', (request) => {
+      if (request.url().endsWith('.js')) scripts.push(request.url());
+    });
+    await put(`${tee}<div class="far"></div><button>after</button>`);
+    await run(async (element) => {
+      await element.solve();
+    });
+    await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    expect(await described(page)).toEqual(['image', 'A tee']);
+    await page.mouse.move(200, 200);
+    await page.mouse.wheel(0, 300);
+    await page.waitForFunction(() => scrollY > 0);
+    await page.keyboard.press('Tab');
+    expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('after');
+    expect(scripts.filter((url) => /editor|placing|parts/.test(url))).toEqual([]);
+    await run((element) => {
+      element.mode = 'edit';
+    });
+    await page.locator('seamwise-garment sw-editor').waitFor();
+    expect(scripts.some((url) => url.includes('editor'))).toBe(true);
+    expect(await described(page)).toEqual(['group', 'A tee']);
+  },
+);
 
 it('shows the symmetries that are kept by themselves as kept, and lets go of them', async () => {
   const {put, page, run} = await openPage({viewport: {width: 1400, height: 900}});
@@ -186,25 +190,29 @@ it('lets the print be scaled and exchanged, by keys as well', {tags: ['thorough'
   expect(await run((element) => element.print)).toMatch(/prints\/cm\.json$/);
 });
 
-it('speaks the language around it, its own, or the words that it is given', async () => {
-  const {put, run, page} = await openPage();
-  await put(`<div lang="de-AT">${tee.replace('alt="A tee"', 'mode="place"')}</div>`);
-  await run(async (element) => {
-    await element.solve();
-  });
-  await page.getByRole('slider', {name: 'Rapportbreite (cm)'}).waitFor();
-  expect(await described(page)).toEqual(['group', 'Schnittmuster im Stoffmuster']);
-  await run((element) => {
-    element.locale = 'en';
-    element.units = 'inch';
-  });
-  await page.getByRole('slider', {name: 'Repeat width (in)'}).waitFor();
-  await run((element) => {
-    element.messages = {garment: {scale: 'How large?', label: 'Yours'}};
-  });
-  await page.getByRole('slider', {name: 'How large?'}).waitFor();
-  expect(await described(page)).toEqual(['group', 'Yours']);
-});
+it(
+  'speaks the language around it, its own, or the words that it is given',
+  {tags: ['thorough']},
+  async () => {
+    const {put, run, page} = await openPage();
+    await put(`<div lang="de-AT">${tee.replace('alt="A tee"', 'mode="place"')}</div>`);
+    await run(async (element) => {
+      await element.solve();
+    });
+    await page.getByRole('slider', {name: 'Rapportbreite (cm)'}).waitFor();
+    expect(await described(page)).toEqual(['group', 'Schnittmuster im Stoffmuster']);
+    await run((element) => {
+      element.locale = 'en';
+      element.units = 'inch';
+    });
+    await page.getByRole('slider', {name: 'Repeat width (in)'}).waitFor();
+    await run((element) => {
+      element.messages = {garment: {scale: 'How large?', label: 'Yours'}};
+    });
+    await page.getByRole('slider', {name: 'How large?'}).waitFor();
+    expect(await described(page)).toEqual(['group', 'Yours']);
+  },
+);
 
 it('follows the language of the page, through a shadow root, too', async () => {
   const {put, run, page} = await openPage();

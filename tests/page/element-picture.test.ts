@@ -27,21 +27,26 @@ const asked = async (
     return heard;
   }, widths);
 
-it('refuses a picture of a width that there cannot be, and says which there can', async () => {
-  const open = await openPage();
-  await open.put(tee);
-  await open.page.locator('seamwise-garment:state(ready)').waitFor();
-  await open.page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-  const heard = await asked(open, [1, 301.4, 0, -1, NaN, Infinity, 1e6]);
-  const [, widest] = /1 to (\d+) pixels/.exec(heard[2] ?? '') ?? [];
-  const refused = `options: A picture is 1 to ${String(widest)} pixels wide; ask for one of these.`;
-  expect(heard).toEqual(['1', '301', refused, refused, refused, refused, refused]);
-  expect(Number(widest)).toBeGreaterThan(4000);
-  expect(Number(widest)).toBeLessThanOrEqual(8192);
-});
+it(
+  'refuses a picture of a width that there cannot be, and says which there can',
+  {tags: ['thorough']},
+  async () => {
+    const open = await openPage();
+    await open.put(tee);
+    await open.page.locator('seamwise-garment:state(ready)').waitFor();
+    await open.page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    const heard = await asked(open, [1, 301.4, 0, -1, NaN, Infinity, 1e6]);
+    const [, widest] = /1 to (\d+) pixels/.exec(heard[2] ?? '') ?? [];
+    const refused = `options: A picture is 1 to ${String(widest)} pixels wide; ask for one of these.`;
+    expect(heard).toEqual(['1', '301', refused, refused, refused, refused, refused]);
+    expect(Number(widest)).toBeGreaterThan(4000);
+    expect(Number(widest)).toBeLessThanOrEqual(8192);
+  },
+);
 
 it.each(sampleOf(1, ['preview', 'edit']))(
   'is a picture of the answer as soon as it is there, with mode="%s"',
+  {tags: ['thorough']},
   async (mode) => {
     const open = await openPage({viewport: {width: 1300, height: 800}});
     await open.put(tee.replace('alt=', `mode="${mode}" alt=`));
@@ -81,6 +86,7 @@ it.each(sampleOf(1, ['preview', 'edit']))(
 
 it.each(sampleOf(1, ['edit', 'preview', 'place']))(
   'says with mode="%s" when the graphics context is taken away for good, and draws again when it is not',
+  {tags: ['thorough']},
   async (mode) => {
     const open = await openPage({
       maySay: /Context (Lost|Restored)/,

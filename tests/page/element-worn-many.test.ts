@@ -46,48 +46,52 @@ function watch(): void {
   );
 }
 
-it('shares one graphics context and one worker that drapes, and drapes those in view', async () => {
-  const {put, page} = await openPage({before: watch, viewport: {width: 1200, height: 720}});
-  let workers = 0;
-  page.on('worker', () => {
-    workers = Math.max(workers, page.workers().filter((one) => !isHelper(one)).length);
-  });
-  /** As many workers have loaded the module that drapes. */
-  let drapers = 0;
-  page.context().on('request', (request) => {
-    if (request.url().endsWith('.wasm') && request.url().includes('drape')) drapers++;
-  });
-  expect(tags).toHaveLength(24);
-  await put(`<main>${tags.join('')}</main>`);
-  await page.waitForFunction(() => worn.settled > 0, undefined, patient);
-  await page.waitForFunction(
-    () =>
-      [...document.querySelectorAll('seamwise-garment')]
-        .filter((one) => one.getBoundingClientRect().top < innerHeight)
-        .every((one) => worn.draped.has(one)),
-    undefined,
-    patient,
-  );
-  await frames(page);
-  const inView = await page.evaluate(
-    () =>
-      [...document.querySelectorAll('seamwise-garment')].filter(
-        (one) => one.getBoundingClientRect().top < innerHeight,
-      ).length,
-  );
-  expect(await page.evaluate(() => worn.draped.size)).toBeLessThanOrEqual(inView);
-  expect(inView).toBeLessThan(24);
-  await page.locator('seamwise-garment').last().scrollIntoViewIfNeeded();
-  await page.waitForFunction(
-    () => worn.draped.has([...document.querySelectorAll('seamwise-garment')].at(-1) as Element),
-    undefined,
-    patient,
-  );
-  expect(await page.evaluate(() => worn.draped.size)).toBeLessThan(24);
-  expect(await page.evaluate(() => worn.contexts.size)).toBe(1);
-  expect(workers).toBeLessThanOrEqual(5); // four that solve, and one that drapes
-  expect(drapers).toBe(1);
-});
+it(
+  'shares one graphics context and one worker that drapes, and drapes those in view',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page} = await openPage({before: watch, viewport: {width: 1200, height: 720}});
+    let workers = 0;
+    page.on('worker', () => {
+      workers = Math.max(workers, page.workers().filter((one) => !isHelper(one)).length);
+    });
+    /** As many workers have loaded the module that drapes. */
+    let drapers = 0;
+    page.context().on('request', (request) => {
+      if (request.url().endsWith('.wasm') && request.url().includes('drape')) drapers++;
+    });
+    expect(tags).toHaveLength(24);
+    await put(`<main>${tags.join('')}</main>`);
+    await page.waitForFunction(() => worn.settled > 0, undefined, patient);
+    await page.waitForFunction(
+      () =>
+        [...document.querySelectorAll('seamwise-garment')]
+          .filter((one) => one.getBoundingClientRect().top < innerHeight)
+          .every((one) => worn.draped.has(one)),
+      undefined,
+      patient,
+    );
+    await frames(page);
+    const inView = await page.evaluate(
+      () =>
+        [...document.querySelectorAll('seamwise-garment')].filter(
+          (one) => one.getBoundingClientRect().top < innerHeight,
+        ).length,
+    );
+    expect(await page.evaluate(() => worn.draped.size)).toBeLessThanOrEqual(inView);
+    expect(inView).toBeLessThan(24);
+    await page.locator('seamwise-garment').last().scrollIntoViewIfNeeded();
+    await page.waitForFunction(
+      () => worn.draped.has([...document.querySelectorAll('seamwise-garment')].at(-1) as Element),
+      undefined,
+      patient,
+    );
+    expect(await page.evaluate(() => worn.draped.size)).toBeLessThan(24);
+    expect(await page.evaluate(() => worn.contexts.size)).toBe(1);
+    expect(workers).toBeLessThanOrEqual(5); // four that solve, and one that drapes
+    expect(drapers).toBe(1);
+  },
+);
 
 it(
   'settles in a tab that is put away, and is drawn once it is back',

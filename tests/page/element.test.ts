@@ -41,30 +41,34 @@ it('solves and draws what its attributes name, and says so in order', async () =
   ]);
 });
 
-it('has told all there is to be told once it is solved, however early it is asked', async () => {
-  const {put, page, run} = await openPage();
-  await page.evaluate(() => {
-    const heard: string[] = []; // before there is an element, which may be quick
-    document.addEventListener('solve', () => heard.push('solve'));
-    Object.assign(globalThis, {heard});
-  });
-  await put(tee.replace('alt=', 'loading="eager" alt='));
-  const seen = await run(async (element) => {
-    const {heard} = globalThis as unknown as {heard: readonly string[]};
-    const task = (): Promise<void> =>
-      new Promise((resolve) => {
-        const {port1, port2} = new MessageChannel();
-        port1.onmessage = () => {
-          resolve();
-        };
-        port2.postMessage(null);
-      });
-    while (element.state !== 'ready') await task(); // the very next task after the answer
-    await element.solve();
-    return {heard, isReady: element.matches(':state(ready)')};
-  });
-  expect(seen).toEqual({heard: ['solve'], isReady: true});
-});
+it(
+  'has told all there is to be told once it is solved, however early it is asked',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run} = await openPage();
+    await page.evaluate(() => {
+      const heard: string[] = []; // before there is an element, which may be quick
+      document.addEventListener('solve', () => heard.push('solve'));
+      Object.assign(globalThis, {heard});
+    });
+    await put(tee.replace('alt=', 'loading="eager" alt='));
+    const seen = await run(async (element) => {
+      const {heard} = globalThis as unknown as {heard: readonly string[]};
+      const task = (): Promise<void> =>
+        new Promise((resolve) => {
+          const {port1, port2} = new MessageChannel();
+          port1.onmessage = () => {
+            resolve();
+          };
+          port2.postMessage(null);
+        });
+      while (element.state !== 'ready') await task(); // the very next task after the answer
+      await element.solve();
+      return {heard, isReady: element.matches(':state(ready)')};
+    });
+    expect(seen).toEqual({heard: ['solve'], isReady: true});
+  },
+);
 
 it('mirrors attributes as properties, and makes sense of whatever is written in them', async () => {
   const {put, run} = await openPage();
@@ -115,73 +119,85 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
   });
 });
 
-it('understands properties that a server has written as attributes, which have no capitals', async () => {
-  const {put, run} = await openPage();
-  const written = tee.replace('alt=', 'maxChangeMm="3" workerUrl="" wasmUrl="nowhere" alt=');
-  await put(`<div class="far"></div>${written}`);
-  const seen = await run(async (element) => {
-    const {workerUrl, wasmUrl} = element;
-    const before = [element.maxChangeMm, workerUrl, wasmUrl];
-    element.wasmUrl = null;
-    const attributes = ['wasm-url', 'wasmurl'].map((name) => element.hasAttribute(name));
-    await element.solve();
-    const solved = element.getDesign().options.maxChangeCm;
-    element.setAttribute('maxchangemm', '4');
-    await element.solve();
-    return {before, attributes, solved: [solved, element.getDesign().options.maxChangeCm]};
-  });
-  expect(seen).toEqual({
-    before: [3, '', 'nowhere'],
-    attributes: [false, false],
-    solved: [0.3, 0.4],
-  });
-});
+it(
+  'understands properties that a server has written as attributes, which have no capitals',
+  {tags: ['thorough']},
+  async () => {
+    const {put, run} = await openPage();
+    const written = tee.replace('alt=', 'maxChangeMm="3" workerUrl="" wasmUrl="nowhere" alt=');
+    await put(`<div class="far"></div>${written}`);
+    const seen = await run(async (element) => {
+      const {workerUrl, wasmUrl} = element;
+      const before = [element.maxChangeMm, workerUrl, wasmUrl];
+      element.wasmUrl = null;
+      const attributes = ['wasm-url', 'wasmurl'].map((name) => element.hasAttribute(name));
+      await element.solve();
+      const solved = element.getDesign().options.maxChangeCm;
+      element.setAttribute('maxchangemm', '4');
+      await element.solve();
+      return {before, attributes, solved: [solved, element.getDesign().options.maxChangeCm]};
+    });
+    expect(seen).toEqual({
+      before: [3, '', 'nowhere'],
+      attributes: [false, false],
+      solved: [0.3, 0.4],
+    });
+  },
+);
 
-it('tells how far it is as the solver says it, from nothing to all', async () => {
-  const {put, run} = await openPage();
-  await put(tee.replace('tee-{size}', 'princess-dress-{size}').replace('print=', 'data-print='));
-  const told = await run(async (element) => {
-    const told: number[] = [];
-    element.addEventListener('progress', ({detail}) => told.push(detail.fraction));
-    element.addEventListener('solve', () => told.push(2));
-    element.print = element.dataset.print;
-    await element.solve();
-    return told;
-  });
-  expect(told.slice(-2)).toEqual([1, 2]);
-  expect(told[0]).toBe(0);
-  expect(told).toEqual([...told].sort((a, b) => a - b));
-  expect(told.length).toBeGreaterThan(5);
-});
+it(
+  'tells how far it is as the solver says it, from nothing to all',
+  {tags: ['thorough']},
+  async () => {
+    const {put, run} = await openPage();
+    await put(tee.replace('tee-{size}', 'princess-dress-{size}').replace('print=', 'data-print='));
+    const told = await run(async (element) => {
+      const told: number[] = [];
+      element.addEventListener('progress', ({detail}) => told.push(detail.fraction));
+      element.addEventListener('solve', () => told.push(2));
+      element.print = element.dataset.print;
+      await element.solve();
+      return told;
+    });
+    expect(told.slice(-2)).toEqual([1, 2]);
+    expect(told[0]).toBe(0);
+    expect(told).toEqual([...told].sort((a, b) => a - b));
+    expect(told.length).toBeGreaterThan(5);
+  },
+);
 
-it('takes garment, print and symmetries as objects, but has then nothing to store', async () => {
-  const {put, page} = await openPage();
-  await put('<seamwise-garment></seamwise-garment>');
-  const [fit, message, value] = await page.evaluate(
-    async ([garment, print]) => {
-      const element = document.querySelector('seamwise-garment');
-      if (!element) throw new Error('It is gone.');
-      element.garment = JSON.parse(garment) as object as typeof element.garment;
-      element.print = JSON.parse(print) as object as typeof element.print;
-      element.symmetry = {symmetries: [{kind: 'pair', pieces: ['sleeve_left', 'sleeve_right']}]};
-      const {symmetries} = await element.solve();
-      const message = (() => {
-        try {
-          return JSON.stringify(element.getDesign());
-        } catch (error) {
-          return (error as Error).message;
-        }
-      })();
-      return [symmetries.map(({kind}) => kind), message, element.value] as const;
-    },
-    [sample('garments/tee-m.json'), '{"group":"p4m","w1":[11,0],"w2":[0,11]}'] as const,
-  );
-  expect(fit).toEqual(['pair']);
-  expect(message).toBe(
-    'The garment was given as an object; give its URL, so that the design can be stored.',
-  );
-  expect(value).toBe('');
-});
+it(
+  'takes garment, print and symmetries as objects, but has then nothing to store',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page} = await openPage();
+    await put('<seamwise-garment></seamwise-garment>');
+    const [fit, message, value] = await page.evaluate(
+      async ([garment, print]) => {
+        const element = document.querySelector('seamwise-garment');
+        if (!element) throw new Error('It is gone.');
+        element.garment = JSON.parse(garment) as object as typeof element.garment;
+        element.print = JSON.parse(print) as object as typeof element.print;
+        element.symmetry = {symmetries: [{kind: 'pair', pieces: ['sleeve_left', 'sleeve_right']}]};
+        const {symmetries} = await element.solve();
+        const message = (() => {
+          try {
+            return JSON.stringify(element.getDesign());
+          } catch (error) {
+            return (error as Error).message;
+          }
+        })();
+        return [symmetries.map(({kind}) => kind), message, element.value] as const;
+      },
+      [sample('garments/tee-m.json'), '{"group":"p4m","w1":[11,0],"w2":[0,11]}'] as const,
+    );
+    expect(fit).toEqual(['pair']);
+    expect(message).toBe(
+      'The garment was given as an object; give its URL, so that the design can be stored.',
+    );
+    expect(value).toBe('');
+  },
+);
 
 it('stores a design that is solved again in Node, to the byte', async () => {
   const {put, run, page} = await openPage();
@@ -231,7 +247,7 @@ it('restores a stored design, and keeps the template of its sizes', async () => 
   expect([seen.garment, seen.size]).toEqual(['garments/tee-{size}.json', 'm']);
 });
 
-it('ends with the last of changes that follow each other', async () => {
+it('ends with the last of changes that follow each other', {tags: ['thorough']}, async () => {
   const {put, run} = await openPage();
   await put(tee);
   const seen = await run(async (element) => {
@@ -248,61 +264,69 @@ it('ends with the last of changes that follow each other', async () => {
   expect(seen.solves.at(-1)).toBe('prints/pmm.json');
 });
 
-it('settles a solve whenever it is ended, and can be asked again', async () => {
-  const {put, run} = await openPage();
-  await put(tee.replace('tee-{size}', 'patchwork-jacket-{size}'));
-  const seen = await run(async (element) => {
-    const nameOf = (error: unknown): string => (error as Error).name;
-    const ends: string[] = [];
-    const moments = [0, 1, 5, 20, 'load', 'progress', 'progress'] as const;
-    for (const [k, moment] of moments.entries()) {
-      // each is another question: the one before goes on by itself
-      element.maxChangeMm = 10 + k / 1000;
-      const late = new AbortController();
-      const abort = (): void => {
-        late.abort();
-      };
-      if (typeof moment === 'number') setTimeout(abort, moment);
-      else element.addEventListener(moment, abort, {once: true});
-      ends.push(await element.solve({signal: late.signal}).then(() => 'solved', nameOf));
-    }
-    element.maxChangeMm = 10;
-    const aborted = await element.solve({signal: AbortSignal.abort()}).catch(nameOf);
-    const cancelled = element.solve().catch(nameOf);
-    element.cancel();
-    const asked = [aborted, await cancelled, element.state];
-    return {ends, asked, again: [typeof (await element.solve()).metrics.fit, element.state]};
-  });
-  expect(seen.ends).toEqual(Array(7).fill('AbortError'));
-  expect(seen.asked).toEqual([
-    ...['AbortError', 'AbortError'],
-    expect.stringMatching(/^(stale|idle)$/) as string,
-  ]);
-  expect(seen.again).toEqual(['number', 'ready']);
-});
+it(
+  'settles a solve whenever it is ended, and can be asked again',
+  {tags: ['thorough']},
+  async () => {
+    const {put, run} = await openPage();
+    await put(tee.replace('tee-{size}', 'patchwork-jacket-{size}'));
+    const seen = await run(async (element) => {
+      const nameOf = (error: unknown): string => (error as Error).name;
+      const ends: string[] = [];
+      const moments = [0, 1, 5, 20, 'load', 'progress', 'progress'] as const;
+      for (const [k, moment] of moments.entries()) {
+        // each is another question: the one before goes on by itself
+        element.maxChangeMm = 10 + k / 1000;
+        const late = new AbortController();
+        const abort = (): void => {
+          late.abort();
+        };
+        if (typeof moment === 'number') setTimeout(abort, moment);
+        else element.addEventListener(moment, abort, {once: true});
+        ends.push(await element.solve({signal: late.signal}).then(() => 'solved', nameOf));
+      }
+      element.maxChangeMm = 10;
+      const aborted = await element.solve({signal: AbortSignal.abort()}).catch(nameOf);
+      const cancelled = element.solve().catch(nameOf);
+      element.cancel();
+      const asked = [aborted, await cancelled, element.state];
+      return {ends, asked, again: [typeof (await element.solve()).metrics.fit, element.state]};
+    });
+    expect(seen.ends).toEqual(Array(7).fill('AbortError'));
+    expect(seen.asked).toEqual([
+      ...['AbortError', 'AbortError'],
+      expect.stringMatching(/^(stale|idle)$/) as string,
+    ]);
+    expect(seen.again).toEqual(['number', 'ready']);
+  },
+);
 
-it('is loading until all have heard that its files are there, and may be told otherwise then', async () => {
-  const {put, run} = await openPage();
-  await put(tee.replace('print=', 'data-print='));
-  const seen = await run(async (element) => {
-    const states: string[] = [];
-    element.addEventListener('load', () => states.push(element.state), {once: true});
-    element.print = element.dataset.print;
-    await element.solve();
-    states.push(element.state);
-    element.addEventListener(
-      'load',
-      () => {
-        element.cancel();
-      },
-      {once: true},
-    );
-    element.print = 'prints/cm.json';
-    const end = await element.solve().catch((error: unknown) => (error as Error).name);
-    return [...states, end, element.state];
-  });
-  expect(seen).toEqual(['loading', 'ready', 'AbortError', 'stale']);
-});
+it(
+  'is loading until all have heard that its files are there, and may be told otherwise then',
+  {tags: ['thorough']},
+  async () => {
+    const {put, run} = await openPage();
+    await put(tee.replace('print=', 'data-print='));
+    const seen = await run(async (element) => {
+      const states: string[] = [];
+      element.addEventListener('load', () => states.push(element.state), {once: true});
+      element.print = element.dataset.print;
+      await element.solve();
+      states.push(element.state);
+      element.addEventListener(
+        'load',
+        () => {
+          element.cancel();
+        },
+        {once: true},
+      );
+      element.print = 'prints/cm.json';
+      const end = await element.solve().catch((error: unknown) => (error as Error).name);
+      return [...states, end, element.state];
+    });
+    expect(seen).toEqual(['loading', 'ready', 'AbortError', 'stale']);
+  },
+);
 
 it(
   'goes on with what it does by itself when somebody who waited has gone',
@@ -348,7 +372,7 @@ it(
   },
 );
 
-it('gives pictures of the formats that browsers write', async () => {
+it('gives pictures of the formats that browsers write', {tags: ['thorough']}, async () => {
   const {put, run, page} = await openPage();
   await put(tee);
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
@@ -370,32 +394,36 @@ it('gives pictures of the formats that browsers write', async () => {
   ]);
 });
 
-it('waits until it is near, and shows itself again elsewhere without asking for anything', async () => {
-  const {put, page, run, asked} = await openPage();
-  await put(`<div class="far"></div>${tee}`);
-  await caughtUp(page);
-  expect(asked).toEqual([]);
-  expect(await run(({state}) => state)).toBe('idle');
-  await run((element) => {
-    element.scrollIntoView();
-  });
-  await page.locator('seamwise-garment:state(ready)').waitFor();
-  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-  const before = asked.length;
-  await page.clock.install();
-  const taken = await page.evaluateHandle(() => {
-    const element = document.querySelector('seamwise-garment');
-    const result = element?.result;
-    element?.remove();
-    return {element, result};
-  });
-  await page.clock.fastForward(1500); // longer than on the way to another place
-  const same = await taken.evaluate(({element, result}) => {
-    if (!element) throw new Error('It is gone.');
-    document.body.append(element);
-    return result !== undefined && element.result === result && element.state === 'ready';
-  });
-  expect(same).toBe(true);
-  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-  expect(asked.length).toBe(before);
-});
+it(
+  'waits until it is near, and shows itself again elsewhere without asking for anything',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run, asked} = await openPage();
+    await put(`<div class="far"></div>${tee}`);
+    await caughtUp(page);
+    expect(asked).toEqual([]);
+    expect(await run(({state}) => state)).toBe('idle');
+    await run((element) => {
+      element.scrollIntoView();
+    });
+    await page.locator('seamwise-garment:state(ready)').waitFor();
+    await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    const before = asked.length;
+    await page.clock.install();
+    const taken = await page.evaluateHandle(() => {
+      const element = document.querySelector('seamwise-garment');
+      const result = element?.result;
+      element?.remove();
+      return {element, result};
+    });
+    await page.clock.fastForward(1500); // longer than on the way to another place
+    const same = await taken.evaluate(({element, result}) => {
+      if (!element) throw new Error('It is gone.');
+      document.body.append(element);
+      return result !== undefined && element.result === result && element.state === 'ready';
+    });
+    expect(same).toBe(true);
+    await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+    expect(asked.length).toBe(before);
+  },
+);

@@ -43,7 +43,7 @@ it(
   },
 );
 
-it('keeps nobody out on a small screen', async () => {
+it('keeps nobody out on a small screen', {tags: ['thorough']}, async () => {
   const page = await openPage({viewport: {width: 390, height: 844}});
   await solved(page);
   expect(await barriers(page)).toEqual([]);
@@ -116,7 +116,7 @@ async function walkTo(page: Page, piece: RegExp): Promise<void> {
   expect(await spoken(page)).toMatch(piece);
 }
 
-it('makes a pair symmetric by keys alone, and takes that back', async () => {
+it('makes a pair symmetric by keys alone, and takes that back', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await showSample(page, 'raglan');
   await pattern(page).focus();

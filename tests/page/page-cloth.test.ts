@@ -29,61 +29,69 @@ const lies = async (page: Page): Promise<string | undefined> =>
 const openCloth = async (options: Parameters<typeof openPage>[0] = {}): Promise<Page> =>
   clothOf(await openPage(options));
 
-it('lays the pieces in their print, says what there is to buy, and marks what is picked everywhere', async () => {
-  const page = await openCloth();
-  await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
-  await expect.poll(() => facts(page)).toMatch(/long, \d+ % used/);
-  await expect.poll(() => facts(page)).toMatch(/Proven shortest|At best/);
-  await expect.poll(() => facts(page)).toMatch(/The print costs/);
-  await expect.poll(() => panel(page).locator('.widths tbody tr').count()).toBe(6);
-  const place = /\d+(st|nd|rd|th) repeat from the left, \d+(st|nd|rd|th) from the start/;
-  await expect.poll(() => rowOf(page, 'Back').textContent()).toMatch(place);
-  await pane(page).locator('.piece', {hasText: 'Back'}).click();
-  await expect
-    .poll(() => status(page))
-    .toMatch(/^Back: \d+(st|nd|rd|th) repeat from the left, [\d.]+ cm from the start/);
-  const picked = () =>
-    page.evaluate(() => {
+it(
+  'lays the pieces in their print, says what there is to buy, and marks what is picked everywhere',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
+    await expect.poll(() => facts(page)).toMatch(/long, \d+ % used/);
+    await expect.poll(() => facts(page)).toMatch(/Proven shortest|At best/);
+    await expect.poll(() => facts(page)).toMatch(/The print costs/);
+    await expect.poll(() => panel(page).locator('.widths tbody tr').count()).toBe(6);
+    const place = /\d+(st|nd|rd|th) repeat from the left, \d+(st|nd|rd|th) from the start/;
+    await expect.poll(() => rowOf(page, 'Back').textContent()).toMatch(place);
+    await pane(page).locator('.piece', {hasText: 'Back'}).click();
+    await expect
+      .poll(() => status(page))
+      .toMatch(/^Back: \d+(st|nd|rd|th) repeat from the left, [\d.]+ cm from the start/);
+    const picked = () =>
+      page.evaluate(() => {
+        const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+        const {selected, pattern} = workbench ?? {};
+        return selected?.kind === 'piece' ? pattern?.pieces[selected.piece]?.name : undefined;
+      });
+    await expect.poll(picked).toBe('back');
+    await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const {selected, pattern} = workbench ?? {};
-      return selected?.kind === 'piece' ? pattern?.pieces[selected.piece]?.name : undefined;
+      const front = workbench?.pattern?.pieces.findIndex(({name}) => name === 'front') ?? -1;
+      workbench?.select({kind: 'piece', piece: front});
     });
-  await expect.poll(picked).toBe('back');
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const front = workbench?.pattern?.pieces.findIndex(({name}) => name === 'front') ?? -1;
-    workbench?.select({kind: 'piece', piece: front});
-  });
-  await expect.poll(() => status(page)).toMatch(/^Front: /);
-});
+    await expect.poll(() => status(page)).toMatch(/^Front: /);
+  },
+);
 
-it('moves, turns and pins a piece by keys, and takes all of that back', async () => {
-  const page = await openCloth();
-  await rowOf(page, 'Front').focus();
-  await expect.poll(() => status(page)).toMatch(/^Front: /);
-  const first = await status(page);
-  await page.keyboard.press('ArrowUp');
-  await expect.poll(() => status(page)).not.toBe(first);
-  const second = await lies(page);
-  await expect.poll(() => facts(page)).toContain('As moved by hand');
-  await expect
-    .poll(() => button(page, 'Undo').getAttribute('title'))
-    .toBe('Undo: move on the cloth');
-  await page.keyboard.press('r');
-  await expect.poll(() => status(page)).toMatch(/turned 180°/);
-  await page.keyboard.press('p');
-  await expect.poll(() => status(page)).toMatch(/pinned$/);
-  await expect
-    .poll(() => rowOf(page, 'Front').getByRole('button').getAttribute('aria-pressed'))
-    .toBe('true');
-  await page.keyboard.press('Control+z');
-  await page.keyboard.press('Control+z');
-  await expect.poll(() => status(page)).toBe(second);
-  await page.keyboard.press('Control+z');
-  await expect.poll(() => status(page)).toBe(first);
-  await page.keyboard.press('Control+Shift+z');
-  await expect.poll(() => status(page)).toBe(second);
-});
+it(
+  'moves, turns and pins a piece by keys, and takes all of that back',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    await rowOf(page, 'Front').focus();
+    await expect.poll(() => status(page)).toMatch(/^Front: /);
+    const first = await status(page);
+    await page.keyboard.press('ArrowUp');
+    await expect.poll(() => status(page)).not.toBe(first);
+    const second = await lies(page);
+    await expect.poll(() => facts(page)).toContain('As moved by hand');
+    await expect
+      .poll(() => button(page, 'Undo').getAttribute('title'))
+      .toBe('Undo: move on the cloth');
+    await page.keyboard.press('r');
+    await expect.poll(() => status(page)).toMatch(/turned 180°/);
+    await page.keyboard.press('p');
+    await expect.poll(() => status(page)).toMatch(/pinned$/);
+    await expect
+      .poll(() => rowOf(page, 'Front').getByRole('button').getAttribute('aria-pressed'))
+      .toBe('true');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => status(page)).toBe(second);
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => status(page)).toBe(first);
+    await page.keyboard.press('Control+Shift+z');
+    await expect.poll(() => status(page)).toBe(second);
+  },
+);
 
 /** Whether it is in the part of the cloth that is in sight. */
 const isSeen = (page: Page, name: string): Promise<boolean> =>

@@ -28,7 +28,7 @@ async function command(page: Page, words: string, title: string): Promise<void> 
   await field(page).waitFor({state: 'detached'});
 }
 
-it('opens a sample by its name', async () => {
+it('opens a sample by its name', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   await command(page, 'garment six gore', 'Garment: Six-gore skirt');
@@ -37,18 +37,24 @@ it('opens a sample by its name', async () => {
     .toBe('six-gore-skirt');
 });
 
-it('chooses a print by its name, names it in undo, and takes it back', async () => {
-  const page = await openPage();
-  await solved(page);
-  const before = await designOf(page);
-  await command(page, 'fabric majol', 'Print: Majolica');
-  expect((await designOf(page)).print).toMatchObject({group: 'p4m', title: 'Majolica'});
-  const undo = button(page, 'Undo');
-  await expect.poll(() => undo.getAttribute('title')).toBe('Undo: print, Majolica');
-  await command(page, 'undo majolica', 'Undo: print, Majolica');
-  expect(await designOf(page)).toEqual(before);
-  await expect.poll(() => button(page, 'Redo').getAttribute('title')).toBe('Redo: print, Majolica');
-});
+it(
+  'chooses a print by its name, names it in undo, and takes it back',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    const before = await designOf(page);
+    await command(page, 'fabric majol', 'Print: Majolica');
+    expect((await designOf(page)).print).toMatchObject({group: 'p4m', title: 'Majolica'});
+    const undo = button(page, 'Undo');
+    await expect.poll(() => undo.getAttribute('title')).toBe('Undo: print, Majolica');
+    await command(page, 'undo majolica', 'Undo: print, Majolica');
+    expect(await designOf(page)).toEqual(before);
+    await expect
+      .poll(() => button(page, 'Redo').getAttribute('title'))
+      .toBe('Redo: print, Majolica');
+  },
+);
 
 it(
   'says why a print will not do only until the design is another',
@@ -70,24 +76,28 @@ it(
   },
 );
 
-it('gives the focus back on Escape, and is closed by its own key as well', async () => {
-  const page = await openPage();
-  await solved(page);
-  await pattern(page).focus();
-  const isFocused = (): Promise<boolean> =>
-    pattern(page).evaluate((element) => element.matches(':focus'));
-  await page.keyboard.press('Control+k');
-  await field(page).waitFor();
-  expect(await field(page).evaluate((element) => element.matches(':focus'))).toBe(true);
-  await page.keyboard.press('Escape');
-  await field(page).waitFor({state: 'detached'});
-  expect(await isFocused()).toBe(true);
-  await page.keyboard.press('Control+k');
-  await field(page).waitFor();
-  await page.keyboard.press('Control+k');
-  await field(page).waitFor({state: 'detached'});
-  expect(await isFocused()).toBe(true);
-});
+it(
+  'gives the focus back on Escape, and is closed by its own key as well',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    await pattern(page).focus();
+    const isFocused = (): Promise<boolean> =>
+      pattern(page).evaluate((element) => element.matches(':focus'));
+    await page.keyboard.press('Control+k');
+    await field(page).waitFor();
+    expect(await field(page).evaluate((element) => element.matches(':focus'))).toBe(true);
+    await page.keyboard.press('Escape');
+    await field(page).waitFor({state: 'detached'});
+    expect(await isFocused()).toBe(true);
+    await page.keyboard.press('Control+k');
+    await field(page).waitFor();
+    await page.keyboard.press('Control+k');
+    await field(page).waitFor({state: 'detached'});
+    expect(await isFocused()).toBe(true);
+  },
+);
 
 it('is walked by arrow keys, says how many there are, and why one cannot be carried out', async () => {
   const page = await openPage();
@@ -143,7 +153,7 @@ it.each(
     ['dark', 390],
     ['light', 1280],
   ] as const),
-)('is accessible in %s, %i pixels wide', async (colorScheme, width) => {
+)('is accessible in %s, %i pixels wide', {tags: ['thorough']}, async (colorScheme, width) => {
   const page = await openPage({colorScheme, viewport: {width, height: 800}});
   await solved(page);
   await button(page, 'Commands').click();

@@ -23,6 +23,7 @@ it('takes several decisions at once for who starts', {tags: ['thorough']}, async
 
 it.each(sampleOf(1, ['-1', '21', '']))(
   'refuses to let pieces change by "%s" mm, and says so',
+  {tags: ['thorough']},
   async (typed) => {
     const page = await openPage({viewport: {width: 640, height: 480}});
     const field = page.getByLabel(change);
@@ -40,7 +41,7 @@ it.each(sampleOf(1, ['-1', '21', '']))(
   },
 );
 
-it('solves only when asked once that is switched off', async () => {
+it('solves only when asked once that is switched off', {tags: ['thorough']}, async () => {
   const page = await openPage({viewport: {width: 640, height: 480}});
   const live = page.getByRole('switch', {name: 'Solve as I go'});
   await expect.poll(() => live.getAttribute('aria-checked')).toBe('true');
@@ -68,13 +69,17 @@ it('speaks German, counts in inches and is dark, and is so again the next time',
   ]);
 });
 
-it('opens its settings within a narrow window, and closes them on Escape', async () => {
-  const page = await openPage({viewport: {width: 390, height: 800}});
-  await button(page, 'Settings').click();
-  const panel = page.getByRole('group', {name: 'Settings'});
-  const box = await panel.boundingBox();
-  expect(box?.x).toBeGreaterThanOrEqual(0);
-  expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(390);
-  await page.keyboard.press('Escape');
-  await expect.poll(() => panel.isVisible()).toBe(false);
-});
+it(
+  'opens its settings within a narrow window, and closes them on Escape',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({viewport: {width: 390, height: 800}});
+    await button(page, 'Settings').click();
+    const panel = page.getByRole('group', {name: 'Settings'});
+    const box = await panel.boundingBox();
+    expect(box?.x).toBeGreaterThanOrEqual(0);
+    expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(390);
+    await page.keyboard.press('Escape');
+    await expect.poll(() => panel.isVisible()).toBe(false);
+  },
+);

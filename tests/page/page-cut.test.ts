@@ -28,30 +28,34 @@ async function squaresShown(page: Page): Promise<void> {
 
 const pagesIn = (pdf: string): number => pdf.match(/\/Type\/Page\//g)?.length ?? 0;
 
-it('tells how many pages a PDF will have, on any paper, and makes as many', async () => {
-  const page = await openPage();
-  await squaresShown(page);
-  await page.keyboard.press('Control+Shift+S');
-  const dialog = dialogOf(page);
-  const caption = dialog.locator('figcaption');
-  for (const [paper, size] of [
-    ['a4', /29\.7 cm/],
-    ['a0', /84\.1 cm/],
-  ] as const) {
-    await dialog.getByLabel('Paper').selectOption(paper);
-    await caption.filter({hasText: size}).waitFor();
-    const told = Number.parseInt((await caption.textContent()) ?? '', 10);
-    // a picture of each page, before any is made
-    await expect.poll(() => dialog.locator('.map .page').count()).toBe(told);
-    const pdf = await savedCut(page, 'PDF');
-    expect(pdf.startsWith('%PDF-')).toBe(true);
-    expect(pagesIn(pdf)).toBe(told);
+it(
+  'tells how many pages a PDF will have, on any paper, and makes as many',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await squaresShown(page);
     await page.keyboard.press('Control+Shift+S');
-  }
-  expect(await barriers(page)).toEqual([]);
-});
+    const dialog = dialogOf(page);
+    const caption = dialog.locator('figcaption');
+    for (const [paper, size] of [
+      ['a4', /29\.7 cm/],
+      ['a0', /84\.1 cm/],
+    ] as const) {
+      await dialog.getByLabel('Paper').selectOption(paper);
+      await caption.filter({hasText: size}).waitFor();
+      const told = Number.parseInt((await caption.textContent()) ?? '', 10);
+      // a picture of each page, before any is made
+      await expect.poll(() => dialog.locator('.map .page').count()).toBe(told);
+      const pdf = await savedCut(page, 'PDF');
+      expect(pdf.startsWith('%PDF-')).toBe(true);
+      expect(pagesIn(pdf)).toBe(told);
+      await page.keyboard.press('Control+Shift+S');
+    }
+    expect(await barriers(page)).toEqual([]);
+  },
+);
 
-it('writes in its worker what Node writes of the same answer', async () => {
+it('writes in its worker what Node writes of the same answer', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await squaresShown(page);
   const result = JSON.parse(await saved(page, 'Save result')) as SolveResult;

@@ -92,7 +92,7 @@ it('takes a garment where no sample can be read', async () => {
   expect((await designOf(page)).garment.name).toBe('own.json');
 });
 
-it('still has its tables where nothing can be drawn', async () => {
+it('still has its tables where nothing can be drawn', {tags: ['thorough']}, async () => {
   const page = await openPage({maySay: /WebGL/});
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
@@ -106,22 +106,26 @@ it('still has its tables where nothing can be drawn', async () => {
   }
 });
 
-it('says that what is shown is out of date once a solve is cancelled', async () => {
-  const page = await openPage();
-  await solved(page);
-  const cancelled = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
-    while (cancel.hidden) await new Promise(requestAnimationFrame);
-    cancel.click();
-  });
-  await group(page, 'pgg');
-  await cancelled;
-  await says(page, /^Cancelled/);
-  await page.getByText('The picture is out of date').waitFor();
-  await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
-  await button(page, 'Align').click();
-  await solved(page);
-  await expect.poll(() => page.getByText('The picture is out of date').count()).toBe(0);
-});
+it(
+  'says that what is shown is out of date once a solve is cancelled',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    const cancelled = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
+      while (cancel.hidden) await new Promise(requestAnimationFrame);
+      cancel.click();
+    });
+    await group(page, 'pgg');
+    await cancelled;
+    await says(page, /^Cancelled/);
+    await page.getByText('The picture is out of date').waitFor();
+    await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
+    await button(page, 'Align').click();
+    await solved(page);
+    await expect.poll(() => page.getByText('The picture is out of date').count()).toBe(0);
+  },
+);
 
 it(
   'waits for Align where nobody wants to solve with every change',

@@ -36,7 +36,7 @@ function answerIn(result: string): string {
   return JSON.stringify(answer).replace(/"milliseconds":\{[^}]*\}/, '');
 }
 
-it('opens a garment that is chosen, dropped or pasted', async () => {
+it('opens a garment that is chosen, dropped or pasted', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await choose(page, 'Open garment', jsonFile('chosen.json', squares(40)));
   await garmentShown(page, 'chosen.json');
@@ -50,7 +50,7 @@ it('opens a garment that is chosen, dropped or pasted', async () => {
   await table.getByRole('row', {name: /right/i}).waitFor();
 });
 
-it('opens a saved project to the same design', async () => {
+it('opens a saved project to the same design', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
   await garmentShown(page, 'squares.json');
@@ -164,23 +164,27 @@ it('says in one sentence why a file cannot be opened, and leaves everything as i
   await expect.poll(() => page.getByRole('alert').count()).toBe(0);
 });
 
-it('knows a file by its first bytes, whatever it is called and whether or not a type is given', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  const cases: readonly (readonly [name: string, content: string, said: string])[] = [
-    ['sheet.pdf', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
-    ['shirt.json', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
-    ['scan', 'II*\0\x08\0\0\0', 'a TIFF picture, which cannot be a print'],
-  ];
-  for (const [name, content, said] of cases) {
-    await hand(page, 'drop', {name, mimeType: '', content});
-    await page
-      .getByRole('alert')
-      .filter({hasText: `${name} is ${said}`})
-      .waitFor();
-    expect(await designOf(page)).toEqual(before);
-  }
-});
+it(
+  'knows a file by its first bytes, whatever it is called and whether or not a type is given',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    const cases: readonly (readonly [name: string, content: string, said: string])[] = [
+      ['sheet.pdf', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
+      ['shirt.json', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
+      ['scan', 'II*\0\x08\0\0\0', 'a TIFF picture, which cannot be a print'],
+    ];
+    for (const [name, content, said] of cases) {
+      await hand(page, 'drop', {name, mimeType: '', content});
+      await page
+        .getByRole('alert')
+        .filter({hasText: `${name} is ${said}`})
+        .waitFor();
+      expect(await designOf(page)).toEqual(before);
+    }
+  },
+);
 
 it('offers to sew when a file has no seams', {tags: ['thorough']}, async () => {
   const page = await openPage();
@@ -217,12 +221,16 @@ it('opens what its address names, and saves it as a project that opens again', a
   expect(await designOf(page)).toEqual(design);
 });
 
-it('refuses an address on another host, and shows a sample in its place', async () => {
-  const page = await openPage({query: '?garment=https://example.com/coat.json'});
-  const alert = page.getByRole('alert');
-  await alert.filter({hasText: 'https://example.com/coat.json is on another host'}).waitFor();
-  expect((await designOf(page)).garment.name).toBe('asymmetric-dress-m.json');
-});
+it(
+  'refuses an address on another host, and shows a sample in its place',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({query: '?garment=https://example.com/coat.json'});
+    const alert = page.getByRole('alert');
+    await alert.filter({hasText: 'https://example.com/coat.json is on another host'}).waitFor();
+    expect((await designOf(page)).garment.name).toBe('asymmetric-dress-m.json');
+  },
+);
 
 it.each(
   sampleOf(1, [
@@ -231,6 +239,7 @@ it.each(
   ]),
 )(
   'says why %s in its address is no garment, and shows a sample in its place',
+  {tags: ['thorough']},
   async (file, why) => {
     const page = await openPage({query: `?garment=${file}`, maySay: /404/});
     const alert = page.getByRole('alert');
@@ -241,7 +250,7 @@ it.each(
   },
 );
 
-it('gives the pieces to cut in millimetres, and a picture', async () => {
+it('gives the pieces to cut in millimetres, and a picture', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
   await garmentShown(page, 'squares.json');
@@ -262,6 +271,7 @@ it('gives the pieces to cut in millimetres, and a picture', async () => {
 
 it.each(sampleOf(1, ['-1', '12', '']))(
   'refuses to cut with an allowance of "%s", and keeps what was typed',
+  {tags: ['thorough']},
   async (typed) => {
     const page = await openPage();
     await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));

@@ -43,27 +43,31 @@ async function quietPage(options: Parameters<typeof openPage>[0] = {}): Promise<
   return page;
 }
 
-it('shows the pieces of a DXF with the unit that fits, and leaves all as it is when that is cancelled', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  const pieces = await samplePieces();
-  const dialog = await offered(page, dxf(plainDxf(pieces)));
-  await dialog.getByText(/Largest piece 6\d(\.\d)? cm, unit mm: guessed from size\./).waitFor();
-  await dialog.getByRole('img', {name: 'Ruler, 20 cm'}).waitFor();
-  await dialog.getByText('4 of 4 pieces').waitFor();
-  for (const name of ['Front', 'Back', 'Sleeve left', 'Sleeve right'])
-    await expect
-      .poll(() => dialog.getByRole('checkbox', {name, exact: true}).isChecked(), {message: name})
-      .toBe(true);
-  // what is half as large is drawn half as large
-  const widths = await dialog
-    .locator('li svg')
-    .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width));
-  expect((widths[2] ?? 0) / (widths[0] ?? 1)).toBeCloseTo(35 / 56, 1);
-  await page.keyboard.press('Escape');
-  await dialog.waitFor({state: 'detached'});
-  expect(await designOf(page)).toEqual(before);
-});
+it(
+  'shows the pieces of a DXF with the unit that fits, and leaves all as it is when that is cancelled',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    const pieces = await samplePieces();
+    const dialog = await offered(page, dxf(plainDxf(pieces)));
+    await dialog.getByText(/Largest piece 6\d(\.\d)? cm, unit mm: guessed from size\./).waitFor();
+    await dialog.getByRole('img', {name: 'Ruler, 20 cm'}).waitFor();
+    await dialog.getByText('4 of 4 pieces').waitFor();
+    for (const name of ['Front', 'Back', 'Sleeve left', 'Sleeve right'])
+      await expect
+        .poll(() => dialog.getByRole('checkbox', {name, exact: true}).isChecked(), {message: name})
+        .toBe(true);
+    // what is half as large is drawn half as large
+    const widths = await dialog
+      .locator('li svg')
+      .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width));
+    expect((widths[2] ?? 0) / (widths[0] ?? 1)).toBeCloseTo(35 / 56, 1);
+    await page.keyboard.press('Escape');
+    await dialog.waitFor({state: 'detached'});
+    expect(await designOf(page)).toEqual(before);
+  },
+);
 
 it('opens what is chosen of a DXF as a project of its own, ready to be sewn', async () => {
   const page = await quietPage();
@@ -107,50 +111,58 @@ it('takes another unit than it guessed, from who knows better', {tags: ['thoroug
   expect(extent(opened)).toBeCloseTo(2.54 * extent(drawn), 6);
 });
 
-it('says in one sentence why a drawing cannot be opened, and loses nothing', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  const pieces = await samplePieces();
-  const cases: readonly (readonly [HandedFile, RegExp])[] = [
-    [dxf('0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n', 'empty.dxf'), /^empty\.dxf /],
-    [dxf('AutoCAD Binary DXF\r\n\x1a\0', 'binary.dxf'), /^binary\.dxf .*(binary|ASCII|text)/i],
-    [dxf('once upon a time', 'tale.obj'), /^tale\.obj /],
-  ];
-  for (const [file, complaint] of cases) {
-    await hand(page, 'drop', file);
-    const alert = page.getByRole('alert').filter({hasText: file.name});
-    await alert.waitFor();
-    expect((await alert.textContent())?.trim()).toMatch(complaint);
+it(
+  'says in one sentence why a drawing cannot be opened, and loses nothing',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    const pieces = await samplePieces();
+    const cases: readonly (readonly [HandedFile, RegExp])[] = [
+      [dxf('0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n', 'empty.dxf'), /^empty\.dxf /],
+      [dxf('AutoCAD Binary DXF\r\n\x1a\0', 'binary.dxf'), /^binary\.dxf .*(binary|ASCII|text)/i],
+      [dxf('once upon a time', 'tale.obj'), /^tale\.obj /],
+    ];
+    for (const [file, complaint] of cases) {
+      await hand(page, 'drop', file);
+      const alert = page.getByRole('alert').filter({hasText: file.name});
+      await alert.waitFor();
+      expect((await alert.textContent())?.trim()).toMatch(complaint);
+      expect(await designOf(page)).toEqual(before);
+    }
+    // what is wrong with a garment is said where it can be mended: nothing that was chosen is lost
+    const [front, ...others] = pieces;
+    const [a, b, ...rest] = front?.outline ?? [];
+    const crossed = {name: 'front', outline: [b, a, ...rest].filter((p) => p !== undefined)};
+    const dialog = await offered(page, dxf(plainDxf([crossed, ...others])));
+    await dialog.getByRole('checkbox', {name: 'Sleeve left'}).uncheck();
+    await dialog.getByRole('button', {name: 'Open', exact: true}).click();
+    await dialog.getByRole('alert').filter({hasText: 'front'}).waitFor();
+    await expect
+      .poll(() => dialog.getByRole('checkbox', {name: 'Sleeve left'}).isChecked())
+      .toBe(false);
     expect(await designOf(page)).toEqual(before);
-  }
-  // what is wrong with a garment is said where it can be mended: nothing that was chosen is lost
-  const [front, ...others] = pieces;
-  const [a, b, ...rest] = front?.outline ?? [];
-  const crossed = {name: 'front', outline: [b, a, ...rest].filter((p) => p !== undefined)};
-  const dialog = await offered(page, dxf(plainDxf([crossed, ...others])));
-  await dialog.getByRole('checkbox', {name: 'Sleeve left'}).uncheck();
-  await dialog.getByRole('button', {name: 'Open', exact: true}).click();
-  await dialog.getByRole('alert').filter({hasText: 'front'}).waitFor();
-  await expect
-    .poll(() => dialog.getByRole('checkbox', {name: 'Sleeve left'}).isChecked())
-    .toBe(false);
-  expect(await designOf(page)).toEqual(before);
-});
+  },
+);
 
 const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="400mm" height="400mm" viewBox="0 0 400 400">
 <path d="M10 10H190V390H10Z" fill="none" stroke="#000"/><path d="M210 10H390V390H210Z" fill="none" stroke="#000"/></svg>`;
 
-it('says that a file is damaged or empty, and takes it for no picture', async () => {
-  const page = await quietPage();
-  const alert = page.getByRole('alert');
-  const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="60cm" height="50cm"><path d="M0 0';
-  await choose(page, 'Open garment', {name: 'cut.svg', mimeType: 'image/svg+xml', content: svg});
-  await alert.filter({hasText: /cut\.svg is damaged near line 1/}).waitFor();
-  await choose(page, 'Open garment', {name: 'no.dxf', mimeType: 'image/vnd.dxf', content: ''});
-  await alert.filter({hasText: 'no.dxf is empty; export it again.'}).waitFor();
-  await choose(page, 'Open garment', {name: 'a.pdf', mimeType: '', content: '%PDF-1.7\n'});
-  await alert.filter({hasText: 'choose DXF, SVG, OBJ or a GarmentCode file'}).waitFor();
-});
+it(
+  'says that a file is damaged or empty, and takes it for no picture',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const alert = page.getByRole('alert');
+    const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="60cm" height="50cm"><path d="M0 0';
+    await choose(page, 'Open garment', {name: 'cut.svg', mimeType: 'image/svg+xml', content: svg});
+    await alert.filter({hasText: /cut\.svg is damaged near line 1/}).waitFor();
+    await choose(page, 'Open garment', {name: 'no.dxf', mimeType: 'image/vnd.dxf', content: ''});
+    await alert.filter({hasText: 'no.dxf is empty; export it again.'}).waitFor();
+    await choose(page, 'Open garment', {name: 'a.pdf', mimeType: '', content: '%PDF-1.7\n'});
+    await alert.filter({hasText: 'choose DXF, SVG, OBJ or a GarmentCode file'}).waitFor();
+  },
+);
 
 it('reads on until Escape', {tags: ['thorough']}, async () => {
   const page = await quietPage();
@@ -210,7 +222,7 @@ it(
 );
 
 describe.each(sampleOf(1, ['dark', 'light'] as const))('in %s colours', (colorScheme) => {
-  it('keeps nobody out, on a small screen either', async () => {
+  it('keeps nobody out, on a small screen either', {tags: ['thorough']}, async () => {
     for (const viewport of [
       {width: 1440, height: 900},
       {width: 390, height: 844},

@@ -44,23 +44,27 @@ async function openDraft(): Promise<Page> {
   return page;
 }
 
-it('shows a symmetric garment as drafted and then as it meets, on the first visit and never again', async () => {
-  const page = await openDraft();
-  const design = await designOf(page);
-  const {garment} = design;
-  expect(garment.sample?.style).toBe('princess-dress');
-  expect(askedSymmetries(design).map(({kind}) => kind)).toEqual(
-    expect.arrayContaining(['piece', 'pair']),
-  );
-  await solved(page);
-  // they hold already
-  await expect.poll(() => button(page, 'Accept all symmetries').count()).toBe(0);
-  await expect.poll(() => showsDraft(page), {timeout: 30_000}).toBe(false);
-  for (const again of [page, await openPage({beside: page, isFirst: true})]) {
-    if (again === page) await page.reload();
-    expect(await framesWithDraft(again)).toBe(0);
-  }
-});
+it(
+  'shows a symmetric garment as drafted and then as it meets, on the first visit and never again',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openDraft();
+    const design = await designOf(page);
+    const {garment} = design;
+    expect(garment.sample?.style).toBe('princess-dress');
+    expect(askedSymmetries(design).map(({kind}) => kind)).toEqual(
+      expect.arrayContaining(['piece', 'pair']),
+    );
+    await solved(page);
+    // they hold already
+    await expect.poll(() => button(page, 'Accept all symmetries').count()).toBe(0);
+    await expect.poll(() => showsDraft(page), {timeout: 30_000}).toBe(false);
+    for (const again of [page, await openPage({beside: page, isFirst: true})]) {
+      if (again === page) await page.reload();
+      expect(await framesWithDraft(again)).toBe(0);
+    }
+  },
+);
 
 it(
   'is in the way of nobody: the first key or press shows the answer',
@@ -76,7 +80,7 @@ it(
   },
 );
 
-it('shows no draft to who wants no motion', async () => {
+it('shows no draft to who wants no motion', {tags: ['thorough']}, async () => {
   const page = await openPage({isFirst: true, reducedMotion: 'reduce'});
   expect(await framesWithDraft(page)).toBe(0);
   expect((await designOf(page)).garment.sample?.style).toBe('princess-dress');

@@ -65,7 +65,7 @@ it('keeps all steps over a reload', async () => {
   await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
 });
 
-it('keeps what is changed at the very moment of a reload', async () => {
+it('keeps what is changed at the very moment of a reload', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await page.locator('seamwise-page').evaluate((element) => {
     const {workbench} = element as SeamwisePage;
@@ -101,30 +101,34 @@ it('carries a design of samples in a link', {tags: ['thorough']}, async () => {
   expect(await designOf(other)).toEqual(design);
 });
 
-it('takes up a link in a tab that shows something else, and keeps what is made of it', async () => {
-  const page = await quietPage({permissions: ['clipboard-read', 'clipboard-write']});
-  await chooseGroup(page, 'cmm');
-  await page.evaluate(() => {
-    const hash = `#design=${btoa(
-      JSON.stringify({
-        garment: {style: 'apron', size: 's'},
-        print: {
-          ...{group: 'pgg', size: {width: 8, height: 12, angleDeg: 90}, turnDeg: 0},
-          ...{oneWay: false, cell: 'primitive', sample: {name: 'pgg', colourway: 'none'}},
-        },
-        ...{symmetries: [], method: 'best', options: {maxChangeCm: 0.5}},
-      }),
-    )}`;
-    location.hash = hash;
-  });
-  await expect
-    .poll(async () => (await designOf(page)).garment.name, {timeout: 20_000})
-    .toBe('apron-s.json');
-  await chooseGroup(page, 'p6m');
-  await reloaded(page);
-  const {garment, print} = await designOf(page);
-  expect([garment.name, print.group]).toEqual(['apron-s.json', 'p6m']);
-});
+it(
+  'takes up a link in a tab that shows something else, and keeps what is made of it',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage({permissions: ['clipboard-read', 'clipboard-write']});
+    await chooseGroup(page, 'cmm');
+    await page.evaluate(() => {
+      const hash = `#design=${btoa(
+        JSON.stringify({
+          garment: {style: 'apron', size: 's'},
+          print: {
+            ...{group: 'pgg', size: {width: 8, height: 12, angleDeg: 90}, turnDeg: 0},
+            ...{oneWay: false, cell: 'primitive', sample: {name: 'pgg', colourway: 'none'}},
+          },
+          ...{symmetries: [], method: 'best', options: {maxChangeCm: 0.5}},
+        }),
+      )}`;
+      location.hash = hash;
+    });
+    await expect
+      .poll(async () => (await designOf(page)).garment.name, {timeout: 20_000})
+      .toBe('apron-s.json');
+    await chooseGroup(page, 'p6m');
+    await reloaded(page);
+    const {garment, print} = await designOf(page);
+    expect([garment.name, print.group]).toEqual(['apron-s.json', 'p6m']);
+  },
+);
 
 it('keeps work on a file that the address names', {tags: ['thorough']}, async () => {
   const page = await quietPage({query: '?garment=garments/tee-s.json'});

@@ -45,7 +45,7 @@ it('shows the seam that the pointer is over, until it leaves', {tags: ['thorough
   expect(await name(page)).toBe('Centre back');
 });
 
-it('keeps a pinned seam until Escape', async () => {
+it('keeps a pinned seam until Escape', {tags: ['thorough']}, async () => {
   const page = await opened();
   await seam(page, 'Centre back').click();
   await lens(page).getByRole('button', {name: 'Pin'}).click();
@@ -67,7 +67,7 @@ it('goes to the next worst seam and back', {tags: ['thorough']}, async () => {
   await ranked(1);
 });
 
-it('wipes between before and after', async () => {
+it('wipes between before and after', {tags: ['thorough']}, async () => {
   const page = await opened();
   await page
     .getByRole('status', {name: 'Progress'})

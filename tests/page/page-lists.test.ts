@@ -49,17 +49,21 @@ it('lists all pieces and all seams, the worst seam first', async () => {
   expect(mismatches).toEqual(falling(mismatches));
 });
 
-it('sorts by a column, and the other way round when asked again', async () => {
-  const page = await opened();
-  const seams = table(page, 'Seams');
-  const header = seams.getByRole('columnheader', {name: 'Length'});
-  await header.getByRole('button').click();
-  const lengths = await column(page, 'Seams', 1);
-  expect(lengths).toEqual(falling(lengths));
-  await header.getByRole('button').click();
-  await expect.poll(() => header.getAttribute('aria-sort')).toBe('ascending');
-  expect(await column(page, 'Seams', 1)).toEqual(falling(lengths).reverse());
-});
+it(
+  'sorts by a column, and the other way round when asked again',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    const seams = table(page, 'Seams');
+    const header = seams.getByRole('columnheader', {name: 'Length'});
+    await header.getByRole('button').click();
+    const lengths = await column(page, 'Seams', 1);
+    expect(lengths).toEqual(falling(lengths));
+    await header.getByRole('button').click();
+    await expect.poll(() => header.getAttribute('aria-sort')).toBe('ascending');
+    expect(await column(page, 'Seams', 1)).toEqual(falling(lengths).reverse());
+  },
+);
 
 it('selects in the picture what is clicked in a table', {tags: ['thorough']}, async () => {
   const page = await opened();
@@ -81,7 +85,7 @@ it(
   },
 );
 
-it('walks the rows by keys', async () => {
+it('walks the rows by keys', {tags: ['thorough']}, async () => {
   const page = await opened();
   await rows(page, 'Pieces').first().press('End');
   await page.keyboard.press('Enter');
@@ -105,7 +109,7 @@ it('shows the row of what is selected in the picture', {tags: ['thorough']}, asy
   expect(box && box.y + box.height).toBeLessThanOrEqual(900);
 });
 
-it('lets a seam match less, or not at all, as one step each', async () => {
+it('lets a seam match less, or not at all, as one step each', {tags: ['thorough']}, async () => {
   const page = await opened();
   const match = page.getByRole('combobox', {name: 'Match: Side seam, left'});
   await match.selectOption({label: 'Half'});
@@ -140,7 +144,7 @@ it('frees a piece that was pinned', {tags: ['thorough']}, async () => {
   expect((await options(page))?.pins).toEqual({});
 });
 
-it('says that a garment without seams has nothing to match', async () => {
+it('says that a garment without seams has nothing to match', {tags: ['thorough']}, async () => {
   const page = await opened();
   await page.evaluate(async () => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');

@@ -56,22 +56,26 @@ async function movedAlong(page: Page, name: string, edge: number): Promise<numbe
   return Math.max(...moved);
 }
 
-it('keeps a hem that is clicked, lets it go with the next click, and undoes both', async () => {
-  const page = await openPage();
-  await showSample(page, 'tee');
-  await button(page, 'Keep as drafted').click();
-  await clickEdge(page, 'front', 0);
-  await expect.poll(() => lockedOf(page)).toEqual({front: [0]});
-  await page.keyboard.press('k');
-  await page.locator('sw-legend').getByText('Kept as drafted', {exact: true}).waitFor();
-  await page.keyboard.press('k');
-  await clickEdge(page, 'front', 0);
-  await expect.poll(() => lockedOf(page)).toBeUndefined();
-  await button(page, 'Undo').click();
-  await expect.poll(() => lockedOf(page)).toEqual({front: [0]});
-  await button(page, 'Undo').click();
-  await expect.poll(() => lockedOf(page)).toBeUndefined();
-});
+it(
+  'keeps a hem that is clicked, lets it go with the next click, and undoes both',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await showSample(page, 'tee');
+    await button(page, 'Keep as drafted').click();
+    await clickEdge(page, 'front', 0);
+    await expect.poll(() => lockedOf(page)).toEqual({front: [0]});
+    await page.keyboard.press('k');
+    await page.locator('sw-legend').getByText('Kept as drafted', {exact: true}).waitFor();
+    await page.keyboard.press('k');
+    await clickEdge(page, 'front', 0);
+    await expect.poll(() => lockedOf(page)).toBeUndefined();
+    await button(page, 'Undo').click();
+    await expect.poll(() => lockedOf(page)).toEqual({front: [0]});
+    await button(page, 'Undo').click();
+    await expect.poll(() => lockedOf(page)).toBeUndefined();
+  },
+);
 
 it(
   'keeps a sewn edge and its mirror image, and says so in both tables',

@@ -29,18 +29,22 @@ async function keptPage(): Promise<Page> {
 
 const notice = (page: Page, text: string) => page.getByText(text);
 
-it('works without a network after the first visit, with all that was done', async () => {
-  const page = await keptPage();
-  await chooseGroup(page, 'pgg');
-  const before = await designOf(page);
-  await page.context().setOffline(true);
-  await reloaded(page);
-  expect(await designOf(page)).toEqual(before);
-  await button(page, 'Align').click();
-  await solved(page);
-  await button(page, 'Undo').click();
-  expect(await groupOf(page)).toBe('cm');
-});
+it(
+  'works without a network after the first visit, with all that was done',
+  {tags: ['thorough']},
+  async () => {
+    const page = await keptPage();
+    await chooseGroup(page, 'pgg');
+    const before = await designOf(page);
+    await page.context().setOffline(true);
+    await reloaded(page);
+    expect(await designOf(page)).toEqual(before);
+    await button(page, 'Align').click();
+    await solved(page);
+    await button(page, 'Undo').click();
+    expect(await groupOf(page)).toBe('cm');
+  },
+);
 
 it(
   'says what is not on the device yet, and brings it once the network is back',

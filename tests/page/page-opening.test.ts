@@ -5,15 +5,19 @@ import {button, cancelButton, saved, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
-it('shows a sample garment, and its live answer without being asked', async () => {
-  const page = await openPage();
-  await page.getByRole('application', {name: 'Pattern'}).waitFor();
-  await solved(page);
-  const fit = page.getByLabel('How well it meets', {exact: true});
-  await expect
-    .poll(() => fit.textContent())
-    .toMatch(/Worst [\d.]+ mm: .+\.\s+Before, [\d.]+ mm on average\./);
-});
+it(
+  'shows a sample garment, and its live answer without being asked',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await page.getByRole('application', {name: 'Pattern'}).waitFor();
+    await solved(page);
+    const fit = page.getByLabel('How well it meets', {exact: true});
+    await expect
+      .poll(() => fit.textContent())
+      .toMatch(/Worst [\d.]+ mm: .+\.\s+Before, [\d.]+ mm on average\./);
+  },
+);
 
 it('names all that tests and screen readers rely on', async () => {
   const page = await openPage();
@@ -59,15 +63,19 @@ it('cancels in the same task, and aligns again when asked', async () => {
   await solved(page);
 });
 
-it('gives one final answer to three quick changes, that of the last', async () => {
-  const page = await openPage();
-  await solved(page);
-  for (const name of ['pgg', 'cm', 'p6m'])
-    await page.getByRole('radio', {name: new RegExp(`^${name}\\b`)}).click();
-  await solved(page);
-  const result = JSON.parse(await saved(page, 'Save result')) as {print: {group: string}};
-  expect(result.print.group).toBe('p6m');
-});
+it(
+  'gives one final answer to three quick changes, that of the last',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    for (const name of ['pgg', 'cm', 'p6m'])
+      await page.getByRole('radio', {name: new RegExp(`^${name}\\b`)}).click();
+    await solved(page);
+    const result = JSON.parse(await saved(page, 'Save result')) as {print: {group: string}};
+    expect(result.print.group).toBe('p6m');
+  },
+);
 
 it(
   'undoes to the start and redoes to the end, with identical answers',

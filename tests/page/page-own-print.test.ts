@@ -47,34 +47,38 @@ it('is as large as its file says, and again when asked', {tags: ['thorough']}, a
   await page.getByText('The file does not say how large it is printed').waitFor();
 });
 
-it('repeats in half-drop, brick or mirrored, with the measures of the picture', async () => {
-  const page = await quietPage();
-  await give(page, 'leaf.png', leafFile(100));
-  await page.getByText('Your own: leaf').waitFor();
-  const straight = (await designOf(page)).print;
-  await repeat(page, 'Half-drop').click();
-  await page.getByRole('radio', {name: 'Half-drop', exact: true, checked: true}).waitFor();
-  const dropped = (await designOf(page)).print;
-  expect(dropped).toMatchObject({group: 'p1', cell: 'centred', tile: {repeat: 'halfDrop'}});
-  expect(dropped.size.width).toBeCloseTo(2 * straight.size.width, 9);
-  await expect.poll(() => page.getByLabel('Repeat width (cm)').inputValue()).toBe('6.1');
-  // the pixels of the picture, each as it was
-  const pixels = await page.evaluate(async (url) => {
-    const image = new Image();
-    image.src = url;
-    await image.decode();
-    return [image.naturalWidth, image.naturalHeight];
-  }, dropped.image);
-  expect(pixels).toEqual([480, 200]);
-  await page.keyboard.press('ArrowRight');
-  await page.getByRole('radio', {name: 'Brick', exact: true, checked: true}).waitFor();
-  await repeat(page, 'Mirrored').click();
-  await page.getByText('Found in the picture: Mirrors both ways.').waitFor();
-  expect((await designOf(page)).print).toMatchObject({group: 'pmm', tile: {repeat: 'mirrored'}});
-  await repeat(page, 'Straight').click();
-  await page.getByText('Found in the picture: Repeats, without').waitFor();
-  expect((await designOf(page)).print).toEqual(straight);
-});
+it(
+  'repeats in half-drop, brick or mirrored, with the measures of the picture',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await give(page, 'leaf.png', leafFile(100));
+    await page.getByText('Your own: leaf').waitFor();
+    const straight = (await designOf(page)).print;
+    await repeat(page, 'Half-drop').click();
+    await page.getByRole('radio', {name: 'Half-drop', exact: true, checked: true}).waitFor();
+    const dropped = (await designOf(page)).print;
+    expect(dropped).toMatchObject({group: 'p1', cell: 'centred', tile: {repeat: 'halfDrop'}});
+    expect(dropped.size.width).toBeCloseTo(2 * straight.size.width, 9);
+    await expect.poll(() => page.getByLabel('Repeat width (cm)').inputValue()).toBe('6.1');
+    // the pixels of the picture, each as it was
+    const pixels = await page.evaluate(async (url) => {
+      const image = new Image();
+      image.src = url;
+      await image.decode();
+      return [image.naturalWidth, image.naturalHeight];
+    }, dropped.image);
+    expect(pixels).toEqual([480, 200]);
+    await page.keyboard.press('ArrowRight');
+    await page.getByRole('radio', {name: 'Brick', exact: true, checked: true}).waitFor();
+    await repeat(page, 'Mirrored').click();
+    await page.getByText('Found in the picture: Mirrors both ways.').waitFor();
+    expect((await designOf(page)).print).toMatchObject({group: 'pmm', tile: {repeat: 'mirrored'}});
+    await repeat(page, 'Straight').click();
+    await page.getByText('Found in the picture: Repeats, without').waitFor();
+    expect((await designOf(page)).print).toEqual(straight);
+  },
+);
 
 it('is not taken while its edges do not meet, and can be mirrored with one click', async () => {
   const page = await quietPage();
@@ -129,21 +133,25 @@ it.each(
     ['cmm', 5 / 7],
     ['pgg', 9 / 11],
   ]),
-)('is cut to one cell of %s where it shows two that begin anywhere', async (name, ratio) => {
-  const page = await quietPage();
-  await give(page, 'two.png', await twoCells(name, [0.375, 0.25]));
-  await page.getByText('Your own: two').waitFor();
-  await page.getByText('Found in the picture:').waitFor();
-  const {group, size, image} = (await designOf(page)).print;
-  expect({group, width: size.width}).toEqual({group: name, width: 5});
-  const pixels = await page.evaluate(async (url) => {
-    const shown = new Image();
-    shown.src = url;
-    await shown.decode();
-    return shown.naturalWidth / shown.naturalHeight;
-  }, image);
-  expect(pixels).toBeCloseTo(ratio, 1);
-});
+)(
+  'is cut to one cell of %s where it shows two that begin anywhere',
+  {tags: ['thorough']},
+  async (name, ratio) => {
+    const page = await quietPage();
+    await give(page, 'two.png', await twoCells(name, [0.375, 0.25]));
+    await page.getByText('Your own: two').waitFor();
+    await page.getByText('Found in the picture:').waitFor();
+    const {group, size, image} = (await designOf(page)).print;
+    expect({group, width: size.width}).toEqual({group: name, width: 5});
+    const pixels = await page.evaluate(async (url) => {
+      const shown = new Image();
+      shown.src = url;
+      await shown.decode();
+      return shown.naturalWidth / shown.naturalHeight;
+    }, image);
+    expect(pixels).toBeCloseTo(ratio, 1);
+  },
+);
 
 it('is measured by two points, by mouse or by keys', {tags: ['thorough']}, async () => {
   const page = await quietPage();

@@ -68,7 +68,7 @@ const makeUncertain = (dialog: Locator): Promise<void> =>
     host.session.resume({past: [], present, future: []});
   });
 
-it('is of another lattice when somebody says so', async () => {
+it('is of another lattice when somebody says so', {tags: ['thorough']}, async () => {
   const {pixels} = await floralCase({name: 'pm', level: 'scan', seed: 3, size: [800, 640]}, 'pm');
   const page = await openPage();
   const dialog = await openSheet(page);

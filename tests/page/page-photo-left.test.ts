@@ -62,35 +62,39 @@ it('is there again as it was left, until its print is taken', {tags: ['thorough'
   await expect.poll(() => dialog.getByRole('button', {name: 'Undo'}).isDisabled()).toBe(true);
 });
 
-it('says once which lengths disagree, and lets either be removed', async () => {
-  const page = await openPage();
-  const dialog = await openSheet(page);
-  await give(page, photograph);
-  await found(dialog);
-  await measure(dialog, 80);
-  const said = await dialog.getByText(/w1 is 8 cm and w2 /).innerText();
-  const height = Number(/w2 ([\d.]+) cm long/.exec(said)?.[1]);
-  const second = lengths(dialog).nth(1);
-  await second.fill(String(20 * height));
-  await second.press('Enter');
-  const alert = dialog.getByRole('alert');
-  await alert.waitFor();
-  await expect
-    .poll(() => alert.innerText())
-    .toMatch(
-      /^Your measures disagree by (99|10[01]) %: with 8 cm along w1, the photo shows .* not .* Both count until you remove one\.$/,
-    );
-  // the arrow that is measured along is marked as long as the field has the focus
-  const marked = page.locator('sw-photo-stage .arrow.measured');
-  await expect.poll(() => marked.getAttribute('class')).toBe('arrow w2 measured');
-  await lengths(dialog).first().focus();
-  await expect.poll(() => marked.getAttribute('class')).toBe('arrow w1 measured');
-  await dialog.getByLabel('Name').focus();
-  await expect.poll(() => marked.count()).toBe(0);
-  await dialog.getByRole('button', {name: /^Remove this measure: Repeats along w2/}).click();
-  await expect.poll(() => alert.count()).toBe(0);
-  await expect.poll(() => second.inputValue()).toBe('');
-  await dialog.getByText(said).waitFor();
-  await dialog.getByRole('button', {name: /^Remove this measure: Repeats along w1/}).click();
-  await dialog.getByText(/^Size unknown/).waitFor();
-});
+it(
+  'says once which lengths disagree, and lets either be removed',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    const dialog = await openSheet(page);
+    await give(page, photograph);
+    await found(dialog);
+    await measure(dialog, 80);
+    const said = await dialog.getByText(/w1 is 8 cm and w2 /).innerText();
+    const height = Number(/w2 ([\d.]+) cm long/.exec(said)?.[1]);
+    const second = lengths(dialog).nth(1);
+    await second.fill(String(20 * height));
+    await second.press('Enter');
+    const alert = dialog.getByRole('alert');
+    await alert.waitFor();
+    await expect
+      .poll(() => alert.innerText())
+      .toMatch(
+        /^Your measures disagree by (99|10[01]) %: with 8 cm along w1, the photo shows .* not .* Both count until you remove one\.$/,
+      );
+    // the arrow that is measured along is marked as long as the field has the focus
+    const marked = page.locator('sw-photo-stage .arrow.measured');
+    await expect.poll(() => marked.getAttribute('class')).toBe('arrow w2 measured');
+    await lengths(dialog).first().focus();
+    await expect.poll(() => marked.getAttribute('class')).toBe('arrow w1 measured');
+    await dialog.getByLabel('Name').focus();
+    await expect.poll(() => marked.count()).toBe(0);
+    await dialog.getByRole('button', {name: /^Remove this measure: Repeats along w2/}).click();
+    await expect.poll(() => alert.count()).toBe(0);
+    await expect.poll(() => second.inputValue()).toBe('');
+    await dialog.getByText(said).waitFor();
+    await dialog.getByRole('button', {name: /^Remove this measure: Repeats along w1/}).click();
+    await dialog.getByText(/^Size unknown/).waitFor();
+  },
+);

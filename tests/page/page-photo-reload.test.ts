@@ -115,21 +115,25 @@ it(
   },
 );
 
-it('is taken as a print where the browser keeps nothing, and nothing is said', async () => {
-  const page = await openPage();
-  await page.evaluate(() => {
-    const refuse = (): never => {
-      throw new DOMException('There is no room.', 'QuotaExceededError');
-    };
-    IDBObjectStore.prototype.put = refuse;
-  });
-  const dialog = await openSheet(page);
-  await give(page, photographs[0]);
-  expect(await found(dialog)).toBe('Found: pmm.');
-  await measure(dialog, 80);
-  await dialog.getByText(/One repeat is 8 cm × /).waitFor();
-  await expect.poll(() => dialog.getByRole('alert').count()).toBe(0);
-  expect(await keptOf(page)).toEqual([0, 0]);
-  await use(page).click();
-  await page.getByText('Your own: meadow').waitFor(patient);
-});
+it(
+  'is taken as a print where the browser keeps nothing, and nothing is said',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await page.evaluate(() => {
+      const refuse = (): never => {
+        throw new DOMException('There is no room.', 'QuotaExceededError');
+      };
+      IDBObjectStore.prototype.put = refuse;
+    });
+    const dialog = await openSheet(page);
+    await give(page, photographs[0]);
+    expect(await found(dialog)).toBe('Found: pmm.');
+    await measure(dialog, 80);
+    await dialog.getByText(/One repeat is 8 cm × /).waitFor();
+    await expect.poll(() => dialog.getByRole('alert').count()).toBe(0);
+    expect(await keptOf(page)).toEqual([0, 0]);
+    await use(page).click();
+    await page.getByText('Your own: meadow').waitFor(patient);
+  },
+);

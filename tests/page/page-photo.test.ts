@@ -123,21 +123,25 @@ describe('a photograph', () => {
     expect(await found(dialog)).toBe('Found: pmm.');
   });
 
-  it('without a repeat is refused by one sentence, and the cell can be drawn', async () => {
-    const page = await openPage();
-    const dialog = await openSheet(page);
-    await give(page, decoy, 'noise.jpg');
-    await dialog.getByRole('alert').waitFor(patient);
-    await expect.poll(() => dialog.getByRole('alert').innerText()).toMatch(/^[A-Z].*\.$/);
-    await expect
-      .poll(() => dialog.getByRole('img', {name: 'Photo of the cloth'}).isVisible())
-      .toBe(true);
-    await dialog.getByRole('button', {name: 'Draw the cell by hand'}).click();
-    await dialog.getByRole('button', {name: 'Find the repeat from here'}).waitFor();
-    await dialog.getByRole('button', {name: 'End of w1'}).waitFor();
-    await give(page, photograph.subarray(0, 90), 'half.jpg');
-    await dialog.getByText('half.jpg is a JPEG picture, but damaged').waitFor();
-  });
+  it(
+    'without a repeat is refused by one sentence, and the cell can be drawn',
+    {tags: ['thorough']},
+    async () => {
+      const page = await openPage();
+      const dialog = await openSheet(page);
+      await give(page, decoy, 'noise.jpg');
+      await dialog.getByRole('alert').waitFor(patient);
+      await expect.poll(() => dialog.getByRole('alert').innerText()).toMatch(/^[A-Z].*\.$/);
+      await expect
+        .poll(() => dialog.getByRole('img', {name: 'Photo of the cloth'}).isVisible())
+        .toBe(true);
+      await dialog.getByRole('button', {name: 'Draw the cell by hand'}).click();
+      await dialog.getByRole('button', {name: 'Find the repeat from here'}).waitFor();
+      await dialog.getByRole('button', {name: 'End of w1'}).waitFor();
+      await give(page, photograph.subarray(0, 90), 'half.jpg');
+      await dialog.getByText('half.jpg is a JPEG picture, but damaged').waitFor();
+    },
+  );
 
   it(
     'of unknown size is aligned, but neither cut nor laid until it is measured',

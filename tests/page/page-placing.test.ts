@@ -110,7 +110,7 @@ it(
   },
 );
 
-it('centres a motif on the edge that is chosen', async () => {
+it('centres a motif on the edge that is chosen', {tags: ['thorough']}, async () => {
   const page = await symmetricTee(openPage);
   const {seam, side} = await seamOf(page, 'Underarm, left', 'sleeve_left');
   await clickSeam(page, seam, side);
@@ -133,21 +133,25 @@ it('centres a motif on the edge that is chosen', async () => {
   expect(Math.abs(nearest - (edge.length - 1) / 2)).toBeLessThan(2);
 });
 
-it('takes a stored pin to the nearest place that keeps the symmetry, as part of the same step', async () => {
-  const page = await symmetricTee(openPage);
-  const {alignment} = await lying(page, 'front');
-  const [x, y] = alignment.translation;
-  const wanted = {...alignment, translation: [x + 0.4, y] as const};
-  await change(page, {options: {pins: {front: wanted}}});
-  await solved(page);
-  expect((await pinsOf(page)).front?.translation[0]).toBeCloseTo(x, 6);
-  // the mirror lines of a larger print lie elsewhere
-  await change(page, {print: {size: {width: 13, height: 10, angleDeg: 90}}});
-  await solved(page);
-  await button(page, 'Undo').click();
-  await button(page, 'Undo').click();
-  expect(await pinsOf(page)).toEqual({});
-});
+it(
+  'takes a stored pin to the nearest place that keeps the symmetry, as part of the same step',
+  {tags: ['thorough']},
+  async () => {
+    const page = await symmetricTee(openPage);
+    const {alignment} = await lying(page, 'front');
+    const [x, y] = alignment.translation;
+    const wanted = {...alignment, translation: [x + 0.4, y] as const};
+    await change(page, {options: {pins: {front: wanted}}});
+    await solved(page);
+    expect((await pinsOf(page)).front?.translation[0]).toBeCloseTo(x, 6);
+    // the mirror lines of a larger print lie elsewhere
+    await change(page, {print: {size: {width: 13, height: 10, angleDeg: 90}}});
+    await solved(page);
+    await button(page, 'Undo').click();
+    await button(page, 'Undo').click();
+    expect(await pinsOf(page)).toEqual({});
+  },
+);
 
 it('takes a pin along when a symmetry is asked for later', {tags: ['thorough']}, async () => {
   const page = await symmetricTee(openPage);
@@ -221,7 +225,7 @@ it(
   },
 );
 
-it('offers to leave out what the print cannot keep', async () => {
+it('offers to leave out what the print cannot keep', {tags: ['thorough']}, async () => {
   const page = await symmetricTee(openPage);
   await change(page, {print: {group: 'p2'}});
   await page.getByRole('alert').filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();

@@ -77,7 +77,7 @@ it('names its prints, and shows only those that are looked for', {tags: ['thorou
   await expect.poll(() => radios.count()).toBe(18);
 });
 
-it('says why a group will not do, and which would', async () => {
+it('says why a group will not do, and which would', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await page.locator('seamwise-page').evaluate((element) => {
     (element as SeamwisePage).workbench.change({symmetry: [{kind: 'piece', piece: 'front'}]});
@@ -124,20 +124,24 @@ it(
   },
 );
 
-it('refuses a repeat that is too small or too large in one sentence', async () => {
-  const page = await quietPage();
-  const field = page.getByLabel('Repeat width (cm)');
-  for (const typed of ['0.1', '201']) {
-    await enter(page, 'Repeat width (cm)', typed);
-    await page.getByText('Enter a number from 0.2 cm to 200 cm.').waitFor();
-    await expect.poll(() => field.getAttribute('aria-invalid')).toBe('true');
-    await enter(page, 'Repeat width (cm)', '11');
-    await expect.poll(() => field.getAttribute('aria-invalid')).toBeNull();
-  }
-  expect((await designOf(page)).print.size.width).toBe(11);
-});
+it(
+  'refuses a repeat that is too small or too large in one sentence',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const field = page.getByLabel('Repeat width (cm)');
+    for (const typed of ['0.1', '201']) {
+      await enter(page, 'Repeat width (cm)', typed);
+      await page.getByText('Enter a number from 0.2 cm to 200 cm.').waitFor();
+      await expect.poll(() => field.getAttribute('aria-invalid')).toBe('true');
+      await enter(page, 'Repeat width (cm)', '11');
+      await expect.poll(() => field.getAttribute('aria-invalid')).toBeNull();
+    }
+    expect((await designOf(page)).print.size.width).toBe(11);
+  },
+);
 
-it('keeps the proportions of a repeat until that is taken back', async () => {
+it('keeps the proportions of a repeat until that is taken back', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await group(page, 'pmm').click();
   await page.getByRole('radio', {name: 'pmm, Harlequin', checked: true}).waitFor();
@@ -183,21 +187,25 @@ it(
   },
 );
 
-it('gives a picture the group that it has, and shows where it breaks another', async () => {
-  const page = await quietPage();
-  await open(page, 'Dots.svg', 'image/svg+xml', tile(blot));
-  await page.getByText('Your own: Dots').waitFor();
-  const {print} = await designOf(page);
-  expect(print).toMatchObject({group: 'p1', oneWay: true, size: {width: 10, height: 5}});
-  await group(page, 'pmm').click();
-  await page.getByText('This picture reads differently from left to right').waitFor();
-  const outline = page.getByRole('img', {name: 'Dots, with'}).locator('path').first();
-  await expect.poll(() => outline.getAttribute('d')).not.toBe('');
-  const report = page.locator('sw-tile-report');
-  await report.getByRole('button', {name: 'Repeats, without turns or mirrors.'}).click();
-  await page.getByText('This picture reads differently').waitFor({state: 'detached'});
-  await report.getByText('Repeats, without turns or mirrors.').waitFor();
-});
+it(
+  'gives a picture the group that it has, and shows where it breaks another',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await open(page, 'Dots.svg', 'image/svg+xml', tile(blot));
+    await page.getByText('Your own: Dots').waitFor();
+    const {print} = await designOf(page);
+    expect(print).toMatchObject({group: 'p1', oneWay: true, size: {width: 10, height: 5}});
+    await group(page, 'pmm').click();
+    await page.getByText('This picture reads differently from left to right').waitFor();
+    const outline = page.getByRole('img', {name: 'Dots, with'}).locator('path').first();
+    await expect.poll(() => outline.getAttribute('d')).not.toBe('');
+    const report = page.locator('sw-tile-report');
+    await report.getByRole('button', {name: 'Repeats, without turns or mirrors.'}).click();
+    await page.getByText('This picture reads differently').waitFor({state: 'detached'});
+    await report.getByText('Repeats, without turns or mirrors.').waitFor();
+  },
+);
 
 it('finds both mirrors of a picture', {tags: ['thorough']}, async () => {
   const page = await quietPage();
@@ -218,16 +226,20 @@ it('asks for the picture that a print file names, and takes it', {tags: ['thorou
   });
 });
 
-it('says what is wrong with a file, and leaves the print as it is', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  await open(page, 'notes.txt', 'text/plain', 'hello');
-  await page.getByText('notes.txt is no print: open a picture').waitFor();
-  await open(page, 'broken.png', 'image/png', 'hello');
-  await page.getByText('broken.png cannot be read as a picture.').waitFor();
-  await open(page, 'large.png', 'image/png', ' '.repeat(12 * 2 ** 20 + 1));
-  await page.getByText('large.png is larger than 12 MB; make the picture smaller.').waitFor();
-  await open(page, 'wide.svg', 'image/svg+xml', tile().replace('width="200"', 'width="9000"'));
-  await page.getByText('wide.svg has more than 8192 pixels along a side').waitFor();
-  expect(await designOf(page)).toEqual(before);
-});
+it(
+  'says what is wrong with a file, and leaves the print as it is',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    await open(page, 'notes.txt', 'text/plain', 'hello');
+    await page.getByText('notes.txt is no print: open a picture').waitFor();
+    await open(page, 'broken.png', 'image/png', 'hello');
+    await page.getByText('broken.png cannot be read as a picture.').waitFor();
+    await open(page, 'large.png', 'image/png', ' '.repeat(12 * 2 ** 20 + 1));
+    await page.getByText('large.png is larger than 12 MB; make the picture smaller.').waitFor();
+    await open(page, 'wide.svg', 'image/svg+xml', tile().replace('width="200"', 'width="9000"'));
+    await page.getByText('wide.svg has more than 8192 pixels along a side').waitFor();
+    expect(await designOf(page)).toEqual(before);
+  },
+);

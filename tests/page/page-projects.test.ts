@@ -42,37 +42,45 @@ const cards = (list: Locator): Promise<string[]> =>
 const card = (list: Locator, name: string): Locator =>
   list.getByRole('button', {name: `Open ${name}`, exact: true});
 
-it('keeps what is worked on when something else is opened, and goes back to it', async () => {
-  const page = await quietPage();
-  await chooseGroup(page, 'pgg');
-  const before = await designOf(page);
-  await drop(page, 'scarf.json');
-  expect(await page.title()).toBe('scarf – Seamwise');
-  await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
-  await page.getByText('“Asymmetric dress, M” is kept under Projects.').waitFor();
-  await button(page, 'Back to it').click();
-  await shows(page, 'asymmetric-dress-m.json');
-  expect(await designOf(page)).toEqual(before);
-  expect(await page.title()).toBe('Asymmetric dress, M – Seamwise');
-  await button(page, 'Undo').click();
-  expect(await groupOf(page)).not.toBe('pgg');
-  expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M', 'scarf']);
-});
+it(
+  'keeps what is worked on when something else is opened, and goes back to it',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await chooseGroup(page, 'pgg');
+    const before = await designOf(page);
+    await drop(page, 'scarf.json');
+    expect(await page.title()).toBe('scarf – Seamwise');
+    await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
+    await page.getByText('“Asymmetric dress, M” is kept under Projects.').waitFor();
+    await button(page, 'Back to it').click();
+    await shows(page, 'asymmetric-dress-m.json');
+    expect(await designOf(page)).toEqual(before);
+    expect(await page.title()).toBe('Asymmetric dress, M – Seamwise');
+    await button(page, 'Undo').click();
+    expect(await groupOf(page)).not.toBe('pgg');
+    expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M', 'scarf']);
+  },
+);
 
-it('goes on in a new tab with what was worked on last, unless another tab works on it', async () => {
-  const page = await quietPage();
-  await drop(page, 'scarf.json');
-  await chooseGroup(page, 'pgg');
-  const beside = await quietPage({beside: page});
-  await shows(beside, 'asymmetric-dress-m.json');
-  await page.close();
-  await beside.close({runBeforeUnload: false});
-  const later = await openPage({beside});
-  await shows(later, 'scarf.json');
-  expect(await groupOf(later)).toBe('pgg');
-  await button(later, 'Undo').click();
-  expect(await groupOf(later)).not.toBe('pgg');
-});
+it(
+  'goes on in a new tab with what was worked on last, unless another tab works on it',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await drop(page, 'scarf.json');
+    await chooseGroup(page, 'pgg');
+    const beside = await quietPage({beside: page});
+    await shows(beside, 'asymmetric-dress-m.json');
+    await page.close();
+    await beside.close({runBeforeUnload: false});
+    const later = await openPage({beside});
+    await shows(later, 'scarf.json');
+    expect(await groupOf(later)).toBe('pgg');
+    await button(later, 'Undo').click();
+    expect(await groupOf(later)).not.toBe('pgg');
+  },
+);
 
 it(
   'leaves what cannot be read unopened, and everything as it was',
@@ -89,31 +97,35 @@ it(
   },
 );
 
-it('lists projects with their pictures in every tab, and opens them with their history', async () => {
-  const page = await quietPage();
-  await chooseSample(page, 'apron');
-  const plain = await groupOf(page);
-  await chooseGroup(page, 'pgg');
-  const before = await designOf(page);
-  await button(page, 'Align').click(); // what is not solved yet has a picture, too
-  const list = await listOf(page);
-  await card(list, 'Apron, M').locator('img').waitFor({timeout: 60_000});
-  expect(await barriers(page)).toEqual([]);
-  const other = await quietPage({beside: page});
-  await shows(other, 'asymmetric-dress-m.json');
-  await page.close();
-  const otherList = await listOf(other);
-  const [width, height] = await card(otherList, 'Apron, M')
-    .locator('img')
-    .evaluate((image: HTMLImageElement) => [image.naturalWidth, image.naturalHeight]);
-  expect(width).toBe(448);
-  expect(height).toBeGreaterThan(100);
-  await card(otherList, 'Apron, M').click();
-  await shows(other, 'apron-m.json');
-  expect(await designOf(other)).toEqual(before);
-  await button(other, 'Undo').click();
-  expect(await groupOf(other)).toBe(plain);
-});
+it(
+  'lists projects with their pictures in every tab, and opens them with their history',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await chooseSample(page, 'apron');
+    const plain = await groupOf(page);
+    await chooseGroup(page, 'pgg');
+    const before = await designOf(page);
+    await button(page, 'Align').click(); // what is not solved yet has a picture, too
+    const list = await listOf(page);
+    await card(list, 'Apron, M').locator('img').waitFor({timeout: 60_000});
+    expect(await barriers(page)).toEqual([]);
+    const other = await quietPage({beside: page});
+    await shows(other, 'asymmetric-dress-m.json');
+    await page.close();
+    const otherList = await listOf(other);
+    const [width, height] = await card(otherList, 'Apron, M')
+      .locator('img')
+      .evaluate((image: HTMLImageElement) => [image.naturalWidth, image.naturalHeight]);
+    expect(width).toBe(448);
+    expect(height).toBeGreaterThan(100);
+    await card(otherList, 'Apron, M').click();
+    await shows(other, 'apron-m.json');
+    expect(await designOf(other)).toEqual(before);
+    await button(other, 'Undo').click();
+    expect(await groupOf(other)).toBe(plain);
+  },
+);
 
 it('does not list samples that were only looked at', {tags: ['thorough']}, async () => {
   const page = await quietPage();

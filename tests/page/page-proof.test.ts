@@ -5,7 +5,7 @@ import {showSample, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
-it('proves how good a placing is once it is shown', async () => {
+it('proves how good a placing is once it is shown', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   await showSample(page, 'shift-dress');

@@ -9,7 +9,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
-it('leads keyboards to the pattern with the first press of Tab', async () => {
+it('leads keyboards to the pattern with the first press of Tab', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   const skip = button(page, 'To the pattern');
@@ -23,36 +23,41 @@ it('leads keyboards to the pattern with the first press of Tab', async () => {
   expect(await pattern.evaluate((element) => element.matches(':focus'))).toBe(true);
 });
 
-it('shows that a file held over the page would be taken, until it is let go or gone', async () => {
-  const page = await openPage();
-  await solved(page);
-  const hint = page.getByText('Let go to open the file');
-  const drag = (type: string, kind: 'file' | 'text'): Promise<void> =>
-    page.evaluate(
-      ([type, kind]) => {
-        const dataTransfer = new DataTransfer();
-        if (kind === 'file') dataTransfer.items.add(new File(['{}'], 'empty.json'));
-        else dataTransfer.setData('text/plain', 'words');
-        const options = {bubbles: true, cancelable: true, dataTransfer};
-        document.body.dispatchEvent(new DragEvent(type, options));
-      },
-      [type, kind] as const,
-    );
-  await drag('dragover', 'text');
-  await expect.poll(() => hint.isVisible()).toBe(false);
-  await drag('dragover', 'file');
-  await hint.waitFor();
-  await drag('dragleave', 'file');
-  await hint.waitFor({state: 'hidden'});
-  await drag('dragover', 'file');
-  await hint.waitFor();
-  await drag('drop', 'file');
-  await hint.waitFor({state: 'hidden'});
-  await page.getByText('empty.json').first().waitFor(); // and is taken
-});
+it(
+  'shows that a file held over the page would be taken, until it is let go or gone',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    const hint = page.getByText('Let go to open the file');
+    const drag = (type: string, kind: 'file' | 'text'): Promise<void> =>
+      page.evaluate(
+        ([type, kind]) => {
+          const dataTransfer = new DataTransfer();
+          if (kind === 'file') dataTransfer.items.add(new File(['{}'], 'empty.json'));
+          else dataTransfer.setData('text/plain', 'words');
+          const options = {bubbles: true, cancelable: true, dataTransfer};
+          document.body.dispatchEvent(new DragEvent(type, options));
+        },
+        [type, kind] as const,
+      );
+    await drag('dragover', 'text');
+    await expect.poll(() => hint.isVisible()).toBe(false);
+    await drag('dragover', 'file');
+    await hint.waitFor();
+    await drag('dragleave', 'file');
+    await hint.waitFor({state: 'hidden'});
+    await drag('dragover', 'file');
+    await hint.waitFor();
+    await drag('drop', 'file');
+    await hint.waitFor({state: 'hidden'});
+    await page.getByText('empty.json').first().waitFor(); // and is taken
+  },
+);
 
 it.each(sampleOf(1, ['light', 'dark'] as const))(
   'prints the pattern alone, on white (%s)',
+  {tags: ['thorough']},
   async (theme) => {
     const page = await openPage({colorScheme: theme});
     await showSample(page, 'tee');

@@ -302,7 +302,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   expect(await places(page)).toEqual(before);
 });
 
-it('tells who has a finger what to tap', async () => {
+it('tells who has a finger what to tap', {tags: ['thorough']}, async () => {
   const page = await openPage({
     viewport: {width: 390, height: 844},
     hasTouch: true,

@@ -24,62 +24,70 @@ const box = async (
 const heightOfHead = async (page: Page): Promise<number> =>
   (await box(page.locator('sw-editor header').first())).height;
 
-it('keeps the garment in sight on a phone, whatever is chosen below it', async () => {
-  const page = await openPage(phone);
-  await solved(page);
-  const stage = page.locator('sw-pattern .stage');
-  const sheets = page.getByRole('navigation', {name: 'Panels'});
-  for (const [name, what] of [
-    ['Cutting', page.getByLabel('Greatest change (mm)')],
-    ['How well it meets', page.getByRole('group', {name: 'Seam lens'})],
-    ['Pieces', page.getByRole('table', {name: 'Seams', exact: true})],
-    ['Print', button(page, 'Open print')],
-  ] as const) {
-    await sheets.getByRole('button', {name}).tap();
-    await what.scrollIntoViewIfNeeded();
-    await expect.poll(() => what.isVisible(), {message: name}).toBe(true);
-    const [{y, height}, below] = [
-      await box(stage),
-      await box(page.locator('sw-editor .workbench > .side')),
-    ];
-    expect(y, name).toBeGreaterThanOrEqual(0);
-    expect(height, name).toBeGreaterThan(200);
-    expect(below.y, name).toBeGreaterThanOrEqual(y + height);
-    expect(await page.evaluate(() => document.documentElement.scrollHeight), name).toBe(844);
-  }
-  await sheets.getByRole('button', {name: 'Print'}).tap();
-  expect((await box(stage)).height).toBeGreaterThan(500); // nothing is open
-});
+it(
+  'keeps the garment in sight on a phone, whatever is chosen below it',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage(phone);
+    await solved(page);
+    const stage = page.locator('sw-pattern .stage');
+    const sheets = page.getByRole('navigation', {name: 'Panels'});
+    for (const [name, what] of [
+      ['Cutting', page.getByLabel('Greatest change (mm)')],
+      ['How well it meets', page.getByRole('group', {name: 'Seam lens'})],
+      ['Pieces', page.getByRole('table', {name: 'Seams', exact: true})],
+      ['Print', button(page, 'Open print')],
+    ] as const) {
+      await sheets.getByRole('button', {name}).tap();
+      await what.scrollIntoViewIfNeeded();
+      await expect.poll(() => what.isVisible(), {message: name}).toBe(true);
+      const [{y, height}, below] = [
+        await box(stage),
+        await box(page.locator('sw-editor .workbench > .side')),
+      ];
+      expect(y, name).toBeGreaterThanOrEqual(0);
+      expect(height, name).toBeGreaterThan(200);
+      expect(below.y, name).toBeGreaterThanOrEqual(y + height);
+      expect(await page.evaluate(() => document.documentElement.scrollHeight), name).toBe(844);
+    }
+    await sheets.getByRole('button', {name: 'Print'}).tap();
+    expect((await box(stage)).height).toBeGreaterThan(500); // nothing is open
+  },
+);
 
-it('gives a finger something to meet, and fields that no phone zooms into', async () => {
-  const page = await openPage(phone);
-  await solved(page);
-  await page.locator('.remedy').first().waitFor({state: 'attached'}); // the last of what is drawn
-  const small = async (): Promise<readonly string[]> =>
-    page.evaluate(() => {
-      const found: string[] = [];
-      const visit = (root: Document | ShadowRoot): void => {
-        for (const element of root.querySelectorAll('*')) {
-          if (element.shadowRoot) visit(element.shadowRoot);
-          if (!element.matches('button, select, input:is([type=number], [type=text])')) continue;
-          const {width, height} = element.getBoundingClientRect();
-          if (width === 0 || getComputedStyle(element).visibility === 'hidden') continue;
-          const text = Number.parseFloat(getComputedStyle(element).fontSize);
-          const isField = !element.matches('button');
-          if (Math.min(width, height) < 43.5 || (isField && text < 16))
-            found.push(
-              `${element.getAttribute('aria-label') ?? element.textContent.trim()} ${width} ${height} ${text}`,
-            );
-        }
-      };
-      visit(document);
-      return found;
-    });
-  for (const name of ['Cutting', 'How well it meets', 'Print']) {
-    await page.getByRole('navigation', {name: 'Panels'}).getByRole('button', {name}).tap();
-    expect(await small(), name).toEqual([]);
-  }
-});
+it(
+  'gives a finger something to meet, and fields that no phone zooms into',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage(phone);
+    await solved(page);
+    await page.locator('.remedy').first().waitFor({state: 'attached'}); // the last of what is drawn
+    const small = async (): Promise<readonly string[]> =>
+      page.evaluate(() => {
+        const found: string[] = [];
+        const visit = (root: Document | ShadowRoot): void => {
+          for (const element of root.querySelectorAll('*')) {
+            if (element.shadowRoot) visit(element.shadowRoot);
+            if (!element.matches('button, select, input:is([type=number], [type=text])')) continue;
+            const {width, height} = element.getBoundingClientRect();
+            if (width === 0 || getComputedStyle(element).visibility === 'hidden') continue;
+            const text = Number.parseFloat(getComputedStyle(element).fontSize);
+            const isField = !element.matches('button');
+            if (Math.min(width, height) < 43.5 || (isField && text < 16))
+              found.push(
+                `${element.getAttribute('aria-label') ?? element.textContent.trim()} ${width} ${height} ${text}`,
+              );
+          }
+        };
+        visit(document);
+        return found;
+      });
+    for (const name of ['Cutting', 'How well it meets', 'Print']) {
+      await page.getByRole('navigation', {name: 'Panels'}).getByRole('button', {name}).tap();
+      expect(await small(), name).toEqual([]);
+    }
+  },
+);
 
 it(
   'speaks of taps to who has a finger, and of clicks to who has a mouse',
@@ -195,7 +203,7 @@ it('leaves no gap below the figures once there is less to say', {tags: ['thoroug
     .toBeLessThan(24);
 });
 
-it('shows nothing but the cloth when asked, and all again', async () => {
+it('shows nothing but the cloth when asked, and all again', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   const name = page.locator('sw-pattern .stage span').filter({hasText: /^Front lower$/});

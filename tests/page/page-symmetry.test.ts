@@ -95,32 +95,40 @@ describe.each(sampleOf(1, garments))('$style', ({style, lines, pairs}) => {
   });
 });
 
-it('refuses at the place what does not mirror, and says by how much', async () => {
-  const page = await openPage();
-  await showSample(page, 'raglan');
-  await button(page, 'Symmetric pair').click();
-  await clickPiece(page, 'front_left');
-  await clickPiece(page, 'sleeve_front_left');
-  await hint(page, /These do not mirror: they are up to [\d.]+ mm apart/);
-  await page.keyboard.press('Escape');
-  await hint(page, /Now click the piece/);
-});
+it(
+  'refuses at the place what does not mirror, and says by how much',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await showSample(page, 'raglan');
+    await button(page, 'Symmetric pair').click();
+    await clickPiece(page, 'front_left');
+    await clickPiece(page, 'sleeve_front_left');
+    await hint(page, /These do not mirror: they are up to [\d.]+ mm apart/);
+    await page.keyboard.press('Escape');
+    await hint(page, /Now click the piece/);
+  },
+);
 
-it('goes one step back with every Escape, and leaves the tool at last', async () => {
-  const page = await openPage();
-  await showSample(page, 'raglan');
-  await button(page, 'Symmetric pair').click();
-  await clickPiece(page, 'front_left');
-  await hint(page, /Now click the piece/);
-  await page.keyboard.press('Escape');
-  await hint(page, /^Click the first/);
-  await page.keyboard.press('Escape');
-  await expect
-    .poll(() => button(page, 'Symmetric pair').getAttribute('aria-pressed'))
-    .toBe('false');
-});
+it(
+  'goes one step back with every Escape, and leaves the tool at last',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await showSample(page, 'raglan');
+    await button(page, 'Symmetric pair').click();
+    await clickPiece(page, 'front_left');
+    await hint(page, /Now click the piece/);
+    await page.keyboard.press('Escape');
+    await hint(page, /^Click the first/);
+    await page.keyboard.press('Escape');
+    await expect
+      .poll(() => button(page, 'Symmetric pair').getAttribute('aria-pressed'))
+      .toBe('false');
+  },
+);
 
-it('makes a pair by keyboard alone', async () => {
+it('makes a pair by keyboard alone', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   await page.getByRole('application', {name: 'Pattern'}).focus();
@@ -130,12 +138,16 @@ it('makes a pair by keyboard alone', async () => {
   await hint(page, /Now click the piece/);
 });
 
-it('puts a tool away that a button began, by Escape on that button', async () => {
-  const page = await openPage();
-  await solved(page);
-  const tool = page.getByRole('toolbar').getByRole('button', {name: 'Symmetric piece'});
-  await tool.click();
-  await expect.poll(() => tool.getAttribute('aria-pressed')).toBe('true');
-  await page.keyboard.press('Escape');
-  await expect.poll(() => tool.getAttribute('aria-pressed')).toBe('false');
-});
+it(
+  'puts a tool away that a button began, by Escape on that button',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    const tool = page.getByRole('toolbar').getByRole('button', {name: 'Symmetric piece'});
+    await tool.click();
+    await expect.poll(() => tool.getAttribute('aria-pressed')).toBe('true');
+    await page.keyboard.press('Escape');
+    await expect.poll(() => tool.getAttribute('aria-pressed')).toBe('false');
+  },
+);

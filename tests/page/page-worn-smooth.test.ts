@@ -13,33 +13,41 @@ const openPage = usePage();
 const status = (page: Page): Promise<string | null> =>
   page.locator('sw-worn [role=status]').textContent();
 
-it('never shows an empty view while print, colours and size change', async () => {
-  const page = await openPage({viewport: {width: 1300, height: 800}});
-  await solved(page);
-  await showSample(page, 'tee');
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
-  await expect.poll(() => status(page), {timeout: 120_000}).toContain('view.');
-  const stage = page.locator('sw-worn .stage');
-  /** An empty picture takes next to no bytes. */
-  const staysFull = async (): Promise<void> => {
-    for (let k = 0; k < 6; k++) {
-      expect((await stage.screenshot()).length).toBeGreaterThan(12_000);
-      await frames(page, 4);
-    }
-  };
-  await page.getByRole('radio', {name: 'Majolica'}).or(page.getByText('Majolica')).first().click();
-  await staysFull();
-  await page.evaluate(() => {
-    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const print = workbench?.design?.print;
-    if (print) workbench.change({print: {...print, size: {...print.size, width: 13}}});
-  });
-  await staysFull();
-  await page.getByLabel('Size', {exact: true}).selectOption('l');
-  await staysFull();
-  await solved(page);
-  await staysFull();
-});
+it(
+  'never shows an empty view while print, colours and size change',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage({viewport: {width: 1300, height: 800}});
+    await solved(page);
+    await showSample(page, 'tee');
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
+    await expect.poll(() => status(page), {timeout: 120_000}).toContain('view.');
+    const stage = page.locator('sw-worn .stage');
+    /** An empty picture takes next to no bytes. */
+    const staysFull = async (): Promise<void> => {
+      for (let k = 0; k < 6; k++) {
+        expect((await stage.screenshot()).length).toBeGreaterThan(12_000);
+        await frames(page, 4);
+      }
+    };
+    await page
+      .getByRole('radio', {name: 'Majolica'})
+      .or(page.getByText('Majolica'))
+      .first()
+      .click();
+    await staysFull();
+    await page.evaluate(() => {
+      const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+      const print = workbench?.design?.print;
+      if (print) workbench.change({print: {...print, size: {...print.size, width: 13}}});
+    });
+    await staysFull();
+    await page.getByLabel('Size', {exact: true}).selectOption('l');
+    await staysFull();
+    await solved(page);
+    await staysFull();
+  },
+);
 
 it('is looked at and walked over by keys alone', async () => {
   const page = await openPage({viewport: {width: 1300, height: 800}, reducedMotion: 'reduce'});

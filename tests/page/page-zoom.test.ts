@@ -17,23 +17,27 @@ const scale = (page: Page): Promise<number> =>
 const zoom = (page: Page) => page.getByRole('button', {name: /^Zoom, /});
 const sizes = (page: Page) => page.getByRole('dialog', {name: 'Zoom'});
 
-it('says beside its buttons how large the pattern is, and shows it at the size that is chosen', async () => {
-  const page = await openPage();
-  await solved(page);
-  const fitted = await scale(page);
-  const percent = async (): Promise<number> => Number.parseFloat(await zoom(page).innerText());
-  expect(await percent()).toBe(Math.round((100 * fitted) / trueScale));
-  await zoom(page).click();
-  await sizes(page).getByRole('button', {name: '100 %'}).click();
-  expect(await scale(page)).toBeCloseTo(trueScale, 6);
-  expect(await percent()).toBe(100);
-  await sizes(page).waitFor({state: 'hidden'});
-  await page.getByRole('button', {name: 'Zoom in', exact: true}).click();
-  await expect.poll(percent).toBe(140);
-  await zoom(page).click();
-  await sizes(page).getByRole('button', {name: 'Show all'}).click();
-  expect(await scale(page)).toBeCloseTo(fitted, 6);
-});
+it(
+  'says beside its buttons how large the pattern is, and shows it at the size that is chosen',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    const fitted = await scale(page);
+    const percent = async (): Promise<number> => Number.parseFloat(await zoom(page).innerText());
+    expect(await percent()).toBe(Math.round((100 * fitted) / trueScale));
+    await zoom(page).click();
+    await sizes(page).getByRole('button', {name: '100 %'}).click();
+    expect(await scale(page)).toBeCloseTo(trueScale, 6);
+    expect(await percent()).toBe(100);
+    await sizes(page).waitFor({state: 'hidden'});
+    await page.getByRole('button', {name: 'Zoom in', exact: true}).click();
+    await expect.poll(percent).toBe(140);
+    await zoom(page).click();
+    await sizes(page).getByRole('button', {name: 'Show all'}).click();
+    expect(await scale(page)).toBeCloseTo(fitted, 6);
+  },
+);
 
 it('takes a size that is typed, by keys alone, and gives the focus back', async () => {
   const page = await openPage();

@@ -91,7 +91,7 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
     expect(asked).toBe(3);
   });
 
-  it('and cancels what is released', async () => {
+  it('and cancels what is released', {tags: ['thorough']}, async () => {
     const codes = await page.evaluate(async (problem) => {
       const {solver, release} = lease({workerUrl: 'nowhere.js'});
       const codeOf = (error: unknown) => (error as {code: string}).code;

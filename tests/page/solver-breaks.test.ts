@@ -24,29 +24,36 @@ describe('a worker that breaks', () => {
     ['throws', 'The solver broke: Uncaught Error: out of order.'],
     ['traps', 'The solver broke: unreachable.'],
     ['closes', 'The solver stopped answering; try again.'],
-  ])('and %s fails all that is pending; the next call gets another', async (garment, message) => {
-    const [failures, result] = await page.evaluate(
-      async ([large, small, names]) => {
-        const client = new Client({workerUrl: 'breaking.worker.ts'});
-        const ends = await Promise.allSettled([client.solve(large, {names}), client.solve(large)]);
-        const failures = ends.map((end) => {
-          const {name, code, message} = (end as PromiseRejectedResult).reason as {
-            name: string;
-            code: string;
-            message: string;
-          };
-          return {name, code, message};
-        });
-        return [failures, await client.solve(small)] as const;
-      },
-      [jacket, strips, {garment}] as const,
-    );
-    const failure = {name: 'SolverError', code: 'internal', message};
-    expect(failures).toEqual([failure, failure]);
-    expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
-    expect(workers).toBe(2);
-    await expect.poll(() => page.workers().length, {timeout: 60_000}).toBe(1);
-  });
+  ])(
+    'and %s fails all that is pending; the next call gets another',
+    {tags: ['thorough']},
+    async (garment, message) => {
+      const [failures, result] = await page.evaluate(
+        async ([large, small, names]) => {
+          const client = new Client({workerUrl: 'breaking.worker.ts'});
+          const ends = await Promise.allSettled([
+            client.solve(large, {names}),
+            client.solve(large),
+          ]);
+          const failures = ends.map((end) => {
+            const {name, code, message} = (end as PromiseRejectedResult).reason as {
+              name: string;
+              code: string;
+              message: string;
+            };
+            return {name, code, message};
+          });
+          return [failures, await client.solve(small)] as const;
+        },
+        [jacket, strips, {garment}] as const,
+      );
+      const failure = {name: 'SolverError', code: 'internal', message};
+      expect(failures).toEqual([failure, failure]);
+      expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
+      expect(workers).toBe(2);
+      await expect.poll(() => page.workers().length, {timeout: 60_000}).toBe(1);
+    },
+  );
 
   it('and does not see a cancel is replaced, and what waited behind it solved', async () => {
     const [ended, result] = await page.evaluate(
@@ -107,22 +114,26 @@ describe('a solver that cannot start', () => {
 });
 
 describe('disposing', () => {
-  it('rejects what is pending and what comes, and ends the worker', async () => {
-    const codes = await page.evaluate(async (problem) => {
-      const client = new Client();
-      const pending = client.solve(problem, {
-        onProgress: () => {
-          client.dispose();
-        },
-      });
-      const codes: unknown[] = [];
-      codes.push(await pending.catch((error: unknown) => (error as {code: string}).code));
-      codes.push(
-        await client.solve(problem).catch((error: unknown) => (error as {code: string}).code),
-      );
-      return codes;
-    }, jacket);
-    expect(codes).toEqual(['cancelled', 'cancelled']);
-    await expect.poll(() => page.workers()).toEqual([]);
-  });
+  it(
+    'rejects what is pending and what comes, and ends the worker',
+    {tags: ['thorough']},
+    async () => {
+      const codes = await page.evaluate(async (problem) => {
+        const client = new Client();
+        const pending = client.solve(problem, {
+          onProgress: () => {
+            client.dispose();
+          },
+        });
+        const codes: unknown[] = [];
+        codes.push(await pending.catch((error: unknown) => (error as {code: string}).code));
+        codes.push(
+          await client.solve(problem).catch((error: unknown) => (error as {code: string}).code),
+        );
+        return codes;
+      }, jacket);
+      expect(codes).toEqual(['cancelled', 'cancelled']);
+      await expect.poll(() => page.workers()).toEqual([]);
+    },
+  );
 });

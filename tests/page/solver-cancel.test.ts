@@ -103,7 +103,7 @@ it(
   },
 );
 
-it('symmetries may be given up while they are looked for', async () => {
+it('symmetries may be given up while they are looked for', {tags: ['thorough']}, async () => {
   const [end, kind] = await page.evaluate(async ({garment}) => {
     const client = new Client();
     await client.convert(garment);

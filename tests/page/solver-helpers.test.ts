@@ -22,6 +22,7 @@ afterEach(() => page.close());
 
 it.each(sampleOf(2, [4, 1, 2]))(
   'are one less than %i cores, and make no difference to the result',
+  {tags: ['thorough']},
   async (cores) => {
     const result = await page.evaluate(
       async ([problem, value]) => {

@@ -19,7 +19,7 @@ beforeEach(async () => {
 
 afterEach(() => page.close());
 
-it("solves to the worker's bytes on the page's own thread", async () => {
+it("solves to the worker's bytes on the page's own thread", {tags: ['thorough']}, async () => {
   const [inPage, inWorker] = await page.evaluate(
     (problem) => Promise.all([new InPage().solve(problem), new Client().solve(problem)]),
     tee,
@@ -48,26 +48,30 @@ it('answers the other questions, too, with a .wasm file from where it is told', 
   expect([symmetries, converted]).toEqual([alsoSymmetries, alsoConverted]);
 });
 
-it('works in slices, and lets the page work between any two of them', async () => {
-  const between = await page.evaluate(async (problem) => {
-    const solver = new InPage();
-    await solver.solve(problem); // the module is compiled, the garment meshed
-    const {port1, port2} = new MessageChannel();
-    let [tasks, reports] = [0, 0];
-    port1.onmessage = () => (tasks += 1);
-    const missed: number[] = [];
-    const onProgress = () => {
-      if (tasks < reports) missed.push(reports);
-      reports += 1;
-      port2.postMessage(null); // the page has another task to do
-    };
-    await solver.solve({...problem, seed: 2}, {onProgress});
-    port1.close();
-    return {reports, missed};
-  }, tee);
-  expect(between.reports).toBeGreaterThan(5);
-  expect(between.missed).toEqual([]);
-});
+it(
+  'works in slices, and lets the page work between any two of them',
+  {tags: ['thorough']},
+  async () => {
+    const between = await page.evaluate(async (problem) => {
+      const solver = new InPage();
+      await solver.solve(problem); // the module is compiled, the garment meshed
+      const {port1, port2} = new MessageChannel();
+      let [tasks, reports] = [0, 0];
+      port1.onmessage = () => (tasks += 1);
+      const missed: number[] = [];
+      const onProgress = () => {
+        if (tasks < reports) missed.push(reports);
+        reports += 1;
+        port2.postMessage(null); // the page has another task to do
+      };
+      await solver.solve({...problem, seed: 2}, {onProgress});
+      port1.close();
+      return {reports, missed};
+    }, tee);
+    expect(between.reports).toBeGreaterThan(5);
+    expect(between.missed).toEqual([]);
+  },
+);
 
 it('is aborted between any two slices, and goes on answering', async () => {
   const [ends, result] = await page.evaluate(
@@ -101,7 +105,7 @@ it('is aborted between any two slices, and goes on answering', async () => {
   expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
 });
 
-it('can be aborted while the module is on its way', async () => {
+it('can be aborted while the module is on its way', {tags: ['thorough']}, async () => {
   await page.route('**/*.wasm', () => undefined); // and never comes
   const reason = await page.evaluate(async (problem) => {
     const signal = AbortSignal.timeout(100);

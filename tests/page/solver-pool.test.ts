@@ -26,20 +26,24 @@ beforeEach(() => open(2));
 afterEach(() => page.close());
 
 describe('the pool', () => {
-  it('starts a worker with its first job, and shares it among leases when it may have no more', async () => {
-    await page.evaluate(() => {
-      lease();
-    });
-    expect(workers).toBe(0);
-    const results = await page.evaluate(
-      (problem) => Promise.all([1, 2, 3].map((seed) => lease().solver.solve({...problem, seed}))),
-      strips,
-    );
-    expect(workers).toBe(1);
-    for (const [k, result] of results.entries()) {
-      expect(withoutTimes(result)).toBe(withoutTimes(await solve({...strips, seed: k + 1})));
-    }
-  });
+  it(
+    'starts a worker with its first job, and shares it among leases when it may have no more',
+    {tags: ['thorough']},
+    async () => {
+      await page.evaluate(() => {
+        lease();
+      });
+      expect(workers).toBe(0);
+      const results = await page.evaluate(
+        (problem) => Promise.all([1, 2, 3].map((seed) => lease().solver.solve({...problem, seed}))),
+        strips,
+      );
+      expect(workers).toBe(1);
+      for (const [k, result] of results.entries()) {
+        expect(withoutTimes(result)).toBe(withoutTimes(await solve({...strips, seed: k + 1})));
+      }
+    },
+  );
 
   it('starts a worker before it is asked anything, if somebody wants it warm', async () => {
     await page.evaluate(() => {
@@ -52,7 +56,7 @@ describe('the pool', () => {
     expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
   });
 
-  it('leaves a core to the page, and has four workers at most', async () => {
+  it('leaves a core to the page, and has four workers at most', {tags: ['thorough']}, async () => {
     for (const [cores, most] of [
       [3, 2],
       [16, 4],
@@ -67,7 +71,7 @@ describe('the pool', () => {
     }
   });
 
-  it('gives all calls of a lease to one worker', async () => {
+  it('gives all calls of a lease to one worker', {tags: ['thorough']}, async () => {
     await page.close();
     await open(4);
     await page.evaluate(async ({garment}) => {
@@ -79,50 +83,54 @@ describe('the pool', () => {
     expect(workers).toBe(1);
   });
 
-  it('drapes for all leases in one worker of their own, one after the other, and solves meanwhile', async () => {
-    await page.close();
-    await open(16);
-    const told = await page.evaluate(
-      async ([large, small]) => {
-        const leases = [lease(), lease(), lease()];
-        const [first, second] = leases;
-        if (!first || !second) throw new Error('there are three');
-        const result = await first.solver.solve(large);
-        const order: (number | string)[] = [];
-        const leaving = new AbortController();
-        const drapes = leases.map(({solver}, k) =>
-          solver.drape(
-            result,
-            {},
-            {
-              ...(k === 1 && {signal: leaving.signal}),
-              onProgress: () => {
-                if (order.at(-1) !== k) order.push(k);
+  it(
+    'drapes for all leases in one worker of their own, one after the other, and solves meanwhile',
+    {tags: ['thorough']},
+    async () => {
+      await page.close();
+      await open(16);
+      const told = await page.evaluate(
+        async ([large, small]) => {
+          const leases = [lease(), lease(), lease()];
+          const [first, second] = leases;
+          if (!first || !second) throw new Error('there are three');
+          const result = await first.solver.solve(large);
+          const order: (number | string)[] = [];
+          const leaving = new AbortController();
+          const drapes = leases.map(({solver}, k) =>
+            solver.drape(
+              result,
+              {},
+              {
+                ...(k === 1 && {signal: leaving.signal}),
+                onProgress: () => {
+                  if (order.at(-1) !== k) order.push(k);
+                },
               },
-            },
-          ),
-        );
-        leaving.abort('enough'); // while it waits for its turn
-        const solved = second.solver.solve(small).then(() => order.push('solved'));
-        const ends = await Promise.allSettled(drapes);
-        await solved;
-        return {order, ends: ends.map(({status}) => status)};
-      },
-      [tee, strips] as const,
-    );
-    expect(told.ends).toEqual(['fulfilled', 'rejected', 'fulfilled']);
-    expect(told.order.filter((one) => one !== 'solved' && one !== 0)).toEqual([2]);
-    expect(told.order.indexOf('solved')).toBeLessThan(told.order.indexOf(2)); // before the first drape ended
-    expect(workers).toBe(3); // of two leases, and that for drapes
-    await page.evaluate(() =>
-      lease()
-        .solver.convert('{}')
-        .catch(() => undefined),
-    );
-    expect(workers).toBe(4);
-  });
+            ),
+          );
+          leaving.abort('enough'); // while it waits for its turn
+          const solved = second.solver.solve(small).then(() => order.push('solved'));
+          const ends = await Promise.allSettled(drapes);
+          await solved;
+          return {order, ends: ends.map(({status}) => status)};
+        },
+        [tee, strips] as const,
+      );
+      expect(told.ends).toEqual(['fulfilled', 'rejected', 'fulfilled']);
+      expect(told.order.filter((one) => one !== 'solved' && one !== 0)).toEqual([2]);
+      expect(told.order.indexOf('solved')).toBeLessThan(told.order.indexOf(2)); // before the first drape ended
+      expect(workers).toBe(3); // of two leases, and that for drapes
+      await page.evaluate(() =>
+        lease()
+          .solver.convert('{}')
+          .catch(() => undefined),
+      );
+      expect(workers).toBe(4);
+    },
+  );
 
-  it('keeps workers for other places apart', async () => {
+  it('keeps workers for other places apart', {tags: ['thorough']}, async () => {
     await page.evaluate(async ({garment}) => {
       await lease().solver.convert(garment);
       await lease({workerUrl: 'breaking.worker.ts'}).solver.convert(garment);
@@ -161,30 +169,34 @@ describe('releasing', () => {
     },
   );
 
-  it('cancels what is pending of the lease, and disturbs no other lease', async () => {
-    const [ends, others] = await page.evaluate(
-      async ([large, other]) => {
-        const [leaving, staying] = [lease(), lease()];
-        const codeOf = (error: unknown) => (error as {code: string}).code;
-        const others = [1, 2, 3].map((seed) => staying.solver.solve({...other, seed}));
-        const ends = [
-          leaving.solver.solve(large, {onProgress: leaving.release}).catch(codeOf),
-          leaving.solver.solve(large).catch(codeOf),
-          leaving.solver.symmetries('{').catch(codeOf),
-        ];
-        const settled = await Promise.all(ends);
-        settled.push(await leaving.solver.solve(other).catch(codeOf));
-        leaving.release();
-        return [settled, await Promise.all(others)] as const;
-      },
-      [jacket, tee] as const,
-    );
-    expect(ends).toEqual(['cancelled', 'cancelled', 'notJson', 'cancelled']);
-    expect(workers).toBe(1);
-    for (const [k, result] of others.entries()) {
-      expect(withoutTimes(result)).toBe(withoutTimes(await solve({...tee, seed: k + 1})));
-    }
-  });
+  it(
+    'cancels what is pending of the lease, and disturbs no other lease',
+    {tags: ['thorough']},
+    async () => {
+      const [ends, others] = await page.evaluate(
+        async ([large, other]) => {
+          const [leaving, staying] = [lease(), lease()];
+          const codeOf = (error: unknown) => (error as {code: string}).code;
+          const others = [1, 2, 3].map((seed) => staying.solver.solve({...other, seed}));
+          const ends = [
+            leaving.solver.solve(large, {onProgress: leaving.release}).catch(codeOf),
+            leaving.solver.solve(large).catch(codeOf),
+            leaving.solver.symmetries('{').catch(codeOf),
+          ];
+          const settled = await Promise.all(ends);
+          settled.push(await leaving.solver.solve(other).catch(codeOf));
+          leaving.release();
+          return [settled, await Promise.all(others)] as const;
+        },
+        [jacket, tee] as const,
+      );
+      expect(ends).toEqual(['cancelled', 'cancelled', 'notJson', 'cancelled']);
+      expect(workers).toBe(1);
+      for (const [k, result] of others.entries()) {
+        expect(withoutTimes(result)).toBe(withoutTimes(await solve({...tee, seed: k + 1})));
+      }
+    },
+  );
 
   it(
     'does not end a worker that is deaf for a while, and at work for another lease',
@@ -218,58 +230,66 @@ describe('releasing', () => {
 });
 
 describe('aborting', () => {
-  it('settles every call at any moment, and the next solve is right', async () => {
-    const [reasons, result] = await page.evaluate(async (problem) => {
-      const {solver} = lease();
-      const reasons: unknown[] = [];
-      for (const delay of [0, 1, 10, 30, 60, 100, 150, 250]) {
-        const controller = new AbortController();
-        const {signal} = controller;
-        const ends = [
-          solver.solve(problem, {signal}),
-          solver.solve(problem, {signal}),
-          solver.solve(problem, {signal}), // waits for its turn
-        ];
-        setTimeout(() => {
-          controller.abort('enough');
-        }, delay);
-        for (const end of await Promise.allSettled(ends)) {
-          reasons.push(end.status === 'rejected' ? end.reason : 'solved');
+  it(
+    'settles every call at any moment, and the next solve is right',
+    {tags: ['thorough']},
+    async () => {
+      const [reasons, result] = await page.evaluate(async (problem) => {
+        const {solver} = lease();
+        const reasons: unknown[] = [];
+        for (const delay of [0, 1, 10, 30, 60, 100, 150, 250]) {
+          const controller = new AbortController();
+          const {signal} = controller;
+          const ends = [
+            solver.solve(problem, {signal}),
+            solver.solve(problem, {signal}),
+            solver.solve(problem, {signal}), // waits for its turn
+          ];
+          setTimeout(() => {
+            controller.abort('enough');
+          }, delay);
+          for (const end of await Promise.allSettled(ends)) {
+            reasons.push(end.status === 'rejected' ? end.reason : 'solved');
+          }
         }
-      }
-      return [reasons, await solver.solve(problem)] as const;
-    }, jacket);
-    expect(reasons).toEqual(Array(24).fill('enough'));
-    expect(withoutTimes(result)).toBe(withoutTimes(await solve(jacket)));
-    expect(workers).toBe(1);
-  });
+        return [reasons, await solver.solve(problem)] as const;
+      }, jacket);
+      expect(reasons).toEqual(Array(24).fill('enough'));
+      expect(withoutTimes(result)).toBe(withoutTimes(await solve(jacket)));
+      expect(workers).toBe(1);
+    },
+  );
 });
 
 describe('a worker that breaks', () => {
-  it('takes only its own jobs with it, and the next call of any lease works', async () => {
-    await page.close();
-    await open(3);
-    const [broken, whole, next] = await page.evaluate(
-      async ([large, small]) => {
-        const places = {workerUrl: 'breaking.worker.ts'};
-        const [first, second, third] = [lease(places), lease(places), lease(places)];
-        const codeOf = (error: unknown) => (error as {code: string}).code;
-        const whole = second.solver.solve(large);
-        const broken = await Promise.all([
-          first.solver.solve(large, {names: {garment: 'throws'}}).catch(codeOf),
-          third.solver.solve(large).catch(codeOf), // beside the first
-        ]);
-        const next = await Promise.all(
-          [first, second, third].map(({solver}) => solver.solve(small)),
-        );
-        return [broken, await whole, next] as const;
-      },
-      [jacket, strips] as const,
-    );
-    expect(broken).toEqual(['internal', 'internal']);
-    expect(withoutTimes(whole)).toBe(withoutTimes(await solve(jacket)));
-    const expected = withoutTimes(await solve(strips));
-    expect(next.map(withoutTimes)).toEqual([expected, expected, expected]);
-    expect(workers).toBe(3);
-  });
+  it(
+    'takes only its own jobs with it, and the next call of any lease works',
+    {tags: ['thorough']},
+    async () => {
+      await page.close();
+      await open(3);
+      const [broken, whole, next] = await page.evaluate(
+        async ([large, small]) => {
+          const places = {workerUrl: 'breaking.worker.ts'};
+          const [first, second, third] = [lease(places), lease(places), lease(places)];
+          const codeOf = (error: unknown) => (error as {code: string}).code;
+          const whole = second.solver.solve(large);
+          const broken = await Promise.all([
+            first.solver.solve(large, {names: {garment: 'throws'}}).catch(codeOf),
+            third.solver.solve(large).catch(codeOf), // beside the first
+          ]);
+          const next = await Promise.all(
+            [first, second, third].map(({solver}) => solver.solve(small)),
+          );
+          return [broken, await whole, next] as const;
+        },
+        [jacket, strips] as const,
+      );
+      expect(broken).toEqual(['internal', 'internal']);
+      expect(withoutTimes(whole)).toBe(withoutTimes(await solve(jacket)));
+      const expected = withoutTimes(await solve(strips));
+      expect(next.map(withoutTimes)).toEqual([expected, expected, expected]);
+      expect(workers).toBe(3);
+    },
+  );
 });

@@ -37,14 +37,18 @@ async function withPage(served: Served, path: string, check: (page: Page) => Pro
   }
 }
 
-it('solves in a page that Vite has built, under a strict policy, with a worker to help the worker', async () => {
-  await withPage(await serveBuilt('fixture'), '', async (page) => {
-    await page.waitForFunction(() => 'Client' in globalThis);
-    const solving = page.evaluate((problem) => new Client({}, () => 1).solve(problem), jacket);
-    await expect.poll(() => page.workers().filter(isHelper), {timeout: 60_000}).toHaveLength(1);
-    expect(withoutTimes(await solving)).toBe(withoutTimes(await solve(jacket)));
-  });
-});
+it(
+  'solves in a page that Vite has built, under a strict policy, with a worker to help the worker',
+  {tags: ['thorough']},
+  async () => {
+    await withPage(await serveBuilt('fixture'), '', async (page) => {
+      await page.waitForFunction(() => 'Client' in globalThis);
+      const solving = page.evaluate((problem) => new Client({}, () => 1).solve(problem), jacket);
+      await expect.poll(() => page.workers().filter(isHelper), {timeout: 60_000}).toHaveLength(1);
+      expect(withoutTimes(await solving)).toBe(withoutTimes(await solve(jacket)));
+    });
+  },
+);
 
 it('solves from the compiled files as they are, without a bundler', async () => {
   const dist = fileURLToPath(new URL('../../dist', import.meta.url));

@@ -87,7 +87,7 @@ it('numbers the worst seams, and nothing where they meet', async () => {
   await expect.poll(() => page.getByText('1', {exact: true}).isVisible()).toBe(false);
 });
 
-it('draws outlines as wide at every zoom', async () => {
+it('draws outlines as wide at every zoom', {tags: ['thorough']}, async () => {
   const page = await openPage();
   const scene = twoSquares();
   await show(page, scene);

@@ -108,34 +108,38 @@ it(
   },
 );
 
-it('slides the print the shortest way to where it looks the same as asked for', async () => {
-  const page = await openStill();
-  const [offset = [NaN, NaN]] = scene(0).pieces.map((piece) => piece.offset);
-  // of a repeat of 10 cm, 13 cm look like 3 cm
-  await showMoving(page, scene(0, {angle: 2 * Math.PI, translation: [13, 0]}));
-  await at(page, 0);
-  const pixels = await at(page, 60);
-  const share = 1 - (1 - 60 / 200) ** 3;
-  const under = (point: Point, by: number): string =>
-    printed(print, tile.pixels, {angle: 0, translation: [by, 0]}, point).join();
-  const points = Array.from({length: 12}, (_, k): Point => [0.5 + (k % 4) * 0.9, 0.6 + k * 0.25]);
-  let told = 0;
-  for (const point of points) {
-    // only in the middle of a field of the tile, for all that may be there
-    const fields = [-0.1, 0, 0.1].map((by) => under(point, 3 * share + by));
-    if (new Set(fields).size > 1) continue;
-    const place = await page.evaluate((sheet) => Viewer.view.screenOf(sheet), [
-      point[0] + offset[0],
-      point[1] + offset[1],
-    ] as Point);
-    const [x, y] = place.map(Math.round);
-    expect(colourAt(pixels, x ?? NaN, y ?? NaN).join()).toBe(fields[0]);
-    if (fields[0] !== under(point, 3) && fields[0] !== under(point, 0)) told++;
-  }
-  expect(told).toBeGreaterThan(0);
-});
+it(
+  'slides the print the shortest way to where it looks the same as asked for',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openStill();
+    const [offset = [NaN, NaN]] = scene(0).pieces.map((piece) => piece.offset);
+    // of a repeat of 10 cm, 13 cm look like 3 cm
+    await showMoving(page, scene(0, {angle: 2 * Math.PI, translation: [13, 0]}));
+    await at(page, 0);
+    const pixels = await at(page, 60);
+    const share = 1 - (1 - 60 / 200) ** 3;
+    const under = (point: Point, by: number): string =>
+      printed(print, tile.pixels, {angle: 0, translation: [by, 0]}, point).join();
+    const points = Array.from({length: 12}, (_, k): Point => [0.5 + (k % 4) * 0.9, 0.6 + k * 0.25]);
+    let told = 0;
+    for (const point of points) {
+      // only in the middle of a field of the tile, for all that may be there
+      const fields = [-0.1, 0, 0.1].map((by) => under(point, 3 * share + by));
+      if (new Set(fields).size > 1) continue;
+      const place = await page.evaluate((sheet) => Viewer.view.screenOf(sheet), [
+        point[0] + offset[0],
+        point[1] + offset[1],
+      ] as Point);
+      const [x, y] = place.map(Math.round);
+      expect(colourAt(pixels, x ?? NaN, y ?? NaN).join()).toBe(fields[0]);
+      if (fields[0] !== under(point, 3) && fields[0] !== under(point, 0)) told++;
+    }
+    expect(told).toBeGreaterThan(0);
+  },
+);
 
-it('goes on from where it is when a newer answer arrives', async () => {
+it('goes on from where it is when a newer answer arrives', {tags: ['thorough']}, async () => {
   const page = await openStill();
   const drafted = await widthIn(page, await screenOf(page));
   await showMoving(page, scene(1));
@@ -162,7 +166,7 @@ it('keeps the print where it is put while the shapes alone are on their way', as
   expect(colourAt(pixels, x ?? NaN, y ?? NaN)).toEqual(printed(print, tile.pixels, moved, within));
 });
 
-it('is at its end at once where people want no motion', async () => {
+it('is at its end at once where people want no motion', {tags: ['thorough']}, async () => {
   const page = await openStill();
   await page.emulateMedia({reducedMotion: 'reduce'});
   const drafted = await widthIn(page, await screenOf(page));
@@ -170,7 +174,7 @@ it('is at its end at once where people want no motion', async () => {
   expect((await widthIn(page, await screenOf(page))) - drafted).toBeCloseTo(1, 1);
 });
 
-it('moves nothing where the pieces are not the same', async () => {
+it('moves nothing where the pieces are not the same', {tags: ['thorough']}, async () => {
   const page = await openStill();
   const [left, right] = scene(1).pieces;
   if (!left || !right) throw new Error('There are two pieces.');

@@ -50,7 +50,7 @@ it('follows a drag, which is no click', async () => {
   expect(await page.title()).not.toBe('clicked');
 });
 
-it('lets a click through, and does not move for it', async () => {
+it('lets a click through, and does not move for it', {tags: ['thorough']}, async () => {
   await page.evaluate(() => {
     document.querySelector('main')?.addEventListener('click', () => (document.title = 'clicked'));
   });
@@ -71,18 +71,22 @@ it('zooms by a wheel about the pointer', async () => {
   expectClose(await sheetPoint(250, 200), before);
 });
 
-it('pans by two fingers on a trackpad, and zooms when they pinch', async () => {
-  const [before, fit] = [await sheetPoint(300, 300), await scale()];
-  await page.mouse.move(300, 300);
-  await page.mouse.wheel(12, 7);
-  await eventually(async () => (await sheetPoint(288, 293))[0]).toBeCloseTo(before[0], 6);
-  expect(await scale()).toBe(fit);
-  await page.keyboard.down('Control');
-  await page.mouse.wheel(0, -10);
-  await eventually(scale).toBeCloseTo(fit * 1.01 ** 10, 6);
-});
+it(
+  'pans by two fingers on a trackpad, and zooms when they pinch',
+  {tags: ['thorough']},
+  async () => {
+    const [before, fit] = [await sheetPoint(300, 300), await scale()];
+    await page.mouse.move(300, 300);
+    await page.mouse.wheel(12, 7);
+    await eventually(async () => (await sheetPoint(288, 293))[0]).toBeCloseTo(before[0], 6);
+    expect(await scale()).toBe(fit);
+    await page.keyboard.down('Control');
+    await page.mouse.wheel(0, -10);
+    await eventually(scale).toBeCloseTo(fit * 1.01 ** 10, 6);
+  },
+);
 
-it('follows two fingers on the screen', async () => {
+it('follows two fingers on the screen', {tags: ['thorough']}, async () => {
   const touch = await page.context().newCDPSession(page);
   const fingers = (type: string, points: readonly Point[]): Promise<unknown> =>
     touch.send('Input.dispatchTouchEvent', {
@@ -111,33 +115,41 @@ it('follows two fingers on the screen', async () => {
   expectClose(await sheetPoint(450, 310), right);
 });
 
-it('zooms by keys, shows everything again with 0, and leaves the arrows to the page', async () => {
-  const [before, fit] = [await sheetPoint(450, 300), await scale()];
-  await page.locator('main').focus();
-  await page.keyboard.press('+');
-  expect(await scale()).toBeCloseTo(1.25 * fit, 9);
-  await page.keyboard.press('ArrowLeft');
-  expectClose(await sheetPoint(450, 300), before);
-  await page.keyboard.press('0');
-  expect(await scale()).toBe(fit);
-  expectClose(await sheetPoint(450, 300), before);
-});
+it(
+  'zooms by keys, shows everything again with 0, and leaves the arrows to the page',
+  {tags: ['thorough']},
+  async () => {
+    const [before, fit] = [await sheetPoint(450, 300), await scale()];
+    await page.locator('main').focus();
+    await page.keyboard.press('+');
+    expect(await scale()).toBeCloseTo(1.25 * fit, 9);
+    await page.keyboard.press('ArrowLeft');
+    expectClose(await sheetPoint(450, 300), before);
+    await page.keyboard.press('0');
+    expect(await scale()).toBe(fit);
+    expectClose(await sheetPoint(450, 300), before);
+  },
+);
 
-it('moves nothing for a press that the page follows itself, and its drag is no click', async () => {
-  await page.evaluate(() => {
-    document.querySelector('main')?.addEventListener('click', () => (document.title = 'clicked'));
-    Viewer.takesPress = true;
-  });
-  const before = await sheetPoint(400, 300);
-  await page.mouse.move(400, 300);
-  await page.mouse.down();
-  await page.mouse.move(460, 280);
-  await page.mouse.up();
-  expectClose(await sheetPoint(400, 300), before);
-  expect(await page.title()).not.toBe('clicked');
-});
+it(
+  'moves nothing for a press that the page follows itself, and its drag is no click',
+  {tags: ['thorough']},
+  async () => {
+    await page.evaluate(() => {
+      document.querySelector('main')?.addEventListener('click', () => (document.title = 'clicked'));
+      Viewer.takesPress = true;
+    });
+    const before = await sheetPoint(400, 300);
+    await page.mouse.move(400, 300);
+    await page.mouse.down();
+    await page.mouse.move(460, 280);
+    await page.mouse.up();
+    expectClose(await sheetPoint(400, 300), before);
+    expect(await page.title()).not.toBe('clicked');
+  },
+);
 
-it('comes back to where it was', async () => {
+it('comes back to where it was', {tags: ['thorough']}, async () => {
   await page.evaluate(() => {
     Viewer.view.zoomBy(3, [200, 100]);
   });
@@ -151,20 +163,24 @@ it('comes back to where it was', async () => {
   expectClose(await sheetPoint(70, 80), moved);
 });
 
-it('stays fitted when the window changes, unless somebody has moved it', async () => {
-  const fit = await scale();
-  await page.setViewportSize({width: 450, height: 600});
-  await eventually(scale).toBeLessThan(0.6 * fit);
-  await page.evaluate(() => {
-    Viewer.view.zoomBy(3);
-  });
-  const [moved, middle] = [await scale(), await sheetPoint(225, 300)];
-  await page.setViewportSize({width: 800, height: 500});
-  await eventually(async () => (await sheetPoint(400, 250))[0]).toBeCloseTo(middle[0], 6);
-  expect(await scale()).toBe(moved);
-});
+it(
+  'stays fitted when the window changes, unless somebody has moved it',
+  {tags: ['thorough']},
+  async () => {
+    const fit = await scale();
+    await page.setViewportSize({width: 450, height: 600});
+    await eventually(scale).toBeLessThan(0.6 * fit);
+    await page.evaluate(() => {
+      Viewer.view.zoomBy(3);
+    });
+    const [moved, middle] = [await scale(), await sheetPoint(225, 300)];
+    await page.setViewportSize({width: 800, height: 500});
+    await eventually(async () => (await sheetPoint(400, 250))[0]).toBeCloseTo(middle[0], 6);
+    expect(await scale()).toBe(moved);
+  },
+);
 
-it('draws only when something changes', async () => {
+it('draws only when something changes', {tags: ['thorough']}, async () => {
   await page.clock.install();
   await page.evaluate(() => {
     const original = requestAnimationFrame;
@@ -190,24 +206,28 @@ it('draws only when something changes', async () => {
   expect(await page.title()).toBe('1');
 });
 
-it('names the piece, below it or, when that is off the screen, on it', async () => {
-  const name = page.getByText('back yoke');
-  const below = await name.boundingBox();
-  const foot = await page.evaluate(() => {
-    const [, y = 0] = Viewer.scene?.pieces[0]?.offset ?? [];
-    return Viewer.view.screenOf([0, y])[1];
-  });
-  expect(below?.y).toBeGreaterThan(foot);
-  await page.evaluate(() => {
-    Viewer.view.zoomBy(4, [450, 200]);
-  });
-  await settled(page);
-  await name.waitFor({state: 'visible'});
-  const on = await name.boundingBox();
-  expect((on?.y ?? NaN) + (on?.height ?? NaN)).toBeLessThanOrEqual(600);
-});
+it(
+  'names the piece, below it or, when that is off the screen, on it',
+  {tags: ['thorough']},
+  async () => {
+    const name = page.getByText('back yoke');
+    const below = await name.boundingBox();
+    const foot = await page.evaluate(() => {
+      const [, y = 0] = Viewer.scene?.pieces[0]?.offset ?? [];
+      return Viewer.view.screenOf([0, y])[1];
+    });
+    expect(below?.y).toBeGreaterThan(foot);
+    await page.evaluate(() => {
+      Viewer.view.zoomBy(4, [450, 200]);
+    });
+    await settled(page);
+    await name.waitFor({state: 'visible'});
+    const on = await name.boundingBox();
+    expect((on?.y ?? NaN) + (on?.height ?? NaN)).toBeLessThanOrEqual(600);
+  },
+);
 
-it('leaves nothing behind when it is disposed of', async () => {
+it('leaves nothing behind when it is disposed of', {tags: ['thorough']}, async () => {
   await page.evaluate(() => {
     Viewer.view.dispose();
   });

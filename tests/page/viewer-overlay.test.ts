@@ -82,7 +82,7 @@ it('marks points with their names, and says what is wrong at its place', async (
   expect((said?.y ?? NaN) + (said?.height ?? NaN)).toBeLessThan((await at(1, [2, 2]))[1]);
 });
 
-it('follows a pointer without building anything else anew', async () => {
+it('follows a pointer without building anything else anew', {tags: ['thorough']}, async () => {
   const page = await opened(sceneOf(squarePair(), print));
   const kept = await page.evaluate(() => {
     const name = document.querySelector('main span');
@@ -94,7 +94,7 @@ it('follows a pointer without building anything else anew', async () => {
   expect(kept).toBe(true);
 });
 
-it('shows another scene of the sheet left of a line', async () => {
+it('shows another scene of the sheet left of a line', {tags: ['thorough']}, async () => {
   const tile = checkered();
   const scene = sceneOf(squarePair({seams: []}), print);
   const before: readonly Alignment[] = scene.pieces.map(() => ({angle: 0.4, translation: [3, 2]}));
@@ -120,7 +120,7 @@ it('shows another scene of the sheet left of a line', async () => {
   for (const {wrong} of await compared(page, scene, tile.pixels)) expect(wrong).toEqual([]);
 });
 
-it('shows bare cloth where a piece has no print', async () => {
+it('shows bare cloth where a piece has no print', {tags: ['thorough']}, async () => {
   const scene = sceneOf(squarePair({seams: []}), print, {plain: new Set(['right_half'])});
   const page = await opened(scene);
   await setTile(page, checkered().png);
@@ -137,30 +137,34 @@ it('shows bare cloth where a piece has no print', async () => {
   expect((await colours(1)).size).toBe(1);
 });
 
-it('gives a picture of the whole sheet, however the view is zoomed', async () => {
-  const tile = checkered();
-  const scene = sceneOf(squarePair({seams: []}), print);
-  const page = await opened(scene);
-  await setTile(page, tile.png);
-  const data = await page.evaluate(async () => {
-    Viewer.view.zoomBy(5);
-    const blob = await Viewer.view.toBlob(1800);
-    return [...new Uint8Array(await blob.arrayBuffer())];
-  });
-  const picture: Pixels = await decoded(Buffer.from(data));
-  expect(picture.width).toBe(1800);
-  expect(colourAt(picture, 3, 3)).toEqual([251, 250, 248]);
-  // 24 CSS px of 900 are the margin on either side
-  const scale = (1800 - 96) / scene.size[0];
-  const [dx, dy] = scene.pieces[0]?.offset ?? [NaN, NaN];
-  for (const p of [
-    [1.9, 0.6],
-    [0.6, 3.1],
-  ] as const) {
-    const x = 48 + (p[0] + dx) * scale;
-    const y = picture.height / 2 - (p[1] + dy - scene.size[1] / 2) * scale;
-    expect(colourAt(picture, Math.floor(x), Math.floor(y))).toEqual(
-      printed(print, tile.pixels, {angle: 0, translation: [0, 0]}, p),
-    );
-  }
-});
+it(
+  'gives a picture of the whole sheet, however the view is zoomed',
+  {tags: ['thorough']},
+  async () => {
+    const tile = checkered();
+    const scene = sceneOf(squarePair({seams: []}), print);
+    const page = await opened(scene);
+    await setTile(page, tile.png);
+    const data = await page.evaluate(async () => {
+      Viewer.view.zoomBy(5);
+      const blob = await Viewer.view.toBlob(1800);
+      return [...new Uint8Array(await blob.arrayBuffer())];
+    });
+    const picture: Pixels = await decoded(Buffer.from(data));
+    expect(picture.width).toBe(1800);
+    expect(colourAt(picture, 3, 3)).toEqual([251, 250, 248]);
+    // 24 CSS px of 900 are the margin on either side
+    const scale = (1800 - 96) / scene.size[0];
+    const [dx, dy] = scene.pieces[0]?.offset ?? [NaN, NaN];
+    for (const p of [
+      [1.9, 0.6],
+      [0.6, 3.1],
+    ] as const) {
+      const x = 48 + (p[0] + dx) * scale;
+      const y = picture.height / 2 - (p[1] + dy - scene.size[1] / 2) * scale;
+      expect(colourAt(picture, Math.floor(x), Math.floor(y))).toEqual(
+        printed(print, tile.pixels, {angle: 0, translation: [0, 0]}, p),
+      );
+    }
+  },
+);

@@ -94,7 +94,7 @@ describe('a pixel of the screen is the pixel of the tile', () => {
     await expectPrinted(page, scene, tile.pixels, 200);
   });
 
-  it('after the pieces have been aligned anew', async () => {
+  it('after the pieces have been aligned anew', {tags: ['thorough']}, async () => {
     const page = await openPage();
     const scene = twoFrames(oblique);
     await show(page, scene);
@@ -109,7 +109,7 @@ describe('a pixel of the screen is the pixel of the tile', () => {
     for (const {points, wrong} of stale) expect(wrong.length).toBeGreaterThan(points / 2);
   });
 
-  it('after panning and zooming', async () => {
+  it('after panning and zooming', {tags: ['thorough']}, async () => {
     const page = await openPage();
     const scene = twoFrames(oblique);
     await show(page, scene);
@@ -122,7 +122,7 @@ describe('a pixel of the screen is the pixel of the tile', () => {
     await expectPrinted(page, scene, tile.pixels, 50);
   });
 
-  it('after the graphics context was lost and came back', async () => {
+  it('after the graphics context was lost and came back', {tags: ['thorough']}, async () => {
     const page = await openPage();
     const scene = twoFrames(oblique);
     await show(page, scene);
@@ -169,7 +169,7 @@ describe('a pixel of the screen is the pixel of the tile', () => {
   });
 });
 
-it('shows the page in cut-outs and beside the pieces', async () => {
+it('shows the page in cut-outs and beside the pieces', {tags: ['thorough']}, async () => {
   const page = await openPage();
   const scene = twoFrames(oblique);
   await show(page, scene);
@@ -210,30 +210,34 @@ it('shows a print upright and not mirrored on a piece that lies as the cloth doe
   expect(await at([8, 1])).toEqual([0xdd, 0xdd, 0xdd]);
 });
 
-it('draws an SVG tile anew for a deep zoom, so that its edges stay sharp', async () => {
-  const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path fill="#fff" d="M0 0h10v10h-10z"/><path d="M0 0h3v10h-3z"/></svg>`;
-  const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 8]};
-  const page = await openPage();
-  const scene = twoFrames(print, [home]);
-  await show(page, scene);
-  const [dx, dy] = scene.pieces[0]?.offset ?? [NaN, NaN];
-  await page.evaluate(
-    async ([image, edge]) => {
-      Viewer.view.setTile(await Viewer.svgTile(image));
-      for (let k = 0; k < 40; k++) Viewer.view.zoomBy(1.2, Viewer.view.screenOf(edge));
-      // to the middle of the screen
-      const [x, y] = Viewer.view.screenOf(edge);
-      Viewer.view.panBy(450 - x, 300 - y);
-    },
-    [svg, [3 + dx, 1.5 + dy]] as const,
-  );
-  const greys = async (): Promise<number> => {
-    const pixels = await screenOf(page);
-    const row = Array.from({length: 300}, (_, k) => colourAt(pixels, 300 + k, 300)[0]);
-    expect(row[0]).toBe(0);
-    expect(row.at(-1)).toBe(255);
-    return row.filter((value) => value > 0 && value < 255).length;
-  };
-  expect(await page.evaluate(() => Viewer.view.scale)).toBe(400);
-  await eventually(greys).toBeLessThanOrEqual(3);
-});
+it(
+  'draws an SVG tile anew for a deep zoom, so that its edges stay sharp',
+  {tags: ['thorough']},
+  async () => {
+    const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path fill="#fff" d="M0 0h10v10h-10z"/><path d="M0 0h3v10h-3z"/></svg>`;
+    const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 8]};
+    const page = await openPage();
+    const scene = twoFrames(print, [home]);
+    await show(page, scene);
+    const [dx, dy] = scene.pieces[0]?.offset ?? [NaN, NaN];
+    await page.evaluate(
+      async ([image, edge]) => {
+        Viewer.view.setTile(await Viewer.svgTile(image));
+        for (let k = 0; k < 40; k++) Viewer.view.zoomBy(1.2, Viewer.view.screenOf(edge));
+        // to the middle of the screen
+        const [x, y] = Viewer.view.screenOf(edge);
+        Viewer.view.panBy(450 - x, 300 - y);
+      },
+      [svg, [3 + dx, 1.5 + dy]] as const,
+    );
+    const greys = async (): Promise<number> => {
+      const pixels = await screenOf(page);
+      const row = Array.from({length: 300}, (_, k) => colourAt(pixels, 300 + k, 300)[0]);
+      expect(row[0]).toBe(0);
+      expect(row.at(-1)).toBe(255);
+      return row.filter((value) => value > 0 && value < 255).length;
+    };
+    expect(await page.evaluate(() => Viewer.view.scale)).toBe(400);
+    await eventually(greys).toBeLessThanOrEqual(3);
+  },
+);

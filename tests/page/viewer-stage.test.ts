@@ -53,53 +53,61 @@ it(
   },
 );
 
-it('draws only what has changed, and lets nobody wait for the others', async () => {
-  const page = await opened();
-  await openViews(page, grid);
-  const turns = await page.evaluate(async () => {
-    Seen.copies.clear();
-    views[3]?.panBy(5, 0);
-    await new Promise(requestAnimationFrame);
-    await new Promise(requestAnimationFrame);
-    const one = [...Seen.copies.values()];
-    // six that never rest do not keep another from its turn
-    let count = 0;
-    views[20]?.zoomBy(2);
-    const canvas = document.querySelectorAll('canvas')[20];
-    const before = canvas?.toDataURL();
-    while (canvas?.toDataURL() === before && count < 20) {
-      for (const view of views.slice(0, 6)) view.panBy(count % 2 ? 1 : -1, 0);
+it(
+  'draws only what has changed, and lets nobody wait for the others',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    await openViews(page, grid);
+    const turns = await page.evaluate(async () => {
+      Seen.copies.clear();
+      views[3]?.panBy(5, 0);
       await new Promise(requestAnimationFrame);
-      count++;
-    }
-    return {one, count};
-  });
-  expect(turns.one).toEqual([1]);
-  expect(turns.count).toBeLessThanOrEqual(3);
-});
+      await new Promise(requestAnimationFrame);
+      const one = [...Seen.copies.values()];
+      // six that never rest do not keep another from its turn
+      let count = 0;
+      views[20]?.zoomBy(2);
+      const canvas = document.querySelectorAll('canvas')[20];
+      const before = canvas?.toDataURL();
+      while (canvas?.toDataURL() === before && count < 20) {
+        for (const view of views.slice(0, 6)) view.panBy(count % 2 ? 1 : -1, 0);
+        await new Promise(requestAnimationFrame);
+        count++;
+      }
+      return {one, count};
+    });
+    expect(turns.one).toEqual([1]);
+    expect(turns.count).toBeLessThanOrEqual(3);
+  },
+);
 
-it('shows the renderer’s own canvas where a view is alone, and never an empty one in between', async () => {
-  const page = await opened();
-  await show(page, sceneFor(1));
-  await setTile(page, tile.png);
-  expect(await canvases(page)).toEqual({direct: 1, copied: 0});
-  const area = {left: 300, top: 0, width: 900, height: 600};
-  const alone = await picture(page, area);
-  expect(colours(alone)).toBeGreaterThan(20);
-  await page.evaluate((scene) => {
-    Seen.hung.length = 0;
-    globalThis.views = [Viewer.openView({width: 200, height: 150})];
-    views[0]?.show(scene);
-  }, sceneFor(2));
-  await frames(page, 3);
-  expect(await canvases(page)).toEqual({direct: 0, copied: 2});
-  expect(difference(await picture(page, area), alone)).toBeLessThan(2);
-  await page.evaluate(() => views[0]?.dispose());
-  await frames(page, 3);
-  expect(await canvases(page)).toEqual({direct: 1, copied: 0});
-  expect(difference(await picture(page, area), alone)).toBe(0);
-  expect(await page.evaluate(() => Seen.hung)).toEqual([true, true, true]);
-});
+it(
+  'shows the renderer’s own canvas where a view is alone, and never an empty one in between',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    await show(page, sceneFor(1));
+    await setTile(page, tile.png);
+    expect(await canvases(page)).toEqual({direct: 1, copied: 0});
+    const area = {left: 300, top: 0, width: 900, height: 600};
+    const alone = await picture(page, area);
+    expect(colours(alone)).toBeGreaterThan(20);
+    await page.evaluate((scene) => {
+      Seen.hung.length = 0;
+      globalThis.views = [Viewer.openView({width: 200, height: 150})];
+      views[0]?.show(scene);
+    }, sceneFor(2));
+    await frames(page, 3);
+    expect(await canvases(page)).toEqual({direct: 0, copied: 2});
+    expect(difference(await picture(page, area), alone)).toBeLessThan(2);
+    await page.evaluate(() => views[0]?.dispose());
+    await frames(page, 3);
+    expect(await canvases(page)).toEqual({direct: 1, copied: 0});
+    expect(difference(await picture(page, area), alone)).toBe(0);
+    expect(await page.evaluate(() => Seen.hung)).toEqual([true, true, true]);
+  },
+);
 
 it('leaves the renderer’s own canvas where it is seen when one goes that showed it before, and gives it back', async () => {
   const page = await opened();
@@ -130,7 +138,7 @@ it('leaves the renderer’s own canvas where it is seen when one goes that showe
   expect(difference(await picture(page, second), other)).toBeLessThan(2);
 });
 
-it('follows the size of a view, be it alone or one of several', async () => {
+it('follows the size of a view, be it alone or one of several', {tags: ['thorough']}, async () => {
   const page = await opened();
   await openViews(page, pair);
   const resized = async (): Promise<Pixels> => {
@@ -152,26 +160,30 @@ it('follows the size of a view, be it alone or one of several', async () => {
   expect(colours(copied)).toBeGreaterThan(20);
 });
 
-it('waits with a view until it is in view, and gives its picture before', async () => {
-  const page = await opened();
-  await openViews(page, [...pair, {left: 0, top: 3000, width: 400, height: 300}]);
-  await page.evaluate(() => {
-    Seen.copies.clear();
-    views[2]?.panBy(3, 0);
-  });
-  await frames(page, 3);
-  const bytes = await page.evaluate(async () => {
-    const blob = await views[2]?.toBlob(800);
-    return [...new Uint8Array((await blob?.arrayBuffer()) ?? [])];
-  });
-  expect(colours(await decoded(Buffer.from(bytes)))).toBeGreaterThan(20);
-  await frames(page, 3);
-  expect(await page.evaluate(() => Seen.copies.size)).toBe(0);
-  await page.evaluate(() => {
-    scrollTo(0, 3000);
-  });
-  await eventually(() => page.evaluate(() => Seen.copies.size)).toBe(1);
-});
+it(
+  'waits with a view until it is in view, and gives its picture before',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    await openViews(page, [...pair, {left: 0, top: 3000, width: 400, height: 300}]);
+    await page.evaluate(() => {
+      Seen.copies.clear();
+      views[2]?.panBy(3, 0);
+    });
+    await frames(page, 3);
+    const bytes = await page.evaluate(async () => {
+      const blob = await views[2]?.toBlob(800);
+      return [...new Uint8Array((await blob?.arrayBuffer()) ?? [])];
+    });
+    expect(colours(await decoded(Buffer.from(bytes)))).toBeGreaterThan(20);
+    await frames(page, 3);
+    expect(await page.evaluate(() => Seen.copies.size)).toBe(0);
+    await page.evaluate(() => {
+      scrollTo(0, 3000);
+    });
+    await eventually(() => page.evaluate(() => Seen.copies.size)).toBe(1);
+  },
+);
 
 it('leaves what is shown as it was when a picture is made of a view', async () => {
   const page = await opened();
@@ -186,27 +198,31 @@ it('leaves what is shown as it was when a picture is made of a view', async () =
   expect(difference(await picture(page, area), before)).toBe(0);
 });
 
-it('draws the strip of a seam beside a view that stays drawn directly', async () => {
-  const scene = sceneOf(squarePair(), print);
-  const page = await opened();
-  await show(page, {...sceneFor(1), seams: []});
-  await setTile(page, tile.png);
-  await page.evaluate(
-    async ([shown, png]) => {
-      const strip = Viewer.openStrip(200, 150);
-      strip.show({scene: shown, seam: 0});
-      strip.setTile(await Viewer.loadTile(png));
-      await new Promise(requestAnimationFrame);
-      await new Promise(requestAnimationFrame);
-      strip.setCursor(0.5); // a frame with nothing to draw but the strip
-    },
-    [scene, tile.png] as const,
-  );
-  await settled(page);
-  expect(await canvases(page)).toEqual({direct: 1, copied: 1});
-  expect(colours(await picture(page, {width: 200, height: 150}))).toBeGreaterThan(5);
-  for (const {points, wrong} of await compared(page, sceneFor(1), tile.pixels)) {
-    expect(wrong).toEqual([]);
-    expect(points).toBeGreaterThan(20);
-  }
-});
+it(
+  'draws the strip of a seam beside a view that stays drawn directly',
+  {tags: ['thorough']},
+  async () => {
+    const scene = sceneOf(squarePair(), print);
+    const page = await opened();
+    await show(page, {...sceneFor(1), seams: []});
+    await setTile(page, tile.png);
+    await page.evaluate(
+      async ([shown, png]) => {
+        const strip = Viewer.openStrip(200, 150);
+        strip.show({scene: shown, seam: 0});
+        strip.setTile(await Viewer.loadTile(png));
+        await new Promise(requestAnimationFrame);
+        await new Promise(requestAnimationFrame);
+        strip.setCursor(0.5); // a frame with nothing to draw but the strip
+      },
+      [scene, tile.png] as const,
+    );
+    await settled(page);
+    expect(await canvases(page)).toEqual({direct: 1, copied: 1});
+    expect(colours(await picture(page, {width: 200, height: 150}))).toBeGreaterThan(5);
+    for (const {points, wrong} of await compared(page, sceneFor(1), tile.pixels)) {
+      expect(wrong).toEqual([]);
+      expect(points).toBeGreaterThan(20);
+    }
+  },
+);

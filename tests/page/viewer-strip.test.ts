@@ -65,34 +65,43 @@ function difference(pixels: Pixels, off: number, middle = 0): number {
   return sum / places.length;
 }
 
-it('shows the print on both sides of a seam as each piece lies on it', async () => {
-  const tile = checkered();
-  const second: Alignment = {angle: 0.3, translation: [1, 2]};
-  const {page} = await opened(sceneIn(plainPrint, second));
-  const pixels = await screenOf(page);
-  // sewn from the foot up with the left square above: along is up both squares, in is to the left and to the right
-  const sides = [
-    {alignment: home, up: 1, place: (along: number, d: number): Point => [4 - d, 2 + along]},
-    {alignment: second, up: -1, place: (along: number, d: number): Point => [d, 2 + along]},
-  ];
-  const eps = 0.05;
-  for (const {alignment, up, place} of sides) {
-    let compared = 0;
-    for (let along = -1.8; along < 1.9; along += 0.3) {
-      for (let d = 0.2; d < 3.9; d += 0.3) {
-        const colour = (a: number, b: number): string =>
-          printed(plainPrint, tile.pixels, alignment, place(along + a, d + b)).join();
-        const around = [colour(eps, eps), colour(-eps, eps), colour(eps, -eps), colour(-eps, -eps)];
-        if (new Set([...around, colour(0, 0)]).size > 1) continue;
-        expect(at(pixels, along, up * d).join()).toBe(colour(0, 0));
-        compared++;
+it(
+  'shows the print on both sides of a seam as each piece lies on it',
+  {tags: ['thorough']},
+  async () => {
+    const tile = checkered();
+    const second: Alignment = {angle: 0.3, translation: [1, 2]};
+    const {page} = await opened(sceneIn(plainPrint, second));
+    const pixels = await screenOf(page);
+    // sewn from the foot up with the left square above: along is up both squares, in is to the left and to the right
+    const sides = [
+      {alignment: home, up: 1, place: (along: number, d: number): Point => [4 - d, 2 + along]},
+      {alignment: second, up: -1, place: (along: number, d: number): Point => [d, 2 + along]},
+    ];
+    const eps = 0.05;
+    for (const {alignment, up, place} of sides) {
+      let compared = 0;
+      for (let along = -1.8; along < 1.9; along += 0.3) {
+        for (let d = 0.2; d < 3.9; d += 0.3) {
+          const colour = (a: number, b: number): string =>
+            printed(plainPrint, tile.pixels, alignment, place(along + a, d + b)).join();
+          const around = [
+            colour(eps, eps),
+            colour(-eps, eps),
+            colour(eps, -eps),
+            colour(-eps, -eps),
+          ];
+          if (new Set([...around, colour(0, 0)]).size > 1) continue;
+          expect(at(pixels, along, up * d).join()).toBe(colour(0, 0));
+          compared++;
+        }
       }
+      expect(compared).toBeGreaterThan(50);
     }
-    expect(compared).toBeGreaterThan(50);
-  }
-});
+  },
+);
 
-it('shows nothing beyond the ends of the pieces', async () => {
+it('shows nothing beyond the ends of the pieces', {tags: ['thorough']}, async () => {
   const {page} = await opened(sceneIn(plainPrint, runsOn));
   const pixels = await screenOf(page);
   for (const [along, up] of [
@@ -116,27 +125,31 @@ function mirroredFields(): string {
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 80 80">${fields.join('')}</svg>`;
 }
 
-it('lets the print meet at the line when it runs on and when it is mirrored, and only then', async () => {
-  const print: Print = {group: 'pm', w1: [10, 0], w2: [0, 10]};
-  const shown = async (second: Alignment): Promise<readonly [string, Pixels]> => {
-    const scene = sceneIn(print, second);
-    const {page} = await opened(scene, mirroredFields());
-    return [scene.seams[0]?.kind ?? '', await screenOf(page)];
-  };
-  const near = 0.06;
-  const [kind, plain] = await shown(runsOn);
-  expect(kind).toBe('continuous');
-  expect(difference(plain, near)).toBeLessThan(3);
-  expect(difference(plain, 2)).toBeGreaterThan(20);
-  const [other, folded] = await shown(mirrored);
-  expect(other).toBe('mirrored');
-  expect(difference(folded, near)).toBeLessThan(3);
-  expect(difference(folded, 2)).toBeLessThan(3);
-  const [, broken] = await shown({angle: 0, translation: [-6.5, 2.3]});
-  expect(difference(broken, near)).toBeGreaterThan(20);
-});
+it(
+  'lets the print meet at the line when it runs on and when it is mirrored, and only then',
+  {tags: ['thorough']},
+  async () => {
+    const print: Print = {group: 'pm', w1: [10, 0], w2: [0, 10]};
+    const shown = async (second: Alignment): Promise<readonly [string, Pixels]> => {
+      const scene = sceneIn(print, second);
+      const {page} = await opened(scene, mirroredFields());
+      return [scene.seams[0]?.kind ?? '', await screenOf(page)];
+    };
+    const near = 0.06;
+    const [kind, plain] = await shown(runsOn);
+    expect(kind).toBe('continuous');
+    expect(difference(plain, near)).toBeLessThan(3);
+    expect(difference(plain, 2)).toBeGreaterThan(20);
+    const [other, folded] = await shown(mirrored);
+    expect(other).toBe('mirrored');
+    expect(difference(folded, near)).toBeLessThan(3);
+    expect(difference(folded, 2)).toBeLessThan(3);
+    const [, broken] = await shown({angle: 0, translation: [-6.5, 2.3]});
+    expect(difference(broken, near)).toBeGreaterThan(20);
+  },
+);
 
-it('shows the seam in another scene left of a line', async () => {
+it('shows the seam in another scene left of a line', {tags: ['thorough']}, async () => {
   const scene = sceneIn(plainPrint, runsOn);
   const {page, strip} = await opened(scene);
   const after = await screenOf(page);
@@ -180,7 +193,7 @@ it('knows what lies under a point, and marks a place across the seam', async () 
   expect(row).toContain('36,98,214');
 });
 
-it('fits a long seam into its box, and follows the box', async () => {
+it('fits a long seam into its box, and follows the box', {tags: ['thorough']}, async () => {
   const {strip} = await opened(sceneIn(plainPrint, runsOn));
   await strip.evaluate(() => {
     const box = document.querySelector<HTMLElement>('body > div');

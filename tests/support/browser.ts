@@ -52,25 +52,36 @@ export async function openBrowser(): Promise<Browser> {
   const newContext = browser.newContext.bind(browser);
   browser.newContext = async (options) => {
     const context = await newContext(options);
-    await countSolves(context);
+    await watchWorkers(context);
     return context;
   };
   return browser;
 }
 
-/** Counts the solves that pages ask their workers for: most of what a test costs. */
-async function countSolves(context: BrowserContext): Promise<void> {
+/**
+ * Counts the solves that pages ask their workers for, most of what a test costs, and the workers at hand: Playwright
+ * misses the end of some.
+ */
+async function watchWorkers(context: BrowserContext): Promise<void> {
   await context.exposeBinding('countSolve', () => {
     count('page solve');
   });
   await context.addInitScript(() => {
     if (typeof Worker === 'undefined') return;
     const {countSolve} = globalThis as unknown as {countSolve: () => Promise<void>};
-    const own = Object.getOwnPropertyDescriptor(Worker.prototype, 'postMessage');
-    const post = own?.value as (...words: unknown[]) => void;
+    const methodOf = (name: 'postMessage' | 'terminate') =>
+      Object.getOwnPropertyDescriptor(Worker.prototype, name)?.value as (...words: unknown[]) => void;
+    const [post, terminate] = [methodOf('postMessage'), methodOf('terminate')];
+    const workersAtHand = new Set<Worker>();
+    Object.assign(globalThis, {workersAtHand});
     Worker.prototype.postMessage = function (this: Worker, ...words: unknown[]) {
+      workersAtHand.add(this);
       if ((words[0] as {name?: unknown} | undefined)?.name === 'solve') void countSolve();
       post.apply(this, words);
+    };
+    Worker.prototype.terminate = function (this: Worker) {
+      workersAtHand.delete(this);
+      terminate.call(this);
     };
   });
 }

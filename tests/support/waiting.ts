@@ -1,5 +1,5 @@
 /** Waits of browser tests: for frames, events and workers, never for a time. */
-import type {Page, Worker} from 'playwright-core';
+import type {Page} from 'playwright-core';
 import {expect} from 'vitest';
 
 /** Waits until the page has drawn frames; after two, its observers have reported. */
@@ -15,11 +15,9 @@ export async function caughtUp(page: Page): Promise<void> {
   await page.evaluate(async () => (await fetch(location.href)).text());
 }
 
-/** Waits until the page has this number of workers that count. */
-export async function workersLeft(
-  page: Page,
-  count: number,
-  counts: (worker: Worker) => boolean = () => true,
-): Promise<void> {
-  await expect.poll(() => page.workers().filter(counts).length, {timeout: 30_000}).toBe(count);
+/** Waits until the page itself has this number of workers; workers of theirs end with them. */
+export async function workersLeft(page: Page, count: number): Promise<void> {
+  const atHand = (): Promise<number> =>
+    page.evaluate(() => (globalThis as unknown as {workersAtHand: Set<Worker>}).workersAtHand.size);
+  await expect.poll(atHand, {timeout: 30_000}).toBe(count);
 }

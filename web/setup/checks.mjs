@@ -29,7 +29,7 @@ function runTool(name, ...args) {
 const nativeTests = {native: 'slow', sanitize: 'fast'};
 
 /** Builds a preset and runs its native tests. */
-async function native(preset, {isThorough}, flags = []) {
+async function native(preset, {isThorough, level}, flags = []) {
   await ensureSystem(forNativeTests);
   const chosen = `-DSEAMWISE_TESTS=${isThorough ? 'all' : nativeTests[preset]}`;
   // Another compiler's new warning is no reason to fail on a user's machine.
@@ -39,7 +39,8 @@ async function native(preset, {isThorough}, flags = []) {
     (await run('cmake', ['--build', '--preset', preset, '--', '--quiet'], {output: 'on failure'}));
   const parallel = ['-j', String(availableParallelism())];
   const times = ['--output-junit', timesOf(`${preset}.xml`)];
-  return built && run('ctest', ['--preset', preset, ...parallel, ...times]);
+  const words = ['--preset', preset, ...parallel, ...times];
+  return built && run('ctest', words, {env: {SEAMWISE_TESTS: level}});
 }
 
 /** One build for tests and fuzzer, by clang; another compiler does where that is not to be had. */

@@ -2,7 +2,7 @@ import {execFile, spawnSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
 import {existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {availableParallelism} from 'node:os';
-import {basename, join, resolve} from 'node:path';
+import {join, resolve} from 'node:path';
 import {promisify} from 'node:util';
 
 import {has, root, run, say} from './shell.mjs';
@@ -53,7 +53,7 @@ export async function tidy(folder, isAnew) {
   const work = async () => {
     for (let unit = units.pop(); unit !== undefined; unit = units.pop()) {
       const state = stateOf(folder, unit);
-      const stamp = join(kept, `${basename(unit.file)}.passed`);
+      const stamp = join(kept, `${objectOf(unit).replaceAll(/\W/g, '_')}.passed`);
       if (!isAnew && existsSync(stamp) && readFileSync(stamp, 'utf8') === state) continue;
       const words = [...flags, '--warnings-as-errors=*', unit.file];
       if (await run(program, words, {output: 'on failure'})) writeFileSync(stamp, state);
@@ -64,16 +64,19 @@ export async function tidy(folder, isAnew) {
   return passed || !(await decides(program));
 }
 
+/** The object file that a unit is compiled to, in the build's folder. */
+const objectOf = ({command}) => / -o (\S+)/.exec(command)?.[1] ?? '';
+
 /** Identifies a unit of a build: how it is compiled, and the project's files that it includes. */
-function stateOf(folder, {command, output}) {
-  const {stdout} = spawnSync('ninja', ['-C', folder, '-t', 'deps', output], {
+function stateOf(folder, unit) {
+  const {stdout} = spawnSync('ninja', ['-C', folder, '-t', 'deps', objectOf(unit)], {
     cwd: root,
     encoding: 'utf8',
   });
   const files = stdout.split('\n').map((line) => resolve(root, folder, line.trim()));
   const sources = files.filter((file) => file.startsWith(join(root, 'wasm')) && existsSync(file));
   // without a list of its files, a unit counts as another each time
-  const hash = createHash('sha256').update(`${command} ${sources.length || Date.now()}`);
+  const hash = createHash('sha256').update(`${unit.command} ${sources.length || Date.now()}`);
   for (const file of [join(root, '.clang-tidy'), ...sources]) hash.update(readFileSync(file));
   return hash.digest('hex');
 }
