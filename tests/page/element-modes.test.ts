@@ -55,36 +55,40 @@ it(
   },
 );
 
-it('shows the symmetries that are kept by themselves as kept, and lets go of them', async () => {
-  const {put, page, run} = await openPage({viewport: {width: 1400, height: 900}});
-  await put(tee.replace('alt=', 'mode="edit" alt='));
-  const symmetryOf = (): Promise<unknown> =>
-    run(async (element) => {
-      await element.solve();
-      return element.getDesign().symmetry;
+it(
+  'shows the symmetries that are kept by themselves as kept, and lets go of them',
+  {tags: ['thorough']},
+  async () => {
+    const {put, page, run} = await openPage({viewport: {width: 1400, height: 900}});
+    await put(tee.replace('alt=', 'mode="edit" alt='));
+    const symmetryOf = (): Promise<unknown> =>
+      run(async (element) => {
+        await element.solve();
+        return element.getDesign().symmetry;
+      });
+    expect(await symmetryOf()).toBe('auto');
+    const panel = page.getByRole('region', {name: 'Symmetry'});
+    const remove = panel.getByRole('button', {name: /^Remove/});
+    const accept = panel.getByRole('button', {name: /^Accept/});
+    await expect.poll(() => remove.count()).toBe(3);
+    await expect.poll(() => accept.count()).toBe(0);
+    await remove.first().click();
+    expect(await symmetryOf()).toHaveLength(2);
+    await expect.poll(() => accept.count()).toBe(1);
+    await remove.first().click();
+    await remove.first().click();
+    expect(await symmetryOf()).toBe('none');
+    await expect.poll(() => remove.count()).toBe(0);
+    await run((element) => {
+      element.print = 'prints/cm.json';
     });
-  expect(await symmetryOf()).toBe('auto');
-  const panel = page.getByRole('region', {name: 'Symmetry'});
-  const remove = panel.getByRole('button', {name: /^Remove/});
-  const accept = panel.getByRole('button', {name: /^Accept/});
-  await expect.poll(() => remove.count()).toBe(3);
-  await expect.poll(() => accept.count()).toBe(0);
-  await remove.first().click();
-  expect(await symmetryOf()).toHaveLength(2);
-  await expect.poll(() => accept.count()).toBe(1);
-  await remove.first().click();
-  await remove.first().click();
-  expect(await symmetryOf()).toBe('none');
-  await expect.poll(() => remove.count()).toBe(0);
-  await run((element) => {
-    element.print = 'prints/cm.json';
-  });
-  expect(await symmetryOf()).toBe('none');
-  await run((element) => {
-    element.value = null;
-  });
-  expect(await symmetryOf()).toBe('auto');
-});
+    expect(await symmetryOf()).toBe('none');
+    await run((element) => {
+      element.value = null;
+    });
+    expect(await symmetryOf()).toBe('auto');
+  },
+);
 
 it('lets the print be dragged inside a piece, and tells the page of it', async () => {
   const {put, page, run} = await openPage({viewport: {width: 900, height: 700}});

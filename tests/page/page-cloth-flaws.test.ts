@@ -29,40 +29,45 @@ const clearOf = ({placements}: LayPlan, [x = 0, y = 0, w = 0, h = 0]: readonly n
     cut.every(([px, py]) => px < x || px > x + w || py < y || py > y + h),
   );
 
-it('adds a flaw in the middle of what is seen, moves it and makes it larger by keys, and says so', async () => {
-  const page = await clothOf(await openPage());
-  await panel(page).getByRole('button', {name: 'Add a flaw'}).focus();
-  await page.keyboard.press('Enter');
-  await expect.poll(() => rows(page).count()).toBe(1);
-  await expect.poll(() => isFocused(nameOf(page, 1))).toBe(true);
-  await expect.poll(() => told(page)).toHaveLength(4);
-  const [left = 0, start = 0, width, length] = await told(page);
-  expect([width, length]).toEqual([5, 5]);
-  expect(left).toBeGreaterThan(40);
-  expect(left).toBeLessThan(95);
-  await expect.poll(() => pane(page).locator('.sheet .flaw.chosen').count()).toBe(1);
-  await laid(page);
-  await expect.poll(() => undoTitle(page)).toBe('Undo: flaw');
+it(
+  'adds a flaw in the middle of what is seen, moves it and makes it larger by keys, and says so',
+  {tags: ['thorough']},
+  async () => {
+    const page = await clothOf(await openPage());
+    await panel(page).getByRole('button', {name: 'Add a flaw'}).focus();
+    await page.keyboard.press('Enter');
+    await expect.poll(() => rows(page).count()).toBe(1);
+    await expect.poll(() => isFocused(nameOf(page, 1))).toBe(true);
+    await expect.poll(() => told(page)).toHaveLength(4);
+    const [left = 0, start = 0, width, length] = await told(page);
+    expect([width, length]).toEqual([5, 5]);
+    expect(left).toBeGreaterThan(40);
+    expect(left).toBeLessThan(95);
+    await expect.poll(() => pane(page).locator('.sheet .flaw.chosen').count()).toBe(1);
+    await laid(page);
+    await expect.poll(() => undoTitle(page)).toBe('Undo: flaw');
 
-  await page.keyboard.press('ArrowLeft');
-  await expect.poll(() => told(page)).toEqual([left - 1, start, 5, 5]);
-  await laid(page);
-  await page.keyboard.press('ArrowUp');
-  await expect.poll(() => told(page)).toEqual([left - 1, start + 1, 5, 5]);
-  await page.keyboard.press('Shift+ArrowRight');
-  await page.keyboard.press('Shift+ArrowDown');
-  await expect.poll(() => told(page)).toEqual([left - 1, start + 1, 6, 4]);
-  await laid(page);
-  const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
-  expect(clearOf(plan, await told(page))).toBe(true);
+    await page.keyboard.press('ArrowLeft');
+    await expect.poll(() => told(page)).toEqual([left - 1, start, 5, 5]);
+    await laid(page);
+    await page.keyboard.press('ArrowUp');
+    await expect.poll(() => told(page)).toEqual([left - 1, start + 1, 5, 5]);
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('Shift+ArrowDown');
+    await expect.poll(() => told(page)).toEqual([left - 1, start + 1, 6, 4]);
+    await laid(page);
+    const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+    expect(clearOf(plan, await told(page))).toBe(true);
 
-  // what is told before anything was laid anew is one step
-  for (let k = 0; k < 5 && (await rows(page).count()) > 0; k++) await button(page, 'Undo').click();
-  await expect.poll(() => rows(page).count()).toBe(0);
-  await button(page, 'Redo').click();
-  await expect.poll(() => rows(page).count()).toBe(1);
-  await expect.poll(() => pane(page).locator('.sheet .flaw').count()).toBe(1);
-});
+    // what is told before anything was laid anew is one step
+    for (let k = 0; k < 5 && (await rows(page).count()) > 0; k++)
+      await button(page, 'Undo').click();
+    await expect.poll(() => rows(page).count()).toBe(0);
+    await button(page, 'Redo').click();
+    await expect.poll(() => rows(page).count()).toBe(1);
+    await expect.poll(() => pane(page).locator('.sheet .flaw').count()).toBe(1);
+  },
+);
 
 it(
   'takes the place and size of a flaw by figures, removes it by Delete, and leaves the focus near',

@@ -255,40 +255,44 @@ it('leaves what is pinned where it is when it packs the rest', {tags: ['thorough
   await expect.poll(() => facts(page)).toContain('As moved by hand');
 });
 
-it('lets a piece be dragged: to the nearest free place, or with Alt on others, which is said', async () => {
-  const page = await openCloth();
-  const dragged = async (to: string): Promise<void> => {
-    const [from, onto] = await Promise.all(
-      ['Front', to].map((name) => pane(page).locator('.piece', {hasText: name}).boundingBox()),
-    );
-    if (!from || !onto) throw new Error('There is no such piece.');
-    await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2);
-    await page.mouse.down();
-    await page.mouse.move(onto.x + onto.width / 2, onto.y + onto.height / 2, {steps: 6});
-  };
-  const dots = () => pane(page).locator('.dots').last().getAttribute('d');
-  await dragged('Back');
-  await expect.poll(dots).toMatch(/^M/);
-  await page.keyboard.press('Escape');
-  await page.mouse.up();
-  await expect.poll(() => pane(page).locator('.dots').count()).toBe(0);
-  await expect.poll(() => button(page, 'Undo').getAttribute('title')).not.toContain('cloth');
-  await dragged('Back');
-  await page.mouse.up();
-  await expect.poll(() => said(page)).toMatch(/^Front: /);
-  await expect.poll(() => panel(page).locator('.error').count()).toBe(0);
-  await page.keyboard.down('Alt');
-  await dragged('Back');
-  await expect.poll(() => said(page)).toMatch(/^Front overlaps .*Back/);
-  await page.mouse.up();
-  await page.keyboard.up('Alt');
-  await expect
-    .poll(() => panel(page).locator('.pieces').innerText())
-    .toContain('Back overlaps Front');
-  await expect.poll(() => bought(page)).toMatch(/^\d pieces cannot be cut where they lie$/);
-  await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Front'}).count()).toBe(1);
-  await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Back'}).count()).toBe(1);
-});
+it(
+  'lets a piece be dragged: to the nearest free place, or with Alt on others, which is said',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openCloth();
+    const dragged = async (to: string): Promise<void> => {
+      const [from, onto] = await Promise.all(
+        ['Front', to].map((name) => pane(page).locator('.piece', {hasText: name}).boundingBox()),
+      );
+      if (!from || !onto) throw new Error('There is no such piece.');
+      await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(onto.x + onto.width / 2, onto.y + onto.height / 2, {steps: 6});
+    };
+    const dots = () => pane(page).locator('.dots').last().getAttribute('d');
+    await dragged('Back');
+    await expect.poll(dots).toMatch(/^M/);
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    await expect.poll(() => pane(page).locator('.dots').count()).toBe(0);
+    await expect.poll(() => button(page, 'Undo').getAttribute('title')).not.toContain('cloth');
+    await dragged('Back');
+    await page.mouse.up();
+    await expect.poll(() => said(page)).toMatch(/^Front: /);
+    await expect.poll(() => panel(page).locator('.error').count()).toBe(0);
+    await page.keyboard.down('Alt');
+    await dragged('Back');
+    await expect.poll(() => said(page)).toMatch(/^Front overlaps .*Back/);
+    await page.mouse.up();
+    await page.keyboard.up('Alt');
+    await expect
+      .poll(() => panel(page).locator('.pieces').innerText())
+      .toContain('Back overlaps Front');
+    await expect.poll(() => bought(page)).toMatch(/^\d pieces cannot be cut where they lie$/);
+    await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Front'}).count()).toBe(1);
+    await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Back'}).count()).toBe(1);
+  },
+);
 
 it('keeps pieces off a flaw that is drawn, until it is removed', {tags: ['thorough']}, async () => {
   const page = await openCloth();

@@ -95,16 +95,20 @@ it(
   },
 );
 
-it('keeps a whole piece and its twin, from the picture or from the table', async () => {
-  const page = await symmetricTee(openPage);
-  await button(page, 'Keep as drafted').click();
-  await clickPiece(page, 'sleeve_left');
-  await expect.poll(() => lockedOf(page)).toEqual({sleeve_left: true});
-  const right = page.getByRole('checkbox', {name: 'Kept as drafted: Sleeve right'});
-  await expect.poll(() => right.isChecked()).toBe(true);
-  await right.click();
-  await expect.poll(() => lockedOf(page)).toBeUndefined();
-});
+it(
+  'keeps a whole piece and its twin, from the picture or from the table',
+  {tags: ['thorough']},
+  async () => {
+    const page = await symmetricTee(openPage);
+    await button(page, 'Keep as drafted').click();
+    await clickPiece(page, 'sleeve_left');
+    await expect.poll(() => lockedOf(page)).toEqual({sleeve_left: true});
+    const right = page.getByRole('checkbox', {name: 'Kept as drafted: Sleeve right'});
+    await expect.poll(() => right.isChecked()).toBe(true);
+    await right.click();
+    await expect.poll(() => lockedOf(page)).toBeUndefined();
+  },
+);
 
 it('keeps edges by keys alone', {tags: ['thorough']}, async () => {
   const page = await openPage();

@@ -57,35 +57,39 @@ async function opened(): Promise<Page> {
 const linesOf = async (page: Page): Promise<unknown> =>
   (await designOf(page)).options.grain?.pieces;
 
-it('calls pieces by their panels, lets them be renamed, and writes the name on what is cut', async () => {
-  const page = await opened();
-  const row = page.getByRole('row').filter({hasText: 'Left back torso'}).first();
-  await row.focus();
-  await page.keyboard.press('F2');
-  const field = page.getByRole('textbox', {name: 'Name of the piece: Left back torso'});
-  await field.fill('Left front torso');
-  await field.press('Enter');
-  await page.getByText('Another piece is called Left front torso').waitFor();
-  await field.fill('Rear');
-  await field.press('Enter');
-  expect((await designOf(page)).names).toEqual({left_btorso: 'Rear'});
-  await page.getByText(/^Aligned in/).waitFor(); // the answer is still the answer
-  expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({
-    design: {names: {left_btorso: 'Rear'}},
-  });
-  const svg = await savedCut(page, 'SVG');
-  expect(svg).toContain('<title>My shirt</title>');
-  expect(svg).toContain('aria-label="Rear"');
-  expect(svg.match(/>A<\/text>/g)).toHaveLength(2);
+it(
+  'calls pieces by their panels, lets them be renamed, and writes the name on what is cut',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    const row = page.getByRole('row').filter({hasText: 'Left back torso'}).first();
+    await row.focus();
+    await page.keyboard.press('F2');
+    const field = page.getByRole('textbox', {name: 'Name of the piece: Left back torso'});
+    await field.fill('Left front torso');
+    await field.press('Enter');
+    await page.getByText('Another piece is called Left front torso').waitFor();
+    await field.fill('Rear');
+    await field.press('Enter');
+    expect((await designOf(page)).names).toEqual({left_btorso: 'Rear'});
+    await page.getByText(/^Aligned in/).waitFor(); // the answer is still the answer
+    expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({
+      design: {names: {left_btorso: 'Rear'}},
+    });
+    const svg = await savedCut(page, 'SVG');
+    expect(svg).toContain('<title>My shirt</title>');
+    expect(svg).toContain('aria-label="Rear"');
+    expect(svg.match(/>A<\/text>/g)).toHaveLength(2);
 
-  await button(page, 'Rename: Rear').click();
-  await page.keyboard.type('Nobody');
-  await page.keyboard.press('Escape');
-  expect((await designOf(page)).names).toEqual({left_btorso: 'Rear'});
-  await button(page, 'Undo').click();
-  expect((await designOf(page)).names).toBeUndefined();
-  await button(page, 'Rename: Left back torso').waitFor();
-});
+    await button(page, 'Rename: Rear').click();
+    await page.keyboard.type('Nobody');
+    await page.keyboard.press('Escape');
+    expect((await designOf(page)).names).toEqual({left_btorso: 'Rear'});
+    await button(page, 'Undo').click();
+    expect((await designOf(page)).names).toBeUndefined();
+    await button(page, 'Rename: Left back torso').waitFor();
+  },
+);
 
 it('asks once for the grain of a file without one, and takes its own proposals at a click', async () => {
   const page = await opened();

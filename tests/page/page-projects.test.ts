@@ -257,20 +257,24 @@ it(
   },
 );
 
-it('says that a link is damaged, and leaves everything as it was', async () => {
-  const page = await quietPage();
-  await chooseGroup(page, 'pgg');
-  const before = await designOf(page);
-  await page.evaluate(() => {
-    location.hash = '#project=7VtLc9s4Ej';
-  });
-  await page.getByRole('alert').filter({hasText: 'The link is damaged'}).waitFor();
-  expect(await designOf(page)).toEqual(before);
-  await expect.poll(() => button(page, 'Undo').isEnabled()).toBe(true);
-  await page.evaluate(() => {
-    history.replaceState(null, '', '#design=AAAA');
-    location.reload();
-  });
-  await page.getByRole('alert').filter({hasText: 'The link is damaged'}).waitFor();
-  expect(await designOf(page)).toEqual(before);
-});
+it(
+  'says that a link is damaged, and leaves everything as it was',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    await chooseGroup(page, 'pgg');
+    const before = await designOf(page);
+    await page.evaluate(() => {
+      location.hash = '#project=7VtLc9s4Ej';
+    });
+    await page.getByRole('alert').filter({hasText: 'The link is damaged'}).waitFor();
+    expect(await designOf(page)).toEqual(before);
+    await expect.poll(() => button(page, 'Undo').isEnabled()).toBe(true);
+    await page.evaluate(() => {
+      history.replaceState(null, '', '#design=AAAA');
+      location.reload();
+    });
+    await page.getByRole('alert').filter({hasText: 'The link is damaged'}).waitFor();
+    expect(await designOf(page)).toEqual(before);
+  },
+);

@@ -36,7 +36,7 @@ it.each(sampleOf(2, [4, 1, 2]))(
   },
 );
 
-it('may break in the middle of a search', async () => {
+it('may break in the middle of a search', {tags: ['thorough']}, async () => {
   const solving = page.evaluate((problem) => new Client({}, () => 3).solve(problem), jacket);
   await expect.poll(() => helpers, {timeout: 60_000}).toHaveLength(3);
   await Promise.all(
