@@ -133,43 +133,40 @@ function page({date, machine, node, commit: of, command, minutes, ...results}) {
   return `# Benchmarks
 
 Written by \`${command}\` on ${date}, in ${minutes} minutes, on ${machine}, Node ${node}, at commit ${of}.
-\`npm run bench -- --help\` tells what can be chosen. Fits are cm², times milliseconds: the quickest of several
-runs where they are short. \`native\` and \`wasm\` are one program around the same core, the latter in Node and
-compiled as the page's module is.
+\`npm run bench -- --help\` lists the options. Fits are in cm², times in milliseconds. A short time is the quickest of several runs.
+\`native\` and \`wasm\` are the same program around the same core. \`wasm\` runs in Node, compiled as the page's module is.
 
 ${notes}
 ${tablesOf(results)}`;
 }
 
-const notes = `- **fit** and its kin are those of [the life of a print](life-of-a-print.md#10-the-result). *free* pieces are
-  those whose alignment is a variable of its own. *random* is the mean over random alignments; *fit/random*
-  and *seam/random* compare with it. *first ms*: from the files to the first alignment that can be drawn, in the
-  first solve of a process, but for the small ones that a page has its worker warm with while files are on their way. *progress off*: the greatest distance of the progress reported from the share of time
-  spent. *memory*: the most in use beyond what the program held before.
-  *fit/drafted* compares with the drafted pieces laid on grain; *off*: how much seam misses by more than 5 mm; nine tenths
-  of it do not miss by *p90*.
-- **paper** and **ws19** are timed by their last attempt: they are solved with growing stiffness until the greatest
-  change holds. Under *Methods*, two of them run at once.
-- **Against the published method**: every garment in three of the groups in turn, two cases at once. *paper*: as published,
-  with one random start; *best paper*: the best end of 50 starts and one from the drafted layout, then deformed towards its
-  targets as they are or clipped to 0.9 of the greatest change, whichever fits better. Neither ends worse than undeformed.
-- **Search**: 1000 starts at random alignments, each improved by the local step of \`best\`, the best ten of
-  them on every edge; \`fitSearch\` is that of the default budget, its time all of the alignment phase. *bound*: no alignment
-  costs less than this share of it. The long
-  search goes on from there with a budget of that many seconds. All seams weigh alike here, and marked lines are
-  left out, so that the fit is what is searched for. Two cases run at once, but what one time is divided
-  by was measured in the same process.
-- **One factorisation**: the LDLT factorisation (numerical part, by the core's own factoriser) of the Hessian of
-  the whole, unreduced mesh: two unknowns for every vertex of every piece, conformal energy and a pull to rest.
-- **Edits**: as a worker solves them: mesh and searches of the answer before are at hand as far as the change leaves them as
-  they are; the answer is the same as without.
-- **Rules**: all sample prints, on grain and at any angle. *worse*: seams whose mean mismatch is more than 0.3 mm above that
-  of placing alone and above 1 mm; *in vain*: seams that shaping improves by less than a quarter although a vertex off its ends
-  moves by more than 1 mm; *whole*: results above the drafted pieces laid on grain. Means over all prints, in mm.
-- **Layouts**: cut lines with 1 cm allowance on cloth of 140 cm, laid at random alignments on grain in a square cell of group p2. *area*:
-  what all pieces cover, over the width; *bound*: no layout is shorter than this, with *proven* where one is as long. *no print*: the
-  same pieces laid anywhere. Times from the outlines to the first layout, and to the end of search and proof.
-- \`=\` stands where neither of two fits leaves any mismatch.
+const notes = `- **fit** and the related figures are those of [the result](formats.md#figures). *free* pieces are those with an alignment of their own.
+  *random* is the mean over random alignments; *fit/random* and *seam/random* compare with it. *first ms*: time from the files to the
+  first alignment that can be drawn, in the first solve of a process after the small warm-up solves of a page's worker. *progress off*: the
+  greatest difference between the reported progress and the share of time spent. *memory*: the greatest memory in use, beyond that of the
+  program before.
+  *fit/drafted* compares with the drafted pieces placed on grain. *off*: length of seam with a mismatch above 5 mm. Nine tenths of the
+  seam length have a mismatch of at most *p90*.
+- **paper** and **ws19** are timed by their last attempt: they are solved with growing stiffness until the greatest change holds. Under
+  *Methods*, two of them run at once.
+- **Against the published method**: every garment in three of the groups in turn, two cases at once. *paper*: as published, with one
+  random start. *best paper*: the best end of 50 starts and one from the drafted layout, then deformed towards its targets, unchanged or
+  clipped to 0.9 of the greatest change, whichever fits better. Neither ends worse than undeformed.
+- **Search**: 1000 starts at random alignments, each improved by the local step of \`best\`, the best ten of them on every edge.
+  \`fitSearch\` is that of the default budget; its time is that of the whole alignment phase. *bound*: no alignment costs less than this
+  share of it. The long search continues from there with a budget of that many seconds. All seams have equal weight, and marked lines are
+  left out, so that the fit is the cost of the search. Two cases run at once, but both times of a ratio come from the same process.
+- **One factorisation**: the LDLT factorisation (numerical part, by the core's own factoriser) of the Hessian of the whole, unreduced
+  mesh: two unknowns for every vertex of every piece, conformal energy and a pull to rest.
+- **Edits**: as in a worker, which reuses mesh and searches of the previous answer as far as the change leaves them valid. The answer is
+  the same as without them.
+- **Rules**: all sample prints, on grain and at any angle. *worse*: seams whose mean mismatch is more than 0.3 mm above that of placing
+  alone and above 1 mm. *in vain*: seams that shaping improves by less than a quarter although a vertex off its ends moves by more than
+  1 mm. *whole*: results above the drafted pieces placed on grain. Means over all prints, in mm.
+- **Layouts**: cut lines with 1 cm allowance on fabric of 140 cm, at random alignments on grain, in a square cell of group p2. *area*: area
+  of all pieces over the width. *bound*: no layout is shorter than this, with *proven* if one is as long. *no print*: the same pieces
+  without the print. Times from the outlines to the first layout, and to the end of search and proof.
+- \`=\` marks two fits without any mismatch.
 `;
 
 async function run() {
