@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "marker_samples.h"
 #include "nesting/layout_search.h"
 #include "nesting_enumeration.h"
@@ -17,21 +19,16 @@ using testing::laid;
 using testing::pieceOf;
 using testing::Random;
 
-WallpaperGroup someGroup(int k) {
-  switch (k % 6) {
-    case 0:
-      return groupOf("p2", {9, 0}, {0, 8});
-    case 1:
-      return groupOf("cmm", {8, -4}, {8, 4});
-    case 2:
-      return groupOf("p1", {9, 0}, {4.5, 4});
-    case 3:
-      return groupOf("p6", {9, 0}, 9 * unit(kPi / 3));
-    case 4:
-      return groupOf("pgg", {7, 0}, {0, 8});
-    default:
-      return groupOf("p2", {9, 0}, {3, 8});  // the same height is 24 cm higher
-  }
+const WallpaperGroup& someGroup(int k) {
+  static const std::array groups{
+      groupOf("p2", {9, 0}, {0, 8}),
+      groupOf("cmm", {8, -4}, {8, 4}),
+      groupOf("p1", {9, 0}, {4.5, 4}),
+      groupOf("p6", {9, 0}, 9 * unit(kPi / 3)),
+      groupOf("pgg", {7, 0}, {0, 8}),
+      groupOf("p2", {9, 0}, {3, 8}),  // the same height is 24 cm higher
+  };
+  return groups[static_cast<std::size_t>(k) % groups.size()];
 }
 
 /// A few pieces on cloth that is hardly wide enough for two.

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "marker_samples.h"
 #include "nesting_enumeration.h"
 
@@ -16,21 +18,16 @@ using testing::laid;
 using testing::pieceOf;
 using testing::Random;
 
-WallpaperGroup someGroup(int k) {
-  switch (k % 6) {
-    case 0:
-      return groupOf("p2", {5, 0}, {0, 4});
-    case 1:
-      return groupOf("cmm", {4, -2}, {4, 2});
-    case 2:
-      return groupOf("p1", {4, 0}, {2, 4});
-    case 3:
-      return groupOf("p6", {8, 0}, 8 * unit(kPi / 3));
-    case 4:
-      return groupOf("p4", {8, 0}, {0, 8});
-    default:
-      return groupOf("p2", {5, 0}, {1.25, 4});  // the same height is 16 cm higher
-  }
+const WallpaperGroup& someGroup(int k) {
+  static const std::array groups{
+      groupOf("p2", {5, 0}, {0, 4}),
+      groupOf("cmm", {4, -2}, {4, 2}),
+      groupOf("p1", {4, 0}, {2, 4}),
+      groupOf("p6", {8, 0}, 8 * unit(kPi / 3)),
+      groupOf("p4", {8, 0}, {0, 8}),
+      groupOf("p2", {5, 0}, {1.25, 4}),  // the same height is 16 cm higher
+  };
+  return groups[static_cast<std::size_t>(k) % groups.size()];
 }
 
 /// A long piece with a bulge and a notch somewhere, so that neighbours go into each other.
