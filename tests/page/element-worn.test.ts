@@ -169,22 +169,26 @@ it('drapes nothing that nobody sees', {tags: ['thorough']}, async () => {
   await expect.poll(told, patient).toBeGreaterThan(0);
 });
 
-it('is of a fabric that its design keeps, without being solved for it again', async () => {
-  const {page, put, run} = await openPage({viewport: {width: 700, height: 600}});
-  const solved = await counted(page, 'solve');
-  await put(worn.replace('alt=', 'fabric="denim" alt='));
-  await page.locator('seamwise-garment:state(ready)').waitFor();
-  const stored = await run((element) => element.getDesign());
-  expect(stored.fabric).toBe('denim');
-  await run((element) => {
-    element.fabric = 'poplin';
-  });
-  expect(await run((element) => element.getDesign().fabric)).toBe('poplin');
-  expect(await run((element) => element.state)).toBe('ready');
-  await run((element, design) => element.setDesign(design), stored);
-  expect(await run((element) => element.fabric)).toBe('denim');
-  expect(await solved()).toBe(2);
-});
+it(
+  'is of a fabric that its design keeps, without being solved for it again',
+  {tags: ['thorough']},
+  async () => {
+    const {page, put, run} = await openPage({viewport: {width: 700, height: 600}});
+    const solved = await counted(page, 'solve');
+    await put(worn.replace('alt=', 'fabric="denim" alt='));
+    await page.locator('seamwise-garment:state(ready)').waitFor();
+    const stored = await run((element) => element.getDesign());
+    expect(stored.fabric).toBe('denim');
+    await run((element) => {
+      element.fabric = 'poplin';
+    });
+    expect(await run((element) => element.getDesign().fabric)).toBe('poplin');
+    expect(await run((element) => element.state)).toBe('ready');
+    await run((element, design) => element.setDesign(design), stored);
+    expect(await run((element) => element.fabric)).toBe('denim');
+    expect(await solved()).toBe(2);
+  },
+);
 
 it('is drawn as finely after it has moved as before', {tags: ['thorough']}, async () => {
   const {page, put} = await openPage({viewport: {width: 600, height: 450}});

@@ -133,36 +133,40 @@ it('opens a print file, and a picture as a print', async () => {
     .toBe(`data:image/png;base64,${png.toString('base64')}`);
 });
 
-it('says in one sentence why a file cannot be opened, and leaves everything as it is', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  const open = squares(40) as {pattern: {panels: {left: {edges: object[]}}}};
-  open.pattern.panels.left.edges.pop();
-  const stranger = squares(40) as {pattern: {stitches: {panel: string}[][]}};
-  const [[, end]] = stranger.pattern.stitches as [[unknown, {panel: string}]];
-  end.panel = 'sleeve';
-  const cases: readonly (readonly [HandedFile, RegExp])[] = [
-    [jsonFile('words.json', 'once upon a time'), /pattern/],
-    [jsonFile('list.json', {milk: 2, eggs: 6}), /garment/],
-    [jsonFile('open.json', open), /left.*(open|closed)/],
-    [jsonFile('stranger.json', stranger), /sleeve/],
-    [jsonFile('future.json', {format: 'seamwise-project/9', design: {}}), /newer Seamwise/],
-    [jsonFile('damaged.json', {format: 'seamwise-project/1', design: {}}), /damaged/],
-    [jsonFile('bare.json', {format: 'seamwise-result/1', pieces: []}), /without its design/],
-    [{name: 'noise.png', mimeType: 'image/png', content: 'noise'}, /cannot be read as a picture/],
-  ];
-  for (const [file, complaint] of cases) {
-    await hand(page, 'drop', file);
-    const alert = page.getByRole('alert').filter({hasText: file.name});
-    await alert.waitFor();
-    const said = (await alert.textContent())?.trim() ?? '';
-    expect(said).toMatch(complaint);
-    expect(said.match(/[.!?](?=\s|$)/g), said).toEqual(['.']);
-    expect(await designOf(page)).toEqual(before);
-  }
-  await button(page, 'Dismiss').click();
-  await expect.poll(() => page.getByRole('alert').count()).toBe(0);
-});
+it(
+  'says in one sentence why a file cannot be opened, and leaves everything as it is',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    const open = squares(40) as {pattern: {panels: {left: {edges: object[]}}}};
+    open.pattern.panels.left.edges.pop();
+    const stranger = squares(40) as {pattern: {stitches: {panel: string}[][]}};
+    const [[, end]] = stranger.pattern.stitches as [[unknown, {panel: string}]];
+    end.panel = 'sleeve';
+    const cases: readonly (readonly [HandedFile, RegExp])[] = [
+      [jsonFile('words.json', 'once upon a time'), /pattern/],
+      [jsonFile('list.json', {milk: 2, eggs: 6}), /garment/],
+      [jsonFile('open.json', open), /left.*(open|closed)/],
+      [jsonFile('stranger.json', stranger), /sleeve/],
+      [jsonFile('future.json', {format: 'seamwise-project/9', design: {}}), /newer Seamwise/],
+      [jsonFile('damaged.json', {format: 'seamwise-project/1', design: {}}), /damaged/],
+      [jsonFile('bare.json', {format: 'seamwise-result/1', pieces: []}), /without its design/],
+      [{name: 'noise.png', mimeType: 'image/png', content: 'noise'}, /cannot be read as a picture/],
+    ];
+    for (const [file, complaint] of cases) {
+      await hand(page, 'drop', file);
+      const alert = page.getByRole('alert').filter({hasText: file.name});
+      await alert.waitFor();
+      const said = (await alert.textContent())?.trim() ?? '';
+      expect(said).toMatch(complaint);
+      expect(said.match(/[.!?](?=\s|$)/g), said).toEqual(['.']);
+      expect(await designOf(page)).toEqual(before);
+    }
+    await button(page, 'Dismiss').click();
+    await expect.poll(() => page.getByRole('alert').count()).toBe(0);
+  },
+);
 
 it(
   'knows a file by its first bytes, whatever it is called and whether or not a type is given',

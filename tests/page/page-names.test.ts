@@ -91,21 +91,25 @@ it(
   },
 );
 
-it('asks once for the grain of a file without one, and takes its own proposals at a click', async () => {
-  const page = await opened();
-  const card = page.getByRole('region', {name: 'Grain', exact: true});
-  await card.getByText('The file does not say how the grain runs.').waitFor();
-  await button(page, 'Piece by piece').click();
-  await card.getByRole('combobox', {name: 'Left back torso'}).selectOption('bias');
-  // front and back mirror each other, and so do their grain lines
-  const bias = {left_btorso: {angleDeg: 45}, left_ftorso: {angleDeg: 135}};
-  expect(await linesOf(page)).toEqual(bias);
-  await button(page, 'Take all proposals').click();
-  expect(await linesOf(page)).toEqual({...bias, left_sleeve_f: {angleDeg: 180}});
-  await card.waitFor({state: 'detached'});
-  await solved(page);
-  expect((await designOf(page)).options.grain?.default).toBe('on');
-});
+it(
+  'asks once for the grain of a file without one, and takes its own proposals at a click',
+  {tags: ['thorough']},
+  async () => {
+    const page = await opened();
+    const card = page.getByRole('region', {name: 'Grain', exact: true});
+    await card.getByText('The file does not say how the grain runs.').waitFor();
+    await button(page, 'Piece by piece').click();
+    await card.getByRole('combobox', {name: 'Left back torso'}).selectOption('bias');
+    // front and back mirror each other, and so do their grain lines
+    const bias = {left_btorso: {angleDeg: 45}, left_ftorso: {angleDeg: 135}};
+    expect(await linesOf(page)).toEqual(bias);
+    await button(page, 'Take all proposals').click();
+    expect(await linesOf(page)).toEqual({...bias, left_sleeve_f: {angleDeg: 180}});
+    await card.waitFor({state: 'detached'});
+    await solved(page);
+    expect((await designOf(page)).options.grain?.default).toBe('on');
+  },
+);
 
 it(
   'lays the grain line by two points or an edge, and turns a piece by 90 degrees',

@@ -80,19 +80,23 @@ it(
   },
 );
 
-it('is not taken while its edges do not meet, and can be mirrored with one click', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  await give(page, 'cut.png', pngOf(painted(220, 200, cut)));
-  await page.getByText('cut does not repeat as it is. Its edges do not meet.').waitFor();
-  const marks = page.getByRole('img', {name: 'cut, with'}).locator('path').first();
-  await expect.poll(() => marks.getAttribute('d')).toMatch(/^M0 0\.\d+V0\.\d+M1 0/);
-  expect(await designOf(page)).toEqual(before);
-  await button(page, 'Mirror it').click();
-  await page.getByText('Your own: cut').waitFor();
-  expect((await designOf(page)).print).toMatchObject({group: 'pmm', tile: {repeat: 'mirrored'}});
-  await page.getByText('does not repeat as it is').waitFor({state: 'detached'});
-});
+it(
+  'is not taken while its edges do not meet, and can be mirrored with one click',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    await give(page, 'cut.png', pngOf(painted(220, 200, cut)));
+    await page.getByText('cut does not repeat as it is. Its edges do not meet.').waitFor();
+    const marks = page.getByRole('img', {name: 'cut, with'}).locator('path').first();
+    await expect.poll(() => marks.getAttribute('d')).toMatch(/^M0 0\.\d+V0\.\d+M1 0/);
+    expect(await designOf(page)).toEqual(before);
+    await button(page, 'Mirror it').click();
+    await page.getByText('Your own: cut').waitFor();
+    expect((await designOf(page)).print).toMatchObject({group: 'pmm', tile: {repeat: 'mirrored'}});
+    await page.getByText('does not repeat as it is').waitFor({state: 'detached'});
+  },
+);
 
 it(
   'is known as a half-drop by its edges, or taken as it is when that is meant',
@@ -180,36 +184,40 @@ it('is measured by two points, by mouse or by keys', {tags: ['thorough']}, async
   await expect.poll(() => page.getByRole('dialog').count()).toBe(0);
 });
 
-it('is no print where it is damaged or another kind of file, and the print before stays', async () => {
-  const page = await quietPage();
-  const before = await designOf(page);
-  const damaged = leafFile();
-  damaged[60] = (damaged[60] ?? 0) ^ 1;
-  const tail = 'which cannot be a print: save it as PNG or JPEG, and open that.';
-  const svg = (inside: string): string =>
-    `<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">${inside}</svg>`;
-  for (const [name, content, said] of [
-    ['a.png', damaged, 'a.png is a PNG picture, but damaged'],
-    ['b.jpg', leafFile().subarray(0, 90), 'b.jpg is a PNG picture, but damaged'],
-    ['c.jpg', Buffer.from('\xff\xd8\xff\xe0\0\x02', 'latin1'), 'c.jpg is a JPEG picture, but'],
-    [
-      'd.svg',
-      '<svg xmlns="http://www.w3.org/2000/svg"><g>',
-      'd.svg is an SVG drawing, but damaged',
-    ],
-    ['e.gif', 'GIF89a', `e.gif is a GIF picture, ${tail}`],
-    ['f.pdf', '%PDF-1.4', `f.pdf is a PDF document, ${tail}`],
-    ['g.tif', 'II*\0', `g.tif is a TIFF picture, ${tail}`],
-    ['h.png', '\0\0\0\x18ftypheic\0\0\0\0', `h.png is a HEIC photo, ${tail}`],
-    ['i.json', '{"pattern": {}}', 'i.json is a sewing pattern, no print: use Open garment.'],
-    ['j.svg', svg('<image href="photo.jpg"/>'), 'j.svg takes in pictures from elsewhere'],
-    ['k.svg', svg('<rect fill="url(https://a.b/c.svg#d)"/>'), 'k.svg takes in pictures'],
-  ] as const) {
-    await give(page, name, content);
-    await page.getByText(said).waitFor();
-  }
-  expect(await designOf(page)).toEqual(before);
-});
+it(
+  'is no print where it is damaged or another kind of file, and the print before stays',
+  {tags: ['thorough']},
+  async () => {
+    const page = await quietPage();
+    const before = await designOf(page);
+    const damaged = leafFile();
+    damaged[60] = (damaged[60] ?? 0) ^ 1;
+    const tail = 'which cannot be a print: save it as PNG or JPEG, and open that.';
+    const svg = (inside: string): string =>
+      `<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">${inside}</svg>`;
+    for (const [name, content, said] of [
+      ['a.png', damaged, 'a.png is a PNG picture, but damaged'],
+      ['b.jpg', leafFile().subarray(0, 90), 'b.jpg is a PNG picture, but damaged'],
+      ['c.jpg', Buffer.from('\xff\xd8\xff\xe0\0\x02', 'latin1'), 'c.jpg is a JPEG picture, but'],
+      [
+        'd.svg',
+        '<svg xmlns="http://www.w3.org/2000/svg"><g>',
+        'd.svg is an SVG drawing, but damaged',
+      ],
+      ['e.gif', 'GIF89a', `e.gif is a GIF picture, ${tail}`],
+      ['f.pdf', '%PDF-1.4', `f.pdf is a PDF document, ${tail}`],
+      ['g.tif', 'II*\0', `g.tif is a TIFF picture, ${tail}`],
+      ['h.png', '\0\0\0\x18ftypheic\0\0\0\0', `h.png is a HEIC photo, ${tail}`],
+      ['i.json', '{"pattern": {}}', 'i.json is a sewing pattern, no print: use Open garment.'],
+      ['j.svg', svg('<image href="photo.jpg"/>'), 'j.svg takes in pictures from elsewhere'],
+      ['k.svg', svg('<rect fill="url(https://a.b/c.svg#d)"/>'), 'k.svg takes in pictures'],
+    ] as const) {
+      await give(page, name, content);
+      await page.getByText(said).waitFor();
+    }
+    expect(await designOf(page)).toEqual(before);
+  },
+);
 
 it('says all of it without a fault that axe could find', {tags: ['thorough']}, async () => {
   const page = await quietPage(390);

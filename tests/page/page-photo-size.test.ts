@@ -122,7 +122,7 @@ it(
   },
 );
 
-it('is measured and made white by keys alone', async () => {
+it('is measured and made white by keys alone', {tags: ['thorough']}, async () => {
   const page = await openPage();
   const dialog = await openSheet(page);
   await give(page, photograph);

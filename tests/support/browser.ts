@@ -70,7 +70,9 @@ async function watchWorkers(context: BrowserContext): Promise<void> {
     if (typeof Worker === 'undefined') return;
     const {countSolve} = globalThis as unknown as {countSolve: () => Promise<void>};
     const methodOf = (name: 'postMessage' | 'terminate') =>
-      Object.getOwnPropertyDescriptor(Worker.prototype, name)?.value as (...words: unknown[]) => void;
+      Object.getOwnPropertyDescriptor(Worker.prototype, name)?.value as (
+        ...words: unknown[]
+      ) => void;
     const [post, terminate] = [methodOf('postMessage'), methodOf('terminate')];
     const workersAtHand = new Set<Worker>();
     Object.assign(globalThis, {workersAtHand});

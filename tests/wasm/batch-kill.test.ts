@@ -15,8 +15,8 @@ afterAll(() => {
   shop.remove();
 });
 
-const jobs = cases(150, 500);
-const kills = cases(5, 20);
+const jobs = cases(60, 500);
+const kills = cases(3, 20);
 const threads = 2;
 
 /** When to kill: so many milliseconds after the start, or after the first result of the run. */

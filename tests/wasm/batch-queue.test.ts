@@ -108,7 +108,7 @@ describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)',
 
   it('lets workers go and come', async (context) => {
     const start = starter(context);
-    const jobs = cases(150, 300);
+    const jobs = cases(60, 300);
     shop.writeJobs('away.ndjson', seeds(jobs));
     const lead = start(
       'away.ndjson',
@@ -134,7 +134,7 @@ describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)',
 
   it('loses nothing when its workers and its head are killed at random moments', async (context) => {
     const start = starter(context);
-    const jobs = cases(150, 300);
+    const jobs = cases(60, 300);
     shop.writeJobs('many.ndjson', seeds(jobs));
     const place = ['--out', 'many', '--queue', queue(1)];
     const lead = () => start('many.ndjson', ...place, '--workers', '0', '--json');
@@ -144,7 +144,7 @@ describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)',
         victim: fc.integer({min: 0, max: 5}),
         milliseconds: fc.integer({min: 0, max: 120}),
       }),
-      {seed: 3, numRuns: cases(4, 12)},
+      {seed: 3, numRuns: cases(2, 12)},
     );
     const [first, ...others] = [lead(), work(), work()];
     let head = first;
@@ -224,7 +224,7 @@ describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)',
 
   it('goes on when the server forgets everything', async (context) => {
     const start = starter(context);
-    const jobs = cases(100, 200);
+    const jobs = cases(40, 200);
     shop.writeJobs('forgotten.ndjson', seeds(jobs));
     const batch = start(
       'forgotten.ndjson',

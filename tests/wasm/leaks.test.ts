@@ -12,7 +12,7 @@ import {Solver} from '@/solver/seamwise/solver.js';
 import {cases} from '../support/level.js';
 import {checks, sample, twoStrips} from './garments.js';
 
-const many = cases(200, 1000);
+const many = cases(100, 1000);
 
 const problem: Problem = {garment: twoStrips(2), print: checks};
 

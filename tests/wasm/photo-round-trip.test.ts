@@ -78,7 +78,7 @@ const photographs: readonly (readonly [PhotoLevel, string])[] = [
   ['normal', 'p6'],
 ];
 
-it.each(sampleOf(2, photographs))(
+it.each(sampleOf(1, photographs))(
   'a tee on a print that was read off a picture, %s, fits as on %s itself',
   async (level, name) => {
     const print = JSON.parse(file(`${name}.json`).toString()) as Print;
