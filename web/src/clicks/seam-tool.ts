@@ -222,10 +222,7 @@ function nextOf({run}: SeamState, {garment, order}: Sewing): EdgeOfPiece | undef
   return left[(at + 1) % left.length];
 }
 
-/**
- * Undoes the last choice.
- * @returns undefined if there is nothing to undo
- */
+/** Undoes the last choice. @returns undefined if there is nothing to undo */
 function back(state: SeamState): SeamState | undefined {
   if (state.gathered.length > 0 || state.refused) return calm(state);
   if (state.other.length > 0) return {...state, other: []};
@@ -325,10 +322,7 @@ export function afterEvent(
   }
 }
 
-/**
- * Applies an event to the chosen run.
- * @param seam number of the run's seam, if it is sewn
- */
+/** Applies an event to the chosen run. @param seam number of the run's seam, if it is sewn */
 function ofRun(
   state: SeamState,
   event: RunEvent,

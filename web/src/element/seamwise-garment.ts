@@ -231,8 +231,8 @@ export class SeamwiseGarment extends AttributeElement {
 
   /**
    * Returns the design with its answer, as `seamwise-design/1`.
-   * @throws {SolverError} with one sentence before there is an answer, and if the garment or the
-   * print is an object
+   * @throws {SolverError} before there is an answer, and if the garment or the print is an object;
+   * the message is one sentence
    */
   getDesign(): StoredDesign & {readonly format: string} {
     return this.#session.stored();

@@ -51,8 +51,8 @@ export interface Drawable {
 let current: Stage | undefined;
 
 /**
- * Adds a screen to the stage; it is drawn until it leaves. @throws {Error} if the browser has no
- * WebGL 2
+ * Adds a screen to the stage; it is drawn until it leaves.
+ * @throws {Error} if the browser has no WebGL 2
  */
 export function enter(screen: Drawable): Stage {
   current ??= new Stage(() => {

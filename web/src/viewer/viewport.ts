@@ -63,7 +63,8 @@ export abstract class Viewport {
   }
 
   /**
-   * Calls `listener` after each zoom, move or change of size. @returns a function that stops this
+   * Calls `listener` after each zoom, move or change of size.
+   * @returns a function that stops this
    */
   onViewChange(listener: () => void): () => void {
     this.#listeners.add(listener);

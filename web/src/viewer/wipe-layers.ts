@@ -21,8 +21,8 @@ export class WipeLayers {
   }
 
   /**
-   * Sets the scene; cheap when only the split changes. @returns whether the scene was laid out
-   * again
+   * Sets the scene; cheap when only the split changes.
+   * @returns whether the scene was laid out again
    */
   set(wipe: Wipe | undefined, appearance: Appearance): boolean {
     const {before} = this.#wipe ?? {};

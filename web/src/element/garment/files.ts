@@ -1,4 +1,4 @@
-/** Reads the element's files once, within limits, with one sentence for each error. */
+/** Reads the element's files once, within limits, with a message of one sentence for each error. */
 import {SolverError, type FailureCode} from '../../model/failure.js';
 import {fetchedBy} from '../../model/fetched.js';
 import {sha256Of} from '../../model/result-text.js';

@@ -43,7 +43,8 @@ const greatestAllowance = 10;
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
 
 /**
- * Returns undefined for a type that is no cutting sheet. @throws {SolverError} with one sentence
+ * Returns undefined for a type that is no cutting sheet.
+ * @throws {SolverError} a message of one sentence
  */
 async function cutFileFor(
   workbench: Workbench,
@@ -91,7 +92,7 @@ async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
 
 /**
  * @throws {SolverError} if nothing is drawn, the width is out of range, or the picture cannot be
- * encoded, with one sentence
+ * encoded; the message is one sentence
  */
 async function pictureOf(
   view: SheetWindow | undefined,

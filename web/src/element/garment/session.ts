@@ -240,7 +240,8 @@ export class GarmentSession {
   }
 
   /**
-   * @throws {SolverError} if there is no answer, or a file has no URL to store, with one sentence
+   * @throws {SolverError} if there is no answer, or a file has no URL to store; the message is one
+   * sentence
    */
   stored(): StoredDesign & {readonly format: string} {
     const {design, result} = this.workbench;

@@ -61,7 +61,7 @@ export class Sources {
     this.#words = words;
   }
 
-  /** @throws {SolverError} an error with one sentence; the signal's reason when it fires */
+  /** @throws {SolverError} a message of one sentence; the signal's reason when it fires */
   async load(asked: Asked, signal: AbortSignal): Promise<Loaded> {
     const [garment, print, symmetry] = await Promise.all([
       this.#readGarment(asked, signal),

@@ -6,7 +6,10 @@ import type {SolveResult} from '../../model/result.js';
 import {designOf, type StoredDesign} from '../../model/stored-design.js';
 import type {FileWords} from './files.js';
 
-/** @throws {SolverError} if the garment or the print has no URL to store, with one sentence */
+/**
+ * @throws {SolverError} if the garment or the print has no URL to store; the message is one
+ * sentence
+ */
 export function storedDesign(design: Design, result: SolveResult, words: FileWords): StoredDesign {
   const missing = !design.garment.file
     ? words.garment

@@ -134,8 +134,8 @@ export class GarmentCamera {
   }
 
   /**
-   * Handles an arrow key: turns the garment, or moves it with Shift. @returns whether the key is
-   * one
+   * Handles an arrow key: turns the garment, or moves it with Shift.
+   * @returns true for arrow keys
    */
   key(key: string, isShifted: boolean): boolean {
     const way = arrows[key];

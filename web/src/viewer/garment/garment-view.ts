@@ -65,7 +65,8 @@ export class GarmentView {
   #isCoarse = false;
 
   /**
-   * Fills `host`, an empty element with its own size. @throws {Error} if the browser has no WebGL 2
+   * Fills `host`, an empty element with its own size.
+   * @throws {Error} if the browser has no WebGL 2
    */
   constructor(host: HTMLElement, options: GarmentViewOptions = {}) {
     this.#options = options;

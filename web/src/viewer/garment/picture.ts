@@ -26,7 +26,8 @@ export const garmentPicture = {
   },
 
   /**
-   * Returns a PNG. @throws {Error} if there is no garment, or the browser cannot make the picture
+   * Returns a PNG.
+   * @throws {Error} if there is no garment, or the browser cannot make the picture
    */
   async blob(paper: Paper): Promise<Blob> {
     return pngOf(await garmentPicture.canvas(paper));
