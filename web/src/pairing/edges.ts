@@ -1,6 +1,6 @@
 /**
- * Measures the edges of a garment for comparison, independent of units, of names and of their
- * order.
+ * Measures the edges of a garment for comparison. Edges do not depend on names or on their order;
+ * only lengths and areas have a unit.
  */
 import {
   angleOf,
