@@ -1,6 +1,6 @@
-/** Files from the user's machine and to it. */
+/** Opens files from the user's computer, and saves files to it. */
 
-/** Asks for a file. @returns undefined when nothing is chosen */
+/** Opens a file dialog. @returns undefined if the user chooses none */
 export function chooseFile(accept: string): Promise<File | undefined> {
   return new Promise((resolve) => {
     const input = document.createElement('input');
@@ -23,7 +23,7 @@ export function saveFile(name: string, content: Blob | string, type = 'applicati
   link.href = url;
   link.download = name;
   link.click();
-  // the browser reads it after this event
+  // the browser reads the URL after this event
   setTimeout(() => {
     URL.revokeObjectURL(url);
   }, 60_000);
@@ -31,11 +31,11 @@ export function saveFile(name: string, content: Blob | string, type = 'applicati
 
 interface FileTaker {
   readonly take: (file: File) => void;
-  /** A file is held over the page, or is not any more. */
+  /** Reports whether a file is being dragged over the page. */
   readonly hold: (isHeld: boolean) => void;
 }
 
-/** Takes files that are dropped on the page or pasted into it, until `signal` fires. */
+/** Accepts files that are dropped on the page or pasted into it, until `signal` fires. */
 export function takeFiles({take, hold}: FileTaker, signal: AbortSignal): void {
   addEventListener(
     'dragover',
@@ -49,7 +49,7 @@ export function takeFiles({take, hold}: FileTaker, signal: AbortSignal): void {
   addEventListener(
     'dragleave',
     ({relatedTarget}) => {
-      if (!relatedTarget) hold(false); // out of the window, not into another part of the page
+      if (!relatedTarget) hold(false); // the pointer left the window, not just a part of the page
     },
     {signal},
   );
@@ -76,10 +76,10 @@ export function takeFiles({take, hold}: FileTaker, signal: AbortSignal): void {
   );
 }
 
-/** How the text of a drawing begins: of an SVG, a DXF or an OBJ, comments before it. */
+/** First lines of an SVG, DXF or OBJ file, after comments. */
 const drawn = /^(?:<(?:\?xml|svg)\b|(?:999\s*\n.*\n\s*)*0\s+SECTION\s|(?:#.*\n\s*)*vt? -?[\d.]+ )/;
 
-/** The text of a file, copied out of an editor; other text belongs to whatever field it is pasted into. */
+/** Returns pasted text of a file; other text belongs to the field that it is pasted into. */
 function pastedText({clipboardData}: ClipboardEvent): File | undefined {
   const text = clipboardData?.getData('text/plain').trim() ?? '';
   if (text.startsWith('{')) return new File([text], 'pasted.json', {type: 'application/json'});

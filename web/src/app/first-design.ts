@@ -1,4 +1,4 @@
-/** What the page shows at first: the files that its address names, or the opening sample. */
+/** The page's first design: the files in its URL, or the opening sample. */
 import {askingFor, type Design} from '../model/design.js';
 import {readPrintFile} from '../model/print-file.js';
 import {
@@ -12,11 +12,14 @@ import {
   type Workbench,
 } from '../editor/index.js';
 
-/** @throws {Error} with one sentence when a sample cannot be read */
+/** @throws {Error} if a sample cannot be read; the message is one sentence */
 export const firstDesign = (samples: Promise<Samples>): Promise<Design> =>
   sampleDesign(samples, opening);
 
-/** For the first visit: a garment with all its symmetries kept. @throws {Error} with one sentence when a sample cannot be read */
+/**
+ * Returns the design for a first visit: a garment with all its symmetries kept.
+ * @throws {Error} if a sample cannot be read; the message is one sentence
+ */
 export async function welcomeDesign(
   samples: Promise<Samples>,
   solver: Workbench['solver'],
@@ -36,7 +39,10 @@ async function sampleDesign(
   return newDesign(garment, samplePrint(print));
 }
 
-/** The files that an address names by `?garment=URL&print=URL`. @throws {Error} with one sentence */
+/**
+ * Returns a design of the files in `?garment=URL&print=URL`.
+ * @throws {Error} a message of one sentence
+ */
 export async function askedFor(
   address: URL,
   before: Design,
@@ -51,7 +57,7 @@ export async function askedFor(
   );
 }
 
-/** The picture that a print file names is taken in, so that the design can be saved as a whole. */
+/** Embeds the image of a print file, so that the design can be saved as a whole. */
 async function askedPrint(
   path: string,
   address: URL,

@@ -1,4 +1,4 @@
-/** Puts the page together. */
+/** Assembles the page. */
 import {
   defineEditor,
   leaseSolver,
@@ -31,7 +31,7 @@ const lease = leaseSolver({
     workbench.say({tone: 'info', text: spokenFailure(failure, workbench, words())});
   },
 });
-lease.warm(); // while the first files are on their way
+lease.warm(); // the solver starts while the first files load
 const workbench: Workbench = new Workbench(lease, preferences);
 keepPreferences(workbench);
 const projects = new Projects(workbench, (trouble) => {
@@ -66,12 +66,12 @@ async function begin(address: URL): Promise<void> {
   const [asked] = await Promise.allSettled([soundlyAsked(address, design)]);
   const present = (asked.status === 'fulfilled' ? asked.value : undefined) ?? design;
   projects.beginWith(present, {origin: 'given'});
-  // said last, since a beginning takes back what was said before
+  // shown last, since a new design removes previous notices
   if (asked.status === 'rejected') sayFailure(asked.reason);
   forgetAddress();
 }
 
-/** For somebody who has not been here yet. */
+/** Shows the introduction on a first visit. */
 async function welcome(): Promise<void> {
   projects.beginWith(await welcomeDesign(samples, workbench.solver), {origin: 'given'});
   page.hints = hints;
@@ -79,7 +79,10 @@ async function welcome(): Promise<void> {
   if (pattern) showBeforeAndAfter(workbench, pattern);
 }
 
-/** Once something is changed or opened, the tab comes back to what is made of it. */
+/**
+ * Removes the URL's parameters after the first change, so that a reload restores the changed
+ * project.
+ */
 function forgetAddress(): void {
   const {beginnings} = workbench;
   const end = workbench.subscribe(['history'], () => {
@@ -89,14 +92,14 @@ function forgetAddress(): void {
   });
 }
 
-/** Opens the link that the page was called by; the page shows what it showed before where that is damaged. */
+/** Opens the link in the URL; a damaged link leaves the page as it was. */
 async function followed(address: URL): Promise<boolean> {
   try {
     if (address.hash === '') return false;
     const {openLink} = await import('./links/open-link.js');
     if (!(await openLink(address.hash, workbench, projects, samples))) return false;
     await projects.present?.flush();
-    // where nothing is kept, a reload comes back to the link
+    // a reload opens the link again without storage
     if (projects.present?.unwritten) forgetAddress();
     else history.replaceState(null, '', address.pathname);
     return true;
@@ -110,14 +113,14 @@ async function followed(address: URL): Promise<boolean> {
   }
 }
 
-/** What the address asks for, if it can be read. */
+/** Returns the design in the URL, if it can be read. */
 async function soundlyAsked(address: URL, before: Design): Promise<Design | undefined> {
   const asked = await askedFor(address, before, workbench.solver);
   if (asked) await workbench.meshed(asked);
   return asked;
 }
 
-/** Nothing is shown before its words are there. */
+/** Shows nothing before the texts are loaded. */
 async function open(): Promise<void> {
   await loadTexts(preferences.language);
   document.body.append(page);
@@ -133,11 +136,11 @@ async function open(): Promise<void> {
   projects.keep(new AbortController().signal);
   illustrate(workbench, projects);
   workOffline(workbench);
-  // a link that is followed from here to here does not load the page by itself
+  // a link to this page does not reload it
   addEventListener('hashchange', () => {
     if (location.hash !== '') void followed(new URL(location.href));
   });
 }
 
-// not awaited: parts that are loaded on the way import from this one, and would wait for its end
+// not awaited: lazily loaded modules import from this one, and would wait for its end
 void open();

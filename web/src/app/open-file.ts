@@ -1,4 +1,4 @@
-/** Opens whatever a user hands over: a garment, a print, a project, or a result. */
+/** Opens a user's file: a garment, a print, a project, or a result. */
 import type {Design} from '../model/design.js';
 import {SolverError} from '../model/failure.js';
 import {FileError, isProject, readProject} from '../model/project.js';
@@ -18,17 +18,17 @@ import {
 import type {DrawingPlace} from './import/open-drawing.js';
 import type {Projects} from './projects/projects.js';
 
-/** Nobody's pattern is larger, and a browser would choke on it. [bytes] */
+/** Limit of a file; no pattern is larger, and a browser could run out of memory. [bytes] */
 const most = 64 * 2 ** 20;
 
-/** By a button for one or the other, or dropped and pasted, which may be anything. */
+/** Source of a file: a button for one kind, or a drop or paste of any kind. */
 export type How = 'chosen as garment' | 'chosen as print' | 'handed over';
 
 interface Opening extends DrawingPlace {
   readonly projects: Projects;
 }
 
-/** Ended by Escape, as long as a file is being read. */
+/** Returns a controller that Escape aborts while a file is being read. */
 function endedByKey(): {readonly life: AbortController; readonly done: () => void} {
   const life = new AbortController();
   const heard = new AbortController();
@@ -44,7 +44,10 @@ function endedByKey(): {readonly life: AbortController; readonly done: () => voi
   };
 }
 
-/** What a file is, its first bytes say, whatever it is called. What cannot be opened is said, and leaves everything as it is. */
+/**
+ * Opens a file; its kind depends on its first bytes, not on its name. An error is shown and changes
+ * nothing.
+ */
 export async function openFile(
   opening: Opening,
   file: File,
@@ -68,10 +71,12 @@ export async function openFile(
   }
 }
 
-/** `document`: JSON, which says itself what it is. Undefined where its owner was asked, and wants neither. */
+/**
+ * `document`: JSON, which names its own format. Undefined if the user declines both uses of an SVG.
+ */
 type Use = 'print' | 'drawing' | 'document';
 
-/** @throws {Error} for what can be nothing, or not what it was chosen as */
+/** @throws {Error} if the file has no use, or not the chosen one */
 async function useOf(
   opening: Opening,
   file: File,
@@ -85,11 +90,11 @@ async function useOf(
   if (kind === 'svg' && how !== 'chosen as print' && file.size <= most) {
     const {askUse, svgUse} = await import('./import/open-drawing.js');
     const use = await svgUse(file, signal);
-    // what is wrong with it, readers of drawings say
+    // readers of drawings report errors in the file
     if (use !== 'picture' && how === 'chosen as garment') return 'drawing';
     if (use === 'pattern') return askUse(file, opening);
   }
-  // browsers take DXF for a picture
+  // browsers take DXF for an image
   if (!kind && /\.dxf$/i.test(file.name)) return 'drawing';
   if (await looksLikePicture(file)) {
     if (how === 'chosen as garment') throw new Error(failures.picture(file.name));
@@ -98,7 +103,10 @@ async function useOf(
   return (await isJson(file)) ? 'document' : 'drawing';
 }
 
-/** Whatever else it is, readers of drawings know better what to say of it. */
+/**
+ * Returns whether a file is JSON; all others go to the readers of drawings, which report errors
+ * best.
+ */
 const isJson = async (file: File): Promise<boolean> =>
   /^\s*[[{"]/.test(await file.slice(0, 256).text());
 
@@ -113,7 +121,10 @@ async function openAsDrawing(
   await openDrawing(file, opening, life);
 }
 
-/** Of the core's failures and of projects; whatever else goes wrong is said in the user's language already. */
+/**
+ * Returns a sentence about the core's failures and about projects; all other errors are already in
+ * the user's language.
+ */
 function sentenceOn(error: unknown, workbench: Workbench, texts: Texts): string {
   if (error instanceof FileError) return texts.failures.project(error.message);
   const failure = toFailure(error);
@@ -141,7 +152,7 @@ async function opened(
   }
 }
 
-/** Undefined when it is no JSON: the solver says so better. */
+/** Returns undefined for invalid JSON, which the solver reports better. */
 function parsed(text: string): unknown {
   try {
     return JSON.parse(text);
@@ -158,7 +169,7 @@ const hasFormat = (content: unknown, format: string): boolean => {
 const looksLikePrint = (content: unknown): boolean =>
   ['group', 'w1', 'w2'].every((name) => fieldOf(content, name) !== undefined);
 
-/** A result that was saved here holds the design that it is the answer to. */
+/** Returns the design that a saved result contains. */
 function designIn(content: unknown, name: string, {noDesign}: Texts['failures']): Design {
   const design = fieldOf(content, 'design');
   if (design === undefined) throw new Error(noDesign(name));

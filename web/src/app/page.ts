@@ -1,4 +1,4 @@
-/** The page: the editor, with files to open and to take away. */
+/** The page: the editor with commands to open and save files. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Design} from '../model/design.js';
@@ -28,7 +28,7 @@ import type {Projects} from './projects/projects.js';
 import type {SaveMenu} from './save-menu.js';
 import {savePicture, saveProject, saveResult} from './save.js';
 
-/** Photographs that prints were made of, or will be, stay in this browser. */
+/** Loads the store of photos; they stay in this browser. */
 const keptPhotos = async (): Promise<PhotoKeeper> =>
   (await import('./storage/photo-storage.js')).photoStorage;
 
@@ -44,11 +44,11 @@ export class SeamwisePage extends WorkbenchElement {
   static override styles = [tokens, controls, pageLayout];
   declare samples: Samples | undefined;
   declare projects: Projects;
-  /** What is shown when there is no project. */
+  /** Returns the design for a page without a project. */
   declare blank: () => Promise<Design>;
-  /** Those that are still to be given. */
+  /** Hints that are still to be shown. */
   declare hints: readonly Hint[];
-  /** A file is held over the page. */
+  /** A file is being dragged over the page. */
   declare protected isHeld: boolean;
   #life: AbortController | undefined;
 
@@ -60,7 +60,7 @@ export class SeamwisePage extends WorkbenchElement {
   readonly #shownView = (): WornPane | ClothPane | undefined =>
     this.#editor?.worn ?? this.#editor?.cloth;
 
-  /** What has a key of its own beside the editor's. */
+  /** Commands with keyboard shortcuts outside the editor. */
   readonly #keyed = {
     commands: (): void => void this.#commands(),
     open: (): void => void this.#open(),
@@ -176,7 +176,7 @@ export class SeamwisePage extends WorkbenchElement {
     </main>`;
   }
 
-  /** The document itself speaks the language, wears the colours and has the name that were chosen. */
+  /** Applies the language, the theme and the project's name to the document. */
   protected override updated(): void {
     const {language, theme} = this.workbench.preferences;
     const root = document.documentElement;
@@ -203,7 +203,7 @@ export class SeamwisePage extends WorkbenchElement {
     if (file) await this.#take(file, 'chosen as print');
   }
 
-  /** All commands to look through; loaded once somebody wants to. */
+  /** Opens the command palette; its code is loaded on first use. */
   async #commands(): Promise<void> {
     const {toggleCommands} = await import('./palette/index.js');
     await toggleCommands(this.workbench, this.renderRoot, () => this.#parts);

@@ -1,7 +1,10 @@
-/** The page on paper: the whole pattern on white, without what it is worked on with. */
+/** Prints the page: the whole pattern on white, without the controls. */
 import type {Workbench} from '../editor/index.js';
 
-/** Lays the pattern out whenever the page is printed, until `signal` fires; page.css hides the rest then. */
+/**
+ * Adds the pattern's sheet for each print of the page, until `signal` fires; page.css hides the
+ * rest meanwhile.
+ */
 export function printPattern(workbench: Workbench, signal: AbortSignal): void {
   let sheet: HTMLCanvasElement | undefined;
   const clear = (): void => {
@@ -12,7 +15,7 @@ export function printPattern(workbench: Workbench, signal: AbortSignal): void {
     'beforeprint',
     () => {
       clear();
-      // at once: the browser does not wait for anything
+      // synchronous: the browser does not wait
       sheet = workbench.view?.onPaper();
       if (!sheet) return;
       sheet.className = 'on-paper';

@@ -1,4 +1,4 @@
-/** What there is to take away. */
+/** Menu of files to save. */
 import {css, html, type TemplateResult} from 'lit';
 
 import {
@@ -23,7 +23,7 @@ export class SaveMenu extends WorkbenchElement {
     ofView: {state: true},
   };
   declare projects: Projects;
-  /** Beside the pattern or in its place; undefined while there is none. */
+  /** View beside the pattern or in its place; undefined while there is none. */
   declare view: () => WornPane | ClothPane | undefined;
   declare protected ofView: readonly Command[];
 
@@ -52,7 +52,7 @@ export class SaveMenu extends WorkbenchElement {
     this.ofView = [];
   }
 
-  /** What was asked for is on its way. */
+  /** Closes the menu after a click on a button. */
   readonly #close = ({target}: Event): void => {
     if (target instanceof Element && target.closest('button'))
       this.renderRoot.querySelector<HTMLElement>('[popover]')?.hidePopover();
@@ -131,7 +131,7 @@ export class SaveMenu extends WorkbenchElement {
     `;
   }
 
-  /** Asks how to cut before it saves anything. */
+  /** Opens the dialog for a cutting sheet. */
   async cut(): Promise<void> {
     if (!this.workbench.design) return;
     const {openCut} = await import('./cut/open-cut.js');

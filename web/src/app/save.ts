@@ -1,4 +1,4 @@
-/** What a user takes away. */
+/** Saves projects, results and pictures as files. */
 import {fileNameOf} from '../model/project-name.js';
 import {writeProject} from '../model/project.js';
 import {written} from '../model/written-design.js';
@@ -6,13 +6,13 @@ import type {Workbench} from '../editor/index.js';
 import {saveFile} from './files.js';
 import type {Projects} from './projects/projects.js';
 
-/** What is saved of a workbench, under which name. */
+/** Source of a saved file and of its name. */
 interface Saved {
   readonly workbench: Workbench;
   readonly projects: Projects;
 }
 
-/** Of a file's name. */
+/** Returns a file's name without its ending. */
 export const stem = ({projects}: Saved): string => fileNameOf(projects.name);
 
 export function saveProject(saved: Saved): void {
@@ -26,7 +26,7 @@ export function saveProject(saved: Saved): void {
   saveFile(`${stem(saved)}.seamwise.json`, content);
 }
 
-/** With the design that it is the answer to, so that it can be opened again. */
+/** Saves the result with its design, so that it can be opened again. */
 export function saveResult(saved: Saved): void {
   const {design, result} = saved.workbench;
   if (!design || !result) return;
@@ -34,7 +34,7 @@ export function saveResult(saved: Saved): void {
   saveFile(`${stem(saved)}.result.json`, content);
 }
 
-/** The whole sheet as it is shown. */
+/** Saves the whole sheet as shown. */
 export async function savePicture(saved: Saved): Promise<void> {
   const picture = await saved.workbench.view?.picture();
   if (picture) saveFile(`${stem(saved)}.png`, picture);

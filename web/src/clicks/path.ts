@@ -1,16 +1,16 @@
-/** Lines through points, to measure along and to find the nearest point of. Lengths in cm. */
+/** Polylines to measure along and to search for the nearest point. Lengths in cm. */
 import {between, distance, nearestShare, type Point} from '../model/geometry.js';
 import {boxOf, isInside, type Box} from '../model/polyline.js';
 
 interface Segment {
   readonly from: Point;
   readonly to: Point;
-  /** Where on the path it begins. [cm] */
+  /** Path length before the segment. [cm] */
   readonly start: number;
   readonly length: number;
 }
 
-/** A closed one ends where it begins. */
+/** A polyline; a closed one ends at its first point. */
 export interface Path {
   readonly segments: readonly Segment[];
   readonly length: number;
@@ -21,7 +21,7 @@ export interface PlaceOnPath {
   readonly point: Point;
   readonly distance: number;
   readonly segment: number;
-  /** From the start of the path. [cm] */
+  /** Path length from the start. [cm] */
   readonly along: number;
 }
 
@@ -40,14 +40,14 @@ export function pathThrough(points: readonly Point[]): Path {
 export const pathRound = (loop: readonly Point[]): Path =>
   pathThrough([...loop, ...loop.slice(0, 1)]);
 
-/** Whether a point lies in a box or no further than `reach` outside, in x and y. */
+/** Returns whether a point is in a box or at most `reach` outside it, in x and in y. */
 export const isNearBox = ({low, high}: Box, [x, y]: Point, reach: number): boolean =>
   x >= low[0] - reach && x <= high[0] + reach && y >= low[1] - reach && y <= high[1] + reach;
 
 const pointOn = ({from, to}: Segment, share: number): Point =>
-  share >= 1 ? to : between(from, to, share); // exactly, as the next segment has it
+  share >= 1 ? to : between(from, to, share); // bit-identical to the next segment's start
 
-/** The point of a path that is nearest to `p`, of several the first; nothing on a path without segments. */
+/** Returns the first of the points nearest to `p`; undefined if the path has no segments. */
 export function nearestOn({segments}: Path, p: Point): PlaceOnPath | undefined {
   let nearest: PlaceOnPath | undefined;
   for (const [k, segment] of segments.entries()) {
@@ -61,7 +61,7 @@ export function nearestOn({segments}: Path, p: Point): PlaceOnPath | undefined {
   return nearest;
 }
 
-/** The place on a path at a given length from its start; nothing on a path without segments. */
+/** Returns the place at a length from the path's start; undefined if the path has no segments. */
 export function placeAt(
   {segments}: Path,
   along: number,
@@ -74,7 +74,7 @@ export function placeAt(
   return {point: pointOn(segment, share), segment: k, along};
 }
 
-/** Whether a closed path goes round a point. */
+/** Returns whether a closed path encloses a point. */
 export const goesRound = ({segments}: Path, point: Point): boolean =>
   isInside(
     segments.map(({from}) => from),

@@ -1,32 +1,35 @@
-/** What clicks ask of a sheet again and again, worked out once. Lengths in cm. */
+/** Lines, corners and midpoints of a sheet, computed once for many clicks. Lengths in cm. */
 import {minus, radians, turnBetween, type Point} from '../model/geometry.js';
 import {pathRound, pathThrough, placeAt, type Path} from './path.js';
 import type {Sheet, SheetPiece, Side} from './sheet.js';
 
-/** A side of a seam, or an edge of the panel that is not sewn. */
+/** A side of a seam, or an edge of the panel without a seam. */
 type LineName =
   | {readonly kind: 'seam'; readonly seam: number; readonly side: Side}
   | {readonly kind: 'edge'; readonly edge: number};
 
 export interface Line {
   readonly name: LineName;
-  /** A side of a seam runs in sewing order, an edge counter-clockwise. */
+  /** Seam sides run in sewing order, edges counter-clockwise. */
   readonly path: Path;
-  /** Per segment of the path, which edge of the outline it is. */
+  /** Number of the outline's edge for each segment of the path. */
   readonly along: readonly (number | undefined)[];
-  /** The edge of the outline with which it begins, counter-clockwise. */
+  /** First edge of the outline on this line, counter-clockwise. */
   readonly start: number;
 }
 
-/** All in the piece's own coordinates. */
+/** All points are in the piece's own coordinates. */
 interface PieceIndex {
   readonly outline: Path;
   readonly holes: readonly Path[];
-  /** In the order of the outline. */
+  /** Lines, sorted in the order of the outline. */
   readonly lines: readonly Line[];
-  /** Where another edge of the panel begins, or the outline was drafted to turn sharply. */
+  /** Ends of the panel's edges, and sharp turns of the drafted outline. */
   readonly corners: readonly Point[];
-  /** Of the panel's edges; without their numbers, of what lies between corners. */
+  /**
+   * Midpoints of the panel's edges, or of the stretches between corners if edge numbers are
+   * missing.
+   */
   readonly midpoints: readonly Point[];
 }
 
@@ -35,7 +38,7 @@ export interface PickIndex {
   readonly pieces: readonly PieceIndex[];
 }
 
-/** An outline that turns by this much has a corner there. */
+/** Least turn of an outline at a corner. */
 const sharpTurn = radians(30);
 
 interface Run<T> {
@@ -44,7 +47,7 @@ interface Run<T> {
   readonly count: number;
 }
 
-/** Stretches of equal keys round a loop, none broken where the loop's numbering begins. */
+/** Returns stretches of equal keys around a loop; a stretch may continue past the loop's end. */
 function runsRound<T>(keys: readonly T[]): readonly Run<T>[] {
   const n = keys.length;
   const starts = keys.flatMap((key, k) => (key === keys[(k + n - 1) % n] ? [] : [k]));
@@ -64,7 +67,7 @@ const pointsAt = (points: readonly Point[], vertices: readonly number[]): readon
 const verticesOf = ({outline}: SheetPiece, {start, count}: Run<unknown>): readonly number[] =>
   Array.from({length: count + 1}, (_, k) => outline[(start + k) % outline.length] ?? 0);
 
-/** The numbers in the outline at which it turns sharply. */
+/** Returns the numbers of the outline's points at which it turns sharply. */
 function sharpCorners({segments}: Path): readonly number[] {
   return segments.flatMap(({from, to}, k) => {
     const before = segments.at(k - 1);
@@ -74,7 +77,7 @@ function sharpCorners({segments}: Path): readonly number[] {
   });
 }
 
-/** Between corners, stretches of the outline that take the place of the panel's edges. */
+/** Numbers the stretches between corners, which replace missing edge numbers. */
 function stretches(outline: Path, corners: readonly number[]): readonly number[] {
   return outline.segments.map(
     (_, k) => corners.filter((corner) => corner <= k).length % Math.max(corners.length, 1),
@@ -100,7 +103,7 @@ function seamLines(sheet: Sheet, number: number, piece: SheetPiece): readonly Li
   );
 }
 
-/** What is not sewn, edge by edge; without the edges' numbers there is nothing to call them. */
+/** Returns the unsewn edges as lines; none if edge numbers are missing. */
 function edgeLines(piece: SheetPiece, sewn: ReadonlySet<number | undefined>): readonly Line[] {
   const keys = piece.outline.map((_, k) => (sewn.has(k) ? undefined : piece.edges?.[k]));
   return runsRound(keys).flatMap((run): Line[] => {

@@ -1,4 +1,4 @@
-/** What lies under a point of the sheet. Lengths in cm. */
+/** Finds the lines and pieces under a point of the sheet. Lengths in cm. */
 import type {Point} from '../model/geometry.js';
 import {offSheet} from '../model/sheet-place.js';
 import {goesRound, isNearBox, nearestOn, placeAt, type PlaceOnPath} from './path.js';
@@ -7,7 +7,7 @@ import type {Side} from './sheet.js';
 
 export interface OnPiece {
   readonly piece: number;
-  /** Where, in the piece's own coordinates: on the line, if it is one. */
+  /** Point in the piece's own coordinates, on the line if the target is one. */
   readonly point: Point;
 }
 
@@ -15,22 +15,22 @@ interface SeamTarget extends OnPiece {
   readonly kind: 'seam';
   readonly seam: number;
   readonly side: Side;
-  /** From 0 at the start of the side to 1 at its end, in sewing order and by length. */
+  /** Share of the side's length, from 0 at its start to 1 at its end, in sewing order. */
   readonly at: number;
-  /** The panel's edge in the file, where the sheet knows it. */
+  /** Number of the panel's edge in the file, if the sheet has it. */
   readonly edge: number | undefined;
   readonly distance: number;
 }
 
-/** A line that is not sewn. */
+/** A line without a seam. */
 interface EdgeTarget extends OnPiece {
   readonly kind: 'edge';
-  /** The panel's edge in the file. */
+  /** Number of the panel's edge in the file. */
   readonly edge: number;
   readonly distance: number;
 }
 
-/** The inside of a piece, which its cut-outs do not belong to. */
+/** The inside of a piece without its cut-outs. */
 interface PieceTarget extends OnPiece {
   readonly kind: 'piece';
 }
@@ -50,11 +50,14 @@ function lineTarget(
   return {...name, piece, point, at: path.length > 0 ? length / path.length : 0, edge, distance};
 }
 
-/** Seams go before edges at the same distance: at a corner, say. */
+/** Sorts seams before edges at the same distance, such as at a corner. */
 const nearestFirst = (one: LineTarget, other: LineTarget): number =>
   one.distance - other.distance || Number(one.kind === 'edge') - Number(other.kind === 'edge');
 
-/** All that lies within `reach` of a point of the sheet: lines, nearest first, then the piece under it. */
+/**
+ * Returns all targets within `reach` of a point of the sheet: lines, the nearest first, then the
+ * piece under it.
+ */
 export function targetsAt(index: PickIndex, point: Point, reach: number): readonly Target[] {
   const lines: LineTarget[] = [];
   const pieces: PieceTarget[] = [];
@@ -72,7 +75,10 @@ export function targetsAt(index: PickIndex, point: Point, reach: number): readon
   return [...lines.sort(nearestFirst), ...pieces];
 }
 
-/** Those that a click may have meant just as well as the first: lines at most `tie` further away. */
+/**
+ * Returns the targets that a click may equally mean: lines at most `tie` further away than the
+ * first.
+ */
 export function choices(targets: readonly Target[], tie: number): readonly Target[] {
   const [best] = targets;
   if (!best || best.kind === 'piece') return targets;
@@ -81,7 +87,7 @@ export function choices(targets: readonly Target[], tie: number): readonly Targe
   );
 }
 
-/** A side of a seam as if it had been clicked in its middle. */
+/** Returns a side of a seam as if it were clicked in its middle. */
 export function seamTarget(index: PickIndex, seam: number, side: Side): SeamTarget | undefined {
   const piece = index.sheet.seams[seam]?.[side].piece ?? -1;
   for (const line of index.pieces[piece]?.lines ?? []) {

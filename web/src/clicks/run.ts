@@ -1,13 +1,13 @@
-/** Runs of edges: a side of what is sewn, as it is chosen. */
+/** Runs of edges: sides of a seam during selection. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
 import {sameEdge, seamAt, sideLength, twinOf} from '../model/garment-edit.js';
 
-/** Edges in the order in which they are sewn, each from its start to its end. */
+/** Edges in sewing order, each from its start to its end. */
 export type Run = readonly EdgeOfPiece[];
 
 export const has = (run: Run, edge: EdgeOfPiece): boolean => run.some((one) => sameEdge(one, edge));
 
-/** Edges of one piece that follow each other run along its outline, in whatever order they were chosen. */
+/** Sorts adjacent edges of one piece along its outline, regardless of the order of selection. */
 export function inOrder({pieces}: GarmentDocument, run: Run): Run {
   const [first] = run;
   if (!first || run.some(({piece}) => piece !== first.piece)) return run;
@@ -18,10 +18,13 @@ export function inOrder({pieces}: GarmentDocument, run: Run): Run {
   return along.every((edge) => has(run, edge)) ? along : run;
 }
 
-/** So many seams that meet at one point are crossed. */
+/** Greatest number of seams crossed at one point. */
 const mostCrossed = 8;
 
-/** The edge that goes on from one: the next of its outline, or where that is sewn, of what it is sewn to. */
+/**
+ * Returns the edge that continues another: the next one of its outline, or across each seam there,
+ * the next one of the sewn piece.
+ */
 function onwards(garment: GarmentDocument, end: EdgeOfPiece, by: 1 | -1): EdgeOfPiece | undefined {
   const beside = ({piece, edge}: EdgeOfPiece): EdgeOfPiece => {
     const count = garment.pieces[piece]?.outline.length ?? 1;
@@ -37,7 +40,10 @@ function onwards(garment: GarmentDocument, end: EdgeOfPiece, by: 1 | -1): EdgeOf
   return undefined;
 }
 
-/** With the edge that goes on from its end, or before its start: over a shoulder from one armhole to the other. */
+/**
+ * Adds the edge that continues the run at its end, or before its start: across a shoulder from one
+ * armhole to the other.
+ */
 export function stretched(garment: GarmentDocument, run: Run, by: 1 | -1): Run {
   const end = by > 0 ? run.at(-1) : run[0];
   const next = end && onwards(garment, end, by);
@@ -45,10 +51,13 @@ export function stretched(garment: GarmentDocument, run: Run, by: 1 | -1): Run {
   return by > 0 ? [...run, next] : [next, ...run];
 }
 
-/** Of lengths, as a share: sides that differ by less are as long as each other. */
+/** Greatest difference between two equally long sides, as a share of a length. */
 const alike = 0.1;
 
-/** An edge with the one that goes on from it where both together are as long as another edge; undefined where none are. */
+/**
+ * Returns an edge and the one that continues it if both together are as long as `to`; undefined
+ * otherwise.
+ */
 export function joined(
   garment: GarmentDocument,
   edge: EdgeOfPiece,

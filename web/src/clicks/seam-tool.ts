@@ -1,9 +1,11 @@
-/** How seams are made by clicks and keys: an edge, or a run of several, then what it is sewn to. */
+/**
+ * State machine that makes seams by clicks and keys: an edge or a run of several, then its partner.
+ */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
 import {edgeOf, isOpen, sameEdge, seamAt, sideLength} from '../model/garment-edit.js';
 import {has, inOrder, joined, stretched, type Run} from './run.js';
 
-/** Two sides that may be sewn to each other. */
+/** Two sides that may be sewn together. */
 export interface Suggestion {
   readonly a: Run;
   readonly b: Run;
@@ -11,51 +13,51 @@ export interface Suggestion {
   readonly sameDirection: boolean;
 }
 
-/** What a side may be sewn to: `a` is that side, or more than it. */
+/** A possible partner of a side: `a` is that side, or a longer run that contains it. */
 export interface Candidate extends Suggestion {
-  /** How likely that is, from 0 to 1. */
+  /** Likelihood, from 0 to 1. */
   readonly p: number;
 }
 
-/** The garment as the tool sees it. */
+/** The garment and its seam suggestions, as the tool needs them. */
 export interface Sewing {
   readonly garment: GarmentDocument;
-  /** What a run may be sewn to, the likeliest first. */
+  /** Returns the possible partners of a run, the likeliest first. */
   readonly candidates: (run: Run) => readonly Candidate[];
-  /** The first of them, if it is likely enough to be named. */
+  /** Returns the likeliest candidate if it is likely enough to be named. */
   readonly best: (run: Run) => Candidate | undefined;
-  /** Seams that are as good as sure. */
+  /** Returns the seams that are almost certain. */
   readonly sure: () => readonly Suggestion[];
-  /** The likeliest of all that has not been answered. */
+  /** Returns the likeliest suggestion without an answer. */
   readonly likeliest: () => Suggestion | undefined;
-  /** All edges, in the order in which keys lead from one to the next. */
+  /** All edges, in keyboard order. */
   readonly order: Run;
 }
 
 type Refusal =
-  /** It is sewn already. */
+  /** The edge is sewn already. */
   | 'sewn'
   /** No edge is chosen. */
   | 'nothing'
-  /** There is no candidate of that number. */
+  /** The candidate's number does not exist. */
   | 'noCandidate'
   /** Every edge is sewn or stays open. */
   | 'finished';
 
 export interface SeamState {
-  /** What keys are about; empty while nothing is chosen. */
+  /** Chosen edges; empty if nothing is chosen. */
   readonly run: Run;
-  /** The next edge is what the run is sewn to. */
+  /** The next edge becomes the run's partner. */
   readonly isHeld: boolean;
-  /** Where keys have led meanwhile. */
+  /** Edges reached by keys while the run is held. */
   readonly other: Run;
-  /** It is to be sewn the other way round than proposed. */
+  /** The seam gets the opposite of the proposed direction. */
   readonly isTurned: boolean;
-  /** Suggestions are shown and asked about. */
+  /** Suggestions are shown as questions. */
   readonly suggests: boolean;
-  /** Those that somebody did not want. */
+  /** Suggestions that the user has declined. */
   readonly answered: readonly Suggestion[];
-  /** Seams, by number, of which is asked whether they are gathered. */
+  /** Numbers of the seams with a pending question about gathers. */
   readonly gathered: readonly number[];
   readonly refused: Refusal | undefined;
 }
@@ -63,13 +65,13 @@ export interface SeamState {
 interface Split {
   readonly kind: 'split';
   readonly edge: EdgeOfPiece;
-  /** Of its length, from its start. */
+  /** Share of the edge's length from its start. */
   readonly share: number;
   /** The part that stays chosen: the first or the second. */
   readonly keeps: 0 | 1;
 }
 
-/** A change of the garment that somebody has asked for. */
+/** A change of the garment that the user requests. */
 export type SeamEdit =
   | {readonly kind: 'sew'; readonly a: Run; readonly b: Run; readonly sameDirection: boolean}
   | {readonly kind: 'sewAll'; readonly seams: readonly Suggestion[]}
@@ -77,12 +79,12 @@ export type SeamEdit =
   | {readonly kind: 'unsew' | 'turn'; readonly seam: number}
   | {readonly kind: 'open'; readonly run: Run; readonly open: boolean}
   | {readonly kind: 'match'; readonly seams: readonly number[]}
-  /** Takes seams apart, and sews one side of them with more to the other. */
+  /** Removes seams, and sews one of their sides with an extra edge to the other. */
   | ({readonly kind: 'join'; readonly seams: readonly number[]} & Suggestion);
 
-/** About the run that is chosen. */
+/** Events about the chosen run. */
 type RunEvent =
-  /** The candidate's number, from 1. */
+  /** Number of the candidate, from 1. */
   | {readonly type: 'sewTo'; readonly candidate: number}
   | {readonly type: 'hold'}
   | {readonly type: 'turn'}
@@ -90,21 +92,21 @@ type RunEvent =
   | {readonly type: 'open'};
 
 export type SeamEvent =
-  /** A press on an edge; with `extends` it is one more of the run. */
+  /** Press on an edge; `extends` adds it to the run. */
   | {readonly type: 'pick'; readonly edge: EdgeOfPiece; readonly extends: boolean}
-  /** Keys lead to an edge. */
+  /** Keys move to an edge. */
   | {readonly type: 'go'; readonly edge: EdgeOfPiece}
-  /** To the next edge, or the one before, on the outline: the run takes it in, or lets it go. */
+  /** Extends the run at its end (1) or before its start (-1). */
   | {readonly type: 'stretch'; readonly by: 1 | -1}
   | ({readonly type: 'split'} & Omit<Split, 'kind'>)
   | RunEvent
   | {readonly type: 'next' | 'suggest' | 'acceptAll' | 'back' | 'yes' | 'no' | 'skip' | 'join'}
-  /** The garment has been changed. */
+  /** The garment has changed. */
   | {
       readonly type: 'edited';
       readonly edgesOf: (edge: EdgeOfPiece) => Run;
       readonly gathered: readonly number[];
-      /** Of a split, the part that stays chosen. */
+      /** The part of a split that stays chosen. */
       readonly keeps?: 0 | 1;
     };
 
@@ -118,12 +120,12 @@ export const nothingChosen: SeamState = {
   ...{suggests: false, answered: [], gathered: [], refused: undefined},
 };
 
-/** What is asked, to be answered by yes, no or skip. */
+/** A question to be answered with yes, no or skip. */
 export type Question =
   | {
       readonly kind: 'gathered';
       readonly seams: readonly number[];
-      /** With the next edge the shorter side is as long as the other. */
+      /** Seam with the next edge added, which makes the shorter side as long as the other. */
       readonly instead?: Suggestion;
     }
   | ({readonly kind: 'seam'} & Suggestion);
@@ -151,12 +153,15 @@ function insteadOf({garment}: Sewing, number: number): Suggestion | undefined {
 const isSewn = ({garment}: Sewing, edge: EdgeOfPiece): boolean =>
   seamAt(garment, edge) !== undefined;
 
-/** Nothing is asked about gathers any more once something else is done. */
+/** Drops the question about gathers; any other action ends it. */
 const calm = (state: SeamState): SeamState => ({...state, gathered: [], refused: undefined});
 
 const refusing = (state: SeamState, refused: Refusal): Answer => ({state: {...state, refused}});
 
-/** Which way round two sides are sewn: as proposed, or as usual, where outlines run against each other. */
+/**
+ * Returns whether two sides are sewn start to start: as proposed, or by default start to end, since
+ * outlines run against each other.
+ */
 export function directionOf(state: SeamState, sewing: Sewing, other: Run): boolean {
   const [first] = other;
   const known = sewing.candidates(state.run).find(({b}) => first && has(b, first));
@@ -170,7 +175,7 @@ function sewn(state: SeamState, sewing: Sewing, other: Run, run = state.run): An
   return {state, edit: {kind: 'sew', a: run, b: other, sameDirection}};
 }
 
-/** Another edge is chosen. */
+/** Chooses another run. */
 const chosen = (state: SeamState, run: Run, isHeld: boolean): SeamState => ({
   ...state,
   ...{run, isHeld, other: [], isTurned: false},
@@ -197,13 +202,15 @@ function picked(state: SeamState, sewing: Sewing, edge: EdgeOfPiece, isMore: boo
   return {state: chosen(state, [edge], !sewnAlready)};
 }
 
-/** The side where keys are now grows along its outline. */
+/** Extends the side under the keys along its outline. */
 function withStretched(state: SeamState, {garment}: Sewing, by: 1 | -1): SeamState {
   const name = state.isHeld && state.other.length > 0 ? 'other' : 'run';
   return {...state, [name]: stretched(garment, state[name], by)};
 }
 
-/** The longest edge that is neither sewn nor open, after the present one by length. */
+/**
+ * Returns the next shorter edge after the chosen one that is neither sewn nor open, or the longest.
+ */
 function nextOf({run}: SeamState, {garment, order}: Sewing): EdgeOfPiece | undefined {
   const left = order
     .filter((edge) => seamAt(garment, edge) === undefined && !isOpen(edgeOf(garment, edge)))
@@ -215,7 +222,7 @@ function nextOf({run}: SeamState, {garment, order}: Sewing): EdgeOfPiece | undef
   return left[(at + 1) % left.length];
 }
 
-/** Takes back what was chosen last. @returns nothing where there is nothing to take back */
+/** Undoes the last choice. @returns undefined if there is nothing to undo */
 function back(state: SeamState): SeamState | undefined {
   if (state.gathered.length > 0 || state.refused) return calm(state);
   if (state.other.length > 0) return {...state, other: []};
@@ -257,7 +264,10 @@ function edited(
   };
 }
 
-/** What is made of an event; nothing where it ends the tool. What has no meaning in a state leaves it as it is. */
+/**
+ * Returns the state after an event, and the edit it requests; undefined if the event ends the tool.
+ * Events without a meaning leave the state unchanged.
+ */
 export function afterEvent(
   before: SeamState,
   event: SeamEvent,
@@ -312,7 +322,7 @@ export function afterEvent(
   }
 }
 
-/** What is done to the run that is chosen. @param seam that it is sewn in */
+/** Applies an event to the chosen run. @param seam number of the run's seam, if it is sewn */
 function ofRun(
   state: SeamState,
   event: RunEvent,

@@ -1,4 +1,4 @@
-/** What can be clicked: pieces side by side on a sheet, sewn along seams. Lengths in cm, y up. */
+/** Clickable sheet: pieces side by side, sewn along seams. Lengths in cm, y up. */
 import type {Point} from '../model/geometry.js';
 import type {ResultPiece, ResultSeam} from '../model/result.js';
 import type {SheetPlace} from '../model/sheet-place.js';
@@ -7,10 +7,13 @@ import {carried} from '../model/triangles.js';
 /** Points are in the piece's own coordinates, not in those of the sheet. */
 export interface SheetPiece
   extends SheetPlace, Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
-  /** What people call it. */
+  /** Name shown to the user. */
   readonly label: string;
   readonly points: readonly Point[];
-  /** Per outline edge, from outline[k] to outline[k + 1], the number of the panel's edge in the file. */
+  /**
+   * Number of the panel's edge in the file for each outline edge, from outline[k] to outline[k +
+   * 1].
+   */
   readonly edges?: readonly number[];
   readonly grain?: readonly [Point, Point];
 }
@@ -19,17 +22,17 @@ type SheetSeam = Pick<ResultSeam, 'a' | 'b'>;
 
 export type Side = keyof SheetSeam;
 
-/** A scene of the viewer is one. */
+/** Scenes of the viewer implement it. */
 export interface Sheet {
   readonly pieces: readonly SheetPiece[];
   readonly seams: readonly SheetSeam[];
-  /** How the pieces were drafted, one for one. */
+  /** The drafted pieces, in the same order. */
   readonly pattern: {readonly pieces: readonly Pick<ResultPiece, 'rest' | 'mirroredFromInput'>[]};
 }
 
 /**
- * A point of a piece, in the coordinates of the panel in the file. The sheet may show a deformed
- * piece: the point goes back with the triangle it lies in.
+ * Converts a point of a piece to the coordinates of its panel in the file. The sheet may show a
+ * deformed piece, so the point moves back with its triangle.
  */
 export function inputPoint({pieces, pattern}: Sheet, piece: number, point: Point): Point {
   const {points = [], triangles = []} = pieces[piece] ?? {};

@@ -1,9 +1,9 @@
-/** Draws a point of a piece to what is nearby and easier to mean. Lengths in cm. */
+/** Snaps a point of a piece to a mark nearby. Lengths in cm. */
 import {distance, type Point} from '../model/geometry.js';
 import {nearestOn} from './path.js';
 import type {PickIndex} from './pick-index.js';
 
-/** From the most to the least wanted, where several are about as near. */
+/** Marks in order of preference, if several are about equally near. */
 const marks = ['corner', 'notch', 'midpoint', 'grain'] as const;
 
 export interface Snapped {
@@ -12,15 +12,15 @@ export interface Snapped {
 }
 
 interface SnapOptions {
-  /** Those of the piece, in its own coordinates. */
+  /** Notches of the piece, in its own coordinates. */
   readonly notches?: readonly Point[];
 }
 
 /**
- * Of the marks within `reach`, the most wanted kind wins, and within it the nearest; but one that is
- * more than half of `reach` further away than the nearest mark of all is out. Only without any mark
- * the point goes onto the outline, and only without that it stays where it is. All points are in the
- * piece's own coordinates.
+ * Snaps to a mark within `reach`: the most preferred kind wins, and within it the nearest mark.
+ * Marks more than half of `reach` further away than the nearest one are ignored. Without a mark the
+ * point snaps to the outline, and without an outline within `reach` it stays unchanged. All points
+ * are in the piece's own coordinates.
  */
 export function snap(
   index: PickIndex,

@@ -1,22 +1,25 @@
-/** How symmetries are named by clicks: two lines or two points of a piece, or two pieces. */
+/**
+ * State machine that defines symmetries by clicks: two lines or two points of a piece, or two
+ * pieces.
+ */
 import {distance, type MirrorMap, type Point} from '../model/geometry.js';
 import type {Symmetry} from '../model/symmetries.js';
 import type {LineTarget, OnPiece, Target} from './pick.js';
 import {inputPoint, type Sheet} from './sheet.js';
 
-/** `piece`: a piece that is symmetric in itself. `pair`: two that mirror onto each other. */
+/** `piece`: a piece that is symmetric in itself. `pair`: two pieces that mirror onto each other. */
 export type SymmetryTool = 'piece' | 'pair';
 
-/** What a press was taken for. */
+/** Interpretation of a press. */
 export type Choice = OnPiece &
   (
     | {readonly kind: 'line'; readonly target: LineTarget; readonly edge: number}
     | {readonly kind: 'point' | 'piece'}
   );
 
-/** How well a symmetry fits what was drafted, as the solver finds. */
+/** Deviation of the drafted outlines from a symmetry, measured by the solver. */
 export interface MeasuredMirror {
-  /** The greatest distance of an outline from its mirror image. [cm] */
+  /** Greatest distance of an outline from its mirror image. [cm] */
   readonly residual: number;
   /** p' = R F p + t */
   readonly map: MirrorMap;
@@ -33,16 +36,16 @@ type Refusal =
   | 'samePoint'
   /** The first piece of a pair is chosen again. */
   | 'samePiece'
-  /** A line is chosen, and then a point of its piece. */
+  /** A point follows a line on its piece. */
   | 'pointAfterLine'
-  /** Nothing says which edge of the file the line is. */
+  /** The line has no edge number in the file. */
   | 'unnumbered'
-  /** Both choices are good, but what they ask for does not mirror. */
+  /** Both choices are valid, but the pieces do not mirror. */
   | 'noMirror';
 
 interface Working {
   readonly tool: SymmetryTool;
-  /** How many candidates there have been. */
+  /** Number of candidates so far. */
   readonly asked: number;
 }
 
@@ -51,7 +54,9 @@ export type SymmetryState =
   | (Working & {readonly stage: 'idle'})
   | (Working & {readonly stage: 'chosen'; readonly first: Choice})
   | (Working & {
-      /** To be measured by the solver, then shown, then confirmed. Its number is `asked`. */
+      /**
+       * The solver measures a candidate, then it is shown, then confirmed. Its number is `asked`.
+       */
       readonly stage: 'candidate';
       readonly first: Choice;
       readonly second: Choice;
@@ -73,26 +78,29 @@ export type SymmetryEvent =
   | {
       readonly type: 'pick';
       readonly target: Target;
-      /** What is meant if the press is taken for a point. Default: the target's. */
+      /** Point used if the press is taken for a point. Default: the target's point. */
       readonly snapped?: Point;
     }
-  /** A press that is to be a point, whatever is near. */
+  /** Press that always means a point, regardless of lines nearby. */
   | {readonly type: 'pickPoint'; readonly piece: number; readonly point: Point}
   | {readonly type: 'back'}
-  /** `candidate` is the number of the one that was measured. */
+  /** `candidate` is the number of the measured one. */
   | {readonly type: 'measured'; readonly candidate: number; readonly result: MeasuredMirror}
   | {readonly type: 'commit'};
 
 export const outside: SymmetryState = {stage: 'outside', asked: 0};
 
-/** Two points of an axis are at least this far apart. [cm] */
+/** Least distance of an axis's two points. [cm] */
 const shortestAxis = 1;
 
 type Active = Exclude<SymmetryState, {readonly stage: 'outside'}>;
 
 type Pick = Extract<SymmetryEvent, {readonly type: 'pick' | 'pickPoint'}>;
 
-/** After a first point a line is a point, too: axes end on outlines. */
+/**
+ * Returns a press as a choice. After a first point a line counts as a point, too, since axes end on
+ * outlines.
+ */
 function choiceOf(tool: SymmetryTool, first: Choice | undefined, event: Pick): Choice | Refusal {
   const {piece, point} = event.type === 'pick' ? event.target : event;
   if (tool === 'pair') return {kind: 'piece', piece, point};
@@ -104,7 +112,7 @@ function choiceOf(tool: SymmetryTool, first: Choice | undefined, event: Pick): C
   return edge === undefined ? 'unnumbered' : {kind: 'line', piece, point, target, edge};
 }
 
-/** What two choices ask for, or why they do not go together. */
+/** Returns the symmetry that two choices define, or the reason for refusing them. */
 function proposal(sheet: Sheet, first: Choice, second: Choice): Symmetry | Refusal {
   const nameOf = ({piece}: Choice): string => sheet.pieces[piece]?.name ?? '';
   const isSamePiece = first.piece === second.piece;
@@ -123,7 +131,7 @@ function proposal(sheet: Sheet, first: Choice, second: Choice): Symmetry | Refus
   return {kind: 'piece', piece, axis: [drafted(first), drafted(second)]};
 }
 
-/** The choice that the next one goes with. */
+/** Returns the choice that the next one goes with. */
 const firstOf = (state: SymmetryState): Choice | undefined =>
   state.stage === 'chosen' || state.stage === 'refused' ? state.first : undefined;
 
@@ -143,7 +151,7 @@ function picked(state: Active, event: Pick, sheet: Sheet): SymmetryState {
     : {stage: 'candidate', tool, asked: asked + 1, first, second: choice, symmetry};
 }
 
-/** Takes back the last thing that counts; a refusal did not. */
+/** Undoes the last choice; a refusal is only dropped. */
 function back(state: Active): SymmetryState {
   const {tool, asked} = state;
   switch (state.stage) {
@@ -161,7 +169,7 @@ function back(state: Active): SymmetryState {
   }
 }
 
-/** What is left of it once another design is shown, of the same garment or of another. */
+/** Returns the state after a change of design, of the same garment or to another one. */
 export function outlived(state: SymmetryState, isSameGarment: boolean): SymmetryState {
   if (state.stage === 'outside') return state;
   if (!isSameGarment) return {stage: 'idle', tool: state.tool, asked: state.asked};
@@ -175,7 +183,10 @@ function measured(state: Active, candidate: number, result: MeasuredMirror): Sym
   return {stage: 'refused', tool, asked, reason: 'noMirror', at, first, measured: result};
 }
 
-/** What has no meaning in a state leaves it as it is. A choice after a candidate begins anew. */
+/**
+ * Returns the state after an event. Events without a meaning leave the state unchanged. A choice
+ * after a candidate starts a new one.
+ */
 export function afterEvent(
   state: SymmetryState,
   event: SymmetryEvent,

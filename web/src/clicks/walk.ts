@@ -1,4 +1,7 @@
-/** A way round a sheet by keys: from piece to piece, into one's seams, and across a seam to its twin. */
+/**
+ * Keyboard navigation on a sheet: from piece to piece, into a piece's seams, and across a seam to
+ * its twin.
+ */
 import type {Box} from '../model/polyline.js';
 import {ontoSheet} from '../model/sheet-place.js';
 import type {PickIndex} from './pick-index.js';
@@ -36,7 +39,10 @@ function boxesOf({sheet, pieces}: PickIndex): readonly PieceBox[] {
 
 const middle = ({low, high}: Box, axis: 0 | 1): number => (low[axis] + high[axis]) / 2;
 
-/** The pieces row by row from above, each from the left. In a row are those whose middle is higher than the foot of its highest piece. */
+/**
+ * Returns the pieces row by row from the top, each row from the left. A row contains the pieces
+ * with middles above the lower end of its highest piece.
+ */
 export function readingOrder(index: PickIndex): readonly number[] {
   const rows: PieceBox[][] = [];
   for (const box of [...boxesOf(index)].sort((a, b) => b.high[1] - a.high[1])) {
@@ -47,17 +53,20 @@ export function readingOrder(index: PickIndex): readonly number[] {
   return rows.flatMap((row) => row.sort((a, b) => a.low[0] - b.low[0]).map(({piece}) => piece));
 }
 
-/** Sides of seams round a piece, counter-clockwise from where its outline begins. */
+/** Returns the sides of seams around a piece, counter-clockwise from the outline's start. */
 export const seamsRound = (index: PickIndex, piece: number): readonly SeamPlace[] =>
   (index.pieces[piece]?.lines ?? []).flatMap(({name}) =>
     name.kind === 'seam' ? [{level: 'seam', piece, seam: name.seam, side: name.side}] : [],
   );
 
-/** How much a piece beside the way counts more than one further along it, by gap and by middle. */
+/**
+ * Cost factors of a piece beside the direction, relative to one further along it: for the gap, and
+ * for the distance of middles.
+ */
 const besideFactor = 2;
 const middleFactor = 0.1;
 
-/** The next piece in a direction; the same one where there is none. */
+/** Returns the next piece in a direction, or the same one if there is none. */
 export function nextPiece(index: PickIndex, current: number, direction: Direction): number {
   const boxes = boxesOf(index);
   const from = boxes.find(({piece}) => piece === current);
@@ -82,22 +91,24 @@ export function nextPiece(index: PickIndex, current: number, direction: Directio
   return best;
 }
 
-/** The next side of a seam round the same piece, or the one before; after the last comes the first. */
+/**
+ * Returns the next or the previous seam side around the same piece; the first one follows the last.
+ */
 export function nextSeam(index: PickIndex, current: SeamPlace, step: 1 | -1): SeamPlace {
   const round = seamsRound(index, current.piece);
   const at = round.findIndex(({seam, side}) => seam === current.seam && side === current.side);
   return round[(at + step + round.length) % round.length] ?? current;
 }
 
-/** To the first seam of a piece, if it has any. */
+/** Returns the first seam of a piece, if it has any. */
 export const inwards = (index: PickIndex, place: Place): Place =>
   (place.level === 'piece' ? seamsRound(index, place.piece)[0] : undefined) ?? place;
 
-/** From a seam to its piece, from a piece off the sheet. */
+/** Returns a seam's piece; undefined for a piece, which leaves the sheet. */
 export const outwards = (place: Place): PiecePlace | undefined =>
   place.level === 'seam' ? {level: 'piece', piece: place.piece} : undefined;
 
-/** To what a side of a seam is sewn to. */
+/** Returns the other side of a seam. */
 export function twin({sheet}: PickIndex, place: SeamPlace): SeamPlace {
   const side = place.side === 'a' ? 'b' : 'a';
   const piece = sheet.seams[place.seam]?.[side].piece;

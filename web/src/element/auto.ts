@@ -1,4 +1,4 @@
-/** Registers `<seamwise-garment>`: importing this is all that a page has to do. */
+/** Registers `<seamwise-garment>`; a page only has to import this module. */
 import {register} from '../editor/base/register.js';
 import {SeamwiseGarment} from './seamwise-garment.js';
 

@@ -1,18 +1,20 @@
-/** The element as frameworks' templates write it: its attributes, and how they listen to it. */
+/** Types of the element in framework templates: its attributes and event handlers. */
 import type {GarmentLoading, GarmentMode, GarmentView} from './garment/attributes.js';
 import type {GarmentEvents, SeamwiseGarment, SeamwiseGarmentEventMap} from './seamwise-garment.js';
 
-/** What templates may say. Objects are set as properties by those that can, such as React 19 and Vue. */
+/**
+ * Attributes in templates. Objects need a framework that sets properties, such as React 19 and Vue.
+ */
 export interface SeamwiseGarmentAttributes {
   garment?: SeamwiseGarment['garment'];
   size?: string;
   print?: SeamwiseGarment['print'];
   colourway?: string;
   symmetry?: SeamwiseGarment['symmetry'];
-  /** No outline moves further than this. [mm] */
+  /** Greatest movement of an outline. [mm] */
   'max-change-mm'?: number | string;
   view?: GarmentView;
-  /** Of the cloth on which it is laid, and of what is of no use along each edge. [cm] */
+  /** Fabric width of the layout, and the unusable strip along each edge. [cm] */
   'cloth-width'?: number | string;
   selvedge?: number | string;
   mode?: GarmentMode;
@@ -31,7 +33,10 @@ export interface SeamwiseGarmentAttributes {
   value?: string;
 }
 
-/** `onsolve` and so on, in lower case: the names that React 19 and Preact turn into listeners of the very event. */
+/**
+ * `onsolve` and so on, in lower case: React 19 and Preact turn these names into listeners of the
+ * same event.
+ */
 export type SeamwiseGarmentHandlers = {
   [Type in keyof GarmentEvents as `on${Type}`]?: (event: SeamwiseGarmentEventMap[Type]) => void;
 };

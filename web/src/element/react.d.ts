@@ -1,4 +1,7 @@
-/** `seamwise/react`: registers `<seamwise-garment>`, and tells TypeScript what it takes in the JSX of React 19. */
+/**
+ * `seamwise/react`: registers `<seamwise-garment>`, and declares its attributes for JSX in React
+ * 19.
+ */
 export * from './auto.js';
 
 import type {DetailedHTMLProps, HTMLAttributes} from 'react';

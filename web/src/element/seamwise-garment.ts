@@ -1,6 +1,6 @@
 /**
- * `<seamwise-garment>`: a sewing pattern in a print that meets at its seams. This module registers nothing;
- * `auto.ts` does.
+ * `<seamwise-garment>`: a sewing pattern in a print that matches at its seams. This module
+ * registers nothing; `auto.ts` does.
  */
 import type {PropertyValues, TemplateResult} from 'lit';
 
@@ -52,7 +52,7 @@ export type {SewTexts} from '../texts/sew/en.js';
 export type {WornTexts} from '../texts/worn-texts.js';
 
 export class SeamwiseGarment extends AttributeElement {
-  /** The variables of `style/tokens.ts` are the page's to set. */
+  /** The page may set the variables of `style/tokens.ts`. */
   static override styles = [tokens, controls, garmentStyle];
 
   static override get observedAttributes(): string[] {
@@ -71,7 +71,7 @@ export class SeamwiseGarment extends AttributeElement {
   #shown: GarmentMode = 'preview';
   #shownView: GarmentView = 'pattern';
   #isDrawn = false;
-  /** Gives back what others may need, unless it is put into the document again soon. */
+  /** Releases shared resources unless the element soon returns to the document. */
   readonly #rest = new Rest(
     () => !this.isConnected && !this.#session.isAwaited && !this.#cloth.layer?.isAwaited,
     () => {
@@ -137,7 +137,7 @@ export class SeamwiseGarment extends AttributeElement {
     });
   }
 
-  /** Words to be shown in place of the element's own. */
+  /** Messages that replace the element's own. */
   get messages(): Messages | undefined {
     return this.#speech.messages;
   }
@@ -146,7 +146,7 @@ export class SeamwiseGarment extends AttributeElement {
     this.#speech.messages = typeof messages === 'object' && messages ? messages : undefined;
   }
 
-  /** With `mode="place"`: the prints to choose from. */
+  /** The prints to choose from, with `mode="place"`. */
   get prints(): readonly PrintOffer[] {
     return this.#offers.all.map(({url, title}) => ({url, title}));
   }
@@ -159,22 +159,22 @@ export class SeamwiseGarment extends AttributeElement {
     return this.#session.state;
   }
 
-  /** The answer to what is asked for, while `state` is `ready`. */
+  /** The answer to the request, while `state` is `ready`. */
   get result(): SolveResult | undefined {
     return this.#session.result;
   }
 
-  /** What is wrong, while `state` is `error`. */
+  /** The error, while `state` is `error`. */
   get error(): SolverError | undefined {
     return this.#session.error;
   }
 
-  /** What the answer takes of cloth as wide as `clothWidth`; null until it is laid. [cm] */
+  /** Length of the answer's layout on fabric of width `clothWidth`; null until it is there. [cm] */
   get clothLengthCm(): number | null {
     return this.#cloth.layer?.lengthCm ?? null;
   }
 
-  /** The design as JSON text; empty while there is no answer, or none that can be stored. */
+  /** The design as JSON text; empty if there is no answer, or none that can be stored. */
   get value(): string {
     if (this.#session.state !== 'ready') return '';
     try {
@@ -190,16 +190,16 @@ export class SeamwiseGarment extends AttributeElement {
       return;
     }
     this.setDesign(value).catch((error: unknown) => {
-      // of everything else the session has told
+      // the session has reported all other errors
       if (error instanceof FileError) this.#session.report(asError(error));
     });
   }
 
   /**
-   * The answer to what is asked for now, or to what takes its place before that is there. Nothing that is
-   * known already is solved again. Works out of view, and outside the document, too.
-   * @throws {SolverError} for what is wrong with it; the signal's reason, an `AbortError` by default, when it
-   *   fires; an `AbortError` after `cancel`
+   * Returns the answer to the current request, or to the one that replaces it meanwhile. Known
+   * answers are not solved again. Works out of view, and outside the document, too.
+   * @throws {SolverError} if the request fails; the signal's reason, an `AbortError` by default,
+   * when it fires; an `AbortError` after `cancel`
    */
   async solve({signal}: {readonly signal?: AbortSignal} = {}): Promise<SolveResult> {
     signal?.throwIfAborted();
@@ -207,8 +207,10 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   /**
-   * How the answer lies on cloth as wide as `clothWidth`; where something else is asked for meanwhile, how that does.
-   * @throws {SolverError} where the width is not said, and for a piece that the cloth is too narrow for; as `solve` does
+   * Returns the layout of the answer on fabric of width `clothWidth`; if the request changes
+   * meanwhile, that of the new answer.
+   * @throws {SolverError} if the width is missing, or the fabric is too narrow for a piece; as
+   * `solve`
    */
   async layPlan({signal}: {readonly signal?: AbortSignal} = {}): Promise<LayPlan> {
     signal?.throwIfAborted();
@@ -221,24 +223,26 @@ export class SeamwiseGarment extends AttributeElement {
     });
   }
 
-  /** Ends what is under way; what is shown stays. */
+  /** Ends running work; the shown result stays. */
   cancel(): void {
     this.#cloth.layer?.cancel();
     this.#session.cancel();
   }
 
   /**
-   * The design with its answer, as `seamwise-design/1`.
-   * @throws {SolverError} with one sentence before there is an answer, and when garment or print are objects
+   * Returns the design with its answer, as `seamwise-design/1`.
+   * @throws {SolverError} before there is an answer, and if the garment or the print is an object;
+   * the message is one sentence
    */
   getDesign(): StoredDesign & {readonly format: string} {
     return this.#session.stored();
   }
 
   /**
-   * Takes a stored design, or its JSON text, in the place of what is shown; resolves when it is solved.
-   * @throws {FileError} for what is no design; {SolverError} `file-changed` when garment or print are not the
-   *   files that it was made with, and as `solve` does
+   * Loads a stored design, or its JSON text, in place of the current one; resolves when it is
+   * solved.
+   * @throws {FileError} if it is no design; {SolverError} `file-changed` if the garment or the
+   * print differs from the file used for the design, and as `solve`
    */
   async setDesign(design: StoredDesign | string): Promise<void> {
     const text = typeof design === 'string' ? design : JSON.stringify(design);
@@ -249,9 +253,9 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   /**
-   * The whole pattern as a picture, so many pixels wide, or the pieces to cut as a file at true scale, by its type.
-   * @throws {SolverError} of a picture while nothing is drawn, and for a width that none can have; of a file to cut by
-   *   while there is no answer, and for a paper or an allowance that there is not
+   * Returns the whole pattern as a picture, or the cutting sheet as a file at true scale, by type.
+   * @throws {SolverError} for a picture: if nothing is drawn, or the width is out of range; for a
+   * cutting sheet: if there is no answer, or the paper or an allowance is invalid
    */
   toBlob(request: BlobRequest = {}): Promise<Blob> {
     return blobOf(this.#session.workbench, () => this.#isDrawn, request, this.#texts);
@@ -335,7 +339,7 @@ export class SeamwiseGarment extends AttributeElement {
     });
   }
 
-  /** Work for which it may be needed outside the document. */
+  /** Runs work that may need the element outside the document. */
   async #needed<T>(work: () => Promise<T>): Promise<T> {
     upgrade(this);
     try {
@@ -345,14 +349,14 @@ export class SeamwiseGarment extends AttributeElement {
     }
   }
 
-  /** The user has. */
+  /** Handles the user's choice of a print. */
   #choose({url}: OfferedPrint): void {
     this.colourway = null;
     this.print = url;
     if (this.#beginning.isDue) this.#beginning.ask({byUser: true});
   }
 
-  /** Tells what has become of the element, outwards and inwards. */
+  /** Updates the element's state, description, form value and template. */
   #present(): void {
     if (this.#beginning.hasBegun) this.#modes.load(this.mode, this.view);
     const shown = this.#modes.shown(this.mode);
@@ -363,7 +367,7 @@ export class SeamwiseGarment extends AttributeElement {
     const {garment} = this.#texts;
     this.enter(this.#session.state);
     this.present(this.value, this.error?.message ?? garment.required);
-    // a picture has nothing in it that could have the focus
+    // a picture contains nothing focusable
     const isPicture = this.mode === 'preview' && this.view === 'pattern' && !this.isMissing;
     this.describe(isPicture ? 'img' : 'group', this.alt || garment.label);
     this.requestUpdate();

@@ -1,4 +1,7 @@
-/** `seamwise/vue`: registers `<seamwise-garment>`, and tells TypeScript what it takes in the templates of Vue 3. */
+/**
+ * `seamwise/vue`: registers `<seamwise-garment>`, and declares its attributes for templates in Vue
+ * 3.
+ */
 export * from './auto.js';
 
 import type {SeamwiseGarmentAttributes} from './jsx.js';

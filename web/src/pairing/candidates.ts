@@ -1,22 +1,22 @@
-/** The pairs of edges that may be sewn to each other, with what is known of each. */
+/** Candidate pairs of edges that may be sewn together, with their features. */
 import {featuresOf, type Surroundings} from './features.js';
 import {beliefsOf, jointFeatures, type Beliefs} from './joints.js';
 import {matchingLikelihoods, tableOf} from './matching.js';
 
 export interface Candidates {
   readonly surroundings: Surroundings;
-  /** Each by the numbers of its edges, the greater one first. */
+  /** Edge numbers of each pair, the greater one first. */
   readonly pairs: readonly (readonly [number, number])[];
-  /** Of each what the edges have in common by themselves. */
+  /** Features of each pair that depend on its two edges only. */
   readonly features: readonly (readonly number[])[];
 }
 
-/** No gathers are tighter: as a ratio of lengths. */
+/** Greatest ratio of two lengths: no seam is gathered more tightly. */
 const tightest = 6;
 
 /**
- * All pairs but those whose lengths are too far apart.
- * @param mayBe whether two edges may be sewn to each other
+ * Returns all pairs of edges except those with too different lengths.
+ * @param mayBe returns whether two edges may be sewn together
  */
 export function candidatesOf(
   surroundings: Surroundings,
@@ -34,21 +34,21 @@ export function candidatesOf(
   return {surroundings, pairs, features: pairs.map(([i, j]) => featuresOf(surroundings, i, j))};
 }
 
-/** Candidates that are as good as impossible. */
+/** Log odds below which a candidate is dropped. */
 const hopeless = -6;
-/** As many of the likeliest that each edge keeps all the same. */
+/** Number of the likeliest candidates that each edge keeps even below that limit. */
 const kept = 12;
 
 /**
- * Without those that nothing of the neighbours could make likely: four of five.
- * @param logOdds of each candidate
+ * Drops the candidates that no neighbour could make likely: four of five.
+ * @param logOdds one value for each candidate
  */
 export function hopeful(candidates: Candidates, logOdds: readonly number[]): Candidates {
   const {surroundings, pairs, features} = candidates;
   const ofEdge = surroundings.garment.edges.map((): number[] => []);
   for (const [k, ends] of pairs.entries())
     for (const end of ends) ofEdge[end]?.push(logOdds[k] ?? 0);
-  // twins differ by rounding
+  // the values of twin pieces differ by rounding
   const limits = ofEdge.map((all) => (all.sort((a, b) => b - a)[kept - 1] ?? -Infinity) - 1e-6);
   const isKept = pairs.map(([i, j], k) => {
     const own = logOdds[k] ?? 0;
@@ -62,9 +62,9 @@ export function hopeful(candidates: Candidates, logOdds: readonly number[]): Can
 }
 
 /**
- * What to believe of all seams.
- * @param logOdds of each candidate, taken by itself
- * @param sewn pairs that are confirmed
+ * Returns the beliefs about all seams.
+ * @param logOdds one value for each candidate, from its own features
+ * @param sewn confirmed pairs
  */
 export function believed(
   {surroundings, pairs}: Candidates,
@@ -85,7 +85,7 @@ export function believed(
   return beliefsOf(surroundings, likelihoods, (2 * sewn.length) / edges.length);
 }
 
-/** Of each candidate all features: by themselves, and given what is believed. */
+/** Returns all features of each candidate: its own, and those that depend on the beliefs. */
 export const givenBeliefs = (
   {surroundings, pairs, features}: Candidates,
   beliefs: Beliefs,

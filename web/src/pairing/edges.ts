@@ -1,4 +1,7 @@
-/** Edges of a garment, measured for comparing them: nothing here depends on units, names or their order. */
+/**
+ * Measures the edges of a garment for comparison. Edges do not depend on names or on their order;
+ * only lengths and areas have a unit.
+ */
 import {
   angleOf,
   between,
@@ -15,29 +18,31 @@ import {edgeLine} from '../model/edge-curve.js';
 import {lengthOf, signedArea, stepAt} from '../model/polyline.js';
 import {wordsOf, type Words} from './words.js';
 
-/** Of how many equal steps a profile of headings is made: fine enough for the S of a sleeve cap. */
+/** Number of equal steps in a heading profile: fine enough for the S of a sleeve cap. */
 const profileSteps = 9;
 
 export interface MeasuredEdge {
   readonly at: EdgeOfPiece;
   /** [cm] */
   readonly length: number;
-  /** How far it has turned from its mean heading at each step, counter-clockwise. [rad] */
+  /** Deviation from the mean heading at each step, counter-clockwise. [rad] */
   readonly profile: readonly number[];
-  /** By how much it turns from its start to its end. [rad] */
+  /** Total turn from start to end. [rad] */
   readonly turning: number;
-  /** The angle within the piece at its start. [rad] */
+  /** Interior angle of the piece at the edge's start. [rad] */
   readonly corner: number;
-  /** Where its chord leads, to the piece's grain: across it, and along. */
+  /** Direction of the chord relative to the piece's grain: across it, and along it. */
   readonly chord: Point;
-  /** Its middle within the piece: across from the middle and up from the foot, as shares. */
+  /**
+   * Middle of the edge within the piece: share across from the middle, and share up from the foot.
+   */
   readonly place: Point;
-  /** Its length as a share of the outline's. */
+  /** Length as a share of the outline's length. */
   readonly share: number;
-  /** Numbers, in the list of all edges, of those before and after it on the outline. */
+  /** Numbers of the previous and the next edge of the outline, in the list of all edges. */
   readonly before: number;
   readonly after: number;
-  /** Shares of its length that are notched, ascending. */
+  /** Notches as shares of the length, ascending. */
   readonly notches: readonly number[];
   readonly isOpen: boolean;
 }
@@ -54,11 +59,11 @@ export interface MeasuredPiece {
 export interface MeasuredGarment {
   readonly edges: readonly MeasuredEdge[];
   readonly pieces: readonly MeasuredPiece[];
-  /** The side of a square as large as all pieces. [cm] */
+  /** Side of a square with the area of all pieces. [cm] */
   readonly scale: number;
 }
 
-/** Points at equal steps of a line's length, its ends among them. */
+/** Returns points at equal steps of a line's length, both ends included. */
 function evenly(line: readonly Point[], steps: number): Point[] {
   return Array.from({length: steps + 1}, (_, k) => {
     const {step, part} = stepAt(line, k / steps);
@@ -72,7 +77,7 @@ interface Shape {
   readonly turning: number;
   readonly chord: Point;
   readonly middle: Point;
-  /** Headings at its ends. */
+  /** Headings at both ends. */
   readonly ends: readonly [Point, Point];
 }
 
@@ -101,7 +106,7 @@ function shapeOf(line: readonly Point[]): Shape {
   };
 }
 
-/** The direction of a piece's grain, as far upwards as it goes: of length 1. */
+/** Returns the unit vector of a piece's grain that points upwards. */
 function upOf({grain}: GarmentPiece): Point {
   const [foot, head] = grain?.line ?? [];
   if (!foot || !head || distance(foot, head) === 0) return [0, 1];
@@ -110,7 +115,7 @@ function upOf({grain}: GarmentPiece): Point {
   return y < 0 || (y === 0 && x < 0) ? [-x, -y] : [x, y];
 }
 
-/** Shares across, from -1/2 to 1/2, and along a direction, from 0 to 1, of points among all. */
+/** Returns a function for a point's share across, from -1/2 to 1/2, and along `up`, from 0 to 1. */
 function placesIn(points: readonly Point[], up: Point): (point: Point) => Point {
   const across = rotated(up, -Math.PI / 2);
   const spread = (along: Point): ((point: Point) => number) => {
@@ -154,7 +159,7 @@ function edgesOfPiece(
   });
 }
 
-/** All edges of a garment's pieces, piece by piece. */
+/** Measures all edges of a garment, piece by piece. */
 export function measured(pieces: readonly GarmentPiece[]): MeasuredGarment {
   const edges: MeasuredEdge[] = [];
   const seen = pieces.map((piece, number): MeasuredPiece => {

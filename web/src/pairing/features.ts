@@ -1,14 +1,20 @@
-/** What two edges have in common by themselves, before anything is known of their neighbours' seams. */
+/** Features of a pair of edges that ignore the seams of their neighbours. */
 import type {MeasuredEdge, MeasuredGarment} from './edges.js';
 
-/** 1 at no difference, falling off within a width. */
+/** Gaussian weight of a difference: 1 at zero, 1/e at `width`. */
 export const near = (difference: number, width: number): number =>
   Math.exp(-((difference / width) ** 2));
 
-/** How far apart two lengths or areas are, kept within what tells edges apart. */
+/**
+ * Absolute log ratio of two lengths or areas, at most 2: greater values do not separate edges
+ * better.
+ */
 const logRatio = (a: number, b: number): number => Math.min(2, Math.abs(Math.log(a / b)));
 
-/** How far headings are from running alike, or bending to opposite sides, when sewn start to end. [rad] */
+/**
+ * Root mean square difference of two heading profiles, sewn start to end, at most 2. [rad]
+ * @param sign 1 compares edges that bend alike, -1 edges that bend to opposite sides
+ */
 function unlikeness(a: readonly number[], b: readonly number[], sign: 1 | -1): number {
   let sum = 0;
   const last = b.length - 1;
@@ -16,12 +22,12 @@ function unlikeness(a: readonly number[], b: readonly number[], sign: 1 | -1): n
   return Math.min(2, Math.sqrt(sum / b.length));
 }
 
-/** A garment's edges, and what the garment as a whole says of each. */
+/** A garment's edges, and the features that need the whole garment. */
 export interface Surroundings {
   readonly garment: MeasuredGarment;
-  /** The mirror image of each edge, or -1. */
+  /** Mirror image of each edge, or -1. */
   readonly images: Int32Array;
-  /** Per edge how far the lengths of all others are from its own, ascending. */
+  /** For each edge, the log ratios of its length to all other lengths, ascending. */
   readonly rivals: readonly Float64Array[];
 }
 
@@ -34,7 +40,7 @@ export function surroundingsOf(garment: MeasuredGarment, images: Int32Array): Su
   return {garment, images, rivals};
 }
 
-/** The logarithm of how many ascending numbers are below a limit, and one. */
+/** Returns log(1 + n) for the n ascending numbers below a limit. */
 function logBelow(ascending: Float64Array, limit: number): number {
   let low = 0;
   let high = ascending.length;
@@ -46,7 +52,10 @@ function logBelow(ascending: Float64Array, limit: number): number {
   return Math.log1p(low);
 }
 
-/** 1 where notches meet when edges are sewn start to end, -1 where they do not, 0 where neither edge has any. */
+/**
+ * Returns 1 if the notches meet when the edges are sewn start to end, -1 if they do not, and 0 if
+ * neither edge has any.
+ */
 function notchesAgree(a: readonly number[], b: readonly number[]): number {
   if (a.length + b.length === 0) return 0;
   const last = b.length - 1;
@@ -55,12 +64,12 @@ function notchesAgree(a: readonly number[], b: readonly number[]): number {
   return meet ? 1 : -1;
 }
 
-/** Of a difference, nearly none of which is tolerance: two percent are ease, a seventh is gathered. */
+/** Widths of a log ratio of lengths: exact match, two percent of ease, a seventh of gathers. */
 const widths = {exact: 0.003, eased: 0.02, gathered: 0.15};
-/** How far corners of a joint are from closing it. [rad] */
+/** Width of an angle's deviation from a closed joint. [rad] */
 const cornerWidth = 0.35;
 
-/** The features of edges `i` and `j`, the same for `j` and `i`, sewn start to end. */
+/** Returns the features of edges `i` and `j`, sewn start to end; symmetric in `i` and `j`. */
 export function featuresOf(
   {garment, images, rivals}: Surroundings,
   i: number,
@@ -148,7 +157,10 @@ export function featuresOf(
   ];
 }
 
-/** How two edges lie on their pieces, to the grain: side seams run along it, hems lie at the foot. */
+/**
+ * Direction and place of two edges relative to the grain: side seams run along it, hems are at the
+ * foot.
+ */
 const orientations = (a: MeasuredEdge, b: MeasuredEdge): readonly number[] => [
   a.chord[0] * b.chord[0],
   a.chord[1] * b.chord[1],

@@ -1,21 +1,24 @@
-/** What two edges have in common given what is believed of all others: the seams beside them, their joints, their mirror image. */
+/**
+ * Features of a pair of edges that depend on the beliefs about all others: the seams beside it, its
+ * joints and its mirror image.
+ */
 import {near, type Surroundings} from './features.js';
 import type {Table} from './matching.js';
 
-/** What is believed of a garment's seams: 1 and 0 where they are confirmed. */
+/** Beliefs about a garment's seams: a sewn edge has 1 for its seam and 0 for all other pairs. */
 export interface Beliefs {
   readonly likelihoods: Table;
-  /** Per edge how likely it stays open. */
+  /** For each edge, the likelihood that it stays open. */
   readonly open: Float64Array;
-  /** Per edge those that it may well be sewn to, the likeliest first. */
+  /** For each edge, its probable partners, the likeliest first. */
   readonly likely: readonly Int32Array[];
-  /** Per two pieces, row by row, how many seams they are believed to share. */
+  /** For each two pieces, row by row, the expected number of seams between them. */
   readonly shared: Table;
-  /** The share of edges that somebody confirmed. */
+  /** Share of the edges with a confirmed seam. */
   readonly confirmed: number;
 }
 
-/** Less likely partners are not looked at. */
+/** Likelihood below which a partner is ignored. */
 const least = 0.02;
 
 export function beliefsOf(
@@ -44,25 +47,30 @@ export function beliefsOf(
   return {likelihoods, open, likely, shared, confirmed};
 }
 
-/** 1 where angles of a joint add up to a whole, falling off within some 20 degrees. [rad] */
+/**
+ * Weight of a joint: 1 if its angles add up to `whole`, falling off within about 20 degrees. [rad]
+ */
 const closes = (angle: number, whole: number): number => near(angle - whole, 0.3);
 
-/** One end of a seam: the edges beside it, and the angles of the two pieces there. */
+/** One end of a seam: the edges beside it, and the sum of both pieces' angles there. */
 interface SeamEnd {
-  /** Beside the first edge, and beside the second one. */
+  /** Edges beside the seam's first and second edge. */
   readonly a: number;
   readonly b: number;
   readonly angle: number;
-  /** Whether `a` begins here: then what is sewn to it ends here. */
+  /** `a` begins at this end, so its partner ends here. */
   readonly begins: boolean;
 }
 
-/** How well the joint at one end of a seam closes, in each of the ways in which joints do. */
+/** Scores one end of a seam for each kind of joint that may close there. */
 function closings({garment: {edges}}: Surroundings, beliefs: Beliefs, end: SeamEnd): number[] {
   const {open, likely, likelihoods} = beliefs;
   const {a, b, angle, begins} = end;
   const p = (i: number, j: number): number => likelihoods.values[i * likelihoods.size + j] ?? 0;
-  /** The edge that a third piece goes on with here, and its angle. */
+  /**
+   * Next edge of a third piece at this joint, seen from a partner of `a`; `back` does the same for
+   * `b`.
+   */
   const onwards = (k: number): number => (begins ? edges[k]?.after : edges[k]?.before) ?? k;
   const back = (l: number): number => (begins ? edges[l]?.before : edges[l]?.after) ?? l;
   const angleAt = (k: number): number => edges[begins ? onwards(k) : k]?.corner ?? 0;
@@ -104,14 +112,14 @@ function closings({garment: {edges}}: Surroundings, beliefs: Beliefs, end: SeamE
   ];
 }
 
-/** How many ways there are. */
+/** Number of scores in `closings`. */
 const ways = 10;
 const none: readonly number[] = Array.from({length: ways}, () => 0);
 
 const logit = (p: number): number =>
   Math.max(-8, Math.min(8, Math.log((p + 1e-9) / (1 - p + 1e-9))));
 
-/** The features of edges `i` and `j` given what is believed, the same for `j` and `i`. */
+/** Returns the belief-dependent features of edges `i` and `j`; symmetric in `i` and `j`. */
 export function jointFeatures(
   surroundings: Surroundings,
   beliefs: Beliefs,

@@ -1,6 +1,8 @@
-/** Each edge is sewn once at most: what follows from that for the likelihoods of pairs. */
+/**
+ * Turns odds of pairs into likelihoods under the constraint that each edge is sewn once at most.
+ */
 
-/** A square table of numbers, row by row. */
+/** Square table of numbers, row by row. */
 export interface Table {
   readonly size: number;
   readonly values: Float64Array;
@@ -11,9 +13,9 @@ export const tableOf = (size: number): Table => ({size, values: new Float64Array
 const rounds = 12;
 
 /**
- * Turns odds of pairs, each taken by itself, into likelihoods of pairs in matchings: by belief propagation, in which
- * each edge tells every other how likely it is free for it.
- * @param odds symmetric; 0 for pairs that cannot be
+ * Turns independent odds of pairs into likelihoods of pairs in matchings, by belief propagation:
+ * each message is the likelihood that an edge is free for another.
+ * @param odds symmetric; 0 for impossible pairs
  */
 export function matchingLikelihoods({size, values: odds}: Table): Table {
   let free = new Float64Array(size * size).fill(1);
@@ -25,7 +27,7 @@ export function matchingLikelihoods({size, values: odds}: Table): Table {
       for (let j = 0; j < size; j++) sum += (odds[row + j] ?? 0) * (free[j * size + i] ?? 0);
       for (let j = 0; j < size; j++) {
         const own = (odds[row + j] ?? 0) * (free[j * size + i] ?? 0);
-        // halfway, lest two rounds alternate for ever
+        // damped by half, since two rounds could alternate forever
         next[row + j] = 0.5 * (free[row + j] ?? 0) + 0.5 / (sum - own);
       }
     }

@@ -1,10 +1,13 @@
-/** Which edge is the mirror image of which, on the same piece or on its twin. */
+/** Finds the mirror image of each edge, on the same piece or on its twin. */
 import type {MeasuredEdge, MeasuredGarment, MeasuredPiece} from './edges.js';
 
-/** Images that differ by more are none: shares of a length, and angles. [rad] */
+/** Greatest difference from a mirror image, as a share of a length or as an angle. [rad] */
 const most = 0.06;
 
-/** How far one edge is from the mirror image of another; corners apart, since they swap ends. */
+/**
+ * Returns the difference of one edge from the mirror image of another. Corners are compared
+ * crosswise, since the mirror image swaps ends.
+ */
 function unlikeness(garment: MeasuredGarment, a: MeasuredEdge, b: MeasuredEdge): number {
   const end = garment.edges[b.after]?.corner ?? 0;
   const bend = a.profile.map((heading, k) => heading + (b.profile.at(-1 - k) ?? 0));
@@ -16,14 +19,16 @@ function unlikeness(garment: MeasuredGarment, a: MeasuredEdge, b: MeasuredEdge):
 }
 
 interface Folding {
-  /** The images, in the order of the first piece's edges. */
+  /** Images, in the order of the first piece's edges. */
   readonly images: readonly number[];
   readonly unlikeness: number;
-  /** How far the image is from one about the grain, where the outline alone leaves several. */
+  /**
+   * Deviation from a mirror image about the grain; decides between several that the outline allows.
+   */
   readonly tilt: number;
 }
 
-/** How far two middles of edges are from being mirrored about the grain. */
+/** Distance of two edges' middles from a mirrored pair about the grain. */
 const tiltOf = ({place: [ax, ay]}: MeasuredEdge, {place: [bx, by]}: MeasuredEdge): number =>
   Math.abs(ax + bx) + Math.abs(ay - by);
 
@@ -47,7 +52,7 @@ function foldingAt(
   return {images, unlikeness: worst, tilt};
 }
 
-/** The best way to mirror one piece onto another; undefined where it does not fit. */
+/** Returns the best mirroring of one piece onto another; undefined if none fits. */
 function foldingOf(
   garment: MeasuredGarment,
   a: MeasuredPiece,
@@ -61,10 +66,16 @@ function foldingOf(
   );
 }
 
-/** As much of an outline has an image at least, where the rest differs: as darts of a back that closes on one side. */
+/**
+ * Least share of an outline that needs an image if the rest differs, such as the darts of a back
+ * that closes on one side.
+ */
 const leastPart = 0.5;
 
-/** Where outlines are no mirror images as a whole: the longest part that is one. Images are -1 beyond it. */
+/**
+ * Returns the longest part of an outline with a mirror image; images are -1 outside it. Serves
+ * pieces that are no mirror images as a whole.
+ */
 function partlyFolded(
   {edges}: MeasuredGarment,
   a: MeasuredPiece,
@@ -92,7 +103,7 @@ function partlyFolded(
 
 const rankOf = ({unlikeness, tilt}: Folding): number => unlikeness + 0.01 * tilt;
 
-/** Whether names allow two pieces, or one with itself, to be mirror images. */
+/** Returns whether the names allow two pieces, or one with itself, to be mirror images. */
 function mayMirror(a: MeasuredPiece, b: MeasuredPiece): boolean {
   const [one, other] = [a.words, b.words];
   return (
@@ -102,11 +113,11 @@ function mayMirror(a: MeasuredPiece, b: MeasuredPiece): boolean {
   );
 }
 
-/** An image is one only where it is mutual. */
+/** Keeps only mutual images. */
 const mutual = (images: Int32Array): Int32Array =>
   images.map((image, edge) => (images[image] === edge ? image : -1));
 
-/** For every edge the number of its mirror image; -1 where it has none, or more than one. */
+/** Returns the number of each edge's mirror image; -1 if it has none or several. */
 export function mirrorEdges(garment: MeasuredGarment): Int32Array {
   const images = new Int32Array(garment.edges.length).fill(-1);
   for (const a of garment.pieces) {
@@ -128,7 +139,10 @@ export function mirrorEdges(garment: MeasuredGarment): Int32Array {
   return mutual(images);
 }
 
-/** With the images of pieces that mirror themselves or their other side, as names have it, in part only. */
+/**
+ * Adds the images of partly mirrored pieces. Their names decide which piece they mirror: themselves
+ * or their other side.
+ */
 export function withPartImages(garment: MeasuredGarment, images: Int32Array): Int32Array {
   const {edges, pieces} = garment;
   const isImage = (one: number, other: number): boolean => {

@@ -1,10 +1,15 @@
-/** Small networks that turn features into the logarithm of odds: one hidden layer, and a direct way beside it. */
+/**
+ * Small networks that turn features into log odds: one hidden layer, and direct weights beside it.
+ */
 
-/** As `weights.ts` holds one: what it is made of, and its numbers as printable characters. */
+/** Packed network of `weights.ts`: its sizes, and its numbers as printable characters. */
 export interface PackedNetwork {
   readonly inputs: number;
   readonly hidden: number;
-  /** The greatest weights of the rows of the hidden layer, of its offsets, its outputs, and of the direct way. */
+  /**
+   * Greatest absolute weights: of the hidden layer's rows, offsets and outputs, and of the direct
+   * weights.
+   */
   readonly greatest: readonly [rows: number, offsets: number, outputs: number, direct: number];
   readonly offset: number;
   readonly text: string;
@@ -13,17 +18,17 @@ export interface PackedNetwork {
 export interface Network {
   readonly inputs: number;
   readonly hidden: number;
-  /** Per feature, what it is divided by. */
+  /** Divisor of each feature. */
   readonly spreads: Float64Array;
   readonly direct: Float64Array;
-  /** Row by row, a row for each hidden unit. */
+  /** Row by row, one row for each hidden unit. */
   readonly rows: Float64Array;
   readonly offsets: Float64Array;
   readonly outputs: Float64Array;
   readonly offset: number;
 }
 
-/** The numbers from -42 to 42 are characters from `(` to `~` without the backslash. */
+/** Characters from `(` to `~` without the backslash encode the numbers from -42 to 42. */
 const half = 42;
 
 function digit(text: string, at: number): number {
@@ -31,7 +36,7 @@ function digit(text: string, at: number): number {
   return code - 40 - (code > 92 ? 1 : 0) - half;
 }
 
-/** The network that is packed. */
+/** Unpacks a network. */
 export function unpacked({inputs, hidden, greatest, offset, text}: PackedNetwork): Network {
   const [rowsMost, offsetsMost, outputsMost, directMost] = greatest;
   let at = 0;
@@ -50,7 +55,7 @@ export function unpacked({inputs, hidden, greatest, offset, text}: PackedNetwork
   return {inputs, hidden, spreads, direct, rows, offsets, outputs, offset};
 }
 
-/** What a network makes of the features of a pair: the logarithm of the odds that it is sewn. */
+/** Returns the log odds that a pair with these features is sewn. */
 export function logOdds(network: Network, features: readonly number[]): number {
   const {inputs, hidden, spreads, direct, rows, offsets, outputs} = network;
   let sum = network.offset;

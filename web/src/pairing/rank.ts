@@ -1,29 +1,29 @@
-/** Which edges an edge may be sewn to, the likeliest first. */
+/** Ranks the edges that an edge may be sewn to, the likeliest first. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
 import {numberOf, scoresOf, type Refused, type Scores} from './scores.js';
 
 /** An edge that another one may be sewn to. */
 interface Partner {
   readonly edge: EdgeOfPiece;
-  /** How likely it is, from 0 to 1. */
+  /** Likelihood, from 0 to 1. */
   readonly p: number;
   /** Start meets start. */
   readonly sameDirection: boolean;
 }
 
 export interface PairingHooks {
-  /** Pairs that somebody said are not sewn to each other. */
+  /** Pairs that the user has rejected. */
   readonly refused?: Refused;
 }
 
-/** Two edges of a list, by number, and how likely they are sewn to each other. */
+/** Two edges, by their numbers in the list, and their likelihood. */
 interface ScoredPair {
   readonly a: number;
   readonly b: number;
   readonly p: number;
 }
 
-/** All partners of an edge of the list, the likeliest first. */
+/** Returns all partners of an edge of the list, the likeliest first. */
 export function partnersIn({likelihoods, isFree}: Scores, a: number): readonly ScoredPair[] {
   const {size, values} = likelihoods;
   if (isFree[a] !== 1) return [];
@@ -34,9 +34,10 @@ export function partnersIn({likelihoods, isFree}: Scores, a: number): readonly S
 }
 
 /**
- * What an edge may be sewn to, the likeliest first: shapes decide, the seams of the garment count as confirmed, and
- * edges that are sewn or said to stay open are nobody's partners. Nothing for an edge that is one of those. The first
- * question about a garment takes some 30 ms for 60 edges, all further ones nothing.
+ * Returns the possible partners of an edge, the likeliest first. Shapes decide, and existing seams
+ * count as confirmed. Edges that are sewn or marked as open have no partners and never appear as
+ * one. The first call for a garment takes about 30 ms for 60 edges; later calls use the stored
+ * scores.
  */
 export function rankPartners(
   garment: GarmentDocument,
@@ -54,8 +55,9 @@ export const edgeAt = ({garment}: Scores, edge: number): EdgeOfPiece =>
   garment.edges[edge]?.at ?? {piece: 0, edge: 0};
 
 /**
- * Whether the starts of two edges would meet. Pieces lie face up and all outlines run the same way round, so the start of
- * one edge meets the end of the other, unless what is sewn of the two pieces is sewn otherwise, as turned collars are.
+ * Returns whether the starts of two edges would meet. Pieces are face up and all outlines run the
+ * same way round, so the start of one edge meets the end of the other. The exception is two pieces
+ * with seams that all join start to start, such as a turned collar.
  */
 export function meetsAtStarts({seams}: GarmentDocument, a: EdgeOfPiece, b: EdgeOfPiece): boolean {
   const joins = (one: EdgeOfPiece, other: EdgeOfPiece): boolean =>

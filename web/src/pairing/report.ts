@@ -1,40 +1,43 @@
-/** What would be suggested for a garment, also as if somebody had yet to sew it: as plain values, by names of pieces. */
+/**
+ * Reports the suggested seams of a garment as plain values with names of pieces, optionally after
+ * its seams are removed.
+ */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
 import {rankPartners} from './rank.js';
 import {sureSeams} from './suggest.js';
 
 export interface SuggestionSettings {
-  /** Takes the garment's seams away first. */
+  /** Removes the garment's seams first. */
   readonly strip?: boolean;
-  /** How many of them are left, chosen by chance; all if there are fewer. Default 0. */
+  /** Number of random seams to keep after `strip`; all if there are fewer. Default 0. */
   readonly confirm?: number;
-  /** Same seed, same choice. Default 1. */
+  /** Seed of the random choice. Default 1. */
   readonly seed?: number;
 }
 
 export interface NamedEdge {
   readonly piece: string;
-  /** Its number on the outline. */
+  /** Number on the outline. */
   readonly edge: number;
 }
 
 export interface SeamSuggestions {
-  /** Every edge that is not sewn yet, and what it may be sewn to, the likeliest first, ten at most. */
+  /** Unsewn edges with their possible partners, the likeliest first, ten at most. */
   readonly edges: readonly (NamedEdge & {
     readonly partners: readonly (NamedEdge & {
-      /** How likely it is, from 0 to 1. */
+      /** Likelihood, from 0 to 1. */
       readonly p: number;
       /** Start meets start; otherwise the start of one edge meets the end of the other. */
       readonly turned: boolean;
     })[];
   })[];
-  /** Seams that are as good as certain, the likeliest first. */
+  /** Seams that are almost certain, the likeliest first. */
   readonly sure: readonly {readonly a: NamedEdge; readonly b: NamedEdge; readonly p: number}[];
 }
 
 const mostPartners = 10;
 
-/** Whole numbers below a limit, each as likely as any other: Mulberry32. */
+/** Returns a generator of uniform whole numbers below a limit: Mulberry32. */
 function chance(seed: number): (below: number) => number {
   let state = seed >>> 0;
   return (below) => {
@@ -45,7 +48,7 @@ function chance(seed: number): (below: number) => number {
   };
 }
 
-/** The garment with so many of its seams, chosen by chance. */
+/** Returns the garment with `confirm` of its seams, chosen at random. */
 function stripped(garment: GarmentDocument, confirm = 0, seed = 1): GarmentDocument {
   const below = chance(seed);
   const left = [...garment.seams];

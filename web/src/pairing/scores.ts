@@ -1,4 +1,4 @@
-/** How likely every two edges of a garment are sewn to each other, given the seams that it has. */
+/** Computes the likelihood of every pair of a garment's edges, given its existing seams. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
 import {believed, candidatesOf, givenBeliefs, hopeful, type Candidates} from './candidates.js';
 import {measured, type MeasuredGarment} from './edges.js';
@@ -9,27 +9,29 @@ import {logOdds, unpacked, type Network} from './network.js';
 import {isOfTwins, isUnderarm} from './twins.js';
 import {alone, given} from './weights.js';
 
-/** Pairs that somebody said are not sewn to each other. */
+/** Pairs that the user has rejected. */
 export type Refused = readonly (readonly [EdgeOfPiece, EdgeOfPiece])[];
 
 export interface Scores {
   readonly garment: MeasuredGarment;
   readonly likelihoods: Table;
-  /** Per edge 1 where it may still be sewn. */
+  /** 1 for each edge that may still be sewn. */
   readonly isFree: Uint8Array;
-  /** The mirror image of each edge, or -1. */
+  /** Mirror image of each edge, or -1. */
   readonly images: Int32Array;
 }
 
-/** How often neighbours are asked again what they have come to believe. */
+/** Number of rounds that update the beliefs from those of the neighbours. */
 const rounds = 3;
 
-/** What is added to the logarithm of the odds that a sleeve is closed: the garments of training had few of one piece. */
+/**
+ * Added to the log odds that a sleeve is closed: the training garments had few one-piece sleeves.
+ */
 const underarm = 5;
 
 const known = new WeakMap<GarmentDocument, {readonly refused: Refused; readonly scores: Scores}>();
 
-/** Reckoned once for the same garment and the same list of refused pairs. */
+/** Returns the scores, computed once for the same garment and the same list of rejected pairs. */
 export function scoresOf(document: GarmentDocument, refused: Refused = []): Scores {
   const last = known.get(document);
   if (last && (last.refused === refused || last.refused.length + refused.length === 0)) {
@@ -40,7 +42,7 @@ export function scoresOf(document: GarmentDocument, refused: Refused = []): Scor
   return scores;
 }
 
-/** The number of an edge in the list of all. */
+/** Returns the number of an edge in the list of all edges. */
 export const numberOf = ({pieces}: MeasuredGarment, {piece, edge}: EdgeOfPiece): number =>
   (pieces[piece]?.first ?? 0) + edge;
 
@@ -54,7 +56,7 @@ function newScores({pieces, seams}: GarmentDocument, refused: Refused): Scores {
   for (const end of sewn.flat()) isFree[end] = 0;
   const keyOf = (i: number, j: number): number => Math.max(i, j) * edges.length + Math.min(i, j);
   const isNot = new Set(refused.map(([a, b]) => keyOf(...pairOf(a, b))));
-  const wholes = mirrorEdges(garment); // as those learned from
+  const wholes = mirrorEdges(garment); // the networks were trained with these images
   const images = withPartImages(garment, wholes);
   const all = candidatesOf(
     surroundingsOf(garment, wholes),

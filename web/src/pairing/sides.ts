@@ -1,31 +1,40 @@
-/** What a sleeve cap is sewn to: two edges of two pieces that go on at a seam, as both armholes do at the shoulder. */
+/**
+ * Suggests partners of a sleeve cap: two edges of two pieces that continue each other at a seam, as
+ * both armholes do at the shoulder.
+ */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
 import {near} from './features.js';
 import {edgeAt, partnersIn, type PairingHooks} from './rank.js';
 import {numberOf, scoresOf, type Scores} from './scores.js';
 
-/** Two edges in the order in which they are sewn, each from its start to its end, and what they may be sewn to. */
+/** Two edges in sewing order, each from its start to its end, and the edge they may be sewn to. */
 interface SideSuggestion {
   readonly edge: EdgeOfPiece;
   readonly side: readonly [EdgeOfPiece, EdgeOfPiece];
-  /** How likely it is, from 0 to 1. */
+  /** Likelihood, from 0 to 1. */
   readonly p: number;
 }
 
-/** Seams that are less likely join nothing. */
+/** Least likelihood of the seam between the two edges. */
 const leastJoint = 0.5;
-/** As a share of lengths, and what is left of a half turn where two edges go on: both may be eased. [rad] */
+/**
+ * Width of the log ratio of lengths, and of the corners' deviation from a half turn [rad]: both may
+ * be eased.
+ */
 const width = {length: 0.06, angle: 0.8};
 
 interface Meeting {
   readonly first: number;
   readonly second: number;
   readonly p: number;
-  /** How long the seam is at which they meet. [cm] */
+  /** Length of the seam at which they meet. [cm] */
   readonly length: number;
 }
 
-/** Two edges that meet at both ends, as armholes do, go on over the shorter seam: at the other one a sleeve is closed. */
+/**
+ * Keeps the shorter seam of two edges that meet at both ends, as armholes do: the longer one closes
+ * a sleeve.
+ */
 const withoutTurned = (meetings: readonly Meeting[]): readonly Meeting[] =>
   meetings.filter(({first, second, length}) =>
     meetings.every(
@@ -33,7 +42,7 @@ const withoutTurned = (meetings: readonly Meeting[]): readonly Meeting[] =>
     ),
   );
 
-/** All pairs of free edges that go on over a seam, confirmed or likely. */
+/** Returns all pairs of free edges that continue each other at a confirmed or likely seam. */
 function meetingsIn(scores: Scores, {seams}: GarmentDocument): readonly Meeting[] {
   const {garment, isFree, likelihoods} = scores;
   const {edges} = garment;
@@ -60,8 +69,8 @@ function meetingsIn(scores: Scores, {seams}: GarmentDocument): readonly Meeting[
 }
 
 /**
- * Sides of two edges, each with the edge that it may be sewn to, the likeliest first: for whatever has no likely partner by
- * itself. Equal ones share what is likely.
+ * Returns sides of two edges, each with an edge it may be sewn to, the likeliest first: for edges
+ * without a likely single partner. The likelihoods of one edge add up to 1 at most.
  */
 export function likeliestSides(
   document: GarmentDocument,

@@ -1,4 +1,4 @@
-/** Seams to suggest: those that are as good as certain, and those to ask about. */
+/** Suggests seams: those that are almost certain, and those to be confirmed. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
 import {edgeAt, meetsAtStarts, partnersIn, type PairingHooks} from './rank.js';
 import {numberOf, scoresOf} from './scores.js';
@@ -7,19 +7,19 @@ import {isPlain} from './sure.js';
 interface SuggestedSeam {
   readonly a: EdgeOfPiece;
   readonly b: EdgeOfPiece;
-  /** How likely it is, from 0 to 1. */
+  /** Likelihood, from 0 to 1. */
   readonly p: number;
   /** Start meets start. */
   readonly sameDirection: boolean;
 }
 
-/** Pairs at least as likely as this are drawn without a question. */
+/** Least likelihood of a seam that is added without a question. */
 const sure = 0.92;
 
 /**
- * Open pairs that are each other's likeliest partners, the likeliest first: each edge comes once at most. After every
- * answer all is ranked anew.
- * @param least how likely, from 0 to 1
+ * Returns open pairs that are each other's likeliest partners, the likeliest first. Each edge
+ * appears once at most, and every answer changes the ranking.
+ * @param least least likelihood, from 0 to 1
  */
 export function likeliestSeams(
   garment: GarmentDocument,
@@ -38,7 +38,7 @@ export function likeliestSeams(
     });
 }
 
-/** The seams that are as good as certain, the likeliest first: of a hundred, four are wrong. */
+/** Returns the seams that are almost certain, the likeliest first: four in a hundred are wrong. */
 export function sureSeams(
   document: GarmentDocument,
   hooks: PairingHooks = {},

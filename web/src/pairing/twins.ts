@@ -1,21 +1,24 @@
-/** What closes a piece that has a twin, a sleeve say: an edge of its own, not one of the other. */
+/**
+ * Separates the seam that closes a piece with a twin, such as a sleeve, from a seam between the
+ * twins.
+ */
 import type {MeasuredGarment, MeasuredPiece} from './edges.js';
 
-/** Two sleeves of the same face, neither said to be on the side of the other. */
+/** Returns whether both are sleeves of the same face whose names allow opposite sides. */
 const areSleeves = ({words: one}: MeasuredPiece, {words: other}: MeasuredPiece): boolean =>
   one.isSleeve &&
   other.isSleeve &&
   one.face === other.face &&
   one.side === (-other.side as typeof one.side);
 
-/** Two symmetric pieces of the same shape, as far as their edges tell. */
+/** Returns whether two symmetric pieces have the same shape, judged by area and number of edges. */
 const areEqual = (one: MeasuredPiece, other: MeasuredPiece): boolean =>
   one.count === other.count && Math.abs(Math.log(one.area / other.area)) < 0.01;
 
 /**
- * Whether a seam between two edges would join a piece to its twin where each is closed by itself. Edges that are each
- * other's image may meet, as at a centre; those of two sleeves never do.
- * @param images the mirror image of each edge, or -1
+ * Returns whether a seam would join a piece to its twin although each is closed on its own. Two
+ * edges that mirror each other may meet, as at a centre, but never those of two sleeves.
+ * @param images mirror image of each edge, or -1
  */
 export function isOfTwins(
   {edges, pieces}: MeasuredGarment,
@@ -32,10 +35,13 @@ export function isOfTwins(
   return atA === a.at.piece && atB === b.at.piece && areSleeves(p, q) && areEqual(p, q);
 }
 
-/** Of lengths: underarms are eased by less. */
+/** Greatest difference of log lengths: underarms are eased by less. */
 const ease = 0.07;
 
-/** Whether a sleeve that is one piece would be closed by two edges: they run up and down it, and nothing else does. */
+/**
+ * Returns whether two edges close a one-piece sleeve: one runs up it and the other down, on
+ * opposite sides.
+ */
 export function isUnderarm({edges, pieces}: MeasuredGarment, i: number, j: number): boolean {
   const [a, b] = [edges[i], edges[j]];
   if (!a || !b) return false;

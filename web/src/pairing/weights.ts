@@ -1,7 +1,7 @@
-/** What tests/pairing/train.mjs learned from 149 garments; its head says which. */
+/** Weights trained by tests/pairing/train.mjs on 149 garments; the head of that file lists them. */
 import type {PackedNetwork} from './network.js';
 
-/** What a pair is by itself. */
+/** Network for a pair's own features. */
 export const alone: PackedNetwork = {
   inputs: 53,
   hidden: 12,
@@ -10,7 +10,7 @@ export const alone: PackedNetwork = {
   text: 'HIJJJ:NICIAOMQNNHOJMFKF@B@ADDPVWQPCMP?F(KLNFK?EOT:=LMfefFfIZA]Eu[vlX3LWafXP>BvDa`B;A?PJ^}p^LRF*SL[E?TMaN[Wb6n0hRxxmrl/ls}R_8wedcorLWRoNWL(bkNoKXF:RBTkG|}Rdi8S{,96,@(R++4AW{8a_t;FghTLn94brRd(_bGK=WSCQRQfaiBLQY]|HBSVYV`RCWZ^aa?ivJcDYXIZyD]d?}-Yk^2*q}pyNI^pWV7AZH<fT?u1[UN6R`sZQHwgUEHaY2hUD^xFWQQ`a>`AdEb[=ZOWTRjK?WcWB`Q(fX?VYRJ;XFVXUUCWVjR7DPi3`[f(c;:2dk=W@DCL@gMIZ^FdF`^;R^`FXARlHj_XW`M_KG]cM69MFl@W8TC?I59^cq}[H4LQ<fNCGaMnHHX;NHfRJ`EY?eL`=kP,JLEDe>V`SXAm=aO=?*LKFKtRP97DN*AYsUl)8(c6RjNDic_8P<CCYeCT?`IhL5[WeWbelE4U9@,]c(.OOYTHNNF^U7sxVRQLvQAK`WPBYcZU]j(b,^lS`3L9gg@CA<TeQj_H^d_`^7>{lMBfPCRbmMENOEMQVVZ^QE}:IU?J?Av`9`h0:i{.IUg98^fsiViHiK^t{LVR[^piCWFHh6nFD<DM`5`F>D7bC]c|><B2*(VfiNP8ORC_[>PIV.WkRnXRdWdsfK:DSZfUb}TRaL_K:dIg]TR^JYgnQNGOHDZPDkRWVMVOCRcNWeQ[ZLFB^@^KV9S@Xk,v:Ydb?B91U>Cj2RFQyk_dKahMOdA4YaR}iM0-NF-^wYV9',
 };
 
-/** What it is given what is believed of all others. */
+/** Network for a pair's own features and those that depend on the beliefs about all others. */
 export const given: PackedNetwork = {
   inputs: 84,
   hidden: 20,

@@ -1,17 +1,20 @@
-/** What the name of a piece says of where it is worn: left, right, front, back, and whether it is a sleeve. */
+/**
+ * Reads from a piece's name where it is worn: left, right, front or back, and whether it is a
+ * sleeve.
+ */
 
 export interface Words {
-  /** 1: left, -1: right, 0: not said. */
+  /** 1: left, -1: right, 0: unknown. */
   readonly side: -1 | 0 | 1;
-  /** 1: front, -1: back, 0: not said. */
+  /** 1: front, -1: back, 0: unknown. */
   readonly face: -1 | 0 | 1;
   readonly isSleeve: boolean;
 }
 
-/** In the languages of the page. */
+/** Sleeve in the languages of the page. */
 const sleeve = /sleeve|armel$|aermel$|^manches?$|^mangas?$|^manic[ah]e?$/;
 
-/** `frontLeft`, `front_left` and `Lfront` name the same. */
+/** Splits a name into words: `frontLeft`, `front_left` and `Lfront` all give a side and a face. */
 const partsOf = (name: string): readonly string[] =>
   name
     .normalize('NFD')
@@ -22,7 +25,7 @@ const partsOf = (name: string): readonly string[] =>
     .toLowerCase()
     .split(/[^a-z]+/);
 
-/** 1 where a name has a word, or begins with its letter and goes on with another; -1 for the opposite; 0 for neither and both. */
+/** Returns 1 if a word matches `yes`, -1 if one matches `no`, and 0 for neither or both. */
 function sign(parts: readonly string[], yes: RegExp, no: RegExp): -1 | 0 | 1 {
   const [has, hasOpposite] = [yes, no].map((word) => parts.some((part) => word.test(part)));
   if (has === hasOpposite) return 0;

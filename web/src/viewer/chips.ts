@@ -1,8 +1,8 @@
-/** Small pieces of HTML over the drawing. */
+/** Small HTML elements over the drawing. */
 import type {Point} from '../model/geometry.js';
 import type {Appearance} from './strokes.js';
 
-/** On the screen, y down. [CSS px] */
+/** Box on the screen, y down. [CSS px] */
 export interface Box {
   readonly left: number;
   readonly top: number;
@@ -20,7 +20,7 @@ export const chipColours: Readonly<
 export const overlap = (a: Box, b: Box): boolean =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
-/** A layer of chips, which pointers do not meet. */
+/** Returns a layer of chips that ignores pointers. */
 export function chipLayer(): HTMLElement {
   const layer = document.createElement('div');
   Object.assign(layer.style, {
@@ -33,7 +33,7 @@ export function chipLayer(): HTMLElement {
   return layer;
 }
 
-/** An element at the layer's corner, to be moved to its place. */
+/** Positions an element at the layer's corner; `move` places it. */
 export function placeable<E extends HTMLElement | SVGElement>(
   element: E,
   style: Partial<CSSStyleDeclaration>,
@@ -57,7 +57,7 @@ export function textChip(text: string, appearance: Appearance): HTMLElement {
   return element;
 }
 
-/** Without a place, it is not to be seen. */
+/** Moves an element, or hides it without a place. */
 export function move(element: HTMLElement | SVGElement, at: Point | undefined, more = ''): void {
   element.style.visibility = at ? 'visible' : 'hidden';
   if (!at) return;

@@ -1,4 +1,7 @@
-/** Names of pieces and letters of pairs: HTML over the drawing, so that they are text and always legible. */
+/**
+ * Names of pieces and letters of pairs as HTML over the drawing, so that they are text and always
+ * legible.
+ */
 import type {Point} from '../model/geometry.js';
 import {boxOf} from '../model/polyline.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
@@ -26,7 +29,7 @@ interface Letter {
 const letterSize = 24;
 const leastLetterSize = 15;
 const gap = 6;
-/** A name may stand on a piece that is so many times as high. */
+/** Least height of a piece that carries its name, as a multiple of the name's height. */
 const leastCover = 4;
 
 const clamp = (value: number, low: number, high: number): number =>
@@ -35,7 +38,10 @@ const clamp = (value: number, low: number, high: number): number =>
 const padding = {x: 5, y: 1};
 const nameFont = {weight: 500, leading: 1.25, family: 'system-ui, sans-serif'};
 
-/** Measured on a canvas of its own: asking the elements would lay out the whole page. [CSS px] */
+/**
+ * Measures text on a separate canvas: measuring elements would trigger a layout of the whole page.
+ * [CSS px]
+ */
 function sizeOf(lines: readonly string[]): ScreenSize {
   const context = (measuring ??= document.createElement('canvas').getContext('2d'));
   if (context) context.font = `${nameFont.weight} ${labelSize}px ${nameFont.family}`;
@@ -81,11 +87,11 @@ export class Labels {
         const {low, high} = boxOf(placed(piece, piece.outline));
         return {element, low, high, ...sizeOf(labelLines(piece.label))};
       })
-      // where two names collide, the larger piece keeps its own
+      // the larger piece keeps its name if two names collide
       .sort((a, b) => b.high[1] - b.low[1] - (a.high[1] - a.low[1]));
   }
 
-  /** Follows the drawing. @returns where names and letters stand */
+  /** Moves names and letters to a view. @returns the boxes that they cover */
   place(view: SheetView, size: ScreenSize): readonly Box[] {
     const pieces = this.#names.map(({low, high}) => screenBox(view, size, low, high));
     const names: Box[] = [];
@@ -147,7 +153,10 @@ const screenBox = (view: SheetView, size: ScreenSize, low: Point, high: Point): 
   return {left, top, right, bottom};
 };
 
-/** Where a name may stand, best first: below its piece, or at the foot of what is to be seen of it. */
+/**
+ * Returns the possible places of a name, the best first: below its piece, or at the foot of its
+ * visible part.
+ */
 function places(
   piece: Box | undefined,
   {width, height}: ScreenSize,
@@ -156,7 +165,7 @@ function places(
   if (!piece || !overlap(piece, {left: 0, top: 0, right: size.width, bottom: size.height})) {
     return [];
   }
-  // while the piece reaches beyond the screen, its name stays on the part that is seen
+  // the name stays on the visible part of a piece that is larger than the screen
   const from = Math.max(piece.left, 0) + gap;
   const to = Math.min(piece.right, size.width) - gap;
   const middle = (piece.left + piece.right) / 2;

@@ -1,4 +1,7 @@
-/** Lines with a width in pixels, whatever the zoom: one rectangle per edge, whose pixels know their distance from it. */
+/**
+ * Lines with a width in pixels at any zoom: one rectangle per edge, with the distance from the edge
+ * per pixel.
+ */
 import {
   DynamicDrawUsage,
   InstancedBufferAttribute,
@@ -12,7 +15,7 @@ import {
 import {distance, type Point} from '../model/geometry.js';
 
 export interface LineStyle {
-  /** Red, green, blue, each from 0 to 255, as shown on the screen. */
+  /** Red, green and blue as shown on the screen, from 0 to 255. */
   readonly colour: readonly [number, number, number];
   /** [CSS px] */
   readonly width: number;
@@ -24,7 +27,7 @@ export interface LineStyle {
 export interface Stroke {
   readonly points: readonly Point[];
   readonly closed?: boolean;
-  /** Per point, by how many of its own widths the line is moved there, whatever the zoom. Default: not at all. */
+  /** Offset of the line at each point at any zoom, in widths of the line. Default: none. */
   readonly shifts?: readonly Point[];
   readonly styles: LineStyle | readonly LineStyle[];
 }
@@ -38,7 +41,7 @@ export class LineMaterial extends ShaderMaterial {
     scale: {value: number};
     /** [device px per CSS px] */
     ratio: {value: number};
-    /** Of all widths; lines are thinner where pieces are small. */
+    /** Factor of all widths; lines are thinner on small pieces. */
     weight: {value: number};
   };
 
@@ -111,18 +114,18 @@ const styleOf = ({styles}: Stroke, edge: number): LineStyle =>
 const edgeCount = ({points, closed}: Stroke): number =>
   closed ? points.length : Math.max(points.length - 1, 0);
 
-/** Where the lines of a layer are drawn: the ends of all edges, and their shifts. */
+/** Ends of all edges of a layer, and their shifts. */
 interface LinePlaces {
   readonly ends: Float32Array;
   readonly shifts: Float32Array;
 }
 
-/** Strokes in the order in which they are drawn over each other. */
+/** Strokes in their drawing order. */
 export class LineLayer {
   readonly object: Mesh<InstancedBufferGeometry, LineMaterial>;
   readonly #ends: InstancedBufferAttribute;
   readonly #shifts: InstancedBufferAttribute;
-  /** Where the strokes are, once they have been drawn elsewhere. */
+  /** The strokes' final places, once they have been drawn elsewhere. */
   #own: LinePlaces | undefined;
   #from: LinePlaces | undefined;
   readonly #ink: InstancedBufferAttribute;
@@ -167,7 +170,7 @@ export class LineLayer {
     this.restyle(strokes);
   }
 
-  /** Gives the strokes, the same as before, other styles. */
+  /** Changes the styles of the same strokes. */
   restyle(strokes: readonly Stroke[]): void {
     let edge = 0;
     for (const stroke of strokes) {
@@ -181,18 +184,21 @@ export class LineLayer {
     this.#stroke.needsUpdate = true;
   }
 
-  /** Where the lines are drawn just now. */
+  /** Current places of the lines. */
   get places(): LinePlaces {
     const [ends, shifts] = [this.#ends, this.#shifts].map(({array}) => Float32Array.from(array));
     return {ends: ends ?? new Float32Array(), shifts: shifts ?? new Float32Array()};
   }
 
-  /** Where `blend` sets out from: places of as many edges, or none. */
+  /** Sets the start of `blend`: places of the same number of edges, or none. */
   comeFrom(from: LinePlaces | undefined): void {
     this.#from = from;
   }
 
-  /** Draws the lines at this part of the way to their own places, and at its end exactly there. */
+  /**
+   * Draws the lines between the start and their own places; a share of 1 gives exactly their own
+   * places.
+   */
   blend(share: number): void {
     const from = this.#from;
     if (from?.ends.length !== this.#ends.array.length) return;
@@ -207,7 +213,7 @@ export class LineLayer {
   }
 }
 
-/** Exactly `to` where the share is 1. */
+/** Mixes two arrays; a share of 1 gives exactly `to`. */
 function blend(
   attribute: InstancedBufferAttribute,
   from: Float32Array,

@@ -1,4 +1,7 @@
-/** The way of a drawing from what it showed to what it shows: how much of it is gone, and how a print lies on that way. */
+/**
+ * Animates a drawing from its last state to the next one: progress over time, and the alignment of
+ * a print on the way.
+ */
 import {
   angleOf,
   between as pointBetween,
@@ -13,26 +16,29 @@ import {
 import type {Print} from '../model/print.js';
 import {apply, determinant, printElements, reduced, type PlaneMap} from '../model/wallpaper.js';
 
-/** What of a drawing moves to its new place; the rest is there at once. The shapes alone while the print is still being placed. */
+/**
+ * Parts of a drawing that are animated; the rest changes at once. `shapes` excludes the print while
+ * it is still being placed.
+ */
 export type Motion = 'none' | 'shapes' | 'all';
 
 /** [ms] */
 export const morphTime = 200;
 
-/** Fast at first, so that an interrupted way goes on without a halt. */
+/** Fast at first, so that an interrupted motion continues without a halt. */
 const eased = (share: number): number => 1 - (1 - share) ** 3;
 
-/** Counts from the first frame on: what is shown later, or not at all meanwhile, is late by nothing. */
+/** Counts from its first frame, so that a late or hidden frame does not shorten it. */
 export class Morph {
   #start: number | undefined;
   #duration = 0;
 
-  /** Whether there is still something to come. */
+  /** Returns whether more frames follow. */
   get isRunning(): boolean {
     return this.#duration > 0;
   }
 
-  /** Takes no time where people want no motion, or nobody looks. [ms] */
+  /** Starts; the duration is 0 if the user prefers reduced motion or the page is hidden. [ms] */
   begin(duration: number): void {
     const isStill = document.hidden || matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.#duration = isStill ? 0 : duration;
@@ -43,7 +49,7 @@ export class Morph {
     this.#duration = 0;
   }
 
-  /** How much of the way is gone in this frame; 1 at its end. */
+  /** Progress of the current frame; 1 at the end. */
   get share(): number {
     if (!this.isRunning) return 1;
     const now = performance.now();
@@ -57,7 +63,10 @@ export class Morph {
 
 const turnOf = ({xx, yx}: PlaneMap): number => angleOf([xx, yx]);
 
-/** What looks the same on the print as `to`, and is the least turn and the shortest way from `from`, seen from a point of the piece. */
+/**
+ * Returns the alignment equivalent to `to` that is reached from `from` by the least turn and the
+ * shortest way, seen from a point of the piece.
+ */
 export function nearestLike(print: Print, from: Alignment, to: Alignment, at: Point): Alignment {
   const turns = printElements(print).filter((element) => determinant(element) > 0);
   const change = (element: PlaneMap): number =>
@@ -69,7 +78,7 @@ export function nearestLike(print: Print, from: Alignment, to: Alignment, at: Po
   return lyingOn(angle, at, plus(start, way));
 }
 
-/** A part of the way between two alignments, as seen from a point of the piece. */
+/** Returns an alignment between two others, seen from a point of the piece. */
 export function between(from: Alignment, to: Alignment, share: number, at: Point): Alignment {
   const angle = from.angle + share * (to.angle - from.angle);
   return lyingOn(angle, at, pointBetween(onPrint(from, at), onPrint(to, at), share));

@@ -1,23 +1,23 @@
-/** How a pattern was reshaped: the drafted outlines, and arrows from there that are longer than the way. */
+/** Shows the change of a pattern's shape: drafted outlines, and exaggerated arrows from there. */
 import {between, distance, type Point} from '../model/geometry.js';
 import type {ResultPiece} from '../model/result.js';
 import {arrowHead, cased, inks, placed, type Appearance} from './strokes.js';
 import type {Stroke} from './line-layer.js';
 import type {PatternScene} from '../scene/scene.js';
 
-/** Where a pattern moved most, and by how much arrows are exaggerated to be seen. */
+/** Greatest movement of a pattern, and the factor that makes arrows visible. */
 interface Movement {
   readonly factor: number;
-  /** The point as drafted, in the coordinates of its piece. [cm] */
+  /** The drafted point in the coordinates of its piece. [cm] */
   readonly greatest: {readonly piece: number; readonly point: Point; readonly cm: number};
 }
 
 const factors = [1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50];
-/** No arrow is longer. [cm] */
+/** Greatest length of an arrow. [cm] */
 const longest = 4;
-/** Along an outline from arrow to arrow. [cm] */
+/** Distance between arrows along an outline. [cm] */
 const spacing = 2.5;
-/** Shorter ones are left out. [cm] */
+/** Least length of an arrow. [cm] */
 const shortest = 0.15;
 
 export function movementOf(pieces: readonly Pick<ResultPiece, 'rest' | 'shape'>[]): Movement {
@@ -32,7 +32,10 @@ export function movementOf(pieces: readonly Pick<ResultPiece, 'rest' | 'shape'>[
   return {factor, greatest};
 }
 
-/** Arrows begin at the drafted outline and show where it went, `factor` times as far. */
+/**
+ * Returns strokes for the drafted outlines, and arrows from there, `factor` times as long as the
+ * movement.
+ */
 export function movementStrokes(
   scene: PatternScene,
   factor: number,
@@ -63,7 +66,7 @@ export function movementStrokes(
   });
 }
 
-/** Numbers of points along a closed line that are about `spacing` apart. */
+/** Returns the numbers of points along a closed line that are about `spacing` apart. */
 function evenly(line: readonly Point[]): readonly number[] {
   let way = spacing;
   return line.flatMap((point, k) => {

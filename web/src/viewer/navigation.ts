@@ -1,24 +1,33 @@
-/** Moves a view by mouse, wheel, trackpad, touch and keys. Clicks stay clicks: only a real drag moves anything. */
+/**
+ * Moves a view by mouse, wheel, trackpad, touch and keys. Only a real drag moves the view; a click
+ * remains a click.
+ */
 import {distance, type Point} from '../model/geometry.js';
 
-/** What can be moved. Screen points in CSS px from the upper left of the element. */
+/** A movable view. Screen points are in CSS px from the upper left of the element. */
 interface Navigable {
   fit(): void;
   zoomBy(factor: number, at?: Point): void;
-  /** @param isModified by two fingers or with Shift, where one finger may mean something else */
+  /**
+   * @param isModified true with two fingers or Shift; a view may give it another meaning than one
+   * finger
+   */
   panBy(dx: number, dy: number, isModified?: boolean): void;
 }
 
-/** A pointer that stays within this is a click. [CSS px] */
+/** Greatest movement of a pointer during a click. [CSS px] */
 const clickRange = 6;
 const keyFactor = 1.25;
-/** One notch of a wheel, and its share for a finer one. */
+/** Zoom factor for one notch of a wheel; smaller steps use a share of it. */
 const notchFactor = 1.2;
 const pixelsPerNotch = 100;
-/** A trackpad's pinch comes as small steps of a wheel with ctrl. */
+/** Zoom factor for each px of a trackpad's pinch, which arrives as small wheel steps with ctrl. */
 const pinchFactor = 1.01;
 
-/** A wheel with notches moves up and down only, in large steps; a trackpad in small ones and sideways as well. */
+/**
+ * Returns whether an event is from a wheel with notches: vertical only, in large steps. A trackpad
+ * sends small steps and moves sideways, too.
+ */
 function isNotched(event: WheelEvent): boolean {
   if (event.deltaMode !== WheelEvent.DOM_DELTA_PIXEL) return true;
   return event.deltaX === 0 && Math.abs(event.deltaY) >= 50 && Number.isInteger(event.deltaY);
@@ -29,22 +38,27 @@ const middle = (points: readonly Point[]): Point => [
   points.reduce((sum, [, y]) => sum + y, 0) / points.length,
 ];
 
-/** Mean distance from the middle, which a pinch changes. */
+/** Returns the mean distance from the middle, which a pinch changes. */
 function spread(points: readonly Point[]): number {
   const centre = middle(points);
   return points.reduce((sum, point) => sum + distance(point, centre), 0) / points.length;
 }
 
-/** Whether somebody else follows this press, at a point of the element: then nothing here moves for it. */
+/**
+ * Returns whether other code handles this press at a point of the element; the view then stays
+ * still.
+ */
 export type TakesPress = (event: PointerEvent, at: Point) => boolean;
 
 interface NavigationOptions {
   readonly takesPress?: TakesPress | undefined;
-  /** Where the view is a part of a page that is read on: a wheel scrolls that, unless ctrl is held. */
+  /**
+   * True if the view is part of a scrolling page: the wheel scrolls the page unless ctrl is held.
+   */
   readonly leavesWheel?: boolean | undefined;
 }
 
-/** Listens on `element` until `signal` fires. The element is made focusable, for the keys. */
+/** Listens on `element` until `signal` fires. The element becomes focusable, for the keys. */
 export function navigate(
   element: HTMLElement,
   view: Navigable,
@@ -52,8 +66,8 @@ export function navigate(
   {takesPress = () => false, leavesWheel = false}: NavigationOptions = {},
 ): void {
   const fingers = new Map<number, Point>();
-  let start: Point | undefined; // of a press that may still become a click
-  let taken: number | undefined; // the pointer whose press somebody else follows
+  let start: Point | undefined; // start of a press that may still become a click
+  let taken: number | undefined; // pointer with a press that other code handles
 
   const at = (event: MouseEvent): Point => {
     const {left, top} = element.getBoundingClientRect();
@@ -102,7 +116,7 @@ export function navigate(
   });
   listen('pointerup', lift);
   listen('pointercancel', lift);
-  // what ends a drag is no click
+  // suppresses the click at the end of a drag
   listen(
     'click',
     (event) => {

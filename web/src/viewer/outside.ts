@@ -1,14 +1,19 @@
-/** Lines along the edge of a piece that lie outside of it, so that they hide nothing of the print. */
+/**
+ * Shifts lines along the edge of a piece to its outside, so that they hide nothing of the print.
+ */
 import {minus, norm, plus, unit, type Point} from '../model/geometry.js';
 import {crossingsOf} from '../model/polyline.js';
 import type {ScenePiece} from '../scene/scene.js';
 
-/** Of its width, that a line is moved off the edge: it still covers where the cloth ends in steps of pixels. */
+/**
+ * Share of a line's width by which it moves off the edge: it still covers the fabric's jagged
+ * pixels.
+ */
 const offEdge = 0.42;
-/** At a sharp corner a line stays this near. */
+/** Greatest shift at a sharp corner, as a multiple of the usual shift. */
 const longestCorner = 2;
 
-/** For every vertex of the outline or of a cut-out the one after it. */
+/** For each vertex of the outline or of a cut-out, the next one. */
 const followers = new WeakMap<readonly number[], ReadonlyMap<number, number>>();
 
 function followersOn({
@@ -25,7 +30,9 @@ function followersOn({
   return next;
 }
 
-/** 1 where the piece has its outside on the right of somebody who walks these vertices, -1 on the left. */
+/**
+ * Returns 1 if the piece's outside is on the right along these vertices, -1 if it is on the left.
+ */
 export function outsideOf(
   piece: Pick<ScenePiece, 'outline' | 'holes'> | undefined,
   [first = -1, second = -1]: readonly number[],
@@ -33,7 +40,7 @@ export function outsideOf(
   return piece && followersOn(piece).get(first) !== second ? -1 : 1;
 }
 
-/** Unit vectors to the right of every edge. */
+/** Returns unit vectors to the right of each edge. */
 const rights = (points: readonly Point[], closed: boolean): readonly Point[] =>
   points.slice(closed ? 0 : 1).map(([x, y], k): Point => {
     const [from, to] = closed
@@ -42,7 +49,7 @@ const rights = (points: readonly Point[], closed: boolean): readonly Point[] =>
     return unit([to[1] - from[1], from[0] - to[0]]);
   });
 
-/** What moves a line to the outside, per point; in widths of the line. */
+/** Returns each point's shift to the outside, in widths of the line. */
 export function shiftsOutside(points: readonly Point[], side: 1 | -1, closed = false): Point[] {
   const normals = rights(points, closed);
   const last = normals.length - 1;
@@ -50,7 +57,7 @@ export function shiftsOutside(points: readonly Point[], side: 1 | -1, closed = f
     const before = normals[k === 0 ? (closed ? last : 0) : k - 1] ?? [0, 0];
     const after = normals[Math.min(k, last)] ?? before;
     const [x, y] = plus(before, after);
-    // both edges are left by the same distance
+    // the distance to both edges is the same
     const stretch = Math.min(
       2 / Math.max(x * x + y * y, 1e-6),
       longestCorner / (norm([x, y]) || 1),
@@ -59,7 +66,10 @@ export function shiftsOutside(points: readonly Point[], side: 1 | -1, closed = f
   });
 }
 
-/** Where the line through two points first enters and last leaves the cloth, and the way on from there. */
+/**
+ * Returns the first and the last crossing of the line through two points with the outline, and the
+ * direction outwards.
+ */
 export function endsOnOutline(
   {points, outline}: Pick<ScenePiece, 'points' | 'outline'>,
   [from, to]: readonly [Point, Point],

@@ -1,4 +1,7 @@
-/** Lines over a drawing that come and go: how it was reshaped, and what somebody points at, chooses or marks. */
+/**
+ * Temporary lines over a drawing: the change of shape, and what the user points at, selects or
+ * marks.
+ */
 import {Scene} from 'three';
 
 import {LineLayer, type LineMaterial} from './line-layer.js';
@@ -16,7 +19,7 @@ export class OverLayers {
     this.#line = line;
   }
 
-  /** Arrows so many times as long as the way; without a factor, none. */
+  /** Shows arrows that are `factor` times as long as the movement; none without a factor. */
   showMovement(
     scene: PatternScene | undefined,
     factor: number | undefined,

@@ -1,4 +1,7 @@
-/** The words of an overlay: names of marked points, letters of the highlit seam and of pairs that were found, and messages. */
+/**
+ * The words of an overlay: names of marked points, letters of the highlighted seam and of found
+ * pairs, and messages.
+ */
 import type {Point} from '../model/geometry.js';
 import {seamLetter} from '../model/letters.js';
 import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
@@ -13,16 +16,16 @@ import {inks, type Appearance} from './strokes.js';
 
 interface Chip {
   readonly element: HTMLElement;
-  /** On the sheet. [cm] */
+  /** Point on the sheet. [cm] */
   readonly at: Point;
-  /** Of its middle from there, in parts of its size and then in px. */
+  /** Offset of the middle from `at`, as a share of the size and in px. */
   readonly off: {readonly share: Point; readonly by: Point};
 }
 
-/** From a point to what is written of it. [CSS px] */
+/** Distance from a point to its text. [CSS px] */
 const reach = 10;
 const letterSize = 20;
-/** From a seam to the middle of its letter. */
+/** Distance from a seam to the middle of its letter. [CSS px] */
 const letterReach = 18;
 
 export class OverlayChips {
@@ -81,11 +84,11 @@ export class OverlayChips {
     this.element.replaceChildren();
   }
 
-  /** Follows the drawing. */
+  /** Moves the chips to a view. */
   place(view: SheetView, size: ScreenSize): void {
     for (const {element, at, off} of this.#chips) {
       const [middle, y] = toScreen(view, size, at);
-      // a message is to be read, also at the edge of the screen
+      // a message stays legible at the edge of the screen, too
       const half = element === this.#message ? element.offsetWidth / 2 + reach : -Infinity;
       const x = Math.max(half, Math.min(middle, size.width - half));
       const shift = off.share.map((share) => `${100 * share}%`).join(', ');
@@ -94,7 +97,7 @@ export class OverlayChips {
   }
 }
 
-/** On both sides of a seam, with the way into the piece, of length 1. */
+/** Returns the letter on both sides of a seam, with the unit vector into the piece. */
 function lettersOf(
   scene: PatternScene,
   number = -1,
@@ -155,7 +158,7 @@ function messageChip(text: string, tone: 'error' | 'info', appearance: Appearanc
   return element;
 }
 
-/** Drawn with one stroke on a square of 16 by 16. */
+/** Signs, drawn with one stroke on a square of 16 by 16. */
 const signPaths: Readonly<Record<Sign, string>> = {
   pin: 'M5.5 2.5h5M6.5 2.5v4.5L4 9.5h8L9.5 7V2.5M8 9.5V14',
   lock: 'M4 7.5h8v6H4zM5.5 7.5V5a2.5 2.5 0 0 1 5 0v2.5',

@@ -1,4 +1,7 @@
-/** What is drawn over the sheet while somebody points, chooses or marks. Points in the coordinates of a piece. [cm] */
+/**
+ * Lines over the sheet while the user points, selects or marks. Points are in the coordinates of a
+ * piece. [cm]
+ */
 import type {Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
 import {ontoSheet} from '../model/sheet-place.js';
@@ -17,11 +20,11 @@ export interface OnPiece {
 }
 
 export interface Overlay {
-  /** Both sides of a seam, with a thread between them; the side that is pointed at stands out. */
+  /** Both sides of a seam with a thread between them; the side under the pointer is emphasized. */
   readonly highlight?: {readonly seam: number; readonly side?: 'a' | 'b'};
   readonly hoverPiece?: number;
   readonly selectPiece?: number;
-  /** Symmetries that were found, not yet imposed. */
+  /** Found symmetries that are not imposed yet. */
   readonly ghosts?: readonly SceneSymmetry[];
   /** A mirror axis that is being drawn. */
   readonly candidate?: {readonly piece: number; readonly axis: readonly [Point, Point]};
@@ -32,31 +35,31 @@ export interface Overlay {
     /** Default `chosen`. */
     readonly look?: LineLook;
   }[];
-  /** Between points that come to lie on each other. */
+  /** Threads between points that coincide in the garment. */
   readonly threads?: readonly {
     readonly from: OnPiece;
     readonly to: OnPiece;
     readonly isFaint?: boolean;
   }[];
-  /** Numbers beside lines, on the side that a direction leads to. */
+  /** Numbers beside lines, on the side of the direction `inwards`. */
   readonly badges?: readonly (OnPiece & {readonly inwards: Point; readonly text: string})[];
   readonly cursors?: readonly OnPiece[];
-  /** Lines that something may click over to. */
+  /** Lines that a click may jump to. */
   readonly rails?: readonly {readonly piece: number; readonly line: readonly [Point, Point]}[];
-  /** What is decided about a piece, as a sign on it. */
+  /** Decisions about a piece, as a sign on it. */
   readonly signs?: readonly (OnPiece & {readonly sign: Sign})[];
   readonly message?: OnPiece & {readonly text: string; readonly tone: 'error' | 'info'};
 }
 
 export type Sign = 'pin' | 'lock';
 
-/** `lit`: one may choose it; `faint`: it is suggested; `open`: it is to stay as it is. */
+/** `lit`: may be chosen; `faint`: suggested; `open`: stays as it is. */
 export type LineLook = 'chosen' | 'lit' | 'faint' | 'open';
 
-/** Of the thread between two sides: how far it bends out, in parts of its length. */
+/** Bend of the thread between two sides, as a share of its length. */
 const bend = 0.16;
 
-/** A point of a piece on the sheet. */
+/** Converts a point of a piece to the sheet. */
 export const onSheet = ({pieces}: PatternScene, piece: number, point: Point): Point =>
   ontoSheet(pieces[piece] ?? {offset: [0, 0]}, point);
 
@@ -141,7 +144,7 @@ export function overlayStrokes(
   ];
 }
 
-/** A seam with a glow around both sides, still in the colours of its mismatch, and the thread. */
+/** Returns a seam with a glow around both sides, in the colours of its mismatch, and the thread. */
 function highlit(
   scene: PatternScene,
   seam: SceneSeam,

@@ -1,4 +1,7 @@
-/** The view of a pattern: its pieces on a sheet, each filled with the print as it lies on it. Drawn only when something changes. */
+/**
+ * The view of a pattern: pieces on a sheet, each filled with its part of the print. Draws only
+ * after a change.
+ */
 import {OrthographicCamera} from 'three';
 
 import type {Point} from '../model/geometry.js';
@@ -21,18 +24,21 @@ import {Viewport} from './viewport.js';
 import {WipeLayers, type Wipe} from './wipe-layers.js';
 import {Words} from './words.js';
 
-/** After this long without a change an SVG tile is drawn as densely as the zoom asks for. [ms] */
+/** Delay after the last change before an SVG tile is drawn at the density of the zoom. [ms] */
 const rest = 150;
-/** Of a picture of the sheet. [px] */
+/** Width of a picture of the sheet. [px] */
 const pictureWidth = 2400;
 
 export interface PatternViewOptions {
   readonly appearance?: Appearance;
-  /** True: the page follows this press itself, and nothing pans. */
+  /** Returns true if the page handles this press; the view then does not pan. */
   readonly onPress?: TakesPress;
   /** The wheel scrolls the page, and zooms with ctrl only. */
   readonly leavesWheel?: boolean;
-  /** The browser has taken the graphics context away, or given it back, which it may never do. */
+  /**
+   * Called after the browser has taken the graphics context away, or has restored it, which may
+   * never happen.
+   */
   readonly onLost?: (isLost: boolean) => void;
 }
 
@@ -56,8 +62,8 @@ export class PatternView extends Viewport {
   #pause: ReturnType<typeof setTimeout> | undefined;
 
   /**
-   * Fills `host`, an empty element with a size of its own, and listens to pointers and keys there.
-   * @throws {Error} where the browser has no WebGL 2
+   * Fills `host`, an empty element with its own size, and listens to pointers and keys there.
+   * @throws {Error} if the browser has no WebGL 2
    */
   constructor(host: HTMLElement, options: PatternViewOptions = {}) {
     super();
@@ -89,10 +95,10 @@ export class PatternView extends Viewport {
   }
 
   /**
-   * Cheap when only alignments differ from the scene before. A sheet of another size is fitted to the view.
-   * Whatever moves on the screen, everything else here goes by the scene as it is: points, pictures, words.
-   * @param motion what moves there instead of being there at once, where the pieces are the same
-   * @param time of that motion [ms]
+   * Shows a scene; cheap when only alignments differ from the scene before. A sheet of another size
+   * is fitted to the view. During a motion, points, pictures and words already use the new scene.
+   * @param motion parts that are animated if the pieces are the same
+   * @param time duration of that motion [ms]
    */
   show(scene: PatternScene, motion: Motion = 'none', time = morphTime): void {
     const before = this.#scene;
@@ -103,27 +109,30 @@ export class PatternView extends Viewport {
     if (!sameSheet) this.fit();
   }
 
-  /** The picture of the print's cell; without one, bare cloth. */
+  /** Sets the image of the print's cell; without one, the fabric is plain. */
   setTile(tile: Tile | undefined): void {
     this.#picture = tile;
     if (this.#scene) this.#tile.set(tile, imageCell(this.#scene.print));
   }
 
-  /** For a light or dark page; the page itself gives the background. */
+  /** Adapts to a light or dark page; the page itself provides the background. */
   setAppearance(appearance: Appearance): void {
     if (appearance === this.#appearance) return;
     this.#appearance = appearance;
     this.#layAgain();
   }
 
-  /** Whether seams are drawn by how they match, with ranks at the worst. They are by default. */
+  /** Sets whether seams are coloured by mismatch, with ranks at the worst. Default: true. */
   setSeams(hasSeams: boolean): void {
     if (hasSeams === this.#hasSeams) return;
     this.#hasSeams = hasSeams;
     this.#layAgain();
   }
 
-  /** Whether nothing but the cloth is shown: no lines, no names, no marks; in pictures as well. */
+  /**
+   * Sets whether only the fabric is shown, without lines, names and marks; applies to pictures as
+   * well.
+   */
   setBare(isBare: boolean): void {
     if (isBare === this.#isBare) return;
     this.#isBare = isBare;
@@ -131,35 +140,42 @@ export class PatternView extends Viewport {
     this.#screen.request();
   }
 
-  /** Shows `before` to the left of the split: the same sheet, so nothing jumps. Cheap when only the split changes. */
+  /**
+   * Shows `before` to the left of the split: the same sheet, so nothing jumps. Cheap when only the
+   * split changes.
+   */
   setWipe(wipe: Wipe | undefined): void {
     if (this.#before.set(wipe, this.#appearance)) this.#showParts();
     this.#screen.request();
   }
 
-  /** Ghosts the drafted outlines and shows by arrows how they were reshaped. */
+  /** Shows the drafted outlines, and arrows for the change of shape. */
   setMovement(movement: {readonly factor: number} | undefined): void {
     this.#movement = movement;
     this.#drawMovement();
   }
 
-  /** Draws over the sheet; nothing else is touched, so it may follow a pointer. */
+  /** Draws over the sheet and changes nothing else, so it is fast enough to follow a pointer. */
   setOverlay(overlay: Overlay | undefined): void {
     this.#overlay = overlay;
     this.#drawOverlay();
   }
 
-  /** The piece under a point of the host, and the point in that piece's own coordinates. */
+  /** Returns the piece under a point of the host, and the point in that piece's own coordinates. */
   pieceAt(x: number, y: number): ReturnType<typeof pieceAt> {
     return this.#scene && pieceAt(this.#scene, this.sheetPointAt(x, y));
   }
 
-  /** The greatest width of a picture of the whole sheet. [px] */
+  /** Greatest width of a picture of the whole sheet. [px] */
   get widestPicture(): number {
     return widestPicture(this.#screen.renderer, this.#scene?.size ?? [1, 1]);
   }
 
-  /** The whole sheet as a PNG of so many pixels across, in the colours of the page. @throws {Error} before anything is shown, or while the graphics context is lost */
+  /**
+   * Returns the whole sheet as a PNG, in the colours of the page.
+   * @param width of the picture [px]
+   * @throws {Error} before a scene is shown, or while the graphics context is lost
+   */
   async toBlob(width = pictureWidth): Promise<Blob> {
     const scene = this.#scene;
     if (!scene) throw new Error('There is no sheet to draw yet.');
@@ -170,7 +186,10 @@ export class PatternView extends Viewport {
     return blob;
   }
 
-  /** The whole sheet on white, at once, for the printer. @returns nothing before anything is shown, or while the graphics context is lost */
+  /**
+   * Returns the whole sheet on white for the printer, synchronously.
+   * @returns undefined before a scene is shown, or while the graphics context is lost
+   */
   onPaper(): HTMLCanvasElement | undefined {
     const appearance = this.#appearance;
     const scene = this.#scene;
@@ -212,7 +231,7 @@ export class PatternView extends Viewport {
     return this.#isBare ? {...scene, pieces: []} : scene;
   }
 
-  /** What is drawn, at the end of its way. */
+  /** Ends the motion and returns the drawing. */
   #settled(): Drawing {
     this.#morph.end();
     this.#after.blend(1);

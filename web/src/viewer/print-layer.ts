@@ -1,4 +1,4 @@
-/** The cloth: every piece filled with the print as the piece lies on it. */
+/** The fabric: each piece filled with its part of the print. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -18,10 +18,10 @@ import {between, nearestLike} from './morph.js';
 import {imageCoordinates} from '../model/print-coordinates.js';
 import type {ScenePiece} from '../scene/scene.js';
 
-/** Unprinted cloth. */
+/** Unprinted fabric. */
 const bareCloth = new Color().setRGB(0.925, 0.91, 0.87, LinearSRGBColorSpace);
 
-/** Draws a texture's own pixel values: no light, no tone mapping, no conversion of colours. */
+/** Draws a texture's own pixel values: no light, no tone mapping, no colour conversion. */
 export class PrintMaterial extends ShaderMaterial {
   declare uniforms: {tile: {value: Texture | null}; cloth: {value: Color}};
 
@@ -52,7 +52,7 @@ export class PrintMaterial extends ShaderMaterial {
   }
 }
 
-/** How pieces are drawn: their vertices in their own coordinates, where those lie on the sheet, and how they lie on the print. */
+/** Vertices in piece coordinates, and the pieces' places on the sheet and on the print. */
 interface PiecePlaces {
   readonly points: Float64Array;
   readonly offsets: readonly Point[];
@@ -61,21 +61,24 @@ interface PiecePlaces {
 
 interface Way {
   readonly from: PiecePlaces;
-  /** Looks like the alignments at the end. */
+  /** Alignments equivalent to those at the end. */
   readonly to: readonly Alignment[];
-  /** Of the pieces, which turn about them. */
+  /** Middles of the pieces, used as centres of rotation. */
   readonly middles: readonly Point[];
 }
 
-/** One mesh of all pieces. Image coordinates are affine on a piece, so the hardware's mipmaps and anisotropy are right. */
+/**
+ * One mesh of all pieces. Image coordinates are affine on a piece, so the hardware's mipmaps and
+ * anisotropy are right.
+ */
 export class PrintLayer {
   readonly object: Mesh<BufferGeometry, PrintMaterial>;
   readonly #positions: BufferAttribute;
   readonly #coordinates: BufferAttribute;
-  /** Of vertices, per piece. */
+  /** Number of vertices of each piece. */
   readonly #counts: readonly number[];
   readonly #turned: readonly boolean[];
-  /** Where the pieces are, and how they are drawn just now. */
+  /** Final places of the pieces; `#shown` holds the current ones. */
   #own: PiecePlaces;
   #shown: PiecePlaces;
   #way: Way | undefined;
@@ -112,17 +115,17 @@ export class PrintLayer {
     this.#lay();
   }
 
-  /** How the pieces are drawn just now. */
+  /** Current places of the pieces. */
   get places(): PiecePlaces {
     return this.#shown;
   }
 
-  /** Whether `blend` has not come to the end since it was told where to set out from. */
+  /** Returns whether `blend` has not reached the end since the last `comeFrom`. */
   get isOnItsWay(): boolean {
     return this.#way !== undefined;
   }
 
-  /** Lays the pieces, the same as before, on the print by their alignments. */
+  /** Aligns the same pieces with the print. */
   align(pieces: readonly Pick<ScenePiece, 'alignment'>[], print: Print): void {
     this.#print = print;
     const alignments = pieces.map(({alignment}) => alignment);
@@ -131,7 +134,10 @@ export class PrintLayer {
     this.#lay();
   }
 
-  /** Where `blend` sets out from: places of the same pieces. On the print they take the shortest way to what looks the same. */
+  /**
+   * Sets the start of `blend`: places of the same pieces. On the print they take the shortest way
+   * to an equivalent alignment.
+   */
   comeFrom(from: PiecePlaces): void {
     let vertex = 0;
     const middles = this.#counts.map((count) =>
@@ -143,7 +149,10 @@ export class PrintLayer {
     this.#way = {from, to, middles};
   }
 
-  /** Draws the pieces at this part of the way to their own places, and at its end exactly there. */
+  /**
+   * Draws the pieces between the start and their own places; a share of 1 gives exactly their own
+   * places.
+   */
   blend(share: number): void {
     const [way, own] = [this.#way, this.#own];
     if (!way) return;
@@ -200,7 +209,7 @@ export class PrintLayer {
   }
 }
 
-/** Of the vertices from one number up to another. */
+/** Returns the mean of the vertices from `first` up to `end`. */
 function middle(points: Float64Array, first: number, end: number): Point {
   let [x, y] = [0, 0];
   for (let k = first; k < end; k++) {

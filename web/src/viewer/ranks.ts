@@ -1,4 +1,7 @@
-/** Ranks of the seams that miss most: small discs beside them, and where there is no room, on a thin line that leads there. */
+/**
+ * Ranks of the seams with the greatest mismatch: small discs beside them, or at the end of a thin
+ * line if there is no room.
+ */
 import {angleOf, plus, type Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
@@ -9,27 +12,30 @@ import {lineOf} from '../scene/seam-line.js';
 import {toScreen, toSheet, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';
 
-/** No more seams than this get a rank, and none whose mean is less. */
+/** Greatest number of ranks, and the least mean mismatch of a ranked seam. */
 const mostRanks = 3;
 const leastMean = 0.1; // cm
-/** Across. [CSS px] */
+/** Diameter of a disc. [CSS px] */
 const rankSize = 18;
-/** From the edge to the middle of the disc, the nearest first: clear of the line along the edge. [CSS px] */
+/**
+ * Distances from the edge to the middle of the disc, the nearest first: clear of the line along the
+ * edge. [CSS px]
+ */
 const reaches = [15, 20, 28, 40, 54];
-/** From here on a line leads to the seam. [CSS px] */
+/** Greatest distance without a line to the seam. [CSS px] */
 const nearReach = 20;
-/** Along a side, after the place where it misses most, from 0 to 1. */
+/** Places along a side, tried after its greatest mismatch, from 0 to 1. */
 const shares = [0.5, 0.35, 0.65, 0.2, 0.8];
 
-/** A place on an edge, and the way out of the piece, of length 1. */
+/** A place on an edge, and the unit vector out of the piece. */
 export interface Anchor {
   readonly at: Point;
   readonly out: Point;
 }
 
-/** On the screen. */
+/** A free place on the screen. */
 interface Spot extends Anchor {
-  /** From the edge to the middle of the disc. [CSS px] */
+  /** Distance from the edge to the middle of the disc. [CSS px] */
   readonly reach: number;
   readonly box: Box;
 }
@@ -45,8 +51,9 @@ const squareAt = ([x, y]: Point, side: number): Box => ({
 });
 
 /**
- * The nearest place for a rank that is free of what is taken, as is the line that leads there: off all cloth if there
- * is one, else inside of the seam. The first anchors are the best. All on the screen, y down. [CSS px]
+ * Returns the nearest place for a rank that is free, as is the line that leads there. Places off
+ * the fabric come first, then those inside the seam. The first anchors are the best. All points are
+ * on the screen, y down. [CSS px]
  */
 export function spotFor(
   anchors: readonly Anchor[],
@@ -80,18 +87,18 @@ export function spotFor(
   return free.find(({box}) => isOff(box)) ?? freeOf(inwards, reaches.slice(0, 1))[0] ?? free[0];
 }
 
-/** Places along the line that leads to a disc. [CSS px] */
+/** Returns distances along the line that leads to a disc. [CSS px] */
 const ways = (reach: number): readonly number[] =>
   Array.from({length: Math.floor(reach / 4)}, (_, k) => 4 * k);
 
 interface Rank {
   readonly element: HTMLElement;
   readonly leader: HTMLElement;
-  /** On the sheet, y up. */
+  /** Anchors on the sheet, y up. */
   readonly anchors: readonly Anchor[];
 }
 
-/** On the sheet, with its corners. */
+/** Outline of a piece on the sheet, with its bounding box. */
 interface Outline {
   readonly loop: readonly Point[];
   readonly low: Point;
@@ -105,7 +112,7 @@ export class Ranks {
   #ranks: readonly Rank[] = [];
   #outlines: readonly Outline[] = [];
 
-  /** After the print has come to lie otherwise along the seams, too. */
+  /** Shows the ranks of a scene; call again after alignments change. */
   show(scene: PatternScene, appearance: Appearance): void {
     const worst = scene.seams
       .filter(({counts, mean}) => counts && mean > leastMean)
@@ -122,7 +129,7 @@ export class Ranks {
     );
   }
 
-  /** Follows the drawing; ranks stay clear of what is `taken`, and of each other. */
+  /** Moves the ranks to a view, clear of the `taken` boxes and of each other. */
   place(view: SheetView, size: ScreenSize, taken: readonly Box[]): void {
     const all = [...taken];
     const isOnCloth = (at: Point): boolean => {
@@ -151,7 +158,7 @@ export class Ranks {
   }
 }
 
-/** Where the seam misses most, on both sides; then along them. */
+/** Returns the place of the greatest mismatch on both sides, then places along them. */
 function anchorsOf(scene: PatternScene, {a, b, worst}: SceneSeam): readonly Anchor[] {
   const sides = [a, b].map((side) => ({side, line: lineOf(scene, side)}));
   const anchor = ({side}: {readonly side: SeamSide}, {at, along}: OnLine): Anchor => {

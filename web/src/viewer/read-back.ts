@@ -1,4 +1,7 @@
-/** Pictures that are drawn beside the canvas and read back, without waiting for a graphics card that is busy; and written. */
+/**
+ * Draws pictures off screen and reads them back without waiting for a busy graphics card; encodes
+ * PNG files.
+ */
 import {WebGLRenderTarget, type WebGLRenderer} from 'three';
 
 interface Size {
@@ -6,7 +9,10 @@ interface Size {
   readonly height: number;
 }
 
-/** Whatever `draw` draws, while everything waits for it. @returns nothing where the context is lost */
+/**
+ * Returns the pixels that `draw` draws; blocks until they are there.
+ * @returns undefined if the context is lost
+ */
 export function readNow(
   renderer: WebGLRenderer,
   {width, height}: Size,
@@ -22,7 +28,10 @@ export function readNow(
   return context.isContextLost() ? undefined : upright(pixels, width, height);
 }
 
-/** Whatever `draw` draws. @returns nothing where the context is lost, or was meanwhile */
+/**
+ * Returns the pixels that `draw` draws.
+ * @returns undefined if the context is lost or is lost meanwhile
+ */
 export async function readBack(
   renderer: WebGLRenderer,
   {width, height}: Size,
@@ -45,7 +54,7 @@ export async function readBack(
   return context.isContextLost() ? undefined : upright(pixels, width, height);
 }
 
-/** @throws {Error} where the browser writes none */
+/** @throws {Error} if the browser cannot encode the picture */
 export async function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
   const blob = await new Promise<Blob | null>((resolve) => {
     canvas.toBlob(resolve, 'image/png');
@@ -54,7 +63,7 @@ export async function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
   return blob;
 }
 
-/** Does what `act` does with a target of its own to draw into. */
+/** Calls `act` with a temporary render target. */
 function onto<T>(
   {renderer, width, height}: Size & {readonly renderer: WebGLRenderer},
   act: (target: WebGLRenderTarget) => T,
@@ -70,7 +79,7 @@ function onto<T>(
   }
 }
 
-/** From rows that begin below, with colours multiplied by their opacity, to what a 2D canvas takes. */
+/** Converts rows from the bottom up with premultiplied colours to an image for a 2D canvas. */
 function upright(pixels: Uint8Array, width: number, height: number): ImageData {
   const image = new ImageData(width, height);
   for (let row = 0; row < height; row++) {

@@ -1,4 +1,4 @@
-/** All that is drawn of one scene by the graphics card. */
+/** All parts of a scene that the graphics card draws. */
 import {Scene} from 'three';
 
 import {LineLayer, type LineMaterial} from './line-layer.js';
@@ -31,7 +31,7 @@ const placesOf = ({print, outlines, kept, seams, marks}: Layers): Places => ({
   marks: marks.places,
 });
 
-/** Whether two scenes differ in nothing but how the pieces lie on the print. */
+/** Returns whether two scenes differ only in the alignments with the print. */
 const sameGeometry = (a: PatternScene, b: PatternScene): boolean =>
   a.symmetries === b.symmetries &&
   a.kept === b.kept &&
@@ -49,7 +49,10 @@ const sameGeometry = (a: PatternScene, b: PatternScene): boolean =>
 const sameNumbers = (a: readonly number[], b: readonly number[]): boolean =>
   a === b || (a.length === b.length && a.every((one, k) => one === b[k]));
 
-/** Whether the pieces of two sheets are the same, vertex by vertex, so that there is a way from the one to the other. */
+/**
+ * Returns whether the pieces of two sheets are the same, vertex by vertex, so that a motion between
+ * them is possible.
+ */
 const sameVertices = (a: PatternScene, b: PatternScene): boolean =>
   sameNumbers(a.size, b.size) &&
   a.pieces.length === b.pieces.length &&
@@ -64,11 +67,11 @@ const sameVertices = (a: PatternScene, b: PatternScene): boolean =>
     );
   });
 
-/** Whether the print repeats in the same way, so that it may slide. */
+/** Returns whether the print repeats in the same way, so that it may slide. */
 const sameLattice = ({print: a}: PatternScene, {print: b}: PatternScene): boolean =>
   a.group === b.group && sameNumbers(a.w1, b.w1) && sameNumbers(a.w2, b.w2);
 
-/** What the lines of each kind are drawn along; where that differs, they are not the same lines. */
+/** Courses of the lines of each kind; lines with different courses are not the same lines. */
 const lineKinds: Readonly<
   Record<Exclude<keyof Layers, 'print'>, (scene: PatternScene) => unknown>
 > = {
@@ -97,8 +100,8 @@ export class SceneLayers {
   }
 
   /**
-   * Cheap when only alignments differ from the scene before.
-   * @returns whether all was built anew, and whether there is a way for `blend` from what was drawn before
+   * Shows a scene; cheap when only alignments differ from the scene before.
+   * @returns whether all was rebuilt, and whether `blend` can move from the previous drawing
    */
   show(
     scene: PatternScene,
@@ -131,13 +134,16 @@ export class SceneLayers {
     return {isNew: !isKnown, moves: places !== undefined && places !== false};
   }
 
-  /** Draws this part of the way from what was drawn before; at its end, which it is at by itself, exactly the scene. */
+  /**
+   * Draws a state between the previous drawing and the scene; a share of 1, also the initial state,
+   * is exactly the scene.
+   */
   blend(share: number): void {
     for (const layer of Object.values(this.#layers ?? {}) as Layers[keyof Layers][])
       layer.blend(share);
   }
 
-  /** Whether there are lines over the cloth, and those of seams among them. */
+  /** Shows or hides the lines over the fabric, and the seams among them. */
   showLines(isShown: boolean, hasSeams: boolean): void {
     if (!this.#layers) return;
     const {outlines, seams, marks} = this.#layers;

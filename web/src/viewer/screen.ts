@@ -1,16 +1,16 @@
-/** A canvas that fills an element, in whole device pixels; it is drawn only when somebody asks. */
+/** A canvas that fills an element, in whole device pixels, and draws only on request. */
 import type {OrthographicCamera, WebGLRenderer} from 'three';
 
 import type {LineMaterial} from './line-layer.js';
 import type {ScreenSize, SheetView} from '../scene/sheet-view.js';
 import {enter, type Drawable, type Raster, type Stage} from './stage.js';
 
-/** Lines are thinner at scales below this. [CSS px per cm] */
+/** Scale below which lines are thinner. [CSS px per cm] */
 const thinBelow = 4;
-/** So far from what is visible of the page it is drawn already. */
+/** Distance outside the visible page within which it is drawn already. */
 const rootMargin = '128px';
 
-/** Lets `camera` see what the view shows, and lines keep their width there. */
+/** Points `camera` at the view, and keeps the width of lines there. */
 export function look(
   camera: OrthographicCamera,
   {uniforms}: LineMaterial,
@@ -31,13 +31,15 @@ export function look(
 }
 
 export interface ScreenEvents {
-  /** The element has another size. It is drawn right after. */
+  /** The element's size has changed. It is drawn right after. */
   readonly resized: () => void;
-  /** Draws onto an empty canvas; also again, where nothing has changed. */
+  /** Draws onto an empty canvas; may run again without a change. */
   readonly draw: () => void;
-  /** Lays out what lies over the canvas, in the frame that draws a change. */
+  /** Places the elements over the canvas, in the frame that draws a change. */
   readonly arrange?: () => void;
-  /** The browser has taken the graphics context away, or given it back, which it may never do. */
+  /**
+   * The browser has taken the graphics context away, or has restored it, which may never happen.
+   */
   readonly lost?: (isLost: boolean) => void;
 }
 
@@ -50,12 +52,12 @@ export class Screen implements Drawable {
   #size: ScreenSize = {width: 1, height: 1};
   #raster: Raster = {width: 1, height: 1, ratio: 1};
   #hasSize = false;
-  #isInView = true; // until the browser says otherwise
-  /** What is shown: the renderer's canvas, or that of `#copied`. */
+  #isInView = true; // assumed for now; the browser reports it later
+  /** Visible canvas: the renderer's, or that of `#copied`. */
   #canvas: HTMLCanvasElement | undefined;
   #copied: CanvasRenderingContext2D | null = null;
 
-  /** @throws {Error} where the browser has no WebGL 2 */
+  /** @throws {Error} if the browser has no WebGL 2 */
   constructor(host: HTMLElement, events: ScreenEvents, kind: 'main' | 'aside' = 'main') {
     this.#host = host;
     this.#events = events;
@@ -67,7 +69,7 @@ export class Screen implements Drawable {
     this.#watchRatio();
   }
 
-  /** Shared by all screens; to be drawn with in `draw`, or into a target of one's own. */
+  /** Renderer shared by all screens; use it in `draw`, or with a separate render target. */
   get renderer(): WebGLRenderer {
     return this.#stage.renderer;
   }
@@ -77,7 +79,7 @@ export class Screen implements Drawable {
     return this.#life.signal;
   }
 
-  /** While the element has none, the one that it had last. */
+  /** Size of the element; the last one while it has none. */
   get size(): ScreenSize {
     return this.#size;
   }
@@ -94,12 +96,12 @@ export class Screen implements Drawable {
     return this.#isInView && this.#hasSize;
   }
 
-  /** Draws with one of the next frames, once the element is in view and has a size. */
+  /** Draws in one of the next frames, once the element is in view and has a size. */
   request(): void {
     if (!this.signal.aborted) this.#stage.request(this);
   }
 
-  /** Draws only this part of the width, until the next frame. [CSS px from the left] */
+  /** Restricts drawing to this part of the width, until the next frame. [CSS px from the left] */
   clip(from: number, to: number): void {
     const {height, ratio} = this.#raster;
     const [left, right] = [Math.round(from * ratio), Math.round(to * ratio)];
@@ -130,7 +132,7 @@ export class Screen implements Drawable {
     });
     if (this.#shows(canvas)) return;
     if (this.#shows(this.#canvas)) this.#canvas?.replaceWith(canvas);
-    else this.#host.prepend(canvas); // below all that lies over the picture
+    else this.#host.prepend(canvas); // below all elements over the picture
     this.#canvas = canvas;
     if (this.#copied?.canvas !== canvas) this.#copied = null;
   }
@@ -151,12 +153,15 @@ export class Screen implements Drawable {
     if (this.#shows(this.#canvas)) this.#canvas?.remove();
   }
 
-  /** Another screen may have taken it since: the renderer has one for all. */
+  /**
+   * Returns whether the host still contains a canvas: all screens share the renderer's canvas, and
+   * another may have taken it.
+   */
   #shows(canvas: HTMLCanvasElement | undefined): boolean {
     return canvas?.parentNode === this.#host;
   }
 
-  /** A canvas of its own, which is shown from now on, and empty. */
+  /** Returns the context of a separate canvas, which is shown from now on, and empty. */
   #paper(width: number, height: number): CanvasRenderingContext2D | null {
     this.#copied ??= document.createElement('canvas').getContext('2d');
     if (!this.#copied) return null;
@@ -168,14 +173,14 @@ export class Screen implements Drawable {
     return this.#copied;
   }
 
-  /** @returns whether anything has changed */
+  /** @returns true if the size or the ratio is new, or the element has a size again */
   #measure(): boolean {
     const {clientWidth, clientHeight} = this.#host;
     const had = this.#hasSize;
     this.#hasSize = clientWidth > 0 && clientHeight > 0;
     if (!this.#hasSize) return false;
     const ratio = globalThis.devicePixelRatio;
-    // whole device pixels, so that every one of them is drawn
+    // whole device pixels, so that each of them is drawn
     const [width, height] = [clientWidth, clientHeight].map((side) =>
       Math.max(1, Math.round(side * ratio)),
     ) as [number, number];

@@ -1,4 +1,4 @@
-/** What is drawn at seams: which are the worst, and whether the print runs on or is mirrored. */
+/** Notes at seams: ranks of the worst, and whether the print continues or is mirrored. */
 import {angleOf, type Point} from '../model/geometry.js';
 import {chipLayer, move, placeable, type Box} from './chips.js';
 import {Ranks} from './ranks.js';
@@ -8,7 +8,7 @@ import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
 
-/** From here on every seam shows its kind. [CSS px per cm] */
+/** Least scale at which all seams show their kind. [CSS px per cm] */
 const glyphScale = 16;
 /** [CSS px] */
 const glyphSize = 18;
@@ -19,7 +19,7 @@ interface Glyph extends OnLine {
   readonly ink: readonly SVGElement[];
 }
 
-/** Across a seam that runs along x: two strokes over it, or two arrow heads that meet at it. */
+/** Glyphs across a seam along x: two strokes over it, or two arrow heads that meet at it. */
 const glyphPaths: Readonly<Record<SceneSeam['kind'], string>> = {
   continuous: 'M6.5 4V14M11.5 4V14',
   mirrored: 'M5 3L9 7.5L13 3M5 15L9 10.5L13 15',
@@ -48,7 +48,7 @@ export class SeamNotes {
     this.update(scene, appearance);
   }
 
-  /** After the print has come to lie otherwise along the same seams. */
+  /** Updates the notes after alignments change along the same seams. */
   update(scene: PatternScene, appearance: Appearance): void {
     for (const {seam, ink} of this.#glyphs) {
       const path = glyphPaths[scene.seams[seam]?.kind ?? 'continuous'];
@@ -62,7 +62,7 @@ export class SeamNotes {
     this.#highlit = seam;
   }
 
-  /** Follows the drawing; ranks stay clear of what is `taken`. */
+  /** Moves the notes to a view; ranks stay clear of the `taken` boxes. */
   place(view: SheetView, size: ScreenSize, taken: readonly Box[]): void {
     this.#ranks.place(view, size, taken);
     const isNear = view.scale >= glyphScale;

@@ -1,30 +1,38 @@
-/** The cloth along both sides of a seam, straightened: how far along the seam, and how far in from it. Lengths in cm. */
+/**
+ * The fabric along both sides of a seam, straightened to coordinates along the seam and inwards
+ * from it. Lengths in cm.
+ */
 import {between, distance, minus, plus, unit, type Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 import type {OnPiece} from './overlay.js';
 import type {PatternScene} from '../scene/scene.js';
 
-/** How far a ribbon reaches into a piece. */
+/** Depth of a ribbon in a piece. */
 export const ribbonDepth = 6;
-/** Between columns. */
+/** Distance between columns. */
 const step = 0.2;
-/** Nearer along the seam than this, a line is too straight to say where its normals meet. */
+/**
+ * Distance along the seam below which a line is too straight to locate the intersection of its
+ * normals.
+ */
 const straight = 1.5;
 
-/** Across a piece from a point of its seam line. */
+/** A line across a piece from a point of its seam line. */
 interface Column {
-  /** In the coordinates of the piece. */
+  /** Point in the coordinates of the piece. */
   readonly at: Point;
-  /** Into the piece, of length 1. */
+  /** Unit vector into the piece. */
   readonly normal: Point;
-  /** To the end of the piece, or to where the normal meets that of a place nearer by. */
+  /**
+   * Distance to the end of the piece, or to the point that is as near to another place of the seam.
+   */
   readonly depth: number;
 }
 
 export interface Ribbon {
   readonly piece: number;
-  /** Evenly along the seam in sewing order, the same for both sides. */
+  /** Columns at equal steps along the seam in sewing order, the same number for both sides. */
   readonly columns: readonly Column[];
 }
 
@@ -33,18 +41,18 @@ export interface StraightSeam {
   readonly length: number;
   readonly a: Ribbon;
   readonly b: Ribbon;
-  /** Side a can lie above only when the seam runs from right to left. */
+  /** True if the seam has to run from right to left for side a to be above it. */
   readonly runsLeft: boolean;
 }
 
-/** A place near a seam: how much of its length has been gone in sewing order, from 0 to 1, and how far in. */
+/** A place near a seam: share of its length in sewing order, from 0 to 1, and distance inwards. */
 export interface NearSeam {
   readonly side: 'a' | 'b';
   readonly share: number;
   readonly offset: number;
 }
 
-/** Undefined for a seam without length. */
+/** Straightens a seam; undefined for a seam without length. */
 export function straightSeam(scene: PatternScene, number: number): StraightSeam | undefined {
   const seam = scene.seams[number];
   if (!seam) return undefined;
@@ -70,7 +78,7 @@ export function straightSeam(scene: PatternScene, number: number): StraightSeam 
   };
 }
 
-/** Whether the piece lies to the left of its seam as that runs. */
+/** Returns whether the piece is to the left of its seam in sewing order. */
 function isOnLeft({pieces}: PatternScene, {piece, vertices: [first, second]}: SeamSide): boolean {
   const {outline = [], holes = []} = pieces[piece] ?? {};
   return [outline, ...holes].some((loop) =>
@@ -108,7 +116,7 @@ function columnsOf(
   const edges = edgesOf(scene, side.piece);
   const apart = Math.ceil(straight / (length / count));
   return feet.map(({at, normal}, k) => {
-    // at a corner one would go along the next edge, or past it
+    // at a corner the normal would run along the next edge, or past it
     const inside = between(at, feet[k === 0 ? 1 : k === count ? count - 1 : k]?.at ?? at, 1 / 4);
     let depth = Math.min(ribbonDepth, untilOut(inside, normal, edges));
     feet.forEach((other, n) => {
@@ -118,7 +126,7 @@ function columnsOf(
   });
 }
 
-/** Ends of all edges of a piece, four numbers each. */
+/** Returns the ends of all edges of a piece, four numbers each. */
 function edgesOf({pieces}: PatternScene, piece: number): Float64Array {
   const {points = [], outline = [], holes = []} = pieces[piece] ?? {};
   return Float64Array.from(
@@ -129,7 +137,10 @@ function edgesOf({pieces}: PatternScene, piece: number): Float64Array {
   );
 }
 
-/** How far one may go from a point of the outline until one leaves the piece. */
+/**
+ * Returns the distance from a point of the outline, along a direction, to where it leaves the
+ * piece.
+ */
 function untilOut([x, y]: Point, [nx, ny]: Point, edges: Float64Array): number {
   let least = Infinity;
   for (let k = 0; k < edges.length; k += 4) {
@@ -141,13 +152,16 @@ function untilOut([x, y]: Point, [nx, ny]: Point, edges: Float64Array): number {
     if (Math.abs(across) < 1e-12) continue;
     const way = (ax * ey - ay * ex) / across;
     const share = (ax * ny - ay * nx) / across;
-    // the edge one starts from does not count
+    // the edge at the start does not count
     if (way > 0.02 && way < least && share >= 0 && share <= 1) least = way;
   }
   return least;
 }
 
-/** How far one may go before `other` is nearer than where one came from: |n d - v| = d for v = other - at. */
+/**
+ * Returns the distance along the normal at which `other` becomes nearer than `at`: |n d - v| = d
+ * for v = other - at.
+ */
 function untilNearer(at: Point, [nx, ny]: Point, other: Point): number {
   const vx = other[0] - at[0];
   const vy = other[1] - at[1];
@@ -155,7 +169,7 @@ function untilNearer(at: Point, [nx, ny]: Point, other: Point): number {
   return ahead > 1e-9 ? (vx * vx + vy * vy) / (2 * ahead) : Infinity;
 }
 
-/** The place on its piece. */
+/** Converts a place near the seam to its piece. */
 export function onPieceAt(seam: StraightSeam, {side, share, offset}: NearSeam): OnPiece {
   const {piece, columns} = seam[side];
   const place = Math.min(1, Math.max(0, share)) * (columns.length - 1);

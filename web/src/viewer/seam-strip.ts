@@ -1,4 +1,4 @@
-/** One seam from near, straightened: both sides lie against each other along the sewn line, as they do in the garment. */
+/** Close-up of one seam, straightened: both sides meet along the sewn line, as in the garment. */
 import {OrthographicCamera, Scene} from 'three';
 
 import type {Point} from '../model/geometry.js';
@@ -23,7 +23,7 @@ import type {Tile} from '../recognition/tile.js';
 
 /** [CSS px per cm] */
 const greatestScale = 40;
-/** Beside the ends of the seam. [CSS px] */
+/** Room beside the ends of the seam. [CSS px] */
 const margin = 12;
 
 /** A scene, and the number of one of its seams. */
@@ -56,8 +56,8 @@ export class SeamStrip {
   #picture: Tile | undefined;
 
   /**
-   * Fills `host`, an empty element with a size of its own.
-   * @throws {Error} where the browser has no WebGL 2
+   * Fills `host`, an empty element with its own size.
+   * @throws {Error} if the browser has no WebGL 2
    */
   constructor(host: HTMLElement, {appearance = 'light'}: {appearance?: Appearance} = {}) {
     this.#appearance = appearance;
@@ -76,20 +76,20 @@ export class SeamStrip {
     });
   }
 
-  /** The whole seam fits into the width. [CSS px per cm] */
+  /** Scale at which the whole seam fits into the width. [CSS px per cm] */
   get scale(): number {
     const room = Math.max(1, this.#screen.size.width - 2 * margin);
     return Math.min(greatestScale, room / (this.#after?.straight.length ?? room));
   }
 
-  /** Where the sewn line begins and ends. [CSS px from the left] */
+  /** Start and end of the sewn line. [CSS px from the left] */
   get span(): readonly [number, number] {
     const half = ((this.#after?.straight.length ?? 0) * this.scale) / 2;
     const middle = this.#screen.size.width / 2;
     return [middle - half, middle + half];
   }
 
-  /** Without a seam, nothing. Cheap when only alignments differ from before. */
+  /** Shows a seam, or nothing. Cheap when only alignments differ from before. */
   show(shown: ShownSeam | undefined): void {
     const print = this.#shown?.scene.print;
     const isSame = this.#shown?.seam === shown?.seam;
@@ -109,14 +109,14 @@ export class SeamStrip {
     this.#screen.request();
   }
 
-  /** A line across the seam, at a share of its length in sewing order. */
+  /** Shows a line across the seam, at a share of its length in sewing order. */
   setCursor(share: number | undefined): void {
     if (share === this.#cursor) return;
     this.#cursor = share;
     this.#drawLines();
   }
 
-  /** The picture of the print's cell; without one, bare cloth. */
+  /** Sets the image of the print's cell; without one, the fabric is plain. */
   setTile(tile: Tile | undefined): void {
     this.#picture = tile;
     if (this.#shown) this.#tile.set(tile, imageCell(this.#shown.scene.print));
@@ -128,7 +128,10 @@ export class SeamStrip {
     this.#drawLines();
   }
 
-  /** What lies under a point of the host, from its upper left. [CSS px] Beyond a piece's edge there is nothing. */
+  /**
+   * Returns the place under a point of the host, from its upper left [CSS px]; undefined beyond a
+   * piece's edge.
+   */
   pieceAt(x: number, y: number): NearSeam | undefined {
     const {straight} = this.#after ?? {};
     if (!straight) return undefined;
@@ -142,7 +145,7 @@ export class SeamStrip {
     return Math.abs(up) <= depth ? {side, share, offset: Math.abs(up)} : undefined;
   }
 
-  /** The same place on its piece, in that piece's own coordinates. */
+  /** Converts the place to its piece, in that piece's own coordinates. */
   placeOf(near: NearSeam): OnPiece | undefined {
     return this.#after && onPieceAt(this.#after.straight, near);
   }
@@ -162,7 +165,9 @@ export class SeamStrip {
     this.#before = this.#laid(isSame ? this.#before : this.#dropped(this.#before), scene);
   }
 
-  /** The shown seam in a scene; straightened anew only if its pieces are others. */
+  /**
+   * Returns the shown seam in a scene; it is straightened again only if its pieces have changed.
+   */
   #laid(known: Strip | undefined, scene: PatternScene | undefined): Strip | undefined {
     const {seam = -1} = this.#shown ?? {};
     const sides = scene?.seams[seam];

@@ -1,4 +1,4 @@
-/** The whole sheet as a picture to keep. */
+/** Saves the whole sheet as a picture. */
 import {
   Color,
   LinearSRGBColorSpace,
@@ -19,10 +19,13 @@ import type {TileTexture} from './tile-texture.js';
 
 const leading = 1.25;
 const greatestPictureSide = 8192;
-/** For the picture of a view that is narrower, or has no size yet. [CSS px] */
+/**
+ * Least width of a view assumed for a picture; some views are narrower or have no size yet. [CSS
+ * px]
+ */
 const leastRoom = 320;
 
-/** What is drawn, and with what. */
+/** A scene object, and what draws it. */
 export interface Drawing {
   readonly renderer: WebGLRenderer;
   readonly object: Scene;
@@ -39,22 +42,25 @@ interface Shot {
   readonly ratio: number;
 }
 
-/** How a sheet is drawn that is looked at away from the page. */
+/** Look of a sheet outside the page. */
 interface Look {
   readonly appearance: Appearance;
-  /** By default the page's own. */
+  /** Background. Default: that of the page. */
   readonly paper?: readonly [number, number, number];
 }
 
 const white = [255, 255, 255] as const;
 
-/** The greatest width of a picture of a whole sheet. [px] */
+/** Returns the greatest width of a picture of a whole sheet. [px] */
 export function widestPicture(renderer: WebGLRenderer, [width, height]: Point): number {
   const most = Math.min(greatestPictureSide, renderer.capabilities.maxTextureSize);
   return Math.floor(most * Math.min(1, width / height));
 }
 
-/** The whole sheet, drawn so many pixels wide; lines and names are as large as on a screen of that room. [CSS px] */
+/**
+ * Frames the whole sheet in a picture of `width` px; lines and names are as large as on a screen of
+ * width `room`. [CSS px]
+ */
 export function framed(
   {renderer, tile, camera, line}: Drawing,
   {size}: PatternScene,
@@ -75,7 +81,7 @@ export function framed(
   return shot;
 }
 
-/** As a PNG. @throws {Error} where the browser makes no picture */
+/** Returns a PNG. @throws {Error} if the browser cannot make the picture */
 export async function snapshot(
   drawing: Drawing,
   scene: PatternScene,
@@ -89,7 +95,7 @@ export async function snapshot(
   return pngOf(canvas);
 }
 
-/** On white, at once. @returns nothing where the browser makes no picture */
+/** Returns a picture on white, synchronously; undefined if the browser cannot make it. */
 export function sheetOnPaper(
   drawing: Drawing,
   scene: PatternScene,
@@ -100,7 +106,7 @@ export function sheetOnPaper(
   return pixels && named(pixels, scene, shot, appearance);
 }
 
-/** What has been drawn, with the names over it. */
+/** Draws the names over the picture. */
 function named(
   pixels: ImageData,
   scene: PatternScene,

@@ -1,14 +1,19 @@
-/** The one drawing context of the document, shared by all its screens: a browser drops contexts beyond the sixteenth. */
+/**
+ * The one drawing context of the document, shared by all its screens: a browser drops contexts
+ * beyond the sixteenth.
+ */
 import {WebGLRenderer} from 'three';
 
 import {readBack} from './read-back.js';
 
-/** Screens drawn in one frame; the others follow in the next ones. */
+/** Number of screens drawn in one frame; the others follow in the next ones. */
 const atOnce = 4;
-/** How long the context outlives its last screen, which may only be on its way to another place of the document. [ms] */
+/**
+ * Lifetime of the context after its last screen, which may only be moving within the document. [ms]
+ */
 const grace = 1000;
 
-/** A picture of so many pixels. */
+/** Size of a picture in pixels. */
 export interface Raster {
   readonly width: number;
   readonly height: number;
@@ -16,34 +21,39 @@ export interface Raster {
   readonly ratio: number;
 }
 
-/** What the stage knows of a screen. */
+/** A screen as the stage uses it. */
 export interface Drawable {
-  /** Small, and beside a main one: it is drawn beside the canvas, and its picture comes when it is ready. */
+  /** Small and beside a main screen: drawn off screen, and shown once its picture is ready. */
   readonly isAside: boolean;
   readonly raster: Raster;
-  /** Whether it has a size: what is hidden by a style has none. */
+  /** True if it has a size; an element hidden by a style has none. */
   readonly hasSize: boolean;
-  /** Whether it is in view and has a size. */
+  /** True if it is in view and has a size. */
   readonly isSeen: boolean;
-  /** Draws into the lower left corner of whatever the renderer draws to; also again, where nothing has changed. */
+  /**
+   * Draws into the lower left corner of the current render target; may run again without a change.
+   */
   readonly draw: () => void;
-  /** Something else is shown from now on, perhaps in its place. */
+  /** Another screen is shown from now on, perhaps in place of this one. */
   readonly mayBeHidden: () => void;
-  /** Lays out what lies over the picture, after a change. */
+  /** Places the elements over the picture, after a change. */
   readonly arrange: () => void;
   /** Shows the renderer's own canvas. */
   readonly hang: (canvas: HTMLCanvasElement) => void;
-  /** Shows a copy of what was drawn into the renderer's canvas. */
+  /** Shows a copy of the renderer's canvas. */
   readonly copy: (canvas: HTMLCanvasElement) => void;
-  /** Shows what was drawn beside that. */
+  /** Shows a picture drawn off screen. */
   readonly paint: (picture: ImageData) => void;
-  /** The context was lost, or has come back. */
+  /** The context was lost, or was restored. */
   readonly lost: (isLost: boolean) => void;
 }
 
 let current: Stage | undefined;
 
-/** Lets a screen be drawn until it leaves. @throws {Error} where the browser has no WebGL 2 */
+/**
+ * Adds a screen to the stage; it is drawn until it leaves.
+ * @throws {Error} if the browser has no WebGL 2
+ */
 export function enter(screen: Drawable): Stage {
   current ??= new Stage(() => {
     current = undefined;
@@ -53,18 +63,19 @@ export function enter(screen: Drawable): Stage {
 }
 
 /**
- * A single main screen is drawn directly: it shows the renderer's canvas. Where there are several, each shows a copy of
- * what was drawn for it. Asides disturb neither: a copy has to wait for the graphics card, which a page of one pattern
- * and a seam from near would feel. While the document is hidden nothing is drawn; what has changed is, once it is seen.
+ * A single main screen is drawn directly and shows the renderer's canvas. Several main screens each
+ * show a copy of their drawing. An aside is read back without a copy: a copy has to wait for the
+ * graphics card, which would slow down a page with one pattern and a seam strip. While the document
+ * is hidden nothing is drawn; changes are drawn once it is visible.
  */
 export class Stage {
   readonly renderer: WebGLRenderer;
   readonly #ended: () => void;
   readonly #life = new AbortController();
   readonly #screens = new Set<Drawable>();
-  /** Whoever asked first comes first. */
+  /** Screens to be drawn, in order of their requests. */
   readonly #dirty = new Set<Drawable>();
-  /** Who shows the renderer's canvas. */
+  /** Screen that shows the renderer's canvas. */
   #direct: Drawable | undefined;
   /** Drawn, but not read back yet. */
   readonly #away = new Set<Drawable>();
@@ -72,7 +83,7 @@ export class Stage {
   #frame = 0;
   #end: ReturnType<typeof setTimeout> | undefined;
 
-  /** @throws {Error} where the browser has no WebGL 2 */
+  /** @throws {Error} if the browser has no WebGL 2 */
   constructor(ended: () => void) {
     this.#ended = ended;
     this.renderer = new WebGLRenderer({alpha: true, antialias: false, depth: false});
@@ -118,19 +129,21 @@ export class Stage {
     }
   }
 
-  /** Draws with one of the next frames, once the screen is seen. */
+  /** Draws in one of the next frames, once the screen is in view. */
   request(screen: Drawable): void {
     this.#dirty.add(screen);
     this.#schedule();
   }
 
-  /** The screen has another size. A canvas is empty after that, so where there is no copy it is drawn at once. */
+  /**
+   * The screen's size has changed. That empties its canvas, so a direct screen is drawn at once.
+   */
   resized(screen: Drawable): void {
     this.request(screen);
     if (screen === this.#direct || screen === this.#soloist()) this.#play();
   }
 
-  /** A screen is seen again. */
+  /** A screen is visible again. */
   wake(): void {
     this.#schedule();
   }
@@ -141,7 +154,7 @@ export class Stage {
     });
   }
 
-  /** The only main screen that has a size. */
+  /** Returns the only main screen that has a size. */
   #soloist(): Drawable | undefined {
     const [main, other] = [...this.#screens].filter(({isAside, hasSize}) => !isAside && hasSize);
     return other ? undefined : main;
@@ -150,12 +163,12 @@ export class Stage {
   #play(): void {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    // everybody keeps the last picture
+    // all screens keep their last picture
     if (this.#isLost || document.visibilityState === 'hidden') return;
     const [before, direct] = [this.#direct, this.#soloist()];
     this.#direct = direct;
     const isOther = before !== direct;
-    // whoever gives the canvas back needs a copy in this very frame
+    // the previous owner of the canvas needs a copy in this very frame
     const queue = new Set(isOther && before?.hasSize ? [before] : []);
     for (const screen of this.#dirty) {
       if (screen.isSeen && !this.#away.has(screen)) queue.add(screen);
@@ -214,13 +227,13 @@ export class Stage {
     this.renderer.setSize(width, height, false);
   }
 
-  /** A context that comes back has forgotten this. */
+  /** Sets the state that a restored context has lost. */
   #prepare(): void {
     this.renderer.setClearColor(0x000000, 0); // the page's own background shows through
     this.renderer.setScissorTest(true);
   }
 
-  /** three.js makes all else anew when the context comes back. */
+  /** three.js restores everything else of a returning context. */
   #turn(isLost: boolean): void {
     this.#isLost = isLost;
     if (!isLost) this.#prepare();

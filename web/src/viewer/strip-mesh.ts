@@ -1,4 +1,6 @@
-/** The print on both sides of a straightened seam, side a above the line and side b below. */
+/**
+ * Mesh of the print on both sides of a straightened seam, side a above the line and side b below.
+ */
 import {BufferAttribute, BufferGeometry, Mesh} from 'three';
 
 import {plus} from '../model/geometry.js';
@@ -8,7 +10,7 @@ import type {PrintMaterial} from './print-layer.js';
 import type {PatternScene} from '../scene/scene.js';
 import {ribbonDepth, type Ribbon, type StraightSeam} from './seam-ribbon.js';
 
-/** Between rows. [cm] */
+/** Distance between rows. [cm] */
 const rowStep = 0.3;
 const rows = Math.ceil(ribbonDepth / rowStep);
 
@@ -36,7 +38,7 @@ export class StripMesh {
         for (let row = 0; row < rows; row++) {
           const corner = first + k * (rows + 1) + row;
           const next = corner + rows + 1;
-          // both ways round, since sides and directions differ
+          // the winding depends on side and direction
           const [one, other] = up > 0 !== seam.runsLeft ? [corner, next] : [next, corner];
           indices.push(one, other, other + 1, one, other + 1, one + 1);
         }
@@ -52,7 +54,7 @@ export class StripMesh {
     this.object.frustumCulled = false;
   }
 
-  /** As the pieces of the scene lie on its print. */
+  /** Aligns the strip with the print as the pieces of the scene. */
   align(scene: PatternScene): void {
     const printed = this.object.geometry.getAttribute('printed');
     let vertex = 0;
@@ -79,6 +81,6 @@ export class StripMesh {
   }
 }
 
-/** Rows of a column, from the seam inwards; beyond its depth they fall together. */
+/** Returns the rows of a column, from the seam inwards; rows beyond its depth coincide. */
 const depths = (depth: number): readonly number[] =>
   Array.from({length: rows + 1}, (_, row) => Math.min(row * rowStep, depth));

@@ -1,4 +1,7 @@
-/** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. Those of an edge lie outside of it. */
+/**
+ * The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. Lines of an edge are
+ * outside of it.
+ */
 import {between, distance, minus, unit, type Point} from '../model/geometry.js';
 import {ontoSheet, wayOnSheet, type SheetPlace} from '../model/sheet-place.js';
 import {mismatchLine} from '../scene/colours.js';
@@ -14,14 +17,14 @@ export type Appearance = 'light' | 'dark';
 type Colour = LineStyle['colour'];
 
 interface Inks {
-  /** What the sheet itself is in a picture of it. */
+  /** Background of a picture of the sheet. */
   readonly paper: Colour;
   readonly outline: Colour;
-  /** Parts a line from the print it lies on. */
+  /** Separates a line from the print under it. */
   readonly casing: Colour;
   readonly mark: Colour;
   readonly quiet: Colour;
-  /** What somebody points at or has chosen. */
+  /** Marks the target of the pointer and the selection. */
   readonly accent: Colour;
 }
 
@@ -44,7 +47,7 @@ export const inks: Readonly<Record<Appearance, Inks>> = {
   },
 };
 
-/** Between the lines beside a kept edge, for the widest seam and its casing. [CSS px] */
+/** Gap between the lines beside a kept edge, for the widest seam and its casing. [CSS px] */
 const keptRoom = 7;
 
 export const placed = (
@@ -52,7 +55,10 @@ export const placed = (
   vertices: readonly number[],
 ): Point[] => pick(piece.points, vertices).map((point) => ontoSheet(piece, point));
 
-/** What lies under a stroke, a little wider and without gaps; beside an edge, on the outer side alone. */
+/**
+ * Returns the casing under a stroke, a little wider and without gaps; beside an edge, on the outer
+ * side only.
+ */
 export function cased(stroke: Stroke, colour: Colour): Stroke {
   const wider = stroke.shifts ? 1.2 : 2.2;
   const under = ({width}: LineStyle): LineStyle => ({colour, width: width + wider});
@@ -70,7 +76,10 @@ export function outlineStrokes(scene: PatternScene, appearance: Appearance): rea
   );
 }
 
-/** From green to red on the scene's scale; the wider and the more broken, the worse. Dotted where it does not count. */
+/**
+ * Colours from green to red on the scene's scale; the worse the mismatch, the wider and the more
+ * broken the line. Seams that do not count are dotted.
+ */
 function seamStyles(
   {counts, mismatch}: SceneSeam,
   {scale}: PatternScene,
@@ -88,7 +97,7 @@ function seamStyles(
   });
 }
 
-/** A side of a seam, on the outside of its piece. */
+/** Returns a side of a seam, on the outside of its piece. */
 export function besideEdge(
   scene: PatternScene,
   side: SceneSeam['a'],
@@ -98,7 +107,7 @@ export function besideEdge(
   return {points, shifts: shiftsOutside(points, outside)};
 }
 
-/** Both sides of some seams, over a casing. */
+/** Returns both sides of some seams, over a casing. */
 export function seamStrokes(
   scene: PatternScene,
   appearance: Appearance,
@@ -112,7 +121,9 @@ export function seamStrokes(
   return [...sides.map((side) => cased(side, casing)), ...sides];
 }
 
-/** Two lines beside each part of an outline that stays as drafted; a seam lies between them. */
+/**
+ * Returns two lines beside each part of an outline that stays as drafted; a seam fits between them.
+ */
 export function keptStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
   const {casing, mark} = inks[appearance];
   return (scene.kept ?? []).flatMap(({piece, vertices, isSewn}): Stroke[] => {
@@ -125,7 +136,7 @@ export function keptStrokes(scene: PatternScene, appearance: Appearance): readon
   });
 }
 
-/** An arrow head at `tip`, seen from `tail`. */
+/** Returns an arrow head at `tip`, seen from `tail`. */
 export function arrowHead(tail: Point, tip: Point): Point[] {
   const size = Math.min(1.6, distance(tail, tip) / 4);
   const [x, y] = unit(minus(tip, tail));
@@ -136,10 +147,10 @@ export function arrowHead(tail: Point, tip: Point): Point[] {
   return [barb(1), tip, barb(-1)];
 }
 
-/** Of a grain line, the parts that are drawn: the print between them is left alone. [cm] */
+/** Length of a grain line's drawn ends; the print between them stays clear. [cm] */
 const grainEnd = 2.5;
 
-/** Beyond the outline at both ends of a mirror axis, so long whatever the zoom. */
+/** Returns ticks beyond the outline at both ends of a mirror axis, equally long at any zoom. */
 export function axisTicks(
   piece: ScenePiece | undefined,
   axis: readonly [Point, Point],
@@ -157,7 +168,7 @@ export function axisTicks(
   });
 }
 
-/** Ticks of mirror axes, and the ends of grain lines with an arrow head each. */
+/** Returns the ticks of mirror axes, and the ends of grain lines with an arrow head each. */
 export function markStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
   const {casing, mark} = inks[appearance];
   const grain = scene.pieces.flatMap((piece) => {

@@ -1,4 +1,7 @@
-/** The picture of a print's cell as a texture: an image as it is, an SVG drawn as densely as the screen asks for. */
+/**
+ * The image of a print's cell as a texture: bitmaps unchanged, an SVG drawn at the density of the
+ * screen.
+ */
 import {
   CanvasTexture,
   LinearFilter,
@@ -12,10 +15,13 @@ import type {Tile} from '../recognition/tile.js';
 
 /** Longest side of a texture. [px] */
 const greatestSide = 4096;
-/** An SVG is drawn at least this densely, or by a power of 2 more. [px per cm] */
+/** Least density of an SVG; greater ones differ by powers of 2. [px per cm] */
 const coarsest = 32;
 
-/** A picture of so many pixels of a tile: white, the cloth, where that is transparent. @returns nothing where the browser draws none */
+/**
+ * Draws a tile at a size in px on white, the colour of the fabric under transparent parts.
+ * @returns undefined if the browser cannot draw
+ */
 export function onWhite(
   image: CanvasImageSource,
   width: number,
@@ -37,13 +43,13 @@ export class TileTexture {
   readonly #limit: number;
   readonly #changed: (texture: CanvasTexture) => void;
   #texture: CanvasTexture | undefined;
-  /** What an SVG is drawn from, and the sides of the cell. [cm] */
+  /** Source image of an SVG, and the sides of the cell. [cm] */
   #vector: {readonly image: HTMLImageElement; readonly sides: Point} | undefined;
   #density = coarsest;
-  /** What the screen asked for last, which a new tile is drawn for. */
+  /** Last density of the screen, used for a new tile. [px per cm] */
   #asked = coarsest;
 
-  /** `changed` gets every new texture; the one before is gone by then. */
+  /** @param changed receives each new texture; the previous one is disposed of by then */
   constructor(
     {capabilities}: Pick<WebGLRenderer, 'capabilities'>,
     changed: (texture: CanvasTexture) => void,
@@ -53,7 +59,7 @@ export class TileTexture {
     this.#changed = changed;
   }
 
-  /** `cell`: the sides of what the tile shows. [cm] */
+  /** @param cell sides of the cell that the tile shows [cm] */
   set(tile: Tile | undefined, cell: readonly [Point, Point]): void {
     const sides: Point = [norm(cell[0]), norm(cell[1])];
     this.#vector = tile && 'vector' in tile ? {image: tile.vector, sides} : undefined;
@@ -63,7 +69,9 @@ export class TileTexture {
     else this.#draw(tile, tile.width, tile.height);
   }
 
-  /** Draws an SVG again when the screen shows more than it holds. [device px per cm] */
+  /**
+   * Draws an SVG again when the screen shows more detail than the texture has. [device px per cm]
+   */
   sharpen(density: number): void {
     this.#asked = Math.max(coarsest, 2 ** Math.ceil(Math.log2(density)));
     if (this.#asked <= this.#density) return;
@@ -81,14 +89,17 @@ export class TileTexture {
     if (this.#vector) this.#draw(this.#vector.image, ...this.#size(this.#vector.sides));
   }
 
-  /** Width and height for an SVG: whole halves on the first mipmap levels, so that these do not shift the print. */
+  /**
+   * Returns the width and height for an SVG: divisible by 16, so that the first mipmap levels do
+   * not shift the print.
+   */
   #size(sides: Point): Point {
     const density = Math.min(this.#density, this.#limit / Math.max(...sides));
     const size = (side: number): number => Math.max(16, Math.floor((side * density) / 16) * 16);
     return [size(sides[0]), size(sides[1])];
   }
 
-  /** Before there is a picture: bare cloth with the edges of the cell. */
+  /** Draws unprinted fabric with the edges of the cell, until there is an image. */
   #drawBlank([width, height]: Point): void {
     const canvas = document.createElement('canvas');
     canvas.width = Math.max(4, Math.round(width * coarsest));

@@ -1,4 +1,4 @@
-/** What part of a sheet is shown: the half of a view that needs no drawing. */
+/** The visible part of a sheet: the half of a view that needs no drawing. */
 import type {Point} from '../model/geometry.js';
 import {
   fitted,
@@ -13,10 +13,10 @@ import {
 export abstract class Viewport {
   readonly #listeners = new Set<() => void>();
   #view: SheetView = {centre: [0, 0], scale: 1};
-  /** Nobody has moved the view since it was fitted: it stays so when the room changes. */
+  /** The view has not moved since it was fitted, so it is fitted again when the room changes. */
   #isFitted = true;
 
-  /** Undefined while there is none; nothing moves until then. */
+  /** Undefined without a sheet; the view does not move then. */
   protected abstract get sheetSize(): Point | undefined;
 
   protected abstract get room(): ScreenSize;
@@ -26,7 +26,7 @@ export abstract class Viewport {
     return this.#view.scale;
   }
 
-  /** What part of the sheet is shown, to come back to it. */
+  /** Visible part of the sheet, to restore it later. */
   get state(): SheetView {
     return this.#view;
   }
@@ -42,27 +42,30 @@ export abstract class Viewport {
     this.#isFitted = true;
   }
 
-  /** About a point of the screen, by default its middle. */
+  /** Zooms about a point of the screen, by default its middle. */
   zoomBy(factor: number, at: Point = this.#middle): void {
     this.#zoom(this.#view, factor, at);
   }
 
-  /** The sheet follows by (dx, dy). [CSS px] */
+  /** Moves the sheet by (dx, dy). [CSS px] */
   panBy(dx: number, dy: number): void {
     if (this.sheetSize) this.#move(panned(this.#view, this.sheetSize, dx, dy));
   }
 
-  /** A point of the sheet [cm] as a point of the host, from its upper left. [CSS px] */
+  /** Converts a point of the sheet [cm] to the host, from its upper left [CSS px]. */
   screenOf(point: Point): Point {
     return toScreen(this.#view, this.room, point);
   }
 
-  /** A point of the host, from its upper left [CSS px], as a point of the sheet. [cm] */
+  /** Converts a point of the host, from its upper left [CSS px], to the sheet [cm]. */
   sheetPointAt(x: number, y: number): Point {
     return toSheet(this.#view, this.room, [x, y]);
   }
 
-  /** Calls back after every zoom, move or change of size. @returns what ends that */
+  /**
+   * Calls `listener` after each zoom, move or change of size.
+   * @returns a function that stops this
+   */
   onViewChange(listener: () => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);

@@ -6,7 +6,7 @@ import type {PatternScene} from '../scene/scene.js';
 import type {Screen} from './screen.js';
 import type {Appearance} from './strokes.js';
 
-/** The line is at this part of the width. */
+/** @param split place of the line as a share of the width */
 export interface Wipe {
   readonly before: PatternScene;
   readonly split: number;
@@ -20,14 +20,17 @@ export class WipeLayers {
     this.#layers = new SceneLayers(materials);
   }
 
-  /** Cheap when only the split changes. @returns whether its scene was laid */
+  /**
+   * Sets the scene; cheap when only the split changes.
+   * @returns whether the scene was laid out again
+   */
   set(wipe: Wipe | undefined, appearance: Appearance): boolean {
     const {before} = this.#wipe ?? {};
     this.#wipe = wipe;
     return wipe !== undefined && wipe.before !== before && this.layAgain(appearance);
   }
 
-  /** @returns whether there is a scene */
+  /** @returns true if there is a scene */
   layAgain(appearance: Appearance): boolean {
     if (!this.#wipe) return false;
     this.#layers.show(this.#wipe.before, appearance);
@@ -38,12 +41,12 @@ export class WipeLayers {
     this.#layers.showLines(...shown);
   }
 
-  /** Where the scene ends. [CSS px from the left] */
+  /** Returns the right end of the scene. [CSS px from the left] */
   splitOn(width: number): number {
     return Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) * width;
   }
 
-  /** Leaves the screen to what is drawn to the right of the line. */
+  /** Draws the scene, and restricts the screen to the right of the line afterwards. */
   draw(screen: Screen, camera: OrthographicCamera): void {
     const {width} = screen.size;
     if (this.#wipe) {

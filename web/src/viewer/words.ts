@@ -1,4 +1,7 @@
-/** All that is written over a drawing: names and letters of pieces, ranks and kinds of seams, and the words of an overlay. */
+/**
+ * All text over a drawing: names and letters of pieces, ranks and kinds of seams, and the words of
+ * an overlay.
+ */
 import {Labels} from './labels.js';
 import {OverlayChips} from './overlay-chips.js';
 import type {Overlay} from './overlay.js';
@@ -18,13 +21,13 @@ export class Words {
     host.append(...this.#elements);
   }
 
-  /** After all was drawn anew. */
+  /** Shows the words of a new scene. */
   show(scene: PatternScene, appearance: Appearance): void {
     this.#labels.show(scene, appearance);
     this.#notes.show(scene, appearance);
   }
 
-  /** After the print has come to lie otherwise along the same seams. */
+  /** Updates the words after alignments change along the same seams. */
   update(scene: PatternScene, appearance: Appearance): void {
     this.#notes.update(scene, appearance);
   }
@@ -37,11 +40,11 @@ export class Words {
     if (scene && overlay) this.#chips.show(scene, overlay, look);
     else this.#chips.clear();
     this.#notes.highlight(overlay?.highlight?.seam);
-    // there are other numbers to be read
+    // the badges' numbers could be mistaken for ranks
     this.#notes.element.style.visibility = overlay?.badges ? 'hidden' : '';
   }
 
-  /** Whether there are words at all, and those of seams among them. */
+  /** Shows or hides all words, and those of seams among them. */
   setShown(isShown: boolean, hasSeams: boolean): void {
     this.#hasSeams = hasSeams;
     for (const element of this.#elements) {
@@ -50,7 +53,7 @@ export class Words {
     }
   }
 
-  /** Follows the drawing; numbers are those of what is drawn to the right of `split`. [CSS px] */
+  /** Moves the words to a view; numbers belong to the scene to the right of `split`. [CSS px] */
   place(view: SheetView, size: ScreenSize, split: number): void {
     const taken = this.#labels.place(view, size);
     const left = {left: 0, top: 0, right: split, bottom: size.height};

@@ -1,4 +1,4 @@
-/** How somebody wants to cut, remembered by the browser. */
+/** Settings of the cutting sheet, stored by the browser. */
 import {
   allowancesIn,
   withAllowances,
@@ -11,20 +11,20 @@ import type {CutFileKind} from '../../paper/cut-file.js';
 
 export const cutFileKinds: readonly CutFileKind[] = ['pdf', 'svg', 'dxf', 'plt'];
 
-/** Those that have a name, by it: home printers' first. */
+/** Named papers by their names, those of home printers first. */
 export const papers: readonly string[] = [
   ...['a4', 'letter', 'a3', 'legal', 'tabloid', 'a2', 'a1', 'a0', '36in', 'projector'],
 ];
 
 interface FileChoices {
   readonly file: CutFileKind;
-  /** By its name in `paper/papers`. */
+  /** Name in `paper/papers`. */
   readonly paper: string;
-  /** `full`: pieces in their print; `outline`: their lines alone. */
+  /** `full`: pieces filled with the print; `outline`: lines only. */
   readonly ink: 'full' | 'outline';
 }
 
-/** The allowances are those of the pieces on their cloth, too. */
+/** The fabric layout uses the same allowances. */
 export interface CutChoices extends FileChoices, ChosenAllowances {}
 
 const key = 'seamwise.cut';
@@ -48,17 +48,17 @@ function storedFileChoices(units: Units): FileChoices {
       .filter(([, value, right]) => right(value));
     return {...usual[units], ...Object.fromEntries(known.map(([name, value]) => [name, value]))};
   } catch {
-    return usual[units]; // nothing can be stored here, or something else was
+    return usual[units]; // no storage here, or other content in it
   }
 }
 
-/** What was chosen last, as far as it is understood; the rest as it is usual. */
+/** Returns the last settings; unknown or missing ones have their defaults. */
 export const storedChoices = ({preferences}: Workbench): CutChoices => ({
   ...storedFileChoices(preferences.units),
   ...allowancesIn(preferences),
 });
 
-/** What is as it is usual is not stored: it follows the units. */
+/** Stores the settings except defaults, which follow the units. */
 export function keepChoices(choices: CutChoices, workbench: Workbench): void {
   const {units} = workbench.preferences;
   const {file, paper, ink} = choices;
@@ -68,7 +68,7 @@ export function keepChoices(choices: CutChoices, workbench: Workbench): void {
   try {
     localStorage.setItem(key, JSON.stringify(Object.fromEntries(chosen)));
   } catch {
-    // a browser that stores nothing still makes the file
+    // the file can still be made without storage
   }
   workbench.prefer(withAllowances(choices, workbench.preferences));
 }

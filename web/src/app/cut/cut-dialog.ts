@@ -1,4 +1,7 @@
-/** What file to cut by: on what paper, with what allowance, and how many pages that makes, before it is made. */
+/**
+ * Dialog for a cutting sheet: format, paper and allowances, with a preview of the pages before the
+ * file is made.
+ */
 import {html, type TemplateResult} from 'lit';
 
 import {controls, WorkbenchElement, icon, type NumberField} from '../../editor/index.js';
@@ -12,7 +15,7 @@ import {cutSettings} from './cut-settings.js';
 import {cutStyle} from './cut-style.js';
 import {pageMap} from './page-map.js';
 
-/** Gets a file, with how its name ends. */
+/** Receives a file and the ending of its name. */
 type Saver = (ending: string, content: Blob) => void;
 
 const types = {
@@ -32,17 +35,17 @@ export class CutDialog extends WorkbenchElement {
     isRenewed: {state: true},
   };
   static override styles = [controls, sheetDialog, cutStyle];
-  /** Of the user's language. */
+  /** Texts in the user's language. */
   declare words: CutTexts;
   declare save: Saver;
   declare protected choices: CutChoices;
-  /** Undefined until one is there. */
+  /** Undefined until there is one. */
   declare protected plan: CutPlan | undefined;
   declare protected making: 'plan' | 'file' | undefined;
   declare protected trouble: string | undefined;
-  /** Another answer has come since this was opened. */
+  /** A new answer has arrived since the dialog was opened. */
   declare protected isRenewed: boolean;
-  /** What the plan is of, or is going to be. */
+  /** Answer of the current or pending plan. */
   #laid: SolveResult | undefined;
   #life = new AbortController();
 
@@ -69,7 +72,7 @@ export class CutDialog extends WorkbenchElement {
         this.#life.abort();
       }}
       @keydown=${(event: Event) => {
-        event.stopPropagation(); // letters are keys of the page elsewhere
+        event.stopPropagation(); // outside of the dialog, letters are keyboard shortcuts
       }}
     >
       <header>
@@ -107,7 +110,7 @@ export class CutDialog extends WorkbenchElement {
     </figure>`;
   }
 
-  /** Why there is no plan. */
+  /** Message in place of a missing plan. */
   #why(): TemplateResult | string {
     const {words} = this;
     if (this.#isUnscaled) return this.#refusal();
@@ -116,7 +119,7 @@ export class CutDialog extends WorkbenchElement {
     return kind === 'failed' || kind === 'stale' ? words.unsolved : words.waiting;
   }
 
-  /** Nothing is cut by a print of unknown size. */
+  /** Message that a print of unknown size cannot be cut. */
   #refusal(): TemplateResult {
     return html`<span class="error">${this.texts.print.unscaled}</span>
       <button
@@ -183,18 +186,18 @@ export class CutDialog extends WorkbenchElement {
     return this.renderRoot.querySelector('dialog');
   }
 
-  /** What a file would be made of now. */
+  /** Answer that a file would be made from. */
   get #answer(): SolveResult | undefined {
     const {garment, result} = this.workbench;
     return garment && result;
   }
 
-  /** The same, where files can be made of it. */
+  /** The answer, unless the print's size is unknown. */
   get #cuttable(): SolveResult | undefined {
     return this.#isUnscaled ? undefined : this.#answer;
   }
 
-  /** Shows what there is to cut, and no more what was there before. */
+  /** Plans the current answer, and drops the plan of a previous one. */
   #follow(): void {
     const answer = this.#cuttable;
     if (answer === this.#laid) return;
@@ -211,7 +214,7 @@ export class CutDialog extends WorkbenchElement {
       this.plan = await cutPlan(this.workbench, this.choices, signal);
     });
 
-  /** With the lengths that are typed, and not with others. */
+  /** Makes the file, unless a field contains an invalid length. */
   async #make(): Promise<void> {
     const fields = this.renderRoot.querySelectorAll<NumberField>('sw-number-field');
     const wrong = [...fields].find(({isWrong}) => isWrong);
@@ -229,7 +232,7 @@ export class CutDialog extends WorkbenchElement {
     });
   }
 
-  /** What is asked last counts. */
+  /** Runs a task; a new one cancels the one before. */
   async #doing(
     making: 'plan' | 'file',
     work: (signal: AbortSignal) => Promise<void>,

@@ -1,4 +1,4 @@
-/** What is asked of the worker that makes cutting files. */
+/** Requests to the worker that makes cutting sheets. */
 import type {CutSheet} from '../../cutting/cut-sheet.js';
 import type {Point} from '../../model/geometry.js';
 import type {Box} from '../../model/polyline.js';
@@ -14,7 +14,7 @@ interface CutJob extends CutMaterial {
 
 export type Question = {readonly kind: 'plan' | 'file'} & CutJob;
 
-/** How pieces lie, and pages if there are any. Lengths in cm on the sheet, y up. */
+/** Layout of the pieces, and of pages if there are any. Lengths in cm on the sheet, y up. */
 export interface CutPlan {
   readonly widthCm: number;
   readonly heightCm: number;
@@ -27,7 +27,7 @@ export interface CutPlan {
   };
 }
 
-/** A picture of the print's cell that is needed in pixels. */
+/** Request for the image of the print's cell in pixels. */
 interface PixelRequest {
   readonly width: number;
   readonly height: number;
@@ -50,14 +50,14 @@ async function asked<Answer>(
   });
 }
 
-/** @throws {WorkerComplaint} with one sentence; the signal's reason when it fires */
+/** @throws {WorkerComplaint} a message of one sentence; the signal's reason when it fires */
 export const cutPlan = (
   workbench: Workbench,
   choices: CutChoices,
   signal: AbortSignal,
 ): Promise<CutPlan> => asked('plan', workbench, choices, signal);
 
-/** @throws as `cutPlan` */
+/** @throws the errors of `cutPlan` */
 export const cutFile = (
   workbench: Workbench,
   choices: CutChoices,

@@ -1,4 +1,4 @@
-/** What may be chosen before pieces are cut. */
+/** Controls for the settings of a cutting sheet. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {greatestAllowance, lengthUnit} from '../../editor/index.js';
@@ -12,7 +12,7 @@ import type {CutPlan} from './cut-job.js';
 
 interface Shown {
   readonly choices: CutChoices;
-  /** Undefined until one is there. */
+  /** Undefined until there is one. */
   readonly plan: CutPlan | undefined;
   readonly words: CutTexts;
   readonly texts: Texts;
@@ -61,7 +61,7 @@ function paperPart(shown: Shown): TemplateResult {
   </label>`;
 }
 
-/** With its size, where it has one. */
+/** Returns the paper's name with its size, if it has one. */
 function called(paper: string, {words, format}: Shown): string {
   if (paper === 'projector') return words.projector;
   const {name = '', widthCm = 0, heightCm} = paperOf(paper) ?? {};
@@ -90,14 +90,14 @@ function lengthPart(
   ></sw-number-field>`;
 }
 
-/** Where the fields count for nothing. */
+/** Note that pieces with their own allowances ignore the fields. */
 function ownPart({plan, words}: Shown): TemplateResult | typeof nothing {
   const {ownAllowances = 'none'} = plan ?? {};
   if (ownAllowances === 'none') return nothing;
   return html`<p class="soft" role="status">${words.ownAllowances[ownAllowances]}</p>`;
 }
 
-/** Lines alone are all that cutters and plotters take. */
+/** Checkbox for the print; cutters and plotters accept lines only. */
 function inkPart({choices, words, choose}: Shown): TemplateResult | typeof nothing {
   if (choices.file === 'dxf' || choices.file === 'plt') return nothing;
   return html`<label class="inline">

@@ -1,4 +1,4 @@
-/** Lays pieces out and writes cutting files. */
+/** Worker that lays out pieces and writes cutting sheets. */
 import {cutSheet} from '../../cutting/lay-sheet.js';
 import type {CutSheet} from '../../cutting/cut-sheet.js';
 import {cutFile} from '../../paper/cut-file.js';

@@ -1,11 +1,11 @@
-/** Asks how to cut, loaded once somebody wants to. */
+/** Opens the dialog for a cutting sheet; loaded on first use. */
 import type {Workbench} from '../../editor/index.js';
 import {cutTexts} from '../../texts/cut-texts.js';
 import {CutDialog} from './cut-dialog.js';
 
 const tag = 'sw-cut-dialog';
 
-/** @param save gets the file, with how its name ends */
+/** @param save receives the file and the ending of its name */
 export async function openCut(
   workbench: Workbench,
   root: HTMLElement | DocumentFragment,

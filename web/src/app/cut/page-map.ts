@@ -1,4 +1,4 @@
-/** A small picture of how pages and pieces lie, before a file is made. */
+/** Preview of the layout of pages and pieces, before a file is made. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
@@ -8,7 +8,7 @@ const short = (value: number): string => String(Number(value.toFixed(1)));
 const line = (points: readonly Point[]): string =>
   `M${points.map(([x, y]) => `${short(x)} ${short(-y)}`).join('L')}Z`;
 
-/** Around all pages. [share of the longer side] */
+/** Margin around all pages. [share of the longer side] */
 const rim = 0.01;
 
 export function pageMap({widthCm, heightCm, outlines, pages}: CutPlan, label: string) {
@@ -30,7 +30,7 @@ export function pageMap({widthCm, heightCm, outlines, pages}: CutPlan, label: st
   </svg>`;
 }
 
-/** In the page's upper left corner, where pages are numbered on paper, too. */
+/** Page name in the upper left corner, at the same place as on paper. */
 function nameOn({name, low, high}: NonNullable<CutPlan['pages']>['boxes'][number]): TemplateResult {
   const size = 0.22 * Math.min(high[0] - low[0], high[1] - low[1]);
   return svg`<text x=${short(low[0] + size / 2)} y=${short(-high[1] + 1.2 * size)}

@@ -1,4 +1,4 @@
-/** What is chosen of a drawing, and how large it is then. */
+/** Choices for a drawing, and the sizes that result. */
 import type {PieceChoice} from '../../formats/to-garment.js';
 import {unitsInMetre, type FileUnit} from '../../model/garment-document.js';
 import type {ShownDrawing} from './reading.js';
@@ -7,7 +7,7 @@ export type {PieceChoice} from '../../formats/to-garment.js';
 
 export const cmOf = (unit: FileUnit): number => 100 / unitsInMetre[unit];
 
-/** Of another size of a drawing, what was chosen before of the pieces of these names. */
+/** Returns the choices for another size of a drawing; pieces with the same names keep theirs. */
 export function chosenAlso(
   {drawing, first}: ShownDrawing,
   before: ShownDrawing,
@@ -17,6 +17,6 @@ export function chosenAlso(
   return first.pieces.map((choice, k) => known.get(drawing.pieces[k]?.name ?? '') ?? choice);
 }
 
-/** The longer side of the largest piece. [cm] */
+/** Returns the longer side of the largest piece. [cm] */
 export const largestOf = ({shapes}: Pick<ShownDrawing, 'shapes'>, unit: FileUnit): number =>
   cmOf(unit) * shapes.reduce((most, {box}) => Math.max(most, box[2], box[3]), 0);

@@ -1,4 +1,4 @@
-/** Reads drawings of other programs, and makes garments of them. */
+/** Worker that reads drawings of other programs and converts them to garments. */
 import {readDrawing} from '../../formats/read-drawing.js';
 import {useOfSvg} from '../../formats/svg/read-svg.js';
 import {defaultChoices, garmentOf} from '../../formats/to-garment.js';

@@ -1,4 +1,4 @@
-/** What a drawing of another program holds, and what is to become of it: shown before anything is opened. */
+/** Import dialog: the contents of another program's drawing, and choices before it is opened. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {controls, WorkbenchElement, icon} from '../../editor/index.js';
@@ -15,7 +15,10 @@ import {unitChoice} from './unit-choice.js';
 
 export type FileUse = 'drawing' | 'print';
 
-/** Opens the garment that was chosen. @throws {Error} with one sentence: the sheet stays, and says it */
+/**
+ * Opens the chosen garment.
+ * @throws {Error} a message of one sentence, which the open dialog shows
+ */
 type Opener = (text: string, signal: AbortSignal) => Promise<void>;
 
 export class ImportSheet extends WorkbenchElement {
@@ -30,10 +33,10 @@ export class ImportSheet extends WorkbenchElement {
     trouble: {state: true},
   };
   static override styles = [controls, sheetDialog, importStyle];
-  /** Of the user's language. */
+  /** Texts in the user's language. */
   declare words: ImportTexts;
   declare protected file: File | undefined;
-  /** Undefined while it is asked what the file is. */
+  /** Undefined while the dialog offers the possible uses of the file. */
   declare protected shown: ShownDrawing | undefined;
   declare protected unit: FileUnit;
   declare protected choices: readonly PieceChoice[];
@@ -50,7 +53,7 @@ export class ImportSheet extends WorkbenchElement {
     this.isOuterSewn = this.isBusy = false;
   }
 
-  /** Whether an SVG that may be either is a pattern or a print. @returns undefined for neither */
+  /** Offers to open an ambiguous SVG as a pattern or as a print. @returns undefined for neither */
   async askUse(file: File): Promise<FileUse | undefined> {
     this.#end();
     this.file = file;
@@ -61,7 +64,7 @@ export class ImportSheet extends WorkbenchElement {
     });
   }
 
-  /** Shows what a drawing holds; closed by whoever does not want it. */
+  /** Shows the contents of a drawing; the user may close the dialog. */
   async offer(file: File, shown: ShownDrawing, opener: Opener): Promise<void> {
     this.#end();
     this.file = file;
@@ -83,7 +86,7 @@ export class ImportSheet extends WorkbenchElement {
         this.#end();
       }}
       @keydown=${(event: Event) => {
-        event.stopPropagation(); // letters are keys of the page elsewhere
+        event.stopPropagation(); // outside of the dialog, letters are keyboard shortcuts
       }}
     >
       <header>
@@ -144,7 +147,7 @@ export class ImportSheet extends WorkbenchElement {
       ${this.#foot()}`;
   }
 
-  /** Only where both are drawn there is something to choose. */
+  /** Needed only if a piece has both a cutting and a sewing line. */
   #lines({drawing}: ShownDrawing): TemplateResult | typeof nothing {
     if (!drawing.pieces.some(({cut}) => cut)) return nothing;
     const {words} = this;
@@ -221,7 +224,7 @@ export class ImportSheet extends WorkbenchElement {
     this.#close();
   };
 
-  /** What goes wrong leaves all that was chosen as it is. */
+  /** Runs a task; an error keeps all choices. */
   async #busy(work: (signal: AbortSignal) => Promise<void>): Promise<void> {
     const {signal} = this.#life;
     this.isBusy = true;
@@ -247,7 +250,7 @@ export class ImportSheet extends WorkbenchElement {
     this.renderRoot.querySelector('dialog')?.close();
   };
 
-  /** Whatever is under way for a file is for nothing. */
+  /** Cancels the work on the current file. */
   #end(): void {
     this.#life.abort();
     this.#life = new AbortController();

@@ -1,4 +1,4 @@
-/** Opens a drawing of another program by way of what its user chooses of it. */
+/** Opens a drawing of another program with the choices of the user. */
 import {spokenFailure, textsOf, toFailure, type Workbench} from '../../editor/index.js';
 import {drawingName, shortened} from '../../model/project-name.js';
 import {importTexts} from '../../texts/import-texts.js';
@@ -6,18 +6,18 @@ import {WorkerComplaint} from '../worker/ask.js';
 import {ImportSheet, type FileUse} from './import-sheet.js';
 import {drawingIn, type ShownDrawing} from './reading.js';
 
-/** Where a drawing is opened. */
+/** Target of an opened drawing. */
 export interface DrawingPlace {
   readonly workbench: Workbench;
-  /** Where dialogs go. */
+  /** Container of dialogs. */
   readonly root: HTMLElement | DocumentFragment;
 }
 
 const tag = 'sw-import-sheet';
-/** Who waits longer for a file is told that it is being read. [ms] */
+/** Delay before a notice about reading appears. [ms] */
 const patience = 400;
 
-/** The one sheet of a page, with words for its user. */
+/** Returns the page's only import dialog, with texts in the user's language. */
 async function sheetIn({root, workbench}: DrawingPlace): Promise<ImportSheet> {
   if (!customElements.get(tag)) customElements.define(tag, ImportSheet);
   const words = await importTexts(workbench.preferences.language);
@@ -29,11 +29,11 @@ async function sheetIn({root, workbench}: DrawingPlace): Promise<ImportSheet> {
 
 export {svgUse} from './reading.js';
 
-/** Asks what an SVG is that may be a pattern or a print; undefined for neither. */
+/** Offers the uses of an SVG that may be a pattern or a print; undefined for neither. */
 export const askUse = async (file: File, place: DrawingPlace): Promise<FileUse | undefined> =>
   (await sheetIn(place)).askUse(file);
 
-/** Says so when reading takes long. @returns what ends that */
+/** Shows a notice if reading takes long. @returns a function that removes it */
 function sayReading(workbench: Workbench, text: string, cancel: () => void): () => void {
   const {app} = textsOf(workbench.preferences.language);
   const notice = {tone: 'info', text, action: {label: app.cancel, act: cancel}} as const;
@@ -46,16 +46,16 @@ function sayReading(workbench: Workbench, text: string, cancel: () => void): () 
   };
 }
 
-/** The file's own title, else its name. */
+/** Returns the drawing's title, or else the file's name. */
 function titleOf({drawing}: ShownDrawing, file: File): string {
   const title = drawing.title?.trim() ?? '';
   return shortened(title === '' ? drawingName(file.name) : title);
 }
 
 /**
- * Shows what a drawing holds. Once it is opened there, it is a project of its own.
- * @param life ended by whoever does not want to wait
- * @throws {Error} with one sentence for what cannot be read
+ * Shows the contents of a drawing in the import dialog, which opens it as a separate project.
+ * @param life aborted if the user cancels
+ * @throws {Error} if the file cannot be read; the message is one sentence
  */
 export async function openDrawing(
   file: File,
@@ -88,7 +88,7 @@ async function open(
   signal: AbortSignal,
 ): Promise<void> {
   try {
-    await workbench.documentOf(garment); // what is wrong with it, before anything has changed
+    await workbench.documentOf(garment); // reports errors before anything changes
     signal.throwIfAborted();
     await workbench.open(garment);
   } catch (error) {

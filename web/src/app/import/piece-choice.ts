@@ -1,4 +1,4 @@
-/** The pieces of a drawing at one scale: which of them to take, and how often each is cut. */
+/** The pieces of a drawing at one scale, with choices: import or not, and number of cuts. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {FileUnit} from '../../model/garment-document.js';
@@ -10,14 +10,14 @@ import {cmOf, largestOf, type PieceChoice} from './choices.js';
 import type {PieceShape} from './piece-shape.js';
 import type {ShownDrawing} from './reading.js';
 
-/** What the largest piece takes where there are few, and where there are many. [px] */
+/** Size of the largest piece, for few and for many pieces. [px] */
 const [roomy, dense] = [230, 150];
 const many = 9;
-/** As in the style. [CSS px] */
+/** Same width as in the style. [CSS px] */
 const narrow = 768;
-/** So that lines are not cut off. [px] */
+/** Margin that keeps lines from being clipped. [px] */
 const rim = 2;
-/** What a ruler is as long as. [cm] */
+/** Lengths of the ruler. [cm] */
 const rulers = {cm: 20, inch: 8 * 2.54} as const;
 
 export interface ShownChoices {
@@ -117,7 +117,7 @@ function pieceCard(of: ShownChoices, shape: PieceShape, k: number, scale: number
   </li>`;
 }
 
-/** As long as it would be beside the pieces. */
+/** Draws a ruler at the scale of the pieces. */
 export function ruler({shown, unit, units, words, format}: ShownChoices): TemplateResult {
   const cm = rulers[units];
   const length = (cm / cmOf(unit)) * scaleOf(shown);

@@ -1,18 +1,18 @@
-/** What an import sheet shows of a drawn piece: its lines as SVG paths, y down, and how large it is. Lengths in the file's unit. */
+/** Lines of a drawn piece as SVG paths, y down, and its size. Lengths in the file's unit. */
 import type {DrawnPiece, Run} from '../../model/drawing.js';
 import type {Point} from '../../model/geometry.js';
 
 export interface PieceShape {
-  /** Upper left corner, width and height, as a `viewBox` has them. */
+  /** Upper left corner, width and height, as in a `viewBox`. */
   readonly box: readonly [left: number, top: number, width: number, height: number];
   readonly sewn: string;
   readonly cut: string;
-  /** Grain, lines drawn on the piece. */
+  /** Grain, and lines drawn on the piece. */
   readonly marks: string;
   readonly fold: string;
 }
 
-/** Steps that a curve is measured in. */
+/** Number of steps for measuring a curve. */
 const steps = 8;
 
 /** Six digits: a hundredth of a millimetre of a piece of ten metres. */

@@ -1,22 +1,22 @@
-/** What is asked of the worker that reads drawings. */
+/** Requests to the worker that reads drawings. */
 import type {Choices, DefaultChoices} from '../../formats/to-garment.js';
 import type {SvgUse} from '../../formats/svg/read-svg.js';
 import type {Drawing} from '../../model/drawing.js';
 import {ask} from '../worker/ask.js';
 import type {PieceShape} from './piece-shape.js';
 
-/** A drawing with what its pieces look like, one for each, and what is chosen of it at first. */
+/** A drawing with the shapes of its pieces, one for each, and the initial choices. */
 export interface ShownDrawing {
   readonly drawing: Drawing;
   readonly shapes: readonly PieceShape[];
   readonly first: DefaultChoices;
 }
 
-/** What is made of a drawing. */
+/** Conversion of a drawing to a garment. */
 export interface Making {
   readonly drawing: Drawing;
   readonly choices: Choices;
-  /** Where both are drawn, the outer line is sewn and not the inner one. */
+  /** Sews the outer line instead of the inner one if both are drawn. */
   readonly isOuterSewn: boolean;
 }
 
@@ -32,14 +32,17 @@ const asked = <Answer>(question: Question, signal: AbortSignal): Promise<Answer>
     signal,
   );
 
-/** What an SVG may be. */
+/** Returns the possible uses of an SVG. */
 export const svgUse = (file: File, signal: AbortSignal): Promise<SvgUse> =>
   asked({kind: 'use', file}, signal);
 
-/** @throws {WorkerComplaint} with one sentence for what cannot be read; the signal's reason when it fires */
+/**
+ * @throws {WorkerComplaint} a message of one sentence if the file cannot be read; the signal's
+ * reason when it fires
+ */
 export const drawingIn = (file: File, signal: AbortSignal, size?: string): Promise<ShownDrawing> =>
   asked({kind: 'drawing', file, size}, signal);
 
-/** The text of the garment's file. @throws as `drawingIn` */
+/** Returns the text of the garment's file. @throws the errors of `drawingIn` */
 export const garmentFrom = (making: Making, signal: AbortSignal): Promise<string> =>
   asked({kind: 'garment', ...making}, signal);

@@ -1,10 +1,10 @@
-/** Which size of a drawing that holds several. */
+/** Choice of a size, for a drawing with several. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Drawing} from '../../model/drawing.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 
-/** @param isWaiting for another size, which is being read */
+/** @param isWaiting true while another size is being read */
 export function sizeChoice(
   {sizes, sampleSize, size = sampleSize}: Drawing,
   isWaiting: boolean,

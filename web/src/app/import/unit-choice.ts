@@ -1,4 +1,4 @@
-/** In what unit a drawing is, with the size that its largest piece has in each. */
+/** Choice of a drawing's unit, with the size of its largest piece in each. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {unitsInMetre, type FileUnit} from '../../model/garment-document.js';

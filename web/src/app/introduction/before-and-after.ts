@@ -1,14 +1,14 @@
-/** What Seamwise does, shown once: the garment as drafted, then how it becomes its answer. */
+/** Introduction that is shown once: the garment as drafted, then its transition to the answer. */
 import type {PatternPane, Workbench} from '../../editor/index.js';
 
-/** The draft is looked at for as long, and then on its way. [ms] */
+/** Durations of the draft and of the transition. [ms] */
 const look = 1100;
 const way = 700;
 
-/** Whatever somebody does shows the answer at once. */
+/** Any input shows the answer at once. */
 const inputs = ['pointerdown', 'keydown', 'wheel', 'touchstart', 'dragenter', 'paste'] as const;
 
-/** Begins with the first drawing of a garment, which has been asked for and is not drawn yet. */
+/** Starts with a garment's first drawing, which has been requested but is not there yet. */
 export function showBeforeAndAfter(workbench: Workbench, pattern: PatternPane): void {
   if (document.hidden || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   const life = new AbortController();

@@ -1,6 +1,6 @@
 /**
- * Three short hints for somebody who is new here, one at a time. Sends `given` with one that is dismissed or followed
- * as its detail: it is gone for good.
+ * Three short hints for a new user, one at a time. Sends `given` with a dismissed or followed hint
+ * as its detail; it never appears again.
  */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
@@ -13,9 +13,9 @@ export class Hints extends WorkbenchElement {
     editor: {attribute: false},
     left: {attribute: false},
   };
-  /** Null before it is drawn. */
+  /** Returns null before the editor is drawn. */
   declare editor: () => Editor | null;
-  /** Those that are still to be given. */
+  /** Hints that are still to be shown. */
   declare left: readonly Hint[];
 
   static override styles = [
@@ -65,11 +65,11 @@ export class Hints extends WorkbenchElement {
     `,
   ];
 
-  /** There has been an answer to do something with. */
+  /** The first answer has arrived. */
   #isReady = false;
   #print: string | undefined;
   readonly #look = (): void => {
-    // what a press or a key does is done when all have heard of it
+    // runs after all listeners, once the press or key has taken effect
     setTimeout(() => {
       if (this.editor()?.pattern?.split !== undefined) this.#done('compare');
     });
@@ -85,7 +85,7 @@ export class Hints extends WorkbenchElement {
     for (const type of ['click', 'keydown']) removeEventListener(type, this.#look, true);
   }
 
-  /** What somebody does needs no hint. */
+  /** Drops the hints that the user has already followed. */
   protected override updated(): void {
     const {design, selected} = this.workbench;
     const print = design && `${design.print.title} ${design.print.image}`;
@@ -117,7 +117,7 @@ export class Hints extends WorkbenchElement {
         title=${app.dismiss}
         @click=${() => {
           this.#done(hint);
-          if (this.left.length === 1) this.editor()?.toPattern(); // this button goes
+          if (this.left.length === 1) this.editor()?.toPattern(); // the focused button disappears
         }}
       >
         ${icon.close}

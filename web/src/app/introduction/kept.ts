@@ -1,10 +1,12 @@
-/** Which hints somebody who is new here has still to be given; kept by the browser. */
+/** Hints that a new user has not seen yet, stored by the browser. */
 const key = 'seamwise.introduction';
 
 export const hints = ['print', 'compare', 'seam'] as const;
 export type Hint = (typeof hints)[number];
 
-/** Nothing where nobody has been here yet. Where nothing can be kept, none: they would come back each time. */
+/**
+ * Returns undefined on a first visit. Without storage there are none: they would return each time.
+ */
 export function hintsLeft(): readonly Hint[] | undefined {
   try {
     const kept = localStorage.getItem(key);
@@ -14,7 +16,7 @@ export function hintsLeft(): readonly Hint[] | undefined {
   }
 }
 
-/** @returns whether the browser keeps it */
+/** @returns true if the browser stores them */
 export function keepHints(left: readonly Hint[]): boolean {
   try {
     localStorage.setItem(key, left.join(' '));

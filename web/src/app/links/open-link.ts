@@ -1,4 +1,4 @@
-/** Opens the project that an address carries. Nothing in it is trusted. */
+/** Opens the project in a link. Nothing in it is trusted. */
 import type {Design, DesignPrint} from '../../model/design.js';
 import {LinkError, readLink, type LinkedGarment, type LinkedPrint} from '../../model/link.js';
 import {
@@ -13,9 +13,9 @@ import type {Projects} from '../projects/projects.js';
 import {loaded} from './pictures.js';
 
 /**
- * Opens what a fragment carries as a project of its own. What cannot be opened leaves everything as it is.
- * @returns false when it carries nothing
- * @throws {Error} with one sentence when it cannot be opened
+ * Opens the contents of a fragment as a separate project. An error changes nothing.
+ * @returns false if the fragment contains no project
+ * @throws {Error} if it cannot be opened; the message is one sentence
  */
 export async function openLink(
   fragment: string,

@@ -1,9 +1,9 @@
-/** Pictures of prints that come and go in links. */
+/** Images of prints in links. */
 
-/** No print needs more; what unfolds to more is none. [px] */
+/** Longest side of an image; no print needs more, and larger ones are rejected. [px] */
 const mostPixels = 8192;
 
-/** @throws {Error} for what is no picture, or too large a one */
+/** @throws {Error} if the URL is no image, or the image is too large */
 export async function loaded(url: string): Promise<HTMLImageElement> {
   const image = new Image();
   image.src = url;
@@ -13,7 +13,10 @@ export async function loaded(url: string): Promise<HTMLImageElement> {
   return image;
 }
 
-/** The same picture in fewer pixels, if it has any. @returns a `data:` URL, undefined when it is as small already */
+/**
+ * Returns the same image with fewer pixels, if it has any.
+ * @returns a `data:` URL; undefined if it would not be smaller
+ */
 export async function smaller(url: string, side: number): Promise<string | undefined> {
   if (url.startsWith('data:image/svg')) return undefined;
   const image = await loaded(url);
@@ -24,7 +27,7 @@ export async function smaller(url: string, side: number): Promise<string | undef
   canvas.height = Math.max(1, Math.round(naturalHeight * scale));
   const context = canvas.getContext('2d');
   if (!context) return undefined;
-  // a JPEG has no holes: what was bare is the white of the cloth
+  // a JPEG has no transparency: transparent parts become white like the fabric
   context.fillStyle = '#fff';
   context.fillRect(0, 0, canvas.width, canvas.height);
   context.drawImage(image, 0, 0, canvas.width, canvas.height);

@@ -1,13 +1,13 @@
-/** A link to the present project, for the clipboard. */
+/** Copies a link to the current project to the clipboard. */
 import type {Design} from '../../model/design.js';
 import {linkOf, longestLink} from '../../model/link.js';
 import {textsOf, type Workbench} from '../../editor/index.js';
 import type {Projects} from '../projects/projects.js';
 import {smaller} from './pictures.js';
 
-/** Mail programs and chats are known to cut longer ones. [characters] */
+/** Length from which mail programs and chats may truncate a link. [characters] */
 const safeLength = 2000;
-/** A picture that makes a link too long is tried with fewer pixels along its longer side. [px] */
+/** Longer sides that are tried for the image of a link that is too long. [px] */
 const sides = [1024, 512, 256];
 
 interface Link {
@@ -31,7 +31,7 @@ async function shortest(design: Design, title: string | undefined): Promise<Link
   return {text, hasSmallerPicture};
 }
 
-/** Says how long it is; what is too long to travel is refused. */
+/** Copies the link and reports its length; rejects one that is too long. */
 export async function copyLink(workbench: Workbench, projects: Projects): Promise<void> {
   const {design} = workbench;
   if (!design) return;

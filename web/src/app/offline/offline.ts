@@ -1,13 +1,13 @@
-/** The page without a network, and newer versions of it. */
+/** Offline use of the page, and notices about new versions. */
 import {trustedScript} from '../../model/trusted.js';
 import {textsOf, type Workbench} from '../../editor/index.js';
 
-/** The first picture is not to wait for what is kept for later. [ms] */
+/** Delay that keeps caching from slowing down the first drawing. [ms] */
 const patience = 3000;
-/** Between two looks for a new version. [ms] */
+/** Time between two checks for a new version. [ms] */
 const hour = 3_600_000;
 
-/** Has the browser keep the page, where it can and may. */
+/** Caches the page in the browser, if it is supported and allowed. */
 export function workOffline(workbench: Workbench): void {
   if (!('serviceWorker' in navigator)) return;
   setTimeout(() => void keep(workbench), patience);
@@ -22,7 +22,7 @@ async function keep(workbench: Workbench): Promise<void> {
       trustedScript(new URL('service-worker.js', document.baseURI).href),
     );
   } catch {
-    return; // the host serves none, or the browser forbids it: the page needs none
+    return; // the host has no service worker, or the browser forbids it; the page works without
   }
   const registration = await serviceWorker.ready;
   registration.addEventListener('updatefound', () => {
@@ -31,10 +31,10 @@ async function keep(workbench: Workbench): Promise<void> {
       if (installing.state === 'activated') void tell(workbench);
     });
   });
-  setInterval(() => void registration.update().catch(() => undefined), hour); // or there is no network
+  setInterval(() => void registration.update().catch(() => undefined), hour); // fails offline
 }
 
-/** What was loaded before the worker was there is asked for again, to be kept. */
+/** Requests files again that were loaded before the worker, so that it caches them. */
 function again(): void {
   const loaded = performance.getEntriesByType('resource').map(({name}) => name);
   for (const url of new Set(loaded)) {
@@ -43,7 +43,7 @@ function again(): void {
   }
 }
 
-/** A page that was loaded just now may be the new version itself. */
+/** Reports a new version, unless the page itself is it already. */
 async function tell(workbench: Workbench): Promise<void> {
   const script = document.querySelector('script[type="module"][src]')?.getAttribute('src');
   const newest = await fetch(document.baseURI, {cache: 'no-store'})

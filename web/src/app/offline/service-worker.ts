@@ -1,16 +1,16 @@
 /**
- * Lets the page work without a network once it was there. A script of its own, of which nothing is imported: what
- * it keeps from the start is put before it when the page is built.
+ * Lets the page work offline after its first visit. A separate script without imports: the build
+ * prepends the list of files to cache.
  */
 
-/** The part of a service worker that is needed here; the types of pages know none. */
+/** The used part of a service worker's scope, which the page's types lack. */
 interface WorkerScope {
   addEventListener(type: 'install' | 'activate', listener: (event: Lasting) => void): void;
   addEventListener(type: 'fetch', listener: (event: Fetching) => void): void;
   skipWaiting(): Promise<void>;
   readonly clients: {claim(): Promise<void>};
   readonly location: Location;
-  /** The files of this version of the page, relative to this script, and what tells it from others. */
+  /** Files of this version of the page, relative to this script, and the version's identifier. */
   readonly seamwiseFiles: readonly string[];
   readonly seamwiseVersion: string;
 }
@@ -25,13 +25,13 @@ interface Fetching extends Lasting {
 const scope = globalThis as unknown as WorkerScope;
 const prefix = 'seamwise-page-';
 const own = `${prefix}${scope.seamwiseVersion}`;
-/** Garments and prints that were shown; shared by all versions. */
+/** Cache of opened garments and prints, shared by all versions. */
 const samples = 'seamwise-samples';
-/** Pages that are still open may load parts of the version before. */
+/** Number of cached versions: open pages may load parts of the previous one. */
 const keptVersions = 2;
 
 const here = new URL('./', scope.location.href);
-/** Files whose name changes with their content. */
+/** Returns whether a file's name changes with its content. */
 const isHashed = ({pathname}: URL): boolean => pathname.startsWith(`${here.pathname}assets/`);
 const isSample = ({pathname}: URL): boolean =>
   ['garments/', 'prints/'].some((folder) => pathname.startsWith(here.pathname + folder));
@@ -71,14 +71,14 @@ scope.addEventListener('fetch', (event) => {
   else if (url.pathname.startsWith(here.pathname)) event.respondWith(newest(request));
 });
 
-/** Files are the same whoever asks for them, whatever a host says. */
+/** Ignores `Vary` headers: the files do not depend on the request. */
 const alike = {ignoreVary: true};
 
 async function keptFirst(request: Request): Promise<Response> {
   return (await caches.match(request, alike)) ?? fetch(request);
 }
 
-/** A new version arrives where there is a network. */
+/** Prefers the network, so that new versions arrive. */
 async function newest(request: Request): Promise<Response> {
   try {
     return await fetch(request);

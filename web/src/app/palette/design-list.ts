@@ -1,4 +1,4 @@
-/** Commands that change the design: steps, how it is solved and cut, its garment and its print. */
+/** Commands that change the design: undo and redo, solver settings, garment and print. */
 import {
   canAlign,
   solveSettingsOf,
@@ -90,7 +90,10 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
   return list;
 }
 
-/** A print that the symmetries do not allow says so. */
+/**
+ * Returns the print commands; prints that the symmetries do not allow are unavailable, with the
+ * reason.
+ */
 export function printCommands({workbench, texts, samples}: PageParts): readonly Command[] {
   const {design} = workbench;
   if (!design || !samples) return [];

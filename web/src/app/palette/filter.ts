@@ -1,7 +1,7 @@
-/** Which commands somebody means by a few words. */
+/** Searches commands by a few words. */
 import type {Command} from '../../editor/index.js';
 
-/** As it is compared: without capitals and diacritics. */
+/** Folds a text for comparison: no capitals and no diacritics. */
 export const folded = (text: string): string =>
   text
     .normalize('NFD')
@@ -16,7 +16,10 @@ const wordsIn = (text: string): readonly string[] =>
     .split(/[^\p{L}\p{N}]+/u)
     .filter((word) => word !== '');
 
-/** How well all words fit, 0 best; undefined when one does not occur. What cannot be done now comes after what can. */
+/**
+ * Returns the rank of a command, 0 best; undefined if a word does not occur. Unavailable commands
+ * come after available ones.
+ */
 function rank({title, words = '', why}: Command, wanted: readonly string[]): number | undefined {
   const named = wordsIn(title);
   const called = wordsIn(words);
@@ -30,7 +33,10 @@ function rank({title, words = '', why}: Command, wanted: readonly string[]): num
   return worst + (why === undefined ? 0 : 3);
 }
 
-/** Those in which every word that was typed occurs, whole or in part; nearest first, else in their own order. */
+/**
+ * Returns the commands that contain all typed words, whole or in part, the best first, otherwise in
+ * their own order.
+ */
 export function matching(commands: readonly Command[], typed: string): readonly Command[] {
   const wanted = wordsIn(typed);
   if (wanted.length === 0) return commands;

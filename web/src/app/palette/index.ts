@@ -1,4 +1,4 @@
-/** The list of commands, loaded when it is opened for the first time. */
+/** The command palette, loaded when it is first opened. */
 import type {Workbench} from '../../editor/index.js';
 import {allCommands} from './page-list.js';
 import type {PageParts} from './page-parts.js';
@@ -6,7 +6,7 @@ import {CommandPalette} from './palette.js';
 
 const name = 'sw-commands';
 
-/** Opens the list in a page, or closes it. @param parts undefined while there is nothing to be done */
+/** Opens or closes the palette of a page. @param parts undefined while no command is available */
 export async function toggleCommands(
   workbench: Workbench,
   root: HTMLElement | DocumentFragment,

@@ -18,7 +18,7 @@ export const allCommands = (parts: PageParts): readonly Command[] => [
   ...settingCommands(parts),
 ];
 
-/** What there is to take away of the view beside the pattern, while there is one. */
+/** Commands that save files of the view beside the pattern, if there is one. */
 function savesOfView({workbench, texts, editor, saves}: PageParts): readonly Command[] {
   const view = editor.worn ?? editor.cloth;
   if (!view) return [];

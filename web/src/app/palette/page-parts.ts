@@ -10,7 +10,7 @@ import type {
 } from '../../editor/index.js';
 import {keyOf, titleOf} from '../../editor/index.js';
 
-/** What commands are about, and who carries them out. */
+/** Parts of the page that commands use. */
 export interface PageParts {
   readonly workbench: Workbench;
   readonly texts: Texts;
@@ -31,7 +31,7 @@ export interface PageParts {
   readonly showProjects: () => void;
 }
 
-/** A command with a key of its own. */
+/** Returns a command with a keyboard shortcut. */
 export const withKey = (
   texts: Texts,
   id: ShortcutId,

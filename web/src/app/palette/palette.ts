@@ -1,11 +1,11 @@
-/** Every command by its name: a field to look for it, and a list to choose from. */
+/** Command palette: a search field, and a list to choose from. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {controls, WorkbenchElement, focused, type Command} from '../../editor/index.js';
 import {matching} from './filter.js';
 import {paletteStyle} from './palette-style.js';
 
-/** Rows that PageUp and PageDown jump over. */
+/** Number of rows for PageUp and PageDown. */
 const page = 8;
 
 export class CommandPalette extends WorkbenchElement {
@@ -17,13 +17,13 @@ export class CommandPalette extends WorkbenchElement {
     isOpen: {state: true},
   };
   static override styles = [controls, paletteStyle];
-  /** What there is to be done just now. */
+  /** Returns the currently available commands. */
   declare commands: () => readonly Command[];
   declare protected typed: string;
-  /** The command that Enter would carry out, by its id; the first unless another is chosen. */
+  /** Command for Enter, by its id; the first unless another is selected. */
   declare protected active: string | undefined;
   declare protected isOpen: boolean;
-  /** Had the focus before; browsers forget it when it is in a shadow. */
+  /** Previously focused element; browsers forget it inside a shadow root. */
   #before: Element | null = null;
   #shown: readonly Command[] = [];
 
@@ -34,7 +34,7 @@ export class CommandPalette extends WorkbenchElement {
     this.isOpen = false;
   }
 
-  /** Opens it, or closes it again. */
+  /** Opens or closes the palette. */
   async toggle(): Promise<void> {
     if (this.isOpen) {
       this.#dialog?.close();
@@ -62,7 +62,7 @@ export class CommandPalette extends WorkbenchElement {
       aria-label=${commands.title}
       @close=${this.#closed}
       @click=${(event: Event) => {
-        // beside the dialog is its backdrop
+        // a click on the dialog element itself hits its backdrop
         if (event.target === event.currentTarget) this.#dialog?.close();
       }}
     >
@@ -169,7 +169,7 @@ export class CommandPalette extends WorkbenchElement {
     run();
   }
 
-  /** Where the focus was, it is again; what is carried out then may take it elsewhere. */
+  /** Restores the focus; the command may move it afterwards. */
   #giveBack(): void {
     const before = this.#before;
     this.#before = null;

@@ -1,4 +1,4 @@
-/** Commands about the pattern: its tools, its pieces and seams, and how it is shown. */
+/** Commands for the pattern: tools, pieces, seams and views. */
 import {
   editorViews,
   patternCommands,
@@ -46,7 +46,7 @@ export function toolCommands({workbench, texts, editor}: PageParts): readonly Co
   return [...list, accept];
 }
 
-/** The views that are not shown, and what can be asked of those that are. */
+/** Returns commands that open hidden views, and the commands of visible ones. */
 export const viewCommands = (parts: PageParts): readonly Command[] => {
   const {texts, editor} = parts;
   const words = texts.pattern.views;
@@ -88,7 +88,7 @@ function patternViews({workbench, texts, editor: {pattern}}: PageParts): readonl
   ];
 }
 
-/** What is done to a piece, by its name. */
+/** Returns the commands for each piece and seam by name. */
 export function pieceCommands({workbench, texts, editor}: PageParts): readonly Command[] {
   const {pattern} = editor;
   const {commands, remedies, keep, lists, symmetry} = texts;

@@ -1,4 +1,4 @@
-/** A project while a tab works on it: saved at a pace as it changes. */
+/** The open project of a tab; saves its changes at a limited rate. */
 import type {Design} from '../../model/design.js';
 import {mapped, type History} from '../../model/history.js';
 import {nameOf} from '../../model/project-name.js';
@@ -7,27 +7,27 @@ import {heldOf, written, type Written} from '../../model/written-design.js';
 import type {Step} from '../../editor/index.js';
 import type {Autosave} from '../storage/autosave.js';
 
-/** Of the history as it is stored; another form is not read. */
+/** Version of the stored history; others are not read. */
 const version = 1;
-/** Between one save and the next, as under a drag. [ms] */
+/** Least time between two saves, for example during a drag. [ms] */
 const pace = 400;
-/** Names this tab's project for as long as the tab lives. */
+/** Session key of this tab's project. */
 export const tabKey = 'seamwise.project';
 
 /**
- * `given`: what the page shows by itself or by its address, and would show again; `sample`: chosen, to be had
- * again at any time; `own`: anything else.
+ * `given`: shown by default or by the URL, and reproducible; `sample`: chosen from the samples, and
+ * reproducible; `own`: anything else.
  */
 type Origin = 'given' | 'sample' | 'own';
 
-/** What is known of a project before its history is there. */
+/** Properties of a project that are known before its history. */
 export interface Announced {
   readonly id?: string;
   readonly title?: string;
   readonly origin?: Origin;
-  /** It was taken from the list, or for one that was. */
+  /** The user opened it from the list, or it replaces a project of the list. */
   readonly isListed?: boolean;
-  /** The browser keeps this history already. */
+  /** The browser has stored this history already. */
   readonly isKept?: boolean;
 }
 
@@ -42,7 +42,7 @@ interface KeptStep extends Omit<Step, 'design'> {
 
 const isKept = (state: unknown): state is Kept => fieldOf(state, 'version') === version;
 
-/** Undefined for what no page has kept, or one that is newer than this. */
+/** Returns undefined for other data, or a history of another version. */
 export const historyIn = (state: unknown): History<Step> | undefined =>
   isKept(state)
     ? mapped(state.history, ({design, ...step}): Step => ({...step, design: heldOf(design)}))
@@ -53,26 +53,26 @@ export const stateOf = (history: History<Step>): Kept => ({
   history: mapped(history, ({design, ...step}): KeptStep => ({...step, design: written(design)})),
 });
 
-/** Whether anybody has done anything. */
+/** Returns whether the user has changed the project. */
 const isTouched = ({past, future}: History<Step>): boolean => past.length + future.length > 0;
 
 export class OpenProject {
-  /** What its owner calls it. */
+  /** Title given by the user. */
   title: string | undefined;
-  /** Its picture, once there is one. */
+  /** Preview image, once there is one. */
   thumbnail: Blob | undefined;
   readonly #autosave: Autosave;
   readonly #origin: Origin;
   #id: string;
   #history: History<Step>;
-  /** Once it is settled that this tab works on it; nobody asks before there is something to keep. */
+  /** Resolves once this tab has claimed the project; it starts with the first save. */
   #claimed: Promise<void> | undefined;
-  /** What is in the database, or on its way there. */
+  /** History in the database, or being written to it. */
   #saved: History<Step> | undefined;
-  /** What is in the database. */
+  /** History in the database. */
   #written: History<Step> | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** When it was saved last. */
+  /** Time of the last save. [ms] */
   #moment = -Infinity;
 
   constructor(autosave: Autosave, history: History<Step>, announced: Announced = {}) {
@@ -84,7 +84,7 @@ export class OpenProject {
     this.#origin = origin ?? (history.present.design.garment.sample ? 'sample' : 'own');
     if (isKept) {
       this.#saved = this.#written = history;
-      this.#claimed = Promise.resolve(); // whoever takes one from the list has claimed it
+      this.#claimed = Promise.resolve(); // opening a project from the list has claimed it
     }
     sessionStorage.removeItem(tabKey);
     if (isKept) sessionStorage.setItem(tabKey, id);
@@ -103,17 +103,17 @@ export class OpenProject {
     return this.title ?? nameOf(this.#history.present.design.garment);
   }
 
-  /** Whether it is worth a place in the list. */
+  /** Returns whether the project belongs in the list. */
   get isWorthListing(): boolean {
     return this.#origin === 'own' || this.title !== undefined || isTouched(this.#history);
   }
 
-  /** What a page that is left at once would lose. */
+  /** History that would be lost if the page were left now. */
   get unwritten(): History<Step> | undefined {
     return this.#isWorthKeeping && this.#history !== this.#written ? this.#history : undefined;
   }
 
-  /** What it has become; saved soon. */
+  /** Takes over a changed history; saves it soon. */
   follow(history: History<Step>): void {
     this.#history = history;
     if (!this.#isWorthKeeping || history === this.#saved) return;
@@ -128,7 +128,7 @@ export class OpenProject {
     else await this.flush();
   }
 
-  /** Saves what is not saved yet. */
+  /** Saves unsaved changes. */
   async flush(): Promise<void> {
     clearTimeout(this.#timer);
     this.#timer = undefined;
@@ -137,7 +137,7 @@ export class OpenProject {
     this.#saved = history;
     this.#moment = performance.now();
     await (this.#claimed ??= this.#claim());
-    // once it is there, another tab may rename it
+    // another tab may rename it once it is stored
     const title = this.#written ? undefined : this.title;
     const isKept = await this.#autosave.save(this.#id, {
       name: nameOf(history.present.design.garment),

@@ -1,4 +1,4 @@
-/** All projects of this browser with their pictures: to open, rename, duplicate and delete. */
+/** All projects of this browser with preview images: to open, rename, duplicate and delete. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 import {repeat} from 'lit/directives/repeat.js';
@@ -19,12 +19,12 @@ export class ProjectList extends WorkbenchElement {
   };
   static override styles = [controls, labelled, projectListStyle];
   declare projects: Projects;
-  /** What is shown once the last project is deleted. */
+  /** Returns the design shown after the last project is deleted. */
   declare blank: () => Promise<Design>;
   declare entries: readonly ProjectEntry[];
-  /** Addresses of pictures, by what tells one from another. */
+  /** Object URLs of preview images, by `keyOf`. */
   readonly #pictures = new Map<string, string>();
-  /** What was deleted or brought back just now: it has the focus once it is drawn. */
+  /** Project that was just deleted or restored; it receives the focus once it is drawn. */
   #focusOn: string | undefined;
   #unsubscribe: (() => void) | undefined;
 
@@ -63,7 +63,7 @@ export class ProjectList extends WorkbenchElement {
           this.#closed();
         }}
         @click=${(event: Event) => {
-          // beside the dialog is its backdrop
+          // a click on the dialog element itself hits its backdrop
           if (event.target === event.currentTarget) this.#dialog?.close();
         }}
       >
@@ -181,10 +181,10 @@ export class ProjectList extends WorkbenchElement {
 
   #nameKey(event: KeyboardEvent, name: string): void {
     const input = event.target as HTMLInputElement;
-    event.stopPropagation(); // letters are keys of the page elsewhere
+    event.stopPropagation(); // outside of the dialog, letters are keyboard shortcuts
     if (event.key === 'Enter') input.blur();
     if (event.key !== 'Escape' || input.value === name) return;
-    event.preventDefault(); // the dialog stays
+    event.preventDefault(); // keeps the dialog open
     input.value = name;
   }
 
@@ -226,6 +226,6 @@ export class ProjectList extends WorkbenchElement {
   }
 }
 
-/** What tells one picture from another. */
+/** Returns a key that changes with the preview image. */
 const keyOf = ({id, changed, thumbnail}: ProjectEntry): string =>
   `${id} ${changed} ${thumbnail?.size ?? 0}`;

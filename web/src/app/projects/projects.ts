@@ -1,4 +1,6 @@
-/** The projects of this browser, and the one that this tab works on. Opening another one overwrites none. */
+/**
+ * The projects of this browser, and the one open in this tab. Opening another one overwrites none.
+ */
 import type {Design} from '../../model/design.js';
 import {begun, type History} from '../../model/history.js';
 import {longestName, withoutEnding} from '../../model/project-name.js';
@@ -8,12 +10,12 @@ import {Autosave, type ProjectRecord, type StorageTrouble} from '../storage/auto
 import {stash, unstashed} from '../storage/stash.js';
 import {historyIn, OpenProject, stateOf, tabKey, type Announced} from './open-project.js';
 
-/** A project as it is listed. */
+/** An entry of the list of projects. */
 export interface ProjectEntry extends Pick<ProjectRecord, 'id' | 'changed' | 'thumbnail'> {
   readonly name: string;
-  /** Whether this tab works on it, or another. */
+  /** Open in this tab, or in another. */
   readonly open?: 'here' | 'elsewhere';
-  /** It can still be had back. */
+  /** It can still be restored. */
   readonly isDeleted: boolean;
 }
 
@@ -25,11 +27,11 @@ export class Projects {
   readonly #listeners = new Set<() => void>();
   readonly #troubles = new Set<StorageTrouble>();
   #present: OpenProject | undefined;
-  /** Which of the beginnings of the workbench the present project is. */
+  /** Number of the workbench's beginning that started the current project. */
   #beginning = -1;
   #announced: Announced | undefined;
 
-  /** @param report hears once of each trouble that keeps work from being kept */
+  /** @param report called once for each kind of trouble that prevents saving */
   constructor(workbench: Workbench, report: (trouble: StorageTrouble) => void) {
     this.#workbench = workbench;
     const told = new Set<StorageTrouble>();
@@ -48,13 +50,16 @@ export class Projects {
     });
   }
 
-  /** Calls back whenever the list may be another, or a name. @returns what ends that */
+  /**
+   * Calls `listener` after changes of the list or of a name.
+   * @returns a function that stops this
+   */
   subscribe(listener: () => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
-  /** What the present project is called; empty before there is one. */
+  /** Name of the current project; empty before there is one. */
   get name(): string {
     return this.#present?.name ?? '';
   }
@@ -63,12 +68,12 @@ export class Projects {
     return this.#present;
   }
 
-  /** What the browser did not let the page keep, the worst first. */
+  /** Reason for missing storage, the worst first. */
   get trouble(): StorageTrouble | undefined {
     return (['unavailable', 'full', 'failed'] as const).find((one) => this.#troubles.has(one));
   }
 
-  /** Shows another project; the present one stays in the list as it is. */
+  /** Shows another project; the current one stays in the list unchanged. */
   begin(history: History<Step>, announced: Announced = {}): void {
     this.#announced = announced;
     this.#workbench.begin(history);
@@ -79,8 +84,9 @@ export class Projects {
   }
 
   /**
-   * Shows what this tab showed before it was loaded again, or, in a new one, what was worked on last, unless that is
-   * open elsewhere. @returns whether there is anything
+   * Shows the tab's project from before a reload, or in a new tab the last changed one, unless it
+   * is open elsewhere.
+   * @returns true if there is one
    */
   async resume(): Promise<boolean> {
     const id = sessionStorage.getItem(tabKey);
@@ -89,7 +95,7 @@ export class Projects {
     return last !== undefined && !last.open && !last.isDeleted && this.open(last.id);
   }
 
-  /** Keeps what the page before could not save any more. */
+  /** Saves the changes that the previous page could no longer save. */
   async rescue(): Promise<void> {
     const left = unstashed();
     const history = historyIn(left);
@@ -105,7 +111,7 @@ export class Projects {
     });
   }
 
-  /** Goes on with a project of the list. @returns false when it is not there any more */
+  /** Continues a project of the list. @returns false if it no longer exists */
   async open(id: string): Promise<boolean> {
     if (id === this.#present?.id) return true;
     if (!historyIn((await this.#autosave.load(id))?.state)) return false;
@@ -126,7 +132,7 @@ export class Projects {
     return true;
   }
 
-  /** The one that was changed last comes first; the present one is always among them. */
+  /** Returns the projects, the last changed one first; the current one is always among them. */
   async entries(): Promise<readonly ProjectEntry[]> {
     const present = this.#present;
     const [records, claimed] = await Promise.all([this.#autosave.list(), this.#autosave.claimed()]);
@@ -147,7 +153,7 @@ export class Projects {
     return [{...entry, ...(thumbnail && {thumbnail})}, ...entries];
   }
 
-  /** @param name empty for that of its garment */
+  /** @param name new name; empty for the garment's name */
   async rename(id: string, name: string): Promise<void> {
     const title = name.trim().slice(0, longestName) || undefined;
     const present = this.#present?.id === id ? this.#present : undefined;
@@ -155,7 +161,7 @@ export class Projects {
     else await this.#autosave.change(id, {title});
   }
 
-  /** Puts a copy into the list, under the same name with a number. */
+  /** Adds a copy to the list, under the same name with a number. */
   async duplicate(id: string): Promise<void> {
     await this.#flushed(id);
     const names = new Set((await this.#autosave.list()).map(shownName));
@@ -167,7 +173,7 @@ export class Projects {
     await this.#autosave.copy(id, `${stem} ${number}`);
   }
 
-  /** Takes a project that no other tab works on from the list; the page shows another one, then. */
+  /** Removes a project that is not open in another tab; the page then shows another one. */
   async remove(id: string, instead: () => Promise<Design>): Promise<void> {
     const isPresent = await this.#flushed(id);
     await this.#autosave.change(id, {deleted: Date.now()});
@@ -181,7 +187,7 @@ export class Projects {
     return this.#autosave.change(id, {deleted: undefined});
   }
 
-  /** Gives the present project a picture. */
+  /** Stores a preview image of the current project. */
   async illustrate(thumbnail: Blob): Promise<void> {
     const present = this.#present;
     if (!present) return;
@@ -189,7 +195,7 @@ export class Projects {
     await this.#autosave.change(present.id, {thumbnail});
   }
 
-  /** Until the page is left: what is under way then is kept for when it is loaded again. */
+  /** Keeps unsaved changes when the page is left, for its next load, until `signal` fires. */
   keep(signal: AbortSignal): void {
     void this.#autosave.tidy();
     addEventListener('visibilitychange', () => void this.#present?.flush(), {signal});
@@ -203,7 +209,7 @@ export class Projects {
     );
   }
 
-  /** Saves what is not saved yet of a project. @returns whether this tab works on it */
+  /** Saves unsaved changes of a project. @returns true if it is open in this tab */
   async #flushed(id: string): Promise<boolean> {
     const present = this.#present;
     if (present?.id !== id) return false;
@@ -217,7 +223,7 @@ export class Projects {
     if (this.#present && beginnings === this.#beginning) {
       const {garment} = this.#present.history.present.design;
       this.#present.follow(history);
-      if (garment !== history.present.design.garment) this.#tell(); // its name may be another
+      if (garment !== history.present.design.garment) this.#tell(); // its name may have changed
       return;
     }
     const before = this.#present;
@@ -227,7 +233,7 @@ export class Projects {
     this.#announced = undefined;
     this.#present = new OpenProject(this.#autosave, history, announced);
     this.#tell();
-    // who takes one from the list knows that
+    // users of the list know that the previous project stays in it
     if (before?.isWorthListing && !announced?.isListed) this.#offerBack(before);
   }
 
@@ -235,7 +241,7 @@ export class Projects {
     for (const listener of this.#listeners) listener();
   }
 
-  /** Opening something else is no step that could be undone. */
+  /** Offers to return to the previous project, since opening another one cannot be undone. */
   #offerBack({id, name}: OpenProject): void {
     this.#say(
       ({projects}) => projects.isKept(name),

@@ -1,14 +1,14 @@
-/** Small pictures of projects, made while nothing else is to be done. */
+/** Preview images of projects, drawn in idle time. */
 import type {Design} from '../../model/design.js';
 import type {Workbench} from '../../editor/index.js';
 import type {Projects} from './projects.js';
 
-/** Nothing may have changed for as long. [ms] */
+/** Least time without a change. [ms] */
 const rest = 1500;
-/** As wide as a card of the list on a sharp screen. [px] */
+/** Width of a card in the list on a high-resolution screen. [px] */
 const width = 448;
 
-/** Follows the workbench, and gives each project a picture of what it has become. */
+/** Observes the workbench and updates the current project's preview image. */
 export function illustrate(workbench: Workbench, projects: Projects): void {
   let pictured: Design | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -30,7 +30,7 @@ export function illustrate(workbench: Workbench, projects: Projects): void {
   });
 }
 
-/** Some browsers do not say when they are idle. */
+/** Runs in idle time; some browsers do not report it. */
 function whenIdle(act: () => void): void {
   if ('requestIdleCallback' in globalThis) requestIdleCallback(act, {timeout: 10_000});
   else setTimeout(act);

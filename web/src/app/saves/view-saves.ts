@@ -1,4 +1,6 @@
-/** What there is to take away of the view beside the pattern, as commands: loaded with a list of them. */
+/**
+ * Commands that save files of the view beside the pattern; loaded with the list that shows them.
+ */
 import {
   toFailure,
   type ClothPane,
@@ -8,7 +10,7 @@ import {
 } from '../../editor/index.js';
 import {wornFiles} from '../../editor/worn/worn-files.js';
 
-/** @param save gets what is to be saved, and how the name of its file ends */
+/** @param save receives the content and the ending of the file's name */
 export const viewSaves = (
   view: WornPane | ClothPane,
   workbench: Workbench,

@@ -1,4 +1,4 @@
-/** What people were working on, kept in their own browser; for as long as a tab lives where that keeps nothing. */
+/** Saves projects in the user's browser; without storage, for the life of the tab. */
 import {Claim} from './claim.js';
 import {
   drop,
@@ -13,23 +13,26 @@ import {packed, unpacked} from './shared-texts.js';
 
 export type {ProjectRecord} from './database.js';
 
-/** `unavailable`: nothing can be kept, as in some private windows; `full`: the disk is; `failed`: anything else. */
+/**
+ * `unavailable`: no storage, as in some private windows; `full`: no space left; `failed`: any other
+ * error.
+ */
 export type StorageTrouble = 'unavailable' | 'full' | 'failed';
 
 interface KeptProject extends ProjectRecord {
-  /** Whatever the page has to remember, as data that can be cloned. */
+  /** The page's data, in a form that can be cloned. */
   readonly state: unknown;
 }
 
-/** A project that is called otherwise from now on. */
+/** A project with a new title. */
 interface Renamed {
   readonly id: string;
   readonly title: string | undefined;
 }
 
-/** What was thrown away can be had back within this. [ms] */
+/** Time within which a deleted project can be restored. [ms] */
 const graceMs = 10 * 60_000;
-/** Drafts that nobody came back to are forgotten. [ms] */
+/** Time after which an unused draft is deleted. [ms] */
 const draftMs = 24 * 3_600_000;
 
 const isOver = ({isDraft = false, deleted, changed}: ProjectRecord): boolean =>
@@ -41,15 +44,17 @@ export class Autosave {
   readonly #claim = new Claim();
   readonly #channel = new BroadcastChannel('seamwise-projects');
   readonly #listeners = new Set<(renamed?: Renamed) => void>();
-  /** What the browser would not keep, by id. */
+  /** Projects that the browser did not store, by id. */
   readonly #unkept = new Map<string, KeptProject>();
-  /** What went wrong last. */
+  /** Last trouble. */
   #trouble: StorageTrouble = 'failed';
   #database: Promise<Database> | undefined;
-  /** One after the other, in the order in which they were asked for. */
+  /** Runs tasks one after the other, in the order of their requests. */
   #queue: Promise<unknown> = Promise.resolve();
 
-  /** @param report hears of whatever goes wrong, and whether work is not kept for it; no method ever throws */
+  /**
+   * @param report called with each trouble, and whether it prevents saving; no method ever throws
+   */
   constructor(report: (trouble: StorageTrouble, isLoss: boolean) => void) {
     this.#report = report;
     this.#channel.addEventListener('message', ({data}: MessageEvent<Renamed | undefined>) => {
@@ -57,18 +62,24 @@ export class Autosave {
     });
   }
 
-  /** Calls back after every change, of this tab or another. @returns what ends that */
+  /**
+   * Calls `listener` after each change, of this tab or another.
+   * @returns a function that stops this
+   */
   subscribe(listener: (renamed?: Renamed) => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
-  /** Whether nothing but this tab keeps a project. */
+  /** Returns whether a project exists in this tab only. */
   isUnkept(id: string): boolean {
     return this.#unkept.has(id);
   }
 
-  /** Title and thumbnail of what is there already stay, unless there is another. @returns whether the browser keeps it */
+  /**
+   * Saves a project; it keeps its stored title and thumbnail unless new ones are given.
+   * @returns true if the browser has stored it
+   */
   async save(
     id: string,
     {state, ...given}: Pick<KeptProject, 'name' | 'state' | 'title' | 'thumbnail' | 'isDraft'>,
@@ -95,7 +106,10 @@ export class Autosave {
     return isKept;
   }
 
-  /** The one that was changed last comes first. Drafts and what can still be had back are among them. */
+  /**
+   * Returns the projects, the last changed one first, including drafts and those that can still be
+   * restored.
+   */
   async list(): Promise<readonly ProjectRecord[]> {
     const kept = await this.#safely([], (database) =>
       database.getAllFromIndex('projects', 'changed'),
@@ -123,7 +137,7 @@ export class Autosave {
     });
   }
 
-  /** Its place in the list stays as it was. */
+  /** Changes a project; its place in the list stays the same. */
   async change(
     id: string,
     change: Pick<Partial<ProjectRecord>, 'title' | 'thumbnail' | 'deleted' | 'isDraft'>,
@@ -141,7 +155,7 @@ export class Autosave {
     this.#tell('title' in change ? {id, title: change.title} : undefined);
   }
 
-  /** Forgets for good what was thrown away or left as a draft long enough ago. */
+  /** Deletes old drafts, and projects that can no longer be restored. */
   async tidy(): Promise<void> {
     await this.#safely(undefined, async (database) => {
       const all = await database.getAll('projects');
@@ -151,7 +165,7 @@ export class Autosave {
     });
   }
 
-  /** @returns the id of the copy, if there is anything to copy */
+  /** @returns the id of the copy; undefined if there is nothing to copy */
   async copy(id: string, title?: string): Promise<string | undefined> {
     const project = await this.load(id);
     if (!project) return undefined;
@@ -167,8 +181,8 @@ export class Autosave {
   }
 
   /**
-   * Makes this tab the one that works on a project, and lets go of the one before. Where another tab works on
-   * it, this one gets a copy.
+   * Claims a project for this tab, and releases the one before. If another tab has it open, this
+   * one gets a copy.
    */
   async claim(id: string): Promise<{readonly id: string; readonly isCopy: boolean}> {
     if (!('locks' in navigator)) return {id, isCopy: false};
@@ -178,7 +192,7 @@ export class Autosave {
     return {id: copy, isCopy: true};
   }
 
-  /** Those that some tab works on. */
+  /** Returns the projects that are open in any tab. */
   claimed(): Promise<ReadonlySet<string>> {
     return this.#claim.all();
   }
@@ -222,7 +236,7 @@ const recordOf = ({id, name, title, changed, thumbnail, isDraft, deleted}: Proje
   ...(deleted !== undefined && {deleted}),
 });
 
-/** What outlives a save. */
+/** Returns the fields that stay after a save. */
 const lasting = (
   before: ProjectRecord | undefined,
 ): Pick<ProjectRecord, 'title' | 'thumbnail'> => ({

@@ -1,15 +1,17 @@
-/** Which tab works on a project: two that saved the same one would undo each other's work. */
+/**
+ * Locks a project to one tab: two tabs that save the same project would undo each other's changes.
+ */
 
-/** The tab that was here a moment ago may still be closing, as when a page is loaded again. [ms] */
+/** Time limit for a lock: the previous page may still be closing, as in a reload. [ms] */
 const patience = 400;
 const prefix = 'seamwise-project-';
 
-/** Holds one project at a time, until the page is left. */
+/** Locks one project at a time, until the page is left. */
 export class Claim {
   #release = (): void => undefined;
   #last: Promise<unknown> = Promise.resolve();
 
-  /** Lets go of what was held before. @returns false when another tab holds the project */
+  /** Unlocks the previous project. @returns false if another tab has locked this one */
   take(id: string): Promise<boolean> {
     const taken = this.#last.then(() => this.#take(id));
     this.#last = taken;
@@ -32,7 +34,7 @@ export class Claim {
     });
   }
 
-  /** What any tab holds. */
+  /** Returns the projects locked by any tab. */
   async all(): Promise<ReadonlySet<string>> {
     if (!('locks' in navigator)) return new Set();
     const {held = []} = await navigator.locks.query();

@@ -1,18 +1,18 @@
-/** The database of projects. All that it has learned since its first form may be absent from a record. */
+/** The database of projects. Fields added after the first version may be absent from a record. */
 import {openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction} from 'idb';
 
 export interface ProjectRecord {
   readonly id: string;
-  /** Of its garment; used to be the name of the garment's file. */
+  /** Garment's name; formerly that of the garment's file. */
   readonly name: string;
-  /** What its owner calls it. */
+  /** Title given by the user. */
   readonly title?: string | undefined;
   /** [ms since 1970] */
   readonly changed: number;
   readonly thumbnail?: Blob;
-  /** Nobody has done anything to it yet, and it can be had again at any time. */
+  /** The user has not changed it yet, and it can be reproduced at any time. */
   readonly isDraft?: boolean;
-  /** When it was thrown away. [ms since 1970] */
+  /** Time of deletion. [ms since 1970] */
   readonly deleted?: number | undefined;
 }
 
@@ -31,7 +31,7 @@ export const stores = ['projects', 'states', 'texts'] as const;
 export type Database = IDBPDatabase<Schema>;
 type Transaction = IDBPTransaction<Schema, (typeof stores)[number][], 'readwrite'>;
 
-/** @param closed called once it has to be opened again */
+/** @param closed called when the database has to be reopened */
 export const openDatabase = (closed: () => void): Promise<Database> =>
   openDB<Schema>('seamwise', 1, {
     upgrade: (database) => {
@@ -41,7 +41,7 @@ export const openDatabase = (closed: () => void): Promise<Database> =>
       database.createObjectStore('states');
       database.createObjectStore('texts');
     },
-    // a newer page in another tab wants to change the database
+    // a newer page in another tab needs to upgrade the database
     blocking: (_current, _blocked, event) => {
       closed();
       (event.target as IDBDatabase).close();
@@ -49,7 +49,7 @@ export const openDatabase = (closed: () => void): Promise<Database> =>
     terminated: closed,
   });
 
-/** All of it or nothing. */
+/** Runs `work` as one transaction: all of it or nothing. */
 export async function inTransaction(
   database: Database,
   work: (transaction: Transaction) => Promise<void>,
@@ -58,7 +58,7 @@ export async function inTransaction(
   const done = transaction.done.catch((error: unknown) => {
     throw transaction.error ?? error;
   });
-  // whichever fails, both are waited for
+  // waits for both, whichever fails
   const [end, own] = await Promise.allSettled([done, work(transaction)]);
   for (const outcome of [end, own]) {
     if (outcome.status === 'rejected') throw outcome.reason;
@@ -83,7 +83,7 @@ export async function drop(transaction: Transaction, id: string): Promise<void> 
   await sweep(transaction, before);
 }
 
-/** Texts that no project holds any more go with the last one that did. */
+/** Deletes texts that no project uses any more. */
 async function sweep(transaction: Transaction, before: StoredProject | undefined): Promise<void> {
   for (const hash of before?.texts ?? []) {
     const holders = await transaction.objectStore('projects').index('texts').count(hash);

@@ -1,10 +1,10 @@
-/** Photographs that prints were made of, kept in this browser beside the projects, and in no design. */
+/** Photos behind prints, kept in this browser beside the projects and in no design. */
 import type {KeptPhoto} from '../../editor/photo/photo-keeper.js';
 import {scaledStep} from '../../editor/print/photo-step.js';
 import {fieldOf} from '../../model/read.js';
 
 interface PhotoRecord extends KeptPhoto {
-  /** The SHA-256 of the print's picture. */
+  /** SHA-256 of the print's image. */
   readonly key: string;
   /** [ms since 1970] */
   readonly kept: number;
@@ -12,11 +12,11 @@ interface PhotoRecord extends KeptPhoto {
 
 /** Longest side. [px] */
 const longest = 2048;
-/** Older ones are forgotten. */
+/** Number of kept photos; older ones are deleted. */
 const most = 20;
 const store = 'photos';
 
-/** The SHA-256 of a picture's address. */
+/** Returns the SHA-256 of an image's URL. */
 export async function keyOf(image: string): Promise<string> {
   const digest = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(image));
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
@@ -48,7 +48,7 @@ async function inStore<T>(
   }
 }
 
-/** The same photograph, small enough to be kept, and the step in its pixels. */
+/** Returns a reduced photo, with the step scaled to its pixels. */
 async function small({picture, name, step}: KeptPhoto): Promise<KeptPhoto> {
   const {width, height} = step.reading;
   const scale = Math.min(1, longest / Math.max(width, height));
@@ -64,7 +64,7 @@ async function small({picture, name, step}: KeptPhoto): Promise<KeptPhoto> {
   return {picture: written, name, step: scaledStep(step, canvas)};
 }
 
-/** @param image the picture of the print that was made; where the browser keeps nothing, nothing is kept */
+/** Keeps a photo, if the browser allows it. @param image image of the print made from it */
 export async function keepPhoto(image: string, photo: KeptPhoto): Promise<void> {
   try {
     const [key, kept] = await Promise.all([keyOf(image), small(photo)]);
@@ -78,7 +78,7 @@ export async function keepPhoto(image: string, photo: KeptPhoto): Promise<void> 
   }
 }
 
-/** What a print was made of, if that is kept. */
+/** Returns the photo behind a print, if it is kept. */
 export async function keptPhoto(image: string): Promise<KeptPhoto | undefined> {
   try {
     const key = await keyOf(image);

@@ -1,4 +1,4 @@
-/** All that this browser keeps of photographs. */
+/** Storage of photos in this browser. */
 import type {PhotoKeeper} from '../../editor/photo/photo-keeper.js';
 import {keepPhoto, keptPhoto} from './kept-photos.js';
 import {forgetUnfinished, keepUnfinished, unfinished} from './unfinished-photo.js';

@@ -1,4 +1,4 @@
-/** Preferences stay with the browser, not with a design. */
+/** Preferences belong to the browser, not to a design. */
 import {
   greatestAllowance,
   languages,
@@ -11,7 +11,7 @@ import {fieldOf} from '../../model/read.js';
 
 const key = 'seamwise.preferences';
 
-/** Every answer that a preference may have. */
+/** Allowed values of each preference. */
 const answers = {
   units: ['cm', 'inch'],
   language: languages,
@@ -34,7 +34,7 @@ function allowancesIn(stored: unknown): Partial<ChosenAllowances> {
   );
 }
 
-/** What was stored, as far as it is understood; the rest as the browser says. */
+/** Returns the stored preferences; unknown or missing ones have the browser's defaults. */
 export function storedPreferences(locale = navigator.language): Preferences {
   const usual = preferencesFor(locale);
   try {
@@ -43,24 +43,24 @@ export function storedPreferences(locale = navigator.language): Preferences {
       const value = fieldOf(stored, name);
       return (ones as readonly unknown[]).includes(value) ? [[name, value] as const] : [];
     });
-    const cloths = fieldOf(stored, 'cloths'); // each is read where it is used
+    const cloths = fieldOf(stored, 'cloths'); // validated at each use
     return {
       ...{...usual, ...Object.fromEntries(known)},
       allowances: allowancesIn(fieldOf(stored, 'allowances')),
       ...(isRecord(cloths) && {cloths}),
     };
   } catch {
-    return usual; // nothing can be stored here, or something else was
+    return usual; // no storage here, or other content in it
   }
 }
 
-/** Stores the preferences of a workbench whenever they change. @returns what ends that */
+/** Stores the preferences of a workbench after each change. @returns a function that stops this */
 export function keepPreferences(workbench: Workbench): () => void {
   return workbench.subscribe(['preferences'], () => {
     try {
       localStorage.setItem(key, JSON.stringify(workbench.preferences));
     } catch {
-      // a browser that stores nothing still shows what was chosen
+      // the page still uses the chosen preferences without storage
     }
   });
 }

@@ -1,22 +1,28 @@
-/** Long texts apart from the data that holds them, each once: steps of a history mostly hold the same garment. */
+/**
+ * Separates long texts from the data that contains them, each once: most steps of a history share
+ * the same garment.
+ */
 
 import {fieldOf} from '../../model/read.js';
 
-/** Shorter texts stay where they are. [characters] */
+/** Length below which a text stays in place. [characters] */
 const longText = 1000;
-/** The one field of an object that stands for a text. */
+/** The only field of an object that replaces a text. */
 const mark = 'seamwise-text';
 
 interface Packed {
   readonly data: unknown;
-  /** By the SHA-256 of their content. */
+  /** Texts by the SHA-256 of their content. */
   readonly texts: ReadonlyMap<string, string>;
 }
 
 const isPlain = (value: object): value is Readonly<Record<string, unknown>> =>
   Object.getPrototypeOf(value) === Object.prototype;
 
-/** Data with its leaves, and what else `leaf` changes, replaced; what was shared stays shared. */
+/**
+ * Returns data with its leaves replaced, and any other parts that `leaf` changes; shared parts stay
+ * shared.
+ */
 function replaced(value: unknown, leaf: (value: unknown) => unknown): unknown {
   const known = new Map<unknown, unknown>();
   const visit = (part: unknown): unknown => {
@@ -57,7 +63,7 @@ export async function packed(value: unknown): Promise<Packed> {
   return {data, texts: new Map([...hashes].map(([text, hash]) => [hash, text]))};
 }
 
-/** The inverse of `packed`. A text that is missing is empty. */
+/** Inverse of `packed`. A missing text is empty. */
 export const unpacked = ({data, texts}: Packed): unknown =>
   replaced(data, (leaf) => {
     const hash: unknown = fieldOf(leaf, mark);

@@ -1,14 +1,19 @@
-/** What was not kept yet when a page is left: a database takes longer than such a page has. */
+/**
+ * Keeps unsaved changes when a page is left, since a database needs more time than the page has.
+ */
 
 import {fieldOf} from '../../model/read.js';
 
 const key = 'seamwise.unsaved';
-/** Longer texts are written once, however many steps of a history hold them. [characters] */
+/**
+ * Length from which a text is written only once, even if many steps of a history contain it.
+ * [characters]
+ */
 const longText = 1000;
-/** The one field of an object that stands for a text. */
+/** The only field of an object that replaces a text. */
 const mark = 'seamwise-text';
 
-/** For this tab's next page; `undefined` takes back what was left before. */
+/** Keeps data for this tab's next page; `undefined` removes it. */
 export function stash(state: unknown): void {
   sessionStorage.removeItem(key);
   if (state === undefined) return;
@@ -22,11 +27,11 @@ export function stash(state: unknown): void {
   try {
     sessionStorage.setItem(key, JSON.stringify({data, texts: [...texts.keys()]}));
   } catch {
-    // more than a tab can remember: all but the last moment is in the database
+    // exceeds the tab's storage: the database contains all but the last moment
   }
 }
 
-/** What the page before left, once. */
+/** Returns and removes the data of the previous page. */
 export function unstashed(): unknown {
   const text = sessionStorage.getItem(key);
   sessionStorage.removeItem(key);

@@ -1,35 +1,35 @@
-/** The photograph that a tab has made no print of yet, kept in this browser until it has. */
+/** The photo of a tab without a print so far, kept in this browser until there is one. */
 import {openDB, type DBSchema, type IDBPDatabase} from 'idb';
 
 import type {FoundPhoto, UnfinishedPhoto} from '../../editor/photo/photo-keeper.js';
 import {keyOf} from './kept-photos.js';
 
 interface Schema extends DBSchema {
-  /** By the tab's name. Written once: they are large. */
+  /** Photos by tab. Each is written once, since they are large. */
   pictures: {key: string; value: StoredPicture; indexes: {kept: number}};
   steps: {key: string; value: Omit<UnfinishedPhoto, 'picture'>};
 }
 
 interface StoredPicture {
   readonly picture: Blob;
-  /** The key of the picture of the design's print. */
+  /** Key of the image of the design's print. */
   readonly print: string;
   /** [ms since 1970] */
   readonly kept: number;
 }
 
-/** Of so many tabs; those of others are forgotten, the oldest first. */
+/** Number of tabs with a kept photo; the oldest are deleted first. */
 const most = 4;
 const stores = ['pictures', 'steps'] as const;
-/** Names this tab for as long as it lives. */
+/** Session key of this tab's name. */
 const tabKey = 'seamwise.photo';
 
-/** What this page has written. */
+/** Photo that this page has written. */
 let written: (Pick<UnfinishedPhoto, 'picture'> & {readonly image: string}) | undefined;
-/** One after the other, in the order in which they were asked for. */
+/** Runs tasks one after the other, in the order of their requests. */
 let queue: Promise<unknown> = Promise.resolve();
 
-/** Whatever the browser refuses, the photograph can be opened again from its file. */
+/** Runs a task, and ignores errors: the photo can be opened again from its file. */
 function safely<T>(
   work: (database: IDBPDatabase<Schema>, tab: string) => Promise<T>,
 ): Promise<T | undefined> {
@@ -63,14 +63,14 @@ const drop = async (database: IDBPDatabase<Schema>, tabs: readonly string[]): Pr
   await Promise.all([...dropped, transaction.done]);
 };
 
-/** In place of the tab's one before. @param image the picture of the design's print */
+/** Replaces the tab's previous photo. @param image image of the design's print */
 export const keepUnfinished = (image: string, photo: UnfinishedPhoto): Promise<void> =>
   safely(async (database, tab) => {
     const {picture, ...steps} = photo;
     const isWritten = written?.picture === picture && written.image === image;
     if (!isWritten || (await database.getKey('pictures', tab)) === undefined) {
       written = undefined;
-      await drop(database, [tab]); // never one's steps beside another's picture
+      await drop(database, [tab]); // never combines the steps of one photo with another photo
       const stored = {picture, print: await keyOf(image), kept: Date.now()};
       await database.put('pictures', stored, tab);
       written = {picture, image};

@@ -1,6 +1,6 @@
 import {css} from 'lit';
 
-/** Still read out. */
+/** Invisible, but available to screen readers. */
 export const unseen = css`
   position: absolute;
   width: 1px;
@@ -9,7 +9,7 @@ export const unseen = css`
   clip-path: inset(50%);
 `;
 
-/** Words of a button that give way to its icon where there is no room for them. */
+/** Text of a button, replaced by its icon if there is no room. */
 export const labelled = css`
   @container (width < 64rem) {
     .outlined:has(> .label) {
@@ -22,7 +22,7 @@ export const labelled = css`
   }
 `;
 
-/** What the page adds to the editor, whose width decides. */
+/** Layout around the editor, depending on the editor's width. */
 export const pageLayout = css`
   sw-editor {
     --sw-editor-height: 100dvh;

@@ -1,14 +1,18 @@
-/** Has a question answered in a worker of its own, which ends with the answer: the page goes on, and nothing is kept. */
+/**
+ * Sends one request to a separate worker, which ends after its answer; the page stays responsive,
+ * and no memory is kept.
+ */
 import type {Reply} from './reply.js';
 
-/** Why there is no answer, in one sentence. */
+/** Reason for a missing answer, in one sentence. */
 export class WorkerComplaint extends Error {
   override readonly name = 'WorkerComplaint';
 }
 
 /**
- * @param help tells what the worker asks on the way
- * @throws {WorkerComplaint} for what cannot be answered; the signal's reason when it fires
+ * Sends a request to a worker.
+ * @param help answers requests of the worker meanwhile
+ * @throws {WorkerComplaint} if the request fails; the signal's reason when it fires
  */
 export async function ask<Answer>(
   worker: Worker,

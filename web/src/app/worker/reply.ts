@@ -1,4 +1,6 @@
-/** What a worker of one question says: its answer or why there is none, and before that what it needs to know. */
+/**
+ * Messages of a worker for one request: its answer or its error, and before that its own requests.
+ */
 export type Reply =
   | {readonly kind: 'answer'; readonly answer: unknown}
   | {readonly kind: 'failed'; readonly message: string}

@@ -1,7 +1,7 @@
-/** In a worker: answers the one question that it is made for. */
+/** Worker side: answers the worker's only request. */
 import type {Reply} from './reply.js';
 
-/** What there is of a worker's scope. */
+/** The used part of a worker's scope. */
 interface Scope {
   onmessage: (event: MessageEvent<unknown>) => void;
   postMessage(reply: Reply): void;
@@ -16,7 +16,7 @@ const heard = (): Promise<unknown> =>
     };
   });
 
-/** Asks whoever asked; one thing at a time. */
+/** Sends a request to the page; one at a time. */
 type Request = (request: unknown) => Promise<unknown>;
 
 const request: Request = (request) => {
@@ -25,7 +25,10 @@ const request: Request = (request) => {
   return told;
 };
 
-/** To be called while the worker's script runs: what is said before somebody listens is lost. */
+/**
+ * Serves the request. Call it while the worker's script runs: messages before the first listener
+ * are lost.
+ */
 export function serve(answerTo: (question: unknown, request: Request) => Promise<unknown>): void {
   const answered = heard().then((question) => answerTo(question, request));
   void answered.then(

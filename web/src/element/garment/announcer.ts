@@ -1,4 +1,4 @@
-/** Tells the page, by events, what becomes of a workbench: each thing once. */
+/** Fires events for changes of a workbench, each change once. */
 import {failureOf, type Failure, type SolverError} from '../../model/failure.js';
 import type {Progress} from '../../model/problem.js';
 import type {Workbench} from '../../workbench/workbench.js';
@@ -14,7 +14,7 @@ export class Announcer {
   #progress = '';
   #selected: Workbench['selected'];
 
-  /** @param spoken what the core could not do, in the user's language */
+  /** @param spoken converts a failure of the core to an error in the user's language */
   constructor(emit: Emit, spoken: (failure: Failure) => SolverError) {
     this.#emit = emit;
     this.#spoken = spoken;
@@ -32,7 +32,7 @@ export class Announcer {
     this.#wasSolving = false;
   }
 
-  /** How far a solve is, and how it ended. */
+  /** Reports the progress of a solve, and its end. */
   solved({state, progress, result}: Workbench): void {
     if (state.kind === 'solving') {
       this.#wasSolving = true;

@@ -1,4 +1,4 @@
-/** Begins what an element is asked for, and waits for the answer. */
+/** Starts the element's current request, and waits for the answer. */
 import {SolverError} from '../../model/failure.js';
 import type {SolveResult} from '../../model/result.js';
 import type {Beginning} from './beginning.js';
@@ -16,7 +16,7 @@ export class Answering {
     this.#speech = speech;
   }
 
-  /** Begins what is asked for, unless it is under way or answered. */
+  /** Starts the current request, unless it is running or answered. */
   start(): void {
     const {state} = this.#session;
     const isStuck = state === 'idle' || state === 'error' || state === 'stale';
@@ -27,8 +27,8 @@ export class Answering {
   }
 
   /**
-   * @param isAskable whether garment and print are named
-   * @throws as the element's `solve` does
+   * @param isAskable whether the garment and the print are set
+   * @throws the errors of the element's `solve`
    */
   async answer(isAskable: boolean, signal: AbortSignal | undefined): Promise<SolveResult> {
     if (!isAskable && (this.#session.state === 'idle' || this.#beginning.isDue)) {

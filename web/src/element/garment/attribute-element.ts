@@ -1,4 +1,4 @@
-/** What the element is told by attributes, as properties. Three of them may be given as objects, too. */
+/** Attributes of the element as properties. Three of them also accept objects. */
 import {fabricNames, type FabricName} from '../../model/drape.js';
 import type {Garment} from '../../model/garment.js';
 import type {Print} from '../../model/print.js';
@@ -21,10 +21,12 @@ import {FormElement} from './form-element.js';
 import {garmentUrl, type Asked} from './sources.js';
 
 export abstract class AttributeElement extends FormElement {
-  /** What was given as an object, by the name of the attribute in whose place it is. */
+  /** Values given as objects, by the name of the attribute that they replace. */
   readonly #objects = new Map<string, object>();
 
-  /** URL of the garment's file, or the garment; `{size}` in it stands for the size. Empty: none. */
+  /**
+   * URL of the garment's file, or the garment; `{size}` in it is replaced by the size. Empty: none.
+   */
   get garment(): string | Garment {
     return this.#given('garment') as string | Garment;
   }
@@ -42,7 +44,10 @@ export abstract class AttributeElement extends FormElement {
     this.#give('print', print);
   }
 
-  /** `auto`: what the garment shows by itself; `none`; the URL of a file of symmetries; or these. */
+  /**
+   * `auto`: symmetries detected in the garment; `none`; the URL of a file of symmetries; or an
+   * object.
+   */
   get symmetry(): string | Symmetries | readonly Symmetry[] {
     const given = this.#given('symmetry');
     return given === '' ? 'auto' : (given as string | Symmetries | readonly Symmetry[]);
@@ -60,7 +65,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('size', size);
   }
 
-  /** One of the print's, by its name; the first where it has no such. */
+  /** Name of one of the print's colourways; unknown names select the first. */
   get colourway(): string {
     return this.getAttribute('colourway') ?? '';
   }
@@ -69,7 +74,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('colourway', colourway);
   }
 
-  /** No outline moves further than this. [mm] */
+  /** Greatest movement of an outline. [mm] */
   get maxChangeMm(): number {
     return changeOf(this.#read('max-change-mm'));
   }
@@ -86,7 +91,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('view', view);
   }
 
-  /** Whether a worn garment hangs on a dummy that is seen. */
+  /** Visibility of the dummy under a drape. */
   get dummy(): 'shown' | 'hidden' {
     return wordOf(this.getAttribute('dummy'), ['shown', 'hidden']);
   }
@@ -95,7 +100,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('dummy', dummy);
   }
 
-  /** What a worn garment is made of. */
+  /** Fabric of a drape. */
   get fabric(): FabricName {
     return wordOf(this.getAttribute('fabric'), fabricNames);
   }
@@ -104,7 +109,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('fabric', fabric);
   }
 
-  /** Where a worn garment is looked at from. */
+  /** View direction of a drape. */
   get camera(): GarmentCamera {
     return wordOf(this.getAttribute('camera'), ['front', 'back', 'left', 'right', 'three-quarter']);
   }
@@ -113,7 +118,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('camera', camera);
   }
 
-  /** A worn garment goes round until somebody touches it. */
+  /** The drape rotates until the user touches it. */
   get turntable(): boolean {
     return this.hasAttribute('turntable');
   }
@@ -122,7 +127,7 @@ export abstract class AttributeElement extends FormElement {
     this.toggleAttribute('turntable', turns);
   }
 
-  /** Of cloth on which the answer is laid, between its edges; null: on none. [cm] */
+  /** Usable fabric width between the edges for the layout; null: no layout. [cm] */
   get clothWidth(): number | null {
     return clothWidthOf(this.#read('cloth-width'));
   }
@@ -131,7 +136,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('cloth-width', width?.toString());
   }
 
-  /** What is of no use along each edge of the cloth. [cm] */
+  /** Unusable strip along each edge of the fabric. [cm] */
   get selvedge(): number {
     return selvedgeOf(this.getAttribute('selvedge'));
   }
@@ -148,7 +153,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('mode', mode);
   }
 
-  /** `lazy`: begins when it is scrolled near. */
+  /** `lazy`: starts when it is near the visible part of the page. */
   get loading(): GarmentLoading {
     return wordOf(this.getAttribute('loading'), ['lazy', 'eager']);
   }
@@ -165,7 +170,7 @@ export abstract class AttributeElement extends FormElement {
     this.write('units', units);
   }
 
-  /** Empty: that of the document around, else the user's. */
+  /** Empty: the language of the surrounding document, or else the user's. */
   get locale(): string {
     return this.getAttribute('locale') ?? '';
   }
@@ -198,15 +203,15 @@ export abstract class AttributeElement extends FormElement {
     this.write('wasm-url', url);
   }
 
-  /** Something else is asked for. */
+  /** The request has changed. */
   protected abstract ask(): void;
 
-  /** There is an attribute again, in place of an object. */
+  /** Drops an object whose attribute is set again. */
   protected forget(name: string): void {
     this.#objects.delete(name);
   }
 
-  /** As attributes: a garment's template stays where it gives the same file. */
+  /** Writes a design to the attributes; keeps the garment's template if it gives the same file. */
   protected writeDesign({garment, print, symmetry, options, fabric}: StoredDesign): void {
     const template = this.getAttribute('garment');
     const isThis = template !== null && sameUrl(garmentUrl(template, garment.size), garment.url);
@@ -236,12 +241,12 @@ export abstract class AttributeElement extends FormElement {
     this.ask();
   }
 
-  /** However it is spelled. */
+  /** Reads an attribute in either spelling. */
   #read(name: string): string | null {
     return this.getAttribute(name) ?? this.getAttribute(name.replaceAll('-', ''));
   }
 
-  /** Null or undefined: none. */
+  /** Writes an attribute; null or undefined removes it. */
   protected write(name: string, value: string | null | undefined): void {
     const spelling = name.replaceAll('-', '');
     if (spelling !== name) this.removeAttribute(spelling);
@@ -266,7 +271,7 @@ export abstract class AttributeElement extends FormElement {
     };
   }
 
-  /** Where the solver is, if the page says so. */
+  /** URLs of the solver, if the page sets them. */
   protected get solverPlaces(): WorkerPlaces {
     const {workerUrl, wasmUrl} = this;
     const isPlace = (url: string): boolean => url !== '' && URL.canParse(url, document.baseURI);

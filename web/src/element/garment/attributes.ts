@@ -1,4 +1,4 @@
-/** What the element's attributes mean. Whatever is written in them, they mean something. */
+/** Values of the element's attributes. Invalid values fall back to the default. */
 import {optionLimits} from '../../model/core-tables.js';
 import type {Units} from '../../model/units.js';
 
@@ -7,7 +7,7 @@ export type GarmentCamera = 'front' | 'back' | 'left' | 'right' | 'three-quarter
 export type GarmentMode = 'preview' | 'place' | 'edit';
 export type GarmentLoading = 'lazy' | 'eager';
 
-/** In the order of the documentation. */
+/** Attributes in the order of the documentation. */
 export const attributes = [
   ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
   ...['view', 'dummy', 'fabric', 'camera', 'turntable', 'cloth-width', 'selvedge'],
@@ -16,8 +16,8 @@ export const attributes = [
 ] as const;
 
 /**
- * As a server writes a property into markup, which has no capitals: the attribute that is meant. Frameworks that
- * take such markup over do not set the property again.
+ * Attributes by the spelling of their properties in lower case, as a server writes them into
+ * markup. Frameworks that hydrate such markup do not set the property again.
  */
 export const spellings: ReadonlyMap<string, string> = new Map(
   attributes
@@ -25,7 +25,7 @@ export const spellings: ReadonlyMap<string, string> = new Map(
     .map((name) => [name.replaceAll('-', ''), name] as const),
 );
 
-/** A change of one of these is another question to the solver. */
+/** Attributes that change the request to the solver. */
 export const asking: ReadonlySet<string> = new Set([
   ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
   ...['worker-url', 'wasm-url'],
@@ -35,25 +35,25 @@ const usualChange = 10;
 const usualSelvedge = 1;
 const greatestChange = 10 * optionLimits.maxChangeCm[1];
 
-/** One of the words, however it is capitalised; the first if it is another. */
+/** Returns one of the words, regardless of capitals; the first for any other. */
 export const wordOf = <const T extends string>(
   written: string | null,
   words: readonly [T, ...T[]],
 ): T => words.find((word) => word === written?.trim().toLowerCase()) ?? words[0];
 
-/** [mm] */
+/** Greatest movement of an outline. [mm] */
 export function changeOf(written: string | null): number {
   const value = written?.trim() ? Number(written) : usualChange;
   return value >= 0 && value <= greatestChange ? value : usualChange;
 }
 
-/** Nothing for what is no width. [cm] */
+/** Fabric width; null for an invalid one. [cm] */
 export function clothWidthOf(written: string | null): number | null {
   const width = Number(written);
   return width > 0 && width < Infinity ? width : null;
 }
 
-/** [cm] */
+/** Selvedge. [cm] */
 export function selvedgeOf(written: string | null): number {
   const selvedge = written?.trim() ? Number(written) : usualSelvedge;
   return selvedge >= 0 && selvedge < Infinity ? selvedge : usualSelvedge;
@@ -62,7 +62,7 @@ export function selvedgeOf(written: string | null): number {
 export const unitsOf = (written: string | null): Units =>
   wordOf(written, ['cm', 'inch', 'in']) === 'cm' ? 'cm' : 'inch';
 
-/** The first that names a language. */
+/** Returns the first valid locale. */
 export function localeOf(...candidates: readonly (string | null | undefined)[]): string {
   return candidates.find((one) => isLocale(one)) ?? 'en';
 }

@@ -1,17 +1,20 @@
-/** When an element begins: not before it is near or asked, and once for all changes of one task. */
+/**
+ * Decides when an element starts: once it is near or requested, and once for all changes of one
+ * task.
+ */
 import type {GarmentSession, LoadReason} from './session.js';
 import type {Asked} from './sources.js';
 
-/** So far from what is visible of the page it begins. */
+/** Distance outside the visible page within which it starts. */
 const rootMargin = '200px';
 
-/** What the element says for itself. */
+/** State of the element that decides about the start. */
 interface Beginner {
   readonly element: Element;
   readonly isEager: () => boolean;
-  /** Undefined where garment or print are missing. */
+  /** Undefined if the garment or the print is missing. */
   readonly asked: () => Asked | undefined;
-  /** It has something to show from now on. */
+  /** Called at the start: there is something to show from now on. */
   readonly begun: () => void;
 }
 
@@ -19,9 +22,9 @@ export class Beginning {
   readonly #beginner: Beginner;
   readonly #session: GarmentSession;
   #near: IntersectionObserver | undefined;
-  /** It is near, or was, or has no need to be: it begins by itself. */
+  /** It starts automatically: it is or was near, or it is eager. */
   #isSeen = false;
-  /** Seen, or asked for. */
+  /** It was near, or the page has requested it. */
   #isWanted = false;
   #hasBegun = false;
   #isDue = false;
@@ -33,17 +36,17 @@ export class Beginning {
     this.#session = session;
   }
 
-  /** Something is asked for that has not been begun. */
+  /** Returns whether the current request has not started. */
   get isDue(): boolean {
     return this.#isDue;
   }
 
-  /** Before that it is not worth loading anything for. */
+  /** Nothing has to be loaded for the element before that. */
   get hasBegun(): boolean {
     return this.#hasBegun;
   }
 
-  /** Something else is asked for, for another reason than before. */
+  /** Sets a new request, for another reason than before. */
   ask(reason: LoadReason = {}): void {
     this.#isDue = true;
     this.#reason = reason;
@@ -51,18 +54,21 @@ export class Beginning {
     this.schedule();
   }
 
-  /** What was under way is to be begun again. */
+  /** Marks an interrupted request to be started again. */
   askAgain(): void {
     this.#isDue = true;
   }
 
-  /** Begins what is due, seen or not. */
+  /** Starts a due request, near or not. */
   now(): void {
     this.#want();
     if (this.#isDue) this.#begin();
   }
 
-  /** Nobody waits any more. What it would not do by itself ends, until it is near. */
+  /**
+   * Called when the last caller has left. Ends work that would not have started automatically,
+   * until the element is near.
+   */
   abandon(): void {
     if (this.#isSeen && this.#beginner.element.isConnected) return;
     this.#isWanted = this.#isSeen;
@@ -79,7 +85,7 @@ export class Beginning {
     });
   }
 
-  /** Begins when it is near; an eager one, or one that has begun before, at once. */
+  /** Starts when the element is near; at once if it is eager or was near before. */
   watch(): void {
     this.unwatch();
     if (this.#isSeen || this.#beginner.isEager()) {
@@ -124,7 +130,7 @@ export class Beginning {
     void this.#load(asked, this.#reason);
   }
 
-  /** What was cut short is begun again for the same reason. */
+  /** Keeps the reason of an interrupted load for the next one. */
   async #load(asked: Asked, reason: LoadReason): Promise<void> {
     const isLoaded = await this.#session.load(asked, reason);
     if (isLoaded && this.#reason === reason) this.#reason = {};

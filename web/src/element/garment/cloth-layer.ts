@@ -1,4 +1,4 @@
-/** Lays each answer on cloth, in a worker. Lengths in cm. */
+/** Makes a fabric layout of each answer, in a worker. Lengths in cm. */
 import type {Design} from '../../model/design.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import type {SolveResult} from '../../model/result.js';
@@ -23,13 +23,13 @@ interface Laying {
   readonly ending: AbortController;
   readonly plan: Promise<LayPlan>;
   lengthCm: number | null;
-  /** Not tried again, unless somebody asks. */
+  /** A failed layout is repeated only on request. */
   hasFailed: boolean;
 }
 
 export class ClothLayer {
   readonly #owner: ClothOwner;
-  /** The same object for the same answer on the same cloth. */
+  /** Returns the same object for the same answer on the same fabric. */
   readonly #answerOf = lastOf(
     (
       result: SolveResult,
@@ -51,18 +51,21 @@ export class ClothLayer {
     this.#owner = owner;
   }
 
-  /** Whether a promise of a plan has not been kept yet. */
+  /** Returns whether a promise of a layout is still pending. */
   get isAwaited(): boolean {
     return this.#waiting > 0;
   }
 
-  /** For the answer that is shown; null until it is laid. */
+  /** Length of the current answer's layout; null until it is there. */
   get lengthCm(): number | null {
     const answer = this.#answer;
     return answer && answer === this.#laying?.answer ? this.#laying.lengthCm : null;
   }
 
-  /** Lays what is shown now, in the place of what was; while the user drags something, only for who waits. */
+  /**
+   * Starts the layout of the current answer, replacing the previous one. During a drag it starts
+   * only for a waiting caller.
+   */
   follow(): void {
     const answer = this.#answer;
     if (answer === this.#laying?.answer) return;
@@ -72,12 +75,12 @@ export class ClothLayer {
     if (answer && (isFinal || this.isAwaited)) this.#laying = this.#begin(answer);
   }
 
-  /** Ends what is under way, until somebody needs the element again. What is laid is kept. */
+  /** Ends a running layout until the element is needed again. A finished one is kept. */
   pause(): void {
     if (this.#laying?.lengthCm === null) this.#end();
   }
 
-  /** Ends what is under way; who waits hears of it. */
+  /** Ends a running layout and rejects its promise. */
   cancel(): void {
     if (this.#laying?.lengthCm !== null) return;
     this.#laying.hasFailed = true;
@@ -86,7 +89,11 @@ export class ClothLayer {
     );
   }
 
-  /** @param solve resolves when there is an answer to lay @throws as the element's `layPlan` does */
+  /**
+   * Returns the layout of the next answer.
+   * @param solve resolves once there is an answer
+   * @throws the errors of the element's `layPlan`
+   */
   async plan(solve: () => Promise<unknown>, signal: AbortSignal | undefined): Promise<LayPlan> {
     this.#waiting += 1;
     try {
@@ -102,7 +109,7 @@ export class ClothLayer {
       await solve();
       this.follow();
       const laying = this.#laying;
-      if (!laying) continue; // another answer is asked for by now
+      if (!laying) continue; // the request has changed meanwhile
       try {
         return await laying.plan;
       } catch (error) {

@@ -1,4 +1,4 @@
-/** What is seen of the element. */
+/** Template of the element. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
@@ -8,22 +8,22 @@ import type {GarmentMode, GarmentView} from './attributes.js';
 import type {OfferedPrint} from './offered-prints.js';
 import type {GarmentSession} from './session.js';
 
-/** How a worn garment is shown. */
+/** Display settings of a drape. */
 type Worn = Pick<AttributeElement, 'dummy' | 'camera' | 'turntable'>;
 
 interface Face {
   readonly session: GarmentSession;
   readonly texts: Texts;
-  /** What of it is loaded. */
+  /** The loaded part of the mode. */
   readonly mode: GarmentMode;
   readonly view: GarmentView;
   readonly worn: Worn;
   readonly alt: string;
   readonly isDisabled: boolean;
   readonly isDrawn: boolean;
-  /** Before it has, nothing that draws is loaded. */
+  /** No drawing code is loaded before the start. */
   readonly hasBegun: boolean;
-  /** Its form is going to point at it. */
+  /** A form may move the focus to it. */
   readonly isMissing: boolean;
   readonly prints: readonly OfferedPrint[];
   readonly choose: (print: OfferedPrint) => void;
@@ -35,7 +35,7 @@ export function faceOf(face: Face): TemplateResult {
   const {state, error, workbench} = session;
   const hidesDrawing = !isDrawn || (state === 'error' && mode === 'preview');
   const isBusy = state === 'loading' || state === 'solving';
-  // the editor says itself what its user can mend
+  // the editor itself shows errors that its user can correct
   const says = error && !(mode === 'edit' && workbench.state.kind === 'failed');
   return html`<div class="frame" ?inert=${face.isDisabled}>
       <div part="toolbar"><slot name="toolbar"></slot></div>
@@ -57,7 +57,7 @@ export function faceOf(face: Face): TemplateResult {
     ${says ? html`<p class="message" part="message" role="alert">${error.message}</p>` : nothing}`;
 }
 
-/** A print is dragged on the pieces, so these are there as well. */
+/** Placing a print needs the flat pieces, so they are shown as well. */
 const viewOf = ({mode, view}: Face): GarmentView =>
   mode === 'place' && view === 'garment' ? 'both' : view;
 
@@ -71,7 +71,7 @@ function stage({mode, view, worn}: Face, workbench: Workbench): TemplateResult {
   ${view === 'pattern' ? nothing : wornGarment(worn, view === 'both', workbench)}`;
 }
 
-/** @param beside the pattern is shown, too */
+/** @param beside true if the pattern is shown, too */
 const wornGarment = (worn: Worn, beside: boolean, workbench: Workbench): TemplateResult =>
   html`<sw-worn
     .workbench=${workbench}

@@ -1,4 +1,4 @@
-/** Files that the element is pointed at: read once, within limits, and with a sentence for all that goes wrong. */
+/** Reads the element's files once, within limits, with a message of one sentence for each error. */
 import {SolverError, type FailureCode} from '../../model/failure.js';
 import {fetchedBy} from '../../model/fetched.js';
 import {sha256Of} from '../../model/result-text.js';
@@ -7,10 +7,10 @@ import type {Texts} from '../../texts/texts.js';
 
 export type FileWords = Texts['garment'];
 
-/** For a file as a whole. [ms] */
+/** Limit for a whole file. [ms] */
 const patience = 30_000;
 const megabyte = 2 ** 20;
-/** Of a picture as it is stored, and of JSON, of which the solver reads no more. [MB] */
+/** Limits of an image file and of JSON; the solver reads no more than that. [MB] */
 const most = {picture: 64, text: 20};
 
 interface ReadFile {
@@ -21,7 +21,10 @@ interface ReadFile {
 const failure = (code: FailureCode, message: string): SolverError =>
   new SolverError({code, message});
 
-/** @throws {SolverError} `not-found`, `network`, `timeout`, `too-large`; the signal's reason when it fires */
+/**
+ * @throws {SolverError} `not-found`, `network`, `timeout`, `too-large`; the signal's reason when it
+ * fires
+ */
 export async function fetchBlob(
   url: string,
   words: FileWords,
@@ -53,7 +56,7 @@ const refused = (url: string, status: number, words: FileWords): SolverError =>
     ? failure('not-found', words.notFound(url))
     : failure('network', words.network(url, `HTTP ${status}`));
 
-/** @throws {SolverError} as `fetchBlob` does */
+/** @throws {SolverError} the errors of `fetchBlob` */
 export async function fetchText(
   url: string,
   words: FileWords,

@@ -1,9 +1,11 @@
-/** An element that belongs to a form, and tells the page about itself: what has nothing to do with garments. */
+/** An element of a form with states and events, independent of garments. */
 import {LitElement} from 'lit';
 
 import {bubbling, type GarmentEvents, type SeamwiseGarmentEventMap} from './events.js';
 
-/** Browsers before 2023 have no states, no validity or no internals at all: then there is nothing to be told. */
+/**
+ * Browsers before 2023 lack states, validity or all internals; the element then does not set them.
+ */
 type Internals = Partial<ElementInternals>;
 
 export abstract class FormElement extends LitElement {
@@ -11,7 +13,7 @@ export abstract class FormElement extends LitElement {
   readonly #internals: Internals;
   #isDisabled = false;
   #state = '';
-  /** What is said of a value that is missing; empty while none is. */
+  /** Message about a missing value; empty if none is missing. */
   #missing = '';
 
   constructor() {
@@ -19,7 +21,7 @@ export abstract class FormElement extends LitElement {
     this.#internals = 'attachInternals' in this ? this.attachInternals() : {};
   }
 
-  /** As forms know it. */
+  /** Type reported to forms. */
   readonly type = 'seamwise-garment';
 
   get form(): HTMLFormElement | null {
@@ -79,17 +81,17 @@ export abstract class FormElement extends LitElement {
     this.requestUpdate();
   }
 
-  /** By itself or by a fieldset around it. */
+  /** True if the element or a fieldset around it is disabled. */
   protected get isDisabled(): boolean {
     return this.#isDisabled || this.disabled;
   }
 
-  /** A value is required, and there is none: the part `stage` can have the focus then. */
+  /** True if a required value is missing; the part `stage` is focusable then. */
   protected get isMissing(): boolean {
     return this.#missing !== '';
   }
 
-  /** @param missing what is said of an empty value where one is required */
+  /** @param missing message about an empty required value */
   protected present(value: string, missing: string): void {
     this.#internals.setFormValue?.(value === '' ? null : value);
     this.#missing = this.required && value === '' ? missing : '';
@@ -100,7 +102,7 @@ export abstract class FormElement extends LitElement {
     this.#validate();
   }
 
-  /** A browser shows what is wrong only with what can have the focus: without an anchor it says nothing at all. */
+  /** A browser shows the message only at a focusable anchor, and shows nothing without one. */
   #validate(): void {
     const anchor = !this.hasUpdated
       ? null
@@ -112,19 +114,19 @@ export abstract class FormElement extends LitElement {
     );
   }
 
-  /** What the element is for those who do not see it. */
+  /** Describes the element to assistive technology. */
   protected describe(role: 'img' | 'group', label: string): void {
     Object.assign(this.#internals, {role, ariaLabel: label});
   }
 
-  /** Shown as `:state(...)`. */
+  /** Sets the custom state for `:state(...)`. */
   protected enter(state: string): void {
     if (state === this.#state) return;
     try {
       this.#internals.states?.delete(this.#state);
       this.#internals.states?.add(state);
     } catch {
-      // some versions take only names with two hyphens, which no page asks for
+      // some versions accept only names with two hyphens, which no page uses
     }
     this.#state = state;
   }

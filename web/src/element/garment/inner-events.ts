@@ -1,4 +1,4 @@
-/** Events of the parts that would leave the element as if they were its own. */
+/** Stops inner events that would leave the element as if they were its own. */
 import type {Failure} from '../../model/failure.js';
 import type {GarmentEvents} from './events.js';
 import {drapeEvent, drawnEvent, undrawableEvent} from '../../editor/pattern/scene-drawing.js';
@@ -11,7 +11,7 @@ interface InnerListener {
   readonly undrawable: (failure: Failure) => void;
 }
 
-/** Keeps them within a shadow, and hears those that are about the drawing. */
+/** Keeps these events within a shadow root, and handles those about the drawing. */
 export function keepInside(root: EventTarget, {draped, drawn, undrawable}: InnerListener): void {
   for (const type of [...kept, drapeEvent, drawnEvent, undrawableEvent]) {
     root.addEventListener(type, (event) => {

@@ -1,4 +1,4 @@
-/** The language that a page says of the place where an element stands, through all shadow roots, and as it changes. */
+/** Observes the language of the surrounding page through all shadow roots. */
 import type {ReactiveController, ReactiveControllerHost} from 'lit';
 
 export class LanguageAround implements ReactiveController {
@@ -7,12 +7,12 @@ export class LanguageAround implements ReactiveController {
 
   constructor(host: ReactiveControllerHost & Element, changed: () => void) {
     this.#host = host;
-    // there is none on a server
+    // servers have no MutationObserver
     if ('MutationObserver' in globalThis) this.#changes = new MutationObserver(changed);
     host.addController(this);
   }
 
-  /** Undefined where nobody has said it. */
+  /** Undefined without a `lang` attribute. */
   get around(): string | undefined {
     for (
       let at: Node | null = this.#host;

@@ -1,4 +1,6 @@
-/** A solver that outlives its lease: it takes one when it is asked, and can do without in between. */
+/**
+ * A solver that outlives its lease: it takes one for each request, and may release it in between.
+ */
 import {leaseSolver, type LeasePlaces, type SolverLease} from '../../solver/pool.js';
 import type {HooksOf} from '../../solver/requests/kinds.js';
 import type {Requests} from '../../solver/requests/requests.js';
@@ -9,7 +11,7 @@ export class LastingSolver extends TextService implements SolverLease {
   readonly #places: () => LeasePlaces;
   #lease: SolverLease | undefined;
 
-  /** @param places asked for with every new lease */
+  /** @param places called for each new lease */
   constructor(places: () => LeasePlaces) {
     super();
     this.#places = places;

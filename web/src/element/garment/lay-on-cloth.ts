@@ -1,4 +1,4 @@
-/** An answer laid on cloth, as a plan. */
+/** Fabric layout of an answer. */
 import {layPlan} from '../../marker/plan.js';
 import {markerOrder, type LaidPrint} from '../../marker/problem.js';
 import type {Design} from '../../model/design.js';
@@ -6,16 +6,19 @@ import type {LayPlan} from '../../model/lay-plan.js';
 import type {SolveResult} from '../../model/result.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
-/** All that a layout depends on. */
+/** All inputs of a layout. */
 export interface LaidAnswer extends Pick<Design, 'garment' | 'options' | 'names'> {
   readonly result: SolveResult;
   readonly print: LaidPrint;
-  /** Of the cloth between its edges, and what is of no use along each of them. */
+  /** Fabric width between its edges, and the unusable strip along each of them. [cm] */
   readonly widthCm: number;
   readonly selvedgeCm: number;
 }
 
-/** @throws {SolverError} for cloth on which it cannot lie, naming the piece; the signal's reason */
+/**
+ * @throws {SolverError} if a piece does not fit on the fabric, with the piece's name; the signal's
+ * reason
+ */
 export async function layOnCloth(
   workbench: Workbench,
   {result, garment, options, names, print, widthCm, selvedgeCm}: LaidAnswer,

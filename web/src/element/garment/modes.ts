@@ -1,4 +1,4 @@
-/** The code behind the modes and views, which is loaded by whoever shows them. */
+/** Loads the code behind the modes and views on first use. */
 import {loadWorn} from '../../editor/load-later-parts.js';
 import type {GarmentMode, GarmentView} from './attributes.js';
 
@@ -13,7 +13,7 @@ export class Modes {
     this.#failed = failed;
   }
 
-  /** What can be shown of a mode by now: until its code is there, the preview. */
+  /** Returns the mode to show: the preview until a mode's code is loaded. */
   shown(mode: GarmentMode): GarmentMode {
     return this.#loaded.has(mode) ? mode : 'preview';
   }
@@ -23,7 +23,7 @@ export class Modes {
     if (view !== 'pattern') loadWorn().catch(this.#failed);
   }
 
-  /** Once; what fails is tried again after another mode was asked for. */
+  /** Loads once; a failed import is repeated only after another mode was selected. */
   async #load(mode: GarmentMode): Promise<void> {
     if (mode === this.#asked) return;
     this.#asked = mode;

@@ -1,10 +1,10 @@
-/** The design that follows when something else is asked for: what the user has changed of the rest stays. */
+/** Makes the design after a change of the request; the user's other changes stay. */
 import {usualFabric, type Design} from '../../model/design.js';
 import type {GarmentDocument} from '../../model/garment-document.js';
 import {newDesign} from '../../workbench/samples.js';
 import type {Asked, Loaded} from './sources.js';
 
-/** What was asked for, and what came of it. */
+/** A request and the loaded files. */
 export interface Answered {
   readonly asked: Asked;
   readonly loaded: Loaded;
@@ -12,13 +12,16 @@ export interface Answered {
 
 type Pins = Design['options']['pins'];
 
-/** What garments hold, as far as they have been read. */
+/** Garment documents, if they have been read. */
 export interface ReadGarments {
   readonly before?: GarmentDocument | undefined;
   readonly next?: GarmentDocument | undefined;
 }
 
-/** @param before undefined to begin anew; `now` is what has become of it */
+/**
+ * @param before undefined for a fresh start
+ * @param now the current design, which came from `before`
+ */
 export function nextDesign(
   {asked, loaded}: Answered,
   before: Answered | undefined,
@@ -40,7 +43,7 @@ export function nextDesign(
   const fabric = before?.asked.fabric === asked.fabric ? kept.fabric : asked.fabric;
   const isSameSymmetry = isSameGarment && before.asked.symmetry === asked.symmetry;
   return {
-    garment: isSameGarment ? kept.garment : garment, // as somebody has sewn it, say
+    garment: isSameGarment ? kept.garment : garment, // keeps the seams that the user has sewn
     print: before?.loaded.print === print ? kept.print : print,
     symmetry: isSameSymmetry && now ? now.symmetry : loaded.symmetry,
     method: kept.method,
@@ -56,8 +59,8 @@ export function nextDesign(
 }
 
 /**
- * What was put on the pieces of one size stays on those of another. Another pattern may have pieces of the same names,
- * which say nothing of where a customer wants its print.
+ * Keeps pins from one size to another. Another pattern may have pieces of the same names, which do
+ * not indicate where a customer wants its print.
  */
 function pinsFor(pins: Pins, next: Answered, before: Answered, read: ReadGarments): Pins {
   if (!pins || !isOtherSize(next, before, read)) return undefined;
@@ -66,7 +69,10 @@ function pinsFor(pins: Pins, next: Answered, before: Answered, read: ReadGarment
   return kept.length > 0 ? Object.fromEntries(kept) : undefined;
 }
 
-/** By the same template, or as both files say by their title. */
+/**
+ * Returns whether two garments are sizes of one: the same template, or the same title in both
+ * files.
+ */
 function isOtherSize(next: Answered, before: Answered, read: ReadGarments): boolean {
   if (typeof next.asked.garment === 'string' && next.asked.garment === before.asked.garment) {
     return true;

@@ -1,4 +1,4 @@
-/** Prints that a page offers, to choose from. */
+/** Prints that a page offers as a choice. */
 import {printOf} from '../../model/design.js';
 import type {Print} from '../../model/print.js';
 import {fieldOf} from '../../model/read.js';
@@ -6,17 +6,17 @@ import {fetchText, type FileWords} from './files.js';
 import {printFrom} from './sources.js';
 
 export interface OfferedPrint {
-  /** Absolute. */
+  /** Absolute URL. */
   readonly url: string;
   readonly title: string;
-  /** Once it has been read: with the whole URL of its picture. */
+  /** Set once the file has been read, with the absolute URL of its image. */
   readonly print?: Print;
 }
 
-/** A URL, or one with the title that it is offered by. */
+/** A URL, or one with the print's title. */
 export type PrintOffer = string | {readonly url: string; readonly title?: string};
 
-/** What has no address is left out. */
+/** Reads the offers; drops those without a valid URL. */
 function offeredPrints(offers: unknown): readonly OfferedPrint[] {
   if (!Array.isArray(offers)) return [];
   return (offers as readonly unknown[]).flatMap((offer) => {
@@ -29,7 +29,10 @@ function offeredPrints(offers: unknown): readonly OfferedPrint[] {
   });
 }
 
-/** One that cannot be read is offered without its picture: choosing it says what is wrong. */
+/**
+ * Reads an offered print. An unreadable one is offered without its image; choosing it shows the
+ * error.
+ */
 async function withPrint(
   offered: OfferedPrint,
   words: FileWords,
@@ -44,7 +47,7 @@ async function withPrint(
   }
 }
 
-/** The prints that an element offers. Their files are read once somebody is to see them. */
+/** The prints that an element offers. Their files are read once they are to be shown. */
 export class PrintOffers {
   readonly #changed: () => void;
   #all: readonly OfferedPrint[] = [];
@@ -79,7 +82,7 @@ export class PrintOffers {
     });
   }
 
-  /** What has not been read yet is read when it is asked for again. */
+  /** Stops reading; the next `read` starts again. */
   stop(): void {
     this.#reading?.abort();
     this.#reading = undefined;

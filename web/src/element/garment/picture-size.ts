@@ -1,11 +1,13 @@
-/** How large a picture is, from the first bytes of its file: before a browser makes pixels of it. */
+/**
+ * Reads the size of an image from the first bytes of its file, before a browser decodes the pixels.
+ */
 
 export interface PictureSize {
   readonly width: number;
   readonly height: number;
 }
 
-/** Undefined for what is no PNG, JPEG, WebP, GIF or AVIF. */
+/** Returns undefined for files other than PNG, JPEG, WebP, GIF and AVIF. */
 export function pictureSize(bytes: Uint8Array): PictureSize | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   try {
@@ -22,14 +24,14 @@ export function pictureSize(bytes: Uint8Array): PictureSize | undefined {
   }
 }
 
-/** The first frame's segment says it; those before it are passed over. */
+/** Skips segments up to that of the first frame, which contains the size. */
 function jpeg(view: DataView): PictureSize | undefined {
   for (let at = 2; ;) {
     const marker = view.getUint16(at);
     if (marker === 0xffff)
       at++; // padding
     else if (marker === 0xff01 || (marker >= 0xffd0 && marker <= 0xffd7))
-      at += 2; // alone
+      at += 2; // marker without data
     else if (marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker)) {
       return {width: view.getUint16(at + 7), height: view.getUint16(at + 5)};
     } else if (marker > 0xff01) at += 2 + view.getUint16(at + 2);
@@ -37,7 +39,7 @@ function jpeg(view: DataView): PictureSize | undefined {
   }
 }
 
-/** The first frame may be larger than the whole. */
+/** Includes the first frame, which may be larger than the whole image. */
 function gif(view: DataView): PictureSize | undefined {
   const colours = (flags: number): number => (flags & 0x80 ? 3 * 2 ** ((flags & 7) + 1) : 0);
   let at = 13 + colours(view.getUint8(10));
@@ -73,7 +75,10 @@ function webp(view: DataView): PictureSize | undefined {
   }
 }
 
-/** Its parts have sizes of their own (`ispe`), in the boxes before the data: the largest is that of the whole. */
+/**
+ * Reads the sizes of an image's parts (`ispe`) in the boxes before the data; the largest is that of
+ * the whole.
+ */
 function avif(view: DataView): PictureSize | undefined {
   let [width, height] = [0, 0];
   for (let at = 0; at + 8 <= view.byteLength;) {
@@ -87,7 +92,8 @@ function avif(view: DataView): PictureSize | undefined {
         height = Math.max(height, view.getUint32(k + 12));
       }
     }
-    if (length < 8) break; // to the end of the file, or longer than any picture that is read
+    // 0: to the end of the file; 1: 64-bit length, longer than any accepted image
+    if (length < 8) break;
     at += length;
   }
   return width > 0 && height > 0 ? {width, height} : undefined;

@@ -1,4 +1,4 @@
-/** A picture of the pattern, as somebody wants it. */
+/** Pictures and cutting sheets of a pattern, in the requested format. */
 import {SolverError} from '../../model/failure.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
@@ -7,7 +7,7 @@ import type {Workbench} from '../../workbench/workbench.js';
 
 const types = ['image/png', 'image/jpeg', 'image/webp'];
 
-/** What files to cut by are, by their types. */
+/** Kinds of cutting sheets by media type. */
 const cutTypes: Readonly<Record<string, CutFileKind>> = {
   'application/pdf': 'pdf',
   'image/svg+xml': 'svg',
@@ -15,31 +15,37 @@ const cutTypes: Readonly<Record<string, CutFileKind>> = {
   'application/vnd.hp-hpgl': 'plt',
 };
 
-/** What is asked of `toBlob`: a picture, or with one of their types a file to cut by. */
+/** Options of `toBlob`: a picture, or a cutting sheet if `type` is one of theirs. */
 export interface BlobRequest {
   /**
-   * `image/png`, the default, `image/jpeg`, `image/webp`; `application/pdf`, `image/svg+xml`, `application/dxf` or
-   * `application/vnd.hp-hpgl` for the pieces to cut, at true scale.
+   * `image/png`, the default, `image/jpeg`, `image/webp`; `application/pdf`, `image/svg+xml`,
+   * `application/dxf` or `application/vnd.hp-hpgl` for a cutting sheet at true scale.
    */
   readonly type?: string | undefined;
-  /** Of a picture. [px] */
+  /** Width of a picture. [px] */
   readonly width?: number | undefined;
-  /** Of a PDF: a4, letter, a3, legal, tabloid, a2, a1, a0, 36in, projector, or a size such as 60x90. Default a4. */
+  /**
+   * Paper of a PDF: a4, letter, a3, legal, tabloid, a2, a1, a0, 36in, projector, or a size such as
+   * 60x90. Default a4.
+   */
   readonly paper?: string | undefined;
-  /** Around pieces to cut. Default 1. [cm] */
+  /** Seam allowance of a cutting sheet. Default 1. [cm] */
   readonly allowance?: number | undefined;
-  /** Of hems. As the allowance by default. [cm] */
+  /** Hem allowance. Default: the seam allowance. [cm] */
   readonly hem?: number | undefined;
-  /** Pieces to cut in their print, or lines alone. Default full. */
+  /** Fills the pieces of a cutting sheet with the print, or draws lines only. Default full. */
   readonly ink?: 'full' | 'outline' | undefined;
 }
 
-/** More than anybody sews with. [cm] */
+/** Greatest seam allowance; nobody sews with more. [cm] */
 const greatestAllowance = 10;
 
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
 
-/** Undefined for a type that is none of files to cut by. @throws {SolverError} with one sentence */
+/**
+ * Returns undefined for a type that is no cutting sheet.
+ * @throws {SolverError} a message of one sentence
+ */
 async function cutFileFor(
   workbench: Workbench,
   {type = '', paper = 'a4', allowance = 1, hem = allowance, ink = 'full'}: BlobRequest,
@@ -63,7 +69,10 @@ async function cutFileFor(
   throw new SolverError({code: 'options', message: garment.noAnswer});
 }
 
-/** A type that cannot be written gives a PNG. @throws {Error} where the browser makes no picture of this size */
+/**
+ * Converts a PNG; an unsupported type gives the PNG.
+ * @throws {Error} if the browser cannot make a picture of this size
+ */
 async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
   if (type === png.type || !types.includes(type)) return png;
   const picture = await createImageBitmap(png);
@@ -81,7 +90,10 @@ async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
   });
 }
 
-/** @throws {SolverError} with one sentence where nothing is drawn, for a wrong width, and where it cannot be written */
+/**
+ * @throws {SolverError} if nothing is drawn, the width is out of range, or the picture cannot be
+ * encoded; the message is one sentence
+ */
 async function pictureOf(
   view: SheetWindow | undefined,
   isDrawn: boolean,
@@ -90,7 +102,7 @@ async function pictureOf(
 ): Promise<Blob> {
   if (view?.isLost) throw new SolverError({code: 'no-webgl', message: pattern.lost});
   if (!view || !isDrawn) throw new SolverError({code: 'no-webgl', message: garment.noDrawing});
-  // also for what is no number
+  // NaN fails, too
   if (width !== undefined && !(width >= 1 && width <= view.widest)) {
     throw new SolverError({code: 'options', message: garment.pictureWidth(String(view.widest))});
   }
@@ -101,7 +113,7 @@ async function pictureOf(
   }
 }
 
-/** What is asked for. @throws {SolverError} as the element's `toBlob` does */
+/** Returns the requested picture or file. @throws {SolverError} as the element's `toBlob` */
 export const blobOf = async (
   workbench: Workbench,
   isDrawn: () => boolean,

@@ -1,4 +1,7 @@
-/** Under a pattern whose print is placed: how large the print is, and which it is, where there are several. */
+/**
+ * Controls under a pattern in `mode="place"`: print scale, and the choice of a print if there are
+ * several.
+ */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignPrint} from '../../model/design.js';
@@ -10,11 +13,11 @@ import {controls} from '../../editor/style/controls.js';
 import {holdWhilePressed} from '../../editor/base/hold.js';
 import type {OfferedPrint} from './offered-prints.js';
 
-/** The slider's ends, as shares of the repeat that the print's maker gave it. */
+/** The slider's ends, as multiples of the repeat in the print's file. */
 const [least, most] = [0.25, 4];
 const steps = 100;
 
-/** Fires `sw-print` with the offered print as `detail`, when one is chosen. */
+/** Fires `sw-print` with the chosen print as `detail`. */
 export class PlaceBar extends WorkbenchElement {
   static override properties = {
     ...WorkbenchElement.properties,
@@ -22,9 +25,9 @@ export class PlaceBar extends WorkbenchElement {
     chosen: {},
   };
   declare prints: readonly OfferedPrint[];
-  /** The URL of the print that is shown. */
+  /** URL of the shown print. */
   declare chosen: string;
-  /** The repeat that the slider's middle stands for, as long as the print is the same. [cm] */
+  /** Repeat at the slider's middle, while the print is the same. [cm] */
   #usual: {readonly image: string; readonly width: number} | undefined;
 
   static override styles = [
@@ -153,7 +156,7 @@ export class PlaceBar extends WorkbenchElement {
     </div>`;
   }
 
-  /** Both sides of the cell by the same factor, rounded to what can be measured. */
+  /** Scales both sides of the cell by the same factor, rounded to a measurable length. */
   #resize(print: DesignPrint, wanted: number): void {
     const width = Math.round(wanted * 100) / 100;
     const {size, group} = print;
@@ -165,6 +168,6 @@ export class PlaceBar extends WorkbenchElement {
   }
 }
 
-/** From 0 to 1 by ratios: in the middle between half and twice lies the same. */
+/** Returns a logarithmic share from 0 to 1: the middle is the geometric mean of both ends. */
 const share = (value: number, from: number, to: number): number =>
   Math.min(1, Math.max(0, Math.log(value / from) / Math.log(to / from)));

@@ -1,4 +1,4 @@
-/** What a person needs who places the print: loaded only then. */
+/** Parts for placing the print; loaded only then. */
 import {defineParts} from '../../editor/parts.js';
 import {ToolHint} from '../../editor/pattern/tool-hint.js';
 import {registerAll} from '../../editor/base/register.js';

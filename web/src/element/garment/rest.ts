@@ -1,13 +1,13 @@
-/** An element that is taken out of the document may only be on its way to another place. [ms] */
+/** Delay after an element leaves the document, since it may only be moving within it. [ms] */
 const grace = 1000;
 
-/** Rests once an element has been out of the document for a while. */
+/** Calls `begin` once an element has been out of the document for a while. */
 export class Rest {
   readonly #isAway: () => boolean;
   readonly #begin: () => void;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param isAway whether nobody needs the element when the time has come */
+  /** @param isAway whether the element is still unused at that time */
   constructor(isAway: () => boolean, begin: () => void) {
     this.#isAway = isAway;
     this.#begin = begin;

@@ -1,11 +1,11 @@
-/** A stored design, made into one to work on again. */
+/** Converts a stored design to an editable one. */
 import {decisionsOf, type Design, type DesignPrint} from '../../model/design.js';
 import {SolverError} from '../../model/failure.js';
 import type {StoredDesign} from '../../model/stored-design.js';
 import type {FileWords} from './files.js';
 import type {Loaded} from './sources.js';
 
-/** @throws {SolverError} `file-changed` when a file is not the one that the design was made with */
+/** @throws {SolverError} `file-changed` if a file differs from the one used for the design */
 export function restored({garment, print}: Loaded, stored: StoredDesign, words: FileWords): Design {
   for (const [found, sold] of [
     [garment.file, stored.garment],

@@ -1,4 +1,6 @@
-/** One garment in one print, from its files to the answer: what the element shows, without the element. */
+/**
+ * One garment in one print, from its files to the answer: the element's logic without the element.
+ */
 import {fabricOf, type Design} from '../../model/design.js';
 import type {FabricName} from '../../model/drape.js';
 import {SolverError, type Failure} from '../../model/failure.js';
@@ -22,17 +24,17 @@ import {Sources, type Asked, type Loaded} from './sources.js';
 import {ToldTiles} from './told-tiles.js';
 import {Waiting} from './waiting.js';
 
-/** Whoever has the session. */
+/** Owner of the session. */
 interface SessionOwner {
   readonly places: () => LeasePlaces;
   readonly emit: Emit;
-  /** State, result or design may be others than before. */
+  /** State, result or design may have changed. */
   readonly changed: () => void;
 }
 
-/** Why something is loaded. */
+/** Reason of a load. */
 export interface LoadReason {
-  /** What is to be restored of it. */
+  /** Stored design to be restored. */
   readonly stored?: StoredDesign | undefined;
   readonly byUser?: boolean;
 }
@@ -42,7 +44,10 @@ const states: Readonly<Record<Workbench['state']['kind'], GarmentState>> = {
   ...{done: 'ready', failed: 'error'},
 };
 
-/** What state, errors and events depend on: what is said of pieces calls them as the sheet does. */
+/**
+ * Parts of the workbench that affect state, errors and events; errors use the sheet's names of
+ * pieces.
+ */
 const heard = ['history', 'solving', 'running', 'selection', 'sheet', 'preferences'] as const;
 
 export class GarmentSession {
@@ -51,21 +56,23 @@ export class GarmentSession {
   readonly #tell: Announcer;
   readonly #lease: LastingSolver;
   readonly #sources = new Sources(() => this.#words);
-  /** Remembered: it takes the sha256 of the whole result, and is asked for at every change of the workbench. */
+  /**
+   * Cached: each change of the workbench requests it, and it needs the SHA-256 of the whole result.
+   */
   readonly #storedText = lastOf((design: Design, result: SolveResult) =>
     writeStoredDesign(storedDesign(design, result, this.#words)),
   );
   readonly #waiting = new Waiting<SolveResult>();
   #loading: AbortController | undefined;
-  /** Why the files could not be loaded. */
+  /** Error of the last load. */
   #failure: SolverError | undefined;
-  /** Something else is asked for, and nobody is loading it. */
+  /** The request has changed, and no load is running. */
   #isOutdated = false;
   #last: Answered | undefined;
-  /** As the program has it; any other is the user's. */
+  /** Design set by the program; any other is the user's. */
   #given: Design | undefined;
   #isTouched = false;
-  /** What was told last of a drag. */
+  /** Last design reported during a drag. */
   #told: Design | undefined;
 
   constructor(owner: SessionOwner, preferences: Preferences) {
@@ -106,7 +113,7 @@ export class GarmentSession {
     return this.state === 'ready' ? this.workbench.result : undefined;
   }
 
-  /** Whether a promise of an answer has not been kept yet. */
+  /** Returns whether a promise of an answer is still pending. */
   get isAwaited(): boolean {
     return !this.#waiting.isEmpty;
   }
@@ -123,15 +130,15 @@ export class GarmentSession {
     return this.#texts.garment;
   }
 
-  /** Something else is asked for, which is going to be loaded. */
+  /** Marks the request as changed; a load follows. */
   outdate(): void {
     this.#isOutdated = true;
     this.#owner.changed();
   }
 
   /**
-   * Reads what is asked for, as far as it is new, and solves it. What the user has changed of the rest stays.
-   * @returns whether it was read, and nothing else took its place
+   * Reads the new parts of a request and solves it. The user's other changes stay.
+   * @returns true if the files were read, and no other request has replaced this one
    */
   async load(asked: Asked, {stored, byUser = false}: LoadReason = {}): Promise<boolean> {
     this.#loading?.abort();
@@ -140,7 +147,7 @@ export class GarmentSession {
     this.#failure = undefined;
     this.#isOutdated = false;
     this.workbench.cancel();
-    if (!this.#last) this.#lease.warm(); // while the files are on their way
+    if (!this.#last) this.#lease.warm(); // the solver starts while the files load
     this.#owner.changed();
     try {
       const loaded = await this.#sources.load(asked, loading.signal);
@@ -151,13 +158,13 @@ export class GarmentSession {
         ? restored(loaded, stored, this.#words)
         : nextDesign(answered, this.#last, this.workbench.design, read);
       this.#tell.loaded(loaded);
-      if (this.#loading !== loading) return false; // whoever heard it wants something else
+      if (this.#loading !== loading) return false; // an event listener has changed the request
       this.#loading = undefined;
       this.#last = answered;
       this.#begin(design, byUser);
       return true;
     } catch (error) {
-      loading.abort(); // what else is being read is not needed any more
+      loading.abort(); // stops the remaining downloads
       if (this.#loading === loading) {
         this.#loading = undefined;
         this.#fail(asError(error));
@@ -166,14 +173,17 @@ export class GarmentSession {
     }
   }
 
-  /** What decides which pins stay on another garment; what cannot be read cannot be solved, which says why. */
+  /**
+   * Returns the documents that decide which pins stay on another garment. A document that cannot be
+   * read causes an error in the solve, with its reason.
+   */
   async #readFor({garment}: Loaded): Promise<ReadGarments> {
     const {design, garment: before} = this.workbench;
     if (!design?.options.pins || this.#last?.loaded.garment === garment) return {};
     return {before, next: await this.workbench.documentOf(garment).catch(() => undefined)};
   }
 
-  /** What the present design is made of when it is worn: nothing is read or solved for that. */
+  /** Sets the fabric of the current design's drape; this reads and solves nothing. */
   set fabric(fabric: FabricName) {
     const {design} = this.workbench;
     if (this.#last) this.#last = {...this.#last, asked: {...this.#last.asked, fabric}};
@@ -182,16 +192,16 @@ export class GarmentSession {
     this.#given = this.workbench.design;
   }
 
-  /** As the program gave it, without what the user has changed. */
+  /** Restores the program's design, without the user's changes. */
   reset(): void {
     const last = this.#last;
-    this.#last = undefined; // nothing of it stays, whenever the next is loaded
+    this.#last = undefined; // the next design keeps nothing of it, even if it is loaded later
     if (!last || this.#loading || this.#isOutdated || this.#failure) return;
     this.#last = last;
     this.#begin(nextDesign(last, undefined, undefined));
   }
 
-  /** @returns whether there was anything to solve again */
+  /** @returns true if there was a design to solve again */
   solveAgain(): boolean {
     if (this.#failure || this.#isOutdated || !this.workbench.design) return false;
     this.workbench.align();
@@ -199,18 +209,18 @@ export class GarmentSession {
   }
 
   /**
-   * The answer to what is asked for now, or to what takes its place before it is there.
-   * @param left called when the last who waited has left
+   * Returns the answer to the current request, or to the one that replaces it meanwhile.
+   * @param left called when the last waiting caller has left
    */
   answer(signal: AbortSignal | undefined, left: () => void): Promise<SolveResult> {
     const answer = this.#waiting.join(signal, () => {
       if (this.#waiting.isEmpty) left();
     });
-    this.#follow(); // the workbench tells of an answer a little later than it has it
+    this.#follow(); // the workbench reports an answer slightly after it has one
     return answer;
   }
 
-  /** Ends what is under way. What is shown stays. */
+  /** Ends running work. The shown result stays. */
   cancel(): void {
     this.#loading?.abort();
     const wasLoading = this.#loading !== undefined;
@@ -221,7 +231,7 @@ export class GarmentSession {
     if (wasLoading) this.#owner.changed();
   }
 
-  /** Gives back what others may need. The last answer is kept. @returns whether something was under way */
+  /** Releases shared resources; the last answer is kept. @returns whether work was running */
   pause(): boolean {
     const wasBusy = ['loading', 'solving'].includes(this.state);
     this.cancel();
@@ -229,7 +239,10 @@ export class GarmentSession {
     return wasBusy;
   }
 
-  /** @throws {SolverError} with one sentence when there is nothing to store, or no place to name */
+  /**
+   * @throws {SolverError} if there is no answer, or a file has no URL to store; the message is one
+   * sentence
+   */
   stored(): StoredDesign & {readonly format: string} {
     const {design, result} = this.workbench;
     if (this.state !== 'ready' || !design || !result) {
@@ -239,7 +252,7 @@ export class GarmentSession {
     return JSON.parse(text) as StoredDesign & {readonly format: string};
   }
 
-  /** Says something that keeps nothing from going on. */
+  /** Reports an error that does not stop the session. */
   report(error: SolverError): void {
     this.#tell.failed(error);
   }
@@ -257,7 +270,7 @@ export class GarmentSession {
     this.#settle();
   }
 
-  /** The workbench has changed: by a program, by its user, or by an answer. */
+  /** Called after each change of the workbench: by a program, by its user, or by an answer. */
   #follow(): void {
     const {workbench} = this;
     if (workbench.design !== this.#given) {
@@ -265,14 +278,14 @@ export class GarmentSession {
       this.#isTouched = true;
     }
     this.#owner.changed();
-    // an answer to what is not asked any more is no news
+    // an outdated answer is not reported
     if (!this.#loading && !this.#isOutdated) this.#tell.solved(workbench);
     if (this.state === 'ready' && this.#isTouched) this.#tellOfUser();
     this.#tell.selected(workbench);
     this.#settle();
   }
 
-  /** Once for a whole drag, and meanwhile as something that goes on. */
+  /** Reports one `change` for a whole drag, and `input` meanwhile. */
   #tellOfUser(): void {
     const {isHeld, design} = this.workbench;
     if (isHeld && design === this.#told) return;
@@ -289,7 +302,7 @@ export class GarmentSession {
     }
   }
 
-  /** Everybody who waits hears what there is to be heard. */
+  /** Settles the promises of all waiting callers, if the state allows. */
   #settle(): void {
     const {state, result, error} = this;
     if (state === 'ready' && result) this.#waiting.resolve(result);

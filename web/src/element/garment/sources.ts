@@ -1,4 +1,4 @@
-/** What an element is given, read: garment, print and symmetries, by their URLs or as objects. */
+/** Reads the element's inputs: garment, print and symmetries, from URLs or objects. */
 import {
   askingFor,
   noPicture,
@@ -18,10 +18,10 @@ import {FileError} from '../../model/versioned-file.js';
 import {jsonText} from '../../solver/requests/texts.js';
 import {fetchText, type FileWords} from './files.js';
 
-/** Strings are URLs, relative to the document. */
+/** A request. Strings are URLs, relative to the document. */
 export interface Asked {
   readonly garment: string | object | undefined;
-  /** What `{size}` in the garment's URL stands for. */
+  /** Replaces `{size}` in the garment's URL. */
   readonly size: string | undefined;
   readonly print: string | object | undefined;
   readonly colourway: string | undefined;
@@ -32,14 +32,14 @@ export interface Asked {
   readonly fabric: FabricName;
 }
 
-/** As it came; the same objects again while the same is asked for. */
+/** Loaded inputs; unchanged inputs are the same objects as before. */
 export interface Loaded {
   readonly garment: DesignGarment;
   readonly print: DesignPrint;
   readonly symmetry: AskedSymmetry;
 }
 
-/** The last thing that was read, by what it was read from. */
+/** Caches the last value by its inputs. */
 class Kept<T> {
   #last: {readonly from: readonly unknown[]; readonly value: T} | undefined;
 
@@ -61,7 +61,7 @@ export class Sources {
     this.#words = words;
   }
 
-  /** @throws {SolverError} with one sentence; the signal's reason when it fires */
+  /** @throws {SolverError} a message of one sentence; the signal's reason when it fires */
   async load(asked: Asked, signal: AbortSignal): Promise<Loaded> {
     const [garment, print, symmetry] = await Promise.all([
       this.#readGarment(asked, signal),
@@ -121,7 +121,7 @@ export class Sources {
   }
 }
 
-/** The file of one size. */
+/** Returns the URL of one size's file. */
 export const garmentUrl = (template: string, size: string | undefined): string =>
   size === undefined ? template : template.replaceAll('{size}', encodeURIComponent(size));
 
@@ -140,7 +140,7 @@ function parsed(text: string, called: string, words: FileWords): unknown {
   }
 }
 
-/** A colourway that the print does not have is its first. @throws {SolverError} */
+/** Reads a print. An unknown colourway selects the first. @throws {SolverError} */
 export function printFrom(
   text: string,
   place: StoredFile | undefined,

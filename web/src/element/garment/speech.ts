@@ -1,4 +1,7 @@
-/** In which words an element speaks: in the language asked for, else in that around it, else in the browser's. */
+/**
+ * Language of an element: the one requested, or else that of the surrounding page, or else the
+ * browser's.
+ */
 import type {ReactiveControllerHost} from 'lit';
 
 import type {Units} from '../../model/units.js';
@@ -8,7 +11,7 @@ import type {Workbench} from '../../workbench/workbench.js';
 import {localeOf} from './attributes.js';
 import {LanguageAround} from './language-around.js';
 
-/** What the element was asked for. */
+/** The element's language and units. */
 interface Speaker extends ReactiveControllerHost, Element {
   readonly locale: string | null;
   readonly units: Units;
@@ -28,7 +31,7 @@ export class Speech {
     });
   }
 
-  /** Words to be shown in place of the element's own. */
+  /** Messages that replace the element's own. */
   get messages(): Messages | undefined {
     return this.#messages;
   }
@@ -43,7 +46,7 @@ export class Speech {
     return textsOf(language, messages);
   }
 
-  /** After anything has changed that decides it. */
+  /** Updates the language and the units after a change. */
   prefer(): void {
     const {locale, units} = this.#speaker;
     const {language} = preferencesFor(localeOf(locale, this.#language.around, navigator.language));

@@ -1,4 +1,4 @@
-/** The design of an element as it is stored, with its answer. */
+/** Stores the design of an element with its answer. */
 import type {Design} from '../../model/design.js';
 import {filedDesign} from '../../model/design-problem.js';
 import {SolverError} from '../../model/failure.js';
@@ -6,7 +6,10 @@ import type {SolveResult} from '../../model/result.js';
 import {designOf, type StoredDesign} from '../../model/stored-design.js';
 import type {FileWords} from './files.js';
 
-/** @throws {SolverError} with one sentence when garment or print have no place that could be stored */
+/**
+ * @throws {SolverError} if the garment or the print has no URL to store; the message is one
+ * sentence
+ */
 export function storedDesign(design: Design, result: SolveResult, words: FileWords): StoredDesign {
   const missing = !design.garment.file
     ? words.garment

@@ -1,4 +1,4 @@
-/** The pictures of an element's prints. A picture is fetched once, for as long as the element is in use. */
+/** Images of an element's prints. Each image is fetched once while the element is in use. */
 import {SolverError} from '../../model/failure.js';
 import {noPicture} from '../../model/design.js';
 import {svgTile, type Tile} from '../../recognition/tile.js';
@@ -8,29 +8,35 @@ import {blobOf} from '../../recognition/data-url.js';
 import {fetchBlob} from './files.js';
 import {pictureSize, type PictureSize} from './picture-size.js';
 
-/** What is decoded takes 4 bytes for each pixel. */
+/** Limits of an image; each decoded pixel takes 4 bytes. */
 const mostPixels = 64e6;
 const longestSide = 20_000;
-/** No texture has more: a larger picture is made smaller where it is decoded, beside the page's own thread. [px] */
+/**
+ * Longest side of a texture; larger images are reduced while decoding, off the main thread. [px]
+ */
 const finest = 4096;
 
 export class Tiles {
   readonly #texts: () => Texts;
-  /** The last picture: as a file where it is made of pixels, which take far more room. */
+  /** The last image; a bitmap is kept as a file, since pixels take far more memory. */
   #last: {readonly image: string; readonly open: Promise<() => Promise<Tile>>} | undefined;
 
   constructor(texts: () => Texts) {
     this.#texts = texts;
   }
 
-  /** @throws {SolverError} as `fetchBlob` does, `too-large`, `not-an-image`; the signal's reason when it fires */
+  /**
+   * @throws {SolverError} as `fetchBlob`, `too-large`, `not-an-image`; the signal's reason when it
+   * fires
+   */
   async tile(image: string, signal?: AbortSignal): Promise<Tile | undefined> {
-    if (image === noPicture) return undefined; // nothing that a policy could forbid
+    // fetches nothing that a content security policy could forbid
+    if (image === noPicture) return undefined;
     if (this.#last?.image !== image) {
       const open = this.#open(image);
       this.#last = {image, open};
       open.catch(() => {
-        if (this.#last?.open === open) this.#last = undefined; // to be tried again
+        if (this.#last?.open === open) this.#last = undefined; // allows another attempt
       });
     }
     const tile = await (await this.#last.open)();
@@ -59,7 +65,7 @@ export class Tiles {
         const message = print.files.outsidePictures(called);
         throw new SolverError({code: 'not-an-image', message});
       }
-      // it is drawn at the size that a screen asks for, whatever it says of itself
+      // an SVG is drawn at the size for the screen, regardless of its own size
       const tile = await decoded(async () =>
         readable(isHere ? await svgTile(text) : await vector(image)),
       );
@@ -76,16 +82,16 @@ export class Tiles {
   }
 }
 
-/** From the URL itself: a policy need not allow others. */
+/** Loads an SVG from its own URL: a content security policy need not allow others. */
 async function vector(url: string): Promise<Tile> {
   const image = new Image();
-  image.crossOrigin = 'anonymous'; // else what comes from elsewhere may be seen, but not drawn with
+  image.crossOrigin = 'anonymous'; // an image from another origin taints the canvas without CORS
   image.src = url;
   await image.decode();
   return {vector: image};
 }
 
-/** @throws {Error} for an SVG whose pixels the browser keeps from the page, as some do where it holds HTML */
+/** @throws {Error} for an SVG that taints the canvas, as SVG with HTML does in some browsers */
 function readable(tile: Tile): Tile {
   const context = document.createElement('canvas').getContext('2d');
   if ('vector' in tile) context?.drawImage(tile.vector, 0, 0, 1, 1);
@@ -93,12 +99,12 @@ function readable(tile: Tile): Tile {
   return tile;
 }
 
-/** Undefined for a picture that may stay as it is. */
+/** Returns undefined for an image that needs no reduction. */
 function reduced({width, height}: PictureSize): ImageBitmapOptions | undefined {
   const shrink = finest / Math.max(width, height);
   if (shrink >= 1) return undefined;
   const side = (length: number): number => Math.max(1, Math.round(length * shrink));
-  // four neighbours are enough down to half the size, and quickest
+  // four neighbours suffice down to half the size, and are fastest
   const resizeQuality = shrink < 0.5 ? 'medium' : 'low';
   return {resizeWidth: side(width), resizeHeight: side(height), resizeQuality};
 }

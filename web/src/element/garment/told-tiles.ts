@@ -1,4 +1,4 @@
-/** Pictures of prints for several parts of an editor, of which each that cannot be read is told of once. */
+/** Images of prints for several parts of an editor; reports each unreadable image once. */
 import type {SolverError} from '../../model/failure.js';
 import type {Tile} from '../../recognition/tile.js';
 import type {Texts} from '../../texts/texts.js';
@@ -8,7 +8,7 @@ import {Tiles} from './tiles.js';
 export class ToldTiles {
   readonly #tiles: Tiles;
   readonly #tell: (error: SolverError) => void;
-  /** The one that was told of last. */
+  /** The last reported image. */
   #unreadable: string | undefined;
 
   constructor(texts: () => Texts, tell: (error: SolverError) => void) {
@@ -16,7 +16,7 @@ export class ToldTiles {
     this.#tell = tell;
   }
 
-  /** @throws {Error} for what cannot be read */
+  /** @throws {Error} if the image cannot be read */
   async tile(image: string, signal?: AbortSignal): Promise<Tile | undefined> {
     if (image !== this.#unreadable) this.#unreadable = undefined;
     try {

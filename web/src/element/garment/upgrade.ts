@@ -1,4 +1,4 @@
-/** What may have been set before the element was known. */
+/** Properties that a page may have set before the element was defined. */
 const properties = [
   ...['garment', 'size', 'print', 'colourway', 'symmetry', 'maxChangeMm', 'view', 'mode'],
   ...[
@@ -17,7 +17,10 @@ const properties = [
   ...['required', 'disabled', 'value'],
 ] as const;
 
-/** Properties that were set then hide those of the element: they are handed to these. */
+/**
+ * Passes properties that were set before the definition to the element's setters, which they would
+ * hide otherwise.
+ */
 export function upgrade(element: HTMLElement): void {
   for (const name of properties) {
     if (!Object.hasOwn(element, name)) continue;

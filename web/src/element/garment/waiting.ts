@@ -1,4 +1,4 @@
-/** Everybody who waits for the same answer. */
+/** Callers that wait for the same answer. */
 
 interface Waiter<T> {
   readonly resolve: (answer: T) => void;
@@ -13,8 +13,8 @@ export class Waiting<T> {
   }
 
   /**
-   * Settles with the others, or by itself when `signal` fires: with its reason.
-   * @param left called then
+   * Settles with the other callers, or when `signal` fires: with its reason.
+   * @param left called when the signal fires
    */
   join(signal: AbortSignal | undefined, left: () => void): Promise<T> {
     return new Promise((resolve, reject) => {

@@ -1,28 +1,28 @@
-/** Where a worn garment is looked at from. Azimuth 0 sees the front, a quarter turn more the wearer's left. */
+/** Camera of a drape. Azimuth 0 shows the front; a quarter turn more shows the wearer's left. */
 import {dot3, minus3, unit3, type Box3, type Vector} from './space.js';
 
-/** A way to look, in words. */
+/** Named view directions. */
 export const presetNames = ['front', 'back', 'left', 'right', 'three-quarter'] as const;
 export type CameraPreset = (typeof presetNames)[number];
 
 /** Angles in radians, lengths in cm. */
 export interface Orbit {
   readonly azimuth: number;
-  /** Above the horizon. */
+  /** Angle above the horizon. */
   readonly elevation: number;
   readonly distance: number;
-  /** What is in the middle of the picture. */
+  /** Middle of the picture. */
   readonly target: Vector;
 }
 
-/** Vertical. [radians] */
+/** Vertical field of view. [radians] */
 export const fieldOfView = (24 * Math.PI) / 180;
-/** Part of the picture that stays free around what is fitted. */
+/** Free share of the picture around a fitted box. */
 const margin = 0.08;
 const steepest = (80 * Math.PI) / 180;
-/** How near and how far, as parts of the distance that shows everything. */
+/** Least and greatest distance, as shares of the distance that shows everything. */
 const range = [0.12, 2] as const;
-/** Of arrow keys. */
+/** Turn for one arrow key. [radians] */
 export const keyTurn = (15 * Math.PI) / 180;
 
 const degrees = (angle: number): number => (angle * Math.PI) / 180;
@@ -35,7 +35,7 @@ const ways: Readonly<Record<CameraPreset, Pick<Orbit, 'azimuth' | 'elevation'>>>
   'three-quarter': {azimuth: degrees(35), elevation: degrees(9)},
 };
 
-/** From the target to the eye, of length 1. */
+/** Returns the unit vector from the target to the eye. */
 export const wayOut = ({azimuth, elevation}: Pick<Orbit, 'azimuth' | 'elevation'>): Vector => [
   Math.sin(azimuth) * Math.cos(elevation),
   Math.sin(elevation),
@@ -51,7 +51,7 @@ export function eyeOf(orbit: Orbit): Vector {
   ];
 }
 
-/** Right and up in the picture, of length 1. */
+/** Returns the unit vectors right and up in the picture. */
 export function screenAxes({
   azimuth,
   elevation,
@@ -66,7 +66,10 @@ export function screenAxes({
   ];
 }
 
-/** The distance at which a picture of this width by height shows all of a box about its target. */
+/**
+ * Returns the distance at which a picture of this aspect ratio (width / height) shows a whole box
+ * around the target.
+ */
 function fittingDistance(orbit: Omit<Orbit, 'distance'>, box: Box3, aspect: number): number {
   const tangent = Math.tan(fieldOfView / 2) * (1 - margin);
   const [right, up] = screenAxes(orbit);
@@ -84,27 +87,27 @@ const cornersOf = ({low, high}: Box3): readonly Vector[] =>
     [low[1], high[1]].flatMap((y) => [low[2], high[2]].map((z): Vector => [x, y, z])),
   );
 
-/** All of a box, about the axis of the form, in one of the ways to look. */
+/** Returns a view of the whole box around the form's axis, from a named direction. */
 export function presetOrbit(preset: CameraPreset, box: Box3, aspect: number): Orbit {
   const target: Vector = [0, (box.low[1] + box.high[1]) / 2, (box.low[2] + box.high[2]) / 2];
   const orbit = {...ways[preset], target};
   return {...orbit, distance: fittingDistance(orbit, box, aspect)};
 }
 
-/** About the target. */
+/** Turns the camera around the target. [radians] */
 export const turned = (orbit: Orbit, azimuth: number, elevation = 0): Orbit => ({
   ...orbit,
   azimuth: withinTurn(orbit.azimuth + azimuth),
   elevation: Math.min(steepest, Math.max(-steepest, orbit.elevation + elevation)),
 });
 
-/** @param whole the distance that shows everything */
+/** @param whole distance that shows everything [cm] */
 export const nearer = (orbit: Orbit, factor: number, whole: number): Orbit => ({
   ...orbit,
   distance: Math.min(range[1] * whole, Math.max(range[0] * whole, orbit.distance / factor)),
 });
 
-/** With its target moved in the plane of the picture, but not out of a box. [cm] */
+/** Moves the target in the plane of the picture, but not out of a box. [cm] */
 export function movedBy(orbit: Orbit, {low, high}: Box3, right: number, up: number): Orbit {
   const [across, upwards] = screenAxes(orbit);
   const target = orbit.target.map((value, k) => {
@@ -114,14 +117,14 @@ export function movedBy(orbit: Orbit, {low, high}: Box3, right: number, up: numb
   return {...orbit, target};
 }
 
-/** The same angle, more than -pi and at most pi. */
+/** Returns the same angle, more than -pi and at most pi. */
 function withinTurn(angle: number): number {
   const turn = 2 * Math.PI;
   const rest = angle - turn * Math.floor(angle / turn);
   return rest > Math.PI ? rest - turn : rest;
 }
 
-/** At a share of the way from one to the other, the shorter way round. */
+/** Interpolates between two orbits, along the shorter way around. */
 export function onTheWay(from: Orbit, to: Orbit, share: number): Orbit {
   const mixed = (a: number, b: number): number => a + share * (b - a);
   return {
@@ -136,7 +139,7 @@ export function onTheWay(from: Orbit, to: Orbit, share: number): Orbit {
   };
 }
 
-/** The preset that a view is nearest to. */
+/** Returns the preset nearest to a view. */
 export function nearestPreset(orbit: Pick<Orbit, 'azimuth' | 'elevation'>): CameraPreset {
   const way = unit3(wayOut(orbit));
   const nearness = (name: CameraPreset): number =>
@@ -144,7 +147,7 @@ export function nearestPreset(orbit: Pick<Orbit, 'azimuth' | 'elevation'>): Came
   return presetNames.reduce((best, name) => (nearness(name) > nearness(best) ? name : best));
 }
 
-/** Looks from where a direction points to, level or a little from above. */
+/** Turns the camera to face a direction, slightly from above. */
 export const facing = (orbit: Orbit, [x, , z]: Vector): Orbit =>
   x === 0 && z === 0
     ? orbit

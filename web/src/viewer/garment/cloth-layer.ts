@@ -1,4 +1,4 @@
-/** The cloth of one mesh as the graphics card has it: places and normals that move, and where it lies on the print. */
+/** GPU buffers of a drape's mesh: moving positions and normals, and coordinates on the print. */
 import {BufferAttribute, BufferGeometry, DynamicDrawUsage} from 'three';
 
 import type {DrapeMesh} from '../../model/drape.js';
@@ -8,11 +8,11 @@ import {clothOf, normalsOf, printPlaces, putToDrawn, type Cloth} from './cloth.j
 export class ClothLayer {
   readonly geometry = new BufferGeometry();
   readonly cloth: Cloth;
-  /** Of the cloth's vertices, x, y, z after each other. [cm] */
+  /** Positions of the mesh's vertices as x, y, z triples. [cm] */
   positions: Float32Array = new Float32Array();
   readonly normals: Float32Array<ArrayBuffer>;
   #scene: PatternScene | undefined;
-  /** As drafted. */
+  /** The drafted scene. */
   #before: PatternScene | undefined;
 
   constructor(mesh: DrapeMesh) {
@@ -36,7 +36,7 @@ export class ClothLayer {
     this.geometry.setIndex(new BufferAttribute(triangles, 1));
   }
 
-  /** Moves it there. */
+  /** Moves the mesh. */
   pose(positions: Float32Array): void {
     this.positions = positions;
     normalsOf(positions, this.cloth.welded, this.normals);
@@ -44,7 +44,9 @@ export class ClothLayer {
     putToDrawn(this.cloth, this.normals, this.#array('normal'));
   }
 
-  /** Lays its pieces on the print as they lie in a scene of the same pieces; one of others changes nothing. */
+  /**
+   * Aligns the pieces with the print as in a scene of the same pieces; ignores a scene of others.
+   */
   print(scene: PatternScene): void {
     if (scene === this.#scene || !this.isOf(scene)) return;
     const {pieces, print} = scene;
@@ -59,8 +61,9 @@ export class ClothLayer {
   }
 
   /**
-   * Lays its pieces on the print as drafted, too, to be compared. They hang where the cut ones do: drafted ones would
-   * hang elsewhere by no more than outlines are moved, which is millimetres.
+   * Computes print coordinates of the drafted pieces, too, for comparison. They use the positions
+   * of the cut pieces: drafted ones would hang elsewhere by no more than outlines are moved, which
+   * is millimetres.
    */
   draft(before: PatternScene): void {
     if (before === this.#before || !this.isOf(before)) return;

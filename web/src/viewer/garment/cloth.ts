@@ -1,4 +1,6 @@
-/** The cloth of a drape as it is drawn: split by piece, since each piece lies elsewhere on the print. */
+/**
+ * The mesh of a drape for drawing: split by piece, since each piece has its own place on the print.
+ */
 import type {DrapeMesh} from '../../model/drape.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
@@ -8,17 +10,17 @@ import {imageCoordinates} from '../../model/print-coordinates.js';
 /** Drawn vertices are those of the pieces, one piece after the other. */
 export interface Cloth {
   readonly mesh: DrapeMesh;
-  /** Per drawn vertex its number in the cloth. */
+  /** Mesh vertex of each drawn vertex. */
   readonly sewn: Uint32Array;
-  /** Per drawn vertex its piece. */
+  /** Piece of each drawn vertex. */
   readonly pieces: Uint16Array;
-  /** Per drawn vertex x, y on the piece as cut. [cm] */
+  /** Point x, y of each drawn vertex on the piece as cut. [cm] */
   readonly shape: Float32Array;
-  /** Of drawn vertices, three each, those of one piece after the other. */
+  /** Triples of drawn vertices, one piece after the other. */
   readonly triangles: Uint32Array;
-  /** The same, of vertices of the cloth. */
+  /** The same triples as vertices of the mesh. */
   readonly welded: Uint32Array;
-  /** Per piece its first drawn vertex, and the number of all. */
+  /** First drawn vertex of each piece, and the number of all. */
   readonly firsts: readonly number[];
 }
 
@@ -43,7 +45,7 @@ export function clothOf(mesh: DrapeMesh): Cloth {
   return {mesh, sewn, pieces, shape, triangles, welded, firsts};
 }
 
-/** Puts x, y, z of the cloth's vertices to the drawn ones. */
+/** Copies x, y, z of the mesh's vertices to the drawn ones. */
 export function putToDrawn(
   {sewn}: Pick<Cloth, 'sewn'>,
   from: ArrayLike<number>,
@@ -57,7 +59,10 @@ export function putToDrawn(
   }
 }
 
-/** Unit normals per vertex: the sum of those of its triangles by area. Seams shade smoothly where vertices are the cloth's. */
+/**
+ * Returns unit normals per vertex: the area-weighted sum over its triangles. Seams shade smoothly
+ * if the vertices are the mesh's.
+ */
 export function normalsOf(
   positions: ArrayLike<number>,
   triangles: Uint32Array,
@@ -94,7 +99,11 @@ export function normalsOf(
   return into;
 }
 
-/** Per drawn vertex its place on the print's image, as the flat pattern has it: one affine map per piece. @param outline of the pieces that lie there: as drafted, or as cut */
+/**
+ * Computes each drawn vertex's place on the print's image with one affine map per piece, as in the
+ * flat pattern.
+ * @param outline points of the pieces on the print: as drafted, or as cut
+ */
 export function printPlaces(
   {mesh, firsts}: Pick<Cloth, 'mesh' | 'firsts'>,
   alignments: readonly Alignment[],

@@ -1,4 +1,4 @@
-/** A tailor's dummy: the form in linen, with what a form has besides its body: a cap on its neck, a pole and a foot. */
+/** A tailor's dummy: the form in linen, with a cap on its neck, a pole and a foot. */
 import type {Form, Surface} from '../../model/drape.js';
 import {normalsOf} from './cloth.js';
 
@@ -7,15 +7,15 @@ type Colour = readonly [number, number, number];
 const linen: Colour = [0xd9 / 255, 0xd2 / 255, 0xc4 / 255];
 const wood: Colour = [0.56, 0.43, 0.31];
 
-/** Room between what hangs lowest and the floor. [cm] */
+/** Gap between the lowest part and the floor. [cm] */
 const clearance = 15;
-/** How far from the middle plane the form is looked at to find where pole and cap belong. [cm] */
+/** Half width of the band around the middle plane that locates pole and cap. [cm] */
 const middleBand = 2.5;
-/** A form that is higher above the nape has a head, and needs no cap. [cm] */
+/** Least height above the nape of a form with a head, which needs no cap. [cm] */
 const neckRoom = 14;
 const segments = 40;
 
-/** What is drawn: vertices x, y, z after each other, and as many normals and colours. */
+/** Triangles with positions, normals and colours as triples per vertex. */
 export interface Solid {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
@@ -28,22 +28,22 @@ type Profile = readonly (readonly [radius: number, height: number])[];
 
 export const footRadius = 13.5;
 
-/** The body, all in linen. */
+/** Returns the body, all in linen. */
 export function bodyOf({vertices, triangles}: Surface): Solid {
   const colours = new Float32Array(vertices.length);
   for (let k = 0; k < vertices.length; k += 3) colours.set(linen, k);
   return {positions: vertices, normals: normalsOf(vertices, triangles), colours, triangles};
 }
 
-/** Where things stand that are no part of the body. [cm] */
+/** Floor, and the parts that do not belong to the body. [cm] */
 export interface Stand {
   readonly floor: number;
   readonly parts: Solid;
-  /** Of pole and foot, towards the front. */
+  /** Place of pole and foot, towards the front. */
   readonly middle: number;
 }
 
-/** @param lowest of all that hangs */
+/** @param lowest lowest point of the garment [cm] */
 export function standOf({surface, body}: Form, lowest: number): Stand {
   const {vertices} = surface;
   let [bottom, top] = [Infinity, -Infinity];
@@ -75,7 +75,7 @@ export function standOf({surface, body}: Form, lowest: number): Stand {
   return {floor, parts, middle};
 }
 
-/** A disc on the neck, and a knob to lift the dummy by. */
+/** Returns a disc on the neck, and a knob to lift the dummy. */
 function capOn(vertices: Float32Array, top: number, radius: number): Solid {
   const profile: Profile = [
     [radius, top - 0.9],
@@ -99,7 +99,9 @@ function neckWidth(vertices: Float32Array, top: number): number {
   return radius;
 }
 
-/** How far to the front the body is at a height, in its middle plane. */
+/**
+ * Returns the depth of the body's middle at a height, towards the front, in its middle plane. [cm]
+ */
 function middleNear(vertices: Float32Array, height: number): number {
   let [low, high] = [Infinity, -Infinity];
   for (let k = 0; k < vertices.length; k += 3) {
@@ -112,7 +114,7 @@ function middleNear(vertices: Float32Array, height: number): number {
   return low > high ? 0 : (low + high) / 2;
 }
 
-/** A profile turned about a vertical axis; edges are kept by vertices of their own. */
+/** Revolves a profile around a vertical axis; separate vertices keep its edges sharp. */
 function turnedSolid(profile: Profile, middle: number): Solid {
   const bands = profile.length - 1;
   const count = bands * 2 * (segments + 1);

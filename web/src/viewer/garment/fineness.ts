@@ -1,17 +1,20 @@
-/** How finely a garment is drawn while it moves: as finely as its frames come in time. */
+/** Adapts the resolution of a moving garment to the frame rate. */
 import type {Raster} from '../stage.js';
 
 export interface Fineness {
-  /** Of a pixel's edges. */
+  /** Samples per pixel for multisampling. */
   readonly samples: number;
-  /** At most so many pixels for each of CSS. */
+  /** Greatest number of device px per CSS px. */
   readonly ratio: number;
 }
 
-/** Of what rests, and of pictures to keep. */
+/** Used at rest and for saved pictures. */
 export const finest: Fineness = {samples: 4, ratio: Infinity};
 
-/** In software, multisampling takes half of a frame's time, and half the pixels half of the rest. */
+/**
+ * Software rendering spends half of a frame on multisampling, and half the pixels take half of the
+ * rest.
+ */
 const steps: readonly Fineness[] = [
   finest,
   {samples: 0, ratio: 1},
@@ -19,18 +22,24 @@ const steps: readonly Fineness[] = [
   {samples: 0, ratio: 0.5},
 ];
 
-/** Frames that take longer are too slow; displays that save power show 30 in a second. [ms] */
+/** Mean frame time that is too slow; displays that save power show 30 frames per second. [ms] */
 const slowest = 36;
-/** Frames that take less would leave time for finer ones. [ms] */
+/** Mean frame time that leaves room for more detail. [ms] */
 const fast = 24;
-/** Not a frame: the page was asleep. [ms] */
+/** Least time that is not a frame: the page was asleep. [ms] */
 const asleep = 1000;
-/** Of a new frame in the mean of those before. So it takes three slow ones to be coarser, since two are under way. */
+/**
+ * Weight of a new frame in the running mean. Three slow frames make it coarser, since two are in
+ * flight.
+ */
 const weight = 0.1;
-/** In time one after the other before finer ones are tried; twice as many after every trial in vain. */
+/**
+ * Number of consecutive fast frames before more detail is tried; it doubles after each failed
+ * trial.
+ */
 const patience = 90;
 
-/** What frames took, and what that means for the next ones. */
+/** Measures frame times and chooses the fineness of the next frames. */
 export class MovingFineness {
   #step = 0;
   /** [ms] */
@@ -43,7 +52,7 @@ export class MovingFineness {
     return steps[this.#step] ?? finest;
   }
 
-  /** @param time from where a frame was drawn to where the next one could be [ms] */
+  /** @param time from one frame's drawing to the earliest next one [ms] */
   took(time: number): void {
     if (time > asleep) return;
     this.#mean += weight * (Math.min(time, 2 * slowest) - this.#mean);
@@ -62,7 +71,7 @@ export class MovingFineness {
   }
 }
 
-/** A picture of so many pixels at most. */
+/** Reduces a raster to the fineness. */
 export function coarser({width, height, ratio}: Raster, {ratio: most}: Fineness): Raster {
   const share = Math.min(1, most / ratio);
   const side = (length: number): number => Math.max(1, Math.round(share * length));

@@ -1,16 +1,16 @@
-/** How the camera moves by itself: on a way to another place, or round and round. */
+/** Automatic camera motion: a flight to another orbit, or a turntable. */
 import {onTheWay, turned, type Orbit} from './camera.js';
 
-/** Of a way. [ms] */
+/** Duration of a flight. [ms] */
 const flightTime = 400;
-/** Once round. [ms] */
+/** Duration of one turn. [ms] */
 const turnTime = 12_000;
 
 export class Flight {
-  /** Somebody asked for as little motion as there can be. */
+  /** Returns whether the user prefers reduced motion. */
   readonly #isQuiet: () => boolean;
   #way: {readonly from: Orbit; readonly to: Orbit; readonly begun: number} | undefined;
-  /** When the turntable was looked at last. [ms] */
+  /** Time of the turntable's last update. [ms] */
   #turned: number | undefined;
 
   constructor(isQuiet: () => boolean) {
@@ -25,7 +25,7 @@ export class Flight {
     return this.#turned !== undefined;
   }
 
-  /** @returns where the camera is at once */
+  /** @returns the camera's orbit right after the start */
   begin(from: Orbit, to: Orbit, now: number): Orbit {
     this.stop();
     if (this.#isQuiet()) return to;
@@ -43,7 +43,7 @@ export class Flight {
     this.#turned = undefined;
   }
 
-  /** Where the camera is by now. */
+  /** Returns the camera's orbit at a time. */
   at(orbit: Orbit, now: number): Orbit {
     if (this.#turned !== undefined) {
       const passed = Math.min(100, now - this.#turned); // no leap after a tab was hidden

@@ -1,4 +1,4 @@
-/** The camera of a worn garment: where it is, where it comes home to, and how it gets there. */
+/** The camera of a drape: its orbit, its home, and its motion. */
 import {
   facing,
   fieldOfView,
@@ -14,7 +14,7 @@ import {
 import {Flight} from './flight.js';
 import type {Box3, Vector} from './space.js';
 
-/** Of an arrow key with Shift. [heights of the picture] */
+/** Move for an arrow key with Shift. [heights of the picture] */
 const keyPan = 0.1;
 
 const arrows: Readonly<Record<string, readonly [right: number, up: number]>> = {
@@ -24,9 +24,9 @@ const arrows: Readonly<Record<string, readonly [right: number, up: number]>> = {
   ArrowDown: [0, -1],
 };
 
-/** What it looks at, and in which proportions. */
+/** Box in view, and aspect ratio of the picture. */
 interface Room {
-  /** Undefined while nothing is there. */
+  /** Undefined without a garment. */
   readonly box: Box3 | undefined;
   readonly aspect: number;
 }
@@ -37,28 +37,31 @@ export class GarmentCamera {
   readonly #flight: Flight;
   #preset: CameraPreset = 'front';
   #orbit: Orbit | undefined;
-  /** Nobody has moved it since it was placed: it stays so when the room changes. */
+  /**
+   * The user has not moved the camera since it was placed, so it is fitted again when the room
+   * changes.
+   */
   #isFitted = true;
 
-  /** @param changed called after every move but those on its way */
+  /** @param changed called after each move except the steps of a flight */
   constructor(room: () => Room, isQuiet: () => boolean, changed: () => void) {
     this.#room = room;
     this.#changed = changed;
     this.#flight = new Flight(isQuiet);
   }
 
-  /** Undefined while nothing is there to look at. */
+  /** Undefined without a garment. */
   get orbit(): Orbit | undefined {
     return this.#orbit;
   }
 
-  /** Where it comes home to. */
+  /** Orbit of the preset. */
   get home(): Orbit | undefined {
     const {box, aspect} = this.#room();
     return box && presetOrbit(this.#preset, box, aspect);
   }
 
-  /** The preset that it is nearest to. */
+  /** Preset nearest to the orbit. */
   get preset(): CameraPreset {
     return this.#orbit ? nearestPreset(this.#orbit) : this.#preset;
   }
@@ -71,7 +74,7 @@ export class GarmentCamera {
     return this.#flight.isTurning;
   }
 
-  /** Another box or another room: placed anew, unless somebody has moved it. */
+  /** Fits the camera to another box or room, unless the user has moved it. */
   fit(): void {
     if (this.#orbit && !this.#isFitted) return;
     if (!this.#flight.isTurning || !this.#orbit) this.#orbit = this.home;
@@ -79,21 +82,21 @@ export class GarmentCamera {
     this.#changed();
   }
 
-  /** Goes there, and comes home to it from now on. */
+  /** Flies to a preset, which becomes the camera's home. */
   look(preset = this.#preset): void {
     this.#preset = preset;
     if (this.home) this.#fly(this.home);
     this.#isFitted = true;
   }
 
-  /** Goes to where a direction points to. */
+  /** Flies to face a direction. */
   face(way: Vector): void {
     if (!this.#orbit) return;
     this.#fly(facing(this.#orbit, way));
     this.#isFitted = false;
   }
 
-  /** About the garment; a turntable stops. [radians] */
+  /** Turns around the garment and stops a turntable. [radians] */
   turn(azimuth: number, elevation = 0): void {
     this.#steer((orbit) => turned(orbit, azimuth, elevation));
   }
@@ -106,7 +109,7 @@ export class GarmentCamera {
       );
   }
 
-  /** Turns round and round, or not any more; never for who wants no motion. */
+  /** Starts or stops the turntable; it never starts if the user prefers reduced motion. */
   setTurntable(isTurning: boolean): void {
     if (isTurning === this.#flight.isTurning) return;
     this.#flight.turn(isTurning, performance.now());
@@ -117,7 +120,10 @@ export class GarmentCamera {
     this.#flight.stop();
   }
 
-  /** Moves what is seen in the plane of the picture. @param height of the picture, in the unit of the move */
+  /**
+   * Moves the garment in the plane of the picture.
+   * @param height height of the picture, in the unit of the move
+   */
   pan(right: number, up: number, height: number): void {
     const {box} = this.#room();
     if (!box) return;
@@ -127,7 +133,10 @@ export class GarmentCamera {
     });
   }
 
-  /** What an arrow key means to it: it turns the garment, or with Shift moves it. @returns whether it means anything */
+  /**
+   * Handles an arrow key: turns the garment, or moves it with Shift.
+   * @returns true for arrow keys
+   */
   key(key: string, isShifted: boolean): boolean {
     const way = arrows[key];
     if (!way) return false;
@@ -137,7 +146,7 @@ export class GarmentCamera {
     return true;
   }
 
-  /** Moves on, for a picture that is drawn now. */
+  /** Advances a motion to now, for the picture that is being drawn. */
   advance(): Orbit | undefined {
     if (this.#orbit) this.#orbit = this.#flight.at(this.#orbit, performance.now());
     return this.#orbit;

@@ -1,4 +1,7 @@
-/** Which piece or seam of a worn garment somebody points at, and where it is best seen from. */
+/**
+ * Finds the piece or seam of a drape under the pointer, and the direction from which it is best
+ * visible.
+ */
 import type {Surface} from '../../model/drape.js';
 import type {Point} from '../../model/geometry.js';
 import type {ScreenSize} from '../../scene/sheet-view.js';
@@ -16,13 +19,13 @@ interface Look {
   readonly layer: ClothLayer;
   readonly orbit: Orbit;
   readonly size: ScreenSize;
-  /** Hides what is behind it. */
+  /** Hides the garment behind it. */
   readonly form: Surface | undefined;
   /** [CSS px] */
   readonly reach: number;
 }
 
-/** The ray from the eye through a point of a picture. [CSS px] */
+/** Returns the ray from the eye through a point of a picture. [CSS px] */
 export function rayThrough([x, y]: Point, orbit: Orbit, {width, height}: ScreenSize): Ray {
   const tangent = Math.tan(fieldOfView / 2);
   const [right, up] = screenAxes(orbit);
@@ -33,7 +36,10 @@ export function rayThrough([x, y]: Point, orbit: Orbit, {width, height}: ScreenS
   return {origin: eyeOf(orbit), way: unit3(way)};
 }
 
-/** A point in space to the picture [CSS px], and how far it is from the eye [cm]: the way back of `rayThrough`. */
+/**
+ * Projects a point in space onto the picture [CSS px], with its distance from the eye [cm]; the
+ * inverse of `rayThrough`.
+ */
 export function projected(
   point: Vector,
   orbit: Orbit,
@@ -66,7 +72,7 @@ export class GarmentPicker {
     return {kind: 'seam', seam, side};
   }
 
-  /** Where the cloth of a target faces to, on the whole. */
+  /** Returns the mean direction that a target's surface faces. */
   facing({cloth, normals}: ClothLayer, target: GarmentTarget): Vector {
     const vertices =
       target.kind === 'seam'

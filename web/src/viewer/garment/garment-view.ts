@@ -1,4 +1,6 @@
-/** The view of a garment as it is worn: its cloth in the print, on a tailor's dummy. Drawn only when something changes. */
+/**
+ * The view of a drape: its fabric with the print, on a tailor's dummy. Draws only after a change.
+ */
 import type {DrapeMesh, Form} from '../../model/drape.js';
 import type {Point} from '../../model/geometry.js';
 import {imageCell} from '../../model/wallpaper.js';
@@ -17,26 +19,29 @@ import {garmentPicture, type Paper} from './picture.js';
 import {followPointer} from './pointer.js';
 import {WornScene, type Marked} from './worn-scene.js';
 
-/** After this long without a change it is drawn as finely as it can be, and an SVG tile as densely as the zoom asks for. [ms] */
+/**
+ * Delay after the last change before it is drawn at full detail, and an SVG tile at the density of
+ * the zoom. [ms]
+ */
 const rest = 150;
-/** Of a drag. [radians per CSS px] */
+/** Turn for a drag. [radians per CSS px] */
 const dragTurn = 0.007;
-/** A pointer that stays within this of a seam means it. [CSS px] */
+/** Greatest distance of a pointer from a seam that it selects. [CSS px] */
 const reach = 6;
 const pictureWidth = 1600;
 
 interface GarmentViewOptions {
   readonly appearance?: Appearance;
-  /** The wheel scrolls the page, and zooms with ctrl only; a finger that moves up or down scrolls, too. */
+  /** The wheel scrolls the page, and zooms with ctrl only; a vertical swipe scrolls, too. */
   readonly leavesWheel?: boolean;
   readonly onLost?: (isLost: boolean) => void;
   readonly onPoint?: (target: GarmentTarget | undefined) => void;
   readonly onPick?: (target: GarmentTarget | undefined) => void;
-  /** The camera has come to rest, or turns. */
+  /** Called when the camera comes to rest, and during a turntable. */
   readonly onMoved?: () => void;
 }
 
-/** Of a picture: usually on the page's ground, from where the camera comes home to. */
+/** Settings of a picture. Default: the page's background, seen from the camera's home. */
 interface Seen {
   readonly orbit?: Orbit;
   readonly ground?: Paper['ground'];
@@ -53,13 +58,16 @@ export class GarmentView {
   #appearance: Appearance;
   #scene: PatternScene | undefined;
   #picture: Tile | undefined;
-  /** While it runs, what is seen moves. */
+  /** Pending while the view moves. */
   #pause: ReturnType<typeof setTimeout> | undefined;
   readonly #fineness = new MovingFineness();
-  /** What was drawn last is not as fine as it is when it rests. */
+  /** The last drawing is coarser than one at rest. */
   #isCoarse = false;
 
-  /** Fills `host`, an empty element with a size of its own. @throws {Error} where the browser has no WebGL 2 */
+  /**
+   * Fills `host`, an empty element with its own size.
+   * @throws {Error} if the browser has no WebGL 2
+   */
   constructor(host: HTMLElement, options: GarmentViewOptions = {}) {
     this.#options = options;
     this.#appearance = options.appearance ?? 'light';
@@ -89,23 +97,23 @@ export class GarmentView {
     });
     this.#worn.studio.prepare(this.#screen.renderer);
     this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
-      texture.colorSpace = 'srgb'; // light is reckoned with linear colours
+      texture.colorSpace = 'srgb'; // lighting uses linear colours
       this.#worn.studio.tile = texture;
       this.#screen.request();
     });
     this.#listen(host, this.#screen.signal);
   }
 
-  /** There is no part of a sheet to come back to. */
+  /** Always null: this view shows no part of a sheet that could be restored. */
   get state(): null {
     return null;
   }
 
   set state(_: unknown) {
-    // a camera is not kept with a step
+    // the camera is not saved with a step
   }
 
-  /** Where it is looked at from, and what that can be asked for. */
+  /** The camera's public controls. */
   get camera(): Pick<
     GarmentCamera,
     'key' | 'look' | 'turn' | 'zoomBy' | 'setTurntable' | 'isTurning' | 'preset'
@@ -113,7 +121,7 @@ export class GarmentView {
     return this.#camera;
   }
 
-  /** Lays the cloth on the print as the pieces lie in a scene. Cheap where that is the same as before. */
+  /** Aligns the fabric with the print as in a scene. Cheap if the alignment is unchanged. */
   show(scene: PatternScene): void {
     if (scene === this.#scene) return;
     const before = this.#scene;
@@ -123,7 +131,7 @@ export class GarmentView {
     this.#screen.request();
   }
 
-  /** The picture of the print's cell; without one, bare cloth. */
+  /** Sets the image of the print's cell; without one, the fabric is plain. */
   setTile(tile: Tile | undefined): void {
     this.#picture = tile;
     if (this.#scene) this.#tile.set(tile, imageCell(this.#scene.print));
@@ -136,19 +144,22 @@ export class GarmentView {
     this.#screen.request();
   }
 
-  /** Whether seams are drawn by how they match. */
+  /** Sets whether seams are coloured by mismatch. */
   setSeams(hasSeams: boolean): void {
     this.#worn.setSeams(hasSeams);
     this.#screen.request();
   }
 
-  /** Shows `before` to the left of the split, seen from the same place. Cheap when only the split changes. */
+  /**
+   * Shows `before` to the left of the split, from the same camera. Cheap when only the split
+   * changes.
+   */
   setWipe(wipe: Wipe | undefined): void {
     this.#worn.setWipe(wipe);
     this.#screen.request();
   }
 
-  /** Whether the dummy is seen. */
+  /** Sets whether the dummy is visible. */
   setForm(isShown: boolean): void {
     this.#worn.setForm(isShown);
     this.#screen.request();
@@ -159,36 +170,36 @@ export class GarmentView {
     this.#screen.request();
   }
 
-  /** The form that the cloth hangs on. */
+  /** The form under the garment. */
   set form(form: Form) {
     this.#worn.form = form;
   }
 
-  /** What moves from the next places on. What is shown stays until then. */
+  /** Sets the mesh of the next poses; the current one stays visible until then. */
   set mesh(mesh: DrapeMesh) {
     this.#worn.mesh = mesh;
   }
 
-  /** Where the cloth is, x, y, z per vertex. [cm] */
+  /** Moves the mesh's vertices; x, y, z for each. [cm] */
   pose(positions: Float32Array): void {
     this.#worn.pose = positions;
     this.#screen.request();
     this.#stir();
   }
 
-  /** Shows nothing, until there is another mesh. */
+  /** Shows nothing until another mesh is set. */
   clear(): void {
     this.#worn.clear();
     this.#screen.request();
   }
 
-  /** Turns the camera to where a piece or a seam is seen. */
+  /** Turns the camera to face a piece or a seam. */
   face(target: GarmentTarget): void {
     const {layer} = this.#worn;
     if (layer) this.#camera.face(this.#picker.facing(layer, target));
   }
 
-  /** The seam or piece at a point of the host. [CSS px] */
+  /** Returns the seam or piece at a point of the host. [CSS px] */
   targetAt(at: Point): GarmentTarget | undefined {
     const {layer, body: form} = this.#worn;
     const {orbit} = this.#camera;
@@ -196,31 +207,39 @@ export class GarmentView {
     return layer && orbit && this.#picker.at(at, {layer, orbit, size, form, reach});
   }
 
-  /** Of a picture. [px] */
+  /** Greatest width of a picture. [px] */
   get widestPicture(): number {
     return garmentPicture.widest(this.#screen.renderer, this.#aspect);
   }
 
-  /** As a PNG, so many pixels wide, from where the camera comes home to. @throws {Error} before anything is shown, or while the graphics context is lost */
+  /**
+   * Returns a PNG, seen from the camera's home.
+   * @param width of the picture [px]
+   * @throws {Error} before a garment is shown, or while the graphics context is lost
+   */
   toBlob(width = pictureWidth): Promise<Blob> {
     return garmentPicture.blob(this.#paper(width));
   }
 
-  /** As it is seen now, twice as fine, as a PNG. @throws {Error} as `toBlob` does */
+  /** Returns the current view as a PNG at twice the resolution. @throws {Error} as `toBlob` */
   shot(): Promise<Blob> {
     const width = Math.min(this.widestPicture, 2 * this.#screen.raster.width);
     const {orbit} = this.#camera;
     return garmentPicture.blob(this.#paper(width, {...(orbit && {orbit}), hasWipe: true}));
   }
 
-  /** So many pixels wide, at this share of a way round it from where the camera comes home to. @throws {Error} as `toBlob` does */
+  /**
+   * Returns a picture at a share of one turn from the camera's home.
+   * @param width of the picture [px]
+   * @throws {Error} as `toBlob`
+   */
   onTheWayRound(width: number, share: number): Promise<HTMLCanvasElement> {
     const {home} = this.#camera;
     const orbit = home && turned(home, 2 * Math.PI * share);
     return garmentPicture.canvas(this.#paper(width, {...(orbit && {orbit})}));
   }
 
-  /** On white, at once. */
+  /** Returns a picture on white, synchronously; undefined without a garment. */
   onPaper(): HTMLCanvasElement | undefined {
     return this.#worn.isWorn
       ? garmentPicture.now(this.#paper(pictureWidth, {ground: [255, 255, 255]}))
@@ -258,7 +277,7 @@ export class GarmentView {
     navigate(host, moves, signal, {leavesWheel});
     if (leavesWheel) {
       host.style.touchAction = 'pan-y';
-      // one finger may scroll the page, two are for the garment
+      // one finger may scroll the page, two move the garment
       const hold = (event: TouchEvent): void => {
         if (event.touches.length > 1 && event.cancelable) event.preventDefault();
       };
@@ -288,7 +307,7 @@ export class GarmentView {
     if (this.#camera.isTurning) this.#options.onMoved?.();
   }
 
-  /** What is seen moves, until it has rested for a while. */
+  /** Marks the view as moving until it has rested for a while. */
   #stir(): void {
     clearTimeout(this.#pause);
     this.#pause = setTimeout(() => {

@@ -1,26 +1,30 @@
-/** What lies under a point of the picture of a worn garment. */
+/** Finds the triangle and the seam under a point of a drape's picture. */
 import type {Point} from '../../model/geometry.js';
 import {pointOf, type Vector} from './space.js';
 
 export interface Ray {
   readonly origin: Vector;
-  /** Of length 1. */
+  /** Unit vector. */
   readonly way: Vector;
 }
 
-/** Where a ray first meets a triangle of a surface, from either side. */
+/** First intersection of a ray with a triangle of a surface, from either side. */
 interface Hit {
   readonly triangle: number;
   readonly distance: number;
 }
 
-/** Möller and Trumbore 1997; x, y, z per vertex, three vertices per triangle. */
+/**
+ * Returns the first hit (Möller and Trumbore 1997).
+ * @param positions x, y, z per vertex
+ * @param triangles three vertices per triangle
+ */
 export function firstHit(
   {origin, way}: Ray,
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
 ): Hit | undefined {
-  // written out: this runs over all triangles at every move of a pointer
+  // written out: this runs over all triangles at each move of the pointer
   const [ox, oy, oz] = origin;
   const [wx, wy, wz] = way;
   let best: Hit | undefined;
@@ -59,19 +63,22 @@ export function firstHit(
   return best;
 }
 
-/** A line on the cloth that can be pointed at. */
+/** A line on the mesh that the pointer can select. */
 interface PickLine {
   readonly seam: number;
-  /** Of the cloth. */
+  /** Vertices of the mesh. */
   readonly vertices: Iterable<number>;
 }
 
-/** A seam further behind the cloth under the pointer than this is on the other side of the garment. [cm] */
+/**
+ * Depth behind the fabric under the pointer from which a seam is on the other side of the garment.
+ * [cm]
+ */
 const seamDepth = 1.5;
 
 /**
- * The seam that passes nearest by a point of the picture, and no further than `reach` px.
- * @param project a point in space to the picture [px] and its distance from the eye [cm]
+ * Returns the seam that passes nearest to a point of the picture, at most `reach` px away.
+ * @param project returns a point's place in the picture [px] and its distance from the eye [cm]
  */
 export function nearestSeam(
   lines: readonly PickLine[],

@@ -1,36 +1,39 @@
-/** A worn garment as a picture to keep. */
+/** Saves a drape as a picture. */
 import type {WebGLRenderer} from 'three';
 
 import {pngOf, readBack, readNow} from '../read-back.js';
 import type {Raster} from '../stage.js';
 
-/** A picture with four samples a pixel takes 32 bytes for each. [px] */
+/** Greatest side of a picture; four samples per pixel take 32 bytes. [px] */
 const greatestSide = 4096;
 
 export interface Paper {
   readonly renderer: WebGLRenderer;
   readonly raster: Raster;
-  /** sRGB, from 0 to 255. */
+  /** Background in sRGB, from 0 to 255. */
   readonly ground: readonly [number, number, number];
   readonly draw: () => void;
-  /** The page has to be drawn again. */
+  /** Called afterwards: the page has to be drawn again. */
   readonly done: () => void;
   readonly isReady: boolean;
 }
 
 export const garmentPicture = {
-  /** [px] */
+  /** Greatest width of a picture. [px] */
   widest({capabilities}: WebGLRenderer, aspect: number): number {
     const most = Math.min(greatestSide, capabilities.maxTextureSize);
     return Math.floor(most * Math.min(1, aspect));
   },
 
-  /** As a PNG. @throws {Error} where there is nothing to draw or the browser makes no picture */
+  /**
+   * Returns a PNG.
+   * @throws {Error} if there is no garment, or the browser cannot make the picture
+   */
   async blob(paper: Paper): Promise<Blob> {
     return pngOf(await garmentPicture.canvas(paper));
   },
 
-  /** @throws {Error} where there is nothing to draw, or no context to draw with */
+  /** @throws {Error} if there is no garment, or no drawing context */
   async canvas(paper: Paper): Promise<HTMLCanvasElement> {
     if (!paper.isReady) throw new Error('There is no garment to draw yet.');
     const {renderer, raster, done} = paper;
@@ -41,7 +44,7 @@ export const garmentPicture = {
     return canvas;
   },
 
-  /** At once. @returns nothing where the browser makes no picture */
+  /** Draws synchronously. @returns undefined if the browser cannot make the picture */
   now(paper: Paper): HTMLCanvasElement | undefined {
     const pixels = readNow(paper.renderer, paper.raster, paper.draw);
     paper.done();
@@ -49,7 +52,7 @@ export const garmentPicture = {
   },
 };
 
-/** Laid on its ground. */
+/** Puts the picture on its background. */
 function onCanvas(pixels: ImageData, [r, g, b]: Paper['ground']): HTMLCanvasElement | undefined {
   const canvas = document.createElement('canvas');
   canvas.width = pixels.width;

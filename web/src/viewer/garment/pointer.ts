@@ -1,14 +1,14 @@
-/** What a pointer is over, and what it picks. */
+/** Reports the points that a pointer hovers over or clicks. */
 import type {Point} from '../../model/geometry.js';
 
 /** Points of the element, from its upper left. [CSS px] */
 interface PointerListener {
-  /** Undefined when it has left. At most once a frame. */
+  /** Receives undefined once the pointer has left; called at most once per frame. */
   readonly point: ((at: Point | undefined) => void) | undefined;
   readonly pick: ((at: Point) => void) | undefined;
 }
 
-/** Listens on `host` until `signal` fires. A finger points at nothing, and picks. */
+/** Listens on `host` until `signal` fires. A finger never hovers, but it clicks. */
 export function followPointer(
   host: HTMLElement,
   signal: AbortSignal,

@@ -1,4 +1,7 @@
-/** Lines on the cloth as ribbons that lie on it: seams by how they match, and what somebody points at. */
+/**
+ * Lines on the fabric as ribbons: seams by mismatch, and marks of the selection and the pointer's
+ * target.
+ */
 import {BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type ShaderMaterial} from 'three';
 
 import type {DrapeMesh} from '../../model/drape.js';
@@ -6,13 +9,13 @@ import {mismatchLine, type MismatchLine} from '../../scene/colours.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {cross3, minus3, pointOf, unit3, type Vector} from './space.js';
 
-/** A line along vertices of the cloth, and how each of its edges is drawn. */
+/** A line along vertices of the mesh, and the style of each of its edges. */
 export interface RibbonLine {
   readonly vertices: Uint32Array;
   readonly edges: readonly MismatchLine[];
 }
 
-/** Of dashes and gaps, which are given for a flat pattern as a page shows it. [cm per px] */
+/** Scale of dashes and gaps, which are defined for a flat pattern on a page. [cm per px] */
 const dashScale = 0.09;
 
 const origin: Vector = [0, 0, 0];
@@ -20,17 +23,20 @@ const origin: Vector = [0, 0, 0];
 const sewnOf = (mesh: DrapeMesh, piece: number, vertices: Uint32Array): Uint32Array =>
   vertices.map((vertex) => mesh.pieces[piece]?.sewn[vertex] ?? 0);
 
-/** The line of each seam on the cloth. */
+/** Returns the line of each seam on the mesh. */
 export const seamVertices = (mesh: DrapeMesh): readonly Uint32Array[] =>
   mesh.seams.map(({a}) => sewnOf(mesh, a.piece, a.vertices));
 
-/** The outline of a piece on the cloth, closed. */
+/** Returns the closed outline of a piece on the mesh. */
 export function outlineVertices(mesh: DrapeMesh, piece: number): Uint32Array {
   const {outline = new Uint32Array()} = mesh.pieces[piece] ?? {};
   return sewnOf(mesh, piece, Uint32Array.of(...outline, ...outline.slice(0, 1)));
 }
 
-/** The seams that count, in the colours of the flat pattern: edges of both meshes meet where they are as far along. */
+/**
+ * Returns the seams that count, in the colours of the flat pattern. An edge of the mesh has the
+ * colour at the same share of the seam's length.
+ */
 export function seamLines(mesh: DrapeMesh, {seams, scale}: PatternScene): readonly RibbonLine[] {
   return seamVertices(mesh).flatMap((vertices, number) => {
     const seam = seams[number];
@@ -49,7 +55,7 @@ export function seamLines(mesh: DrapeMesh, {seams, scale}: PatternScene): readon
 export class Ribbons {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
   #lines: readonly RibbonLine[] = [];
-  /** Vertices. */
+  /** Number of vertices. */
   #count = 0;
 
   constructor(material: ShaderMaterial) {
@@ -85,7 +91,7 @@ export class Ribbons {
         for (let k = 0; k < 4; k++) {
           sides[vertex + k] = k % 2 === 0 ? -1 : 1;
           widths[vertex + k] = width;
-          // round caps are part of a dash, and longer than its line by half its width on both sides
+          // round caps are part of a dash: each extends its line by half its width
           if (dash)
             dashes.set(
               [dashScale * (dash[0] + width), dashScale * (dash[1] - width / 2)],
@@ -108,7 +114,10 @@ export class Ribbons {
     this.object.visible = isShown && this.#count > 0;
   }
 
-  /** @param positions, normals of the cloth, x, y, z after each other */
+  /**
+   * @param positions x, y, z of the mesh's vertices [cm]
+   * @param normals x, y, z of the same vertices
+   */
   place(positions: ArrayLike<number>, normals: ArrayLike<number>): void {
     const {geometry} = this.object;
     const array = (name: string): Float32Array => {

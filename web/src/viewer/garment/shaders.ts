@@ -1,6 +1,8 @@
-/** How a worn garment is lit and drawn. All colours are sRGB where they come in and go out, and linear in between. */
+/** Shaders of a drape. All colours are sRGB as input and output, and linear in between. */
 
-/** Lights go round with the eye, as in a studio where the garment turns: every side is lit the same. */
+/**
+ * The lights follow the camera, as in a studio with a turning garment: each side is lit the same.
+ */
 const lighting = `
 uniform vec3 key;
 uniform mat4 shadowMatrix;
@@ -106,7 +108,7 @@ void main() {
 }`,
 };
 
-/** What the key light sees. */
+/** Depth as seen from the key light. */
 export const depth = {
   vertex: `
 void main() {
@@ -118,7 +120,7 @@ void main() {
 }`,
 };
 
-/** A ribbon along a line of the cloth: at least 1.2 mm wide, lifted by 0.5 mm. */
+/** A ribbon along a line of the mesh: at least 1.2 mm wide, lifted by 0.5 mm. */
 export const ribbon = {
   vertex: `
 attribute vec3 across;
@@ -151,7 +153,7 @@ void main() {
 }`,
 };
 
-/** What stands on the floor darkens it: the foot closely, the garment softly and widely. */
+/** Shadows on the floor: narrow and dark from the foot, soft and wide from the garment. */
 export const floor = {
   vertex: `
 varying vec2 from;
@@ -173,7 +175,7 @@ void main() {
 }`,
 };
 
-/** The finished picture onto whatever is drawn to. */
+/** Copies the finished picture to the current render target. */
 export const copy = {
   vertex: `
 uniform vec2 part;

@@ -1,4 +1,4 @@
-/** Points and directions in space: y up, z to the front, the wearer's left +x. [cm] */
+/** Points and directions in space: y up, z to the front, +x to the wearer's left. [cm] */
 export type Vector = readonly [x: number, y: number, z: number];
 
 export const dot3 = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -17,13 +17,13 @@ export const cross3 = (a: Vector, b: Vector): Vector => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Of length 1; no direction stays none. */
+/** Returns a vector of length 1; the zero vector stays zero. */
 export function unit3(a: Vector): Vector {
   const length = Math.hypot(...a) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];
 }
 
-/** The point with this number of an array that has x, y, z after each other. */
+/** Returns one point of an array of x, y, z triples. */
 export const pointOf = (points: ArrayLike<number>, number: number): Vector => [
   points[3 * number] ?? 0,
   points[3 * number + 1] ?? 0,
@@ -36,7 +36,7 @@ export interface Box3 {
   readonly high: Vector;
 }
 
-/** Around points, x, y, z after each other, and a box; undefined around nothing. */
+/** Returns the bounding box of points, as x, y, z triples, and a box; undefined without any. */
 export function boxAround(points: ArrayLike<number>, box?: Box3): Box3 | undefined {
   const low = [...(box?.low ?? [Infinity, Infinity, Infinity])];
   const high = [...(box?.high ?? [-Infinity, -Infinity, -Infinity])];
@@ -50,7 +50,7 @@ export function boxAround(points: ArrayLike<number>, box?: Box3): Box3 | undefin
   return {low: low as [number, number, number], high: high as [number, number, number]};
 }
 
-/** The most that a side of one box is away from that of the other. [cm] */
+/** Returns the greatest distance between corresponding sides of two boxes. [cm] */
 export const boxDistance = (one: Box3, other: Box3): number =>
   Math.max(
     ...one.low.map((value, k) => Math.abs(value - (other.low[k] ?? 0))),

@@ -1,4 +1,7 @@
-/** Where a worn garment is drawn: cloth, dummy, floor and light, into a target with depth, and from there to the stage's canvas. */
+/**
+ * Draws a drape with dummy, floor and light into a target with depth, and copies it to the stage's
+ * canvas.
+ */
 import {
   AlwaysDepth,
   BufferAttribute,
@@ -30,33 +33,36 @@ import {coarser, finest, type Fineness} from './fineness.js';
 import * as shaders from './shaders.js';
 import type {Box3} from './space.js';
 
-/** Of the picture that the key light has. [px] */
+/** Side of the key light's shadow map. [px] */
 const shadowSide = 1024;
-/** From what is looked at to the key light, beside the way to the eye: from above and the left. */
+/** Direction from the target to the key light, relative to the camera: from above and the left. */
 const keyWay = new Vector3(-0.5, 0.72, 0.62).normalize();
-/** Unprinted cloth, as on the flat pattern. */
+/** Unprinted fabric, as on the flat pattern. */
 const bareCloth = [0.925, 0.91, 0.87] as const;
-/** Arms that are held aside are far above the floor. [cm] */
+/** Greatest radius of the soft shadow; arms held aside are far above the floor. [cm] */
 const widestShadow = 34;
-/** Of nothing. */
+/** Matches no piece. */
 const noPiece = -1;
 
-/** What is drawn between two shares of the width, from the left. */
+/** A vertical part of the picture between two shares of its width, from the left. */
 interface Part {
   readonly from: number;
   readonly to: number;
-  /** On the print as drafted. */
+  /** Uses the print coordinates as drafted. */
   readonly isDrafted: boolean;
 }
 
 interface Targets {
   readonly picture: WebGLRenderTarget;
-  /** What moves is drawn into it, without multisampling. */
+  /** Target for moving garments, without multisampling. */
   readonly moving: WebGLRenderTarget;
   readonly shadows: WebGLRenderTarget;
 }
 
-/** Shared by all views of a renderer, since they are drawn one after the other; they grow with the largest. */
+/**
+ * Shared by all views of a renderer, since they are drawn one after the other; the targets grow
+ * with the largest.
+ */
 const known = new WeakMap<WebGLRenderer, Targets>();
 
 function targetsOf(renderer: WebGLRenderer): Targets {
@@ -116,7 +122,7 @@ export class Studio {
   readonly #body = this.#mesh(this.#dummyMaterial);
   readonly #stand = this.#mesh(this.#dummyMaterial);
   readonly #floor = this.#mesh(this.#floorMaterial, ['position']);
-  /** The cloth alone: the form is inside. */
+  /** The fabric only: the form is inside of it. */
   readonly #shade = this.#mesh(this.#depthMaterial);
   readonly #copy = this.#mesh(this.#copyMaterial, ['position']);
   readonly #scene = new Scene();
@@ -142,7 +148,7 @@ export class Studio {
     this.#copyScene.add(this.#copy);
   }
 
-  /** Has the graphics card make its programs, which takes it longer than a frame, before there is anything to be drawn. */
+  /** Compiles the shaders before the first drawing, since this takes longer than a frame. */
   prepare(renderer: WebGLRenderer): void {
     const before = renderer.getRenderTarget();
     const {picture, shadows} = targetsOf(renderer);
@@ -154,7 +160,7 @@ export class Studio {
       renderer.setRenderTarget(target);
       renderer.compile(scene, camera);
     }
-    // each is asked for in a task of its own: the answer waits for the card
+    // each query has its own task, since it waits for the graphics card
     for (const program of renderer.info.programs ?? [])
       setTimeout(() => {
         if (program.usedTimes > 0) program.getUniforms();
@@ -169,7 +175,7 @@ export class Studio {
     this.#print.tile.value = tile;
   }
 
-  /** @param accent what is pointed at or chosen is tinted with, sRGB from 0 to 255 */
+  /** @param accent tint of marked pieces, sRGB from 0 to 255 */
   mark(chosen = noPiece, pointed = noPiece, accent: readonly [number, number, number]): void {
     this.#print.chosen.value = chosen;
     this.#print.pointed.value = pointed;
@@ -177,10 +183,10 @@ export class Studio {
     this.#print.accent.value = rgb([r / 255, g / 255, b / 255]);
   }
 
-  /** What the cloth is drawn of from now on. */
+  /** Sets the geometry of the fabric. */
   set cloth(geometry: BufferGeometry) {
     replace(this.#cloth, geometry);
-    this.#shade.geometry = geometry; // the light sees the same
+    this.#shade.geometry = geometry; // the shadow uses the same geometry
   }
 
   setDummy(body: Solid, stand: Solid): void {
@@ -188,12 +194,12 @@ export class Studio {
     replace(this.#stand, solidGeometry(stand));
   }
 
-  /** Whether the dummy is seen, and the floor that it stands on. */
+  /** Sets whether the dummy and its floor are visible. */
   set hasDummy(isShown: boolean) {
     for (const mesh of [this.#body, this.#stand, this.#floor]) mesh.visible = isShown;
   }
 
-  /** @param box of all that stands on it [cm] @param strength of its shadow */
+  /** @param box of everything above the floor [cm] @param strength of the shadow */
   setFloor(height: number, middle: number, {low, high}: Box3, strength: number): void {
     const soft = [1, 1].map((_, k) => {
       const axis = 2 * k;
@@ -217,10 +223,10 @@ export class Studio {
   }
 
   /**
-   * Draws into the lower left corner of whatever the renderer draws to.
-   * @param whole the corner
-   * @param box of all that is there [cm]
-   * @param begin told before each part
+   * Draws into the lower left corner of the current render target.
+   * @param whole size of that corner
+   * @param box of the whole scene [cm]
+   * @param begin called before each part
    */
   draw(
     renderer: WebGLRenderer,
@@ -271,7 +277,7 @@ export class Studio {
     this.ribbonMaterial.dispose();
   }
 
-  /** @param names of attributes that decide which program is made */
+  /** @param names attributes that select the shader variant */
   #mesh(
     material: ShaderMaterial,
     names: readonly string[] = ['position', 'normal'],

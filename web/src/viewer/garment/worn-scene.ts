@@ -1,4 +1,4 @@
-/** What there is to be seen of a worn garment: its cloth as it settles, dummy and floor, seams and marks. */
+/** The contents of a drape's view: settling fabric, dummy and floor, seams and marks. */
 import {BufferGeometry, type WebGLRenderer} from 'three';
 
 import type {DrapeMesh, Form} from '../../model/drape.js';
@@ -15,13 +15,13 @@ import {outlineVertices, Ribbons, seamLines, seamVertices, type RibbonLine} from
 import {boxAround, boxDistance, type Box3} from './space.js';
 import {Studio} from './studio.js';
 
-/** A garment that grows by less than this keeps its place in the picture. [cm] */
+/** Greatest change of the box that keeps the garment's place in the picture. [cm] */
 const calm = 8;
 const shadowStrength: Readonly<Record<Appearance, number>> = {light: 1, dark: 2};
-/** What is chosen, and what is pointed at. [px] */
+/** Line widths of the selection, and of the pointer's target. [px] */
 const markWidths = {selected: 5, pointed: 4};
 
-/** What somebody means, to be shown. */
+/** Selection and target of the pointer. */
 export interface Marked {
   readonly selected?: GarmentTarget | undefined;
   readonly pointed?: GarmentTarget | undefined;
@@ -30,15 +30,15 @@ export interface Marked {
 export class WornScene {
   readonly studio = new Studio();
   readonly #seams = new Ribbons(this.studio.ribbonMaterial);
-  /** As drafted. */
+  /** Seams as drafted. */
   readonly #drafted = new Ribbons(this.studio.ribbonMaterial);
   readonly #marks = new Ribbons(this.studio.ribbonMaterial);
   #appearance: Appearance;
   #scene: PatternScene | undefined;
   #layer: ClothLayer | undefined;
-  /** What is shown once its first places come. */
+  /** Layer shown once its first positions arrive. */
   #next: ClothLayer | undefined;
-  /** Places that are not drawn yet. */
+  /** Positions that are not drawn yet. */
   #pose: Float32Array | undefined;
   #form: Form | undefined;
   #dummy: Solid | undefined;
@@ -54,7 +54,7 @@ export class WornScene {
     this.studio.scene.add(this.#seams.object, this.#drafted.object, this.#marks.object);
   }
 
-  /** Around all of it. [cm] */
+  /** Bounding box of everything. [cm] */
   get box(): Box3 | undefined {
     return this.#box;
   }
@@ -63,17 +63,17 @@ export class WornScene {
     return this.#layer;
   }
 
-  /** The body, where it is seen. */
+  /** The form's surface, while it is visible. */
   get body(): Form['surface'] | undefined {
     return this.#hasForm ? this.#form?.surface : undefined;
   }
 
-  /** Whether there is anything to be seen. */
+  /** Returns whether a garment is there. */
   get isWorn(): boolean {
     return this.#layer !== undefined || this.#pose !== undefined;
   }
 
-  /** Lays the cloth on the print as the pieces lie in a scene. */
+  /** Aligns the fabric with the print as in a scene. */
   show(scene: PatternScene): void {
     const before = this.#scene;
     this.#scene = scene;
@@ -81,7 +81,7 @@ export class WornScene {
     if (before?.seams !== scene.seams) this.#laySeams();
   }
 
-  /** Shows the pieces as drafted, on the print as they lie without a thought, to the left of a line. */
+  /** Shows the pieces as drafted, on the print without pattern matching, to the left of a line. */
   setWipe(wipe: Wipe | undefined): void {
     const before = this.#wipe?.before;
     this.#wipe = wipe;
@@ -114,26 +114,29 @@ export class WornScene {
     this.#layMarks();
   }
 
-  /** The form that the cloth hangs on. */
+  /** The form under the garment. */
   set form(form: Form) {
     if (form === this.#form) return;
     this.#form = form;
     this.#dummy = bodyOf(form.surface);
-    this.#stand = undefined; // it is as high as the garment asks for
+    this.#stand = undefined; // its height depends on the garment
   }
 
-  /** What moves from the next places on. What is shown stays until then. */
+  /** Sets the mesh of the next poses; the current one stays visible until then. */
   set mesh(mesh: DrapeMesh) {
     if (mesh === (this.#next ?? this.#layer)?.cloth.mesh) return;
     this.#next = new ClothLayer(mesh);
   }
 
-  /** Where the cloth is, x, y, z per vertex. [cm] Nothing is reckoned before it is drawn. */
+  /**
+   * Sets the mesh's positions, x, y, z per vertex [cm]; nothing is computed before the next
+   * drawing.
+   */
   set pose(positions: Float32Array) {
     this.#pose = positions;
   }
 
-  /** There is nothing to be seen. */
+  /** Removes the garment. */
   clear(): void {
     this.#layer = undefined;
     this.#next = undefined;
@@ -146,7 +149,7 @@ export class WornScene {
     this.#marks.set([]);
   }
 
-  /** Takes the last places that came. @returns whether what there is to look at is of another size */
+  /** Applies the latest positions. @returns whether the box of the scene has changed */
   settle(): boolean {
     const pose = this.#pose;
     if (!pose) return false;
@@ -155,7 +158,8 @@ export class WornScene {
     this.#layer = this.#next ?? this.#layer;
     this.#next = undefined;
     const layer = this.#layer;
-    if (layer?.normals.length !== pose.length) return false; // of a mesh that is not shown any more
+    // belongs to a mesh that is not shown any more
+    if (layer?.normals.length !== pose.length) return false;
     layer.pose(pose);
     if (isNew) {
       this.studio.cloth = layer.geometry;
@@ -169,7 +173,7 @@ export class WornScene {
     return (isNew || !this.#stand) && this.#setUp(pose);
   }
 
-  /** @param hasWipe whether what is compared is drawn as well */
+  /** @param hasWipe draws the compared scene as well */
   draw(
     renderer: WebGLRenderer,
     raster: Raster,
@@ -197,7 +201,7 @@ export class WornScene {
     this.studio.dispose();
   }
 
-  /** Dummy and floor for the cloth as it hangs. @returns whether all of it is of another size */
+  /** Places dummy and floor under the hanging garment. @returns whether the box has changed */
   #setUp(pose: Float32Array): boolean {
     let box = boxAround(pose);
     if (this.#form && box) {
@@ -208,7 +212,7 @@ export class WornScene {
       }
       box = boxAround(this.#stand.parts.positions, boxAround(surface.vertices, box));
     }
-    // while it settles it stays where it is in the picture
+    // a settling garment keeps its place in the picture
     const isOther = !this.#box || !box || boxDistance(this.#box, box) > calm;
     if (isOther) this.#box = box;
     this.#layFloor();
