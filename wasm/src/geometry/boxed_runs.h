@@ -18,7 +18,7 @@ class BoxedRuns {
 
   /// Visits items in their order, except that the run nearest to p comes first.
   /// @param nearest   square of the distance beyond which items are skipped [cm2]; visit(i) may
-  /// lower it
+  ///                  lower it
   template <class Visit>
   void visitNear(const Vec2& p, const double& nearest, Visit visit) const {
     const std::size_t start = nearestRun(p);
