@@ -7,8 +7,8 @@
 namespace seamwise {
 namespace {
 
-/// Shares of the greatest diagonal entry, and more, added to each: what no seam determines stays
-/// where it is.
+/// Added to each diagonal entry, as a share of the greatest one and as a constant. Unknowns that no
+/// seam determines stay unchanged.
 constexpr double kHeld = 1e-9, kHeldAnyway = 1e-12;
 
 }  // namespace
