@@ -72,8 +72,7 @@ Curve Curve::arc(const Vec2& a, const Vec2& b, double radius, bool large, bool s
   const double height = std::sqrt(std::max(0.0, c.radius_ * c.radius_ - span * span / 4));
   const double side = sweep != large ? 1 : -1;  // the centre is left of the chord
   c.p_[1] = (a + b) / 2 + perp(chord) * (height / span * side);
-  const double half =
-      std::atan2(span / 2, height);  // half the arc's angle, in (0, pi/2], exact near both ends
+  const double half = std::atan2(span / 2, height);  // angle in (0, pi/2], exact near both ends
   c.sweep_ = (large ? 2 * kPi - 2 * half : 2 * half) * (sweep ? 1 : -1);
   const Vec2 from = a - c.p_[1];
   c.angle0_ = directionOf(from);

@@ -7,11 +7,9 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSliver = 1e-8;  // cm; shorter stretches of a path are skipped
-constexpr double kNoSpeed =
-    1e-7;  // least distance of a control point from its end, as a share of the length
-constexpr double kCorner =
-    kPi / 12;  // least turn of a corner; a blunter one is cut off no more than a bend
+constexpr double kSliver = 1e-8;       // cm; shorter stretches of a path are skipped
+constexpr double kNoSpeed = 1e-7;      // distance of a control point, as a share of the length
+constexpr double kCorner = kPi / 12;   // least turn; a blunter one is cut off no more than a bend
 constexpr double kCornersApart = 0.1;  // cm; a rounded corner is often drawn as several
 constexpr double kPathStep = 0.5;      // cm
 
@@ -72,7 +70,7 @@ std::vector<double> Curve::corners() const {
     if (turn < kCorner) continue;
     const double share = marks_[k].s / length_;
     shares.push_back(share);
-    // Among equally sharp corners the one nearer to the middle comes first, the same from both
+    // Equally sharp corners are in order of their distance from the middle, the same from both
     // ends.
     keys.push_back(std::round(1e6 * std::abs(share - 0.5)) / 1e6 - std::round(1e6 * turn));
   }

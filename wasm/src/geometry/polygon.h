@@ -28,8 +28,7 @@ bool contains(const Polyline& closed, const Vec2& p);
 
 /// The point of a polyline nearest to p.
 struct Nearest {
-  int segment =
-      -1;  ///< index of the segment between vertices segment and segment + 1; -1: the line has none
+  int segment = -1;  ///< between vertices segment and segment + 1; -1: the line has no segment
   double along = 0;  ///< fraction along that segment, in [0, 1]
   Vec2 point = Vec2::Zero();
   double distance = 0;  ///< cm
