@@ -56,10 +56,9 @@ class EffortRun : public Run {
   const MatchRules& rules_;
   SearchMemo& searches_;
   std::vector<Round> rounds_;
-  std::size_t ended_ = 0;         ///< number of rounds that have ended
-  std::unique_ptr<BestRun> run_;  ///< current run
-  std::unique_ptr<BestRun> best_symmetric_,
-      best_requested_;  ///< best of the rounds that have ended
+  std::size_t ended_ = 0;                                     ///< number of rounds that have ended
+  std::unique_ptr<BestRun> run_;                              ///< current run
+  std::unique_ptr<BestRun> best_symmetric_, best_requested_;  ///< best of the ended rounds
   bool symmetric_stands_ = false;
 };
 

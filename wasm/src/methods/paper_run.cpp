@@ -70,8 +70,7 @@ void PaperRun::sweep() {
   const int all = starts > 1 ? starts + 1 : 1;  // including the drafted layout, which comes last
   const bool more = sweeps_->step();
   progress_ = 0.1 * (start_ + sweeps_->fraction()) / all;
-  if (start_ == 0)
-    alignment_ = match_.expanded(sweeps_->at());  // there is nothing better to show yet
+  if (start_ == 0) alignment_ = match_.expanded(sweeps_->at());  // nothing better exists yet
   if (more) return;
   const double cost = match_.cost(sweeps_->at());
   if (cost < cost_) {

@@ -46,8 +46,7 @@ class PaperRun : public Run {
   Alignments drafted_;                 ///< drafted layout of the leaders
   int start_ = 0;                      ///< index of the current start of the sweeps
   std::optional<LocalSweeps> sweeps_;  ///< empty once all have ended
-  double cost_ =
-      std::numeric_limits<double>::infinity();  ///< cost of the best result of sweeps, cm2
+  double cost_ = std::numeric_limits<double>::infinity();  ///< cost of the best sweeps, cm2
   PenaltyDeformation deformation_;
   std::vector<Target> targets_;
   Alignments alignment_;
