@@ -13,8 +13,8 @@
 namespace seamwise {
 
 /// JavaScript handle of a drape, which reads and hangs its garment before it drapes it. Every call
-/// after a failure is harmless and does nothing. Lists of points are flat. Lengths are in cm like
-/// in the result file, or SI like in fabrics.
+/// after a failure is harmless and does nothing. Lists of points are flat. Lengths are in cm for
+/// data of the result file, and in SI units for data of fabrics.
 class DrapeHandle {
  public:
   /// @param request   result and body: documents, the latter may be empty; their names; fabric,

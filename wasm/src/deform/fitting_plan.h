@@ -16,7 +16,7 @@ struct FittingPlan {
   std::vector<DeformationPlan> deformations;             ///< per part
   std::vector<PointMap> to_part_direct, to_part_mirror;  ///< per piece
   std::vector<std::vector<double>>
-      vertex_length;  ///< length of the seam at each vertex, per seam and vertex, cm
+      vertex_length;  ///< length of seam that each vertex represents, per seam, cm
 };
 
 /// The coarser pattern with its plan.

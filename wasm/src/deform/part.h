@@ -31,7 +31,7 @@ struct Part {
   std::vector<std::array<int, 3>> triangles;  ///< local
   std::vector<Edge> edges;                    ///< edges of outline and holes
   std::vector<Bend> bends;
-  std::vector<double> reach;  ///< greatest movement of an outline vertex, cm; interior: 0
+  std::vector<double> reach;  ///< outline vertex's greatest distance from `rest`, cm; interior: 0
   /// Returns whether a vertex is on the axis, along which alone it may move, in y.
   bool onAxis(int vertex) const { return half && rest[vertex].x() == 0; }
 };

@@ -20,7 +20,7 @@ class Triangulation {
                                            const std::vector<std::vector<int>>& loops);
 
   /// Adds an interior vertex. Returns false, without a change, unless p is strictly inside the
-  /// loops and no vertex yet.
+  /// loops and not yet a vertex.
   bool insert(const Vec2& p);
   /// Moves free vertices to the middle of their neighbours, `passes` times. A move is undone if the
   /// worst quality around the vertex drops below both its old value and a fair one. Restores the

@@ -14,7 +14,7 @@ struct TotalMismatch {
   /// The same, with only those elements that bring the edges' directions within 0.1 rad of the
   /// best.
   double strict = 0;
-  /// One element for each whole seam, like the eye sees it.
+  /// One element for each whole seam: the visible mismatch.
   double joined = 0;
 };
 

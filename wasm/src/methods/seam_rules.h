@@ -40,7 +40,7 @@ struct SeamMeans {
 };
 
 enum class Verdict : std::uint8_t {
-  kKept,    ///< as good as required
+  kKept,    ///< good enough
   kInVain,  ///< shaping gains too little, so the seam has to keep its drafted line
   kWorse    ///< worse than by placing alone
 };

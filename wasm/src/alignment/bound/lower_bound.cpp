@@ -68,7 +68,7 @@ void LowerBound::tighten() {
 }
 
 /// Halves the boxes of one leader that keep the bound low. Prefers the leader whose points move
-/// most. Returns false if memory does not suffice.
+/// most. Returns false if nothing can be halved within the memory limit.
 bool LowerBound::halve() {
   const double least = tables_.sums().total(), above = std::max(0.0, enough() - least);
   for (double share = ProofTuning::kHalvedShare; share > 1e-3; share /= 2) {

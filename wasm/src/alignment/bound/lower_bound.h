@@ -20,8 +20,8 @@ class LowerBound {
   LowerBound(const LowerBound&) = delete;
   LowerBound& operator=(const LowerBound&) = delete;
 
-  /// Works for some milliseconds. Returns false when the answer is proven or more boxes need too
-  /// much memory.
+  /// Works for some milliseconds. Returns false when the answer is proven or no more boxes can be
+  /// halved within the memory limit.
   bool step();
 
   /// No alignment of the component costs less than this. At most cost(). [cm2]

@@ -7,7 +7,7 @@
 namespace seamwise {
 namespace {
 
-/// Added to each diagonal entry, as a share of the greatest one and as a constant. Unknowns that no
+/// Additions to each diagonal entry: a share of the greatest one, and a constant. Unknowns that no
 /// seam determines stay unchanged.
 constexpr double kHeld = 1e-9, kHeldAnyway = 1e-12;
 

@@ -56,7 +56,7 @@ Chamber Chamber::of(const WallpaperGroup& group) {
     coordinates(x.gradient, y.gradient);
     chamber.offset = {x.offset, y.offset};
   } else {
-    // The last three families, whose lines of six are the closest, all contain the origin.
+    // The last three families (of six, those with the closest lines), all through the origin.
     chamber.shape = mirrors.size() == 3 ? Shape::kEquilateral : Shape::kHalfEquilateral;
     const Vec2 a = 2 * acrossOf(mirrors[mirrors.size() - 3], basis).gradient;
     const Vec2 b = 2 * acrossOf(mirrors[mirrors.size() - 2], basis).gradient;

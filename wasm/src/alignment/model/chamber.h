@@ -25,8 +25,8 @@ struct Chamber {
   /// Map from the print, in cm, to coordinates of the chamber: p -> to p + offset.
   Mat2 to = Mat2::Identity();
   Vec2 offset = Vec2::Zero();
-  /// Squares of the coordinates' units. A triangle's three coordinates, which add up to 0, have the
-  /// first one. [cm2]
+  /// Squares of the coordinates' units. A triangle's three coordinates, which add up to 0, use
+  /// the first one. [cm2]
   double square0 = 1, square1 = 1;
   /// One element of each coset of the mirrors' subgroup, in these coordinates: p -> m p + a. The
   /// first is the identity.
