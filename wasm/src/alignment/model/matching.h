@@ -24,9 +24,8 @@ struct Stretch {
 /// print, in the coordinates of the leading pieces. A mirrored follower's points are mapped back to
 /// its leader, where the print is equivalent.
 struct MatchSeam {
-  int a = -1, b = -1;  ///< leaders; may be equal
-  bool reversing =
-      false;  ///< exactly one side was mapped: a continuous join needs a mirrored element
+  int a = -1, b = -1;        ///< leaders; may be equal
+  bool reversing = false;    ///< exactly one side was mapped: continuous needs a mirrored element
   std::vector<Vec2> pa, pb;  ///< edge midpoints, cm
   std::vector<Vec2> da, db;  ///< directions of those edges in sewing order
   std::vector<double> w;     ///< seam weight x mean edge length, cm
