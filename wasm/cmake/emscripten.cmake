@@ -1,5 +1,5 @@
-# Finds the Emscripten that is active here, an activated emsdk (EMSDK) before a system package, and
-# hands over to the toolchain file that comes with it.
+# Finds the active Emscripten, an activated emsdk (EMSDK) before a system package, and includes its
+# toolchain file.
 if(NOT EMSCRIPTEN_ROOT_PATH)
   find_program(SEAMWISE_EM_CONFIG em-config HINTS $ENV{EMSDK}/upstream/emscripten)
   if(NOT SEAMWISE_EM_CONFIG)
@@ -11,7 +11,7 @@ if(NOT EMSCRIPTEN_ROOT_PATH)
 endif()
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES EMSCRIPTEN_ROOT_PATH)
 
-# Full paths, so that the build keeps its compiler whatever the PATH of a later shell is.
+# Full paths keep the build's compiler independent of a later shell's PATH.
 get_filename_component(tools "${SEAMWISE_EM_CONFIG}" DIRECTORY)
 foreach(pair "C_COMPILER emcc" "CXX_COMPILER em++" "AR emar" "RANLIB emranlib")
   string(REPLACE " " ";" pair "${pair}")

@@ -17,7 +17,7 @@ double powerOfTen(int exponent) {
   return power;
 }
 
-/// value * 10^shift as a whole number, ties to even; exact where no more than one power is needed.
+/// Rounds value * 10^shift to a whole number, ties to even; exact if one power of ten is enough.
 /// @param value   not negative; the product is below 1e15
 std::uint64_t whole(double value, int shift) {
   for (; shift > kExact; shift -= kExact) value *= 1e22;
@@ -26,8 +26,8 @@ std::uint64_t whole(double value, int shift) {
   const double scaled = shift < 0 ? value / power : value * power;
   const double below = std::floor(scaled), rest = scaled - below;
   auto number = static_cast<std::uint64_t>(below);
-  // What rounding took from the product decides between two numbers that seem equally near.
-  // Of a quotient, what remains is a number that needs no rounding.
+  // The rounding error of a product decides between two numbers that seem equally near. The
+  // remainder of a quotient is a double and needs no rounding.
   const double back = scaled * power;
   const double lost =
       shift < 0 ? (value - back) - lostOf(scaled, power, back) : lostOf(value, power, scaled);
@@ -40,7 +40,7 @@ std::string signOf(double value) { return std::signbit(value) ? "-" : ""; }
 
 /// `number` / 10^decimals.
 std::string pointed(std::uint64_t number, int decimals) {
-  std::string digits;  // the last one first
+  std::string digits;  // digits in reverse order
   for (int count = 0; count <= decimals || number > 0; ++count, number /= 10) {
     if (count == decimals && count > 0) digits.push_back('.');
     digits.push_back(static_cast<char>('0' + number % 10));
@@ -88,7 +88,7 @@ std::string significant(double value, int digits) {
   int exponent = exponentOf(size);
   std::uint64_t number = whole(size, digits - 1 - exponent);
   const auto end = static_cast<std::uint64_t>(powerOfTen(digits));
-  // Rounding, or the way to the exponent, may lead over a power of ten.
+  // Rounding, or the division in exponentOf, may cross a power of ten.
   if (number >= end) number = whole(size, digits - 1 - ++exponent);
   if (exponent >= -4 && exponent < digits)
     return sign + withoutEndingZeros(pointed(number, digits - 1 - exponent));

@@ -10,7 +10,7 @@ struct Control {
   std::size_t length = 1;  ///< bytes
 };
 
-/// What stands at a position, if it ends a line or controls a terminal: U+0000 to U+001F, U+007F to
+/// The line end or terminal control character at a position, if any: U+0000 to U+001F, U+007F to
 /// U+009F, U+2028 and U+2029.
 Control controlAt(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t k) {

@@ -3,12 +3,12 @@
 
 namespace seamwise {
 
-/// The text on one line: control characters and line separators of any kind are written as escapes
+/// Returns the text on one line, with control characters and line separators of any kind as escapes
 /// ("\n", "\u0085").
 std::string onOneLine(const std::string& text);
 
-/// A name from a file as messages show it: in quotes, on one line, shortened when it is absurdly
-/// long. UTF-8 in and out.
+/// Formats a name from a file for a message: in quotes, on one line, shortened if absurdly long.
+/// UTF-8 in and out.
 std::string inQuotes(const std::string& name);
 
 }  // namespace seamwise

@@ -4,9 +4,8 @@
 
 namespace seamwise {
 
-/// A few numbers that one instruction handles at once: 4 floats or 2 doubles. Written with the
-/// vector extension that GCC and Clang share, so that the same source gives SSE, NEON and
-/// WebAssembly SIMD.
+/// A vector that one instruction processes at once: 4 floats or 2 doubles. GCC and Clang share this
+/// vector extension, so the same source compiles to SSE, NEON and WebAssembly SIMD.
 template <class Real>
 struct Lanes;
 template <>

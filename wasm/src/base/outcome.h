@@ -6,7 +6,7 @@
 
 namespace seamwise {
 
-/// Why a stage could not deliver. The values are part of the JavaScript API: append only.
+/// Reason for the failure of a stage. The values are part of the JavaScript API: append only.
 enum class Failure : std::uint8_t {
   kNone = 0,
   kCancelled = 1,
@@ -40,22 +40,22 @@ enum class Failure : std::uint8_t {
   kSymmetryConflict = 64,
   // options
   kOptions = 80,
-  // pictures of cloth
+  // photos of fabric
   kPicture = 90,
 };
 
-/// One sentence for people: it names the piece or seam and the remedy.
+/// A failure with its message, one sentence that names the piece or seam and the remedy.
 struct Error {
   Failure code = Failure::kNone;
   std::string message;
   int piece = -1;  ///< index in the garment, -1: none
   int seam = -1;   ///< stitch number in the garment file, -1: none
-  /// Why a symmetry cannot hold, as the code of the note that would say so (pattern/note.h).
+  /// Code of the note (pattern/note.h) with the reason why a symmetry cannot hold, or empty.
   const char* reason = "";
 };
 
-/// A value, or the error that kept it from being made. A std::variant would add 0.5 kB and more to
-/// a module, compressed.
+/// A value, or the error that prevented it. A std::variant would add at least 0.5 kB to a module,
+/// compressed.
 template <class T>
 class Outcome {
  public:

@@ -2,9 +2,9 @@
 
 namespace seamwise {
 
-/// What rounding took from a product, x y - product, to the last bit: every factor in two halves
-/// [Dekker 1971]. The C library's fused multiplication would add 1 kB to every module and be
-/// slower. For sizes below 1e290, and products above 1e-290 or 0.
+/// The rounding error of a product, x y - product, exact to the last bit; each factor is split into
+/// two halves [Dekker 1971]. The C library's fused multiplication would add 1 kB to every module
+/// and be slower. Valid for sizes below 1e290, and products above 1e-290 or 0.
 inline double lostOf(double x, double y, double product) {
   constexpr double kSplit = 134217729;  // 2^27 + 1
   const double wide_x = kSplit * x, wide_y = kSplit * y;

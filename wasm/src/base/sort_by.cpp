@@ -11,7 +11,7 @@ void sortNumbers(std::vector<double>& numbers) {
   for (std::size_t k = 0; k < items.size(); ++k) numbers[k] = items[k].first;
 }
 
-/// Merges runs, each twice as long as those before.
+/// Merges runs, each twice as long as the previous ones.
 void sortKeyed(std::vector<std::pair<double, std::size_t>>& items) {
   std::vector<std::pair<double, std::size_t>> merged(items.size());
   const std::size_t count = items.size();

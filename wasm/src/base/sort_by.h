@@ -6,19 +6,19 @@
 namespace seamwise {
 
 // The standard library's sorts, one for every type and order, would each add 1 kB to a module,
-// compressed. So there is one, sortKeyed, and all else is sorted by way of it.
+// compressed. All sorting therefore uses a single one, sortKeyed.
 
-/// Ascending, like the others.
+/// Sorts in ascending order, like all functions here.
 void sortNumbers(std::vector<double>& numbers);
-/// By number, then place.
+/// Sorts by number, then by place.
 void sortKeyed(std::vector<std::pair<double, std::size_t>>& items);
-/// Leaves each pair once; both are in [0, 2^26).
+/// Sorts the pairs and removes duplicates; both numbers are in [0, 2^26).
 void sortOnce(std::vector<std::pair<int, int>>& pairs);
 
-/// The places of `keys` in ascending order, those of equal keys as they come.
+/// Returns the places of `keys` in ascending order; equal keys keep their order.
 std::vector<std::size_t> placesInOrder(const std::vector<double>& keys);
 
-/// Sorts by the keys beside the items; equal ones stay as they come.
+/// Sorts the items by `keys`, one per item; equal ones keep their order.
 template <class Item>
 void sortByKeys(std::vector<Item>& items, const std::vector<double>& keys) {
   const std::vector<std::size_t> places = placesInOrder(keys);
@@ -27,7 +27,7 @@ void sortByKeys(std::vector<Item>& items, const std::vector<double>& keys) {
   items = std::move(sorted);
 }
 
-/// Sorts by key(item), a number; equal ones stay as they come.
+/// Sorts by key(item), a number; equal ones keep their order.
 template <class Item, class Key>
 void sortBy(std::vector<Item>& items, Key key) {
   std::vector<double> keys(items.size());

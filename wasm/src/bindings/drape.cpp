@@ -1,5 +1,5 @@
-// The face to JavaScript of the module that drapes; web/src/solver/module/drape.d.mts describes it.
-// Nothing but plain values crosses, JSON documents among them as bytes (json_bytes.cpp).
+// The JavaScript interface of the drape module; web/src/solver/module/drape.d.mts describes it.
+// Only plain values cross it; JSON documents cross as bytes (json_bytes.cpp).
 #include <emscripten/bind.h>
 
 #include "bindings/drape_handle.h"

@@ -7,7 +7,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kFormSpacing = 1.5;  ///< cm; smaller shows nothing more of a dummy
+constexpr double kFormSpacing = 1.5;  ///< cm; smaller spacing shows no more of a form
 
 constexpr std::array<const char*, kBodyParts> kPartNames = {
     "torso", "neck", "left arm", "right arm", "left leg", "right leg", "head"};

@@ -12,31 +12,31 @@
 
 namespace seamwise {
 
-/// A drape as JavaScript holds it: first its garment is read and hung, then it is draped. After a
-/// failure every call is harmless and does nothing. Lists of points are flat; lengths are in cm
-/// where the result file has them, SI where fabrics do.
+/// JavaScript handle of a drape, which reads and hangs its garment before it drapes it. Every call
+/// after a failure is harmless and does nothing. Lists of points are flat. Lengths are in cm for
+/// data of the result file, and in SI units for data of fabrics.
 class DrapeHandle {
  public:
   /// @param request   result and body: documents, the latter may be empty; their names; fabric,
   ///                  size: names, the latter may be empty; effort;
-  ///                  settled: positions that an earlier drape ended with, or none
+  ///                  settled: final positions of an earlier drape, or none
   explicit DrapeHandle(const val& request);
 
   val failure() const { return failureValue(error_); }
-  /// Goes on until about so much work is spent; the first call reads, meshes and hangs. False when
-  /// there is nothing left to do.
+  /// Works until about `work` is spent; the first call reads, meshes and hangs. Returns false when
+  /// nothing remains to be done.
   bool advance(double work);
   std::string stage() const;
   double fraction() const { return worn_ ? worn_->drape().fraction() : 0; }
 
-  /// Once it hangs: the form.
+  /// The form, available once the garment hangs.
   val form() const;
-  /// The mesh that moves; changes when `stage` becomes "settle".
+  /// The simulated mesh, which changes when `stage` becomes "settle".
   val mesh() const;
-  /// Of the cloth's vertices, in single and in double precision. [cm]
+  /// Positions of the mesh vertices, in single and in double precision. [cm]
   val shown() const;
   val positions() const;
-  /// Once it is done: fabric, stages, check, notes.
+  /// Fabric, stages, check and notes, once the drape is done.
   val report() const;
 
  private:
@@ -50,11 +50,11 @@ class DrapeHandle {
     std::vector<double> settled;
   };
   Request request_;
-  std::string name_;  ///< of the result's file
+  std::string name_;  ///< name of the result's file
   std::unique_ptr<WornGarment> worn_;
   std::optional<Error> error_;
-  std::ptrdiff_t stitches_ = 0;  ///< seams of the file; those after them close bands
-  std::vector<int> place_;       ///< per piece of the file: which of the worn garment's it is
+  std::ptrdiff_t stitches_ = 0;  ///< number of seams in the file; later ones close bands
+  std::vector<int> place_;       ///< index in the worn garment, per piece of the file
 };
 
 }  // namespace seamwise

@@ -1,5 +1,5 @@
-// Documents as they cross the boundary: web/src/solver/json has the other side. A head, the nodes,
-// the texts, all in the byte order of WebAssembly and of whatever runs it.
+// JSON documents at the boundary to JavaScript; web/src/solver/json has the other side. A head, the
+// nodes and the texts follow each other, in the byte order of WebAssembly and all its hosts.
 #include <cstring>
 
 #include "io/json_ends.h"
@@ -17,7 +17,7 @@ static_assert(sizeof(Head) == sizeof(JsonNode));
 JsonDocument documentOf(std::string_view text) {
   JsonDocument document;
   Head head{};
-  // Whoever hands over a text all the same has none of the names that stand for themselves.
+  // A plain text instead of a document is not one of the known names, and counts as empty.
   if (text.size() < sizeof head) return document.defect = JsonDefect::kEmpty, document;
   std::memcpy(&head, text.data(), sizeof head);
   document.defect = static_cast<JsonDefect>(head.defect);

@@ -1,5 +1,5 @@
-// The face to JavaScript of the module that lays pieces on cloth;
-// web/src/solver/module/marker.d.mts describes it. Nothing but plain values crosses.
+// The JavaScript interface of the marker module; web/src/solver/module/marker.d.mts describes it.
+// Only plain values cross it.
 #include <emscripten/bind.h>
 
 #include "bindings/marker_handle.h"

@@ -8,20 +8,21 @@
 
 namespace seamwise {
 
-/// A layout as JavaScript holds it. After a failure every call is harmless and does nothing. Lists
-/// of points are flat; lengths are in cm.
+/// JavaScript handle of a layout. Every call after a failure is harmless and does nothing. Lists of
+/// points are flat; lengths are in cm.
 class MarkerHandle {
  public:
-  /// @param request   as marker.d.mts describes it, all its numbers finite
+  /// @param request   see marker.d.mts; all its numbers are finite
   explicit MarkerHandle(const val& request);
 
   val failure() const { return failureValue(error_); }
-  /// Goes on until about so many million table reads are spent. False when nothing is left to do.
+  /// Works until about `work` million table reads are spent. Returns false when nothing remains to
+  /// be done.
   bool advance(double work);
   std::string stage() const;
   double fraction() const { return marker_ ? marker_->fraction() : 0; }
   int count() const { return marker_ ? marker_->count() : 0; }
-  /// Once there is one: the best layout so far.
+  /// The best layout so far, if there is one.
   val layout() const;
   val report() const;
 

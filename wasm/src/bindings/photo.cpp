@@ -1,5 +1,5 @@
-// The face to JavaScript of the module that reads prints off pictures;
-// web/src/solver/module/photo.d.mts describes it. Nothing but plain values crosses.
+// The JavaScript interface of the photo module; web/src/solver/module/photo.d.mts describes it.
+// Only plain values cross it.
 #include <emscripten/bind.h>
 
 #include "bindings/module_ends.h"

@@ -39,7 +39,7 @@ std::optional<double> known(double number) {
   return std::isfinite(number) ? std::optional<double>(number) : std::nullopt;
 }
 
-/// Ten numbers: the homography row by row, and the lens.
+/// Reads ten numbers: the homography row by row, and the lens.
 LatticeMap mapOf(const std::vector<double>& numbers, const PixelView& view) {
   LatticeMap map;
   for (int k = 0; k < 9; ++k) map.homography(k / 3, k % 3) = numbers[k];
@@ -88,7 +88,7 @@ val listOf(const List& list, const Value& valueOf) {
   return all;
 }
 
-/// The stretches of an edge that does not meet its copy, flat.
+/// Flat list of the stretches at which an edge does not meet its copy.
 val openValue(const TileEdge& edge, bool is_missing = false) {
   if (is_missing) return copied(std::vector<double>{0, 1});
   std::vector<double> numbers;
@@ -106,7 +106,7 @@ val seamsValue(const TileSeams& seams) {
   return value;
 }
 
-/// Of w1, w2, in their unit.
+/// Inner products of w1 and w2, in the square of their unit.
 Mat2 gramOf(const std::vector<double>& w) {
   const Mat2 vectors = (Mat2() << w[0], w[2], w[1], w[3]).finished();
   return vectors.transpose() * vectors;
@@ -172,7 +172,7 @@ val PhotoWork::answer() const {
   return value;
 }
 
-/// Of a cell: ten numbers of its map, and four of w1 and w2.
+/// Returns whether the sizes are those of a cell: ten numbers of its map, and four of w1 and w2.
 bool isCell(const std::vector<double>& map, const std::vector<double>& w) {
   return map.size() == 10 && w.size() == 4;
 }

@@ -9,12 +9,12 @@
 
 namespace seamwise {
 
-/// What goes on with a picture step by step, as JavaScript holds it. After a failure every call is
-/// harmless and does nothing. One face for all of it: each class and signature that crosses takes
-/// 0.3 kB of a module, compressed.
+/// JavaScript handle of a step-by-step task on a photo. Every call after a failure is harmless and
+/// does nothing. All tasks share one interface: each class and signature at the boundary takes 0.3
+/// kB of a module, compressed.
 class PictureWork {
  public:
-  /// @param request   as photo.d.mts describes it, all its numbers finite but those that may be NaN
+  /// @param request   see photo.d.mts; all its numbers are finite except those that may be NaN
   explicit PictureWork(const val& request);
   virtual ~PictureWork() = default;
   PictureWork(const PictureWork&) = delete;  // its parts refer to each other
@@ -24,11 +24,12 @@ class PictureWork {
   virtual bool advance() = 0;
   virtual val stage() const = 0;
   virtual double fraction() const = 0;
-  /// Once done.
+  /// The result, once the task is done.
   virtual val answer() const = 0;
 
  protected:
-  /// Fails unless the picture has a size that its bytes fill, and what else is asked holds.
+  /// Fails unless the image has a size that its bytes fill and `others_hold`, the other conditions,
+  /// is true.
   bool check(bool others_hold = true);
   void fail(const std::optional<Error>& error) { error_ = error; }
   bool failed() const { return error_.has_value(); }
@@ -40,11 +41,11 @@ class PictureWork {
   std::optional<Error> error_;
 };
 
-/// Reads a print off a picture.
+/// Reads the print from a photo.
 PictureWork* photoWork(const val& request);
-/// Makes an image of its cell.
+/// Makes an image of the print's cell.
 PictureWork* photoTileWork(const val& request);
-/// Looks for the outline of a thing of known size.
+/// Finds the outline of an object of known size.
 PictureWork* photoObjectWork(const val& request);
 
 }  // namespace seamwise

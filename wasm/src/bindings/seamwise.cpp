@@ -1,6 +1,6 @@
-// The WebAssembly module's face to JavaScript; web/src/solver/module/seamwise.d.mts describes it.
-// Nothing but plain values crosses, JSON documents among them as bytes (json_bytes.cpp). What goes
-// wrong is kept as a failure that JavaScript asks for, but for memory that runs out: see there.
+// The JavaScript interface of the WebAssembly module; web/src/solver/module/seamwise.d.mts
+// describes it. Only plain values cross it; JSON documents cross as bytes (json_bytes.cpp). Errors
+// are stored as failures for JavaScript to fetch, except for lack of memory (module_ends.h).
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
 #include <malloc.h>
@@ -21,7 +21,7 @@
 namespace seamwise {
 namespace {
 
-/// The document, or why there is none.
+/// The document, or the reason for its absence.
 val documentValue(const Outcome<std::string>& made) {
   val answer = val::object();
   answer.set("document", copied(made.ok() ? made.value() : std::string()));
@@ -29,7 +29,7 @@ val documentValue(const Outcome<std::string>& made) {
   return answer;
 }
 
-/// The symmetries that a garment shows by itself, looked for in steps.
+/// The symmetries of a garment's own shape, detected in steps.
 class DetectionHandle {
  public:
   DetectionHandle(const std::string& text, const std::string& name) {
@@ -48,7 +48,7 @@ class DetectionHandle {
     return more;
   }
 
-  /// As a document, once advance() has returned false.
+  /// Returns a document, once advance() has returned false.
   val result() const {
     if (error_) return documentValue(*error_);
     return documentValue(writeSymmetries(garment_, detection_->found()));

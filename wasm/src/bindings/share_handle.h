@@ -9,7 +9,7 @@
 
 namespace seamwise {
 
-/// A share of a search that runs on another thread, as JavaScript holds it.
+/// JavaScript handle of a search's share that runs on another thread.
 class ShareHandle {
  public:
   explicit ShareHandle(const val& numbers) {
@@ -28,7 +28,7 @@ class ShareHandle {
     return more;
   }
 
-  /// Once nothing is left to do.
+  /// The answers, once nothing remains to be done.
   val answers() const {
     return copied(work_ ? writeAnswers(work_->share.answers()) : std::vector<double>());
   }

@@ -33,11 +33,11 @@ inline ProblemTexts problemTexts(const val& problem) {
   return texts;
 }
 
-/// What this module remembers between solves: a page changes one thing at a time.
+/// Memo of this module between solves, since a page changes one thing at a time.
 inline SolveMemo memo;
 
-/// A solve as JavaScript holds it: first its problem is read, then it is set up, then it runs.
-/// After a failure every call is harmless and does nothing.
+/// JavaScript handle of a solve, which reads its problem, then sets it up, then runs. Every call
+/// after a failure is harmless and does nothing.
 class SolverHandle {
  public:
   explicit SolverHandle(const val& problem) : reader_(problemTexts(problem)) {}
@@ -75,7 +75,8 @@ class SolverHandle {
     return copied(flat);
   }
 
-  /// A share of the present search for another thread, and its number; null when there is none.
+  /// Returns a share of the current search for another thread, and its number; null when there is
+  /// none.
   val lend() {
     AlignmentSearch* const search = solver_ ? solver_->searching() : nullptr;
     std::shared_ptr<AlignmentSearch::Share> share = search ? search->lend() : nullptr;
@@ -87,13 +88,13 @@ class SolverHandle {
     return lent;
   }
 
-  /// Whether a share that was lent is still waited for.
+  /// Returns whether the answers of a lent share are still missing.
   bool awaits(int number) const {
     const auto share = lent_[static_cast<std::size_t>(number)].share.lock();
     return share && !share->answers;
   }
 
-  /// The answers of a share that was lent. Those of a search that has ended are of no use.
+  /// Takes the answers of a lent share. Those for a search that has ended have no effect.
   void take(int number, const val& answers) {
     const Lent& lent = lent_[static_cast<std::size_t>(number)];
     if (const auto share = lent.share.lock())
@@ -101,7 +102,7 @@ class SolverHandle {
           readAnswers(emscripten::convertJSArrayToNumberVector<double>(answers), lent.components);
   }
 
-  /// The garment as it is meshed, not solved; empty before the preparation has ended.
+  /// The meshed garment before the solve; empty before the preparation has ended.
   val pattern() const {
     return copied(solver_ ? writePattern(solver_->unsolved()) : std::string());
   }
@@ -126,7 +127,7 @@ class SolverHandle {
   }
 
  private:
-  /// One step of what comes before the solve.
+  /// Takes one step of the preparation.
   void prepare() {
     if (reader_) {
       if (reader_->advance()) return;
@@ -156,7 +157,7 @@ class SolverHandle {
   std::optional<SolverSetup> setup_;
   std::optional<Solver> solver_;
   std::optional<Error> error_;
-  std::vector<Lent> lent_;  ///< by number
+  std::vector<Lent> lent_;  ///< the index is the share's number
 };
 
 }  // namespace seamwise

@@ -1,5 +1,5 @@
 #pragma once
-// Values as they cross the boundary.
+// Values at the boundary to JavaScript.
 #include <emscripten/val.h>
 
 #include <cstdint>
@@ -24,7 +24,7 @@ inline val failureValue(const std::optional<Error>& error) {
   return failure;
 }
 
-/// A copy for JavaScript: a view of the heap dies when memory grows.
+/// A copy for JavaScript: a view of the heap becomes invalid when memory grows.
 template <class Value>
 val copied(std::size_t size, const Value* values) {
   return val(emscripten::typed_memory_view(size, values)).template call<val>("slice");

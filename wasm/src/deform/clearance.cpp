@@ -19,7 +19,7 @@ std::vector<double> outsideClearance(const Piece& piece, double horizon) {
       if (k == i || next == i) continue;
       const Vec2 a = rim[k], d = rim[next] - a;
       const double length = along[k + 1] - along[k];
-      // the outline has to go this far before it can come near enough
+      // The outline cannot come near enough before this arc length.
       const double skipped = along[k] + (rim[i] - a).norm() - clear[i];
       if (skipped >= along[k + 1]) {
         while (k + 1 < n && along[k + 2] <= skipped) ++k;

@@ -5,9 +5,9 @@
 
 namespace seamwise {
 
-/// How far every outline vertex is from the rest of the outline across a gap outside the piece,
-/// such as the mouth of a dart: two sides that close it by less than half each cannot cross. [cm]
-/// Vertices with no gap before them within `horizon` get `horizon`.
+/// Distance of every outline vertex from the rest of the outline across a gap outside the piece,
+/// such as the mouth of a dart. Two sides that each close it by less than half cannot cross. [cm]
+/// Vertices without a gap within `horizon` get `horizon`.
 std::vector<double> outsideClearance(const Piece& piece, double horizon);
 
 }  // namespace seamwise

@@ -11,7 +11,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-/// Pairs of vertices of which a term depends on both, each once.
+/// Pairs of vertices that occur in the same term, each pair once.
 Pairs coupledVertices(const Part& part) {
   Pairs pairs;
   auto couple = [&](int a, int b) { pairs.emplace_back(std::min(a, b), std::max(a, b)); };
@@ -62,7 +62,8 @@ DeformationTerms::DeformationTerms(const Part& part, const DeformationWeights& w
   for (const Part::Edge& e : part.edges) edge_slots.push_back(slotsOf(*this, e.i, e.j));
 }
 
-/// Both coordinates of a vertex have the same neighbours, so vertices are put in order.
+/// Numbers the unknowns in the order of elimination. Both coordinates of a vertex have the same
+/// neighbours, so the order is one of vertices.
 void DeformationTerms::number(const Part& part) {
   const int count = static_cast<int>(part.rest.size());
   const Pairs vertices = coupledVertices(part);
@@ -82,7 +83,7 @@ void DeformationTerms::number(const Part& part) {
   quadratic = SparseHessian(unknowns, pairs, SparseHessian::Order::kGiven);
 }
 
-/// The conformal energy is quadratic and rest is its minimum, so it needs no more than its Hessian.
+/// The conformal energy is quadratic and rest is its minimum, so only its Hessian is necessary.
 void DeformationTerms::addConformal(const Part& part, double weight) {
   for (const auto& v : part.triangles) {
     const ConformalTriangle t =
@@ -95,8 +96,8 @@ void DeformationTerms::addConformal(const Part& part, double weight) {
   }
 }
 
-/// Both ends of an unsewn edge stay on its line, w l (n . u)^2: a vertex between two of them moves
-/// along the outline, the corner of two not at all.
+/// Keeps both ends of an unsewn edge on its line, w l (n . u)^2: a vertex between two of them moves
+/// along the outline, a corner of two not at all.
 void DeformationTerms::addLines(const Part& part, double weight) {
   for (const Part::Edge& edge : part.edges) {
     if (edge.sewn) continue;

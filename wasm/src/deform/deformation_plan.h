@@ -9,34 +9,32 @@
 
 namespace seamwise {
 
-/// Weights of the terms that keep a part a part. Lengths in cm, energies per cm of outline.
+/// Weights of the terms that preserve a part's shape. Lengths in cm, energies per cm of outline.
 struct DeformationWeights {
-  /// Of the LSCM energy of the map from rest to shape, per cm2 of cloth.
+  /// LSCM energy of the map from rest to shape, per cm2 of fabric.
   double conformal = ShapingTuning::kConformal;
-  /// Of the change of the outline's direction, per rad2 at a vertex; the same at a corner.
+  /// Change of the outline's direction, per rad2 at a vertex; the same at a corner.
   double bend = ShapingTuning::kBend, corner = ShapingTuning::kCornerBend;
-  /// Of the pull of the outline to its rest position, per cm2.
+  /// Pull of the outline to its rest position, per cm2.
   double rest = ShapingTuning::kRestPull;
-  /// Of the change of an unsewn edge's length, and of its vertices' distance from its line, per
-  /// cm2.
+  /// Change of an unsewn edge's length, and distance of its vertices from its line, per cm2.
   double unsewn = ShapingTuning::kUnsewn, line = ShapingTuning::kLine;
   bool operator==(const DeformationWeights&) const = default;
 };
 
-/// The quadratic terms of a part's energy, which no deformation changes, and where everything is in
-/// its Hessian. Unknowns are the vertices' moves, numbered in the order of elimination.
+/// The quadratic terms of a part's energy, which no deformation changes, and the layout of its
+/// Hessian. Unknowns are the vertices' moves, numbered in the order of elimination.
 struct DeformationTerms {
   DeformationTerms(const Part& part, const DeformationWeights& weights);
 
-  /// Adds w |(u_j - u_i) / after - (u_i - u_h) / before|^2: the outline's direction keeps turning
-  /// as at rest.
+  /// Adds w |(u_j - u_i) / after - (u_i - u_h) / before|^2, which preserves the outline's turns.
   void addBend(SparseHessian& to, const Part::Bend& bend, double weight) const;
 
-  std::vector<int> unknown;  ///< 2 per vertex; -1 where the axis holds the coordinate
+  std::vector<int> unknown;  ///< 2 per vertex; -1 if the axis holds the coordinate
   int unknowns = 0;
   SparseHessian quadratic;  ///< conformal, bends, lines of unsewn edges, the pull to rest
-  /// Per edge of the outline: its entries, of the lower triangles of the blocks (i, i) and (j, j),
-  /// then of the block (i, j).
+  /// Hessian entries per edge of the outline: the lower triangles of the blocks (i, i) and (j, j),
+  /// then the block (i, j).
   std::vector<std::array<int, 10>> edge_slots;
 
  private:
@@ -45,7 +43,8 @@ struct DeformationTerms {
   void addLines(const Part& part, double weight);
 };
 
-/// What all deformations of a part have in common. Parts that rest never ask for the terms.
+/// The common data of all deformations of a part. Parts at rest never need the terms, so these are
+/// computed on first use.
 class DeformationPlan {
  public:
   /// @param part   outlives the plan

@@ -31,7 +31,7 @@ SeamFitting::SeamFitting(const FittingPlan& plan, const Pattern& pattern,
   collectShapes();
 }
 
-/// Marks the vertices of locked edges, on what a piece and its mirror image are made of.
+/// Marks the vertices of locked edges in their part, which a piece and its mirror image share.
 void SeamFitting::lock() {
   for (const PartDeformation& deformation : deformations_)
     locked_.emplace_back(deformation.shape().size(), 0);
@@ -126,15 +126,15 @@ void SeamFitting::aimAtPartners(const PartDeformation& deformation,
   aim(at, &deformation);
 }
 
-/// Where both sides of a seam should lie, on equivalent points of the print: in the middle, or
-/// where the locked side lies.
+/// Target lines of both sides of a seam, on equivalent points of the print: in the middle, or at
+/// the locked side.
 IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
                                 const std::vector<Alignment>& at) const {
   if (rules_.average_shapes) return idealLines(seam, join, shapes_, at, IdealShape::kAveraged);
   const Alignment &wa = at[seam.a.piece], &wb = at[seam.b.piece];
   const Element& g = join.element;
   const Mat2 back = g.A.inverse();
-  // as Alignment::toPrint and toPiece, with sines and cosines once for all points
+  // Same as Alignment::toPrint and toPiece, with sines and cosines computed once for all points.
   const Mat2 to_a = rotation(wa.angle), to_b = rotation(wb.angle);
   const Mat2 from_a = to_a.transpose(), from_b = to_b.transpose();
   IdealLines lines;
@@ -150,7 +150,7 @@ IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
   return lines;
 }
 
-/// Targets of all parts, or of only one.
+/// Sets the targets of all parts, or of only one.
 void SeamFitting::aim(const std::vector<Alignment>& at, const PartDeformation* only) {
   for (PartDeformation& deformation : deformations_)
     if (!only || only == &deformation) deformation.clearTargets();
@@ -162,7 +162,8 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const PartDeformation* o
         pulls_[s] * seam.weight * (isGathered(seam) ? ShapingTuning::kGatheredPull : 1);
     for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
       const int va = seam.a.vertices[k], vb = seam.b.vertices[k];
-      // what both sides have to move together: the mismatch, when they meet in the middle
+      // The distance that both sides have to move together: the mismatch, if they meet in the
+      // middle.
       const double apart = (lines.a[k] - shapes_[seam.a.piece][va]).norm() +
                            (lines.b[k] - shapes_[seam.b.piece][vb]).norm();
       const double weight =

@@ -8,36 +8,36 @@
 
 namespace seamwise {
 
-/// Rules that fitting keeps besides those of the pattern.
+/// Rules of fitting in addition to those of the pattern.
 struct FittingRules {
   bool continuous_only = false;  ///< forbid mirrored seams
-  bool average_shapes = false;   ///< seam lines take the mean of both sides' turning angles
+  bool average_shapes = false;   ///< seam lines have the mean of both sides' turning angles
   std::vector<EdgeRef> locked;   ///< edges that stay as drafted
 };
 
-/// Deforms all parts together so that the print meets at the seams: in turns, the two sides of
-/// every seam get their common middle (in print space, through the seam's join) or their averaged
-/// line as target, and every part takes a Newton step towards its targets. Weights 1/d make the sum
-/// of distances fall, not of squares.
+/// Deforms all parts together so that the print meets at the seams. Both sides of every seam have a
+/// target: their common middle (in print space, through the seam's join) or their averaged line.
+/// Targets and Newton steps of every part alternate. Weights 1/d minimise the sum of distances, not
+/// of squares.
 class SeamFitting {
  public:
-  /// @param plan   for this pattern; it and the others outlive the fitting
+  /// @param plan   the plan of this pattern; it and the other arguments outlive the fitting
   SeamFitting(const FittingPlan& plan, const Pattern& pattern, const WallpaperGroup& group,
               const FittingRules& rules);
 
-  /// How hard each seam pulls, as a multiple of its weight; 1 at first. A seam of pull 0 keeps its
-  /// drafted line; only its end vertices may move, with other seams.
+  /// Sets the pull of each seam, as a multiple of its weight; 1 at first. A seam of pull 0 keeps
+  /// its drafted line; only its end vertices may move, with other seams.
   void setPulls(const std::vector<double>& pulls);
 
-  /// Chooses each seam's join for the present shapes.
+  /// Chooses each seam's join for the current shapes.
   void chooseJoins(const std::vector<Alignment>& at);
-  /// New targets, then one step of every part.
+  /// Sets new targets, then takes one step of every part.
   void step(const std::vector<Alignment>& at);
 
-  /// New targets for one part: the partners' present seam lines, half way.
+  /// Sets new targets for one part: half way to the partners' current seam lines.
   void aimAtPartners(const PartDeformation& deformation, const std::vector<Alignment>& at);
 
-  /// The state of every part, which steps change; joins are no part of it.
+  /// The state of every part, which steps change; it excludes the joins.
   std::vector<PartDeformation::State> states() const;
   void setStates(std::vector<PartDeformation::State> states);
   /// The state of every part as drafted.
@@ -46,15 +46,15 @@ class SeamFitting {
   std::vector<PartDeformation>& deformations() { return deformations_; }
   const std::vector<PartDeformation>& deformations() const { return deformations_; }
   const Parts& parts() const { return plan_.parts; }
-  /// Index of the part that a piece, or what mirrors it, belongs to.
+  /// Index of the part with the vertices of a piece, or with those of its mirror twin.
   int partIndexOf(int piece) const { return plan_.parts.pieces[piece].part; }
   const Shapes& shapes() const { return shapes_; }
   const std::vector<Join>& joins() const { return joins_; }
   int factorisations() const;
 
-  /// Updates shapes() from those of the parts.
+  /// Updates shapes() from the parts.
   void collectShapes();
-  /// Whether a piece's outline crosses itself.
+  /// Returns whether a piece's outline crosses itself.
   bool crosses(int piece) const;
 
  private:
@@ -72,7 +72,7 @@ class SeamFitting {
   std::vector<PartDeformation> deformations_;
   std::vector<Join> joins_;
   std::vector<double> pulls_;              ///< per seam
-  std::vector<std::vector<char>> locked_;  ///< per part and its vertices
+  std::vector<std::vector<char>> locked_;  ///< per part and vertex
   Shapes shapes_;
 };
 

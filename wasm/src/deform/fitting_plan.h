@@ -7,7 +7,7 @@
 
 namespace seamwise {
 
-/// What deforming a pattern needs and depends on neither its seams' weights nor the print.
+/// The data for deforming a pattern that depend on neither its seams' weights nor the print.
 struct FittingPlan {
   /// @param max_change   greatest movement of an outline vertex, cm
   FittingPlan(const Pattern& pattern, const DeformationWeights& weights, double max_change);
@@ -16,7 +16,7 @@ struct FittingPlan {
   std::vector<DeformationPlan> deformations;             ///< per part
   std::vector<PointMap> to_part_direct, to_part_mirror;  ///< per piece
   std::vector<std::vector<double>>
-      vertex_length;  ///< per seam and vertex: cm of seam it stands for
+      vertex_length;  ///< length of seam that each vertex represents, per seam, cm
 };
 
 /// The coarser pattern with its plan.
@@ -25,7 +25,7 @@ struct CoarserPlan {
   FittingPlan plan;
 };
 
-/// Plans for one mesh, each made when it is first asked for.
+/// Plans for one mesh, each computed on first use.
 class FittingPlans {
  public:
   FittingPlans(const DeformationWeights& weights, double max_change)
@@ -34,9 +34,9 @@ class FittingPlans {
   bool areFor(const DeformationWeights& weights, double max_change) const {
     return weights_ == weights && max_change_ == max_change;
   }
-  /// @param pattern   the mesh; weights of its seams may differ from call to call
+  /// @param pattern   the mesh; its seams' weights may differ between calls
   const FittingPlan& fine(const Pattern& pattern);
-  /// Null where there is little to leave out.
+  /// Returns null if coarsening would remove few vertices.
   const CoarserPlan* coarse(const Pattern& pattern);
 
  private:

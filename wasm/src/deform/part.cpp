@@ -21,7 +21,7 @@ RigidMotion axisFrame(const RigidMotion& map) {
   return frame;
 }
 
-/// Fills edges and bends; on a half, what lies across the axis is left to the images.
+/// Adds edges and bends. A half omits those beyond its axis, which are images.
 void addOutline(Part& part, const Piece& piece, const std::vector<double>& kept,
                 const std::vector<char>& sewn) {
   const int outer = static_cast<int>(piece.outline.size());
@@ -49,7 +49,7 @@ void addOutline(Part& part, const Piece& piece, const std::vector<double>& kept,
   }
 }
 
-/// Triangles wholly inside.
+/// Adds the triangles with all vertices in the part.
 void addTriangles(Part& part, const Piece& piece) {
   for (const auto& t : piece.triangles) {
     const std::array<int, 3> l{part.local[t[0]], part.local[t[1]], part.local[t[2]]};
@@ -65,11 +65,11 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
   result.pieces.resize(count);
   const auto kept = keptLengths(pattern);
   std::vector<std::vector<char>> sewn = sewnEdges(pattern);
-  // an edge whose mirror image is sewn must keep its length, too
+  // An edge whose mirror image is sewn must keep its length, too.
   for (const Mirror& m : pattern.mirrors) {
     const int n = static_cast<int>(sewn[m.pieces[0]].size());
     for (int v = 0; v < n; ++v) {
-      const int image = m.image[(v + 1) % n];  // images run the other way round
+      const int image = m.image[(v + 1) % n];  // images run in the opposite direction
       char &here = sewn[m.pieces[0]][v], &there = sewn[m.pieces[1]][image];
       here = there = here || there;
     }
@@ -125,8 +125,8 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
     addTriangles(part, piece);
     result.pieces[p] = self;
 
-    // The true rest may lie up to the mirror tolerance away from the evened one. And two sides of a
-    // gap must not meet.
+    // The true rest may be up to the mirror tolerance away from the evened one. Two sides of a gap
+    // must not meet.
     const std::vector<double> clear =
         outsideClearance(piece, 2 * max_change / ShapingTuning::kGapShare);
     part.reach.assign(part.vertices.size(), 0);

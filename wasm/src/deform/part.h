@@ -6,21 +6,20 @@
 
 namespace seamwise {
 
-/// The region that deforms by itself once the seams' targets are known: a piece, the first piece of
-/// a mirrored pair, or one half of a piece that is symmetric in itself. What mirrors it follows
-/// exactly.
+/// An independently deformed region for given seam targets: a piece, the first piece of a mirrored
+/// pair, or one half of a piece that is symmetric in itself. Mirror images follow exactly.
 struct Part {
   struct Edge {
     int i, j;       ///< local vertices
     double length;  ///< kept length, cm
     bool sewn;
   };
-  /// Neighbours h, j of an outline vertex i. On the axis of a half, h is -1 and stands for the
-  /// mirror image of j.
+  /// Neighbours h, j of an outline vertex i. On the axis of a half, h is -1 and means the mirror
+  /// image of j.
   struct Bend {
     int h, i, j;
     double before, after;  ///< rest lengths h-i and i-j, cm
-    bool corner = false;   ///< turns by 30 degrees or more at rest, and may change its angle
+    bool corner = false;   ///< turns by 30 degrees or more at rest; its angle may change
   };
 
   int piece = -1;
@@ -30,18 +29,18 @@ struct Part {
   std::vector<int> local;                     ///< piece vertex -> local, -1 in the other half
   std::vector<Vec2> rest;                     ///< part frame; evened out between mirror images
   std::vector<std::array<int, 3>> triangles;  ///< local
-  std::vector<Edge> edges;                    ///< of outline and holes
+  std::vector<Edge> edges;                    ///< edges of outline and holes
   std::vector<Bend> bends;
-  std::vector<double> reach;  ///< how far an outline vertex may move from `rest`, cm; interior: 0
-  /// Whether the axis holds a vertex: it may move along it only, in y.
+  std::vector<double> reach;  ///< outline vertex's greatest distance from `rest`, cm; interior: 0
+  /// Returns whether a vertex is on the axis, along which alone it may move, in y.
   bool onAxis(int vertex) const { return half && rest[vertex].x() == 0; }
 };
 
-/// How the vertices of every piece follow from the parts.
+/// Relation of a piece's vertices to those of its part.
 struct Follower {
   int part = -1;
   std::vector<int> source;      ///< piece vertex -> local vertex of the part
-  std::vector<char> reflected;  ///< whether the vertex is the mirror image of its source
+  std::vector<char> reflected;  ///< 1 if the vertex is the mirror image of its source
   PointMap direct, mirror;      ///< part frame -> piece, for plain and for reflected vertices
   Vec2 at(int v, const Vec2& local) const { return reflected[v] ? mirror(local) : direct(local); }
 };
@@ -51,6 +50,7 @@ struct Parts {
   std::vector<Follower> pieces;  ///< per piece of the pattern
 };
 
+/// Divides the pieces of a pattern into parts.
 /// @param max_change   greatest movement of an outline vertex of any piece, cm
 Parts splitIntoParts(const Pattern& pattern, double max_change);
 

@@ -19,7 +19,7 @@ PartDeformation::PartDeformation(const DeformationPlan& plan)
       bend_factor_(plan.part().bends.size(), 1),
       edge_factor_(plan.part().edges.size(), 1) {}
 
-/// Parts that rest need no hessian.
+/// Sets up the Hessian on first use; parts at rest need none.
 void PartDeformation::setUp() {
   if (!constant_.empty()) return;
   hessian_ = plan_->terms().quadratic;
@@ -50,8 +50,8 @@ VectorX PartDeformation::moves() const {
   return u;
 }
 
-/// The energy but for its quadratic terms, targets and multipliers held: it depends on the outline
-/// alone.
+/// The energy without its quadratic terms, for fixed targets and multipliers. It depends on the
+/// outline alone.
 double PartDeformation::outlineEnergy(const std::vector<Vec2>& shape) const {
   double e = 0;
   for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -75,7 +75,7 @@ double PartDeformation::stiffness(std::size_t edge) const {
   return plan_->weights().unsewn * edge_factor_[edge];
 }
 
-/// Gradient and Gauss-Newton Hessian at the present shape.
+/// Computes gradient and Gauss-Newton Hessian at the current shape.
 void PartDeformation::assemble(const VectorX& quadratic_force) {
   const Part& part = plan_->part();
   const std::vector<int>& unknown = plan_->terms().unknown;
@@ -138,7 +138,7 @@ void PartDeformation::step() {
   for (std::size_t i = 0; i < part.rest.size(); ++i)
     longest = std::max(longest, std::hypot(moveOf(i, 0), moveOf(i, 1)));
   double scale = std::min(1.0, ShapingTuning::kLongestStep / std::max(longest, 1e-12));
-  // the quadratic terms along the way, by Taylor
+  // The quadratic terms along the step, by Taylor expansion.
   const double at_start = u.dot(force) / 2, first = force.dot(full);
   const double second = full.dot(hessian_.times(constant_, full)) / 2;
   const double before = at_start + outlineEnergy(state_.shape), slope = gradient_.dot(full);
@@ -152,7 +152,7 @@ void PartDeformation::step() {
           triangleArea(trial, part.triangles[t]) > ShapingTuning::kLeastArea * plan_->restArea(t);
     if (!upright) continue;
     const double after = at_start + scale * (first + scale * second) + outlineEnergy(trial);
-    // below rounding there is nothing left to compare
+    // Differences below rounding errors are not comparable.
     const double slack = 1e-12 * (std::abs(before) + 1);
     if (after > before + 1e-4 * scale * slope + slack) continue;
     state_.shape.swap(trial);

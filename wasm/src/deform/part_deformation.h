@@ -5,12 +5,12 @@
 
 namespace seamwise {
 
-/// Deforms one part towards targets with a safeguarded Newton iteration: conformal, bending and
-/// target terms are quadratic; sewn edges keep their length and vertices their reach by an
-/// augmented Lagrangian; a step is shortened until every triangle stays upright.
+/// Deforms one part towards targets by a safeguarded Newton iteration. Conformal, bending and
+/// target terms are quadratic. An augmented Lagrangian keeps the length of sewn edges and the reach
+/// of vertices. A step is shortened until every triangle keeps its orientation.
 ///
-/// E(u) = sum w |x - x*|^2 + conformal + bend + rest + unsewn + AL(lengths) + AL(reach), x = rest +
-/// u
+/// E(u) = sum w |x - x*|^2 + conformal + bend + rest + unsewn + AL(lengths) + AL(reach),
+/// x = rest + u
 class PartDeformation {
  public:
   /// @param plan   outlives the deformation
@@ -23,14 +23,14 @@ class PartDeformation {
   /// @param weight   per cm2; several targets of a vertex add up
   void addTarget(int vertex, const Vec2& position, double weight);
 
-  /// Limits how far outline vertices may move, besides what the part allows; 0 or more. [cm, per
+  /// Limits the movement of outline vertices in addition to the part's reach; 0 or more. [cm, per
   /// vertex]
   void limitReach(const std::vector<double>& limits);
 
   /// One Newton step and one update of the multipliers.
   void step();
 
-  /// What steps change, targets apart.
+  /// Variables that steps change, except for targets.
   struct State {
     std::vector<Vec2> shape;           ///< per vertex, in the part's frame, cm
     std::vector<double> length_force;  ///< per outline edge: multiplier of its length, per cm
@@ -43,7 +43,7 @@ class PartDeformation {
   int settling = 0;  ///< steps since the targets were fixed; for the caller's use
   int factorisations() const { return factorisations_; }
 
-  /// How far a shape is from what a finished one has to keep.
+  /// Deviations of a shape from the limits of a finished one.
   struct Violations {
     double length = 0;   ///< greatest |edge - kept length| of a sewn edge, cm
     double reach = 0;    ///< greatest excess over the reach, cm
@@ -54,17 +54,18 @@ class PartDeformation {
   };
   Violations violations() const;
 
-  /// Stiffens the outline where it bends by more than `limit` rad. Returns whether it did anything.
+  /// Stiffens the outline where it bends by more than `limit` rad. Returns whether it stiffened any
+  /// bend.
   bool stiffenKinks(double limit);
-  /// Stiffens unsewn edges whose length has changed by more than `limit`, as a share of it.
+  /// Stiffens unsewn edges whose relative change of length exceeds `limit`.
   void stiffenStretched(double limit);
-  /// Brings the present shape into balance, so that only lengths and reach have to settle.
+  /// Brings the current shape into balance, so that only lengths and reach have to settle.
   void holdShape();
-  /// Starts again from rest with the targets it has, allowed to move less around what went wrong.
+  /// Restarts from rest with the current targets, with less reach around faulty vertices.
   void restart(double reach_factor);
 
  private:
-  VectorX moves() const;  ///< of the unknowns
+  VectorX moves() const;  ///< moves of the unknowns
   double outlineEnergy(const std::vector<Vec2>& shape) const;
   double stiffness(std::size_t edge) const;
   void setUp();

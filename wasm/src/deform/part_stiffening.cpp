@@ -69,8 +69,8 @@ void PartDeformation::stiffenStretched(double limit) {
 void PartDeformation::holdShape() {
   setUp();
   clearTargets();
-  // The outline is pulled by just what the part pulls back, so that nothing but lengths and reach
-  // is left to settle. Interior vertices are in balance without.
+  // The targets' pull balances the part's own force on the outline, so that only lengths and reach
+  // remain to settle. Interior vertices are already in balance.
   const VectorX force = hessian_.times(constant_, moves());
   const std::vector<int>& unknown = plan_->terms().unknown;
   for (std::size_t i = 0; i < part().rest.size(); ++i) {
@@ -86,7 +86,7 @@ void PartDeformation::holdShape() {
 
 void PartDeformation::restart(double reach_factor) {
   const Part& part = plan_->part();
-  // where it went wrong: squeezed triangles, lengths that are not kept
+  // Faults are squeezed triangles and edges that miss their length.
   std::vector<char> faulty(part.rest.size(), 0);
   bool any = false;
   auto mark = [&](int v) {

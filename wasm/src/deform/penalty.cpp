@@ -86,7 +86,7 @@ bool PenaltyDeformation::step() {
   VectorX gradient = VectorX::Zero(x_.size());
   hessian_.setZero();
   const double before = energy(x_, &gradient, &hessian_);
-  // what no term holds (a piece's rigid motion, when none of its seams counts) stays where it is
+  // Motions that no term determines, such as those of a piece whose seams do not count, stay zero.
   for (int i = 0; i < hessian_.size(); ++i) hessian_.add(i, i, 1e-8);
   ++iterations_, ++at_this_gamma_;
   bool converged = true;

@@ -7,22 +7,22 @@
 namespace seamwise {
 
 /// The deformation of Wolff et al. 2019, Eq. 8: one energy over all vertices of all pieces,
-/// damped Newton with line search, sewability and symmetry by quadratic penalties whose weight
-/// gamma doubles from 1 until both hold.
+/// minimised by damped Newton steps with line search. Sewability and symmetry are quadratic
+/// penalties whose weight gamma doubles from 1 until both hold.
 class PenaltyDeformation {
  public:
-  /// @param with_symmetry   whether E_sym is there (not in the method that the paper extends)
+  /// @param with_symmetry   false omits E_sym, as in the method that the paper extends
   PenaltyDeformation(const Pattern& pattern, bool with_symmetry);
 
-  /// Starts again from rest towards ideal seam lines, or `share` of the way there.
+  /// Restarts from rest towards ideal seam lines, or `share` of the way there.
   void start(std::vector<Target> targets, double alpha, double share = 1);
-  /// One Newton step. False when E_match and E_sym are below 1e-6 cm2 a vertex, with both sides of
-  /// every seam as long as each other within 0.008 cm and every vertex within 0.0008 cm of its
-  /// image, or when that cannot be had.
+  /// Takes one Newton step. Returns false once E_match and E_sym are below 1e-6 cm2 a vertex, both
+  /// sides of every seam have the same length within 0.008 cm, and every vertex is within 0.0008 cm
+  /// of its image. Also returns false if that is unattainable.
   bool step();
   int iterations() const { return iterations_; }
   double gamma() const { return gamma_; }
-  /// How many values of gamma have been solved.
+  /// Number of values of gamma solved so far.
   int gammas() const { return gammas_; }
   /// First coordinate block of a piece: vertex v of piece p is vertex first(p) + v of the terms.
   int first(int piece) const { return first_[piece]; }

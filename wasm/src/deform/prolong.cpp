@@ -5,7 +5,7 @@
 namespace seamwise {
 namespace {
 
-/// How far the vertices of a piece of the coarser pattern have moved, in the frame of its part.
+/// Moves of the vertices of a piece of the coarser pattern, in the frame of its part.
 std::vector<Vec2> movesOf(const SeamFitting& from, int piece) {
   const Follower& follower = from.parts().pieces[piece];
   const PartDeformation& deformation = from.deformations()[follower.part];
@@ -19,7 +19,7 @@ std::vector<Vec2> movesOf(const SeamFitting& from, int piece) {
   return moves;
 }
 
-/// Interior vertices take the mean move of their neighbours, from the outline inwards.
+/// Gives interior vertices the mean move of their neighbours, from the outline inwards.
 void fillInterior(const Part& part, std::vector<char> known, std::vector<Vec2>& moves) {
   std::vector<std::vector<int>> neighbours(part.rest.size());
   for (const auto& t : part.triangles)
@@ -70,7 +70,7 @@ std::vector<PartDeformation::State> prolonged(const CoarserPattern& coarser,
     for (std::size_t i = 0; i < moves.size(); ++i)
       for (int c = 0; c < 2; ++c)
         if (c == 1 || !part.onAxis(static_cast<int>(i))) state.shape[i][c] += moves[i][c];
-    // a coarse edge's tension is that of all the edges it stands for
+    // A coarse edge's tension applies to all the fine edges it replaces.
     std::vector<int> edge_from(coarse.part().rest.size(), -1);
     for (std::size_t e = 0; e < coarse.part().edges.size(); ++e)
       edge_from[coarse.part().edges[e].i] = static_cast<int>(e);

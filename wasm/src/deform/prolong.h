@@ -4,8 +4,8 @@
 
 namespace seamwise {
 
-/// The state of every part of the finer pattern whose outline follows that of the coarser one: its
-/// interior goes along smoothly, its edges have the multipliers of theirs.
+/// Returns the state of every part of the finer pattern: its outline follows the coarser one, its
+/// interior follows smoothly, and its edges have the multipliers of the coarser edges.
 std::vector<PartDeformation::State> prolonged(const CoarserPattern& coarser,
                                               const SeamFitting& from, const SeamFitting& to);
 

@@ -71,7 +71,7 @@ Shapes evenedShapes(const Pattern& pattern) {
     std::vector<Vec2> mean(a.size());
     for (std::size_t v = 0; v < mean.size(); ++v) mean[v] = (a[v] + back(b[m.image[v]])) / 2;
     for (std::size_t v = 0; v < mean.size(); ++v) {
-      if (m.single() && m.image[v] < static_cast<int>(v)) continue;  // done by its image
+      if (m.single() && m.image[v] < static_cast<int>(v)) continue;  // set with its image
       b[m.image[v]] = m.map(mean[v]);
       a[v] = mean[v];
     }

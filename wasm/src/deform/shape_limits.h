@@ -9,25 +9,26 @@ namespace seamwise {
 
 enum class BrokenLimit : std::uint8_t { kNone, kMoved, kKink, kStretch, kArea, kCrossing };
 
-/// Whether outline and cut-outs of a piece in this shape cross or touch themselves or each other.
+/// Returns whether outline and cut-outs of a piece in this shape cross or touch themselves or each
+/// other.
 bool crossesItself(const Piece& piece, const std::vector<Vec2>& shape);
 
-/// The first limit that a shape of a piece breaks.
+/// Returns the first limit that a piece's shape breaks.
 BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
                         const ShapeLimits& limits);
 
-/// How far an outline vertex moved at most, as it lies. [cm]
+/// Greatest movement of an outline vertex, without a rigid motion of the piece. [cm]
 double pieceMovement(const Piece& piece, const std::vector<Vec2>& shape);
 
-/// How far the sides of a seam miss their length ratio: the worst edge, or all of them together.
-/// [cm]
+/// Deviation of a seam's sides from their length ratio, the greater of the worst edge's and the
+/// whole seam's. [cm]
 double seamError(const Seam& seam, const Shapes& shapes);
 
-/// Whether seamError() of every seam is at most kSeamTolerance.
+/// Returns whether seamError() of every seam is at most kSeamTolerance.
 bool isSewable(const Pattern& pattern, const Shapes& shapes);
 
-/// Every vertex in the middle between itself and what mirrors onto it: the exactly symmetric shapes
-/// next to the drafted ones. The same as at rest where no symmetry is imposed.
+/// The exactly symmetric shapes closest to the drafted ones: every vertex is in the middle between
+/// itself and the one mirrored onto it. Equal to the rest shapes if no symmetry is imposed.
 Shapes evenedShapes(const Pattern& pattern);
 
 }  // namespace seamwise

@@ -10,7 +10,8 @@ namespace {
 
 Vec2 at(const VectorX& x, int v) { return x.segment<2>(2 * v); }
 
-/// Adds w r and w r r^T for a residual row over a few coordinates; returns nothing of the value.
+/// Adds force * row to the gradient and stiffness * row row^T to the Hessian, for a residual's row
+/// over a few coordinates.
 template <std::size_t N>
 void addRow(const std::array<int, N>& index, const std::array<double, N>& row, double force,
             double stiffness, VectorX* gradient, SparseHessian* hessian) {
@@ -48,7 +49,7 @@ ConformalTriangle conformalTriangle(const std::array<int, 3>& vertices, const Ve
   const Vec2 corner[3] = {a, b, c};
   for (int k = 0; k < 3; ++k) {
     const Vec2 opposite = corner[(k + 2) % 3] - corner[(k + 1) % 3];
-    const Vec2 grad = perp(opposite) / (2 * t.area);  // of the hat function of corner k
+    const Vec2 grad = perp(opposite) / (2 * t.area);  // gradient of the hat function of corner k
     t.rows[0][2 * k] = grad.x(), t.rows[0][2 * k + 1] = -grad.y();
     t.rows[1][2 * k] = grad.y(), t.rows[1][2 * k + 1] = grad.x();
   }

@@ -7,19 +7,18 @@
 
 namespace seamwise {
 
-/// Boxes around things that follow each other along an outline, so that those near a point are
-/// found without looking at all: around every eight of them, and around every sixteen of these
-/// boxes.
+/// Bounding boxes around consecutive items along an outline: one per eight items, and one per
+/// sixteen of these boxes. They find the items near a point without a visit to all items.
 class BoxedRuns {
  public:
   BoxedRuns() = default;
-  /// @param low, high   corners of the things' own boxes [cm]
+  /// @param low, high   corners of the items' own boxes [cm]
   BoxedRuns(const Polyline& low, const Polyline& high)
       : runs_(around(low, high, kRun)), groups_(around(lowOf(runs_), highOf(runs_), kGroup)) {}
 
-  /// Visits things in their order, but for the run nearest to p, whose turn is first.
-  /// @param nearest   visit(i) may lower it: the square of the distance beyond which nothing is
-  ///                  looked for [cm2]
+  /// Visits items in their order, except that the run nearest to p comes first.
+  /// @param nearest   square of the distance beyond which items are skipped [cm2]; visit(i) may
+  ///                  lower it
   template <class Visit>
   void visitNear(const Vec2& p, const double& nearest, Visit visit) const {
     const std::size_t start = nearestRun(p);
@@ -67,7 +66,8 @@ class BoxedRuns {
     return (box.low - p).cwiseMax(p - box.high).cwiseMax(Vec2::Zero()).squaredNorm();
   }
 
-  /// Of several the first. The nearest group is searched first: it leaves little of the others.
+  /// Returns the first of several nearest runs. A search of the nearest group first excludes most
+  /// others.
   std::size_t nearestRun(const Vec2& p) const {
     double least = std::numeric_limits<double>::infinity();
     std::size_t nearest = 0, start = 0;

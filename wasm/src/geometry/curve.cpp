@@ -70,9 +70,9 @@ Curve Curve::arc(const Vec2& a, const Vec2& b, double radius, bool large, bool s
   c.p_[3] = b;
   c.radius_ = std::max(std::abs(radius), span / 2);
   const double height = std::sqrt(std::max(0.0, c.radius_ * c.radius_ - span * span / 4));
-  const double side = sweep != large ? 1 : -1;  // the centre lies left of the chord
+  const double side = sweep != large ? 1 : -1;  // the centre is left of the chord
   c.p_[1] = (a + b) / 2 + perp(chord) * (height / span * side);
-  const double half = std::atan2(span / 2, height);  // in (0, pi/2], exact near both ends
+  const double half = std::atan2(span / 2, height);  // angle in (0, pi/2], exact near both ends
   c.sweep_ = (large ? 2 * kPi - 2 * half : 2 * half) * (sweep ? 1 : -1);
   const Vec2 from = a - c.p_[1];
   c.angle0_ = directionOf(from);
@@ -179,7 +179,7 @@ double Curve::parameterAt(double s) const {
     const double guess = low + width * x * x * (3 - 2 * x) + m0 * x * y * y - m1 * x * x * y;
     if (guess > low && guess < high) t = guess;
   }
-  // Newton, kept inside the bracket: where the speed vanishes it falls back to bisection.
+  // Newton's iteration inside the bracket, with bisection where the speed vanishes.
   for (int i = 0; i < 60; ++i) {
     const double miss = from.s + gaussLength(from.t, t) - target;
     if (std::abs(miss) <= 1e-14 * length_) break;

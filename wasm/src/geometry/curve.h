@@ -9,11 +9,11 @@
 
 namespace seamwise {
 
-/// One outline edge: a straight line, a Bezier curve of degree 2 or 3, a circular arc, or a path: a
-/// chain of cubics that is measured as one curve. [cm]
+/// One outline edge: a straight line, a Bezier curve of degree 2 or 3, a circular arc, or a path,
+/// which is a chain of cubics measured as one curve. [cm]
 class Curve {
  public:
-  // Not inline: curves are copied in many places, and chains of them take room in each.
+  // Not inline: curves are copied in many places, and inlined copies would add code to each.
   Curve();
   Curve(const Curve& other);
   Curve(Curve&& other) noexcept;
@@ -27,7 +27,8 @@ class Curve {
   /// Arc from a to b with SVG semantics in y-up coordinates (sweep: counter-clockwise). A radius
   /// smaller than half the chord is enlarged to it, as SVG does; radius 0 gives the straight line.
   static Curve arc(const Vec2& a, const Vec2& b, double radius, bool large, bool sweep);
-  /// Cubics from end to start, by 3 n + 1 points as points() gives them, n >= 1.
+  /// A chain of cubics, joined end to start, through 3 n + 1 points as points() returns them, n >=
+  /// 1.
   static Curve path(const std::vector<Vec2>& points);
 
   Vec2 start() const { return p_[0]; }
@@ -43,33 +44,34 @@ class Curve {
   /// Point at fraction s in [0, 1] of the arc length; a mirrored or reversed curve gives the
   /// mirrored point at s or 1 - s, to 1e-9 cm.
   Vec2 atFraction(double s) const;
-  /// How far the tangent turns between two fractions of the arc length, bends to either side added
-  /// up, and the corners between them (sampled: exact for lines and arcs). [rad]
+  /// Sum of the absolute turns of the tangent between two fractions of the arc length, corners
+  /// included. Sampled, but exact for lines and arcs. [rad]
   double turning(double s0, double s1) const;
-  /// Points that leave the true curve by at most `tolerance` cm; first and last are the ends
-  /// exactly.
+  /// Points of a polyline within `tolerance` cm of the true curve; first and last are exactly the
+  /// ends.
   Polyline flattened(double tolerance) const;
-  /// Where a path turns too sharply for a bend, as fractions of the arc length, ascending. Of those
-  /// that lie close to each other the sharpest, the same ones of a mirrored or reversed path.
+  /// Corners of a path that are too sharp for a bend, as ascending fractions of the arc length.
+  /// Only the sharpest of nearby corners counts; a mirrored or reversed path has the same ones.
   std::vector<double> corners() const;
-  /// How many even steps along it see its shape: `least` of a single curve, more on a long path.
+  /// Number of even steps that sample the shape of the curve: `least` for a single curve, more for
+  /// a long path.
   int stepsAlong(int least) const;
   Curve transformed(const RigidMotion& motion) const;
   Curve reversed() const;
   bool straight() const { return kind_ == Kind::kLine; }
   bool circular() const { return kind_ == Kind::kArc; }
-  /// Of a path, else 0.
+  /// Number of cubics of a path, else 0.
   std::size_t cubics() const { return cubics_.size(); }
-  /// Its ends, with a Bezier curve's control points between them: 2 of a line or an arc, 3, or 4;
-  /// of a path those of all cubics, where they meet once.
+  /// The ends, with a Bezier curve's control points between them: 2 points of a line or an arc,
+  /// else 3 or 4. A path returns those of all its cubics, with shared ends once.
   std::vector<Vec2> points() const;
-  double radius() const { return radius_; }  ///< of an arc [cm]
-  double sweep() const { return sweep_; }    ///< of an arc, positive counter-clockwise [rad]
+  double radius() const { return radius_; }  ///< arc radius [cm]
+  double sweep() const { return sweep_; }    ///< arc angle, positive counter-clockwise [rad]
   bool operator==(const Curve&) const = default;
 
  private:
   enum class Kind : std::uint8_t { kLine, kQuadratic, kCubic, kArc, kPath };
-  /// Up to parameter t the curve is s cm long. Between two marks one Gauss rule is exact enough.
+  /// The arc length is s cm up to parameter t. One Gauss rule between two marks is exact enough.
   struct Mark {
     double t, s;
     bool operator==(const Mark&) const = default;
@@ -80,10 +82,10 @@ class Curve {
   /// Length of a Bezier curve between two parameters.
   double gaussLength(double t0, double t1) const;
   void measure(double t0, double t1, double length, int depth);
-  /// The cubic of a path that holds a parameter, and its own parameter there.
+  /// The cubic of a path at a parameter, and the cubic's own parameter there.
   std::pair<const Curve*, double> cubicAt(double t) const;
   double turningOfPath(double from, double to) const;
-  /// The direction in which a cubic starts or arrives, though its speed may be 0 there.
+  /// The direction in which a cubic starts or ends, even where its speed is 0.
   Vec2 startDirection() const;
   Vec2 endDirection() const;
 
@@ -95,7 +97,7 @@ class Curve {
   double radius_ = 0, angle0_ = 0,
          sweep_ = 0;  ///< kArc: p(t) = centre + r (cos, sin)(a0 + t sweep)
   double length_ = 0;
-  std::vector<Mark> marks_;    ///< Bezier curves; of a path, where its cubics meet
+  std::vector<Mark> marks_;    ///< marks of a Bezier curve; ends of the cubics of a path
   std::vector<Curve> cubics_;  ///< kPath
 };
 

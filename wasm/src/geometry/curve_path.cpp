@@ -7,10 +7,10 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSliver = 1e-8;       // cm: a shorter stretch of a path is none
-constexpr double kNoSpeed = 1e-7;      // distance of a control point as a share of the length
-constexpr double kCorner = kPi / 12;   // a blunter one is cut off by no more than bends are
-constexpr double kCornersApart = 0.1;  // cm: rounded corners are drawn as several
+constexpr double kSliver = 1e-8;       // cm; shorter stretches of a path are skipped
+constexpr double kNoSpeed = 1e-7;      // distance of a control point, as a share of the length
+constexpr double kCorner = kPi / 12;   // least turn; a blunter one is cut off no more than a bend
+constexpr double kCornersApart = 0.1;  // cm; a rounded corner is often drawn as several
 constexpr double kPathStep = 0.5;      // cm
 
 }  // namespace
@@ -70,7 +70,8 @@ std::vector<double> Curve::corners() const {
     if (turn < kCorner) continue;
     const double share = marks_[k].s / length_;
     shares.push_back(share);
-    // Of two that are as sharp, the one that lies nearer to the middle: so from both ends.
+    // Equally sharp corners are in order of their distance from the middle, the same from both
+    // ends.
     keys.push_back(std::round(1e6 * std::abs(share - 0.5)) / 1e6 - std::round(1e6 * turn));
   }
   const double apart = kCornersApart / length_;

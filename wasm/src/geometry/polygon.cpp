@@ -26,7 +26,7 @@ bool inBox(const Segment& s, const Vec2& p) {
          p.y() >= std::min(s.a.y(), s.b.y()) && p.y() <= std::max(s.a.y(), s.b.y());
 }
 
-/// Where two closed segments meet, touching included.
+/// The point where two closed segments meet; touching counts.
 std::optional<Vec2> meet(const Segment& s, const Segment& t) {
   if (!boxesMeet(s, t)) return {};
   const int a = orientation(s.a, s.b, t.a), b = orientation(s.a, s.b, t.b);
@@ -43,7 +43,8 @@ std::optional<Vec2> meet(const Segment& s, const Segment& t) {
   return {};
 }
 
-/// Where edges meet that should not: s and t may share a vertex when t follows s in their loop.
+/// The point where edges meet but should not. s and t may share a vertex when t follows s in their
+/// loop.
 std::optional<Vec2> collide(const Segment& s, const Segment& t, int loop_size) {
   if (s.loop != t.loop || loop_size < 3) return meet(s, t);
   const bool follows = (s.edge + 1) % loop_size == t.edge;
@@ -82,14 +83,14 @@ std::optional<Crossing> findCrossing(const std::vector<Polyline>& loops) {
     }
   }
   if (segments.empty()) return {};
-  // Cells about as large as an edge, but never more than a few per edge.
+  // Cells are about as large as an edge, with at most a few cells per edge.
   const double count = static_cast<double>(segments.size());
   const Vec2 extent = (high - low).cwiseMax(1e-12);
   const double cell = std::max({total / count, std::sqrt(extent.x() * extent.y() / (4 * count)),
                                 extent.maxCoeff() / (4 * count)});
   const int columns = 1 + static_cast<int>(extent.x() / cell);
   const int rows = 1 + static_cast<int>(extent.y() / cell);
-  // A cell's segments in order of their number, each with the place of the next one.
+  // A cell's segments in ascending order, as a linked list.
   struct Entry {
     int segment, next;
   };
@@ -112,7 +113,7 @@ std::optional<Crossing> findCrossing(const std::vector<Polyline>& loops) {
     const double reach = cell * (std::abs(d.x()) + std::abs(d.y())) * 0.500001;
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
-        // A long slanting edge leaves out the cells of its box that its line misses.
+        // Skip cells of the edge's box that the line of a long slanting edge misses.
         const Vec2 centre = low + cell * Vec2(x + 0.5, y + 0.5);
         if (x1 > x0 && y1 > y0 && std::abs(cross(d, centre - s.a)) > reach) continue;
         auto& bucket = grid[static_cast<std::size_t>(y) * columns + x];

@@ -9,26 +9,27 @@ namespace seamwise {
 /// Area of the closed polygon p[0], ..., p[n-1], positive when counter-clockwise. [cm^2]
 double signedArea(const Polyline& closed);
 
-/// Where two edges of closed loops meet that should not.
+/// A forbidden contact of two edges of closed loops.
 struct Crossing {
   int first_loop = 0, first_edge = 0;  ///< edge k joins vertices k and k + 1 of its loop
   int second_loop = 0, second_edge = 0;
   Vec2 at = Vec2::Zero();  ///< cm
 };
 
-/// The first place where closed loops cross or touch themselves or each other (edges that follow
-/// each other may share their vertex, but not fold back), or nothing when all are simple and apart.
-/// Edges are sorted into a grid: about linear time for outlines.
+/// Finds the first place where closed loops cross or touch themselves or each other, or nothing if
+/// all are simple and apart. Consecutive edges may share their vertex, but not fold back. A grid of
+/// the edges keeps the time about linear for outlines.
 std::optional<Crossing> findCrossing(const std::vector<Polyline>& loops);
 std::optional<Crossing> findCrossing(const Polyline& closed);
 
-/// True when p lies inside the closed polygon (even-odd); points on the outline may go either way.
+/// Returns whether p is inside the closed polygon (even-odd); a point on the outline may go either
+/// way.
 bool contains(const Polyline& closed, const Vec2& p);
 
 /// The point of a polyline nearest to p.
 struct Nearest {
   int segment = -1;  ///< between vertices segment and segment + 1; -1: the line has no segment
-  double along = 0;  ///< fraction of that segment, in [0, 1]
+  double along = 0;  ///< fraction along that segment, in [0, 1]
   Vec2 point = Vec2::Zero();
   double distance = 0;  ///< cm
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRounding = 1.1102230246251565e-16;  // half a unit in the last place of 1
 
-/// A sum of doubles held without any rounding, smallest first [Shewchuk 1997, grow-expansion].
+/// An exact sum of doubles, smallest part first [Shewchuk 1997, grow-expansion].
 class ExactSum {
  public:
   void add(double value) {

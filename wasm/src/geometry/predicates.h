@@ -7,8 +7,8 @@ namespace seamwise {
 /// Exact for all doubles whose products neither overflow nor underflow [Shewchuk 1997].
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// True when d certainly lies inside the circle through the counter-clockwise triangle a, b, c.
-/// Where rounding leaves a doubt the answer is false, so flips that rely on it never go in circles.
+/// Returns whether d is certainly inside the circle through the counter-clockwise triangle a, b, c.
+/// Returns false where rounding leaves a doubt, so flips that rely on it always terminate.
 bool insideCircle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
 }  // namespace seamwise

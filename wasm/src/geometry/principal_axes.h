@@ -3,8 +3,8 @@
 
 namespace seamwise {
 
-/// Eigenvalues and eigenvectors of a symmetric matrix. Eigen's solver takes 20 kB of a module, and
-/// the arcus tangent 0.5 kB.
+/// Eigenvalues and eigenvectors of a symmetric matrix. Eigen's solver would add 20 kB to a module,
+/// and the arctangent 0.5 kB.
 struct PrincipalAxes {
   explicit PrincipalAxes(const Mat2& m) {
     const Vec2 uneven((m(0, 0) - m(1, 1)) / 2, m(0, 1));
@@ -17,7 +17,7 @@ struct PrincipalAxes {
     axis = spread > 0 ? Vec2(along.normalized()) : Vec2::UnitX();
   }
   double greater, lesser;
-  Vec2 axis;  ///< of the greater one, at half the angle of `uneven`; that of the other is
+  Vec2 axis;  ///< eigenvector of `greater`, at half the angle of `uneven`; the other one is
               ///< perpendicular
 };
 

@@ -42,8 +42,8 @@ struct RigidMotion {
   }
 };
 
-/// A rigid motion with its matrix at hand, for many points: a RigidMotion works out sine and cosine
-/// for each.
+/// A rigid motion with a stored matrix, for many points: RigidMotion computes sine and cosine for
+/// each point.
 struct PointMap {
   Mat2 linear = Mat2::Identity();
   Vec2 shift = Vec2::Zero();

@@ -20,7 +20,7 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 /// v turned a quarter counter-clockwise.
 inline Vec2 perp(const Vec2& v) { return {-v.y(), v.x()}; }
 
-/// The unit vector in a direction, and the direction of a vector, in [-pi, pi].
+/// The unit vector of an angle; directionOf is its inverse, in [-pi, pi].
 inline Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 inline double directionOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
@@ -40,16 +40,16 @@ inline double turnAt(const Vec2& u, const Vec2& v, const Vec2& w) {
   return turnBetween(v - u, w - v);
 }
 
-/// Positive when a, b, c are counter-clockwise. [cm2]
+/// Area of a triangle, positive when a, b, c are counter-clockwise. [cm2]
 inline double triangleArea(const Vec2& a, const Vec2& b, const Vec2& c) {
   return cross(b - a, c - a) / 2;
 }
-/// The same of a triangle of a mesh: vertex v is at x[v].
+/// The same for a triangle of a mesh, whose vertex v is at x[v].
 inline double triangleArea(const std::vector<Vec2>& x, const std::array<int, 3>& triangle) {
   return triangleArea(x[triangle[0]], x[triangle[1]], x[triangle[2]]);
 }
 
-/// The same direction in (-pi, pi].
+/// The equivalent angle in (-pi, pi].
 inline double wrapAngle(double angle) {
   const double a = angle - 2 * kPi * std::nearbyint(angle / (2 * kPi));
   return a <= -kPi ? a + 2 * kPi : a;

@@ -10,7 +10,7 @@
 namespace seamwise {
 namespace {
 
-/// The outlines' vertices, those tied together by seams and mirrors in one class.
+/// The outlines' vertices; those tied by seams and mirrors form one class.
 class Thinning {
  public:
   Thinning(const Pattern& pattern, double longest) : pattern_(pattern), longest_(longest) {
@@ -39,7 +39,7 @@ class Thinning {
     }
   }
 
-  /// Leaves out every other vertex where that is allowed. Returns how many are left out.
+  /// Removes every other vertex where that is allowed. Returns the number of removed vertices.
   int pass() {
     std::vector<char> touched(piece_.size(), 0);
     int count = 0;
@@ -81,7 +81,7 @@ class Thinning {
   }
   const Vec2& at(int v) const { return pattern_.pieces[piece_[v]].rest[v - first_[piece_[v]]]; }
   double turn(int h, int i, int j) const { return std::abs(turnAt(at(h), at(i), at(j))); }
-  /// Whether edges stay short enough and bends blunt without a vertex.
+  /// Returns whether edges stay short enough and bends blunt enough without a vertex.
   bool mayGo(int v) const {
     const int h = before_[v], j = next_[v];
     if (h == next_[j] || (at(j) - at(h)).norm() > longest_) return false;
@@ -89,7 +89,7 @@ class Thinning {
            (fixed_[h] || turn(before_[h], h, j) < MeshTuning::kSharp) &&
            (fixed_[j] || turn(h, j, next_[j]) < MeshTuning::kSharp);
   }
-  /// Whether one of a class lies beside another or beside its neighbour.
+  /// Returns whether two vertices of a class are neighbours or have one neighbour between them.
   bool areNeighbours(const std::vector<int>& all) const {
     for (int a : all)
       for (int b : all)
@@ -99,14 +99,14 @@ class Thinning {
 
   const Pattern& pattern_;
   double longest_;
-  std::vector<int> first_, piece_;  ///< per piece its first vertex, per vertex its piece
-  DisjointSets classes_{0};         ///< of vertices that stay or go together
-  std::vector<int> next_, before_;  ///< on the outline, of those that are left
+  std::vector<int> first_, piece_;  ///< first vertex per piece, piece per vertex
+  DisjointSets classes_{0};         ///< classes of vertices that stay or go together
+  std::vector<int> next_, before_;  ///< neighbours on the outline among the remaining vertices
   std::vector<char> fixed_, left_out_;
-  std::vector<std::vector<int>> members_;  ///< of the class of a root
+  std::vector<std::vector<int>> members_;  ///< members of the class of a root
 };
 
-/// What is left of a piece, and where its vertices are now.
+/// Copies the remaining vertices of a piece; `kept` has their new indices, -1 for removed ones.
 Piece thinned(const Piece& fine, const std::vector<int>& kept, int outline) {
   Piece piece;
   piece.name = fine.name;
@@ -155,7 +155,7 @@ std::optional<CoarserPattern> coarsened(const Pattern& fine, double longest) {
   if (all - gone > MeshTuning::kWorthIt * all) return {};
 
   CoarserPattern result;
-  std::vector<std::vector<int>> kept;  // per piece, per vertex of outline and cut-outs
+  std::vector<std::vector<int>> kept;  // new index per piece and vertex of outline and cut-outs
   for (std::size_t p = 0; p < fine.pieces.size(); ++p) {
     const Piece& piece = fine.pieces[p];
     std::size_t boundary = 0;

@@ -14,13 +14,14 @@ constexpr int kMostLevels = 16;
 
 }  // namespace
 
-/// A background grid: per cell the source that rules its spacing, and the discs to keep clear of.
+/// A background grid: each cell has the source that determines its spacing, and discs to keep clear
+/// of.
 struct Grading::Grid {
   Vec2 low;
   double cell;
   int columns, rows;
-  std::vector<int> source;              // the one that rules the spacing at the cell's middle
-  std::vector<std::vector<int>> local;  // those in the cell and in those around it
+  std::vector<int> source;              // source that determines the spacing at the cell's middle
+  std::vector<std::vector<int>> local;  // sources in the cell and in those around it
   std::vector<std::vector<std::pair<Vec2, double>>> clear;
 
   int column(double x) const {
@@ -89,7 +90,7 @@ std::vector<Vec2> Grading::spaced(const Vec2& a, const Vec2& b) const {
 /// A hexagonal pattern of points: origin + i b1 + j b2.
 struct Grading::Pattern {
   Vec2 b1, b2, origin;
-  bool thirds;  // without the points of the next coarser pattern
+  bool thirds;  // omits the points of the next coarser pattern
 
   double spacing() const { return b1.norm(); }
   Pattern finer() const { return {(b1 + b2) / 3, (2 * b2 - b1) / 3, origin, true}; }
@@ -207,9 +208,9 @@ std::vector<Vec2> Grading::candidates() const {
     grid.keepClear(p, MeshTuning::kRowClear * s.spacing);
   }
 
-  // Hexagonal patterns, each the thirds of the one before (spacing / sqrt 3), so that every coarser
-  // one is part of every finer one. A point of pattern k stays where the spacing takes k or
-  // finer.
+  // Each hexagonal pattern divides the one before into thirds (spacing / sqrt 3), so it contains
+  // every coarser one. A point of pattern k stays where the spacing requires pattern k or a finer
+  // one.
   Pattern pattern{Vec2(coarsest_, 0), coarsest_ * unit(kPi / 3),
                   grid.low + Vec2(grid.columns, grid.rows) * (grid.cell / 2), false};
   for (int k = 0; k < kMostLevels; ++k) {

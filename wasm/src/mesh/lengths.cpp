@@ -6,7 +6,7 @@
 namespace seamwise {
 namespace {
 
-/// Edges tied by "length = factor x length of the root": a union-find with factors.
+/// A union-find of edges with factors: length = factor x length of the root.
 class Ties {
  public:
   explicit Ties(int n) : parent_(n), factor_(n, 1.0) {
@@ -37,7 +37,7 @@ class Ties {
   std::vector<double> factor_;
 };
 
-/// The geometric mean of positive numbers of about one size; of a single one, that number.
+/// The geometric mean of positive numbers of similar size; exact for a single number.
 class Mean {
  public:
   void add(double value) {
@@ -45,7 +45,7 @@ class Mean {
     ratios_ *= value / first_;
     ++count_;
   }
-  /// By Newton's iteration, which falls from above until rounding stops it.
+  /// Newton's iteration, which decreases from above until rounding stops it.
   double value() const {
     double mean = std::max(1.0, ratios_);
     for (double next = mean; count_ > 1; mean = next) {
@@ -58,7 +58,7 @@ class Mean {
   }
 
  private:
-  double first_ = 1, ratios_ = 1;  ///< product of all by the first
+  double first_ = 1, ratios_ = 1;  ///< product of all numbers, each divided by the first
   int count_ = 0;
 };
 
@@ -84,7 +84,7 @@ std::vector<std::vector<double>> keptLengths(const Pattern& pattern) {
       ties.tie(edge(s.a.piece, s.a.vertices[i], s.a.vertices[i + 1]),
                edge(s.b.piece, s.b.vertices[i], s.b.vertices[i + 1]), s.length_ratio);
   }
-  // the root's length: geometric mean of what each member's rest length says
+  // The root's length is the geometric mean of the estimates from its members' rest lengths.
   std::vector<Mean> means(first.back());
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
     const Piece& piece = pattern.pieces[p];

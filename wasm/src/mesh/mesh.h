@@ -8,22 +8,22 @@
 
 namespace seamwise {
 
-/// Fills every piece with triangles: the outline is kept as sampled, interior vertices on a graded
-/// hexagonal pattern (about the outline's spacing at the outline, up to `coarsest` cm inside).
-/// A piece with an imposed single mirror is meshed by halves: one half is triangulated, the other
-/// is its image, so no triangle crosses the axis; the second piece of a pair carries the image of
-/// the first one's mesh. Extends Mirror::image to every vertex. Errors: kMesh, naming the piece.
+/// Fills every piece with triangles. The outline stays as sampled; interior vertices form a graded
+/// hexagonal pattern (about the outline's spacing at the outline, up to `coarsest` cm inside). A
+/// piece with an imposed single mirror is meshed by halves: the second half is the image of the
+/// first, so no triangle crosses the axis. The second piece of a pair has the image of the first
+/// one's mesh. Extends Mirror::image to every vertex. Errors: kMesh, naming the piece.
 Outcome<Pattern> meshed(Pattern pattern, double coarsest = MeshTuning::kCoarsest);
 
-/// meshed() in steps, of one piece or pair each.
+/// Runs meshed() in steps of one piece or pair each.
 class Meshing {
  public:
   explicit Meshing(Pattern pattern, double coarsest = MeshTuning::kCoarsest);
 
-  /// Fills one piece, or the two of a pair. False when all are filled, or one cannot be.
+  /// Fills one piece, or the two of a pair. Returns false once all are filled or one cannot be.
   bool advance();
-  double fraction() const;  ///< of the pieces, 0..1
-  /// Once it has ended.
+  double fraction() const;  ///< share of filled pieces, 0..1
+  /// Returns the meshed pattern or the error, after advance() has returned false.
   Outcome<Pattern> take();
 
  private:
@@ -33,8 +33,8 @@ class Meshing {
   Pattern pattern_;
   double coarsest_;
   std::vector<char> done_;                ///< per piece
-  std::size_t mirrors_ = 0, pieces_ = 0;  ///< that have been looked at
-  bool moved_ = false;                    ///< some outline
+  std::size_t mirrors_ = 0, pieces_ = 0;  ///< numbers of mirrors and pieces already visited
+  bool moved_ = false;                    ///< an outline has changed
   std::optional<Error> error_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using Ring = std::vector<int>;
 
-/// Outline and hole vertices of pieces[0], each the mean of itself and of its image brought back.
+/// Outline and hole vertices of pieces[0], each averaged with its image mapped back.
 std::vector<Vec2> meanBoundary(const Pattern& pattern, const Mirror& mirror) {
   const auto &a = pattern.pieces[mirror.pieces[0]].rest, &b = pattern.pieces[mirror.pieces[1]].rest;
   const RigidMotion back = mirror.map.inverse();
@@ -24,9 +24,9 @@ std::vector<Vec2> meanBoundary(const Pattern& pattern, const Mirror& mirror) {
 /// One half of a piece that is symmetric in itself, cut along the axis.
 struct Half {
   std::vector<Vec2> points;
-  std::vector<int> vertex;  ///< per point: the piece's vertex; new ones on the axis count from the
-                            ///< number of boundary vertices on
-  std::vector<Ring> loops;  ///< into points
+  std::vector<int> vertex;  ///< piece's vertex per point; new ones on the axis count from the
+                            ///< number of boundary vertices
+  std::vector<Ring> loops;  ///< indices into points
   std::vector<Vec2> axis;   ///< the new vertices on the axis
 };
 
@@ -49,7 +49,7 @@ class HalfBuilder {
     half_.loops.emplace_back();
     for (const int v : rim) half_.loops[0].push_back(pointOf(v));
 
-    // Cut-outs on the axis interrupt it; of the others, those on this side belong to this half.
+    // Cut-outs on the axis interrupt it; others belong to this half if they are on its side.
     std::vector<Ring> bites;
     std::vector<const Ring*> whole;
     for (const Ring& hole : piece_.holes) {
@@ -110,7 +110,7 @@ class HalfBuilder {
     return at_[vertex];
   }
 
-  /// The stretch of the axis between two boundary vertices.
+  /// Adds the stretch of the axis between two boundary vertices.
   void follow(int from, int to) {
     for (const Vec2& p : grading_.spaced(mean_[from], mean_[to])) {
       half_.loops[0].push_back(static_cast<int>(half_.points.size()));
@@ -124,14 +124,14 @@ class HalfBuilder {
   const std::vector<int>& image_;
   const std::vector<Vec2>& mean_;
   const Grading grading_;
-  std::vector<int> at_;  // per vertex of the piece: its point in the half
+  std::vector<int> at_;  // point in the half, per vertex of the piece
   Vec2 start_ = Vec2::Zero(), along_ = Vec2::Zero();
   Half half_;
 };
 
-/// Triangles and interior vertices of pieces[0] for the mean shape; fills mirror.image.
+/// The mesh of pieces[0] in the mean shape. Its construction also extends mirror.image.
 struct MeanMesh {
-  std::vector<Vec2> points;  // of all vertices of pieces[0]
+  std::vector<Vec2> points;  // positions of all vertices of pieces[0]
   std::vector<std::array<int, 3>> triangles;
 };
 
@@ -142,7 +142,7 @@ std::optional<MeanMesh> meshHalves(const Piece& piece, Mirror& mirror, std::vect
   const auto mesh = meshRegion(half->points, half->loops, coarsest);
   if (!mesh) return {};
   MeanMesh full{std::move(mean), {}};
-  std::vector<int> vertex = half->vertex;  // per vertex of the half mesh: that of the piece
+  std::vector<int> vertex = half->vertex;  // piece's vertex per vertex of the half mesh
   for (const Vec2& p : half->axis) {
     mirror.image.push_back(static_cast<int>(full.points.size()));
     full.points.push_back(p);
@@ -201,7 +201,8 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
       b.triangles.push_back({mirror.image[i], mirror.image[k], mirror.image[j]});
   }
 
-  // The mean shape has no turned triangle, so moving the outline there vertex by vertex ends well.
+  // The mean shape has no inverted triangle, so moving outline vertices there one by one must
+  // succeed.
   std::vector<char> moved(boundary, 0);
   bool any_moved = false;
   for (bool again = true; again;) {

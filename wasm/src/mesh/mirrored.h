@@ -5,10 +5,10 @@
 namespace seamwise {
 
 /// Fills the piece or the two pieces of one imposed symmetry with meshes that are images of each
-/// other and extends mirror.image to all vertices. Where the drafted halves differ, the mesh is
-/// made for their mean; interior vertices are exact images, outline vertices keep their rest
-/// positions. Only an outline vertex whose triangle would turn over there moves to the mean (at
-/// most half of what the halves differ by). Returns whether any vertex did. Errors: kMesh, naming
+/// other. Extends mirror.image to all vertices. If the drafted halves differ, the mesh is made for
+/// their mean: interior vertices are exact images, outline vertices keep their rest positions. An
+/// outline vertex moves to the mean only if its triangle would turn over or nearly vanish (by at
+/// most half the difference of the halves). Returns whether any vertex moved. Errors: kMesh, naming
 /// the piece.
 Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest);
 

@@ -8,8 +8,8 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
                                      const std::vector<std::vector<int>>& loops, double coarsest) {
   auto triangulation = Triangulation::make(boundary, loops);
   if (!triangulation) return {};
-  // A few far apart first: on a round outline every triangle has the same circle, and neighbours
-  // one after the other would each turn over all of them.
+  // Insert a few distant candidates first. All triangles of a round outline have the same
+  // circumcircle, and every one of several successive neighbours would flip all of them.
   const std::vector<Vec2> candidates = Grading(boundary, loops, coarsest).candidates();
   for (std::size_t stride = 512; stride >= 1; stride /= 8)
     for (std::size_t i = 0; i < candidates.size(); i += stride)

@@ -14,8 +14,8 @@ struct RegionMesh {
 };
 
 /// Meshes the region inside loops (outline counter-clockwise, cut-outs clockwise; indices into
-/// `boundary`, every point in one loop); the boundary stays as it is. Empty when the loops are not
-/// simple, or so thin that rounding leaves a triangle without area.
+/// `boundary`, every point in one loop). The boundary stays unchanged. Returns nothing if the loops
+/// are not simple, or so thin that rounding leaves a triangle without area.
 std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
                                      const std::vector<std::vector<int>>& loops, double coarsest);
 

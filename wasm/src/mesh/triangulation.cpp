@@ -37,8 +37,8 @@ std::optional<Triangulation> Triangulation::make(std::vector<Vec2> points,
   t.given_ = static_cast<int>(t.points_.size());
   t.triangle_of_.assign(t.points_.size(), 0);
   t.triangles_.push_back({{0, 1, 2}, {-1, -1, -1}, {false, false, false}, false});
-  // Every second vertex of what is missing, the coarsest first: neighbours follow each other, so
-  // walks are short, and yet no vertex meets a fan of all its predecessors.
+  // Insert vertices at halving strides. Consecutive vertices are neighbours, so walks are short,
+  // yet no vertex meets a fan of all its predecessors.
   const int count = t.given_ - kFrame;
   int stride = 1;
   while (stride < count) stride *= 2;
@@ -67,8 +67,8 @@ std::optional<Triangulation> Triangulation::make(std::vector<Vec2> points,
 }
 
 Triangulation::Spot Triangulation::locate(const Vec2& p) {
-  // A walk towards p. In a triangulation that is not quite Delaunay it could go round in circles; a
-  // changing first edge breaks such circles.
+  // Walk towards p. A triangulation that is not quite Delaunay could lead it in circles; a changing
+  // first edge breaks them.
   int t = last_;
   for (;;) {
     state_ = state_ * 1664525u + 1013904223u;
@@ -114,7 +114,7 @@ void Triangulation::splitTriangle(int t, int v) {
 }
 
 void Triangulation::splitEdge(int t, int edge, int v) {
-  // The edge b c of triangle a b c and of its neighbour d c b.
+  // The edge is b c of triangle a b c and of its neighbour d c b.
   const Triangle old = triangles_[t];
   const int u = old.across[edge];
   const int back = indexOfNeighbour(u, t);

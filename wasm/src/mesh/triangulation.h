@@ -19,14 +19,15 @@ class Triangulation {
   static std::optional<Triangulation> make(std::vector<Vec2> points,
                                            const std::vector<std::vector<int>>& loops);
 
-  /// Adds an interior vertex; false (and no change) when p does not lie strictly inside the loops.
+  /// Adds an interior vertex. Returns false, without a change, unless p is strictly inside the
+  /// loops and not yet a vertex.
   bool insert(const Vec2& p);
-  /// Moves free vertices to the middle of their neighbours, `passes` times, wherever that keeps
-  /// every triangle's quality from dropping below what it was or a fair value; restores Delaunay
-  /// each time.
+  /// Moves free vertices to the middle of their neighbours, `passes` times. A move is undone if the
+  /// worst quality around the vertex drops below both its old value and a fair one. Restores the
+  /// Delaunay property after each pass.
   void smooth(int passes);
 
-  /// The vertices that were given, then the inserted ones.
+  /// The given vertices, then the inserted ones.
   std::vector<Vec2> points() const;
   /// Triangles inside the loops, counter-clockwise.
   std::vector<std::array<int, 3>> triangles() const;
@@ -43,8 +44,8 @@ class Triangulation {
   };
   struct Spot {
     int triangle = -1;
-    int edge = -1;       // the point lies on this edge of the triangle
-    bool taken = false;  // the point is a vertex already
+    int edge = -1;       // edge of the triangle that contains the point, -1: none
+    bool taken = false;  // the point is already a vertex
   };
 
   int side(int a, int b, int c) const;
@@ -66,11 +67,11 @@ class Triangulation {
 
   std::vector<Vec2> points_;
   std::vector<Triangle> triangles_;
-  std::vector<int> triangle_of_;            // per vertex: one of its triangles
+  std::vector<int> triangle_of_;            // a triangle per vertex
   std::vector<std::pair<int, int>> stack_;  // edges (triangle, edge) that may need a flip
-  int last_ = 0;                            // where the next walk starts
-  std::uint32_t state_ = 1;                 // picks the walk's first turn
-  int given_ = 0;                           // vertices before the inserted ones, frame included
+  int last_ = 0;                            // start of the next walk
+  std::uint32_t state_ = 1;                 // random state for the walk's first edge
+  int given_ = 0;  // number of vertices before the inserted ones, frame included
 };
 
 }  // namespace seamwise

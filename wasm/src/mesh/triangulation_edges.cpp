@@ -1,4 +1,4 @@
-// The part of the triangulation that forces the loops' edges into it and finds what they enclose.
+// Forces the loops' edges into the triangulation and finds the triangles inside the loops.
 
 #include "mesh/triangulation.h"
 
@@ -52,16 +52,16 @@ std::vector<std::pair<int, int>> Triangulation::edgesAcross(int a, int b, bool* 
 
 bool Triangulation::fixEdge(int a, int b) {
   if (fixExisting(a, b)) return true;
-  // Flip away what crosses a b [Sloan 1993].
+  // Flip the edges that cross a b [Sloan 1993].
   bool blocked = false;
   std::vector<std::pair<int, int>> open = edgesAcross(a, b, &blocked);
   if (blocked) return false;
-  // Some crossing edge can always be flipped; the bound is far above what that takes.
+  // Some crossing edge can always be flipped; the bound is far above the necessary number of steps.
   const std::size_t most = 1000 + 4 * open.size() * open.size();
   for (std::size_t step = 0; step < open.size(); ++step) {
     if (step > most) return false;
     auto [p, q] = open[step];
-    if (p < kFrame) std::swap(p, q);  // there is no way round a corner of the frame
+    if (p < kFrame) std::swap(p, q);  // the triangles around a corner of the frame do not close
     int t = triangle_of_[p];
     while (triangles_[t].vertex[next(indexIn(t, p))] != q)
       t = triangles_[t].across[next(indexIn(t, p))];

@@ -86,7 +86,7 @@ bool BestRun::advance() {
   return stage_ != Stage::kDone;
 }
 
-/// Those answers under slack of which shaping is likely to make the most.
+/// Returns the answers under slack with the least predicted mismatch after shaping.
 std::vector<FittingStart> BestRun::bestPredicted(std::size_t count) const {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = restShapes(pattern_);
@@ -113,8 +113,8 @@ std::vector<Alignments> BestRun::compared() const {
   return all;
 }
 
-/// Begins fitting with the best few answers under slack and, where it differs, with the search's
-/// own.
+/// Starts fitting from the best few answers under slack, from the offered starts and from the
+/// search's own answer.
 void BestRun::startFitting() {
   std::vector<FittingStart> from = bestPredicted(ShapingTuning::kStarts);
   for (const Alignments& at : offered_starts_) from.push_back({match_.ofLeaders(at)});
@@ -153,16 +153,16 @@ void BestRun::fittingStep() {
       std::max(progress_, searched_ + (ProgressTuning::kFitted - searched_) * fitting_->fraction());
 }
 
-/// Seeks another answer under slack to fit from, with more weight on what those before it left
-/// worse off.
+/// Seeks another answer under slack to fit from, with more weight on the seams that previous starts
+/// left worse off.
 void BestRun::seekAgain() {
   if (searching_.advance()) return;
   fitting_->goOn(bestPredicted(1)[0].leaders);
   stage_ = Stage::kFitting;
 }
 
-/// Whether the part keeps every limit of a finished shape, its sewn edges their length to `length`
-/// cm.
+/// Returns whether the part keeps every limit of a finished shape, with sewn edges within `length`
+/// cm of their length.
 bool BestRun::keepsLimits(const PartDeformation& deformation, double length) const {
   const PartDeformation::Violations v = deformation.violations();
   return v.length < length &&
@@ -171,9 +171,9 @@ bool BestRun::keepsLimits(const PartDeformation& deformation, double length) con
          !fitting_->fitting().crosses(deformation.part().piece);
 }
 
-/// Parts that keep their limits rest; the others go on, stiffer where they bend too much, at last
-/// holding their shape. A part that will not settle starts again from rest and may move less where
-/// it went wrong; the last time without targets.
+/// Settles the parts that break limits; the others rest. A part gets stiffer where it bends too
+/// much and finally holds its shape. A part that does not settle restarts from rest, with less
+/// reach around its faults; the last restart has no targets.
 void BestRun::settleStep() {
   bool all_kept = true;
   for (PartDeformation& deformation : fitting_->fitting().deformations()) {
@@ -181,7 +181,7 @@ void BestRun::settleStep() {
     all_kept = false;
     const int remedies = deformation.settling / ShapingTuning::kSettleSteps,
               step = deformation.settling % ShapingTuning::kSettleSteps;
-    // lengths that are almost kept only need more steps
+    // Lengths that are almost kept only need more steps.
     if (step == 0 && remedies > 0 &&
         !(keepsLimits(deformation, ShapingTuning::kAlmostKept) &&
           remedies < ShapingTuning::kMostRemedies)) {
@@ -212,7 +212,7 @@ void BestRun::settleStep() {
   stage_ = Stage::kFitting;
 }
 
-/// What breaks a limit after all stays as it was drafted, which breaks none.
+/// Returns parts that still break a limit to their drafted shape, which breaks none.
 void BestRun::restUnsound() {
   ShapeLimits limits;
   limits.moved = problem_.options.max_change_cm;
@@ -238,8 +238,9 @@ void BestRun::restUnsound() {
   }
 }
 
-/// Where nothing could be gained, gathers above all, outlines stay as they were drafted. So do they
-/// where some seams weigh so little that the print misses by more than as a cutter lays it.
+/// Restores the drafted outlines if shaping gained nothing, as for most gathers. Also restores
+/// them, in the drafted layout, if low weights of some seams make the print miss by more than
+/// there.
 void BestRun::restIfBetter() {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = evenedShapes(pattern_);

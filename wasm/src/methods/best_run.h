@@ -7,25 +7,25 @@
 
 namespace seamwise {
 
-/// The default method: alignments are sought with symmetry built in, then shape and alignment
-/// improved in turns, never beyond the greatest change, then whatever it takes to keep seams
+/// The default method. It seeks alignments with symmetry built in, then improves shape and
+/// alignment in turns within the greatest change. Finally it settles the shapes until seams are
 /// sewable and outlines smooth.
 class BestRun : public Run {
  public:
-  /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
-  ///                imposed the symmetric answer is one of the starts
-  /// @param offered   alignments of all pieces: the search never ends with worse ones
-  /// @param starts   alignments of all pieces to begin fitting with, besides what the search finds
-  /// @param searches   outcomes of the searches of solves before
-  /// @param plans   of this mesh; null: made here, for later solves
+  /// @param known   mirrors of the pattern's known symmetries that the group carries; the symmetric
+  ///                answer is one of the starts unless all of them are imposed
+  /// @param offered   alignments of all pieces; the search never ends with worse ones
+  /// @param starts   alignments of all pieces, as additional starts of fitting
+  /// @param searches   outcomes of the searches of previous solves
+  /// @param plans   plans for this mesh; null or for other settings: made here, for later solves
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
           const MatchRules& rules, std::vector<Alignments> offered, std::vector<Alignments> starts,
           SearchMemo& searches, std::shared_ptr<FittingPlans>& plans);
 
-  /// How far an outline vertex may move. [cm]
+  /// Greatest movement of an outline vertex. [cm]
   static double reachOf(const SolveOptions& options);
-  /// How much a mismatch may be for shapes to take it up: two sides that may each move by the
-  /// greatest change meet across somewhat less than twice it. [cm]
+  /// Greatest mismatch that shapes can take up. Two sides that may each move by the greatest change
+  /// meet across somewhat less than twice it. [cm]
   static double slackOf(const SolveOptions& options);
 
   bool advance() override;
@@ -36,7 +36,7 @@ class BestRun : public Run {
   std::vector<Alignments> compared() const override;
   double searchBound() const override { return searching_.bound() * of_bound_; }
   double searchCost() const override { return costAtRest(search_result_); }
-  /// What the pieces as drafted cost where they are laid, by the seams' weights. [cm2]
+  /// Cost of the drafted pieces at these alignments, by the seams' weights. [cm2]
   double costAtRest(const Alignments& at) const { return match_.cost(match_.ofLeaders(at)); }
   AlignmentSearch* searching() override { return searching_.searching(); }
   const Shapes& shapes() const override;
@@ -60,7 +60,7 @@ class BestRun : public Run {
   const Problem& problem_;
   const Pattern& pattern_;
   MatchRules rules_;
-  double reach_;  ///< how far an outline vertex may move, cm
+  double reach_;  ///< greatest movement of an outline vertex, cm
   MatchProblem match_;
   std::vector<Alignments> offered_starts_;
   SearchStage searching_;
@@ -68,11 +68,11 @@ class BestRun : public Run {
   std::unique_ptr<FittingStage> fitting_;
   Stage stage_ = Stage::kSearch;
   Alignments alignment_, search_result_;
-  double of_bound_ = 1;  ///< less where something else is the result than the search's best
+  double of_bound_ = 1;  ///< less than 1 if the result is not the search's best
   bool sought_again_ = false;
-  int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
-  double length_error_;             ///< of a sewn edge, cm
-  double progress_, searched_ = 0;  ///< now, and once all was searched
+  int settling_ = 0, settled_ = 0;  ///< steps of settling, without and with the last, idle one
+  double length_error_;             ///< greatest length error of a sewn edge, cm
+  double progress_, searched_ = 0;  ///< current progress, and progress after all searches
 };
 
 }  // namespace seamwise

@@ -4,10 +4,10 @@
 
 namespace seamwise {
 
-/// How a cutter lays the pieces who does not look at the print's seams: each on its grain, as it
-/// lies in its own coordinates; what is symmetric with its axis on the nearest mirror line of the
-/// print, mirror images with mirrored prints, what is pinned where it is pinned.
-/// @param match   the pieces as drafted, under all rules
+/// Returns the layout of a cutter who ignores the seams. Each piece is on its grain, at its
+/// position in its own coordinates. A symmetric piece has its axis on the nearest mirror line of
+/// the print, mirror images have mirrored prints, and pinned pieces stay pinned.
+/// @param match   the drafted pieces, under all rules
 Alignments draftedLayout(const Problem& problem, const MatchProblem& match);
 
 }  // namespace seamwise

@@ -38,7 +38,7 @@ void EffortRun::begin() {
   std::vector<Alignments> offered, starts;
   if (const BestRun* before = (round.symmetric ? best_symmetric_ : best_requested_).get())
     offered.push_back(before->search());
-  // the search begins with what was found for the symmetric pattern, and so may fitting
+  // SearchStage starts from the answer for the symmetric pattern anyway; fitting may start from it.
   if (!round.symmetric && best_symmetric_) starts.push_back(best_symmetric_->alignment());
   const Mesh& mesh = round.symmetric ? *symmetric_ : requested_;
   run_ = std::make_unique<BestRun>(problem_, mesh.pattern, known_, rules_, std::move(offered),

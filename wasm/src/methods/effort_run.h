@@ -6,19 +6,20 @@
 
 namespace seamwise {
 
-/// The default method several times; the answer with the least total mismatch is taken. So more of
-/// them never end worse. Each begins with what the ones before have found: outlines that may move
-/// further than usual with what is found without that, what need not be symmetric with what is
-/// found where it has to be, then the same with other seeds.
+/// Runs the default method several times and takes the answer with the least total mismatch, so
+/// more runs never end worse. Each run starts from earlier results: outlines with more than the
+/// usual greatest change from those with the usual one, the requested pattern from the symmetric
+/// one, then the same with other seeds.
 class EffortRun : public Run {
  public:
-  /// A mesh and what is remembered of it.
+  /// A mesh and its fitting plans.
   struct Mesh {
     const Pattern& pattern;
     std::shared_ptr<FittingPlans>& plans;
   };
 
-  /// @param symmetric   the same vertices with more symmetries imposed, which may do better
+  /// @param symmetric   the same vertices with more symmetries imposed, which may give a better
+  ///                    result
   EffortRun(const Problem& problem, Mesh requested, std::optional<Mesh> symmetric,
             std::vector<Mirror> known, const MatchRules& rules, SearchMemo& searches);
 
@@ -40,7 +41,7 @@ class EffortRun : public Run {
  private:
   struct Round {
     bool symmetric;
-    double change;  ///< that an outline may move. [cm]
+    double change;  ///< greatest movement of an outline. [cm]
     std::uint32_t seed;
   };
   bool isDone() const { return ended_ == rounds_.size(); }
@@ -48,16 +49,16 @@ class EffortRun : public Run {
   void begin();
   double mismatchOf(const BestRun& run) const;
 
-  Problem problem_;  ///< with the seed and the change of the round
+  Problem problem_;  ///< the seed and the greatest change are those of the round
   Mesh requested_;
   std::optional<Mesh> symmetric_;
   std::vector<Mirror> known_;
   const MatchRules& rules_;
   SearchMemo& searches_;
   std::vector<Round> rounds_;
-  std::size_t ended_ = 0;                                     ///< of the rounds
-  std::unique_ptr<BestRun> run_;                              ///< at work
-  std::unique_ptr<BestRun> best_symmetric_, best_requested_;  ///< of the rounds before
+  std::size_t ended_ = 0;                                     ///< number of rounds that have ended
+  std::unique_ptr<BestRun> run_;                              ///< current run
+  std::unique_ptr<BestRun> best_symmetric_, best_requested_;  ///< best of the ended rounds
   bool symmetric_stands_ = false;
 };
 

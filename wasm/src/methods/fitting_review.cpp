@@ -6,7 +6,7 @@
 #include "tuning/shaping.h"
 
 namespace seamwise {
-/// Takes the pull from the seams that end where this one does. Returns whether there were any.
+/// Removes the pull of the seams that share an end with this one. Returns whether there were any.
 bool FittingStage::dropNeighbours(std::size_t seam) {
   const Seam& own = fitted().seams[seam];
   std::vector<char>& shaped = starts_[current_].shaped;
@@ -23,8 +23,8 @@ bool FittingStage::dropNeighbours(std::size_t seam) {
   return any;
 }
 
-/// Takes from the seams that are bent in vain their pull, and gives more to those that are worse
-/// off than by placing alone.
+/// Removes the pull of seams that are bent in vain, and increases that of seams that are worse off
+/// than by placing alone.
 FittingStage::Judgement FittingStage::judge() {
   const Pattern& pattern = fitted();
   const Shapes rest = restShapes(pattern);
@@ -85,7 +85,7 @@ bool FittingStage::review() {
   return false;
 }
 
-/// Leaves all lines as drafted, where placing alone lays them.
+/// Restores all drafted lines, at the alignments of placing alone.
 void FittingStage::giveUp() {
   given_up_ = true;
   fitting_->setStates(fitting_->restStates());

@@ -52,7 +52,7 @@ void FittingStage::add(FittingStart from) {
   starts_.push_back(std::move(start));
 }
 
-/// Plans the steps, on the coarser mesh where there is one.
+/// Plans the steps, on the coarser mesh if there is one.
 void FittingStage::begin() {
   begun_ = true;
   if ((plan_ = plans_.coarse(pattern_))) {
@@ -86,14 +86,14 @@ void FittingStage::goFine() {
   coarse_ = false;
   pull();
   fitting_->chooseJoins(alignment_);
-  // what placing alone leaves of a seam differs a little between the meshes
+  // The mismatch by placing alone differs a little between the meshes.
   fine_steps_ = ShapingTuning::kFineSteps;
   if (starts_[current_].stays || !isWorseThanPlaced()) return;
   realign();
   fine_steps_ += ShapingTuning::kMoreFineSteps;
 }
 
-/// Whether some seam misses by more than placing alone allows.
+/// Returns whether some seam misses by more than placing alone allows.
 bool FittingStage::isWorseThanPlaced() const {
   const auto now = localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_);
   const auto placed = placedMismatches();
@@ -108,7 +108,7 @@ void FittingStage::place(const Alignments& leaders) {
   fitting_->chooseJoins(alignment_);
 }
 
-/// Goes on from a start; first from rest, with all seams pulling that shaping may bring to meet.
+/// Continues a start. The first time it is at rest, and all seams within reach of shaping pull.
 void FittingStage::resume(std::size_t index) {
   current_ = index;
   Start& start = starts_[index];
@@ -126,7 +126,7 @@ void FittingStage::resume(std::size_t index) {
   pull();
 }
 
-/// From rest once more, with other seams pulling.
+/// Repeats the current start from rest, with other seams pulling.
 void FittingStage::again() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
@@ -192,7 +192,7 @@ bool FittingStage::advance() {
   return start.steps < steps_ || endSteps();
 }
 
-/// Judges the seams after a start's steps. Returns whether there are more to take.
+/// Judges the seams after a start's steps. Returns whether more steps remain.
 bool FittingStage::endSteps() {
   Start& start = starts_[current_];
   const Judgement found = judge();
@@ -208,8 +208,8 @@ bool FittingStage::endSteps() {
   return leave();
 }
 
-/// Notes how far the present start has come and goes on from the one that fits best. Returns
-/// whether there are more steps to take.
+/// Stores the results of the current start and continues with the best one. Returns whether more
+/// steps remain.
 bool FittingStage::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
@@ -221,8 +221,8 @@ bool FittingStage::leave() {
   return goOnFromBest();
 }
 
-/// Goes on with what is not tried yet, else with the start that is best under the rules, while it
-/// may still come out ahead of those that have ended.
+/// Continues with an untried start, else with the best one under the rules as long as it may still
+/// beat those that have ended.
 bool FittingStage::goOnFromBest() {
   const std::size_t none = starts_.size();
   std::size_t open = none, ended = none;
@@ -252,7 +252,7 @@ bool FittingStage::goOnFromBest() {
   return true;
 }
 
-/// Gives more rounds to the start that failed by least. Returns whether one failed by little.
+/// Allows more rounds to the start that failed by least. Returns whether one failed by little.
 bool FittingStage::retryNearest() {
   Start* nearest = nullptr;
   for (Start& start : starts_)

@@ -11,37 +11,38 @@ namespace seamwise {
 struct TotalMismatch {
   /// Each edge with its nearest element: E_fit of Wolff et al. 2019, Sec. 4.
   double nearest = 0;
-  /// The same with those elements only that bring the edges' directions within 0.1 rad of the best.
+  /// The same, with only those elements that bring the edges' directions within 0.1 rad of the
+  /// best.
   double strict = 0;
-  /// One element for each whole seam: what the eye sees.
+  /// One element for each whole seam: the visible mismatch.
   double joined = 0;
 };
 
-/// All totals of a garment. [cm2]
+/// All total mismatches of a garment. [cm2]
 struct MismatchTotals {
-  double total_random = 0;   ///< of the pieces as drafted: mean over random alignments
-  double total_drafted = 0;  ///< the same in the drafted layout
-  double total_search = 0;   ///< the same after the search
-  double total_aligned = 0;  ///< the same as they lie at last
-  TotalMismatch total;       ///< of the shapes, as they lie at last
+  double total_random = 0;   ///< drafted pieces: mean over random alignments
+  double total_drafted = 0;  ///< drafted pieces in the drafted layout
+  double total_search = 0;   ///< drafted pieces after the search
+  double total_aligned = 0;  ///< drafted pieces at the final alignments
+  TotalMismatch total;       ///< final shapes at the final alignments
 };
 
 /// TotalMismatch::nearest alone. [cm2]
-/// @param at   per piece
+/// @param at   alignment per piece
 double totalMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                      const std::vector<Alignment>& at);
 TotalMismatch measureTotal(const WallpaperGroup& group, const Pattern& pattern,
                            const Shapes& shapes, const std::vector<Alignment>& at);
 
 /// Sixty alignments of each of `pieces` pieces, from one fixed sequence, so that the figures of two
-/// runs compare.
+/// runs are comparable.
 std::vector<std::vector<Alignment>> randomAlignments(const WallpaperGroup& group,
                                                      std::size_t pieces);
 
 /// Mean of totalMismatch() over randomAlignments(). [cm2]
 double randomMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes);
 
-/// Greatest movement of an outline vertex of any piece, as it lies or after the piece's best rigid
+/// Greatest movement of an outline vertex of any piece, before or after the piece's best rigid
 /// motion, whichever is less. [cm]
 double greatestMovement(const Pattern& pattern, const Shapes& shapes);
 

@@ -17,7 +17,7 @@ bool anyCrossesItself(const Pattern& pattern, const Shapes& shapes) {
   return false;
 }
 
-/// The target, or what is `most` cm from rest on the way there.
+/// The target, or the point `most` cm from rest in its direction if that is nearer.
 Vec2 clipped(const Vec2& target, const Vec2& rest, double most) {
   const double way = (target - rest).norm();
   return way > most ? Vec2(rest + most / way * (target - rest)) : target;
@@ -49,12 +49,12 @@ bool PaperRun::advance() {
   if (phase_ == Phase::kDone) return false;
   const int before = deformation_.gammas();
   bool more = deformation_.step();
-  // A growing gamma hardly takes movement back: an attempt far beyond the bound has failed.
+  // A growing gamma hardly reduces movement, so an attempt far beyond the bound has failed.
   if (more && deformation_.gammas() > before && !problem_.options.alpha &&
       greatestMovement(pattern_, deformation_.shapes()) >
           PaperTuning::kLost * problem_.options.max_change_cm)
     more = false;
-  // gamma ends at about 2^20; later attempts tell nothing new
+  // gamma ends at about 2^20. Later attempts start at 1 again and add no progress.
   const double within = std::min(1.0, std::ilogb(deformation_.gamma()) / 22.0);
   progress_ = std::max(progress_, 0.1 + 0.85 * within);
   if (!more && endAttempt()) {
@@ -64,13 +64,13 @@ bool PaperRun::advance() {
   return phase_ != Phase::kDone;
 }
 
-/// One sweep; at the end of a start's, on to the next start.
+/// Takes one sweep, and begins the next start when this one has converged.
 void PaperRun::sweep() {
   const int starts = problem_.options.starts;
-  const int all = starts > 1 ? starts + 1 : 1;  // with the drafted layout, which comes last
+  const int all = starts > 1 ? starts + 1 : 1;  // including the drafted layout, which comes last
   const bool more = sweeps_->step();
   progress_ = 0.1 * (start_ + sweeps_->fraction()) / all;
-  if (start_ == 0) alignment_ = match_.expanded(sweeps_->at());  // nothing better can be shown yet
+  if (start_ == 0) alignment_ = match_.expanded(sweeps_->at());  // nothing better exists yet
   if (more) return;
   const double cost = match_.cost(sweeps_->at());
   if (cost < cost_) {
@@ -143,7 +143,7 @@ bool PaperRun::endAttempt() {
   return false;
 }
 
-/// Whether the shapes can be cut and sewn, and none moved further than allowed.
+/// Returns whether the shapes can be cut and sewn, and none has moved further than allowed.
 bool PaperRun::isKept() const {
   if (greatestMovement(pattern_, shapes_) > problem_.options.max_change_cm) return false;
   return isSewable(pattern_, shapes_) && !anyCrossesItself(pattern_, shapes_);

@@ -10,16 +10,16 @@
 
 namespace seamwise {
 
-/// `paper`: Wolff et al. 2019 as written, its slips corrected: one random start, local sweeps,
+/// `paper`: Wolff et al. 2019 as written, with its slips corrected: one random start, local sweeps,
 /// averaged ideal seam lines, E_sym and quadratic penalties. `ws19`: the method it extends, without
-/// symmetry and without averaging. Neither bounds movement, so alpha is doubled from 1 until the
-/// greatest change holds and outlines are simple; where no alpha does it, the targets are drawn
-/// towards rest. Where nothing is gained, pieces stay as drafted. Options give more starts, the
-/// drafted layout among them, of which the cheapest end counts, and targets clipped to the greatest
-/// change, which need less alpha.
+/// symmetry and without averaging. Neither bounds movement, so alpha doubles from 1 until the
+/// greatest change holds and outlines are simple. If no alpha is enough, the targets move towards
+/// rest. Pieces stay as drafted if nothing is gained. Options add starts, including the drafted
+/// layout, and the cheapest result counts. They also clip targets to the greatest change, which
+/// requires less alpha.
 class PaperRun : public Run {
  public:
-  /// @param drafted   how a cutter lays the pieces
+  /// @param drafted   alignments of all pieces in the drafted layout
   PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
            const Alignments& drafted, std::vector<Note>* notes);
 
@@ -43,16 +43,16 @@ class PaperRun : public Run {
   const Problem& problem_;
   const Pattern& pattern_;
   MatchProblem match_;
-  Alignments drafted_;                                     ///< of the leaders
-  int start_ = 0;                                          ///< of the sweeps at work
-  std::optional<LocalSweeps> sweeps_;                      ///< none once all have ended
-  double cost_ = std::numeric_limits<double>::infinity();  ///< of the best end of sweeps, cm2
+  Alignments drafted_;                 ///< drafted layout of the leaders
+  int start_ = 0;                      ///< index of the current start of the sweeps
+  std::optional<LocalSweeps> sweeps_;  ///< empty once all have ended
+  double cost_ = std::numeric_limits<double>::infinity();  ///< cost of the best sweeps, cm2
   PenaltyDeformation deformation_;
   std::vector<Target> targets_;
   Alignments alignment_;
   Shapes shapes_;
   double alpha_ = 1;
-  double draw_ = 1;  ///< share of the way from rest to their targets that seams are drawn
+  double draw_ = 1;  ///< share of the way from rest to their targets for the seams
   int attempt_ = 0;
   double progress_ = 0;
   Phase phase_ = Phase::kAlignment;

@@ -15,7 +15,7 @@ std::vector<double> predictedMismatches(const WallpaperGroup& group, const Patte
   for (std::size_t s = 0; s < means.size(); ++s) {
     const Seam& seam = pattern.seams[s];
     if (!counts(seam)) continue;
-    // cloth follows one element all along
+    // Shaping uses one element along the whole seam.
     const std::vector<double> mismatch =
         joinMismatch(bestJoin(group, seam, rest, at), seam, rest, at);
     double left = 0;

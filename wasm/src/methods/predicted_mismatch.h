@@ -6,9 +6,9 @@
 
 namespace seamwise {
 
-/// Mean mismatch, per seam, that shaping is likely to leave of pieces that lie so; 0 for seams that
+/// Mean mismatch, per seam, that shaping is likely to leave at these alignments; 0 for seams that
 /// do not count. [cm]
-/// @param reach   how far an outline vertex may move. [cm]
+/// @param reach   greatest movement of an outline vertex. [cm]
 std::vector<double> predictedMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                         const std::vector<Alignment>& at, double reach);
 

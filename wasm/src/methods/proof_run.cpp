@@ -13,7 +13,7 @@ ProofRun::ProofRun(const Problem& problem, const Pattern& pattern, const MatchPr
       searching_(problem, pattern, match, known, rules, BestRun::slackOf(problem.options), {},
                  memo) {}
 
-/// One proof for each component, all of them of the same answer.
+/// Starts one proof for each component, all of the same answer.
 void ProofRun::begin() {
   searched_ = true;
   cost_ = match_.cost(search());
@@ -28,7 +28,7 @@ bool ProofRun::advance() {
     if (!searching_.advance()) begin();
     return true;
   }
-  // the component of which the most is unknown may raise the bound the most
+  // The component with the largest gap between cost and bound may raise the bound most.
   std::size_t next = proofs_.size();
   double most = 0;
   for (std::size_t k = 0; k < proofs_.size(); ++k) {

@@ -17,7 +17,8 @@ SearchBudget withProof(SearchBudget budget, std::optional<double> proof) {
   return budget;
 }
 
-/// The same print with w1 along the x-axis, to about eight digits: equal however it was turned.
+/// The same print with w1 along the x-axis, rounded to about eight digits, so that the print's turn
+/// has no effect.
 WallpaperGroup straightened(const WallpaperGroup& group) {
   const Mat2 back = rotation(-directionOf(group.w1()));
   const double unit = std::ldexp(1.0, std::ilogb(group.w1().norm()) - 24);
@@ -95,14 +96,14 @@ SearchStage::SearchStage(const Problem& problem, const Pattern& pattern, const M
   under_slack_ = {best_};
 }
 
-/// Of the pieces on the print as it lies, from those of the leaders of a search.
+/// Alignments of all pieces on the print as given, from those of a search's leaders.
 Alignments SearchStage::placed(const Search& search, const Alignments& leaders) const {
   Alignments pieces = search.problem.expanded(leaders);
   for (Alignment& at : pieces) at.angle -= search.turn;
   return pieces;
 }
 
-/// Holds seams that may move to what placing alone leaves of them.
+/// Limits the mismatch of seams under slack to that of placing alone.
 void SearchStage::limit(Search& search) const {
   const Alignments placed = search.problem.ofLeaders(found_[search.after[0]][0]);
   const SampledSeams<double> edges(search.problem, 0);
@@ -134,7 +135,7 @@ void SearchStage::begin() {
     for (const Alignments& pieces : offered_) offer(pieces, search.turn);
   if (search.slack > 0 && search.problem.cost(offered[0]) < SearchTuning::kPerfectCost) {
     share_ -= search.share;
-    return end({{offered[0]}, offered[0], 0});  // nothing has to move
+    return end({{offered[0]}, offered[0], 0});  // no shape has to change
   }
   const double watched = search.slack > 0 ? 0 : slack_;
   inputs_ = {search.problem, search.budget, search.seed, search.slack, watched, offered};

@@ -10,7 +10,7 @@
 namespace seamwise {
 namespace {
 
-/// One side of a seam as its leader sees it.
+/// Points and directions of a seam, as seen from one of its sides.
 struct View {
   int other;
   const std::vector<Vec2>&mine, &theirs, &my_direction, &their_direction;
@@ -58,7 +58,8 @@ double LocalSweeps::turn(int l) {
           if (!problem_.allows(seam, e)) continue;
           double angle;
           if (view.other == l) {
-            // under a rotation the angle cancels; a reflection wants its axis along the bisector
+            // The angle cancels under a rotation. A reflection requires its axis along the
+            // bisector.
             if (!e.mirrored) continue;
             angle = (mine + directionOf(view.their_direction[i])) / 2 - e.angle / 2;
             if (std::abs(wrapAngle(angle - before)) > kPi / 2) angle += kPi;
@@ -111,7 +112,7 @@ double LocalSweeps::shift(int l) {
           least = residual.norm();
           step = -residual;
           if (view.other == l) {
-            // both sides move: (I - A) step = -residual, as far as it can be solved
+            // Both sides move, so solve (I - A) step = -residual as far as possible.
             const Mat2 both = Mat2::Identity() - e.A;
             if (e.mirrored)
               step = -both * residual / 4;  // I - A = 2 n n^T

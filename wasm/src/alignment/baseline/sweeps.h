@@ -5,16 +5,16 @@
 
 namespace seamwise {
 
-/// The local iteration of Wolff et al. 2019 (after Jakob et al. 2015): from one random start,
-/// rotations are averaged over the seams of one piece after the other (Eq. 1) until nothing turns,
-/// then translations likewise; after each piece its symmetry is restored (Sec. 3.1; pairs have one
-/// variable).
+/// The local iteration of Wolff et al. 2019 (after Jakob et al. 2015), from one random start.
+/// Rotations are averaged over the seams of one piece after the other (Eq. 1) until nothing turns,
+/// then translations likewise. The symmetry of each piece is restored after its turn or shift (Sec.
+/// 3.1; pairs have one variable).
 class LocalSweeps {
  public:
   LocalSweeps(const MatchProblem& problem, std::uint64_t seed);
-  /// From a start of one's own, by leader.
+  /// Starts from given alignments, by leader.
   LocalSweeps(const MatchProblem& problem, Alignments start);
-  /// One sweep over all pieces. False when it has converged.
+  /// Takes one sweep over all pieces. Returns false when it has converged.
   bool step();
   double fraction() const { return static_cast<double>(sweeps_) / (2 * PaperTuning::kMostSweeps); }
   const Alignments& at() const { return at_; }

@@ -15,7 +15,7 @@ void BoxTables::drop(float cost) {
   const auto left = [&](const PairTable& table, int r, int e) {
     return table.least[e] < cost && stays[table.row][r] && stays[table.column][table.to[e]];
   };
-  // boxes without a partner go as well, and what they are part of
+  // Boxes without a partner are dropped as well, with all their pairs.
   for (bool again = true; again;) {
     again = false;
     for (const PairTable& table : tables) {

@@ -5,7 +5,7 @@
 
 namespace seamwise {
 
-/// A bound from a term whose slopes are tilted.
+/// A bound from a term with tilted slopes.
 float BoxTables::tilted(const float* term, const float* row, int rows, const float* column,
                         int columns) {
   float flat = term[0], slope = term[1];
@@ -31,7 +31,7 @@ BoxTables::BoxTables(const MatchProblem& problem, const Component& component)
     const int slots = admissible.mayRotate() ? 3 : admissible.isMirrored() ? 1 : 2;
     covers_.push_back({Boxes(problem, l), slots == 3 ? 0 : 1, slots, 0, {}, {}, {}, {}, {}});
     covers_.back().all = covers_.back().boxes.all(free && index[l] == 0);
-    sizes.push_back(slots == 3 ? 27e3 : slots == 2 ? 900 : 30);  // 30 a slot
+    sizes.push_back(slots == 3 ? 27e3 : slots == 2 ? 900 : 30);  // 30 per slot
   }
   std::vector<std::pair<int, int>> joined;
   bounds_.reserve(component.seams.size()), pinned_.reserve(component.seams.size());
@@ -118,7 +118,7 @@ double BoxTables::bytesWith(int v, float below) const {
 
 void BoxTables::halve(int v, float below, double& spent) {
   Cover& cover = covers_[v];
-  std::vector<HalfBox> next;  // sign 0: as it was
+  std::vector<HalfBox> next;  // sign 0: unchanged
   std::vector<float> terms, tilts, least;
   std::vector<int> first;
   const int stride = cover.stride(), width = cover.tilted();
@@ -154,7 +154,7 @@ void BoxTables::halve(int v, float below, double& spent) {
   cover.terms.swap(terms), cover.tilts.swap(tilts), elimination_.least[v].swap(least);
 }
 
-/// Gives the entries of a table to the halves of the boxes of `v`.
+/// Copies the entries of a table for the halves of the boxes of `v`.
 void BoxTables::inherit(int t, int v, const std::vector<HalfBox>& halves,
                         const std::vector<int>& first) {
   PairTable& table = elimination_.tables[t];
@@ -163,7 +163,7 @@ void BoxTables::inherit(int t, int v, const std::vector<HalfBox>& halves,
   std::vector<float> terms;
   std::vector<char> stale;
   const std::size_t stride = joint.stride;
-  std::size_t entries = 0;  // exactly: tables take most of the memory
+  std::size_t entries = 0;  // exact, since tables take most of the memory
   for (std::size_t r = 0; r + 1 < table.begin.size(); ++r)
     for (int e = table.begin[r]; e < table.begin[r + 1]; ++e) {
       const std::size_t box = table.row == v ? r : table.to[e];
@@ -200,7 +200,7 @@ void BoxTables::inherit(int t, int v, const std::vector<HalfBox>& halves,
   joint.terms.swap(terms), joint.stale.swap(stale);
 }
 
-/// What takes least is looked at first: little is left of the others then.
+/// The table with the least work comes first, since it leaves little of the others.
 bool BoxTables::evaluate() {
   double least = 0;
   for (std::size_t t = 0; t < joints_.size(); ++t) {

@@ -10,8 +10,8 @@
 
 namespace seamwise {
 
-/// Boxes that cover what each leader of a component may do, and what the seams cost at least in the
-/// pairs of them that are left.
+/// Boxes that cover the alignments of each leader of a component, and lower bounds of the seams'
+/// costs in the remaining pairs of boxes.
 class BoxTables {
  public:
   BoxTables(const MatchProblem& problem, const Component& component);
@@ -19,49 +19,50 @@ class BoxTables {
   int leaders() const { return static_cast<int>(covers_.size()); }
   const Boxes& boxes(int v) const { return covers_[v].boxes; }
   const std::vector<Box>& all(int v) const { return covers_[v].all; }
-  double weight(int v) const { return covers_[v].weight; }  ///< of the seams. [cm]
-  /// What boxes and pairs cost at least, since the last sweep.
+  double weight(int v) const { return covers_[v].weight; }  ///< total weight of its seams. [cm]
+  /// Lower bounds of boxes and pairs, from the last sweep.
   const Elimination& sums() const { return elimination_; }
-  /// Memory of the tables, about, once boxes of `v` that may cost less than `below` are halved.
-  /// [bytes]
+  /// Approximate memory of the tables after a halving of the boxes of `v` that may cost less than
+  /// `below`. [bytes]
   double bytesWith(int v, float below) const;
 
-  /// Replaces the boxes of a leader that may cost less than `below` by halves, which cost no less.
+  /// Replaces the boxes of a leader that may cost less than `below` by halves, whose costs are no
+  /// less.
   void halve(int v, float below, double& spent);
-  /// Begins to evaluate the pairs of one table whose boxes were halved, and then to sweep. False
-  /// when there are none.
+  /// Starts to evaluate one table's pairs of halved boxes, followed by a sweep. Returns false when
+  /// there are none.
   bool evaluate();
-  /// Begins to find the sums anew.
+  /// Starts to compute the sums again.
   void sweep();
-  /// Goes on with either of these until `spent` has grown by `work`. False at the end.
+  /// Continues either of these until `spent` has grown by `work`. Returns false at the end.
   bool step(double work, double& spent);
-  /// Drops what costs `cost` or more.
+  /// Drops boxes and pairs that cost `cost` or more.
   void drop(float cost);
-  /// Makes slopes cancel at the best partners of each box, where that is for the better.
+  /// Makes slopes cancel at the best partners of each box, where that raises the bound.
   void tilt();
 
  private:
-  /// The boxes of a leader, and linear functions that are added to what its seams cost in a box:
-  /// together they are nothing, and so slopes cancel where an answer is in balance.
+  /// The boxes of a leader, and its tilts: linear functions added to the costs of its seams in a
+  /// box. The tilts of a box add up to zero, and make slopes cancel where an answer is in balance.
   struct Cover {
     Boxes boxes;
-    int slot, slots;    ///< of Term::slope that this leader has
-    double weight = 0;  ///< of its seams. [cm]
+    int slot, slots;    ///< this leader's part of Term::slope
+    double weight = 0;  ///< total weight of its seams. [cm]
     SeamTerms own;
-    std::vector<int> tables;  ///< of its seams with others
+    std::vector<int> tables;  ///< tables of its seams with other leaders
     std::vector<Box> all;
-    std::vector<float> terms;  ///< of own: known, middle, slopes
-    std::vector<float> tilts;  ///< for each box, of each table and of own
+    std::vector<float> terms;  ///< terms of `own`: known, middle, slopes
+    std::vector<float> tilts;  ///< per box: the tilts of each table and of `own`
     int stride() const { return 2 + slots; }
     int tilted() const { return slots * (static_cast<int>(tables.size()) + 1); }
   };
   /// The seams of a table.
   struct Joint {
     SeamTerms seams;
-    int row_tilt = 0, column_tilt = 0;  ///< where the tilts of its leaders begin
+    int row_tilt = 0, column_tilt = 0;  ///< first index of its leaders' tilts
     int stride = 0;
-    std::vector<float> terms;  ///< of each entry: known, middle, slopes of row and column
-    std::vector<char> stale;   ///< whether what is known was said of larger boxes
+    std::vector<float> terms;  ///< per entry: known, middle, slopes of row and column
+    std::vector<char> stale;   ///< per entry: 1 if the terms are those of larger boxes
   };
 
   static float tilted(const float* term, const float* row, int rows, const float* column,
@@ -78,7 +79,7 @@ class BoxTables {
   std::vector<Joint> joints_;
   Elimination elimination_;
 
-  int table_ = -1, row_ = 0;  ///< evaluated at present
+  int table_ = -1, row_ = 0;  ///< table and row of the current evaluation
 };
 
 }  // namespace seamwise

@@ -44,7 +44,7 @@ std::vector<std::vector<float>> BoxTables::balance() const {
 void BoxTables::tilt() {
   const std::vector<std::vector<float>> fresh = balance();
   const float flat[3] = {};
-  // what each box gains at least, against its present tilts, by none and by the fresh ones
+  // The least gain of each box over its current tilts, without tilts and with the fresh ones.
   struct Gain {
     float none, fresh;
   };

@@ -29,13 +29,13 @@ std::vector<Box> Boxes::all(bool first) const {
       boxes.push_back({admissible.nearest({angle, centre}, centre), 0, cell(first)});
     return boxes;
   }
-  // turning a piece by a rotation of the print leaves the print on it as it is
+  // A turn of the piece by a rotation of the print does not change its print.
   int rotations = 0;
   for (const Element& e : problem_.group.elements()) rotations += !e.mirrored;
   return {{{0, centre}, admissible.angles().empty() ? kPi / rotations : kPi, cell(first)}};
 }
 
-/// Whether the shift, given to both points, changes no distance modulo the group.
+/// Returns whether the shift, applied to both points, changes no distance modulo the group.
 bool Boxes::neutral(const Vec2& shift) const {
   const auto& elements = problem_.group.elements();
   return std::all_of(elements.begin(), elements.end(), [&](const Element& e) {
@@ -48,7 +48,7 @@ std::array<Vec2, 2> Boxes::cell(bool first) const {
   const auto& [r1, r2] = problem_.group.reducedBasis();
   std::array<Vec2, 2> half{r1 / 2, r2 / 2};
   if (!first) return half;
-  // what all elements leave as it is: everything, one direction or nothing
+  // The shifts that no element changes: all of them, one direction or none.
   Mat2 kept = Mat2::Zero();
   for (const Element& e : problem_.group.elements()) kept += e.A;
   kept /= static_cast<double>(problem_.group.elements().size());
@@ -83,7 +83,7 @@ std::vector<Box> Boxes::onMirrors(bool first) const {
     if (first && std::any_of(taken.begin(), taken.end(), reached)) continue;
     taken.push_back(place);
     Vec2 half = place.along * (place.period / 2);
-    // a hundredth is no part of a lattice: all shifts along the line are neutral
+    // A hundredth is not in the lattice, so all shifts along the line are neutral.
     if (first && neutral(half / 100))
       half.setZero();
     else if (first && neutral(half))

@@ -8,38 +8,38 @@
 namespace seamwise {
 
 /// Alignments of one leader: turned by up to `turn` from `at` about the leader's centre, then
-/// shifted by up to each of both halves.
+/// shifted by up to each of both half sides.
 struct Box {
   Alignment at;
   double turn = 0;                                       ///< rad
-  std::array<Vec2, 2> half{Vec2::Zero(), Vec2::Zero()};  ///< in print space, cm
+  std::array<Vec2, 2> half{Vec2::Zero(), Vec2::Zero()};  ///< half sides in print space, cm
   /// The greatest shift. [cm]
   double shift() const { return std::max((half[0] + half[1]).norm(), (half[0] - half[1]).norm()); }
-  /// The greatest way under the turn of a point at distance 1 from the centre.
+  /// The greatest movement of a point at distance 1 from the centre by the turn.
   double swing() const { return turn > 0 ? 2 * std::sin(std::min(turn, kPi) / 2) : 0; }
 };
 
-/// A half of a box, across a side of it: its turn (0) or a shift (1, 2), towards less or more.
+/// A half of a box, divided across one side: the turn (0) or a shift (1, 2), towards less or more.
 struct HalfBox {
   Box box;
   int side;
   int sign;  ///< -1 or 1
 };
 
-/// How the alignments of a leader are covered by boxes. Angles count modulo the print's rotations,
-/// shifts modulo its lattice.
+/// Covers the alignments of a leader by boxes. Angles count modulo the print's rotations, shifts
+/// modulo its lattice.
 class Boxes {
  public:
   Boxes(const MatchProblem& problem, int leader);
 
   /// All admissible alignments that put different prints on the leader.
-  /// @param first   the one leader of a problem without pins which alone does not take those shifts
-  ///                that leave the print's group as it is: they change no cost when all take them
+  /// @param first   true for one leader of a problem without pins: it omits the shifts that
+  ///                preserve the print's group, which change no cost if all leaders take them
   std::vector<Box> all(bool first) const;
-  /// The halves of a box across its widest side, without those that the grain forbids; nothing for
-  /// a single alignment.
+  /// The halves of a box across its widest side, without those that the grain forbids; empty for a
+  /// single alignment.
   std::vector<HalfBox> halves(const Box& box) const;
-  /// How far the leader's matched points move in a box, about. [cm]
+  /// Approximate movement of the leader's matched points in a box. [cm]
   double movement(const Box& box) const { return box.turn * reach_ + box.shift(); }
 
   int leader() const { return leader_; }

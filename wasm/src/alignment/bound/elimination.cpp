@@ -42,7 +42,7 @@ Elimination::Elimination(const std::vector<double>& sizes,
       Cluster c{next, -1, -1, -1, -1, -1, first, {}};
       first = false;
       if (around.size() > 1) {
-        // two that are joined already, if there are
+        // Prefer two neighbours that already have a table.
         std::size_t p = 0, q = 1;
         for (std::size_t i = 0; i < around.size(); ++i)
           for (std::size_t j = i + 1; j < around.size(); ++j)
@@ -107,7 +107,7 @@ bool Elimination::step(double work, double& spent) {
   return false;
 }
 
-/// What the leader costs at least, to a row of its neighbours. Returns the number of sums.
+/// Passes the least cost of the leader to a row of its neighbours. Returns the number of sums.
 double Elimination::forward(Cluster& c, int row) {
   const std::vector<float>& own = alone[c.leader];
   if (c.x < 0) {
@@ -140,7 +140,8 @@ double Elimination::forward(Cluster& c, int row) {
   return sums;
 }
 
-/// Of a row of its neighbours, what all else costs, to the leader. Returns the number of sums.
+/// Passes the cost of everything else from a row of its neighbours to the leader. Returns the
+/// number of sums.
 double Elimination::backward(Cluster& c, int row) {
   const std::vector<float>& own = alone[c.leader];
   std::vector<float>& mine = least[c.leader];

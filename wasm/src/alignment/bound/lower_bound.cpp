@@ -11,10 +11,10 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSumError = 1e-6;  ///< share of a sum that single precision loses, at most
+constexpr double kSumError = 1e-6;  ///< greatest relative error of a sum in single precision
 
-/// What is the greater the more there is to gain and, with as much to gain, the fewer boxes there
-/// are: gain / boxes^0.4, to the fifth power, since only the order counts.
+/// Priority that grows with the gain and, at equal gain, falls with the number of boxes: gain /
+/// boxes^0.4, to the fifth power, since only the order counts.
 double fewFirst(double gain, double boxes) {
   const double squared = gain * gain;
   return squared * squared * gain / (boxes * boxes);
@@ -61,14 +61,14 @@ void LowerBound::next() {
   }
 }
 
-/// Takes over the bound of a sweep, and tries for a better answer.
+/// Updates the bound after a sweep, and tries to find a better answer.
 void LowerBound::tighten() {
   bound_ = std::max(bound_, std::min(tables_.sums().total() * (1 - kSumError), enough()));
   if (!proven()) descend();
 }
 
-/// Halves those boxes of a leader which keep the bound low: of the leader whose points move most.
-/// False when there is no memory.
+/// Halves the boxes of one leader that keep the bound low. Prefers the leader whose points move
+/// most. Returns false if nothing can be halved within the memory limit.
 bool LowerBound::halve() {
   const double least = tables_.sums().total(), above = std::max(0.0, enough() - least);
   for (double share = ProofTuning::kHalvedShare; share > 1e-3; share /= 2) {
@@ -103,7 +103,7 @@ double LowerBound::costAt(const Alignments& at) const {
   return cost;
 }
 
-/// Improves the answer in the middle of the boxes with the least bounds, and keeps it if it is the
+/// Improves the answer in the middle of the boxes with the least bounds, and stores it if it is the
 /// best.
 void LowerBound::descend() {
   if (descents_ > ProofTuning::kDescentShare * spent_) return;
@@ -123,7 +123,7 @@ void LowerBound::descend() {
   tried_ = middles;
   double edges = 0;
   for (const int s : seams_) edges += static_cast<double>(problem_.seams[s].w.size());
-  // each step of it counts the cost and the model
+  // Each step evaluates the cost and the model.
   const double work = 3 * ProofTuning::kDescentIterations * edges *
                       static_cast<double>(4 + problem_.group.elements().size());
   spent_ += work, descents_ += work;

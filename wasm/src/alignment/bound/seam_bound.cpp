@@ -9,7 +9,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSingle = 2e-7;  ///< relative error of places in single precision
+constexpr double kSingle = 2e-7;  ///< relative error of positions in single precision
 
 }  // namespace
 
@@ -34,7 +34,7 @@ SeamBound::SeamBound(const MatchProblem& problem, const MatchSeam& seam)
     images_.push_back({&e, real(m(0, 0)), real(m(0, 1)), real(m(1, 0)), real(m(1, 1)), real(a.x()),
                        real(a.y()), real(e.A(0, 0)), real(e.A(1, 0)), real(e.mirrored ? -1 : 1)});
   }
-  // edges in groups of 1, 2, 4 ..., the last of them the whole seam
+  // Groups of 1, 2, 4 ... edges; the last one is the whole seam.
   const Vec2 &ca = problem.leaders[seam.a].centre, &cb = problem.leaders[seam.b].centre;
   const std::size_t edges = seam.w.size();
   double far = r2.norm();
@@ -79,7 +79,8 @@ SeamBound::Pose SeamBound::pose(int leader, const Alignment& at) const {
           real(t.x()),   real(t.y()),   real(c),       real(s)};
 }
 
-/// The flat bound of a seam whose sides move together: of a rotation only their difference counts.
+/// The flat bound of a seam whose sides move together, for which only their difference counts under
+/// a rotation.
 double SeamBound::ownFlat(const Level& level, const Box& box) const {
   const WallpaperGroup& group = problem_.group;
   const Mat2 turn = rotation(-box.at.angle);
@@ -102,7 +103,7 @@ double SeamBound::ownFlat(const Level& level, const Box& box) const {
   return sum;
 }
 
-/// Linear functions of the turns and shifts of two boxes, each the value at the centres and slopes.
+/// Linear functions of the turns and shifts of two boxes: values at the centres, and slopes.
 struct SeamBound::Lines {
   Vector middle{}, ux{}, uy{}, vx{}, vy{}, turn_a{}, turn_b{};
 
@@ -116,7 +117,7 @@ struct SeamBound::Lines {
   }
 };
 
-/// The sum of lines over its lanes. Both sides of a seam of one piece move by the slopes of side a.
+/// Sums the lines over their lanes. Both sides of a seam of one piece move by the slopes of side a.
 SeamBound::Pair SeamBound::sumOfLines(const Lines& lines, const Box& a, const Box& b) const {
   const Vec2 u(sumOf(lines.ux), sumOf(lines.uy)), v(sumOf(lines.vx), sumOf(lines.vy));
   Pair sum;
@@ -160,7 +161,7 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
     for (const Image& e : images_) {
       const LatticeOffset<Real> o(x0 - (e.m00 * y0 + e.m01 * y1 + e.a0),
                                   x1 - (e.m10 * y0 + e.m11 * y1 + e.a1), g11_, g12_, g22_);
-      // on a rectangular lattice the nearest point is that of each coordinate
+      // A rectangular lattice has its nearest point in each coordinate separately.
       const Vector d = rectangular ? o.s * o.s * g11_ + o.t * o.t * g22_ : o.squared();
       second = least(second, greatest(first, d));
       const auto less = d < first;
@@ -172,7 +173,7 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
     nearest.reduce();
     s = nearest.s, t = nearest.t;
     const Vector g1 = s * g11_ + t * g12_, g2 = s * g12_ + t * g22_;
-    // the same element comes as near with other repeats
+    // The second nearest may be the same element with other repeats.
     second = least(second, first + g11_ - 2 * abs(g1));
     second = least(second, first + g22_ - 2 * abs(g2));
     second = least(second, first + g33 - 2 * abs(g1 - g2));
@@ -181,7 +182,8 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
     const Vector far_a = loaded(&level->far_a[from]), far_b = loaded(&level->far_b[from]);
     const Vector rho = far_a * swing_a + far_b * swing_b + shift;
     flat += w * greatest(d - rho - loaded(&level->spread[from]), none);
-    // the nearest stays this far or farther: a line, and how far an edge gets from its middle
+    // A line bounds the distance to the nearest element; `range` is its greatest change in the
+    // boxes.
     Lines line;
     const Vector per = d > tiny ? one / greatest(d, tiny) : none;
     line.ux = (s * u0x_ + t * u1x_) * per, line.uy = (s * u0y_ + t * u1y_) * per;
@@ -195,7 +197,8 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
       range += abs(line.turn_a) * most_a + abs(line.turn_b) * most_b;
     }
     line.middle = d - bend_a * far_a - bend_b * far_b;
-    // others come as near as this: the chord of the lesser of both, from 0 on
+    // `others` bounds the distances of the other elements. The chord of the lesser of both starts
+    // at 0.
     const Vector others = greatest(squareRoots(greatest(second, none)) - rho - radius, none);
     const Vector low = greatest(line.middle - range, none), high = line.middle + range;
     const Vector chord = least(greatest((others - low) / greatest(high - low, tiny), none), one);
@@ -206,7 +209,7 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
     line.turn_a *= share, line.turn_b *= share;
     far.add(line, !meets), close.add(line, meets);
   }
-  // edges that may come to meet count as far as they help
+  // Edges that may meet in the boxes count only if they raise the bound.
   const double level_bound = seam_->a == seam_->b ? ownFlat(*level, a) : sumOf(flat);
   const Pair without = sumOfLines(far, a, b);
   far.add(close, none == none);

@@ -7,26 +7,26 @@
 
 namespace seamwise {
 
-/// What a seam costs at least when each of its two leaders lies somewhere in a box. It stands on
-/// two facts. A distance modulo the group changes by no more than its two points move, so that d -
-/// rho is a bound in boxes of centre distance d, and for all elements but the nearest a bound
-/// M. And the distance to the nearest is convex in the shifts, so that it is at least what its
-/// slope at the centre says, less what turns bend. That is a line, from low to high in the boxes;
-/// the lesser of it and M is concave, and so its chord between those two is a bound. The mean of a
-/// group of edges lies on the line that their mean points have, without loss.
+/// A lower bound of a seam's cost for all alignments of its two leaders in one box each. It follows
+/// from two facts. First, a distance modulo the group changes by no more than its two points move:
+/// d - rho is a bound in boxes of centre distance d, and for all elements but the nearest a bound
+/// M. Second, the distance to the nearest element is convex in the shifts: it is at least its
+/// tangent at the centre, minus the bending by turns. This tangent is a line, from low to high in
+/// the boxes. The lesser of it and M is concave, so its chord between those two is a bound. The
+/// mean of a group of edges is on the line of their mean points, without loss.
 class SeamBound {
  public:
   SeamBound(const MatchProblem& problem, const MatchSeam& seam);
 
-  /// Bounds hold for all edges of the seam; up to rounding. [cm2]
+  /// Bounds for all edges of the seam, up to rounding. [cm2]
   struct Pair {
     double least = 0;               ///< a bound
     double middle = 0;              ///< middle + slope . x is a bound at x in [-1, 1]^6
     std::array<double, 6> slope{};  ///< for turn and shifts of side a, then of side b
     double steepness() const;
   };
-  /// @param reach_a, reach_b   as in Boxes
-  /// @param spent              grows by the element distances evaluated
+  /// @param reach_a, reach_b   see Boxes::reach
+  /// @param spent              grows by the number of element distances evaluated
   Pair between(const Box& a, double reach_a, const Box& b, double reach_b, double& spent) const;
 
   const MatchSeam& seam() const { return *seam_; }
@@ -35,11 +35,11 @@ class SeamBound {
   using Real = float;
   using Vector = Lanes<Real>::Vector;
   static constexpr std::size_t kLanes = Lanes<Real>::kCount;
-  /// Edges in groups that count with the means of both sides; a multiple of kLanes of them, the
-  /// last without weight.
+  /// Groups of edges, represented by the means of both sides. Their number is a multiple of kLanes;
+  /// the last ones have no weight.
   struct Level {
-    std::vector<Real> ax, ay, bx, by;  ///< means, from the leaders' centres
-    std::vector<Real> far_a, far_b;    ///< greatest distances from there
+    std::vector<Real> ax, ay, bx, by;  ///< means, relative to the leaders' centres
+    std::vector<Real> far_a, far_b;    ///< greatest distances from the centres
     std::vector<Real> w;
     std::vector<Real> spread, radius;  ///< distance of both sides from the means: mean, greatest
     double mean_spread = 0;
@@ -64,7 +64,7 @@ class SeamBound {
   const MatchSeam* seam_;
   std::vector<Level> levels_;  ///< finest first
   std::vector<Image> images_;
-  double rounding_;  ///< what single precision may add to a bound
+  double rounding_;  ///< greatest error of a bound in single precision
   Mat2 to_reduced_;
   Real u0x_, u0y_, u1x_, u1y_;  ///< the reduced basis
   Real g11_, g12_, g22_;        ///< metric in reduced coordinates

@@ -5,7 +5,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kTermError = 1e-6;  ///< more than single precision loses
+constexpr double kTermError = 1e-6;  ///< exceeds the loss of single precision
 
 }  // namespace
 
@@ -15,7 +15,7 @@ double SeamTerms::weight() const {
   return sum;
 }
 
-/// Seams whose slopes say little count with their bounds.
+/// Seams whose slopes gain little count with their constant bounds.
 Term SeamTerms::between(const Box& first, double reach_first, const Box& second,
                         double reach_second, double& spent) const {
   double apart = 0, middle = 0, slopes[6] = {};

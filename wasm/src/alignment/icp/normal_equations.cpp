@@ -7,8 +7,8 @@
 namespace seamwise {
 namespace {
 
-/// Shares of the greatest diagonal entry, and more, added to each: what no seam determines stays
-/// where it is.
+/// Additions to each diagonal entry: a share of the greatest one, and a constant. Unknowns that no
+/// seam determines stay unchanged.
 constexpr double kHeld = 1e-9, kHeldAnyway = 1e-12;
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 namespace seamwise {
 
-/// Normal equations of which each row is stored from its first entry on: when neighbours follow
-/// each other closely, few entries are stored, and Cholesky's method adds none before the first of
-/// a row (George & Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, ch. 4).
+/// Normal equations with each row stored from its first entry on. Few entries are stored if
+/// neighbours follow each other closely, and Cholesky's method adds none before the first of a row
+/// (George & Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, ch. 4).
 class NormalEquations {
  public:
-  /// @param first   per unknown: the first that anything ties it to, at most itself
+  /// @param first   per unknown: the first unknown coupled to it, at most itself
   explicit NormalEquations(std::vector<int> first);
 
   std::vector<double> right;  ///< the right side; once solved, the solution
@@ -17,14 +17,14 @@ class NormalEquations {
   double& at(int row, int column) { return values_[starts_[row] + column - first_[row]]; }
   void clear();
 
-  /// False when they are not positive definite, or not finite. The matrix is lost.
+  /// Returns false if the equations are not positive definite, or not finite. Destroys the matrix.
   bool solve();
-  /// Multiplications that solving takes.
+  /// Number of multiplications in solve().
   double work() const;
 
  private:
   std::vector<int> first_;
-  std::vector<std::size_t> starts_;  ///< of the rows
+  std::vector<std::size_t> starts_;  ///< start of each row
   std::vector<double> values_;
 };
 

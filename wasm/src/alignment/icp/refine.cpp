@@ -10,7 +10,7 @@ namespace seamwise {
 namespace {
 
 /// Adds one seam's model to the normal equations; `first` is the first unknown of a leader, -1 if
-/// held.
+/// it is fixed.
 template <class Model>
 void assemble(const Model& model, const int sides[2], const std::vector<int>& first,
               const std::vector<AdmissibleAlignments::Basis>& bases, NormalEquations& equations) {
@@ -75,7 +75,7 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
   if (tied.empty()) return cost;
 
   NormalEquations equations(std::move(tied));
-  const std::vector<double>& step = equations.right;  // back along it, once solved
+  const std::vector<double>& step = equations.right;  // the negative step, once solved
   Alignments trial = at;
   auto trial_poses = poses;
   for (int k = 0; k < iterations && cost > 1e-9; ++k) {

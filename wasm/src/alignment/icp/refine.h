@@ -5,13 +5,12 @@
 
 namespace seamwise {
 
-/// ICP on the print: improves the alignments of the `active` leaders together, the others held.
-/// Gauss-Newton on all
-/// turns and shifts with the nearest element of each sample frozen, weights 1/d so that the sum of
-/// distances (not of squares) falls, elements chosen anew after each step. Never makes the cost
-/// worse.
-/// @param slack   as in SampledSeams::cost
-/// @param work   grows by the multiplications that solving for the steps took; may be null
+/// ICP on the print: improves the alignments of the `active` leaders together; the others are
+/// fixed. Gauss-Newton on all turns and shifts, with the nearest element of each sample frozen.
+/// Weights 1/d minimise the sum of distances, not of squares. Elements are chosen again after each
+/// step. The cost never increases.
+/// @param slack   see SampledSeams::cost
+/// @param work   grows by the number of multiplications for solving; may be null
 /// @return   the cost of the seams that touch an active leader, cm2
 template <class Real>
 double refine(const MatchProblem& problem, const SampledSeams<Real>& seams, Alignments& at,

@@ -14,7 +14,8 @@ Alignment moved(const Alignment& alignment, const Vec2& centre, double turn, con
 
 namespace {
 
-/// Whether a rotation of the print carries the line of `from` to a line of `to`, sense included.
+/// Returns whether a rotation of the print carries the line of `from` to a line of `to`, including
+/// its sense.
 bool samePrint(const AdmissibleAlignments::Place& from, const AdmissibleAlignments::Place& to,
                const WallpaperGroup& group) {
   for (const Element& e : group.elements()) {

@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// How a piece may lie on the print: anywhere, pinned, with its own axis on a mirror line of the
-/// print, within a tolerance of given angles (grain), or both of the last two.
+/// Admissible alignments of a piece: all, a pinned one, those with its own axis on a mirror line of
+/// the print, those within a tolerance of given angles (grain), or both of the last two.
 class AdmissibleAlignments {
  public:
   bool operator==(const AdmissibleAlignments&) const = default;
@@ -17,7 +17,7 @@ class AdmissibleAlignments {
   static AdmissibleAlignments mirrored(const RigidMotion& map, const WallpaperGroup& group);
 
   /// Keeps only angles within `tolerance` of one of `angles` (rad). Returns false, and changes
-  /// nothing, when a mirrored piece cannot lie so on this print.
+  /// nothing, if a mirrored piece has no such alignment on this print.
   bool restrictAngles(const std::vector<double>& angles, double tolerance);
 
   bool isPinned() const { return pinned_; }
@@ -26,21 +26,20 @@ class AdmissibleAlignments {
     return !pinned_ && places_.empty() && (angles_.empty() || tolerance_ > 0);
   }
 
-  /// A way for a mirrored piece to lie: its axis at `angle`, anywhere along `along` through a line.
+  /// Alignments of a mirrored piece: its axis at `angle` on a line, with any slide along it.
   struct Place {
-    double angle;    ///< of the alignment
+    double angle;    ///< angle of the alignment, rad
     Vec2 on_line;    ///< a print point of the mirror line
     Vec2 along;      ///< unit vector of the line in print space
     double period;   ///< the print repeats after this shift along the line. [cm]
     double spacing;  ///< distance of equal parallel lines. [cm]
     bool operator==(const Place&) const = default;
   };
-  /// Those places that put different prints on the piece (others are turns of the print onto
-  /// itself).
+  /// Places that put different prints on the piece (others are turns of the print onto itself).
   const std::vector<Place>& places() const { return distinct_; }
   const std::vector<double>& angles() const { return angles_; }
 
-  /// The alignment on `place` whose axis point nearest `centre` lies `slide` cm along the line.
+  /// The alignment on `place` whose axis point nearest `centre` is `slide` cm along the line.
   Alignment onPlace(const Place& place, const Vec2& centre, double slide) const;
 
   /// The admissible alignment nearest to `wanted`, turning about the piece point `centre`.
@@ -51,7 +50,7 @@ class AdmissibleAlignments {
   using Basis = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
   Basis basis(const Alignment& at) const;
 
-  /// Hands all fields to `each`.
+  /// Passes all fields to `each`.
   template <class Each>
   void fields(Each&& each) {
     each(pinned_, pin_, axis_point_, axis_direction_, places_, distinct_, angles_, tolerance_);

@@ -9,9 +9,9 @@ namespace {
 
 using Shape = Chamber::Shape;
 
-constexpr double kSame = 1e-6;  ///< difference of chamber coordinates of one point
+constexpr double kSame = 1e-6;  ///< greatest difference of chamber coordinates of one point
 
-/// Folded as numbers; the length of a strip modulo its repeat.
+/// Folds a point of numbers, and reduces the length of a strip modulo its repeat.
 Vec2 folded(Shape shape, const Vec2& p) {
   if (Chamber::isTriangle(shape)) {
     const Folded<true, double> in(shape, p.x(), p.y());
@@ -21,7 +21,7 @@ Vec2 folded(Shape shape, const Vec2& p) {
   return {in.x, shape == Shape::kStrip ? in.y - std::floor(in.y) : in.y};
 }
 
-/// A coordinate across the lines of a family, in cm-1: they lie where it is a multiple of one half.
+/// A coordinate across the lines of a family, in cm-1. The lines are at multiples of one half.
 struct Across {
   Vec2 gradient;
   double offset;
@@ -56,17 +56,17 @@ Chamber Chamber::of(const WallpaperGroup& group) {
     coordinates(x.gradient, y.gradient);
     chamber.offset = {x.offset, y.offset};
   } else {
-    // the last three families, which of six lie closest, all through the origin
+    // The last three families (of six, those with the closest lines), all through the origin.
     chamber.shape = mirrors.size() == 3 ? Shape::kEquilateral : Shape::kHalfEquilateral;
     const Vec2 a = 2 * acrossOf(mirrors[mirrors.size() - 3], basis).gradient;
     const Vec2 b = 2 * acrossOf(mirrors[mirrors.size() - 2], basis).gradient;
-    // both at 120 degrees, so that they and a third add up to 0: a = x - y, b = y - z, c = z - x
+    // All three are at 120 degrees and add up to 0: a = x - y, b = y - z, c = z - x.
     const Vec2 at_120 = a.dot(b) < 0 ? b : -b, c = -a - at_120;
     coordinates((a - c) / 3, (at_120 - a) / 3);
     // x2 + y2 + z2 = 2/3 |p|2 |a|2 / 2, as a, b and c are of one length
     chamber.square0 = 2 / a.squaredNorm();
   }
-  // elements of the group, and neighbouring shifts, that carry some point to different ones
+  // Elements of the group, with neighbouring shifts, that carry some point to different ones.
   const Vec2 probe(0.1234, 0.0567);
   const Mat2 from = chamber.to.inverse();
   std::vector<Vec2> seen;

@@ -7,17 +7,17 @@
 
 namespace seamwise {
 
-/// The mirrors of a print cut the plane into chambers, and folding along them carries every point
-/// into one of these: a subgroup's distance between two orbits is that between the two points left
-/// there, without a search for the nearest image (Humphreys, Reflection groups and Coxeter groups,
-/// 1990, 4.3). The whole group takes as many points as the subgroup has cosets: 1 in pm, pmm, p4m,
-/// p3m1 and p6m, 2 in cm, cmm and pmg, 3 in p31m, 4 in p4g.
+/// A chamber of the plane, which the mirrors of a print divide. Folding along the mirrors carries
+/// every point into one chamber. The distance between two orbits of the mirrors' subgroup is that
+/// of the two folded points, without a search for the nearest image (Humphreys, Reflection groups
+/// and Coxeter groups, 1990, 4.3). The whole group requires as many points as the subgroup has
+/// cosets: 1 in pm, pmm, p4m, p3m1 and p6m, 2 in cm, cmm and pmg, 3 in p31m, 4 in p4g.
 struct Chamber {
   enum class Shape : std::uint8_t {
-    kCell,         ///< no mirrors, nothing to fold; then all else is unset
-    kStrip,        ///< between parallel mirrors, and a repeat long
+    kCell,         ///< no mirrors, no folding; all other fields are unset
+    kStrip,        ///< between parallel mirrors, one repeat long
     kRectangle,    ///< mirrors at right angles
-    kHalfSquare,   ///< also across: 45 degrees
+    kHalfSquare,   ///< also mirrors at 45 degrees
     kEquilateral,  ///< mirrors at 60 degrees
     kHalfEquilateral
   };
@@ -25,7 +25,8 @@ struct Chamber {
   /// Map from the print, in cm, to coordinates of the chamber: p -> to p + offset.
   Mat2 to = Mat2::Identity();
   Vec2 offset = Vec2::Zero();
-  /// Squares of the coordinates' units; of a triangle's three, which add up to 0, the first. [cm2]
+  /// Squares of the coordinates' units. A triangle's three coordinates, which add up to 0, use
+  /// the first one. [cm2]
   double square0 = 1, square1 = 1;
   /// One element of each coset of the mirrors' subgroup, in these coordinates: p -> m p + a. The
   /// first is the identity.
@@ -39,12 +40,13 @@ struct Chamber {
     return shape == Shape::kEquilateral || shape == Shape::kHalfEquilateral;
   }
 
-  /// The chamber of a group; a cell where it has no mirrors.
+  /// The chamber of a group; a cell if it has no mirrors.
   static Chamber of(const WallpaperGroup& group);
 };
 
-/// The point of a chamber that its mirrors carry (x, y) to. `V` is a number or several at once.
-/// @tparam triangle   whether the shape is one of the equilateral ones
+/// The point of a chamber to which its mirrors carry (x, y). `V` is a number or a vector of
+/// several.
+/// @tparam triangle   true for the equilateral shapes
 template <bool triangle, class V>
 struct Folded {
   V x, y;
@@ -61,7 +63,8 @@ struct Folded {
     }
   }
 
-  /// Square of the distance to another point of the chamber, in cm2 of `square0` and `square1`.
+  /// Square of the distance to another point of the chamber, for the units `square0` and `square1`.
+  /// [cm2]
   template <class Real>
   [[gnu::always_inline]] V squaredTo(const Folded& other, Chamber::Shape shape, Real square0,
                                      Real square1) const {
@@ -81,9 +84,10 @@ struct Folded {
     smaller = least(greater, smaller), greater = g;
   }
 
-  /// Coordinates x, y and z = -x - y; the mirrors lie where two of them differ by a whole number.
-  /// Translations are whole numbers that add up to 0. What rounding leaves adds up to -1, 0 or 1:
-  /// the one that was rounded furthest makes up for it. Then mirrors through 0 sort them.
+  /// The coordinates are x, y and z = -x - y; mirrors are where two of them differ by a whole
+  /// number. Translations are whole numbers that add up to 0. Remainders of rounding add up to -1,
+  /// 0 or 1: the one that was rounded furthest makes up for it. The mirrors through 0 then sort
+  /// them.
   [[gnu::always_inline]] void foldIntoTriangle(bool half) {
     using internal::roundNear;
     V z = -x - y;
@@ -94,7 +98,7 @@ struct Folded {
     const V first = over ? y : under ? z + 1 : x, second = over ? z : under ? x : y;
     x = first, y = second;
     if (!half) return;
-    const auto beyond = y > none;  // the turn by half a turn: -z, -y, -x
+    const auto beyond = y > none;  // half a turn: -z, -y, -x
     const V turned = beyond ? x + y : x;
     y = beyond ? -y : y, x = turned;
   }

@@ -5,7 +5,7 @@
 
 namespace seamwise {
 
-/// Leaders that seams connect, and those seams.
+/// Leaders connected by seams, and those seams.
 struct Component {
   std::vector<int> leaders, seams;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSameAngle = 1e-6;  ///< rad
 
-/// How far a piece lies from the nearest of its wanted angles. [rad]
+/// Least deviation of a piece from its wanted angles. [rad]
 double offGrain(const std::vector<double>& angles, const Alignment& at) {
   if (angles.empty()) return 0;
   double least = std::numeric_limits<double>::max();
@@ -38,7 +38,7 @@ Alignment mirroredOnGrain(const WallpaperGroup& group, const RigidMotion& map,
 PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const PieceRule& first,
                     const PieceRule& second) {
   if (first.pin || second.angles.empty()) return first;
-  std::vector<double> sources;  // what `first` lies at when its image lies as it wants to
+  std::vector<double> sources;  // angles of `first` whose image has a wanted angle
   for (double angle : second.angles)
     for (const Element& e : group.elements())
       if (e.mirrored) sources.push_back(mirrorImage({angle, Vec2::Zero()}, map, e).angle);
@@ -47,7 +47,7 @@ PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const P
   double widest = -1;
   for (double angle : first.angles) {
     for (double source : sources) {
-      // where the ranges about both angles overlap, from `angle` on
+      // The overlap of the ranges about both angles, relative to `angle`.
       const double off = wrapAngle(source - angle);
       const double low = std::max(-first.tolerance, off - second.tolerance);
       const double high = std::min(first.tolerance, off + second.tolerance);

@@ -12,7 +12,7 @@ struct LatticeOffset {
   using Vector = typename Lanes<Real>::Vector;
   Vector s, t;    ///< in (-1/2, 1/2)
   Vector g1, g2;  ///< products with the basis
-  Vector n1, n2;  ///< what the square changes by, one lattice point towards the offset
+  Vector n1, n2;  ///< change of the square by one lattice point towards the offset
 
   /// @param g11, g12, g22   metric of the reduced basis, 0 <= 2 g12 <= g11 <= g22
   [[gnu::always_inline]] LatticeOffset(const Vector& s0, const Vector& t0, Real g11, Real g12,
@@ -25,7 +25,7 @@ struct LatticeOffset {
   [[gnu::always_inline]] Vector squared() const {
     return s * g1 + t * g2 + least(least(n1, n2), Vector{});
   }
-  /// Moves s and t on to the nearest lattice point.
+  /// Moves s and t to the nearest lattice point.
   void reduce() {
     const Vector none{}, one = none + 1;
     const Vector step1 = g1 < 0 ? one : -one, step2 = g2 < 0 ? one : -one;

@@ -5,7 +5,7 @@
 
 namespace seamwise {
 
-/// Per leader its place in an order that keeps neighbours close (Cuthill & McKee 1969, reversed).
+/// Rank of each leader in an order that keeps neighbours close (Cuthill & McKee 1969, reversed).
 std::vector<int> rankedLeaders(const MatchProblem& problem);
 
 }  // namespace seamwise

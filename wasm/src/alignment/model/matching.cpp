@@ -37,8 +37,8 @@ Alignments MatchProblem::ofLeaders(const Alignments& of_pieces) const {
 
 namespace {
 
-/// Whether `seam` lists the pairs of `listed`, in either direction; then its weights are added
-/// there.
+/// Adds the weights of `seam` to `listed` if it has the same pairs, in either direction. Returns
+/// whether it has.
 bool mergedInto(MatchSeam& listed, const MatchSeam& seam, bool swapped) {
   const auto& pa = swapped ? seam.pb : seam.pa;
   const auto& pb = swapped ? seam.pa : seam.pb;
@@ -64,9 +64,9 @@ void reflect(std::vector<Vec2>& points, const RigidMotion& map) {
   for (Vec2& p : points) p = map(p);
 }
 
-/// Adds a seam given on pieces. The mirror image of one already listed carries the same condition
-/// and only adds its weight: under a pair the images coincide on the leader; on a piece symmetric
-/// in itself they are `own` reflections of each other.
+/// Adds a seam given on pieces. The mirror image of a listed seam has the same condition and only
+/// adds its weight. The images under a pair coincide on the leader; on a piece symmetric in itself
+/// they are `own` reflections of each other.
 void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
              const std::vector<const Mirror*>& own, MatchSeam seam) {
   const auto &fa = problem.pieces[seam.a], &fb = problem.pieces[seam.b];
@@ -82,7 +82,7 @@ void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
   seam.a = fa.leader, seam.b = fb.leader;
   seam.reversing = fa.mirrored != fb.mirrored;
   if (seam.weight <= 0) return;
-  // a seam of a piece to its own mirror twin meets under any alignment
+  // A seam of a piece to its own mirror twin meets under any alignment.
   bool twin = seam.a == seam.b;
   for (std::size_t i = 0; i < seam.w.size() && twin; ++i)
     twin = (seam.pa[i] - seam.pb[i]).norm() < 1e-6;
@@ -111,7 +111,7 @@ Stretch MatchSeam::stretch(std::size_t first, std::size_t last) const {
     part.mean_a += w[i] * pa[i], part.mean_b += w[i] * pb[i];
   }
   part.mean_a /= total, part.mean_b /= total;
-  // each edge about the mean, and about its own middle
+  // Each edge about the mean, and about its own middle.
   for (std::size_t i = first; i < last; ++i)
     part.covariance += w[i] * ((pa[i] - part.mean_a) * (pb[i] - part.mean_b).transpose() +
                                da[i] * db[i].transpose() / 12);
@@ -125,13 +125,13 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
   problem.continuous_only = rules.continuous_only;
   problem.pieces.resize(pattern.pieces.size());
   std::vector<RigidMotion> back(pattern.pieces.size());
-  std::vector<PieceRule> led = rules.pieces;  // with what a leader's image asks of it
+  std::vector<PieceRule> led = rules.pieces;  // includes the rules of a leader's image
   std::vector<const Mirror*> own(pattern.pieces.size(), nullptr);
   for (const Mirror& m : mirrors) {
     if (m.single()) {
       own[m.pieces[0]] = &m;
     } else {
-      // a pinned twin leads
+      // A pinned twin leads.
       const bool second_leads = rules.pieces[m.pieces[1]].pin && !rules.pieces[m.pieces[0]].pin;
       const int follower = m.pieces[second_leads ? 0 : 1], leader = m.pieces[second_leads ? 1 : 0];
       const RigidMotion map = second_leads ? m.map.inverse() : m.map;
@@ -153,7 +153,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
     const PieceRule& rule = led[p];
     if (own[p]) leader.admissible = AdmissibleAlignments::mirrored(own[p]->map, group);
-    // in a search for others to start from, a symmetry goes before the grain
+    // Symmetry has precedence over the grain in a search for starts of other searches.
     if (!rule.angles.empty()) leader.admissible.restrictAngles(rule.angles, rule.tolerance);
     if (rule.pin)
       leader.admissible =

@@ -13,16 +13,16 @@
 
 namespace seamwise {
 
-/// A stretch of a seam, as far as a rigid motion that lays one side on the other depends on it.
+/// The data of a stretch of a seam that determine the best rigid motion of one side onto the other.
 struct Stretch {
   Vec2 mean_a = Vec2::Zero(), mean_b = Vec2::Zero();  ///< weighted means of pa and pb
   Mat2 covariance = Mat2::Zero();                     ///< sum of w (pa - mean_a) (pb - mean_b)^T
   bool operator==(const Stretch&) const = default;
 };
 
-/// A seam as the alignment search sees it: pairs of points that should fall on equivalent points of
-/// the print, in the coordinates of the leading pieces (a mirrored follower's points are mapped
-/// back to its leader, where the print is equivalent).
+/// A seam of the alignment search: pairs of points that should be at equivalent points of the
+/// print, in the coordinates of the leading pieces. A mirrored follower's points are mapped back to
+/// its leader, where the print is equivalent.
 struct MatchSeam {
   int a = -1, b = -1;        ///< leaders; may be equal
   bool reversing = false;    ///< exactly one side was mapped: continuous needs a mirrored element
@@ -32,10 +32,10 @@ struct MatchSeam {
   double weight = 0;         ///< sum of w
   Stretch whole;
   int seam = -1;  ///< index in Pattern::seams, -1: a match line
-  /// Mean mismatch beyond which no shape is worth having: what lies beyond it counts for more. [cm]
+  /// Mean mismatch beyond which no shape is worth having; the excess counts for more. [cm]
   double limit = std::numeric_limits<double>::infinity();
 
-  /// The edges first .. last - 1.
+  /// The stretch of the edges first .. last - 1.
   Stretch stretch(std::size_t first, std::size_t last) const;
   bool operator==(const MatchSeam&) const = default;
 };
@@ -44,15 +44,15 @@ struct MatchSeam {
 struct Leader {
   int piece = -1;
   AdmissibleAlignments admissible;
-  Vec2 centre = Vec2::Zero();  ///< of the piece's matched points; turns are about it
+  Vec2 centre = Vec2::Zero();  ///< centre of the piece's matched points and of its turns
   std::vector<int> seams;      ///< indices in MatchProblem::seams
   bool operator==(const Leader&) const = default;
 };
 
-/// What restricts alignments besides the seams.
+/// Restrictions of alignments in addition to the seams.
 struct MatchRules {
   std::vector<PieceRule> pieces;  ///< per piece: pin and grain
-  std::vector<MatchLine> lines;   ///< lines that lie on each other unsewn, in rest coordinates
+  std::vector<MatchLine> lines;   ///< unsewn lines that have to coincide, in rest coordinates
   bool continuous_only = false;   ///< forbid mirrored seams
 };
 
@@ -67,7 +67,7 @@ class MatchProblem {
     int leader = -1;
     bool mirrored = false;
     RigidMotion map;             ///< leader piece -> this piece, when mirrored
-    std::vector<double> angles;  ///< wanted of a mirrored piece, rad; empty: any
+    std::vector<double> angles;  ///< wanted angles of a mirrored piece, rad; empty: any
     bool operator==(const Follow&) const = default;
   };
   std::vector<Follow> pieces;  ///< per piece of the pattern
@@ -80,21 +80,22 @@ class MatchProblem {
   /// Sum of w d over all seams. [cm2]
   double cost(const Alignments& at) const;
 
-  /// The symmetries by which the print may meet across a seam of pieces as they lie.
+  /// The symmetries by which the print may meet across a seam.
   WallpaperGroup joining() const { return group.joining(continuous_only); }
 
-  /// Whether `element` may join this seam: a continuous join or, if allowed, a mirrored one.
+  /// Returns whether `element` may join this seam: a continuous join or, if allowed, a mirrored
+  /// one.
   bool allows(const MatchSeam& seam, const Element& element) const {
     return !continuous_only || element.mirrored == seam.reversing;
   }
 
-  /// Alignments of all pieces from those of the leaders, and back.
+  /// Alignments of all pieces from those of the leaders, and the reverse.
   Alignments expanded(const Alignments& of_leaders) const;
   Alignments ofLeaders(const Alignments& of_pieces) const;
 };
 
 /// Makes the problem for a pattern in the given shapes (per piece, per vertex, cm).
-/// @param mirrors   pairs merge into one leader, single pieces must lie on a mirror line, even off
+/// @param mirrors   pairs merge into one leader; single pieces must be on a mirror line, even off
 ///                  their grain; the group must carry them
 MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
                               const std::vector<Mirror>& mirrors, const MatchRules& rules,

@@ -12,7 +12,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSquare = 1e-12;  ///< cosine of an angle that is a right one
+constexpr double kSquare = 1e-12;  ///< greatest cosine of a right angle
 
 }  // namespace
 
@@ -100,7 +100,7 @@ typename SampledSeams<Real>::Pose SampledSeams<Real>::pose(int leader, const Ali
   return pose;
 }
 
-/// As offset().squared() on a rectangular lattice, whose nearest point is that of each coordinate.
+/// Same as offset().squared() on a rectangular lattice, with the nearest point in each coordinate.
 template <class Real>
 [[gnu::always_inline]] inline typename SampledSeams<Real>::Vector
 SampledSeams<Real>::squaredOnRectangles(const Placed& p, const Element& e) const {
@@ -132,7 +132,7 @@ double SampledSeams<Real>::foldedSum(int seam, const Pose& a, const Pose& b) con
                  [this](int, const Placed& p) { return squaredInChamber<triangle>(p); });
 }
 
-/// Of w d, each sample with its nearest element. [cm2]
+/// Sum of w d, each sample with its nearest element. [cm2]
 template <class Real>
 double SampledSeams<Real>::sum(int seam, const Pose& a, const Pose& b) const {
   const auto nearest = [&](const auto& squared) {
@@ -173,7 +173,8 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
 
 template <class Real>
 double SampledSeams<Real>::sampleCost() const {
-  // placing a sample on the print takes about as long as four elements, folding as one or two
+  // Placing a sample on the print takes about as long as four elements, and folding as long as one
+  // or two.
   return SearchTuning::kPlacingWork +
          (shape_ == Chamber::Shape::kCell
               ? static_cast<double>(all_.each.size())

@@ -1,5 +1,5 @@
 #pragma once
-// What cost and model of SampledSeams share: a few samples at once on the print.
+// Common parts of cost and model of SampledSeams: a few samples at once on the print.
 #include "alignment/model/sampled_seams.h"
 
 namespace seamwise {
@@ -10,7 +10,7 @@ struct SampledSeams<Real>::Placed {
   Vector x0, x1, y0, y1;
 };
 
-// The innermost loops call these: Clang would not inline them by itself.
+// The innermost loops call these. Clang does not inline them without the attribute.
 
 template <class Real>
 [[gnu::always_inline]] inline typename SampledSeams<Real>::Placed SampledSeams<Real>::placed(

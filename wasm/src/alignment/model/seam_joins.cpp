@@ -20,7 +20,7 @@ void SampledSeams<Real>::Elements::pack() {
   }
 }
 
-/// The moments that a join by least squares depends on.
+/// Computes the moments for a join by least squares.
 template <class Real>
 void SampledSeams<Real>::measure(Samples& samples) const {
   const auto first = static_cast<std::size_t>(samples.from);
@@ -60,7 +60,7 @@ typename SampledSeams<Real>::Through SampledSeams<Real>::through(const Samples& 
   const Real x1 = la.m10 * of.mean_ax + la.m11 * of.mean_ay + la.t1;
   const Real y0 = lb.m00 * of.mean_bx + lb.m01 * of.mean_by + lb.t0;
   const Real y1 = lb.m10 * of.mean_bx + lb.m11 * of.mean_by + lb.t1;
-  // the products in print space, where a piece at an angle is turned back by it
+  // The products in print space; the angle of a piece is turned back.
   const Real c00 = of.axbx * b.cos + of.axby * b.sin, c01 = of.axby * b.cos - of.axbx * b.sin;
   const Real c10 = of.aybx * b.cos + of.ayby * b.sin, c11 = of.ayby * b.cos - of.aybx * b.sin;
   const Real xx = a.cos * c00 + a.sin * c10, xy = a.cos * c01 + a.sin * c11;

@@ -1,17 +1,16 @@
 // Alignments that obey a symmetry of the body: Wolff et al. 2019, 3.1 (one piece) and 3.2 (a pair).
 //
-// With W(p) = R^T (p - t), a pair p' = S F p + s is symmetric when W' (S F W^-1) is an
-// orientation-reversing element (A, a) of the print. That gives R' = S F R A and
-// t' = S F t + s - R' a for *any* such element, without special cases by group. The paper's Eqs.
-// (4)-(7) are the same rule for w1 on the x-axis, save that its Eq. 5 turns the wrong way for CM
-// and CMM.
+// Let W(p) = R^T (p - t). A pair p' = S F p + s is symmetric when W' (S F W^-1) is an
+// orientation-reversing element (A, a) of the print. That gives R' = S F R A and t' = S F t + s -
+// R' a for *any* such element, without special cases by group. The paper's Eqs. (4)-(7) are the
+// same rule for w1 on the x-axis, except that its Eq. 5 turns the wrong way for CM and CMM.
 #include "alignment/model/symmetric.h"
 
 namespace seamwise {
 namespace {
 
-/// The mirror of a pair's angle, and its own inverse: S F R(phi) A with A = R(alpha) diag(1, -1) is
-/// a rotation by theta - phi - alpha - pi.
+/// The mirrored angle of a pair, a function that is its own inverse: S F R(phi) A with A = R(alpha)
+/// diag(1, -1) is a rotation by theta - phi - alpha - pi.
 double mirroredAngle(double angle, const RigidMotion& map, const Element& element) {
   return wrapAngle(map.angle - angle - element.angle - kPi);
 }
@@ -37,7 +36,7 @@ Alignment snapToMirror(const Alignment& wanted, const RigidMotion& map, const Ve
   const Vec2 on_axis = (pivot + map(pivot)) / 2;
 
   const MirrorFamily* family = nullptr;
-  Vec2 direction = Vec2::Zero();  // of the mirrors, in print space
+  Vec2 direction = Vec2::Zero();  // direction of the mirrors, in print space
   double turn = 0;
   for (const MirrorFamily& f : group.data().mirrors) {
     const Vec2 d = f.direction[0] * group.w1() + f.direction[1] * group.w2();

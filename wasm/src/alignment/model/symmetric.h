@@ -12,12 +12,12 @@ namespace seamwise {
 /// element never changes the print on the piece. `map` and `element` must be mirrored.
 Alignment mirrorImage(const Alignment& first, const RigidMotion& map, const Element& element);
 
-/// The inverse: which first alignment has `second` as its mirror image.
+/// The inverse of mirrorImage: the first alignment whose mirror image is `second`.
 Alignment mirrorSource(const Alignment& second, const RigidMotion& map, const Element& element);
 
 /// The alignment nearest to `wanted` (least turn about the piece's axis point nearest `pivot`, then
 /// least shift along the axis normal) under which the piece's own reflection `map` is a symmetry of
-/// the print: its axis lies on a mirror line, never on a glide. The group must carry single pieces.
+/// the print: its axis is on a mirror line, never on a glide. The group must carry single pieces.
 Alignment snapToMirror(const Alignment& wanted, const RigidMotion& map, const Vec2& pivot,
                        const WallpaperGroup& group);
 

@@ -10,8 +10,9 @@
 namespace seamwise {
 namespace {
 
-/// The alignment that brings a stretch of a piece's seam best onto `image` of its neighbour's side,
-/// where that neighbour lies (weighted Procrustes), turned to what is admissible for the piece.
+/// The alignment that brings a stretch of a piece's seam best onto `image` of its placed
+/// neighbour's side (weighted Procrustes), moved to the nearest one that is admissible for the
+/// piece.
 Alignment onto(const AdmissibleAlignments& admissible, const Stretch& stretch, bool from_a,
                const Alignment& other, const Element& image) {
   const Vec2 &mine = from_a ? stretch.mean_a : stretch.mean_b,
@@ -35,16 +36,16 @@ void addForMirrored(const MatchProblem& problem, int l, std::vector<Alignment>& 
   }
 }
 
-/// From one edge to half of the seam.
+/// A random stretch, from one edge to half of the seam.
 Stretch randomStretch(const MatchSeam& seam, Random& random) {
   const int edges = static_cast<int>(seam.w.size());
   const int size = 1 + random.below(1 + edges / 2), first = random.below(edges - size + 1);
   return seam.stretch(first, first + size);
 }
 
-/// Where a seam is gathered or eased, the print may still meet wherever the sides cross its repeats
-/// in step: the alignment that lays two edges of a piece's seam, drawn at random, on images of
-/// their partners which are about as far apart as they are.
+/// Puts two random edges of a piece's seam on images of their partners that are about as far apart.
+/// The print of a gathered or eased seam may still meet wherever the sides cross its repeats in
+/// step.
 std::optional<Alignment> inStep(const MatchProblem& problem, const AdmissibleAlignments& admissible,
                                 const MatchSeam& seam, bool from_a, const Alignment& other,
                                 Random& random) {
@@ -94,8 +95,8 @@ std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alig
       bool seen[2] = {false, false};
       for (const Element& e : elements) {
         if (!problem.allows(seam, e)) continue;
-        // Elements of one orientation differ by a rotation of the print: the same print on the
-        // piece, unless its angle is bound.
+        // Elements of one orientation differ by a rotation of the print. They put the same print on
+        // the piece, unless its angle is bound.
         if (leader.admissible.mayRotate() && seen[e.mirrored]) continue;
         seen[e.mirrored] = true;
         out.push_back(onto(leader.admissible, part, seam.a == l, at[other], e));
@@ -118,7 +119,7 @@ Alignment randomAlignment(const MatchProblem& problem, int l, Random& random) {
   const Vec2 print = problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
   double angle = 2 * kPi * random.uniform();
   if (random.uniform() < 0.5) {
-    // axis of the seam that joins the piece to itself, on a mirrored element's axis
+    // The axis of the seam that joins the piece to itself, on a mirrored element's axis.
     for (int s : leader.seams) {
       const MatchSeam& seam = problem.seams[s];
       if (seam.a != seam.b) continue;

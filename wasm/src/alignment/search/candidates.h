@@ -7,17 +7,17 @@
 namespace seamwise {
 
 /// Alignments of leader `l` that match one of its seams to a placed neighbour as well as a rigid
-/// motion can: for each such seam the print runs on, or is mirrored (all other elements give the
-/// same print on the piece). A piece bound to a mirror line or to given angles gets the admissible
-/// ones near them, and one bound to a mirror line also some slides along it.
-/// @param stretches   of each seam, drawn at random, that are matched besides the whole seam; where
-///                    its sides differ in length, for each of them also two edges of it
+/// motion can. The print continues or is mirrored across each such seam (all other elements give
+/// the same print on the piece). A piece bound to a mirror line or to given angles gets the
+/// admissible ones near them. A piece bound to a mirror line also gets some slides along it.
+/// @param stretches   number of random stretches of each seam to match besides the whole seam; if
+///                    its sides differ in length, two of its edges for each of them as well
 /// @param placed   per leader; `l` itself counts as unplaced
 std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alignments& at,
                                   const std::vector<char>& placed, int stretches, Random& random);
 
-/// Some admissible alignment, for a piece that nothing holds yet. A piece sewn to itself is laid so
-/// that the print mirrors across that seam, half of the time.
+/// A random admissible alignment, for a piece that is not bound by others yet. Half of the time,
+/// the print mirrors across a seam that joins the piece to itself.
 Alignment randomAlignment(const MatchProblem& problem, int l, Random& random);
 
 }  // namespace seamwise

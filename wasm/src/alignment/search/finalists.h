@@ -7,10 +7,10 @@
 
 namespace seamwise {
 
-/// What is left of answers once they are improved, the cheapest first; of those that are as good as
-/// each other, what comes first in `all` stands for the others.
+/// Improves answers and returns the different ones, the cheapest first. The first one in `all`
+/// represents equally good ones.
 /// @param all   alignments of a component's leaders, with any costs
-/// @param improve   improves an answer by so many iterations at most; returns its cost
+/// @param improve   improves an answer by at most so many iterations; returns its cost
 std::vector<std::pair<double, Alignments>> finalistsOf(
     std::vector<std::pair<double, Alignments>> all,
     const std::function<double(Alignments& own, int iterations)>& improve);

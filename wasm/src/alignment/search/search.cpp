@@ -12,7 +12,7 @@
 namespace seamwise {
 namespace {
 
-/// The more symmetries a print has, the more answers there are to choose from.
+/// Prints with more symmetries have more answers to choose from.
 SearchBudget enlarged(SearchBudget budget, int symmetries) {
   const double ratio = symmetries / SearchTuning::kSymmetries,
                more = std::max(1.0, ratio * std::sqrt(std::sqrt(ratio)));
@@ -23,7 +23,7 @@ SearchBudget enlarged(SearchBudget budget, int symmetries) {
   return budget;
 }
 
-/// Of one share.
+/// The budget of one share.
 SearchBudget divided(SearchBudget budget) {
   budget.trees = (budget.trees + budget.shares - 1) / budget.shares;
   budget.idle /= budget.shares;
@@ -82,7 +82,7 @@ void AlignmentSearch::offer(const Alignments& at) {
   }
 }
 
-/// What is best so far, for whoever looks on.
+/// Stores a component's best answer so far in best_, for display.
 void AlignmentSearch::show(std::size_t component, const Answers& answers) {
   double& shown = shown_[component];
   if (answers.few.empty() || (shown >= 0 && answers.cost() >= shown)) return;
@@ -103,7 +103,7 @@ void AlignmentSearch::split() {
 std::shared_ptr<AlignmentSearch::Share> AlignmentSearch::lend() {
   if (merged_) return nullptr;
   if (shares_.empty()) split();
-  // from the end: from the other one they are run here
+  // Lend from the end, because shares are run here from the beginning.
   const auto free =
       std::find_if(shares_.rbegin(), shares_.rend(), [](const auto& s) { return !s->begun; });
   if (free == shares_.rend()) return nullptr;
@@ -111,13 +111,13 @@ std::shared_ptr<AlignmentSearch::Share> AlignmentSearch::lend() {
   return *free;
 }
 
-/// Whether nothing is left to find in a component, by what a share has found.
+/// Returns whether a share has found a perfect answer for a component.
 bool AlignmentSearch::isSettled(std::size_t component, std::size_t share) const {
   const auto& answers = shares_[share]->answers;
   return answers && (*answers)[component].isPerfect(moves_.perfect());
 }
 
-/// What is to be run here; null when all has come that is needed.
+/// Returns the share to run here; null when all necessary answers are available.
 AlignmentSearch::Share* AlignmentSearch::nextShare() {
   Share* lent = nullptr;
   for (std::size_t s = 0; s < shares_.size(); ++s) {
@@ -140,7 +140,7 @@ void AlignmentSearch::run(Share& share) {
     running_ = &share;
     share.begun = true;
     ShareTask task = share.task;
-    // what the shares before have settled needs no other answer
+    // Components that earlier shares have settled need no other answer.
     for (std::size_t s = 0; shares_[s].get() != &share; ++s)
       for (std::size_t k = 0; k < components_.size(); ++k)
         if (isSettled(k, s)) task.known[k] = (*shares_[s]->answers)[k];
@@ -152,7 +152,7 @@ void AlignmentSearch::run(Share& share) {
   if (!more) share.answers = local_->answers();
 }
 
-/// In the order of the shares, and without those that come after a perfect one.
+/// Merges answers in the order of the shares, without those after a perfect one.
 void AlignmentSearch::merge() {
   for (std::size_t k = 0; k < components_.size(); ++k) {
     for (std::size_t s = 0; s < shares_.size(); ++s) {
@@ -219,7 +219,7 @@ double AlignmentSearch::proofAllowed(const Component& c) const {
 void AlignmentSearch::prove() {
   const Component& c = components_[current_];
   if (proof_->spent() < proofAllowed(c) && proof_->step()) return;
-  // whatever better answer the proof has met is the best
+  // The proof may have found a better answer.
   for (int l : c.leaders) best_[l] = proof_->best()[l];
   proof_spent_ += proof_->spent();
   const std::unique_ptr<LowerBound> ended = std::move(proof_);
@@ -239,8 +239,8 @@ double AlignmentSearch::spent() const {
          ProofTuning::kDistanceWork * (proof_spent_ + (proof_ ? proof_->spent() : 0));
 }
 
-/// Compares the finalists and what was offered on all edges of the seams; of answers that are as
-/// good as each other, what was offered stands. Returns the least cost.
+/// Compares the finalists and the offered answers on all edges of the seams. An offered answer has
+/// precedence over equally good ones. Returns the least cost.
 double AlignmentSearch::polish(std::size_t component) {
   const Component& c = components_[component];
   auto& few = known_[component].few;

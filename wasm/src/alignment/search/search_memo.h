@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// The outcomes of the last few searches, for solves of almost the same problem. They are kept
-/// under all that a search depends on: with a memo or without, results are the same.
+/// The outcomes of the last few searches, for solves of almost the same problem. The key is
+/// everything a search depends on, so results are the same with or without a memo.
 class SearchMemo {
  public:
   struct Inputs {
@@ -15,17 +15,17 @@ class SearchMemo {
     SearchBudget budget;
     std::uint64_t seed;
     double slack, watched;            ///< cm
-    std::vector<Alignments> offered;  ///< of the leaders
+    std::vector<Alignments> offered;  ///< alignments of the leaders
     bool operator==(const Inputs&) const = default;
   };
-  /// How a search has ended, as alignments of the leaders.
+  /// The outcome of a search, as alignments of the leaders.
   struct Outcome {
     std::vector<Alignments> few;  ///< the best and some more
     Alignments watched;
-    double bound;  ///< all as in AlignmentSearch
+    double bound;  ///< all fields as in AlignmentSearch
   };
 
-  /// Null when there was no such search lately.
+  /// Returns null if there was no such search lately.
   const Outcome* find(const Inputs& inputs) const;
   void add(Inputs inputs, Outcome outcome);
 

@@ -38,8 +38,8 @@ void SearchMoves::set(Layout& layout, int leader, const Alignment& at) const {
   layout.poses[leader] = samples_.pose(leader, at);
 }
 
-/// The cost of a leader's seams to placed neighbours (all when `placed` is null) if it lay at `at`;
-/// something above `bound` as soon as it exceeds that.
+/// The cost of a leader's seams to placed neighbours (all if `placed` is null) at an alignment;
+/// some value above `bound` as soon as it exceeds that.
 double SearchMoves::costAt(const Alignment& at, int leader, const Layout& layout,
                            const std::vector<char>* placed, double bound) {
   const SearchSamples::Pose mine = samples_.pose(leader, at);
@@ -92,7 +92,7 @@ void SearchMoves::place(int leader, Layout& layout, std::vector<char>& placed) {
 
 void SearchMoves::grow(const Component& c, Layout& layout, std::vector<char>& placed) {
   for (;;) {
-    // the next piece is drawn by the length of its seams to what is placed
+    // The next piece is random, weighted by the length of its seams to placed ones.
     double total = 0;
     std::vector<double> reach(c.leaders.size(), 0);
     std::vector<int> left;
@@ -126,8 +126,8 @@ void SearchMoves::grow(const Component& c, Layout& layout, std::vector<char>& pl
   }
 }
 
-/// Moves single pieces to their best candidates, those first that are `fresh`: whose surroundings
-/// have changed since they were last tried. False when none moved.
+/// Moves single `fresh` pieces, whose surroundings have changed since the last try, to their best
+/// candidates. Returns false if none moved.
 bool SearchMoves::moveSingles(const Component& c, Layout& layout, std::vector<char>& fresh) {
   bool improved = false;
   const std::vector<char> all(problem_.leaders.size(), 1);
@@ -165,7 +165,7 @@ double SearchMoves::refined(Layout& layout, const std::vector<int>& leaders, int
   double samples = 0;
   for (int l : leaders)
     for (int s : problem_.leaders[l].seams) samples += samples_.count(s);
-  // finding the nearest element and assembling cost a few plain distances a sample and element
+  // The nearest element and the assembly cost a few plain distances per sample and element.
   spent_ += iterations * samples * sample_cost_ * SearchTuning::kModelWork;
   double work = 0;
   const double cost = refine(problem_, samples_, layout.at, leaders, iterations, slack_, &work);
@@ -174,8 +174,6 @@ double SearchMoves::refined(Layout& layout, const std::vector<int>& leaders, int
   return cost;
 }
 
-/// Polishes an answer of which the `fresh` leaders are new; cheaply at first, and on only while it
-/// may become the best. Returns its cost.
 double SearchMoves::improve(const Component& c, Layout& layout, std::vector<char> fresh,
                             double known) {
   std::vector<int> changed;
@@ -187,7 +185,7 @@ double SearchMoves::improve(const Component& c, Layout& layout, std::vector<char
     for (int s : problem_.leaders[l].seams)
       fresh[problem_.seams[s].a] = fresh[problem_.seams[s].b] = 1;
   const double nothing = perfect();
-  // most regrown parts fall back into place
+  // Most regrown parts return to their place.
   if (known >= 0 && std::abs(cost - known) < SearchTuning::kSameAnswer * known) return cost;
   for (int round = 0; round < SearchTuning::kRounds && cost > nothing; ++round) {
     if (known >= 0 && cost > (round == 0 ? SearchTuning::kPruned : SearchTuning::kClose) * known)

@@ -10,20 +10,21 @@ namespace seamwise {
 
 /// An answer under construction.
 struct Layout {
-  Alignments at;  ///< of the leaders
+  Alignments at;  ///< alignments of the leaders
   std::vector<SearchSamples::Pose> poses;
 };
 
-/// How a search gets from one answer to others. All costs are those of samples of the seams. [cm2]
+/// The moves of a search from one answer to others. All costs are those of samples of the seams.
+/// [cm2]
 class SearchMoves {
  public:
-  /// @param slack   as in SampledSeams::cost
+  /// @param slack   see SampledSeams::cost
   SearchMoves(const MatchProblem& problem, const SearchSamples& samples, std::uint64_t seed,
               double slack);
 
   Layout layoutOf(const Alignments& at) const;
   double costOf(const Component& c, const Layout& layout, double slack);
-  /// The cost that SearchTuning::kPerfectDistance makes of all seams.
+  /// The cost of all seams at a distance of SearchTuning::kPerfectDistance.
   static double perfect(const SearchSamples& samples) {
     return SearchTuning::kPerfectDistance * samples.weight();
   }
@@ -33,15 +34,15 @@ class SearchMoves {
   /// A random connected part of a component, up to half of it.
   std::vector<int> randomPart(const Component& c);
   void layAnywhere(int leader, Layout& layout);
-  /// Places what is not placed along a random spanning tree of the seams.
+  /// Places the remaining leaders along a random spanning tree of the seams.
   void grow(const Component& c, Layout& layout, std::vector<char>& placed);
-  /// Polishes an answer of which the `fresh` leaders are new; cheaply at first, and on only while
-  /// it may become better than `known` (negative: nothing is known). Returns its cost.
+  /// Polishes an answer whose `fresh` leaders are new: cheaply at first, and further only while it
+  /// may become better than `known` (negative: nothing is known). Returns its cost.
   double improve(const Component& c, Layout& layout, std::vector<char> fresh, double known);
 
   double uniform() { return random_.uniform(); }
   int below(int n) { return random_.below(n); }
-  /// Element distances evaluated so far.
+  /// Number of element distances evaluated so far.
   double spent() const { return spent_; }
 
  private:

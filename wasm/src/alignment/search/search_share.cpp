@@ -8,19 +8,19 @@
 namespace seamwise {
 namespace {
 
-/// Share of starts from nothing once the first trees are grown; of many pieces, some lie badly in
+/// Share of starts from nothing after the first trees. Among many pieces, some are badly placed in
 /// each of them, and parts of the best are worth more.
 double freshShare(int pieces) {
   return std::min(SearchTuning::kFreshShare, SearchTuning::kFreshPieces / pieces);
 }
-/// And the more of them, the longer it takes until nothing is to be gained. With few, thousands of
-/// answers are within reach, and looking at more of them takes little time.
+/// Factor of the patience. More pieces take longer until nothing can be gained. Few pieces leave
+/// thousands of answers within reach, and trying more of them takes little time.
 double patienceFor(double pieces) {
   return std::clamp(std::max(pieces / SearchTuning::kManyPieces, SearchTuning::kFewPieces / pieces),
                     1.0, SearchTuning::kMostPatience);
 }
-/// The pieces that time is allowed for. All that are sewn together take part in each step, so that
-/// beyond some, more of them get less of it: nobody waits minutes for one garment.
+/// The number of pieces that time is allowed for. All pieces sewn together take part in each step,
+/// so the allowance per piece falls beyond some number: one garment must not take minutes.
 double countedOf(double pieces) {
   constexpr double kMany = SearchTuning::kCountedPieces;
   return pieces <= kMany ? pieces : kMany * std::sqrt(kMany / pieces);
@@ -73,7 +73,7 @@ SearchShare::SearchShare(const MatchProblem& problem, const std::vector<Componen
   next();
 }
 
-/// Begins with the next component that is not perfect already.
+/// Begins the next component that is not perfect yet.
 void SearchShare::next() {
   if (moves_) {
     spent_ += moves_->spent();
@@ -105,7 +105,7 @@ void SearchShare::keep(const Component& c, const Layout& layout, double cost) {
   idle_ = gained ? 0 : idle_ + 1;
 }
 
-/// The answer that a step goes on from: the best or, now and then, one of the others that are good.
+/// The answer that a step continues from: the best or, now and then, another good one.
 Alignments SearchShare::startFrom(const Component& c, bool anew) {
   Alignments at = task_.at;
   const auto& few = task_.known[current_].few;
@@ -116,11 +116,11 @@ Alignments SearchShare::startFrom(const Component& c, bool anew) {
   return at;
 }
 
-/// Lays the `fresh` leaders of a part anew.
+/// Places the `fresh` leaders of a part again.
 void SearchShare::lay(const Component& part, bool anew, const std::vector<char>& fresh,
                       Layout& layout) {
   std::vector<char> placed(fresh.size());
-  // the very first answer is shown, so it is grown
+  // The very first answer is shown, so it is grown.
   const bool grown =
       task_.known[current_].few.empty() ||
       moves_->uniform() >= (anew ? SearchTuning::kScattered : SearchTuning::kDetached);

@@ -9,34 +9,34 @@
 
 namespace seamwise {
 
-/// What is known of a component. Costs are those of samples of the seams. [cm2]
+/// Known answers of a component. Costs are those of samples of the seams. [cm2]
 struct Answers {
   std::vector<std::pair<double, Alignments>>
-      few;                   ///< the best, of its leaders; all differ, cheapest first
-  double watched_cost = -1;  ///< negative: nothing was watched
-  Alignments watched;        ///< of its leaders
+      few;                   ///< the best answers of its leaders; all differ, cheapest first
+  double watched_cost = -1;  ///< negative: no watched answer
+  Alignments watched;        ///< watched answer of its leaders
 
-  double cost() const { return few.empty() ? -1 : few.front().first; }  ///< negative: nothing yet
-  /// @param perfect   as in SearchMoves, here and below
+  double cost() const { return few.empty() ? -1 : few.front().first; }  ///< negative: no answer yet
+  /// @param perfect   see SearchMoves, here and below
   bool isPerfect(double perfect) const { return !few.empty() && cost() < perfect; }
-  /// Adds an answer, unless it is the same as one that costs less or none of the best.
+  /// Adds an answer, unless it is the same as a cheaper one or not among the best.
   void add(double cost, const Alignments& own, double perfect);
   void watch(double cost, const Alignments& own);
   void add(const Answers& others, double perfect);
 };
 
-/// All that a share depends on besides its problem.
+/// All inputs of a share besides its problem.
 struct ShareTask {
-  SearchBudget budget;  ///< of the share alone
+  SearchBudget budget;  ///< budget of the share alone
   std::uint64_t seed = 0;
-  double slack = 0;    ///< as in SampledSeams::cost
-  double watched = 0;  ///< slack under which the best answer met is remembered as well; 0: none
-  Alignments at;       ///< of the leaders: what to begin with
-  std::vector<Answers> known;  ///< per component; what is perfect is left as it is
+  double slack = 0;    ///< see SampledSeams::cost
+  double watched = 0;  ///< slack for the watched answer, the best one found under it; 0: none
+  Alignments at;       ///< alignments of the leaders at the start
+  std::vector<Answers> known;  ///< per component; perfect ones stay unchanged
 };
 
-/// One sequence of starts and regrowths in each component, that knows of no other. Its outcome
-/// depends on its task alone, wherever it runs.
+/// One independent sequence of starts and regrowths in each component. Its outcome depends on its
+/// task alone, wherever it runs.
 class SearchShare {
  public:
   /// @param components   those of the problem
@@ -44,13 +44,13 @@ class SearchShare {
   SearchShare(const MatchProblem& problem, const std::vector<Component>& components,
               const SearchSamples& samples, ShareTask task);
 
-  /// One start or one regrowth. False when the share has ended.
+  /// Takes one start or one regrowth. Returns false when the share has ended.
   bool step();
   double fraction() const;  ///< 0..1
-  double spent() const;     ///< element distances, or work that takes as long
-  /// Per component; valid at any time, complete once the share has ended.
+  double spent() const;     ///< number of element distances, or equivalent work
+  /// Answers per component; valid at any time, complete once the share has ended.
   const std::vector<Answers>& answers() const { return task_.known; }
-  std::size_t current() const { return current_; }  ///< component at work
+  std::size_t current() const { return current_; }  ///< current component
 
  private:
   void next();
@@ -62,21 +62,21 @@ class SearchShare {
   const std::vector<Component>& components_;
   const SearchSamples& samples_;
   ShareTask task_;
-  Random seeds_;                      ///< of the components: each has random numbers of its own
-  std::optional<SearchMoves> moves_;  ///< in the component at work
+  Random seeds_;                      ///< seeds of the components, one for each
+  std::optional<SearchMoves> moves_;  ///< moves in the current component
   std::size_t current_ = 0;
   int starts_ = 0, idle_ = 0;
   int hits_ = 0;         ///< starts from nothing that ended at the best answer
-  double allowed_ = 0;   ///< distances in this component
-  double patience_ = 0;  ///< steps without gain
-  double spent_ = 0;     ///< in the components before
-  double share_ = 0;     ///< of the component at work that is done
+  double allowed_ = 0;   ///< number of distances allowed in this component
+  double patience_ = 0;  ///< number of steps allowed without gain
+  double spent_ = 0;     ///< work in previous components
+  double share_ = 0;     ///< finished share of the current component
 };
 
-/// The samples of the seams that a search with this budget looks at.
+/// The samples of the seams for a search with this budget.
 SearchSamples searchSamples(const MatchProblem& problem, const SearchBudget& budget);
 
-/// Distances that a search with this budget may evaluate in a component.
+/// Number of distances that a search with this budget may evaluate in a component.
 double allowedIn(const Component& component, const SearchBudget& budget);
 
 }  // namespace seamwise
