@@ -1,4 +1,4 @@
-/** A piece turned by 90 degrees on the cloth, from wherever that is asked for. */
+/** Turns a piece by 90 degrees on the fabric, for keys and buttons. */
 import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {withQuarterTurn} from './choices.js';
