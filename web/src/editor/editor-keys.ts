@@ -14,10 +14,7 @@ export function editorKeys(event: KeyboardEvent, commands: KeyCommands): void {
   command();
 }
 
-/**
- * Returns whether the pattern may use a key event: unhandled, outside fields and outside open
- * dialogs.
- */
+/** Returns whether the pattern may use a key event: unhandled, outside fields and open dialogs. */
 export const isFree = (event: KeyboardEvent): boolean =>
   !event.defaultPrevented &&
   !isTyping(event) &&

@@ -54,10 +54,7 @@ export class Editor extends WorkbenchElement {
   declare samples: Samples | undefined;
   /** Functions of the page that have keyboard shortcuts. */
   declare commands: KeyCommands;
-  /**
-   * Opens the storage of the photos that prints are made from; undefined if the page stores
-   * nothing.
-   */
+  /** Opens the storage of photos that became prints; undefined if the page stores nothing. */
   declare photos: (() => Promise<PhotoKeeper>) | undefined;
   declare shows: EditorView;
   /** The sheet that is open below the pattern in a narrow editor. */

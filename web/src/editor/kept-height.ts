@@ -28,7 +28,7 @@ export class KeptHeight {
     this.#forget();
   }
 
-  /** Restarts the pause after a change. @param isSettled whether the element has all its text */
+  /** Restarts the pause after a change. @param isSettled true if the element has all its text */
   stir(isSettled: boolean): void {
     clearTimeout(this.#pause);
     if (!isSettled) return;

@@ -1,7 +1,4 @@
-/**
- * Loads the parts that the first result does not need. A part already in the page is drawn once
- * loaded.
- */
+/** Loads the parts that the first result does not need; parts in the page are drawn once loaded. */
 
 let loading: Promise<void> | undefined;
 

@@ -8,7 +8,7 @@ import {drawn, icon} from '../style/icons.js';
 /** State and functions that the buttons of the fabric layout use. */
 interface BarredCloth {
   readonly isReady: boolean;
-  /** Whether flaws can be marked. */
+  /** True if flaws can be marked. */
   readonly canMark: boolean;
   /** The selected piece, if any. */
   readonly chosen: {readonly isPinned: boolean} | undefined;

@@ -6,7 +6,7 @@ import type {Command} from '../commands/command.js';
 
 /** State and functions that commands and keys of the fabric layout use. */
 interface CommandedCloth {
-  /** Whether there is a marker of the present design. */
+  /** True if there is a marker of the present design. */
   readonly isReady: boolean;
   zoomBy(factor: number): void;
   fit(): void;

@@ -19,10 +19,7 @@ export abstract class ClothElement extends WorkbenchElement {
     return this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name;
   }
 
-  /**
-   * Returns the label of a piece on the fabric, with a number if the marker contains it several
-   * times.
-   */
+  /** Returns the label of a piece on the fabric, numbered if the marker contains several of it. */
   protected readonly labelOf = ({name, number}: Pick<PieceOnCloth, 'name' | 'number'>): string => {
     const label = this.nameOf(name);
     const {names} = this.laying;

@@ -1,7 +1,4 @@
-/**
- * Fields of the fabric layout: width, edges, number of garments, allowances, start of the print,
- * nap.
- */
+/** Fields of the fabric layout: width, edges, copies, allowances, start of the print, nap. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {OwnShare} from '../../cutting/allowances.js';
@@ -16,12 +13,12 @@ interface Fields {
   readonly choices: ClothChoices;
   /** Start of the print in the displayed marker. [cm] */
   readonly startCm: number | undefined;
-  /** Whether the user enters a width outside the list. */
+  /** True if the user enters a width outside the list. */
   readonly hasOwnWidth: boolean;
-  /** Whether the fields for allowances are open. */
+  /** True if the fields for allowances are open. */
   readonly hasAllowances: boolean;
   readonly ownAllowances: OwnShare;
-  /** Whether the print looks different upside down. */
+  /** True if the print looks different upside down. */
   readonly isOneWay: boolean;
   readonly units: Units;
   readonly format: Format;

@@ -14,7 +14,7 @@ interface ClothFile {
   readonly title: string;
   /** Suffix of the file name. */
   readonly ending: string;
-  /** @throws {Error} with one sentence as message */
+  /** @throws {Error} one sentence as its message */
   readonly make: () => Promise<Blob>;
 }
 

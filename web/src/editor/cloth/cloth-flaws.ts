@@ -1,7 +1,4 @@
-/**
- * List of the flaws of the fabric: each by its position, to move by arrow keys or numbers, or to
- * remove.
- */
+/** List of the flaws of the fabric by position, to move by arrow keys or numbers, or to remove. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Flaw} from '../../workbench/lay-step.js';

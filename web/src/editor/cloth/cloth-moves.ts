@@ -30,7 +30,11 @@ interface Move {
   readonly fartherCm: number | undefined;
 }
 
-/** @param from wanted position @param takes whether the piece may overlap others */
+/**
+ * Returns the place of least cost; undefined if there is none.
+ * @param from wanted position
+ * @param takes true if the piece may overlap others
+ */
 function moveTo(
   places: Places,
   cost: (at: Point) => number,
@@ -48,7 +52,7 @@ function moveTo(
 
 /**
  * Returns the next place in a direction; undefined if there is none.
- * @param takes whether the piece may overlap others
+ * @param takes true if the piece may overlap others
  */
 export function placeOn(
   pieces: readonly PieceOnCloth[],

@@ -1,7 +1,4 @@
-/**
- * The fabric layout: pieces of the present result on the fabric as a drawing and a list, with
- * tools.
- */
+/** The fabric layout: pieces of the result on the fabric as a drawing and a list, with tools. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {usedLength} from '../../marker/places.js';
@@ -91,7 +88,7 @@ export class ClothPane extends FlawActions {
     return layStepWords(present, future[0], this.words);
   }
 
-  /** @returns whether there was a step to undo */
+  /** @returns true if there was a step to undo */
   undo(): boolean {
     this.#pointing.cancel();
     this.say(''); // the message may no longer be true
@@ -143,7 +140,7 @@ export class ClothPane extends FlawActions {
     return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
   }
 
-  /** Starts to lay pieces once the pane is visible, and scrolls to the cut edge first. */
+  /** Starts packing once the pane is visible, and scrolls to the cut edge first. */
   protected override updated(): void {
     if (this.isConnected) this.#end ??= this.laying.show();
     const application = this.renderRoot.querySelector('.application');

@@ -160,7 +160,7 @@ export class ClothPointing {
     this.#cloth.point(undefined);
   };
 
-  /** Ends a drag or the drawing of a flaw. @returns whether either was active */
+  /** Ends a drag or the drawing of a flaw. @returns true if either was active */
   readonly cancel = (): boolean => {
     const isActive = this.#drag !== undefined || this.#flawTool !== undefined;
     this.#flawTool = undefined;

@@ -152,10 +152,7 @@ const nameSizes = {least: 8, most: 12} as const;
 /** Distance of lines, as a multiple of the font size. */
 const lineHeight = 1.15;
 
-/**
- * Splits a name into as many lines as the width of the piece requires, in the largest size that
- * fits.
- */
+/** Splits a name into lines by the width of the piece, in the largest size that fits. */
 function nameDrawing(piece: PieceOnCloth, label: string, frame: SheetFrame): TemplateResult {
   const {low, high} = turnedRing(piece.piece.outline, piece.place.angle);
   const room = (high[0] - low[0]) * frame.scale;

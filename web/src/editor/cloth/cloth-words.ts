@@ -41,8 +41,7 @@ export const roundedLength = (cm: number, units: Units, format: Format): string 
   format.length(units === 'inch' ? cm : Math.ceil(cm - slack));
 
 /**
- * Returns a range such as "120 to 136 cm", which also contains the lengths as `roundedLength` shows
- * them.
+ * Returns a range such as "120 to 136 cm"; it contains the lengths as `roundedLength` shows them.
  */
 export const lengthRange = (
   [least, most]: readonly [number, number],

@@ -1,7 +1,4 @@
-/**
- * Adds, moves, resizes and removes flaws of the fabric without a pointer; each step shows a
- * message.
- */
+/** Changes flaws of the fabric without a pointer; each step shows a message. */
 import type {PropertyValues} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
@@ -71,7 +68,7 @@ export abstract class FlawActions extends PieceActions {
     this.requestUpdate();
   }
 
-  /** @returns whether the key changed the selected flaw */
+  /** @returns true if the key changed the selected flaw */
   protected pressForFlaw(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'altKey'>): boolean {
     const {bolt} = this.laying;
     const {chosenFlaw: number} = this;

@@ -47,7 +47,11 @@ export class PieceDrag {
     this.#target = piece.place.translation;
   }
 
-  /** @param by offset of the drag [cm] @param takes whether the piece may overlap others */
+  /**
+   * Moves the piece to the place nearest to the pointer.
+   * @param by offset of the drag [cm]
+   * @param takes true if the piece may overlap others
+   */
   moveBy(by: Point, takes: boolean): void {
     this.#by = by;
     const wanted = apartFrom(plus(this.piece.place.translation, by));
@@ -58,7 +62,7 @@ export class PieceDrag {
   /**
    * Checks which places are free, within a time limit.
    * @param time [ms]
-   * @returns whether unchecked places remain
+   * @returns true if unchecked places remain
    */
   look(time: number): boolean {
     const end = performance.now() + time;

@@ -1,9 +1,6 @@
 import type {Workbench} from '../../workbench/workbench.js';
 
-/**
- * Returns whether the user has to start the solver: automatic solving is off, or it stopped or
- * failed.
- */
+/** Returns whether the user has to start the solver: it is not automatic, or stopped, or failed. */
 export function canAlign({design, preferences, state: {kind}}: Workbench): boolean {
   const waits = !preferences.solveAsIGo || kind === 'stale' || kind === 'failed';
   return waits && kind !== 'solving' && design !== undefined;

@@ -72,7 +72,7 @@ export class NumberField extends LitElement {
     this.fractions = false;
   }
 
-  /** Whether the last entry was invalid: `value` then differs from the field's text. */
+  /** True if the last entry was invalid: `value` then differs from the field's text. */
   get isWrong(): boolean {
     return this.typed !== undefined && !this.#isRight(this.typed);
   }
@@ -103,7 +103,6 @@ export class NumberField extends LitElement {
           aria-describedby=${isWrong ? 'wrong' : nothing}
           @input=${(event: Event) => {
             // hides the message once the entry is valid: at `change`, a click would miss its target
-            // below
             if (this.typed !== undefined) this.typed = (event.target as HTMLInputElement).value;
           }}
           @keydown=${(event: KeyboardEvent) => {

@@ -6,10 +6,7 @@ import type {Method} from '../../model/method.js';
 export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] as const;
 type PresetName = (typeof presetNames)[number];
 
-/**
- * Settings of the alignment and the greatest change; each is explicit, even one equal to the
- * default.
- */
+/** Settings of alignment and deformation; all are explicit, even those equal to the default. */
 export interface SolveSettings {
   readonly maxChangeCm: number;
   readonly grain: GrainLock;

@@ -140,7 +140,7 @@ export class SeamLens extends PatientElement {
     `;
   }
 
-  /** Whether the lens may draw: its drawing takes time, which the first solve needs. */
+  /** True once the lens may draw: its drawing takes time, which the first solve needs. */
   get #isAwake(): boolean {
     return (this.#wasAwake ||=
       this.workbench.state.kind !== 'solving' && this.workbench.state.kind !== 'empty');

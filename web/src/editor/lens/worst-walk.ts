@@ -14,10 +14,7 @@ export function rankOf(rows: readonly SeamRow[], seam: number): Rank | undefined
   return at < 0 ? undefined : {rank: at + 1, count: worst.length};
 }
 
-/**
- * Returns the seam with the next smaller (1) or next larger (-1) mismatch; wraps around at the
- * ends.
- */
+/** Returns the seam with the next smaller (1) or larger (-1) mismatch; wraps around at the ends. */
 export function nextWorst(
   rows: readonly SeamRow[],
   seam: number | undefined,

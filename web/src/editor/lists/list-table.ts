@@ -1,7 +1,4 @@
-/**
- * A table of parts of the pattern: sorted by columns, used by keys, with the same selection as the
- * drawing.
- */
+/** A table of parts of the pattern: sorted by columns, used by keys, selected like the drawing. */
 import {html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 import {repeat} from 'lit/directives/repeat.js';
@@ -189,7 +186,7 @@ export abstract class ListTable<Row> extends PatientElement {
     event.preventDefault();
   };
 
-  /** Handles a key on a row that the table does not use. @returns whether the key has an effect */
+  /** Handles a key on a row that the table does not use. @returns true if the key has an effect */
   protected press?(number: number, key: string): boolean;
 
   #point = (event: Event): void => {

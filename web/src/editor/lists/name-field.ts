@@ -8,7 +8,7 @@ interface NameField {
   readonly name: string;
   /** Accessible name of the field. */
   readonly label: string;
-  /** @returns whether the name is valid */
+  /** @returns true if the name is valid */
   readonly keep: (name: string) => boolean;
   /** Runs after the entry was kept or discarded; `byKey` if the field still has the focus. */
   readonly close: (byKey: boolean) => void;

@@ -52,14 +52,14 @@ export interface SeamRow {
   readonly between: string | undefined;
   /** Labels of the pieces on sides a and b. */
   readonly sides: readonly [string, string];
-  /** Mean of both sides, as drafted. [cm] */
+  /** Mean length of both sides, as drafted. [cm] */
   readonly length: number;
   /** Mean mismatch along the seam, before and after the solve. [cm] */
   readonly before: number;
   readonly after: number;
   /** Greatest mismatch of any edge. [cm] */
   readonly worst: number;
-  /** Whether the sides differ too much in length for the print to continue along the whole seam. */
+  /** True if the sides differ too much in length for the print to continue along the whole seam. */
   readonly gathered: boolean;
   /**
    * Mismatch of the print followed along the whole seam; undefined for gathers, since it has no
@@ -79,11 +79,11 @@ export interface SeamRow {
   /** Labels of the pieces whose side of the seam stays as drafted. */
   readonly keptOn: readonly string[];
   /**
-   * Whether the user can switch matching on: neither piece is plain, and the file does not exclude
+   * True if the user can switch matching on: neither piece is plain, and the file does not exclude
    * the seam.
    */
   readonly canMatch: boolean;
-  /** Whether the seam counts; false also for a seam that matches wherever the print is. */
+  /** True if the seam counts; false also for a seam that matches wherever the print is. */
   readonly counts: boolean;
 }
 

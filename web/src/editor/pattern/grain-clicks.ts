@@ -20,10 +20,7 @@ function drafted(scene: PatternScene, {piece, point}: OnPiece): Point {
   return [scene.pattern.pieces[piece]?.mirroredFromInput ? -x : x, y];
 }
 
-/**
- * Returns the upward direction of an edge as drafted, from end to end; an edge itself has none.
- * [degrees]
- */
+/** Returns the upward direction of an edge as drafted, since an edge has none itself. [degrees] */
 function alongEdge(scene: PatternScene, {piece, edge}: LineTarget): number | undefined {
   const {rest = [], outline = []} = scene.pattern.pieces[piece] ?? {};
   const {edges = []} = scene.pieces[piece] ?? {};
@@ -47,7 +44,7 @@ export class GrainClicks {
     this.#workbench = workbench;
   }
 
-  /** Whether the next click is a point, even near a line. */
+  /** True if the next click is a point, even near a line. */
   get hasFirst(): boolean {
     return this.#first !== undefined;
   }
@@ -56,7 +53,7 @@ export class GrainClicks {
     this.#first = this.#refused = undefined;
   }
 
-  /** Removes the first point. @returns whether there was one */
+  /** Removes the first point. @returns true if there was one */
   back(): boolean {
     const had = this.hasFirst;
     this.begin();

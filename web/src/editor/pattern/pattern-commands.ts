@@ -24,7 +24,7 @@ const tool =
     return true;
   };
 
-/** @returns whether the command has an effect at present */
+/** @returns true if the command has an effect at present */
 type Act = (pane: CommandedPattern) => boolean;
 
 export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {

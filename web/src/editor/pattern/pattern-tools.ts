@@ -43,7 +43,7 @@ const sewingReach = 2;
 export class PatternTools {
   readonly chooser: SymmetryChooser;
   readonly grain: GrainClicks;
-  /** Whether there is one tool only, which is always active. */
+  /** True if there is one tool only, which is always active. */
   readonly isFixed: boolean;
   readonly #workbench: Workbench;
   readonly #changed: () => void;
@@ -113,7 +113,7 @@ export class PatternTools {
     this.#changed();
   }
 
-  /** Undoes one step of the tool. @returns whether there was one */
+  /** Undoes one step of the tool. @returns true if there was one */
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
@@ -175,8 +175,8 @@ export class PatternTools {
   }
 
   /**
-   * A press inside a piece sets a point; a press on a line does so after the first point of a grain
-   * line.
+   * A press inside a piece sets a point; after the first point of a grain line, a press on a line
+   * does.
    */
   #isPointInside(target: Picked | undefined): boolean {
     const takesPoints = this.active === 'piece' || this.active === 'grain';

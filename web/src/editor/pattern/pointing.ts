@@ -69,7 +69,7 @@ export class Pointing {
 
   /**
    * Starts to drag an end of the chosen edge, or the print inside a piece, if the tool allows it.
-   * @returns whether a drag started
+   * @returns true if a drag started
    */
   press(event: PointerEvent, at: Point): boolean {
     const {workbench, view, tools} = this.#pane;

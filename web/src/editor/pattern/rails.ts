@@ -1,7 +1,4 @@
-/**
- * Lines for moving the print of a symmetric piece: its axis stays on one of the print's mirror
- * lines.
- */
+/** Lines for the print of a symmetric piece, whose axis stays on a mirror line of the print. */
 import {leftOf, minus, plus, type Point} from '../../model/geometry.js';
 import {mirroringsOf, ownMirroring} from '../../model/pins.js';
 import {axisLine, footOnAxis} from '../../model/mirror-lines.js';
@@ -27,10 +24,7 @@ function inside(
   });
 }
 
-/**
- * Returns the axis of the selected piece, and the next mirror lines of the print on both sides of
- * it.
- */
+/** Returns the axis of the selected piece, and the next mirror lines of the print on both sides. */
 export function railsOf(
   scene: PatternScene,
   selected: Target | undefined,

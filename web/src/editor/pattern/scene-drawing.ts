@@ -65,7 +65,7 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     `,
   ];
 
-  /** Whether another drawing makes the scenes, and owns the window of the sheet. */
+  /** True if another drawing makes the scenes, and owns the window of the sheet. */
   declare beside: boolean;
   readonly #maker = new SceneMaker();
   readonly #appearance = new AppearanceController(this);
@@ -116,15 +116,12 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     if (this.workbench.view === this.#window) this.workbench.view = undefined;
   }
 
-  /** Whether the drawing shows the garment as drafted. */
+  /** True if the drawing shows the garment as drafted. */
   get showsDraft(): boolean {
     return this.#showsDraft;
   }
 
-  /**
-   * Shows the garment as drafted until `showAnswer`; points and images are then those of the draft,
-   * too.
-   */
+  /** Shows the garment as drafted until `showAnswer`, also for points and images. */
   showDraft(): void {
     this.#showsDraft = true;
     this.requestUpdate();
@@ -141,10 +138,7 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     return this.#view;
   }
 
-  /**
-   * Message if drawing is impossible: without WebGL 2, without its context, or without the code for
-   * it.
-   */
+  /** Message if drawing is impossible: no WebGL 2, no context, or no code for it. */
   protected get undrawable(): string | undefined {
     return this.#undrawable;
   }

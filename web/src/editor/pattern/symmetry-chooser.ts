@@ -49,7 +49,7 @@ export class SymmetryChooser {
     return this.#state.stage === 'outside' ? undefined : this.#state.tool;
   }
 
-  /** Whether both choices are valid, so that the user can accept the symmetry. */
+  /** True if both choices are valid, so that the user can accept the symmetry. */
   get isReady(): boolean {
     const state = this.#state;
     return (
