@@ -1,20 +1,20 @@
-/** Keys that work wherever in the editor the focus is. */
+/** Keys that work anywhere in the editor. */
 import {shortcutFor, shortcuts, type ShortcutIn} from './commands/shortcuts.js';
 
-/** What there is to be asked for; a page adds its own to the editor's. */
+/** Functions that shortcuts run; a page adds its own to the editor's. */
 export type KeyCommands = Readonly<Partial<Record<ShortcutIn<'page' | 'editor'>, () => void>>>;
 
-/** Does what a key asks for, unless somebody has done so already. */
+/** Runs the command of a key event, unless another listener has already handled the event. */
 export function editorKeys(event: KeyboardEvent, commands: KeyCommands): void {
   const id = event.defaultPrevented ? undefined : shortcutFor(event, ['page', 'editor']);
   const command = id && commands[id];
-  // in a field, undo belongs to what is being typed
+  // undo in a field applies to the text of the field
   if (!command || (shortcuts[id].where === 'editor' && isTyping(event))) return;
   event.preventDefault();
   command();
 }
 
-/** Whether a key that nobody has taken may be one of the pattern's: not in a field, nor in a dialog. */
+/** Returns whether the pattern may use a key event: unhandled, outside fields and open dialogs. */
 export const isFree = (event: KeyboardEvent): boolean =>
   !event.defaultPrevented &&
   !isTyping(event) &&
@@ -22,6 +22,6 @@ export const isFree = (event: KeyboardEvent): boolean =>
 
 const isTyping = (event: KeyboardEvent): boolean => {
   const [target] = event.composedPath();
-  if (target instanceof HTMLSelectElement) return true; // a letter chooses
+  if (target instanceof HTMLSelectElement) return true; // a letter key selects an option
   return target instanceof HTMLInputElement && ['text', 'number'].includes(target.type);
 };

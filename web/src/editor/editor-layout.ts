@@ -3,8 +3,8 @@ import {css} from 'lit';
 import {framed} from './style/tool-group.js';
 
 /**
- * By the width of the editor itself, wherever it stands. `--sw-editor-height` is how high it is. The pattern is
- * always in sight: what scrolls stands beside it, or where that is too narrow, below it.
+ * The layout depends on the width of the editor itself; `--sw-editor-height` sets its height. The
+ * pattern is always visible: scrolling panels are beside it, or below it in a narrow editor.
  */
 export const editorLayout = css`
   :host {

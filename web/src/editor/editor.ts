@@ -1,4 +1,4 @@
-/** The editing workbench: what is decided on the left, the pattern in the middle, how well it fits on the right. */
+/** The editing workbench: settings on the left, pattern in the middle, mismatch on the right. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries} from '../model/design.js';
@@ -29,16 +29,17 @@ import {editorLayout} from './editor-layout.js';
 import type {PhotoKeeper} from './photo/photo-keeper.js';
 import {KeptHeight} from './kept-height.js';
 
-/** What the garment is shown by: its pieces, as it is worn, or its pieces on their cloth. */
+/** Views of the garment: pattern pieces, drape, both side by side, or fabric layout. */
 export const editorViews = ['pattern', 'garment', 'both', 'cloth'] as const;
 type EditorView = (typeof editorViews)[number];
 
-/** What somebody does who does not wait for the first answer. */
+/** The first of these interactions loads the later parts, even before the first result. */
 const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
 
 /**
- * Whoever uses it puts controls of their own into its head: what is being edited into the slot `start`, what can
- * be done with it into `actions`, and what may lie over the legend for a while into `hint`. Where it is narrow, those of `order: -1` join the steps in its first row.
+ * Slots: `start` in the header for the name of the design, `actions` in the header for its
+ * commands, and `hint` for a hint that may cover the legend for a while. In a narrow editor,
+ * slotted elements with `order: -1` join undo and redo in the first row of the header.
  */
 export class Editor extends WorkbenchElement {
   static override properties = {
@@ -49,14 +50,14 @@ export class Editor extends WorkbenchElement {
     shows: {attribute: false},
     sheet: {state: true},
   };
-  /** The prints that come with Seamwise, to choose from. */
+  /** The prints that come with Seamwise. */
   declare samples: Samples | undefined;
-  /** What a page adds that has keys of its own. */
+  /** Functions of the page that have keyboard shortcuts. */
   declare commands: KeyCommands;
-  /** What keeps the photographs that prints are made of, where a page stores anything. */
+  /** Opens the storage of photos that became prints; undefined if the page stores nothing. */
   declare photos: (() => Promise<PhotoKeeper>) | undefined;
   declare shows: EditorView;
-  /** What is open below the pattern where there is no room beside it. */
+  /** The sheet that is open below the pattern in a narrow editor. */
   declare protected sheet: Sheet | undefined;
 
   static override styles = [controls, editorLayout];
@@ -99,7 +100,7 @@ export class Editor extends WorkbenchElement {
     });
   }
 
-  /** Keys that work wherever the focus is: in the editor by themselves, elsewhere when a page hands them on. */
+  /** Handles keys anywhere in the editor; a page can pass on key events from outside the editor. */
   press(event: KeyboardEvent): void {
     editorKeys(event, {...this.commands, ...this.#own});
     if (isFree(event)) this.pattern?.sewByKey(event);
@@ -109,22 +110,22 @@ export class Editor extends WorkbenchElement {
     return this.renderRoot.querySelector<PatternPane>('sw-pattern');
   }
 
-  /** Undefined while the pattern alone is shown, and until what shows it is loaded. */
+  /** The drape; undefined while it is hidden or still loads. */
   get worn(): WornPane | undefined {
     return this.renderRoot.querySelector<WornPane>('sw-worn:defined') ?? undefined;
   }
 
-  /** Undefined while something else is shown, and until what shows it is loaded. */
+  /** The fabric layout; undefined while it is hidden or still loads. */
   get cloth(): ClothPane | undefined {
     return this.renderRoot.querySelector<ClothPane>('sw-cloth:defined') ?? undefined;
   }
 
   show(view: EditorView): void {
     this.shows = view;
-    if (view === 'both' || view === 'cloth') this.sheet = undefined; // they want the room of it
+    if (view === 'both' || view === 'cloth') this.sheet = undefined; // both need the room
   }
 
-  /** The keys of the pattern work. */
+  /** Focuses the pattern, so that its keys work. */
   toPattern(): void {
     if (this.shows !== 'both') this.show('pattern');
     void this.updateComplete.then(() => {
@@ -132,7 +133,7 @@ export class Editor extends WorkbenchElement {
     });
   }
 
-  /** Shows or hides the map of keys. */
+  /** Shows or hides the list of keyboard shortcuts. */
   toggleKeys(): void {
     this.#own.keys();
   }
@@ -144,7 +145,7 @@ export class Editor extends WorkbenchElement {
     map?.open();
   }
 
-  /** Makes a print of a photograph, on a sheet of its own. */
+  /** Opens the photo dialog, which makes a print from a photo. */
   async #toPhoto({detail}: PhotoWanted): Promise<void> {
     try {
       const openPhoto = await loadPhoto();
@@ -158,7 +159,7 @@ export class Editor extends WorkbenchElement {
     }
   }
 
-  /** Where it is narrow, the lens is on a sheet. */
+  /** The lens is on the sheet `fit` in a narrow editor. */
   async #toLens(): Promise<void> {
     this.sheet = 'fit';
     await loadLaterParts();
@@ -166,14 +167,14 @@ export class Editor extends WorkbenchElement {
     this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
   }
 
-  /** Where it is narrow, the fields are on a sheet. */
+  /** The size fields are on the sheet `print` in a narrow editor. */
   async #toSize(): Promise<void> {
     this.sheet = 'print';
     await this.updateComplete;
     this.renderRoot.querySelector<PrintPanel>('sw-print-panel')?.toSize();
   }
 
-  /** A seam that somebody picks in the pattern is to be seen from near. */
+  /** Opens the sheet with the lens in a narrow editor once the user selects a seam. */
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     if (this.shows !== 'pattern') void this.#load();
@@ -198,7 +199,7 @@ export class Editor extends WorkbenchElement {
     const {design, afterwards} = this.workbench;
     const isSymmetric = design && askedSymmetries(design).length > 0;
     this.#headline.about = `${design?.garment.name} ${isSymmetric ? 'symmetric' : ''}`;
-    // all that is found out afterwards is said there, too, and comes bit by bit
+    // the headline also shows later improvements, which arrive one by one
     const isImproving = design && afterwards.improving(design)?.isRunning;
     this.#headline.stir(kind === 'done' && !isImproving);
   }
@@ -288,7 +289,7 @@ export class Editor extends WorkbenchElement {
     return this.shows === 'pattern' || this.shows === 'both';
   }
 
-  /** What is shown beside the pattern or in its place. */
+  /** The view beside the pattern or in its place. */
   #beside(): TemplateResult | typeof nothing {
     const {workbench, shows} = this;
     if (shows === 'pattern') return nothing;
@@ -306,13 +307,13 @@ export class Editor extends WorkbenchElement {
 
   readonly #keysOfSewing = (): KeyList => this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
 
-  /** Commands whose keys work here. */
+  /** Commands whose shortcuts work in this editor. */
   get #known(): readonly ShortcutId[] {
     return Object.keys({...this.commands, ...this.#own}) as ShortcutId[];
   }
 }
 
-/** Registers the editor as `sw-editor`, and all that it is made of. */
+/** Registers the editor as `sw-editor`, and all its parts. */
 export function defineEditor(): void {
   defineParts();
   register('sw-editor', Editor);

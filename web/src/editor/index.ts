@@ -1,4 +1,4 @@
-/** The parts that the page is built of. */
+/** Parts that the page is built from. */
 export * from './base/workbench-element.js';
 export {controls} from './style/controls.js';
 export {openPrint} from './print/own-tile.js';

@@ -1,6 +1,6 @@
-/** Keeps a part as high as it has been, so that nothing below it moves while its words come and go. */
+/** Keeps an element at its greatest height so far, so that content below it does not move. */
 
-/** After so long without a change, nobody waits for words any more: then no gap stays below them. [ms] */
+/** Time without a change after which the element releases the height it no longer needs. [ms] */
 const settling = 2000;
 
 export class KeptHeight {
@@ -11,7 +11,7 @@ export class KeptHeight {
   #width = 0;
   #highest = 0;
 
-  /** @param part whose own `details` may still open and close */
+  /** @param part element to keep; heights with an open `details` are not counted */
   constructor(part: HTMLElement) {
     this.#part = part;
     this.#observer = new ResizeObserver(([entry]) => {
@@ -21,19 +21,19 @@ export class KeptHeight {
     this.#observer.observe(part);
   }
 
-  /** What it speaks of; of something else it may be less high. */
+  /** Subject of the element's text; a new subject resets the height. */
   set about(about: string) {
     if (about === this.#about) return;
     this.#about = about;
     this.#forget();
   }
 
-  /** Something has changed around it. @param isSettled whether all its words are there */
+  /** Restarts the pause after a change. @param isSettled true if the element has all its text */
   stir(isSettled: boolean): void {
     clearTimeout(this.#pause);
     if (!isSettled) return;
     this.#pause = setTimeout(() => {
-      // what somebody points at stays where it is
+      // nothing moves under the pointer
       if (this.#part.parentElement?.matches(':hover')) this.stir(true);
       else this.#forget();
     }, settling);
@@ -59,7 +59,7 @@ export class KeptHeight {
   #forget(): void {
     this.#highest = 0;
     this.#part.style.minHeight = '';
-    // measured again, whether or not that has changed its height
+    // observing again causes a measurement, even of an unchanged height
     this.#observer.unobserve(this.#part);
     this.#observer.observe(this.#part);
   }

@@ -1,4 +1,4 @@
-/** The parts that are only seen once there is an answer, or once somebody asks for something. */
+/** Parts that are first visible after the first result or after a user's request. */
 import {SolvePanel} from './controls/solve-panel.js';
 import {LensStrip} from './lens/lens-strip.js';
 import {SeamLens} from './lens/lens.js';

@@ -1,4 +1,4 @@
-/** Loads what the first answer does not wait for. A part that is shown before is drawn once it is there. */
+/** Loads the parts that the first result does not need; parts in the page are drawn once loaded. */
 
 let loading: Promise<void> | undefined;
 
@@ -7,26 +7,26 @@ async function load(): Promise<void> {
     const {defineLaterParts} = await import('./later-parts.js');
     defineLaterParts();
   } catch {
-    loading = undefined; // without network: to be tried again
+    loading = undefined; // offline: the next call tries again
   }
 }
 
-/** Once; what fails is tried again by the next call. */
+/** Loads the later parts once; the next call repeats a failed load. */
 export const loadLaterParts = (): Promise<void> => (loading ??= load());
 
-/** Loads what shows the garment as it is worn. @throws {Error} where it cannot be had */
+/** Loads the drape. @throws {Error} if its module cannot be loaded */
 export async function loadWorn(): Promise<void> {
   const {defineWorn} = await import('./worn/define-worn.js');
   defineWorn();
 }
 
-/** Loads what makes prints of photographs. @throws {Error} where it cannot be had */
+/** Loads the photo dialog. @throws {Error} if its module cannot be loaded */
 export async function loadPhoto() {
   const {openPhoto} = await import('./photo/define-photo.js');
   return openPhoto;
 }
 
-/** Loads what shows the pieces on their cloth. @throws {Error} where it cannot be had */
+/** Loads the fabric layout. @throws {Error} if its module cannot be loaded */
 export async function loadCloth(): Promise<void> {
   const {defineCloth} = await import('./cloth/define-cloth.js');
   defineCloth();

@@ -1,6 +1,6 @@
 /**
- * The parts that the first answer needs, by the names that templates call them; `later-parts.ts` has the others.
- * Importing a part registers nothing: whoever uses them does.
+ * The parts that the first result needs, by tag name; `later-parts.ts` has the others. Importing a
+ * part registers nothing; `defineParts` does.
  */
 import {NumberField} from './controls/number-field.js';
 import {Settings} from './controls/settings.js';

@@ -1,12 +1,12 @@
-/** Whether a part is to be drawn light or dark: as its user chose, or as what is around it. */
+/** Light or dark appearance of a part: the user's choice, or that of its surroundings. */
 import {css, type ReactiveController} from 'lit';
 
 import type {Appearance} from '../../viewer/strokes.js';
 import type {WorkbenchElement} from './workbench-element.js';
 
 /**
- * For the styles of whoever is drawn. It shows in a property that is seen nowhere else which `color-scheme` the
- * part has, and has the browser tell when that changes.
+ * Styles for hosts of an `AppearanceController`. `column-rule-color`, which is invisible there,
+ * shows the computed `color-scheme`; its transition fires `transitionend` once that scheme changes.
  */
 export const colourScheme = css`
   :host {
@@ -23,7 +23,7 @@ const shown: Readonly<Record<string, Appearance>> = {
 export class AppearanceController implements ReactiveController {
   readonly #host: WorkbenchElement;
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
-  /** As last asked for. Asking at every update would have the page styled each time. */
+  /** Cached, since reading it at every update would recompute the page's styles each time. */
   #around: Appearance | undefined;
 
   constructor(host: WorkbenchElement) {

@@ -1,9 +1,9 @@
 import {angleOf, type Point} from '../../model/geometry.js';
 
-/** Counter-clockwise, by eighths of a turn. */
+/** Arrows in counter-clockwise order, in eighths of a turn. */
 const signs = ['→', '↗', '↑', '↖', '←', '↙', '↓', '↘'] as const;
 
-/** The arrow that points most nearly as a vector does, y upwards. */
+/** Returns the arrow nearest to the direction of a vector, y upwards. */
 export function directionSign(vector: Point): string {
   const eighths = Math.round((angleOf(vector) * signs.length) / (2 * Math.PI));
   return signs[(eighths + signs.length) % signs.length] ?? '';

@@ -1,4 +1,4 @@
-/** What has the focus, in whatever shadow. */
+/** Returns the element with the focus, in any depth of shadow roots. */
 export function focused(): Element | null {
   let found = document.activeElement;
   while (found?.shadowRoot?.activeElement) found = found.shadowRoot.activeElement;

@@ -1,7 +1,7 @@
-/** Drags, each of which is one step of the history. */
+/** Records a drag as one step of the history. */
 import type {Workbench} from '../../workbench/workbench.js';
 
-/** From a press until that pointer is lifted, wherever it is by then. */
+/** Holds the history from a press until the same pointer is lifted, anywhere in the window. */
 export function holdWhilePressed(workbench: Workbench, {pointerId}: PointerEvent): void {
   const letGo = workbench.hold();
   const done = new AbortController();

@@ -1,7 +1,9 @@
-/** A browser may say that it is online before anything can be reached, or say nothing at all. [ms] */
+/**
+ * Polling interval: browsers report `online` before any server can be reached, or not at all. [ms]
+ */
 const pause = 5000;
 
-/** Calls back once, when the network may be back, unless `signal` fires before. */
+/** Calls `act` once when the network may be back, unless `signal` aborts first. */
 export function onceOnline(act: () => void, signal: AbortSignal): void {
   const done = new AbortController();
   const end = AbortSignal.any([done.signal, signal]);

@@ -1,9 +1,9 @@
-/** Registers a part, unless that is done already: two who use the parts on one page do not get in each other's way. */
+/** Registers a custom element unless its name is taken, so that a page may load the parts twice. */
 export function register(name: string, part: CustomElementConstructor): void {
   if (!customElements.get(name)) customElements.define(name, part);
 }
 
-/** Registers parts by their names. */
+/** Registers custom elements by tag name. */
 export function registerAll(parts: Readonly<Record<string, CustomElementConstructor>>): void {
   for (const [name, part] of Object.entries(parts)) register(name, part);
 }

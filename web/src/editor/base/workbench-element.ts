@@ -1,4 +1,4 @@
-/** What every part of the page is: an element that shows a workbench, and is drawn again when what it shows changes. */
+/** Base class of every part: an element that shows a workbench and redraws after changes to it. */
 import {LitElement} from 'lit';
 
 import type {Format} from '../../texts/format.js';
@@ -10,12 +10,12 @@ import type {Workbench} from '../../workbench/workbench.js';
 export abstract class WorkbenchElement extends LitElement {
   static override properties: Record<string, object> = {workbench: {attribute: false}};
   declare workbench: Workbench;
-  /** Those parts of the workbench that were read of when this was drawn last, and what ends following each. */
+  /** Observables that the last update read, each with the function that ends its subscription. */
   readonly #followed = new Map<Observable, () => void>();
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.requestUpdate(); // what has changed meanwhile was not told
+    this.requestUpdate(); // the element missed changes while it was disconnected
   }
 
   override disconnectedCallback(): void {
@@ -23,7 +23,7 @@ export abstract class WorkbenchElement extends LitElement {
     this.#follow(new Set());
   }
 
-  /** Whatever is read of on the way is followed from then on. */
+  /** Subscribes to all observables that the update reads. */
   protected override performUpdate(): void {
     if (!this.isUpdatePending) return;
     const read = Observable.readBy(() => {
@@ -32,19 +32,19 @@ export abstract class WorkbenchElement extends LitElement {
     if (this.isConnected) this.#follow(read);
   }
 
-  /** All words, in the language of the user. */
+  /** All texts in the user's language. */
   protected get texts(): Texts {
     const {language, messages} = this.workbench.preferences;
     return textsOf(language, messages);
   }
 
-  /** All numbers, in the language and units of the user. */
+  /** Formats numbers in the user's language and units. */
   protected get format(): Format {
     const {language, units} = this.workbench.preferences;
     return formatFor(language, units);
   }
 
-  /** Something that this shows may be another. */
+  /** Runs after a change to an observable that the last update read. */
   protected workbenchChanged(): void {
     this.requestUpdate();
   }
@@ -66,8 +66,8 @@ export abstract class WorkbenchElement extends LitElement {
 }
 
 /**
- * A part that takes its time to be drawn. What the workbench tells it is drawn in a task of its own, so that it
- * holds up no other part and no frame; what is done to the part itself is answered at once.
+ * A part that takes long to draw. It draws changes to the workbench in a separate task, so that it
+ * delays no other part and no frame; it draws changes to its own properties at once.
  */
 export abstract class PatientElement extends WorkbenchElement {
   #waits = false;

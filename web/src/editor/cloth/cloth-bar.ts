@@ -1,16 +1,16 @@
-/** Buttons above and below the cloth. */
+/** Buttons above and below the fabric layout. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Texts} from '../../texts/texts.js';
 import {drawn, icon} from '../style/icons.js';
 
-/** The cloth as its buttons see it. */
+/** State and functions that the buttons of the fabric layout use. */
 interface BarredCloth {
   readonly isReady: boolean;
-  /** Flaws can be marked. */
+  /** True if flaws can be marked. */
   readonly canMark: boolean;
-  /** A piece is selected, and whether it is pinned. */
+  /** The selected piece, if any. */
   readonly chosen: {readonly isPinned: boolean} | undefined;
   readonly hasPins: boolean;
   readonly isMarking: boolean;
@@ -22,7 +22,7 @@ interface BarredCloth {
   fit(): void;
 }
 
-/** Of a press of a button; a key goes less far. */
+/** Zoom step of a button; a key zooms less. */
 const zoomFactor = 1.4;
 
 const flawIcon = drawn(

@@ -1,12 +1,12 @@
-/** What can be done to the pieces on their cloth, by a key or by its name. */
+/** Commands of the fabric layout, by key or by name. */
 import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Texts} from '../../texts/texts.js';
 import {keysOf, type KeyList} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
 
-/** The cloth as keys and commands see it. */
+/** State and functions that commands and keys of the fabric layout use. */
 interface CommandedCloth {
-  /** Something is laid, of the present design. */
+  /** True if there is a marker of the present design. */
   readonly isReady: boolean;
   zoomBy(factor: number): void;
   fit(): void;
@@ -16,11 +16,11 @@ interface CommandedCloth {
   takeOff(): void;
   pack(): void;
   toggleFlawTool(): void;
-  /** Where it is seen, to be moved by keys. */
+  /** Adds a flaw in the visible part, to be moved by keys. */
   putFlaw(): void;
 }
 
-/** One notch of zoom by a key. */
+/** Zoom step of a key. */
 const notch = 1.25;
 
 function looking(cloth: CommandedCloth, {commands, pattern}: Texts): readonly Command[] {
@@ -110,7 +110,7 @@ export const clothCommands = (
   ...(cloth.isReady ? handling(cloth, texts, words) : []),
 ];
 
-/** All keys of the view, whether or not there is anything to use them on just now. */
+/** All keys of the view, including those without use at present. */
 export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
   const {move, moveOnto, turnOnto, leave, closeFlaw, sizeFlaw} = words.keys;
   const arrows = '←  →  ↑  ↓';

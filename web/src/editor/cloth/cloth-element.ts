@@ -1,4 +1,4 @@
-/** What the parts of the cloth's view have in common. */
+/** Base class of the parts of the fabric layout. */
 import {clothTexts, type ClothTexts} from '../../texts/cloth-texts.js';
 import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {layingOf, type Laying} from '../../workbench/laying.js';
@@ -14,12 +14,12 @@ export abstract class ClothElement extends WorkbenchElement {
     return clothTexts(language, messages);
   }
 
-  /** What a piece of the garment is called. */
+  /** Returns the label of a piece of the garment. */
   protected nameOf(name: string): string {
     return this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name;
   }
 
-  /** The same of a piece on the cloth, with a number where several are cut of it. */
+  /** Returns the label of a piece on the fabric, numbered if the marker contains several of it. */
   protected readonly labelOf = ({name, number}: Pick<PieceOnCloth, 'name' | 'number'>): string => {
     const label = this.nameOf(name);
     const {names} = this.laying;

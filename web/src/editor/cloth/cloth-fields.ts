@@ -1,4 +1,4 @@
-/** What is said of the cloth and of what is cut from it: width and edges, how many garments, allowances, where the print starts, which way up. */
+/** Fields of the fabric layout: width, edges, copies, allowances, start of the print, nap. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {OwnShare} from '../../cutting/allowances.js';
@@ -11,14 +11,14 @@ import {lengthUnit} from '../controls/number-field.js';
 
 interface Fields {
   readonly choices: ClothChoices;
-  /** Where the print starts in the plan that is shown. [cm] */
+  /** Start of the print in the displayed marker. [cm] */
   readonly startCm: number | undefined;
-  /** Somebody wants to enter a width of their own. */
+  /** True if the user enters a width outside the list. */
   readonly hasOwnWidth: boolean;
-  /** Somebody wants to change the allowances. */
+  /** True if the fields for allowances are open. */
   readonly hasAllowances: boolean;
   readonly ownAllowances: OwnShare;
-  /** The print looks different upside down. */
+  /** True if the print looks different upside down. */
   readonly isOneWay: boolean;
   readonly units: Units;
   readonly format: Format;
@@ -35,7 +35,7 @@ const chosen = (event: Event): string => (event.target as HTMLSelectElement).val
 
 type Length = Exclude<keyof typeof clothLimits, 'copies'>;
 
-/** What the arrow keys add, where it is not half a unit. */
+/** Steps of the arrow keys other than half a unit. */
 const fineSteps: Partial<Record<Length, number>> = {gapCm: 0.1, allowanceCm: 0.1, hemCm: 0.1};
 
 function lengthField(
@@ -100,7 +100,7 @@ function widthFields(fields: Fields): TemplateResult {
     ${isOwn ? lengthField(fields, 'widthCm', words.widthIn) : nothing}`;
 }
 
-/** The allowances are those of cutting files, too; a pattern that has its own takes those. */
+/** Cutting sheets use the same allowances. The allowances of the pattern itself take precedence. */
 function allowanceFields(fields: Fields): TemplateResult {
   const {choices, format, words, ownAllowances, hasAllowances, askAllowances} = fields;
   if (ownAllowances === 'all')

@@ -1,4 +1,4 @@
-/** What there is to take away of a plan. */
+/** Files of a marker. */
 import {layPlanText} from '../../marker/plan.js';
 import {decidedOf, noPicture, printOf, type DesignPrint} from '../../model/design.js';
 import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
@@ -12,13 +12,13 @@ import {embeddedTile, pixelsOfTile} from '../cut/cell-picture.js';
 interface ClothFile {
   readonly id: string;
   readonly title: string;
-  /** Of its name. */
+  /** Suffix of the file name. */
   readonly ending: string;
-  /** @throws {Error} with one sentence */
+  /** @throws {Error} one sentence as its message */
   readonly make: () => Promise<Blob>;
 }
 
-/** What the plan is drawn with. @throws {Error} when the print's picture cannot be read */
+/** Returns the options for drawing a marker. @throws {Error} if the print's image cannot be read */
 async function drawnWith({design, garment, result, preferences}: Workbench, print: DesignPrint) {
   const tile = print.image === noPicture ? undefined : await embeddedTile(print.image);
   const marks = design && garment ? panelMarks(garment, decidedOf(design)) : undefined;
@@ -37,7 +37,7 @@ async function drawnWith({design, garment, result, preferences}: Workbench, prin
   };
 }
 
-/** @param print that it is laid on */
+/** @param print print of the fabric */
 export function clothFiles(
   plan: LayPlan,
   {

@@ -1,4 +1,4 @@
-/** Flaws of the cloth as a list: each by where it lies, to be moved by arrow keys or by figures, and removed. */
+/** List of the flaws of the fabric by position, to move by arrow keys or numbers, or to remove. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Flaw} from '../../workbench/lay-step.js';
@@ -16,9 +16,9 @@ export class ClothFlaws extends ClothElement {
     actions: {attribute: false},
     chosen: {attribute: false},
   };
-  /** What changes them. */
+  /** Functions that change flaws. */
   declare actions: FlawActions;
-  /** The number of the one whose figures are shown, from 0. */
+  /** Index of the flaw whose fields are open. */
   declare chosen: number | undefined;
 
   static override styles = [
@@ -175,7 +175,7 @@ export class ClothFlaws extends ClothElement {
     this.#change(number, changed);
   }
 
-  /** What is removed leaves the focus with the next one. */
+  /** The focus moves to the next flaw after a removal. */
   #change(number: number, flaw: Flaw | null): void {
     this.actions.changeFlaw(number, flaw);
     if (!flaw) void this.#focusOn(number);

@@ -1,4 +1,4 @@
-/** What is done to a piece on the cloth by keys and buttons. */
+/** Moves of a piece on the fabric by keys and buttons. */
 import {
   onFrom,
   Places,
@@ -20,14 +20,21 @@ export const ways: Readonly<Record<string, Point>> = {
   ArrowDown: [0, -1],
 };
 
-/** Where a piece goes. */
+/** Target of a move. */
 interface Move {
   readonly place: Alignment;
-  /** How far from where it was looked for, where nearer places are taken; undefined where it is the nearest. [cm] */
+  /**
+   * Distance from the wanted position if nearer places are occupied; undefined at the nearest
+   * place. [cm]
+   */
   readonly fartherCm: number | undefined;
 }
 
-/** @param from where it is looked for @param takes whether it may be where others lie */
+/**
+ * Returns the place of least cost; undefined if there is none.
+ * @param from wanted position
+ * @param takes true if the piece may overlap others
+ */
 function moveTo(
   places: Places,
   cost: (at: Point) => number,
@@ -43,7 +50,10 @@ function moveTo(
   };
 }
 
-/** The next place in a direction; undefined where there is none. @param takes whether it may be where others lie */
+/**
+ * Returns the next place in a direction; undefined if there is none.
+ * @param takes true if the piece may overlap others
+ */
 export function placeOn(
   pieces: readonly PieceOnCloth[],
   piece: PieceOnCloth,
@@ -56,18 +66,24 @@ export function placeOn(
   return places && moveTo(places, onFrom(translation, way), translation, takes);
 }
 
-/** What lies further away than this, or than one repeat, is not near. Chosen: a hand's breadth. [cm] */
+/** Least radius of nearby places, unless a repeat is longer. Chosen: a hand's breadth. [cm] */
 const leastReach = 10;
 
-/** How far a pinned piece may go when it is turned: somebody wants it about there. [cm] */
+/**
+ * Greatest distance that a pinned piece may move when it turns, since the user wants it about
+ * there. [cm]
+ */
 export const reachOfPinned = ({repeat: {w1, w2}}: Bolt): number =>
   Math.max(leastReach, ...reducedBasis(w1, w2).map(norm));
 
-/** Whether it has more than one turn, wherever that is free. */
+/** Returns whether a piece has more than one turn, free or occupied. */
 export const canTurn = ({piece}: PieceOnCloth, bolt: Bolt): boolean =>
   turnsOf(piece, bolt).length > 1;
 
-/** The nearest place at its next turn that has one; undefined where it has none. @param reach how far it may go [cm] */
+/**
+ * Returns the nearest place at the next turn that has one; undefined if no turn has one.
+ * @param reach greatest distance of the move [cm]
+ */
 export function placeTurned(
   pieces: readonly PieceOnCloth[],
   piece: PieceOnCloth,

@@ -1,4 +1,4 @@
-/** The pieces of the present answer on their cloth: its drawing, what is done to it, and the same as words. */
+/** The fabric layout: pieces of the result on the fabric as a drawing and a list, with tools. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {usedLength} from '../../marker/places.js';
@@ -25,11 +25,11 @@ import {margin, middleInSight, type SheetFrame} from './sheet-frame.js';
 import {sheetStyle} from './sheet-style.js';
 
 const zooms = {least: 1, most: 12} as const;
-/** Cloth that is shown beyond what is used. [cm] */
+/** Length of fabric displayed beyond the used length. [cm] */
 const beyond = 14;
-/** At the least. [cm] */
+/** Least used length in the drawing. [cm] */
 const leastLength = 50;
-/** Long cloth is shown at this share of the scale at which its width fills the view, at the least. */
+/** Least scale of long fabric, as a share of the scale at which the width fills the view. */
 const leastShare = 0.6;
 export class ClothPane extends FlawActions {
   static override styles = [controls, clothStyle, sheetStyle];
@@ -37,7 +37,7 @@ export class ClothPane extends FlawActions {
   readonly #pointing = new ClothPointing(this);
   #observer: ResizeObserver | undefined;
   #end: (() => void) | undefined;
-  /** Of the room that the cloth is shown in. [CSS px] */
+  /** Size of the drawing's container. [CSS px] */
   #room: Point = [0, 0];
   #zoom = 1;
   #isAtStart = false;
@@ -59,17 +59,17 @@ export class ClothPane extends FlawActions {
     this.#pointing.cancel();
   }
 
-  /** What it can be asked for, with the keys that mean it while it has the focus. */
+  /** Commands, with the keys that work while the pane has the focus. */
   get commands(): readonly Command[] {
     return clothCommands(this, this.texts, this.words);
   }
 
-  /** All that have a meaning here. */
+  /** All keys of the pane. */
   get keys(): KeyList {
     return clothKeys(this, this.texts, this.words);
   }
 
-  /** What can be had just now: nothing while pieces lie on each other. */
+  /** Files to save at present; none while a piece has a conflict. */
   get files(): ReturnType<typeof clothFiles> {
     const {words, workbench} = this;
     const {plan, print} = this.laying;
@@ -77,7 +77,7 @@ export class ClothPane extends FlawActions {
     return isGood ? clothFiles(plan, {words, workbench, print}) : [];
   }
 
-  /** What undo would take back here. */
+  /** Name of the step that undo reverts here. */
   get undoWords(): string | undefined {
     const {past = [], present} = this.laying.history ?? {};
     return layStepWords(past.at(-1), present, this.words);
@@ -88,10 +88,10 @@ export class ClothPane extends FlawActions {
     return layStepWords(present, future[0], this.words);
   }
 
-  /** @returns whether there was something to take back */
+  /** @returns true if there was a step to undo */
   undo(): boolean {
     this.#pointing.cancel();
-    this.say(''); // it may not be so any more
+    this.say(''); // the message may no longer be true
     return this.laying.undo();
   }
 
@@ -134,13 +134,13 @@ export class ClothPane extends FlawActions {
     return this.#pointing.isMarking;
   }
 
-  /** What is shown, for who points at it. */
+  /** The displayed state, for pointer events. */
   get shown(): PointedCloth['shown'] {
     const {pieces, bolt} = this.laying;
     return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
   }
 
-  /** Laid from now on. The cut edge is seen first. */
+  /** Starts packing once the pane is visible, and scrolls to the cut edge first. */
   protected override updated(): void {
     if (this.isConnected) this.#end ??= this.laying.show();
     const application = this.renderRoot.querySelector('.application');
@@ -208,11 +208,11 @@ export class ClothPane extends FlawActions {
 
   get #conflicts(): ReadonlyMap<number, string> {
     const {pieces, bolt, isMoved} = this.laying;
-    // what is laid keeps apart
+    // packed pieces have no conflicts
     return bolt && isMoved ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
   }
 
-  /** As large as there is room for, and as somebody has zoomed. */
+  /** The largest scale that fits into the view, times the user's zoom. */
   #frame(widthCm: number, usedCm: number): SheetFrame {
     const [width, height] = this.#room;
     const lengthCm = Math.max(usedCm, leastLength) + beyond;
@@ -247,7 +247,7 @@ export class ClothPane extends FlawActions {
     return conflictWords(piece, inWay, this.laying.pieces, this.labelOf, this.words);
   }
 
-  /** Of the one that is dragged, where it would come to lie. */
+  /** Place of the selected piece in words; during a drag, the place that it would take. */
   get #placeOfSelected(): string | undefined {
     const {bolt} = this.laying;
     const {dragged} = this.#pointing;
@@ -282,7 +282,7 @@ export class ClothPane extends FlawActions {
     wantSize(this);
   };
 
-  /** Keys work in the list of pieces, too; what presses buttons there does not. */
+  /** Keys also work in the list of pieces, except the keys that press its buttons. */
   readonly #pressInList = (event: KeyboardEvent): void => {
     const [target] = event.composedPath();
     const isField = target instanceof HTMLInputElement || target instanceof HTMLSelectElement;

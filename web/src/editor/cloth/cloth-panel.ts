@@ -1,4 +1,6 @@
-/** Beside the cloth: what there is to buy, what cloth it is, and the pieces as a list. */
+/**
+ * Panel beside the fabric layout: length to buy, fields of the fabric, and a list of the pieces.
+ */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {isOfPhases} from '../../model/lay-note.js';
@@ -27,11 +29,11 @@ export class ClothPanel extends ClothElement {
     hasAllowances: {state: true},
   };
   static override styles = [controls, section, panelStyle];
-  /** The number of a piece. */
+  /** Number of the selected piece. */
   declare selected: number | undefined;
-  /** Why pieces do not lie well, by their numbers. */
+  /** Conflicts of pieces as messages, by piece number. */
   declare conflicts: ReadonlyMap<number, string>;
-  /** What changes flaws, and the number of the one that is chosen, from 0. */
+  /** Functions that change flaws, and the index of the selected flaw. */
   declare actions: FlawActions;
   declare chosenFlaw: number | undefined;
   declare protected hasOwnWidth: boolean;
@@ -44,7 +46,7 @@ export class ClothPanel extends ClothElement {
     this.hasAllowances = false;
   }
 
-  /** What is selected elsewhere comes into sight. */
+  /** Scrolls to a piece that was selected elsewhere. */
   protected override updated(changed: PropertyValues<this>): void {
     if (!changed.has('selected')) return;
     this.renderRoot.querySelector('tr.selected')?.scrollIntoView({block: 'nearest'});
@@ -71,7 +73,7 @@ export class ClothPanel extends ClothElement {
       ${isShown && step?.plan ? this.#widths(step, step.plan) : nothing}`;
   }
 
-  /** What keeps the print from being aligned keeps pieces from being laid: why, and the ways out. */
+  /** Reason and remedies of a failed alignment, which also prevents a marker. */
   #unaligned(): TemplateResult | typeof nothing {
     const {state} = this.workbench;
     if (state.kind !== 'failed') return nothing;
@@ -92,14 +94,16 @@ export class ClothPanel extends ClothElement {
         ${this.#isWhole(plan) ? this.#proof(plan) : nothing}
         ${
           laying.isMoved
-            ? html`<li>${words.moved}</li>` // all else is of the plan before
+            ? html`<li>${words.moved}</li>` // the rest describes the marker before the move
             : html`${this.#costs(plan)} ${this.#range(phases)} ${this.#offers(plan)}`
         }
         ${this.#notes(plan).map((note) => html`<li>${note}</li>`)}
       </ul>`;
   }
 
-  /** All pieces can be cut as they lie, so that its length is one to buy. */
+  /**
+   * Returns whether all pieces can be cut as laid, so that the length of the marker can be bought.
+   */
   #isWhole({unplaced}: LayPlan): boolean {
     return unplaced.length === 0 && this.conflicts.size === 0;
   }
@@ -121,7 +125,7 @@ export class ClothPanel extends ClothElement {
       : nothing;
   }
 
-  /** What is not said by the figures already. */
+  /** Notes of the marker, except those that `#range` contains. */
   #notes({noteDetails}: LayPlan): readonly string[] {
     const {format, workbench} = this;
     const {notes} = planTextsIn(workbench.preferences.language);
@@ -141,7 +145,7 @@ export class ClothPanel extends ClothElement {
     return html`${costWords(plan, this.words, this.format).map((words) => html`<li>${words}</li>`)}`;
   }
 
-  /** Where nobody has measured where the print starts, how much hangs on it. */
+  /** Range of lengths over the possible starts of the print, if the start has not been measured. */
   #range(phases: LayPlan['phases']): readonly TemplateResult[] {
     const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
     const [least, most] = [Math.min(...known), Math.max(...known)];
@@ -158,7 +162,7 @@ export class ClothPanel extends ClothElement {
     ];
   }
 
-  /** What would take less cloth. */
+  /** Changes that would take less fabric. */
   #offers({lengthCm, cheaper}: LayPlan): readonly TemplateResult[] {
     const {words, format} = this;
     return cheaper.flatMap(({kind, lengthCm: length, phaseCm = 0, pieces = [], design}) => {
@@ -170,7 +174,7 @@ export class ClothPanel extends ClothElement {
     });
   }
 
-  /** Taking it is a step of the design, which undo takes back. */
+  /** The button applies the cheaper design as one step of the history. */
   #designOffer(saving: string, {pins, meanCm, insteadOfCm}: CheaperDesign): TemplateResult {
     const {words, format, workbench} = this;
     const [mean, instead] = [meanCm, insteadOfCm].map((cm) => format.fine(cm));
@@ -272,7 +276,9 @@ export class ClothPanel extends ClothElement {
     this.dispatchEvent(new CustomEvent<number>('sw-piece-chosen', {detail: number}));
   }
 
-  /** @param plan as its pieces were packed: their lengths are no others while some are moved, or off the cloth */
+  /**
+   * @param plan the packed marker; its lengths stay valid while pieces are moved or off the fabric
+   */
   #widths({pins}: LayStep, plan: LayPlan): TemplateResult | typeof nothing {
     const {laying, words, format} = this;
     const {packed, unpinned} = words.widthsOf;

@@ -1,4 +1,4 @@
-/** Pieces dragged over their cloth, and flaws drawn on it. */
+/** Drags pieces over the fabric and draws flaws by pointer. */
 import type {Bolt} from '../../marker/places.js';
 import {minus, type Alignment, type Point} from '../../model/geometry.js';
 import type {PieceOnCloth} from '../../workbench/cloth-work.js';
@@ -7,12 +7,12 @@ import {FlawTool} from './flaw-tool.js';
 import {PieceDrag} from './piece-drag.js';
 import {offSheet, type SheetFrame} from './sheet-frame.js';
 
-/** What is moved by less is clicked. [CSS px] */
+/** A shorter movement is a click. [CSS px] */
 const leastWay = 4;
-/** Of a frame, for finding out which places are free. [ms] */
+/** Time per frame for finding free places. [ms] */
 const lookTime = 4;
 
-/** The view that is pointed at. */
+/** The view that receives pointer events. */
 export interface PointedCloth {
   readonly isReady: boolean;
   readonly shown: {
@@ -20,7 +20,7 @@ export interface PointedCloth {
     readonly bolt: Bolt | undefined;
     readonly frame: SheetFrame | undefined;
   };
-  /** Nothing is laid any more, so that all stays where it is. */
+  /** Stops the search for a marker, so that all pieces stay in place. */
   hold(): void;
   choose(number: number | undefined): void;
   point(number: number | undefined): void;
@@ -32,7 +32,7 @@ export interface PointedCloth {
 interface Press {
   readonly pointer: number;
   readonly piece: PieceOnCloth;
-  /** On the screen, and on the cloth. */
+  /** Start of the press: `screen` in CSS px, `from` on the fabric in cm. */
   readonly screen: Point;
   readonly from: Point;
   readonly frame: SheetFrame | undefined;
@@ -43,7 +43,7 @@ export class ClothPointing {
   #press: Press | undefined;
   #drag: PieceDrag | undefined;
   #flawTool: FlawTool | undefined;
-  /** Where the pointer was last, to be drawn with the next frame. */
+  /** Last position of the pointer, to be drawn with the next frame. */
   #last: {readonly at: Point; readonly takes: boolean} | undefined;
   #drawing: number | undefined;
 
@@ -63,7 +63,7 @@ export class ClothPointing {
     return this.#flawTool?.draft ?? [];
   }
 
-  /** Stays while something is dragged. */
+  /** The frame stays the same during a drag. */
   get frame(): SheetFrame | undefined {
     return this.#drag && this.#press?.frame;
   }
@@ -160,7 +160,7 @@ export class ClothPointing {
     this.#cloth.point(undefined);
   };
 
-  /** Ends what is under way. @returns whether anything was */
+  /** Ends a drag or the drawing of a flaw. @returns true if either was active */
   readonly cancel = (): boolean => {
     const isActive = this.#drag !== undefined || this.#flawTool !== undefined;
     this.#flawTool = undefined;
@@ -188,14 +188,14 @@ export class ClothPointing {
 const sheetOf = ({currentTarget}: Event): SVGSVGElement | null =>
   (currentTarget as Element).querySelector<SVGSVGElement>('.sheet');
 
-/** Where on the cloth. */
+/** Returns the position of the pointer on the fabric. [cm] */
 function pointOf(event: PointerEvent): Point | undefined {
   const matrix = sheetOf(event)?.getScreenCTM();
   if (!matrix) return undefined;
   return offSheet(new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()));
 }
 
-/** Of the piece that is under the pointer. */
+/** Returns the number of the piece under the pointer. */
 function numberOf({target}: PointerEvent): number | undefined {
   const piece = target instanceof Element ? target.closest<SVGElement>('.piece') : null;
   return piece ? Number(piece.dataset.number) : undefined;

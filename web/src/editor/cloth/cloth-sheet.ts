@@ -1,4 +1,4 @@
-/** The cloth in its print, with its edges and rulers, and the pieces that lie on it. */
+/** Drawing of the fabric in its print, with edges, rulers and the pieces on it. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import {nameLines, textWidth} from '../../layout/name-lines.js';
@@ -19,16 +19,16 @@ import {
   type SheetFrame,
 } from './sheet-frame.js';
 
-/** A piece while it is dragged: by how much, and where it would come to lie. */
+/** A dragged piece: its offset, and the place that it would take. */
 export interface Dragged {
   readonly piece: PieceOnCloth;
   /** [cm] */
   readonly by: Point;
   readonly place: Alignment;
   readonly inWay: Obstacles;
-  /** The cut line at the nearest place. */
+  /** The cut line at the place that the piece would take. */
   readonly target: readonly Point[];
-  /** Free places, each by the middle of the piece. */
+  /** Free places, each as the middle of the piece. */
   readonly dots: readonly Point[];
 }
 
@@ -36,7 +36,7 @@ interface SheetState {
   readonly frame: SheetFrame;
   readonly bolt: Bolt;
   readonly image: string;
-  /** Up to which the cloth is used. [cm] */
+  /** Used length of the fabric. [cm] */
   readonly usedCm: number;
   readonly usedWords: string;
   readonly pieces: readonly PieceOnCloth[];
@@ -44,26 +44,26 @@ interface SheetState {
   readonly pins: ReadonlySet<number>;
   readonly selected: number | undefined;
   readonly pointed: number | undefined;
-  /** Numbers of those that lie where others do. */
+  /** Numbers of the pieces with a conflict. */
   readonly bad: ReadonlySet<number>;
   readonly dragged: Dragged | undefined;
-  /** The number of the flaw that is chosen, from 0. */
+  /** Index of the selected flaw. */
   readonly chosenFlaw: number | undefined;
-  /** What is being drawn as a flaw. */
+  /** Outline of the flaw that is being drawn. */
   readonly draft: readonly Point[];
   readonly units: Units;
   readonly words: ClothTexts;
 }
 
-/** Beyond this share of the width there is no room for words on where the print starts. */
+/** There is no room for a label of the print's start beyond this share of the width. */
 const latestStart = 0.6;
 
-/** The print in its cell, beginning where the cloth has its origin. */
+/** The cell of the print as a pattern fill, with its origin on the fabric. */
 function printPattern({bolt: {repeat, origin}, image}: SheetState): TemplateResult {
   const [a, b] = imageCell(repeat);
   const [w, h] = [norm(a) * unit, norm(b) * unit];
   const [x, y] = onSheet(origin);
-  // the picture's y runs down, against the second side of its cell
+  // y points down in the image, against the second side of its cell
   const matrix = [a[0] / norm(a), -a[1] / norm(a), -b[0] / norm(b), b[1] / norm(b), x, y];
   return svg`<pattern id="print" patternUnits="userSpaceOnUse" width=${w} height=${h}
     patternTransform="matrix(${matrix.map((one) => one.toFixed(7)).join(' ')})">
@@ -135,7 +135,7 @@ function rulers(state: SheetState): TemplateResult {
 
 const outlines = new WeakMap<PieceOnCloth, string>();
 
-/** The cut line where the piece lies, made once. */
+/** The cut line at the place of the piece, cached. */
 function outlineOf(piece: PieceOnCloth): string {
   const known =
     outlines.get(piece) ?? closed(piece.piece.outline.map((p) => onPiece(piece.place, p)));
@@ -143,16 +143,16 @@ function outlineOf(piece: PieceOnCloth): string {
   return known;
 }
 
-/** A place of a piece that is well inside of it. */
+/** A point well inside a piece. */
 const middleOf = ({piece, place}: PieceOnCloth): Point =>
   plus(turnedRing(piece.outline, place.angle).inner, place.translation);
 
-/** Of letters. [CSS px] */
+/** Font size of names. [CSS px] */
 const nameSizes = {least: 8, most: 12} as const;
-/** Of the height of letters. */
+/** Distance of lines, as a multiple of the font size. */
 const lineHeight = 1.15;
 
-/** In as many lines as the width of the piece asks for, as large as it allows. */
+/** Splits a name into lines by the width of the piece, in the largest size that fits. */
 function nameDrawing(piece: PieceOnCloth, label: string, frame: SheetFrame): TemplateResult {
   const {low, high} = turnedRing(piece.piece.outline, piece.place.angle);
   const room = (high[0] - low[0]) * frame.scale;
@@ -168,7 +168,7 @@ function nameDrawing(piece: PieceOnCloth, label: string, frame: SheetFrame): Tem
     )}</text>`;
 }
 
-/** The head of a pin. @param px the unit of the drawing */
+/** Pin symbol. @param px units of the drawing per CSS pixel */
 const pinDrawing = ([x, y]: Point, px: number): TemplateResult =>
   svg`<g class="pin" transform="translate(${x} ${y}) scale(${px})">
     <circle r="11" /><path d="M-2.5 -6h5M-1.5 -6v4.5L-4 1h8L1.5 -1.5V-6M0 1V6" />
@@ -197,14 +197,14 @@ function pieceDrawing(piece: PieceOnCloth, state: SheetState): TemplateResult {
   </g>`;
 }
 
-/** Where the dragged piece would come to lie. */
+/** Outline of the dragged piece at the place that it would take. */
 const target = ({target: line, inWay}: Dragged): TemplateResult =>
   svg`<path class="target ${isFree(inWay) ? '' : 'bad'}" d=${closed(line)} />`;
 
-/** The places that it has. */
+/** Free places of the dragged piece. */
 function dots({dots: all}: Dragged, frame: SheetFrame): TemplateResult {
   const d = all
-    .filter(([, y]) => y < frame.lengthCm) // of the cloth that is shown
+    .filter(([, y]) => y < frame.lengthCm) // only the displayed fabric
     .map((dot) => {
       const [x, y] = onSheet(dot);
       return `M${x.toFixed(0)} ${y.toFixed(0)}h0`;
@@ -218,7 +218,7 @@ export function clothSheet(state: SheetState): TemplateResult {
   const {frame, bolt, pieces, dragged, draft} = state;
   const [width, height] = frameSize(frame);
   const [right, top] = onSheet([bolt.widthCm, frame.lengthCm]);
-  // what is dragged lies over the others, then what is selected
+  // the dragged piece is drawn on top, then the selected one
   const rank = ({number}: PieceOnCloth): number =>
     number === dragged?.piece.number ? 2 : number === state.selected ? 1 : 0;
   const ordered = [...pieces].sort((one, other) => rank(one) - rank(other));

@@ -1,4 +1,4 @@
-/** How far the laying is, what is wrong, what there is to know of what is selected. */
+/** Status of the fabric layout: progress, failures and conflicts, place of the selected piece. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {ClothTexts} from '../../texts/cloth-texts.js';
@@ -7,25 +7,25 @@ import type {Laying} from '../../workbench/laying.js';
 
 interface Status {
   readonly laying: Laying;
-  /** Of a failure. */
+  /** Message of a failure. */
   readonly why: string;
-  /** What was done to a flaw last, whatever is laid meanwhile. */
+  /** Message of the last change to a flaw; displayed even while the solver lays pieces. */
   readonly told: string;
-  /** What was done last. */
+  /** Message of the last action. */
   readonly said: string;
   readonly conflict: string | undefined;
   readonly place: string | undefined;
-  /** The print cannot be aligned as it is asked for; the panel says why. */
+  /** Message if the print cannot be aligned; the panel shows the reason. */
   readonly unaligned: string | undefined;
   readonly isMarking: boolean;
   readonly isDragging: boolean;
-  /** Leads to where the size of the print is said. */
+  /** Opens the field for the size of the print. */
   readonly toSize: () => void;
   readonly words: ClothTexts;
   readonly format: Format;
 }
 
-/** What may go well another time; all else is the garment's, or the cloth's. */
+/** Failures that a second attempt may avoid; all others are caused by the garment or the fabric. */
 const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
 
 export function clothStatus(status: Status): TemplateResult {
@@ -69,7 +69,7 @@ function doneWords({told, said, conflict, place, words}: Status): TemplateResult
   return html`<span class="place">${place ?? words.hint}</span>`;
 }
 
-/** For who does not see it. */
+/** Status for screen readers. */
 export function spokenStatus({laying, told, said, conflict, place, words, format}: Status): string {
   const {state} = laying;
   if (told !== '') return told;

@@ -1,4 +1,4 @@
-/** Where the cloth, its tools and what is said of it have their places. */
+/** Layout of the fabric view, its tools and its messages. */
 import {css} from 'lit';
 
 import {progressLine} from '../style/progress-line.js';

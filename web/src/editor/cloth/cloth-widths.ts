@@ -1,4 +1,4 @@
-/** What the same pieces take on cloth of other widths. */
+/** Table of the lengths that the same pieces need on fabric of other widths. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {LayPlan} from '../../model/lay-plan.js';
@@ -11,9 +11,9 @@ interface Widths {
   readonly units: Units;
   readonly words: ClothTexts;
   readonly format: Format;
-  /** Which lengths they are, where those of the pieces as they lie are others. */
+  /** Note on the lengths if they do not apply to the pieces as laid. */
   readonly of: string | undefined;
-  /** Lays on cloth of that width. [cm] */
+  /** Lays the pieces on fabric of this width. [cm] */
   readonly take: (widthCm: number) => void;
 }
 

@@ -1,4 +1,4 @@
-/** What is said of a plan and of the places of its pieces. */
+/** Texts on a marker and on the places of its pieces. */
 import {wholeRange} from '../../marker/draw/note-texts.js';
 import {countedRepeats} from '../../marker/counted-repeats.js';
 import {
@@ -18,16 +18,16 @@ import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 
-/** Steps in which cloth is sold: 5 cm, an eighth of a yard. */
+/** Steps of the lengths that shops sell: 5 cm, an eighth of a yard. */
 const soldCm = 5;
 const yardCm = 91.44;
 const eighths = 8;
-/** What is longer by less is not. [cm] */
+/** Excess length that rounding up ignores. [cm] */
 const slack = 0.01;
-/** What is dearer by less costs nothing, and what is shorter by less is as long. [cm] */
+/** Least difference between lengths that counts as a cost or a range. [cm] */
 export const leastCost = 0.5;
 
-/** What there is to buy for a length, rounded up: "1.45 m", "1 5/8 yd". */
+/** Returns the length to buy, rounded up: "1.45 m", "1 5/8 yd". */
 export function soldLength(cm: number, units: Units, words: ClothTexts, format: Format): string {
   if (units === 'inch') {
     const parts = Math.max(0, Math.ceil(((cm - slack) / yardCm) * eighths));
@@ -36,11 +36,13 @@ export function soldLength(cm: number, units: Units, words: ClothTexts, format: 
   return words.metres(format.number((Math.ceil((cm - slack) / soldCm) * soldCm) / 100, 2));
 }
 
-/** Whole centimetres, upwards; sixteenths of an inch. */
+/** Rounds up to whole centimetres, or to sixteenths of an inch. */
 export const roundedLength = (cm: number, units: Units, format: Format): string =>
   format.length(units === 'inch' ? cm : Math.ceil(cm - slack));
 
-/** "120 to 136 cm": lengths lie between, and what `roundedLength` makes of them, too. */
+/**
+ * Returns a range such as "120 to 136 cm"; it contains the lengths as `roundedLength` shows them.
+ */
 export const lengthRange = (
   [least, most]: readonly [number, number],
   units: Units,
@@ -52,7 +54,10 @@ export const lengthRange = (
     roundedLength(most, units, format),
   );
 
-/** What the print costs in cloth, and apart from it what pins do; the two together where nothing was laid without pins. */
+/**
+ * Returns the fabric that the print costs and the fabric that pins cost; their sum if no marker
+ * without pins exists.
+ */
 export function costWords(plan: LayPlan, words: ClothTexts, format: Format): readonly string[] {
   const {printCm, pinsCm, bothCm} = layCosts(plan);
   const said = (cm: number | undefined, none: string, cost: (length: string) => string) =>
@@ -64,7 +69,7 @@ export function costWords(plan: LayPlan, words: ClothTexts, format: Format): rea
   ];
 }
 
-/** Where something begins: "3rd repeat from the left, 2nd from the start". */
+/** Returns a position in repeats: "3rd repeat from the left, 2nd from the start". */
 export function pointWords(at: Point, bolt: Bolt, words: ClothTexts, format: Format): string {
   const counted = countedRepeats(at, bolt);
   return counted
@@ -77,7 +82,7 @@ function andTurn(where: string, {place}: LaidPiece, words: ClothTexts, format: F
   return turn === 0 ? where : `${where}, ${words.turned(format.number(turn))}`;
 }
 
-/** The same of a piece, and how it is turned. */
+/** Returns the position of a piece in repeats, and its turn. */
 export const placeWords = (
   laid: LaidPiece,
   bolt: Bolt,
@@ -85,7 +90,10 @@ export const placeWords = (
   format: Format,
 ): string => andTurn(pointWords(boxAt(laid).low, bolt, words, format), laid, words, format);
 
-/** The same with how far along the cloth, which tells a move within a repeat, too: "3rd repeat from the left, 42 cm from the start". */
+/**
+ * Returns the position of a piece with its length along the fabric, which also changes within a
+ * repeat: "3rd repeat from the left, 42 cm from the start".
+ */
 export function lyingWords(laid: LaidPiece, bolt: Bolt, words: ClothTexts, format: Format): string {
   const {low} = boxAt(laid);
   const counted = countedRepeats(low, bolt);
@@ -95,7 +103,7 @@ export function lyingWords(laid: LaidPiece, bolt: Bolt, words: ClothTexts, forma
   return andTurn(where, laid, words, format);
 }
 
-/** Where a flaw is. */
+/** Returns the position of a flaw. */
 export function flawWords(
   flaw: readonly Point[],
   number: number,
@@ -106,13 +114,13 @@ export function flawWords(
   return words.flawAt(number, format.length(low[0]), format.length(low[1]));
 }
 
-/** How large it is. */
+/** Returns the size of a flaw. */
 export function flawSizeWords(flaw: readonly Point[], words: ClothTexts, format: Format): string {
   const {low, high} = boxOf(flaw);
   return words.flawSize(format.length(high[0] - low[0]), format.length(high[1] - low[1]));
 }
 
-/** What is in the way of a piece; undefined for nothing. */
+/** Returns the obstacle of a piece as a message; undefined without an obstacle. */
 export function conflictWords(
   piece: PieceOnCloth,
   found: Obstacles,
@@ -126,7 +134,7 @@ export function conflictWords(
   return found.flaws.length > 0 ? words.onFlaw(label(piece)) : words.outside(label(piece));
 }
 
-/** Of those that are not free where they lie, why, by their numbers. */
+/** Returns a message for each piece that is not free at its place, by piece number. */
 export function conflicts(
   pieces: readonly PieceOnCloth[],
   bolt: Bolt,

@@ -1,4 +1,4 @@
-/** What shows the pieces on their cloth: loaded by whoever does. */
+/** Registers the fabric layout; loaded on demand. */
 import {registerAll} from '../base/register.js';
 import {ClothFlaws} from './cloth-flaws.js';
 import {ClothPane} from './cloth-pane.js';

@@ -1,4 +1,4 @@
-/** What is done to flaws of the cloth without a pointer: put there, moved, made larger or smaller, removed; each step is said. */
+/** Changes flaws of the fabric without a pointer; each step shows a message. */
 import type {PropertyValues} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
@@ -12,25 +12,25 @@ export abstract class FlawActions extends PieceActions {
     ...PieceActions.properties,
     chosenFlaw: {state: true},
   };
-  /** The number of a flaw, from 0. */
+  /** Index of the selected flaw. */
   declare protected chosenFlaw: number | undefined;
-  /** What was done to a flaw last, in words: said whatever is laid meanwhile. */
+  /** Message of the last change to a flaw; displayed even while the solver lays pieces. */
   protected told = '';
 
-  /** The middle of what is in sight of the cloth. */
+  /** Middle of the visible part of the fabric. */
   protected abstract readonly middle: Point | undefined;
 
   get flaws(): readonly Flaw[] {
     return this.laying.step?.flaws ?? [];
   }
 
-  /** Flaws may be told one after the other, while pieces are laid anew. */
+  /** Flaws can be marked one after the other, even while the solver lays pieces again. */
   get canMark(): boolean {
     const {bolt, isStale, state} = this.laying;
     return !isStale && bolt !== undefined && state.kind !== 'failed';
   }
 
-  /** A new one in the middle of what is in sight. */
+  /** Adds a flaw in the middle of the visible part. */
   putFlaw(): void {
     const {bolt} = this.laying;
     const {middle} = this;
@@ -40,7 +40,7 @@ export abstract class FlawActions extends PieceActions {
     this.#tell(this.flaws.length - 1);
   }
 
-  /** @param flaw null to remove it */
+  /** @param flaw null removes the flaw */
   changeFlaw(number: number, flaw: Flaw | null): void {
     if (!this.canMark || !this.flaws[number]) return;
     const changed = this.flaws.flatMap((one, k) => (k !== number ? [one] : flaw ? [flaw] : []));
@@ -68,7 +68,7 @@ export abstract class FlawActions extends PieceActions {
     this.requestUpdate();
   }
 
-  /** @returns whether the key was meant for the flaw that is chosen */
+  /** @returns true if the key changed the selected flaw */
   protected pressForFlaw(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'altKey'>): boolean {
     const {bolt} = this.laying;
     const {chosenFlaw: number} = this;

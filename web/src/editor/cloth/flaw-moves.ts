@@ -1,4 +1,4 @@
-/** A flaw of the cloth moved and made larger or smaller, by keys and by figures. Lengths in cm. */
+/** Moves and resizes a flaw of the fabric, by keys and by numbers. Lengths in cm. */
 import type {Bolt} from '../../marker/places.js';
 import type {Point} from '../../model/geometry.js';
 import {boxOf} from '../../model/polyline.js';
@@ -6,7 +6,7 @@ import type {Units} from '../../model/units.js';
 import type {Flaw} from '../../workbench/lay-step.js';
 import {ways} from './cloth-moves.js';
 
-/** Of the box around a flaw, from the left edge of the cloth and from its cut edge. */
+/** Bounding box of a flaw: `left` from the left edge of the fabric, `start` from its cut edge. */
 export interface FlawBox {
   readonly left: number;
   readonly start: number;
@@ -14,11 +14,11 @@ export interface FlawBox {
   readonly length: number;
 }
 
-/** A flaw is at least so wide and long. */
+/** Least width and length of a flaw. */
 export const leastFlaw = 0.5;
-/** Further from the start nobody lays anything. */
+/** Greatest distance of a flaw from the cut edge; no marker is longer. */
 export const mostStart = 5000;
-/** What an arrow key adds, and how wide and long a flaw is at first. */
+/** Step of an arrow key, and width and length of a new flaw. */
 const steps: Readonly<Record<Units, number>> = {cm: 1, inch: 1.27};
 const firstSizes: Readonly<Record<Units, number>> = {cm: 5, inch: 5.08};
 
@@ -37,7 +37,7 @@ const cornersOf = ({left, start, width, length}: FlawBox): Flaw => [
 const within = (value: number, least: number, most: number): number =>
   Math.max(least, Math.min(most, value));
 
-/** As far as the cloth goes. */
+/** Limits a box to the fabric. */
 function onCloth({left, start, width, length}: FlawBox, {widthCm}: Pick<Bolt, 'widthCm'>): FlawBox {
   const wide = within(width, leastFlaw, widthCm);
   const long = within(length, leastFlaw, mostStart);
@@ -48,7 +48,7 @@ function onCloth({left, start, width, length}: FlawBox, {widthCm}: Pick<Bolt, 'w
   };
 }
 
-/** The same outline, in a box that is another. */
+/** Fits the outline of a flaw into its changed box. */
 export function flawIn(flaw: Flaw, change: Partial<FlawBox>, bolt: Pick<Bolt, 'widthCm'>): Flaw {
   const from = boxAround(flaw);
   const to = onCloth({...from, ...change}, bolt);
@@ -58,7 +58,7 @@ export function flawIn(flaw: Flaw, change: Partial<FlawBox>, bolt: Pick<Bolt, 'w
   ]);
 }
 
-/** A new one, a box, on whole steps of the arrow keys. */
+/** Returns a new, square flaw, aligned to whole steps of the arrow keys. */
 export function flawAround([x, y]: Point, units: Units, bolt: Pick<Bolt, 'widthCm'>): Flaw {
   const size = firstSizes[units];
   const onStep = (at: number): number => steps[units] * Math.round((at - size / 2) / steps[units]);
@@ -66,7 +66,10 @@ export function flawAround([x, y]: Point, units: Units, bolt: Pick<Bolt, 'widthC
   return cornersOf(onCloth({left, start, width: size, length: size}, bolt));
 }
 
-/** What a key makes of a flaw: null where it removes it, undefined where it means nothing. With Shift arrows change its size. */
+/**
+ * Returns the flaw after a key: null if the key removes it, undefined for other keys. Shift with an
+ * arrow changes its size.
+ */
 export function flawAfter(
   {key, shiftKey}: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
   flaw: Flaw,
@@ -79,6 +82,6 @@ export function flawAfter(
   const [x, y] = [way[0] * steps[units], way[1] * steps[units]];
   const {left, start, width, length} = boxAround(flaw);
   if (!shiftKey) return flawIn(flaw, {left: left + x, start: start + y}, bolt);
-  // what grows stays where it begins
+  // a larger flaw keeps its left edge and its start
   return flawIn(flaw, {width: Math.min(width + x, bolt.widthCm - left), length: length + y}, bolt);
 }

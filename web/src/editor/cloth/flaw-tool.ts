@@ -1,8 +1,8 @@
-/** Draws a flaw on the cloth: a box that is dragged, or corners that are clicked one by one. */
+/** Draws a flaw on the fabric: a dragged box, or corners clicked one by one. */
 import type {Point} from '../../model/geometry.js';
 import {signedArea} from '../../model/polyline.js';
 
-/** What is less is no flaw but a click. [cm2] */
+/** A smaller box is a click. [cm2] */
 const leastArea = 0.25;
 
 const boxBetween = ([ax, ay]: Point, [bx, by]: Point): readonly Point[] => [
@@ -14,7 +14,7 @@ const boxBetween = ([ax, ay]: Point, [bx, by]: Point): readonly Point[] => [
 
 export class FlawTool {
   #corners: readonly Point[] = [];
-  /** Where the pointer is down, and where it is. */
+  /** Start of the press, and present position of the pointer. */
   #from: Point | undefined;
   #at: Point | undefined;
 
@@ -34,7 +34,7 @@ export class FlawTool {
     if (this.#from || this.#corners.length > 0) this.#at = at;
   }
 
-  /** @returns the box, where one was dragged; a click adds a corner */
+  /** @returns the box after a drag; a click adds a corner */
   release(at: Point): readonly Point[] | undefined {
     const from = this.#from;
     this.#from = undefined;
@@ -49,7 +49,7 @@ export class FlawTool {
     return undefined;
   }
 
-  /** @returns the polygon of the corners, where they enclose something */
+  /** @returns the polygon of the corners, if it has an area */
   close(): readonly Point[] | undefined {
     const corners = this.#corners;
     [this.#corners, this.#at, this.#from] = [[], undefined, undefined];

@@ -1,4 +1,4 @@
-/** What a step on the cloth is called in words. */
+/** Names of the history steps of the fabric layout. */
 import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {LayStep} from '../../workbench/lay-step.js';
 
@@ -13,7 +13,7 @@ function changeBetween(from: LayStep, to: LayStep): keyof ClothTexts['steps'] {
   return isTurned ? 'turn' : 'move';
 }
 
-/** Undefined where there is no step. */
+/** Returns undefined if there is no step. */
 export const layStepWords = (
   from: LayStep | undefined,
   to: LayStep | undefined,

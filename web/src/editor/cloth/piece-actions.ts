@@ -1,4 +1,4 @@
-/** What is done to the pieces on their cloth, whoever asks for it; and which of them is meant. */
+/** Actions on the pieces on the fabric, for keys, buttons and pointer, and the selected piece. */
 import type {PropertyValues} from 'lit';
 
 import type {Alignment, Point} from '../../model/geometry.js';
@@ -13,15 +13,15 @@ export abstract class PieceActions extends ClothElement {
     ...ClothElement.properties,
     selected: {state: true},
   };
-  /** The number of a piece. */
+  /** Number of the selected piece. */
   declare protected selected: number | undefined;
-  /** What was done last, in words. */
+  /** Message of the last action. */
   protected said = '';
-  /** How far the selected piece has just gone, in words, where nearer places are taken. */
+  /** Distance of the last move in words, if nearer places were occupied. */
   protected went = '';
-  /** It has to come into sight: of the cloth, or on the page, too, wherever that is scrolled to. */
+  /** Scrolls the selected piece into view: in the fabric layout, or also in the page. */
   protected toBeSeen: 'on cloth' | 'on page' | undefined;
-  /** What was picked last, here or elsewhere. */
+  /** Last selected target, here or elsewhere. */
   #target: Target | undefined;
 
   get isReady(): boolean {
@@ -39,7 +39,7 @@ export abstract class PieceActions extends ClothElement {
     this.toBeSeen = 'on cloth';
   }
 
-  /** What is pinned stays so, and about where it is. */
+  /** A pinned piece stays pinned, and near its place. */
   turn(takes = false): void {
     const {bolt, pieces} = this.laying;
     const piece = this.selectedPiece;
@@ -82,7 +82,7 @@ export abstract class PieceActions extends ClothElement {
     this.say('');
   }
 
-  /** Shows a piece as the one that is meant, here and everywhere. */
+  /** Selects a piece, here and in all other views. */
   choose(number: number | undefined): void {
     this.selected = number;
     this.#target = this.#targetOf(number);
@@ -105,7 +105,7 @@ export abstract class PieceActions extends ClothElement {
     this.say('');
   }
 
-  /** @param draft of a flaw */
+  /** @param flaw outline [cm] */
   addFlaw(flaw: readonly Point[]): void {
     this.laying.setFlaws([...(this.laying.step?.flaws ?? []), flaw]);
   }
@@ -123,7 +123,7 @@ export abstract class PieceActions extends ClothElement {
     return (this.laying.step?.pins.size ?? 0) > 0;
   }
 
-  /** Shows what the pointer is over, here and everywhere. */
+  /** Highlights the piece under the pointer, here and in all other views. */
   point(number: number | undefined): void {
     this.workbench.point(this.#targetOf(number));
   }
@@ -135,10 +135,10 @@ export abstract class PieceActions extends ClothElement {
       this.#target = selected;
       this.selected = undefined;
     }
-    this.selected ??= this.numberOf(this.#target); // it may not have been laid before
+    this.selected ??= this.numberOf(this.#target); // it may be newly laid
   }
 
-  /** The first of the pieces that a target means. */
+  /** Returns the number of the first piece that a target refers to. */
   protected numberOf(target: Target | undefined): number | undefined {
     const name =
       target?.kind === 'piece' ? this.workbench.pattern?.pieces[target.piece]?.name : undefined;
@@ -158,7 +158,7 @@ export abstract class PieceActions extends ClothElement {
     return true;
   }
 
-  /** @returns whether there is a piece to be moved */
+  /** @returns false while pieces cannot be moved */
   protected nudge(way: Point, takes: boolean): boolean {
     const {bolt, pieces} = this.laying;
     const piece = this.selectedPiece;

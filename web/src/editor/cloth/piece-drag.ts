@@ -1,4 +1,4 @@
-/** A piece that is being dragged over its cloth: where it may lie, and where it would come to lie. */
+/** A piece during a drag over the fabric: its free places, and the place that it would take. */
 import {
   apartFrom,
   obstaclesTo,
@@ -13,7 +13,7 @@ import {minus, plus, type Alignment, type Point} from '../../model/geometry.js';
 import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import type {Dragged} from './cloth-sheet.js';
 
-/** Places of a piece at the turn that it has. @param k its index */
+/** Returns the places of a piece at its present turn. @param k index of the piece */
 export function placesOf(pieces: readonly LaidPiece[], k: number, bolt: Bolt): Places | undefined {
   const own = pieces[k];
   const turn = own && turnAt(turnsOf(own.piece, bolt), own.place.angle);
@@ -26,7 +26,9 @@ export class PieceDrag {
   readonly #index: number;
   readonly #bolt: Bolt;
   readonly #places: Places | undefined;
-  /** Numbers of the places, the nearest to where it began first; those behind `#looked` are known. */
+  /**
+   * Indices of the places by distance from the start; places before `#looked` have been checked.
+   */
   readonly #order: readonly number[];
   #looked = 0;
   #dots: readonly Point[] = [];
@@ -45,7 +47,11 @@ export class PieceDrag {
     this.#target = piece.place.translation;
   }
 
-  /** @param by how far it is dragged [cm] @param takes whether it may go where others lie */
+  /**
+   * Moves the piece to the place nearest to the pointer.
+   * @param by offset of the drag [cm]
+   * @param takes true if the piece may overlap others
+   */
   moveBy(by: Point, takes: boolean): void {
     this.#by = by;
     const wanted = apartFrom(plus(this.piece.place.translation, by));
@@ -53,7 +59,11 @@ export class PieceDrag {
     this.#target = found ?? this.piece.place.translation;
   }
 
-  /** Finds out which places are free, for so long. @returns whether there are more @param time [ms] */
+  /**
+   * Checks which places are free, within a time limit.
+   * @param time [ms]
+   * @returns true if unchecked places remain
+   */
   look(time: number): boolean {
     const end = performance.now() + time;
     const {all = []} = this.#places ?? {};
@@ -68,7 +78,7 @@ export class PieceDrag {
     return this.#looked < this.#order.length;
   }
 
-  /** Where it goes when it is let go. */
+  /** The place that the piece takes when dropped. */
   get place(): Alignment {
     const angle = this.#places?.angle ?? this.piece.place.angle;
     return {angle, translation: this.#target};
@@ -84,7 +94,7 @@ export class PieceDrag {
     };
   }
 
-  /** From where it lay. */
+  /** Offset from the start of the drag. [cm] */
   get way(): Point {
     return minus(this.#target, this.piece.place.translation);
   }

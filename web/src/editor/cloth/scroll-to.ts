@@ -1,16 +1,19 @@
-/** Brings what lies on the cloth into the part of it that is in sight. */
+/** Scrolls a part of the fabric into view. */
 
-/** From it to the edges of the view. [CSS px] */
+/** Distance from the part to the edges of the view. [CSS px] */
 const apart = 8;
 
-/** By how much what reaches from `low` to `high` misses a view from `from` to `to`; what is larger than the view fills it. */
+/**
+ * Returns the distance by which `low` to `high` misses a view `from` to `to`; 0 for a part that
+ * fills the view.
+ */
 export function missed(low: number, high: number, from: number, to: number): number {
   const [before, after] = [low - from, high - to];
-  if (before * after <= 0) return 0; // it is within, or on both sides beyond
+  if (before * after <= 0) return 0; // inside, or beyond both edges
   return Math.abs(before) < Math.abs(after) ? before : after;
 }
 
-/** As little as is needed. */
+/** Scrolls no further than needed. */
 export function scrollTo(view: Element, shown: Element): void {
   const [{left, right, top, bottom}, seen] = [view, shown].map((one) =>
     one.getBoundingClientRect(),

@@ -1,25 +1,25 @@
-/** The part of the plane that shows a cloth: its units are a tenth of a millimetre, y down. */
+/** Coordinates of the drawing of the fabric: units of a tenth of a millimetre, y downwards. */
 import type {Point} from '../../model/geometry.js';
 import type {Units} from '../../model/units.js';
 
-/** Per centimetre. */
+/** Units per centimetre. */
 export const unit = 100;
 
 export interface SheetFrame {
   readonly widthCm: number;
-  /** Of the cloth that is shown. */
+  /** Length of the displayed fabric. */
   readonly lengthCm: number;
   /** [CSS px per cm] */
   readonly scale: number;
 }
 
-/** Around the cloth, for rulers. [CSS px] */
+/** Margin around the fabric, for rulers. [CSS px] */
 export const margin = {left: 46, right: 18, top: 14, bottom: 40} as const;
 
-/** Units of so many pixels. */
+/** Converts CSS pixels to units of the drawing. */
 export const pixels = (frame: SheetFrame, count: number): number => (count * unit) / frame.scale;
 
-/** The size of the picture. [CSS px] */
+/** Size of the drawing. [CSS px] */
 export const frameSize = ({widthCm, lengthCm, scale}: SheetFrame): Point => [
   widthCm * scale + margin.left + margin.right,
   lengthCm * scale + margin.top + margin.bottom,
@@ -34,16 +34,19 @@ export function viewBox(frame: SheetFrame): string {
     .join(' ');
 }
 
-/** From the cloth to the picture. */
+/** Converts coordinates of the fabric to the drawing. */
 export const onSheet = ([x, y]: Point): Point => [x * unit, -y * unit];
 
-/** From the picture to the cloth. [cm] */
+/** Converts coordinates of the drawing to the fabric. [cm] */
 export const offSheet = ({x, y}: {readonly x: number; readonly y: number}): Point => [
   x / unit,
   -y / unit,
 ];
 
-/** The middle of what is seen of the cloth in a view that scrolls. @param sheet its picture */
+/**
+ * Returns the middle of the visible fabric in a view that scrolls.
+ * @param sheet drawing of the fabric
+ */
 export function middleInSight(
   view: Element,
   sheet: SVGSVGElement,
@@ -58,7 +61,7 @@ export function middleInSight(
   return [Math.min(widthCm, Math.max(0, across)), Math.max(0, along)];
 }
 
-/** A closed line as the data of a path. */
+/** Returns a closed line as path data. */
 export const closed = (points: readonly Point[]): string =>
   `${points
     .map((p, k) => {
@@ -67,12 +70,12 @@ export const closed = (points: readonly Point[]): string =>
     })
     .join('')}Z`;
 
-/** Numbers on a ruler stand at least this far apart. [CSS px] */
+/** Least distance between numbers on a ruler. [CSS px] */
 const leastApart = 40;
 const cmPerUnit: Readonly<Record<Units, number>> = {cm: 1, inch: 2.54};
 const steps: readonly number[] = [1, 2, 5, 10, 20, 50, 100];
 
-/** Where a ruler has its numbers, and lines between them. [cm] */
+/** Returns the positions of a ruler's numbers, and of the lines between them. [cm] */
 export function rulerMarks(
   lengthCm: number,
   scale: number,

@@ -1,4 +1,4 @@
-/** How the cloth and what lies on it are drawn. */
+/** Styles of the fabric and of the pieces on it. */
 import {css} from 'lit';
 
 export const sheetStyle = css`

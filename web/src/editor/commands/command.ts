@@ -1,15 +1,15 @@
-/** What can be asked for, whether by a key, by a button or by its name. */
+/** A command that a key, a button or its name runs. */
 
 export interface Command {
-  /** Stays the same in every language. */
+  /** The same in every language. */
   readonly id: string;
-  /** What it is called, in the user's language. */
+  /** Name in the user's language. */
   readonly title: string;
-  /** What else somebody may call it. */
+  /** Further search terms. */
   readonly words?: string;
-  /** Why it cannot be done just now; nothing where it can. */
+  /** Reason that the command is unavailable; undefined if it is available. */
   readonly why?: string | undefined;
-  /** Its key, as it is shown. */
+  /** Key as displayed. */
   readonly key?: string | undefined;
   readonly run: () => void;
 }

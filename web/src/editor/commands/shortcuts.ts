@@ -1,15 +1,15 @@
-/** The keys of all commands that have one: read by whoever hears keys, shows them or lists commands. */
+/** Keyboard shortcuts of all commands, for handling keys, displaying them and listing commands. */
 import type {Texts} from '../../texts/texts.js';
 
 /**
- * Where a key works. `page`: everywhere, under a field that is typed into, too; `editor`: everywhere else;
- * `pattern`: while the pattern has the focus.
+ * Scope of a shortcut. `page`: everywhere, also in text fields; `editor`: everywhere outside text
+ * fields; `pattern`: while the pattern has the focus.
  */
 type Where = 'page' | 'editor' | 'pattern';
 
 interface Shortcut {
   readonly where: Where;
-  /** The first is the one that is shown. `Mod` is Ctrl, or Command where there is one. */
+  /** The first key is displayed. `Mod` is Ctrl or Command. */
   readonly keys: readonly string[];
 }
 
@@ -40,7 +40,7 @@ const table = {
 
 export type ShortcutId = keyof typeof table;
 
-/** Those that work in a place. */
+/** Shortcuts of a scope. */
 export type ShortcutIn<Place extends Where> = {
   [Id in ShortcutId]: (typeof table)[Id]['where'] extends Place ? Id : never;
 }[ShortcutId];
@@ -51,14 +51,16 @@ export const shortcutIds = Object.keys(table) as readonly ShortcutId[];
 
 type Pressed = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>;
 
-/** "Mod Shift Z", "S". A letter without Ctrl is the same with Shift. */
+/**
+ * Key name such as "Mod Shift Z" or "S". Shift does not change the name of a letter without Ctrl.
+ */
 function nameOf({key, ctrlKey, metaKey, shiftKey}: Pressed): string {
   const name = key.length === 1 ? key.toUpperCase() : key;
   if (!ctrlKey && !metaKey) return name;
   return shiftKey ? `Mod Shift ${name}` : `Mod ${name}`;
 }
 
-/** The command that a key means in these places, if any. */
+/** Returns the command of a key event in these scopes, if any. */
 export function shortcutFor<Place extends Where>(
   event: Pressed,
   places: readonly Place[],
@@ -75,14 +77,14 @@ export function shortcutFor<Place extends Where>(
 const isApple = (): boolean =>
   'navigator' in globalThis && /Mac OS X|iPhone|iPad/.test(navigator.userAgent);
 
-/** A command's key as it stands on the keyboard: "Ctrl Shift Z". */
+/** Returns a command's key as printed on the keyboard: "Ctrl Shift Z". */
 export function keyOf(id: ShortcutId, {keyNames}: Pick<Texts, 'keyNames'>): string {
   const names = isApple() ? {Mod: '⌘', Shift: '⇧'} : keyNames;
   const [key = ''] = shortcuts[id].keys;
   return key.replace('Mod', names.Mod).replace('Shift', names.Shift).replace(/^-$/, '−');
 }
 
-/** What a command is called. */
+/** Returns a command's name in the user's language. */
 export function titleOf(id: ShortcutId, texts: Texts): string {
   const {app, sewing, symmetry, keep, pattern, commands, lists} = texts;
   const {views} = pattern;

@@ -1,4 +1,4 @@
-/** What a step is called in words: "turn Waistband", "matching of seams, Side seam". */
+/** Names of history steps: "turn Waistband", "matching of seams, Side seam". */
 import type {Design} from '../../model/design.js';
 import {seamRows} from '../lists/rows.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
@@ -6,10 +6,10 @@ import type {Step} from '../../workbench/state.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {changeBetween, type Change} from './step.js';
 
-/** More than these are not listed. */
+/** A step of more pieces or seams lists none. */
 const mostNamed = 2;
 
-/** Undefined where there is no step. */
+/** Returns undefined if there is no step. */
 function stepWords(
   workbench: Workbench,
   texts: Texts,
@@ -25,19 +25,19 @@ function stepWords(
   return whose ? `${steps[change.kind]}, ${whose}` : steps[change.kind];
 }
 
-/** What undo would take back. */
+/** Returns the name of the step that undo reverts. */
 export function undoWords(workbench: Workbench, texts: Texts): string | undefined {
   const {past = [], present} = workbench.history ?? {};
   return stepWords(workbench, texts, past.at(-1), present);
 }
 
-/** What redo would do again. */
+/** Returns the name of the step that redo repeats. */
 export function redoWords(workbench: Workbench, texts: Texts): string | undefined {
   const {present, future = []} = workbench.history ?? {};
   return stepWords(workbench, texts, present, future[0]);
 }
 
-/** Takes the last step back and says which it was: for who presses where no step is named. */
+/** Undoes the last step and shows its name in a notice, for callers that display no name. */
 export function undoAndSay(workbench: Workbench): void {
   const texts = textsOf(workbench.preferences.language, workbench.preferences.messages);
   const undone = undoWords(workbench, texts);

@@ -1,4 +1,4 @@
-/** What a step changed, so that taking it back can say what goes. */
+/** Finds the change that a history step made, so that undo can name it. */
 import {askedSymmetries, fabricOf, type Design, type DesignGarment} from '../../model/design.js';
 import type {SolveOptions} from '../../model/options.js';
 import {fieldOf} from '../../model/read.js';
@@ -7,12 +7,12 @@ import {solveSettingsOf, type SolveSettings} from '../controls/presets.js';
 import {withQuarterTurn} from '../lists/choices.js';
 import type {Texts} from '../../texts/texts.js';
 
-/** What was changed, and of what, where that is not the whole design. */
+/** A kind of change, and its pieces or seams if it does not concern the whole design. */
 export interface Change {
   readonly kind: keyof Texts['steps'];
-  /** By their names in the garment file. */
+  /** Names in the garment file. */
   readonly pieces?: readonly string[];
-  /** By their numbers. */
+  /** Indices of seams. */
   readonly seams?: readonly number[];
 }
 
@@ -25,13 +25,15 @@ function changedIn(a: Table = {}, b: Table = {}): readonly string[] {
   return Object.keys({...a, ...b}).filter((key) => differ(a[key], b[key]));
 }
 
-/** What only one of two lists has. */
+/** Elements of only one of two lists. */
 const apart = <T>(a: readonly T[] = [], b: readonly T[] = []): readonly T[] => [
   ...a.filter((one) => !b.includes(one)),
   ...b.filter((one) => !a.includes(one)),
 ];
 
-/** The first in this order of all that differs: another garment begins with other symmetries, too. */
+/**
+ * Returns the first difference in a fixed order, since another garment also has other symmetries.
+ */
 export function changeBetween(from: Design, to: Design): Change {
   const [kind] = [garmentChange(from, to), printChange(from, to)].filter((one) => one);
   if (kind) return {kind};
@@ -55,7 +57,7 @@ function garmentChange({garment: a}: Design, {garment: b}: Design): Change['kind
 
 const known = new WeakMap<DesignGarment, string>();
 
-/** What is sewn to what, and of what shape: all of a garment but the unit of its numbers. */
+/** All of a garment but its unit of length: outlines and seams. */
 function patternText(garment: DesignGarment): string {
   const text = known.get(garment) ?? JSON.stringify(fieldOf(JSON.parse(garment.text), 'pattern'));
   known.set(garment, text);
@@ -82,7 +84,7 @@ function symmetryChange(from: Design, to: Design): Change {
   return {kind: 'symmetry', pieces: [...new Set(changed.flatMap(piecesOf))]};
 }
 
-/** Of single pieces; a quarter turn is what it is called. */
+/** Change to the grain of single pieces; a quarter turn is `turned`. */
 function pieceGrain(from: SolveOptions, to: SolveOptions): Change | undefined {
   const pieces = changedIn(from.grain?.pieces, to.grain?.pieces);
   if (pieces.length === 0) return undefined;
@@ -95,7 +97,7 @@ const settingNames: Readonly<Record<keyof SolveSettings, Change['kind']>> = {
   ...{maxChangeCm: 'change', grain: 'grain', continuousOnly: 'cutting', method: 'method'},
 };
 
-/** Several decisions at once are how it is cut. */
+/** Several settings changed at once are `cutting`. */
 function fittingChange(from: Design, to: Design): Change | undefined {
   const changed = changedIn({...solveSettingsOf(from)}, {...solveSettingsOf(to)});
   const [only] = changed as (keyof SolveSettings)[];
@@ -103,7 +105,7 @@ function fittingChange(from: Design, to: Design): Change | undefined {
   return {kind: changed.length === 1 ? settingNames[only] : 'cutting'};
 }
 
-/** Pins move on with what else is decided, and the effort ends with it: both come last. */
+/** Pins follow other decisions and the effort ends with them, so both are compared last. */
 function optionChange(from: SolveOptions, to: SolveOptions): Change | undefined {
   const locked = changedIn(from.locked, to.locked);
   if (locked.length > 0) return {kind: 'keep', pieces: locked};

@@ -1,22 +1,22 @@
-/** A number that somebody types: a wrong entry is said beside it and changes nothing. */
+/** A number field: a wrong entry shows a message beside the field and changes nothing. */
 import {css, html, LitElement, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 
 import {fractionOrNumber, numberTyped, type Units} from '../../model/units.js';
 import {controls} from '../style/controls.js';
 
-/** One unit of length, as fields are labelled. */
+/** Units of length in labels of fields. */
 export const lengthUnit: Readonly<Record<Units, {readonly name: string; readonly cm: number}>> = {
   cm: {name: 'cm', cm: 1},
   inch: {name: 'in', cm: 2.54},
 };
 
-/** What the arrow keys add. [in/8] */
+/** Steps of the arrow keys. [in/8] */
 const eighthsOf: Readonly<Record<string, number>> = {ArrowUp: 1, ArrowDown: -1};
-/** By which limits differ from how they are said at most. [in] */
+/** Greatest difference between a limit and its displayed fraction. [in] */
 const sixteenthMissed = 1 / 32;
 
-/** Fires `entered` with the number as `detail`, whenever a good one has been typed. */
+/** Fires `entered` with the number as `detail` once a different, valid number has been entered. */
 export class NumberField extends LitElement {
   static override properties = {
     label: {},
@@ -32,22 +32,22 @@ export class NumberField extends LitElement {
     typed: {state: true},
   };
   declare label: string;
-  /** Drawn behind the label; the field's name for those who hear it stays the label alone. */
+  /** Sign behind the label; hidden from screen readers, which read the label alone. */
   declare sign: string;
-  /** NaN for none. */
+  /** NaN for an empty field. */
   declare value: number;
   declare least: number;
   declare most: number;
   declare step: number;
-  /** After the point. */
+  /** Number of decimals. */
   declare digits: number;
-  /** It is in inches, which are shown and may be typed as 3/8 or 1 1/2. */
+  /** The value is in inches, displayed as a fraction; 3/8 and 1 1/2 are valid entries. */
   declare fractions: boolean;
-  /** What is said of a wrong entry. */
+  /** Message for a wrong entry. */
   declare wrong: string;
-  /** What has this number: a wrong entry is forgotten with it. */
+  /** Object that the number belongs to; another subject discards a wrong entry. */
   declare subject: unknown;
-  /** A wrong entry, and what it is being mended to. */
+  /** A wrong entry, and its text while the user corrects it. */
   declare protected typed: string | undefined;
 
   static override styles = [
@@ -72,7 +72,7 @@ export class NumberField extends LitElement {
     this.fractions = false;
   }
 
-  /** What was typed last is no good: `value` is not what the field shows. */
+  /** True if the last entry was invalid: `value` then differs from the field's text. */
   get isWrong(): boolean {
     return this.typed !== undefined && !this.#isRight(this.typed);
   }
@@ -102,7 +102,7 @@ export class NumberField extends LitElement {
           aria-invalid=${isWrong ? 'true' : nothing}
           aria-describedby=${isWrong ? 'wrong' : nothing}
           @input=${(event: Event) => {
-            // once it is right, the words below go, and not just when somebody presses what is under them
+            // hides the message once the entry is valid: at `change`, a click would miss its target
             if (this.typed !== undefined) this.typed = (event.target as HTMLInputElement).value;
           }}
           @keydown=${(event: KeyboardEvent) => {
@@ -118,13 +118,13 @@ export class NumberField extends LitElement {
   }
 
   get #shown(): string {
-    if (Number.isNaN(this.value)) return ''; // nobody has said it yet
+    if (Number.isNaN(this.value)) return ''; // no value yet
     return this.fractions
       ? fractionOrNumber(this.value, this.digits)
       : String(Number(this.value.toFixed(this.digits)) + 0);
   }
 
-  /** A text has no steps of its own: the arrow keys go by eighths. */
+  /** A text field has no steps, so the arrow keys step by eighths of an inch. */
   #step(event: KeyboardEvent): void {
     const eighths = eighthsOf[event.key];
     if (eighths === undefined) return;

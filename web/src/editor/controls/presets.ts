@@ -1,4 +1,4 @@
-/** Starting points for makers, each a few decisions at once. */
+/** Presets for makers, each a set of solver settings. */
 import type {Design} from '../../model/design.js';
 import type {GrainLock, SolveOptions} from '../../model/options.js';
 import type {Method} from '../../model/method.js';
@@ -6,7 +6,7 @@ import type {Method} from '../../model/method.js';
 export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] as const;
 type PresetName = (typeof presetNames)[number];
 
-/** What decides how pieces may lie and change; every field is a decision, whether or not it is the default. */
+/** Settings of alignment and deformation; all are explicit, even those equal to the default. */
 export interface SolveSettings {
   readonly maxChangeCm: number;
   readonly grain: GrainLock;
@@ -30,7 +30,7 @@ export const solveSettingsOf = ({method, options}: Design): SolveSettings => ({
   method,
 });
 
-/** What was decided about single pieces and seams stays. */
+/** Replaces the settings; options of single pieces and seams stay. */
 export function withSolveSettings(
   {options}: Design,
   {maxChangeCm, grain, continuousOnly, method}: SolveSettings,

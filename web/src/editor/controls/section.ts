@@ -1,4 +1,4 @@
-/** How a section of the left column is laid out. */
+/** Layout of a section in the left column. */
 import {css} from 'lit';
 
 export const section = css`

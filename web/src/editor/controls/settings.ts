@@ -1,4 +1,4 @@
-/** How the page speaks and looks, behind one button. */
+/** Language, units, theme and scale of the page, behind one button. */
 import {css, html, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
@@ -7,7 +7,7 @@ import {placeUnder} from '../style/place-under.js';
 import {icon} from '../style/icons.js';
 import type {Preferences} from '../../texts/preferences.js';
 
-/** Each in its own words, for those who read no other. */
+/** Each language in its own words, for users who read no other. */
 export const languageNames = {
   en: 'English',
   de: 'Deutsch',

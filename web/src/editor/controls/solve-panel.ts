@@ -1,4 +1,4 @@
-/** How far pieces may change, how they may lie, and what finds it. */
+/** Settings of the solver: greatest change of pieces, grain, cutting and method. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {GrainLock} from '../../model/options.js';
@@ -17,7 +17,7 @@ import {section} from './section.js';
 
 const grainLocks: readonly GrainLock[] = ['on', 'across', 'bias', 'free'];
 
-/** The greatest change is typed in millimetres, or in inches. */
+/** The greatest change is entered in millimetres or inches. */
 const changeUnit = {
   cm: {name: 'mm', cm: 0.1, step: 1, digits: 1},
   inch: {name: 'in', cm: 2.54, step: 0.05, digits: 3},

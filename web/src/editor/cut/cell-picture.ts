@@ -1,19 +1,26 @@
-/** The picture of a print's cell as cutting files take it. */
+/** Image of a print's cell for cutting sheets. */
 import {dataUrlOf} from '../../recognition/data-url.js';
 import {imageHref} from '../../recognition/svg-picture.js';
 import {fetchPicture} from '../../recognition/tile.js';
 
-/** As something a file may hold: SVG text, or a `data:` URL. @throws {Error} when it cannot be read */
+/**
+ * Returns an image as SVG text or a `data:` URL, to embed in a file.
+ * @throws {Error} if it cannot be read
+ */
 export async function embeddedTile(image: string): Promise<string> {
   if (image.startsWith('data:')) return image;
   const blob = await fetchPicture(new URL(image, document.baseURI));
   return blob.type.startsWith('image/svg') ? blob.text() : dataUrlOf(blob);
 }
 
-/** More is refused by browsers. [px] */
+/**
+ * Draws a tile as PNG of this width and height in pixels; undefined if the browser has no image.
+ */
 const mostPixels = 8192;
 
-/** Drawn as PNG, so many pixels wide and high; undefined where no picture can be. */
+/**
+ * Draws a tile as PNG of this width and height in pixels; undefined if the browser makes no image.
+ */
 export async function pixelsOfTile(
   tile: string,
   width: number,

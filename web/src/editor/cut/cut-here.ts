@@ -1,4 +1,4 @@
-/** Cutting files, made on the thread that asks for them. */
+/** Makes cutting sheets on the calling thread. */
 import {cutSheet} from '../../cutting/lay-sheet.js';
 import type {AllowanceRule} from '../../cutting/allowances.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
@@ -12,7 +12,10 @@ interface CutRequest extends AllowanceRule {
   readonly ink: 'full' | 'outline';
 }
 
-/** Undefined before there is an answer. @throws {RangeError} for a paper that is none; {Error} when the print's picture cannot be read */
+/**
+ * Returns a cutting sheet; undefined before there is a result.
+ * @throws {RangeError} for an unknown paper size; {Error} if the print's image cannot be read
+ */
 export async function cutHere(
   workbench: Workbench,
   {file, paper, ink, ...rule}: CutRequest,

@@ -1,4 +1,4 @@
-/** What cutting files are made of, once there is an answer. */
+/** Input of a cutting sheet, available after a solve. */
 import {decidedOf, noPicture, printOf} from '../../model/design.js';
 import {SolverError} from '../../model/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
@@ -10,7 +10,7 @@ import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {embeddedTile} from './cell-picture.js';
 
-/** Plain data, which may go to a worker. */
+/** Plain data, which can be posted to a worker. */
 export interface CutMaterial {
   readonly result: SolveResult;
   readonly print: PrintWithTile;
@@ -18,7 +18,10 @@ export interface CutMaterial {
   readonly options: SheetOptions;
 }
 
-/** Undefined before there is an answer. @throws {SolverError} `unscaled`; {Error} when the print's picture cannot be read */
+/**
+ * Returns the input; undefined before there is a result.
+ * @throws {SolverError} `unscaled`; {Error} if the print's image cannot be read
+ */
 export async function cutMaterial(
   {design, garment, result, preferences}: Workbench,
   rule: AllowanceRule,

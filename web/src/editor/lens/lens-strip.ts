@@ -1,4 +1,6 @@
-/** The drawing of a seam from near: a name on each side, a ruler under it, and a handle between before and after. */
+/**
+ * Close-up of a seam: names of both sides, a ruler below, and a handle between before and after.
+ */
 import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
@@ -9,7 +11,9 @@ import type {LensCursor} from '../pattern/marks.js';
 import {controls} from '../style/controls.js';
 import {rulerOf} from './ruler.js';
 
-/** Sends `sw-lens-cursor` with where on the seam the pointer is, if it is over one of its sides. */
+/**
+ * Fires `sw-lens-cursor` with the position of the pointer along the seam; undefined off the seam.
+ */
 export class LensStrip extends PatientElement {
   static override properties = {...WorkbenchElement.properties, row: {attribute: false}};
   declare row: SeamRow;
@@ -71,9 +75,9 @@ export class LensStrip extends PatientElement {
   #strip: SeamStrip | undefined;
   #shown: ShownSeam | undefined;
   #noWebGl = false;
-  /** What is left of it shows the seam as it was before. [share of the width] */
+  /** The strip shows the seam before the alignment left of here. [share of the width] */
   #split = 0;
-  /** Whose tile is shown, or being fetched. */
+  /** Image of the tile that is displayed or being fetched. */
   #image: string | undefined;
   readonly #appearance = new AppearanceController(this);
   #life: AbortController | undefined;
@@ -114,7 +118,7 @@ export class LensStrip extends PatientElement {
     this.requestUpdate();
   }
 
-  /** Before it is rendered, because the ruler asks the drawing how large it is. */
+  /** Updates the drawing before the ruler is rendered, since the ruler depends on its scale. */
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     const strip = this.#strip;
@@ -134,7 +138,7 @@ export class LensStrip extends PatientElement {
     const image = this.workbench.design?.print.image;
     if (image === undefined || image === this.#image) return;
     this.#image = image;
-    // the pattern says when a picture cannot be read
+    // the pattern shows the message for an unreadable image
     const tile = await this.workbench.tileOf(image, this.#life?.signal).catch(() => undefined);
     if (this.#image === image) strip.setTile(tile);
   }

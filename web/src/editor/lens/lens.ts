@@ -1,4 +1,4 @@
-/** One seam from near: both sides of it as they lie against each other when sewn. */
+/** Close-up of one seam: both sides next to each other, as sewn. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
@@ -9,7 +9,7 @@ import {icon} from '../style/icons.js';
 import {nextWorst, rankOf} from './worst-walk.js';
 
 export class SeamLens extends PatientElement {
-  /** `wide`: there is room for a tall strip, and a wish for it. */
+  /** `wide`: the user wants a tall strip; the editor shows one if it has room. */
   static override properties = {
     ...PatientElement.properties,
     wide: {type: Boolean, reflect: true},
@@ -73,7 +73,7 @@ export class SeamLens extends PatientElement {
     `,
   ];
 
-  /** Stays in the lens whatever is pointed at, and belongs to this garment. */
+  /** The pinned seam of this garment; it stays in the lens wherever the pointer is. */
   #pinned: {readonly seam: number; readonly garment: DesignGarment} | undefined;
 
   #wasAwake = false;
@@ -140,13 +140,13 @@ export class SeamLens extends PatientElement {
     `;
   }
 
-  /** The first answer has the machine to itself: a drawing of its own costs the lens some time. */
+  /** True once the lens may draw: its drawing takes time, which the first solve needs. */
   get #isAwake(): boolean {
     return (this.#wasAwake ||=
       this.workbench.state.kind !== 'solving' && this.workbench.state.kind !== 'empty');
   }
 
-  /** The seam that is shown, by number. */
+  /** Index of the displayed seam. */
   #seam(rows: readonly SeamRow[]): number | undefined {
     const {design, pointed, selected} = this.workbench;
     if (this.#pinned && this.#pinned.garment !== design?.garment) this.#pinned = undefined;
@@ -171,7 +171,8 @@ export class SeamLens extends PatientElement {
   }
 
   #key = (event: KeyboardEvent): void => {
-    const onHandle = (event.target as Element).localName === 'sw-lens-strip'; // which has arrow keys of its own
+    // the strip has its own arrow keys
+    const onHandle = (event.target as Element).localName === 'sw-lens-strip';
     if (event.key === 'Escape' && this.#pinned) this.#pin(undefined);
     else if (event.key === 'ArrowDown' && !onHandle) this.#walk(1);
     else if (event.key === 'ArrowUp' && !onHandle) this.#walk(-1);

@@ -1,18 +1,22 @@
-/** Ticks along a length of cloth. */
+/** Ticks along a length of fabric. */
 
 interface Ruler {
-  /** Between two ticks. [cm] */
+  /** Distance between two ticks. [cm] */
   readonly step: number;
-  /** From the start of the strip. [CSS px] */
+  /** Positions from the start of the strip. [CSS px] */
   readonly ticks: readonly number[];
 }
 
 const metric = [0.5, 1, 2, 5, 10, 20];
 const inches = [0.25, 0.5, 1, 2, 4, 8].map((inch) => inch * 2.54);
-/** Ticks are no closer than this. [CSS px] */
+/** Least distance between ticks. [CSS px] */
 const closest = 7;
 
-/** `from` is where the seam starts on the strip and `length` how far it goes. [CSS px]; `scale` in CSS px per cm */
+/**
+ * @param from start of the seam on the strip [CSS px]
+ * @param length length of the seam on the strip [CSS px]
+ * @param scale [CSS px per cm]
+ */
 export function rulerOf(from: number, length: number, scale: number, units: 'cm' | 'inch'): Ruler {
   const steps = units === 'inch' ? inches : metric;
   const step = steps.find((one) => one * scale >= closest) ?? steps.at(-1) ?? 1;

@@ -1,20 +1,20 @@
-/** The way from seam to seam by how much they miss. */
+/** Walks from seam to seam in the order of their mismatch. */
 import {worstSeams, type SeamRow} from '../lists/rows.js';
 
 interface Rank {
-  /** From 1, the worst. */
+  /** 1 for the worst seam. */
   readonly rank: number;
   readonly count: number;
 }
 
-/** Undefined for a seam that does not count. */
+/** Returns undefined for a seam that does not count. */
 export function rankOf(rows: readonly SeamRow[], seam: number): Rank | undefined {
   const worst = worstSeams(rows);
   const at = worst.findIndex((row) => row.seam === seam);
   return at < 0 ? undefined : {rank: at + 1, count: worst.length};
 }
 
-/** The seam that misses next less (1) or next more (-1); round from the last to the first. */
+/** Returns the seam with the next smaller (1) or larger (-1) mismatch; wraps around at the ends. */
 export function nextWorst(
   rows: readonly SeamRow[],
   seam: number | undefined,

@@ -1,4 +1,4 @@
-/** What a person decides about one seam or one piece, as a change of the solver's options. */
+/** Changes of the solver's options that the user makes for one seam or one piece. */
 import {angleOf, type GrainLock, type GrainRule, type SolveOptions} from '../../model/options.js';
 import type {PieceNames} from '../../model/piece-names.js';
 import type {SeamRow} from './rows.js';
@@ -8,7 +8,7 @@ type Match = (typeof matches)[number];
 
 const weights = {double: 2, full: 1, half: 0.5} as const;
 
-/** Undefined for a weight of its own. */
+/** Returns undefined for any other weight. */
 export function matchOf({matched, weight}: Pick<SeamRow, 'matched' | 'weight'>): Match | undefined {
   if (!matched) return 'none';
   return matches.find((match) => match !== 'none' && weights[match] === weight);
@@ -20,7 +20,7 @@ const without = <Value>(
 ): Record<string, Value> =>
   Object.fromEntries(Object.entries(all ?? {}).filter(([name]) => name !== String(key)));
 
-/** A weight that the garment file gives by itself need not be said. */
+/** Omits a weight that equals the one in the garment file. */
 export function withMatch(
   options: SolveOptions,
   {seam, ownWeight}: Pick<SeamRow, 'seam' | 'ownWeight'>,
@@ -37,7 +37,7 @@ export function withMatch(
   };
 }
 
-/** A grain line that was said for the piece stays. */
+/** Keeps the grain line that was set for the piece. */
 export function withGrain(
   options: SolveOptions,
   piece: string,
@@ -51,7 +51,7 @@ export function withGrain(
   return {...options, grain: {...options.grain, pieces}};
 }
 
-/** Turns a piece by 90 degrees on the cloth: across it, or back along it. */
+/** Turns a piece by 90 degrees on the fabric: across the grain, or back along it. */
 export function withQuarterTurn(options: SolveOptions, piece: string): SolveOptions {
   const rule = options.grain?.pieces?.[piece];
   const own = typeof rule === 'object' ? rule.lock : rule;
@@ -59,7 +59,7 @@ export function withQuarterTurn(options: SolveOptions, piece: string): SolveOpti
   return withGrain(options, piece, isAcross ? 'on' : 'across');
 }
 
-/** Where the grain lines of pieces run, by name, face up. [degrees] */
+/** Sets the grain lines of pieces. @param lines direction by piece name, face up [degrees] */
 export function withGrainLines(
   options: SolveOptions,
   lines: Readonly<Record<string, number>>,
@@ -86,7 +86,7 @@ export const withoutPin = (options: SolveOptions, piece: string): SolveOptions =
   pins: without(options.pins, piece),
 });
 
-/** Another name for a piece; none gives it back the one it came with. */
+/** Renames a piece; an empty name restores the original one. */
 export const withName = (
   names: PieceNames | undefined,
   piece: string,

@@ -1,4 +1,4 @@
-/** What a press keeps as drafted, or lets go, and how that is shown beforehand. */
+/** Keeps parts of pieces as drafted or releases them by a press, and shows the part beforehand. */
 import type {Target as Picked} from '../../clicks/pick.js';
 import {isKept, keptParts, toggledLock, type Lockable} from '../../model/locks.js';
 import {pick} from '../../scene/marks.js';
@@ -10,7 +10,7 @@ import type {Workbench} from '../../workbench/workbench.js';
 const partOf = (target: Picked): Lockable =>
   target.kind === 'piece' ? {piece: target.piece} : {piece: target.piece, edge: target.edge};
 
-/** A line that the file does not number stands for its piece. */
+/** A line that the file does not number applies to its whole piece. */
 export function toggleKept(workbench: Workbench, target: Picked): void {
   togglePart(workbench, partOf(target));
 }
@@ -20,7 +20,7 @@ export function togglePart(workbench: Workbench, part: Lockable): void {
   if (design && pattern) workbench.change({options: toggledLock(design.options, pattern, part)});
 }
 
-/** The edge under the pointer, and what a press would do with it. */
+/** The edge under the pointer, labelled with the effect of a press. */
 export function keepMarks(
   {design, pattern}: Workbench,
   scene: PatternScene,

@@ -1,6 +1,6 @@
 import {css} from 'lit';
 
-/** Of both tables: small, quiet, numbers under each other. */
+/** Styles of both tables: small text, aligned numbers. */
 export const listStyle = css`
   :host {
     display: block;

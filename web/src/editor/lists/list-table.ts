@@ -1,4 +1,4 @@
-/** A table whose rows are parts of the pattern: sorted by its columns, walked by keys, tied to the picture both ways. */
+/** A table of parts of the pattern: sorted by columns, used by keys, selected like the drawing. */
 import {html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 import {repeat} from 'lit/directives/repeat.js';
@@ -9,25 +9,27 @@ import {inOrder, type Order, type SortKey} from './order.js';
 
 export interface Column<Row> {
   readonly title: string;
-  /** Columns without one cannot be sorted. */
+  /** A column without a key cannot be sorted. */
   readonly key?: SortKey<Row>;
-  /** Numbers stand on the right, and the greatest come first. */
+  /** Numbers are aligned right, and sort in descending order first. */
   readonly numeric?: boolean;
 }
 
 export abstract class ListTable<Row> extends PatientElement {
   #order: Order;
-  /** Numbers of the rows from above, as they were sorted last. */
+  /** Numbers of the rows in the displayed order. */
   #sorted: readonly number[] = [];
-  /** What `#sorted` was made of. */
+  /** Input that `#sorted` was computed from. */
   #sortedFrom: readonly unknown[] = [];
-  /** The row that takes part in the tab order. */
+  /** Number of the row in the tab order. */
   #stop = 0;
-  /** What was selected last, so that a new choice is noticed; and what was chosen in this table itself. */
+  /**
+   * Last selected target, to notice a new selection; and the last target selected in this table.
+   */
   #selected: Target | undefined;
   #chosen: Target | undefined;
 
-  /** The row that something is being typed into. */
+  /** Number of the row with an open text field. */
   protected edited: number | undefined;
 
   protected constructor(order: Order) {
@@ -37,14 +39,14 @@ export abstract class ListTable<Row> extends PatientElement {
 
   protected abstract get label(): string;
   protected abstract get columns(): readonly Column<Row>[];
-  /** By number: row n is piece or seam n. */
+  /** Row n is piece or seam n. */
   protected abstract get rows(): readonly Row[];
   protected abstract targetOf(number: number): Target;
-  /** The number of the row that a target is, if it is one of this table's. */
+  /** Returns the row number of a target; undefined if another table contains it. */
   protected abstract numberOf(target: Target): number | undefined;
-  /** `tabIndex` is for the controls in the row. */
+  /** @param tabIndex for the controls in the row */
   protected abstract cells(row: Row, tabIndex: number): TemplateResult;
-  /** What stands in place of rows when there are none. */
+  /** Text in place of an empty table. */
   protected abstract get empty(): string | undefined;
 
   protected override render(): TemplateResult {
@@ -120,7 +122,7 @@ export abstract class ListTable<Row> extends PatientElement {
     </th>`;
   }
 
-  /** Rows keep their places while a solve runs, since everything about them changes many times a second. */
+  /** Rows keep their order during a solve, since their values change many times a second. */
   #sort(rows: readonly Row[], columns: readonly Column<Row>[]): void {
     const {column, descending} = this.#order;
     const {language} = this.workbench.preferences;
@@ -134,7 +136,7 @@ export abstract class ListTable<Row> extends PatientElement {
     this.#sorted = inOrder(rows, key, descending, language).map((row) => numbers.get(row) ?? 0);
   }
 
-  /** A row that moves to another place keeps the focus. */
+  /** A row that changes its place keeps the focus. */
   protected override update(...given: Parameters<PatientElement['update']>): void {
     const root = this.shadowRoot;
     const held = root?.activeElement;
@@ -184,7 +186,7 @@ export abstract class ListTable<Row> extends PatientElement {
     event.preventDefault();
   };
 
-  /** A key on a row that is not the table's own. @returns whether it means something */
+  /** Handles a key on a row that the table does not use. @returns true if the key has an effect */
   protected press?(number: number, key: string): boolean;
 
   #point = (event: Event): void => {
@@ -213,10 +215,10 @@ function rowNumber({target}: Event): number | undefined {
 const isInControl = ({target}: Event): boolean =>
   target instanceof Element && target.closest('button, select, input') !== null;
 
-/** What may stand over the rows at the top of the column, as a part of its height. */
+/** Share of the column's height that the lens may cover at its top. */
 const lensShare = 0.35;
 
-/** Scrolls the column that the table is in, if it is in one: the whole page stays where the picture is seen. */
+/** Scrolls only the column of the table, so that the drawing stays visible. */
 function reveal(row: HTMLElement, table: HTMLElement): void {
   const column = scroller(table);
   if (!column) return;

@@ -1,16 +1,16 @@
-/** A name that is edited in its place: Enter and leaving it keep what was typed, Escape does not. */
+/** A name edited in place: Enter and leaving the field keep the entry, Escape discards it. */
 import {html, type TemplateResult} from 'lit';
 
-/** What fits on a piece. [characters] */
+/** Greatest length of a name that fits on a piece. [characters] */
 const greatestLength = 80;
 
 interface NameField {
   readonly name: string;
-  /** For those who do not see it. */
+  /** Accessible name of the field. */
   readonly label: string;
-  /** @returns whether the name is a good one */
+  /** @returns true if the name is valid */
   readonly keep: (name: string) => boolean;
-  /** After it was kept or given up; `byKey` when the focus is still here. */
+  /** Runs after the entry was kept or discarded; `byKey` if the field still has the focus. */
   readonly close: (byKey: boolean) => void;
 }
 
@@ -21,7 +21,7 @@ export function nameField({name, label, keep, close}: NameField): TemplateResult
     close(byKey);
   };
   const press = (event: KeyboardEvent): void => {
-    event.stopPropagation(); // letters are no commands here
+    event.stopPropagation(); // letters are no shortcuts here
     const field = event.target as HTMLInputElement;
     if (event.key === 'Escape') end(true);
     else if (event.key === 'Enter' && keep(field.value.trim())) end(true);

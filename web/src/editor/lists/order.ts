@@ -1,15 +1,15 @@
-/** Rows by what stands in one of their columns. */
+/** Sorts rows by one of their columns. */
 
-/** What rows are sorted by; those without it come last. */
+/** Returns the value to sort by; rows without a value come last. */
 export type SortKey<Row> = (row: Row) => number | string | undefined;
 
 export interface Order {
-  /** The number of the column. */
+  /** Index of the column. */
   readonly column: number;
   readonly descending: boolean;
 }
 
-/** Rows that are equal stay as they are. */
+/** Equal rows keep their order. */
 export function inOrder<Row>(
   rows: readonly Row[],
   key: SortKey<Row>,

@@ -1,4 +1,4 @@
-/** The pieces of a garment, and what is decided about each. */
+/** The pieces of a garment with their settings. */
 import {html, nothing, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 
@@ -101,7 +101,7 @@ export class PieceTable extends ListTable<PieceRow> {
     this.edited = piece;
     this.requestUpdate();
     if (piece === undefined) return;
-    // once the table has given the focus back to the row
+    // waits until the table has returned the focus to the row
     void this.updateComplete.then(() => {
       this.renderRoot.querySelector<HTMLInputElement>('input.name')?.select();
     });
@@ -199,7 +199,7 @@ export class PieceTable extends ListTable<PieceRow> {
     />`;
   }
 
-  /** By clicks on the pattern. */
+  /** The user sets the grain line by clicks on the pattern. */
   #wantGrainLine({piece, grain}: PieceRow, select: HTMLSelectElement): void {
     select.value = grain;
     this.workbench.select(this.targetOf(piece));

@@ -1,4 +1,4 @@
-/** Pieces and seams as rows of a table: what there is to know about each, in numbers and names. */
+/** Pieces and seams as rows of a table, with their measurements and names. */
 import type {Design} from '../../model/design.js';
 import type {GarmentDocument, GarmentSeam} from '../../model/garment-document.js';
 import {degrees, distance, minus, rotated} from '../../model/geometry.js';
@@ -17,75 +17,84 @@ import type {Scenes} from '../../workbench/scenes.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
 export interface PieceRow {
-  /** Its number, from 0. */
+  /** Index of the piece. */
   readonly piece: number;
-  /** What the files call it. */
+  /** Name in the files. */
   readonly name: string;
   readonly label: string;
-  /** Of the piece as drafted. [cm] */
+  /** Size of the piece as drafted. [cm] */
   readonly width: number;
   readonly height: number;
   readonly seams: number;
-  /** How far its outline was reshaped where that is most; unknown before it is solved. [cm] */
+  /** Greatest change of the outline; undefined before the solve. [cm] */
   readonly moved: number | undefined;
-  /** Between its grain line and the length of the cloth. [degrees, 0 to 90; of a one-way print to 180] */
+  /**
+   * Angle between grain line and length of the fabric. [degrees, 0 to 90; 0 to 180 for a one-way
+   * print]
+   */
   readonly offGrain: number;
-  /** `all`: no rule of its own. */
+  /** `all`: the setting for all pieces applies. */
   readonly grain: GrainLock | 'all';
   readonly printed: boolean;
   readonly pinned: boolean;
-  /** How much of its outline stays as drafted. */
+  /** Extent of the outline that stays as drafted. */
   readonly kept: 'all' | 'some' | 'none';
 }
 
 export interface SeamRow {
-  /** Its number, from 0. */
+  /** Index of the seam. */
   readonly seam: number;
-  /** No other seam has the same. */
+  /** Unique name. */
   readonly name: string;
-  /** In short, as on the pieces to cut. */
+  /** Letter of the seam, as on the cutting sheet. */
   readonly letter: string;
-  /** Which pieces it joins, unless the name says that. */
+  /** The pieces that the seam joins; undefined if the name contains them. */
   readonly between: string | undefined;
   /** Labels of the pieces on sides a and b. */
   readonly sides: readonly [string, string];
-  /** Mean of both sides, as drafted. [cm] */
+  /** Mean length of both sides, as drafted. [cm] */
   readonly length: number;
-  /** Mean mismatches, point by point. [cm] */
+  /** Mean mismatch along the seam, before and after the solve. [cm] */
   readonly before: number;
   readonly after: number;
-  /** The worst mismatch of any edge. [cm] */
+  /** Greatest mismatch of any edge. [cm] */
   readonly worst: number;
-  /** Its sides differ too much in length for a print to run on all along. */
+  /** True if the sides differ too much in length for the print to continue along the whole seam. */
   readonly gathered: boolean;
-  /** Where the print, followed along the whole seam, runs off; of gathers that says nothing. */
+  /**
+   * Mismatch of the print followed along the whole seam; undefined for gathers, since it has no
+   * meaning there.
+   */
   readonly drift: Drift | undefined;
-  /** Why it stays off, if it does and an answer says so. */
+  /** Reason of the mismatch, if the result contains one. */
   readonly why: SeamReason | undefined;
-  /** `after` on the scale of the picture: 0 is perfect, 1 is drawn as the worst. */
+  /** `after` on the colour scale of the drawing: 0 is a perfect match, 1 the worst colour. */
   readonly severity: number;
   readonly kind: SceneSeam['kind'];
-  /** While solving. */
+  /** Weight in the solve. */
   readonly weight: number;
-  /** What the garment file says about the weight. */
+  /** Weight in the garment file. */
   readonly ownWeight: number;
   readonly matched: boolean;
-  /** Labels of the pieces whose side of it stays as drafted. */
+  /** Labels of the pieces whose side of the seam stays as drafted. */
   readonly keptOn: readonly string[];
-  /** Whether it is for its match switch to say so: no plain piece, no word of the file is against it. */
+  /**
+   * True if the user can switch matching on: neither piece is plain, and the file does not exclude
+   * the seam.
+   */
   readonly canMatch: boolean;
-  /** False as well for a seam that meets however the print lies. */
+  /** True if the seam counts; false also for a seam that matches wherever the print is. */
   readonly counts: boolean;
 }
 
 type Shown = Pick<Workbench, 'design' | 'garment' | 'pattern' | 'result' | 'scenes'>;
 
-/** Empty until the garment has been read. The same workbench gives the same rows until something about them changes. */
+/** Returns no rows before the garment is read. An unchanged workbench returns the same rows. */
 export function pieceRows({design, pattern, result, scenes}: Shown): readonly PieceRow[] {
   return design && scenes && (result ?? pattern) ? piecesOf(design.options, scenes.now) : [];
 }
 
-/** Empty until the garment has been read. The same workbench gives the same rows until something about them changes. */
+/** Returns no rows before the garment is read. An unchanged workbench returns the same rows. */
 export function seamRows(
   {design, garment, pattern, result, scenes}: Shown,
   texts: Texts,
@@ -94,14 +103,14 @@ export function seamRows(
   return seamsOf(garment, design.options, scenes, texts);
 }
 
-/** Of those that count, the worst first. */
+/** Returns the seams that count, worst first. */
 export const worstSeams = (rows: readonly SeamRow[], most = rows.length): readonly SeamRow[] =>
   rows
     .filter(({counts}) => counts)
     .sort((a, b) => b.after - a.after)
     .slice(0, most);
 
-/** Those that miss by more than a step back lets one overlook, the worst first. */
+/** Returns the seams with a mismatch that is visible from a step away, worst first. */
 export const offSeams = (rows: readonly SeamRow[]): readonly SeamRow[] =>
   worstSeams(rows).filter(({after}) => after > mismatchSteps[1]);
 
@@ -117,8 +126,8 @@ export function seamText(row: SeamRow, texts: Texts, format: Format): string {
 }
 
 /**
- * "meets at one end, 40 mm off at the other"; or why it stays off, where following the print along it means nothing,
- * or is not what is wrong with it.
+ * Returns "meets at one end, 40 mm off at the other". Returns the reason of the mismatch instead if
+ * the drift along the seam has no meaning, or is not the cause.
  */
 export function remarkOn(
   {drift, gathered, why}: Pick<SeamRow, 'drift' | 'gathered' | 'why'>,
@@ -134,7 +143,7 @@ export function remarkOn(
   return meets ? lists.runsOff(format.fine(far)) : lists.offAlong(format.fine(drift.most));
 }
 
-/** What depends on nothing but the outlines. */
+/** Measurements that depend on the outlines alone. */
 const measures = lastOf(({pieces, seams}: Pattern) => {
   const way = ({piece, vertices}: SeamSide): number =>
     lengthOf(pick(pieces[piece]?.rest ?? [], vertices));
@@ -161,7 +170,7 @@ function offGrain({grain, alignment}: ScenePiece, oneWay: boolean): number {
   return degrees(Math.atan2(Math.abs(across), oneWay ? along : Math.abs(along)));
 }
 
-/** Whether all of an outline, or some of it, stays as drafted. */
+/** Returns whether all of an outline, or some of it, stays as drafted. */
 function keptOf({kept = [], pieces}: PatternScene, piece: number): PieceRow['kept'] {
   const count = kept
     .filter((line) => line.piece === piece)
@@ -170,7 +179,7 @@ function keptOf({kept = [], pieces}: PatternScene, piece: number): PieceRow['kep
   return count === pieces[piece]?.outline.length ? 'all' : 'some';
 }
 
-/** Whether all of a side of a seam stays as drafted. */
+/** Returns whether all of a side of a seam stays as drafted. */
 const isKeptSide = ({kept = []}: PatternScene, {piece, vertices}: SeamSide): boolean =>
   kept.some(
     (line) => line.piece === piece && vertices.every((vertex) => line.vertices.includes(vertex)),
@@ -194,7 +203,7 @@ const piecesOf = lastOf((options: Design['options'], scene: PatternScene): reado
   });
 });
 
-/** Names from the file or of the pieces; numbered where several are alike. */
+/** Names from the file or from the pieces, with numbers for equal names. */
 function seamNames(
   {pieces, seams}: PatternScene,
   drafted: readonly GarmentSeam[],

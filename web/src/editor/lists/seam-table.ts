@@ -1,4 +1,4 @@
-/** The seams of a garment: how well the print meets at each, and how much that matters. */
+/** The seams of a garment with their mismatch and its weight. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import {mismatchLine, type MismatchScale} from '../../scene/colours.js';
@@ -10,7 +10,7 @@ import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
 import {remarkOn, seamRows, type SeamRow} from './rows.js';
 
-/** What does not count is no match, good or bad. */
+/** A seam that does not count has no match to sort by, good or bad. */
 const counted =
   (figure: 'before' | 'after') =>
   (row: SeamRow): number | undefined =>
@@ -20,7 +20,7 @@ export class SeamTable extends ListTable<SeamRow> {
   static override styles = [controls, listStyle];
 
   constructor() {
-    super({column: 3, descending: true}); // the worst first
+    super({column: 3, descending: true}); // worst first
   }
 
   protected override get label(): string {
@@ -121,7 +121,7 @@ export class SeamTable extends ListTable<SeamRow> {
   }
 }
 
-/** How bad a mismatch is, by length and colour; the number is beside it. */
+/** Mismatch as length and colour of a bar; the number is next to it. */
 const bar = ({after, severity}: SeamRow, scale: MismatchScale): TemplateResult =>
   html`<svg class="bar" viewBox="0 0 44 4" preserveAspectRatio="none" aria-hidden="true">
     ${svg`<rect width=${Math.max(2, 44 * severity).toFixed(1)} height="4" rx="2"

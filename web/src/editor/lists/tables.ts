@@ -1,4 +1,4 @@
-/** Everything about the garment as text: its pieces, and below them its seams. */
+/** Everything about the garment as text: its pieces, then its seams. */
 import {html, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';

@@ -1,9 +1,9 @@
-/** A piece turned by 90 degrees on the cloth, from wherever that is asked for. */
+/** Turns a piece by 90 degrees on the fabric, for keys and buttons. */
 import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {withQuarterTurn} from './choices.js';
 
-/** @returns whether there is such a piece */
+/** @returns true if there is such a piece */
 export function turnPiece(workbench: Workbench, piece: number): boolean {
   const {design, scenes} = workbench;
   const turned = scenes?.now.pieces[piece];

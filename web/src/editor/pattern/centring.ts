@@ -1,4 +1,6 @@
-/** Where the print is centred: on an edge that is chosen, else on the middle of the body, as far as a piece reaches it. */
+/**
+ * Centres the print on the selected edge, or on the middle of the body if a piece extends to it.
+ */
 import type {Placement} from '../../model/garment-document.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import {footOnAxis} from '../../model/mirror-lines.js';
@@ -18,10 +20,13 @@ interface Middle {
 
 type Shown = Pick<Workbench, 'selected' | 'scenes' | 'pattern' | 'found'>;
 
-/** A half is no further from the middle of the body than this: its edges overlap there, or leave room for a band. [cm] */
+/**
+ * Greatest distance of a half from the middle of the body: its edges overlap there, or leave room
+ * for a band. [cm]
+ */
 const offMiddle = 4;
 
-/** What a look at the front falls on: the edge or piece that is selected, or the piece that is called so. */
+/** Returns the point to centre on: of the selected edge or piece, or of the piece named front. */
 export function middleToCentre(workbench: Shown): Middle | undefined {
   const scene = workbench.scenes?.now;
   if (!scene) return undefined;
@@ -38,7 +43,10 @@ export function middleToCentre(workbench: Shown): Middle | undefined {
   return piece && {piece, at: middleOfBody(workbench, scene, number) ?? middleOf(piece)};
 }
 
-/** The place on a piece's own axis, or on that between it and its mirror image, where the body has its middle. */
+/**
+ * Returns the middle of the body on a piece: on its own axis, or on the axis between it and its
+ * mirror image.
+ */
 function middleOfBody(workbench: Shown, scene: PatternScene, number: number): Point | undefined {
   const piece = scene.pieces[number];
   if (!piece) return undefined;
@@ -54,7 +62,7 @@ function middleOfBody(workbench: Shown, scene: PatternScene, number: number): Po
   return undefined;
 }
 
-/** Of the longest seam that joins a half to the other one. */
+/** Returns the middle of the longest seam that joins a half to its twin. */
 function middleOfSeam(
   {pieces, seams}: PatternScene,
   half: number,
@@ -72,21 +80,25 @@ function middleOfSeam(
   return atShare(pick(pieces[half]?.points ?? [], vertices), 0.5).at;
 }
 
-/** Where halves are not sewn together: beside the middle of a piece, by where the file places it. */
+/**
+ * Returns the middle of the body beside a piece, from its placement in the file. It is for halves
+ * that are not sewn together.
+ */
 function middlePlaced(piece: ScenePiece, placement: Placement | undefined): Point | undefined {
   if (!placement) return undefined;
   const {translation, rotation = [0, 0, 0]} = placement;
   const [x, y] = middleOf(piece);
   const across = turned([1, 0, 0], rotation)[0];
-  if (Math.abs(across) < 0.7) return undefined; // it hangs at the side
+  if (Math.abs(across) < 0.7) return undefined; // the piece is at the side of the body
   const away = (translation[0] + turned([x, y, 0], rotation)[0]) / across;
   const half = Math.max(...pick(piece.points, piece.outline).map((point) => point[0])) - x;
   return Math.abs(away) <= half + offMiddle ? [x - away, y] : undefined;
 }
 
 /**
- * The print upright on the sheet, with a motif, which is at the print's origin, in the very middle, or with the
- * line through the motifs along it, as high as it lies.
+ * Returns an alignment with the print upright on the sheet. `motif` puts a motif, which is at the
+ * print's origin, on the point. `line` puts the line through the motifs on the point, at the
+ * present height.
  */
 export function centred({piece, at: [x, y]}: Middle, what: 'motif' | 'line'): Alignment {
   const {isTurned, alignment} = piece;

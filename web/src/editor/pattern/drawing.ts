@@ -1,9 +1,9 @@
-/** The pattern as it is drawn, and nothing else: the pieces of a workbench in their print. */
+/** Drawing of the pattern without tools: the pieces of a workbench in their print. */
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
 import {SceneDrawing, type OpenView} from './scene-drawing.js';
 
 export class PatternDrawing extends SceneDrawing<PatternView> {
-  /** What a drawing that somebody works on adds. */
+  /** Additional options of a drawing with tools. */
   protected viewOptions(): PatternViewOptions {
     return {};
   }

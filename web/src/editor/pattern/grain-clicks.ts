@@ -1,4 +1,4 @@
-/** Where the grain line of a piece runs, by clicks: along an edge, or through two points. */
+/** Sets the grain line of a piece by clicks: along an edge, or through two points. */
 import type {LineTarget, OnPiece, Target} from '../../clicks/pick.js';
 import {inputPoint} from '../../clicks/sheet.js';
 import {angleOf, degrees, distance, minus, type Point} from '../../model/geometry.js';
@@ -9,18 +9,18 @@ import type {Texts} from '../../texts/texts.js';
 import {mirrorsOf, withImage} from '../../workbench/grain-proposals.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
-/** Two points closer than this give no direction. [cm] */
+/** Least distance between two points that give a direction. [cm] */
 const shortest = 1;
 
 const directionOf = (from: Point, to: Point): number => degrees(angleOf(minus(to, from)));
 
-/** A point of the drafted piece, face up. */
+/** Returns a point in the drafted piece, face up. [cm] */
 function drafted(scene: PatternScene, {piece, point}: OnPiece): Point {
   const [x, y] = inputPoint(scene, piece, point);
   return [scene.pattern.pieces[piece]?.mirroredFromInput ? -x : x, y];
 }
 
-/** From one end of an edge to the other as it was drafted, upwards: an edge has no direction of its own. */
+/** Returns the upward direction of an edge as drafted, since an edge has none itself. [degrees] */
 function alongEdge(scene: PatternScene, {piece, edge}: LineTarget): number | undefined {
   const {rest = [], outline = []} = scene.pattern.pieces[piece] ?? {};
   const {edges = []} = scene.pieces[piece] ?? {};
@@ -44,7 +44,7 @@ export class GrainClicks {
     this.#workbench = workbench;
   }
 
-  /** Whether the next click is a point, whatever is near. */
+  /** True if the next click is a point, even near a line. */
   get hasFirst(): boolean {
     return this.#first !== undefined;
   }
@@ -53,14 +53,14 @@ export class GrainClicks {
     this.#first = this.#refused = undefined;
   }
 
-  /** Takes the first point back. @returns whether there was one */
+  /** Removes the first point. @returns true if there was one */
   back(): boolean {
     const had = this.hasFirst;
     this.begin();
     return had;
   }
 
-  /** @param snapped where a click is that is meant as a point */
+  /** @param snapped position of a click that sets a point */
   take(scene: PatternScene, target: Target, snapped: Point): void {
     const {piece} = target;
     const here = {piece, point: snapped};

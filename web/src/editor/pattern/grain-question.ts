@@ -1,4 +1,4 @@
-/** Asks once where the grain runs on pieces whose file does not say it, and proposes an answer for each. */
+/** Dialog for the grain lines that a file lacks, with a proposal for each piece. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
@@ -21,9 +21,9 @@ interface Asked {
   readonly piece: number;
   readonly name: string;
   readonly label: string;
-  /** On the sheet. [degrees, face up] */
+  /** Proposed direction on the sheet. [degrees, face up] */
   readonly proposal: number;
-  /** From the sheet to the piece's own coordinates. [degrees] */
+  /** Rotation from the sheet to the coordinates of the piece. [degrees] */
   readonly turn: number;
 }
 
@@ -81,11 +81,11 @@ export class GrainQuestion extends WorkbenchElement {
     `,
   ];
 
-  /** Whose owner does not want to be asked. */
+  /** Garment for which the user closed the dialog. */
   #later: DesignGarment | undefined;
   #isOpen = false;
 
-  /** Nothing is asked while nothing depends on it. */
+  /** Returns the pieces without grain line; none if the result does not depend on the grain. */
   #asked(): readonly Asked[] {
     const {design, scenes, pattern} = this.workbench;
     if (!design || !scenes || !pattern || design.garment === this.#later) return [];
@@ -103,7 +103,7 @@ export class GrainQuestion extends WorkbenchElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const asked = this.#asked();
-    this.toggleAttribute('asks', asked.length > 0); // what stands around it makes room
+    this.toggleAttribute('asks', asked.length > 0); // the layout of the editor makes room
     if (asked.length === 0) return nothing;
     const {grain} = this.texts;
     const turned = asked.filter(({proposal}) => wayOf(proposal) !== 'up').length;
@@ -200,12 +200,12 @@ export class GrainQuestion extends WorkbenchElement {
     </li>`;
   }
 
-  /** @param degrees on the sheet */
+  /** @param degrees direction on the sheet */
   #sayMirrored({name, turn}: Asked, degrees: number): void {
     this.#take(withImage(name, (degrees + turn) % 360, mirrorsOf(this.workbench)));
   }
 
-  /** Of every piece for itself, on the sheet. */
+  /** Sets the grain line of each piece separately; `degrees` is its direction on the sheet. */
   #say(lines: readonly (Asked & {readonly degrees: number})[]): void {
     this.#take(
       Object.fromEntries(lines.map(({name, turn, degrees}) => [name, (degrees + turn) % 360])),

@@ -1,4 +1,4 @@
-/** The edges of the selected piece, to be kept as drafted without a pointer. */
+/** List of the selected piece's edges, to keep them as drafted without a pointer. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {isKept, keptParts} from '../../model/locks.js';
@@ -36,7 +36,7 @@ export class KeepMenu extends WorkbenchElement {
 
   constructor() {
     super();
-    // who clicks here is not back at the pattern, whose keys would close the tool with the list
+    // a click here does not focus the pattern, whose keys would close the tool with the list
     this.addEventListener('click', (event) => {
       event.stopPropagation();
     });
@@ -67,7 +67,7 @@ export class KeepMenu extends WorkbenchElement {
         role="group"
         aria-label=${keep.edges(piece.label)}
         @keydown=${(event: KeyboardEvent) => {
-          if (event.key === 'Escape') event.stopPropagation(); // it closes the list, not the tool
+          if (event.key === 'Escape') event.stopPropagation(); // closes the list, not the tool
         }}
         @beforetoggle=${({currentTarget}: Event) => {
           this.#place(currentTarget as HTMLElement);
@@ -78,7 +78,7 @@ export class KeepMenu extends WorkbenchElement {
       </div>`;
   }
 
-  /** Above its button, which is at the foot of the pattern. */
+  /** Places the list above its button, which is at the foot of the pattern. */
   #place(panel: HTMLElement): void {
     const at = this.renderRoot.querySelector('button')?.getBoundingClientRect();
     if (!at) return;
@@ -87,7 +87,7 @@ export class KeepMenu extends WorkbenchElement {
     panel.style.maxWidth = 'min(20rem, 100vw - 8px)';
   }
 
-  /** In the order of the outline, sewn ones by the names of their seams. */
+  /** Returns the edges in the order of the outline; sewn edges have the names of their seams. */
   #edges({pieces, seams}: MeshedPattern, piece: number): readonly Edge[] {
     const {outline = [], edges = [], rest = []} = pieces[piece] ?? {};
     const rows = seamRows(this.workbench, this.texts);

@@ -1,4 +1,4 @@
-/** What the colours along the seams mean. */
+/** Legend of the mismatch colours along seams. */
 import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
 import {
@@ -11,7 +11,7 @@ import {
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
-/** A stretch of a seam's line, as it is drawn on the pattern. [px] */
+/** Part of a seam's line in the style of the pattern. [px] */
 const stretch = ({colour, width, dash}: MismatchLine, from: number, to: number) =>
   svg`<path d="M${from} 5H${to}" stroke=${colour} stroke-width=${width}
     stroke-dasharray=${dash ? dash.map((part) => part / 2).join(' ') : 'none'}
@@ -20,7 +20,7 @@ const stretch = ({colour, width, dash}: MismatchLine, from: number, to: number) 
 const rampSteps = 24;
 const rampWidth = 96;
 
-/** From perfect to worst on the scale of the paper. */
+/** Lines from perfect to worst, on the colour scale of the paper. */
 const ramp = Array.from({length: rampSteps}, (_, k) => {
   const line = mismatchLine((worstMismatch.paper * (k + 0.5)) / rampSteps, 'paper');
   const to = ((k + 1) * rampWidth) / rampSteps;
@@ -98,7 +98,7 @@ export class Legend extends WorkbenchElement {
     `;
   }
 
-  /** 1 mm, 3 mm, 6 mm and more: each with the line that it is drawn with. */
+  /** Samples for 1 mm, 3 mm, 6 mm and more, each in its line style. */
   #steps(): TemplateResult[] {
     const {legend} = this.texts;
     return stepLines.map((line, k) => {

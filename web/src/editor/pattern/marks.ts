@@ -1,4 +1,4 @@
-/** What is drawn over the pattern: what is pointed at and selected, found symmetries, choices, cursors. */
+/** Marks over the pattern: highlight and selection, found symmetries, choices, cursors. */
 import type {SolveOptions} from '../../model/options.js';
 import type {Pattern} from '../../model/result.js';
 import {wayOnSheet} from '../../model/sheet-place.js';
@@ -15,7 +15,7 @@ import {lastOf} from '../../workbench/last-of.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {PatternTools} from './pattern-tools.js';
 
-/** A place along a seam that the lens points at, from 0 to 1 in sewing order. */
+/** Position of the lens cursor along a seam, from 0 to 1 in sewing order. */
 export interface LensCursor {
   readonly seam: number;
   readonly share: number;
@@ -49,7 +49,7 @@ export function overlayOf(
 const isSamePair = (one: SceneSymmetry, other: SceneSymmetry): boolean =>
   one.kind === 'pair' && other.kind === 'pair' && one.letter === other.letter;
 
-/** Found symmetries as the scene would draw them if they were imposed. */
+/** Found symmetries, as the scene would draw them if they were imposed. */
 const ghostsOf = lastOf(
   (
     found: readonly DetectedSymmetry[],
@@ -72,7 +72,7 @@ const ghostsOf = lastOf(
   },
 );
 
-/** A sign stands below the place for the letter of a pair. */
+/** A sign is below the position of the letter of a pair. */
 const signsOf = lastOf(
   (scene: PatternScene, {pins}: SolveOptions = {}): NonNullable<Overlay['signs']> =>
     scene.pieces.flatMap((shown, piece) => {

@@ -1,11 +1,11 @@
-/** What the pattern can be asked for, by a key or by name. */
+/** Commands of the pattern, by key or by name. */
 import type {ShortcutIn} from '../commands/shortcuts.js';
 import {turnPiece} from '../lists/turn-piece.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {PatternTools, Tool} from './pattern-tools.js';
 
-/** The pattern as keys and commands see it. */
+/** State and functions that keys and commands of the pattern use. */
 export interface CommandedPattern extends EventTarget {
   readonly workbench: Workbench;
   readonly tools: PatternTools;
@@ -14,7 +14,7 @@ export interface CommandedPattern extends EventTarget {
   openZoom(): void;
 }
 
-/** One notch of zoom by a key. */
+/** Zoom step of a key. */
 const zoom = 1.25;
 
 const tool =
@@ -24,7 +24,7 @@ const tool =
     return true;
   };
 
-/** @returns whether it means something just now */
+/** @returns true if the command has an effect at present */
 type Act = (pane: CommandedPattern) => boolean;
 
 export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {

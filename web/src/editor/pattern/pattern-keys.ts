@@ -7,7 +7,7 @@ import {textsOf} from '../../texts/texts.js';
 import {patternCommands, type CommandedPattern} from './pattern-commands.js';
 import {steppedOut, walked} from './walking.js';
 
-/** Of a print moved by an arrow key. [cm] */
+/** Steps of a print moved by an arrow key, without and with Shift. [cm] */
 const fineStep = 0.1;
 const coarseStep = 1;
 
@@ -18,7 +18,10 @@ const ways: Readonly<Record<string, Point>> = {
   ArrowDown: [0, -1],
 };
 
-/** The pattern that has the keys: what lies on its sheet, and how far the drafted one is drawn over it. */
+/**
+ * The pattern with the focus: index of the parts on its sheet, and share of the width that shows
+ * the draft.
+ */
 interface KeyedPattern extends CommandedPattern {
   readonly index: PickIndex | undefined;
   split: number | undefined;
@@ -47,7 +50,7 @@ function moved({tools}: KeyedPattern, key: string, shift: boolean): boolean {
   return false;
 }
 
-/** Enter and the space bar choose what is selected, or accept what has been chosen. */
+/** Enter and the space bar choose the selected part, or accept a complete choice. */
 function chosen({tools, index, workbench}: KeyedPattern, key: string): boolean {
   const {chooser} = tools;
   if (key === 'Enter' && chooser.isReady) {
@@ -63,7 +66,7 @@ function chosen({tools, index, workbench}: KeyedPattern, key: string): boolean {
   return true;
 }
 
-/** A command by its key, and what only a key can ask for. */
+/** Runs a command by its key, or an action that only a key has. */
 function asked(pane: KeyedPattern, event: KeyboardEvent): boolean {
   const command = shortcutFor(event, ['pattern']);
   return command ? patternCommands[command](pane) : heldOrStepped(pane, event.key);

@@ -1,4 +1,4 @@
-/** The pattern as a list of words, for those who hear it: every piece, and below it its seams. */
+/** The pattern as a list for screen readers: every piece, followed by its seams. */
 import {html, type TemplateResult} from 'lit';
 
 import type {PickIndex} from '../../clicks/pick-index.js';

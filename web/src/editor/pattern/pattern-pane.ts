@@ -1,4 +1,4 @@
-/** The pattern: its drawing, what lies over it, and the same as words for those who do not see it. */
+/** The pattern: drawing, tools and overlay, and a list for screen readers. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {PickIndex} from '../../clicks/pick-index.js';
@@ -29,20 +29,20 @@ export class PatternPane extends PatternDrawing {
     sews: {type: Boolean, reflect: true},
   };
   static override styles = [...PatternDrawing.styles, controls, paneStyle, noteStyle];
-  /** `place`: for who moves the print, and does nothing else. */
+  /** `place`: the user can only move the print. */
   declare purpose: 'edit' | 'place';
-  /** For the room that it gets. */
+  /** Reflected for the layout, which changes for the sewing tool. */
   declare sews: boolean;
 
   readonly #index = new SheetIndex();
   readonly #movementOf = lastOf(movementOf);
   #tools: PatternTools | undefined;
   #pointing: Pointing | undefined;
-  /** How much of the width shows the garment as it comes; undefined when none does. */
+  /** Share of the width that shows the garment before the solve; undefined for none. */
   #split: number | undefined;
   #showsMovement = false;
   #isBare = false;
-  /** The piece of work that was looked at for seams, by its number. */
+  /** Number of the last work that was checked for seams. */
   #welcomed: number | undefined;
   #cursor: LensCursor | undefined;
 
@@ -66,13 +66,16 @@ export class PatternPane extends PatternDrawing {
     ));
   }
 
-  /** Where the lens is pointed at, to be shown on both pieces. */
+  /** Position of the lens cursor, displayed on both pieces. */
   set cursor(cursor: LensCursor | undefined) {
     this.#cursor = cursor;
     this.requestUpdate();
   }
 
-  /** Shows the garment as it comes on a part of the width: all of it, say, while a key is held. */
+  /**
+   * Shows the garment before the solve on a share of the width, for example on all of it while a
+   * key is held.
+   */
   set split(split: number | undefined) {
     this.#split = split;
     this.requestUpdate();
@@ -82,24 +85,24 @@ export class PatternPane extends PatternDrawing {
     return this.#split;
   }
 
-  /** Shows nothing but the cloth, or all that lies over it again. */
+  /** Shows the fabric alone, or all marks over it again. */
   toggleBare(): void {
     this.#isBare = !this.#isBare;
     this.requestUpdate();
   }
 
-  /** Shows the garment as it comes on one half, or not any more. */
+  /** Shows or hides the garment before the solve on one half. */
   toggleWipe(): void {
     this.split = this.#split === undefined ? 0.5 : undefined;
   }
 
-  /** Shows how far each outline has moved, or not any more. */
+  /** Shows or hides the change of each outline. */
   toggleMovement(): void {
     this.#showsMovement = !this.#showsMovement;
     this.requestUpdate();
   }
 
-  /** Asks how large the pattern is to be shown. */
+  /** Opens the menu of zoom factors. */
   openZoom(): void {
     this.renderRoot.querySelector<ZoomMenu>('sw-zoom')?.open();
   }
@@ -117,10 +120,10 @@ export class PatternPane extends PatternDrawing {
 
   protected override opened(stage: HTMLElement, signal: AbortSignal): void {
     this.#pointing = new Pointing(this, stage, signal);
-    stage.tabIndex = -1; // the pattern as a whole has the focus
+    stage.tabIndex = -1; // the whole pattern has the focus
   }
 
-  /** A garment that comes without any seam is to be sewn. */
+  /** Starts the sewing tool for a garment without seams. */
   #welcome(): void {
     const {beginnings, garment} = this.workbench;
     if (!garment || beginnings === this.#welcomed || this.purpose !== 'edit') return;
@@ -152,12 +155,15 @@ export class PatternPane extends PatternDrawing {
     );
   }
 
-  /** The keys of the pattern work again. */
+  /** Focuses the pattern, so that its keys work. */
   override focus(options?: FocusOptions): void {
     this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
   }
 
-  /** Letters and numbers of the tool that sews work while a button has the focus, too; what presses buttons does not. */
+  /**
+   * Sends letters and digits to the sewing tool while a button has the focus; Enter and space still
+   * press the button.
+   */
   sewByKey(event: KeyboardEvent): void {
     if (this.tools.sewing && /^[^ ]$/.test(event.key)) patternKeys(this, event);
   }
@@ -236,14 +242,14 @@ export class PatternPane extends PatternDrawing {
     `;
   }
 
-  /** What the keys are about just now. */
+  /** Id of the part that keys act on. */
   get #activeId(): string | undefined {
     const {selected} = this.workbench;
     const {sewing} = this.tools;
     return sewing ? sewing.activeId : selected && optionId(selected);
   }
 
-  /** Pieces and seams as words, or edges for who sews. */
+  /** Pieces and seams as text, or edges while the sewing tool is active. */
   #options(index: PickIndex): TemplateResult {
     const {pattern} = this.texts;
     return (
@@ -269,7 +275,7 @@ export class PatternPane extends PatternDrawing {
     if (this.undrawable !== undefined) return undrawableNote(this.undrawable);
     const {garment, state} = this.workbench;
     if (this.tools.active === 'sew' && garment?.seams.length === 0 && state.kind === 'done')
-      return nothing; // the tool says what to do
+      return nothing; // the tool shows instructions
     return stateNote(this.workbench, this.texts, () => {
       const {result, scenes} = this.workbench;
       if (!this.#showsMovement || !result) return undefined;

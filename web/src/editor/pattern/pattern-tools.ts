@@ -1,4 +1,4 @@
-/** What a press on the pattern means just now: a choice for a symmetry, a print to be moved, or a look. */
+/** Effect of a press on the pattern: a choice for a symmetry, a move of a print, or a selection. */
 import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
 import type {PickIndex} from '../../clicks/pick-index.js';
 import {snap, type Snapped} from '../../clicks/snap.js';
@@ -21,41 +21,41 @@ import {toFailure} from '../../workbench/latest-solve.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 
 /**
- * `axis`: a symmetric piece by two points, even where a line is near. `keep`: what is pressed stays as drafted,
- * or is let go. `grain`: where the grain line of a piece runs. `sew`: edges are sewn to each other.
+ * `axis`: a symmetric piece by two points, even near a line. `keep`: the pressed part stays as
+ * drafted, or is released. `grain`: the grain line of a piece. `sew`: edges are sewn together.
  */
 export type Tool = 'piece' | 'axis' | 'pair' | OwnTool;
-/** A tool that names no symmetry. */
+/** A tool that defines no symmetry. */
 type OwnTool = 'move' | 'keep' | 'grain' | 'sew';
 
 const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew'];
 const isOwn = (tool: Tool): tool is OwnTool => ownTools.includes(tool);
 
-/** How near a pointer has to come to a line. [CSS px] */
+/** Greatest distance at which a pointer picks a line. [CSS px] */
 export const reachOf = (pointerType: string): number => (pointerType === 'touch' ? 22 : 6);
 
-/** Lines no further apart than this are as good as each other. [CSS px] */
+/** Lines with a smaller difference in distance are equally likely. [CSS px] */
 const tie = 2;
 
-/** Who sews means lines alone: they reach so many times as far. */
+/** Factor of the reach for the sewing tool, which picks only lines. */
 const sewingReach = 2;
 
 export class PatternTools {
   readonly chooser: SymmetryChooser;
   readonly grain: GrainClicks;
-  /** There is one tool, and it is at work. */
+  /** True if there is one tool only, which is always active. */
   readonly isFixed: boolean;
   readonly #workbench: Workbench;
   readonly #changed: () => void;
   #own: OwnTool | undefined;
-  /** Loaded when somebody sews, in a language. */
+  /** The sewing tool in one language, loaded at first use. */
   #sewing: {readonly language: string; readonly tool: SewingTool | undefined} | undefined;
   #byPoints = false;
-  /** What a press would keep or let go. */
+  /** The part that a press would keep or release. */
   #pointed: Picked | undefined;
   #hovered: (Snapped & {readonly piece: number}) | undefined;
 
-  /** @param purpose with `place` the print is moved, and there is no other tool */
+  /** @param purpose `place` has only the tool that moves the print */
   constructor(workbench: Workbench, changed: () => void, purpose: 'edit' | 'place' = 'edit') {
     this.isFixed = purpose === 'place';
     if (this.isFixed) this.#own = 'move';
@@ -71,7 +71,7 @@ export class PatternTools {
     return tool === 'piece' && this.#byPoints ? 'axis' : tool;
   }
 
-  /** A garment that is stored by where it lies stays as it lies there, unless it has no seams at all. */
+  /** A garment stored by its path stays unchanged, unless it has no seams at all. */
   get canSew(): boolean {
     const {design, garment} = this.#workbench;
     return !design?.garment.file || garment?.seams.length === 0;
@@ -92,7 +92,7 @@ export class PatternTools {
     this.#changed();
   }
 
-  /** The tool that sews, while it is at work and once it is loaded. */
+  /** The sewing tool, if it is active and loaded. */
   get sewing(): SewingTool | undefined {
     if (this.#own !== 'sew') return undefined;
     const {language} = this.#workbench.preferences;
@@ -113,7 +113,7 @@ export class PatternTools {
     this.#changed();
   }
 
-  /** One step back. @returns whether there was one */
+  /** Undoes one step of the tool. @returns true if there was one */
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
@@ -124,7 +124,7 @@ export class PatternTools {
     return active !== undefined;
   }
 
-  /** All symmetries that were found; where the print can keep none of them, that is said. */
+  /** Imposes all found symmetries; shows a notice if the print can carry none of them. */
   acceptAll(): void {
     const {design, kept, found, preferences} = this.#workbench;
     if (!design) return;
@@ -147,7 +147,7 @@ export class PatternTools {
     return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
   }
 
-  /** What a press may have meant: one thing, or several as good as each other. */
+  /** Returns the possible targets of a press: one, or several that are equally likely. */
   meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
     if (this.#own === 'sew') return targetsAt(index, at, (sewingReach * reach) / scale).slice(0, 1);
     const targets = targetsAt(index, at, reach / scale);
@@ -158,7 +158,7 @@ export class PatternTools {
     return choices(targets, tie / scale);
   }
 
-  /** Where a press just here would be taken to be; undefined when it would not be a point. */
+  /** Marks the point that a press would set; no mark if a press would not set a point. */
   hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
     if (this.#own === 'sew') {
       this.sewing?.chooser.hover(target);
@@ -174,7 +174,10 @@ export class PatternTools {
     if (before || this.#hovered || this.#own === 'keep') this.#changed();
   }
 
-  /** Inside of a piece a press is a point; after a first point of a grain line, on a line as well. */
+  /**
+   * A press inside a piece sets a point; after the first point of a grain line, a press on a line
+   * does.
+   */
   #isPointInside(target: Picked | undefined): boolean {
     const takesPoints = this.active === 'piece' || this.active === 'grain';
     return takesPoints && (target?.kind === 'piece' || this.grain.hasFirst);
@@ -190,7 +193,7 @@ export class PatternTools {
     return snap(index, piece, point, reachCm, {notches: this.#notches(piece)});
   }
 
-  /** A press that has been understood. @param isMore one more of what is chosen */
+  /** Applies a press whose target is known. @param isMore adds the target to the choice */
   take(index: PickIndex, target: Picked, reachCm: number, isMore = false): void {
     if (this.#own === 'sew') {
       this.sewing?.chooser.take(target, isMore);
@@ -227,7 +230,7 @@ export class PatternTools {
     });
   }
 
-  /** As if what is selected had been pressed. */
+  /** Acts like a press on the selected part. */
   takeSelected(index: PickIndex): void {
     const {selected} = this.#workbench;
     const target = selected && this.#targetOf(index, selected);
@@ -243,7 +246,9 @@ export class PatternTools {
     return piece && {kind: 'piece', piece: selected.piece, point: middleOf(piece)};
   }
 
-  /** The print of the selected piece, moved by a way on the sheet [cm] or turned by degrees. */
+  /**
+   * Moves the print of the selected piece by a vector on the sheet [cm], or turns it by degrees.
+   */
   nudge(way: Point, degrees = 0): boolean {
     const {selected, scenes} = this.#workbench;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
@@ -261,7 +266,10 @@ export class PatternTools {
     return true;
   }
 
-  /** Drags the print of a piece from where it lies. @returns what follows the pointer by ways on the sheet [cm] */
+  /**
+   * Starts to drag the print of a piece.
+   * @returns a function that moves the print by a vector on the sheet [cm]
+   */
   drag(scene: PatternScene, piece: number): ((way: Point) => void) | undefined {
     const dragged = scene.pieces[piece];
     if (this.#own !== 'move' || !dragged) return undefined;
@@ -272,7 +280,7 @@ export class PatternTools {
     };
   }
 
-  /** Lets go of a print that had been moved. */
+  /** Unpins a moved print. */
   free(piece: number): void {
     const freed = this.#workbench.scenes?.now.pieces[piece];
     if (this.#own === 'move' && freed) unpin(this.#workbench, freed);
@@ -291,7 +299,7 @@ export class PatternTools {
   }
 }
 
-/** What a pointer over a target points at. */
+/** Returns the target to highlight. */
 export const pointedAt = (target: Picked | undefined): Target | undefined => {
   if (!target) return undefined;
   if (target.kind === 'seam') return {kind: 'seam', seam: target.seam, side: target.side};

@@ -1,4 +1,4 @@
-/** Pointers over the pattern: what they point at, pick, and drag. */
+/** Pointer events over the pattern: highlight, pick and drag. */
 import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import type {Point} from '../../model/geometry.js';
@@ -7,7 +7,7 @@ import {holdWhilePressed} from '../base/hold.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {pointedAt, reachOf, type PatternTools} from './pattern-tools.js';
 
-/** What pointers work on. */
+/** The pane that receives pointer events. */
 interface Pointable {
   readonly workbench: Workbench;
   readonly tools: PatternTools;
@@ -16,7 +16,7 @@ interface Pointable {
   requestUpdate(): void;
 }
 
-/** Lines that a click may have meant, and where it was. [CSS px] */
+/** Lines that a click may refer to, and its position. [CSS px] */
 interface Ties {
   readonly at: Point;
   readonly targets: readonly Picked[];
@@ -51,7 +51,7 @@ export class Pointing {
     });
   }
 
-  /** To be decided by the user. */
+  /** The lines that the user has to choose from. */
   get ties(): Ties | undefined {
     return this.#ties;
   }
@@ -67,7 +67,10 @@ export class Pointing {
     this.forgetTies();
   }
 
-  /** A press inside a piece moves its print, while that is the tool. @returns whether it does */
+  /**
+   * Starts to drag an end of the chosen edge, or the print inside a piece, if the tool allows it.
+   * @returns true if a drag started
+   */
   press(event: PointerEvent, at: Point): boolean {
     const {workbench, view, tools} = this.#pane;
     const reach = 2 * reachOf(event.pointerType);
@@ -91,7 +94,7 @@ export class Pointing {
     return true;
   }
 
-  /** Follows a pointer until it is lifted. @returns aborted then */
+  /** Follows a pointer until it is lifted. @returns signal that aborts then */
   #follow({pointerId}: PointerEvent, moved: (to: Point) => void): AbortSignal {
     const done = new AbortController();
     const {signal} = done;
@@ -142,6 +145,6 @@ export class Pointing {
     const [target] = this.#meant(event, this.#at(event));
     const {index, view, tools, workbench} = this.#pane;
     if (index && view) tools.hover(index, target, reachOf('mouse') / view.scale);
-    workbench.point(tools.sewing ? undefined : pointedAt(target)); // who sews means edges
+    workbench.point(tools.sewing ? undefined : pointedAt(target)); // this tool works on edges
   }
 }

@@ -1,4 +1,4 @@
-/** Moves the print inside a piece: the piece is then pinned to it, and the others follow. */
+/** Moves the print inside a piece: the piece is then pinned, and the others follow. */
 import type {Design} from '../../model/design.js';
 import {
   cross,
@@ -26,13 +26,13 @@ import type {ScenePiece} from '../../scene/scene.js';
 import {lastOf} from '../../workbench/last-of.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
-/** The print shifted by a way on the sheet. */
+/** Shifts the print by a vector in the coordinates of the piece. */
 export const shifted = ({angle, translation}: Alignment, way: Point): Alignment => ({
   angle,
   translation: plus(translation, way),
 });
 
-/** The print turned counter-clockwise about a point of the piece. */
+/** Turns the print counter-clockwise about a point of the piece. */
 const turned = ({angle, translation}: Alignment, by: number, about: Point): Alignment => ({
   angle: angle + by,
   translation: plus(rotated(minus(translation, about), by), about),
@@ -43,7 +43,7 @@ export function middleOf({points, outline}: ScenePiece): Point {
   return middle(low, high);
 }
 
-/** What is to be known of a piece to say where it can lie. */
+/** Properties of a piece that limit its places. */
 const factsOf = (design: Design, piece: ScenePiece): PieceFacts & {readonly middle: Point} => ({
   middle: middleOf(piece),
   rule: grainRule(design, piece.name, piece.grain),
@@ -55,8 +55,8 @@ const same = (one: Alignment | undefined, other: Alignment): boolean =>
   one !== undefined && JSON.stringify(one) === JSON.stringify(other);
 
 /**
- * Pins a piece at the nearest place that keeps its symmetry; a twin's pin gives way. Moves of one piece that
- * follow each other quickly are one step of the history.
+ * Pins a piece at the nearest place that keeps its symmetry, and removes its twin's pin. Moves of
+ * one piece in quick succession are one step of the history.
  */
 export function pin(workbench: Workbench, piece: ScenePiece, wanted: Alignment): void {
   const {design, scenes} = workbench;
@@ -73,8 +73,8 @@ export function pin(workbench: Workbench, piece: ScenePiece, wanted: Alignment):
 }
 
 /**
- * A place that is so far from where a piece lies. Across the axis of a symmetric piece any way leads to the
- * next line that the axis can lie on.
+ * Returns the alignment at an offset from the present one. An offset across the axis of a symmetric
+ * piece leads to the next line that the axis can have.
  */
 export function stepped(workbench: Workbench, piece: ScenePiece, way: Point): Alignment {
   const {scenes} = workbench;
@@ -90,8 +90,9 @@ export function stepped(workbench: Workbench, piece: ScenePiece, way: Point): Al
 }
 
 /**
- * A piece with its print turned by some degrees, or to the next angle that its symmetry or its grain allows.
- * @returns undefined when there is none but the one it has
+ * Returns the alignment after a turn by some degrees, or at the next angle that the symmetry or the
+ * grain of the piece allows.
+ * @returns undefined if only the present angle is allowed
  */
 export function turnedOn(
   workbench: Workbench,

@@ -1,4 +1,4 @@
-/** Where the print of a symmetric piece may go: its axis on one of the print's mirror lines. */
+/** Lines for the print of a symmetric piece, whose axis stays on a mirror line of the print. */
 import {leftOf, minus, plus, type Point} from '../../model/geometry.js';
 import {mirroringsOf, ownMirroring} from '../../model/pins.js';
 import {axisLine, footOnAxis} from '../../model/mirror-lines.js';
@@ -10,7 +10,7 @@ import type {PatternScene} from '../../scene/scene.js';
 import type {Texts} from '../../texts/texts.js';
 import type {Target} from '../../workbench/state.js';
 
-/** The parts of an endless line that lie inside of a loop. */
+/** Returns the parts of an infinite line inside a loop. */
 function inside(
   loop: readonly Point[],
   through: Point,
@@ -24,7 +24,7 @@ function inside(
   });
 }
 
-/** The axis of the selected piece, and the next mirror lines of the print on both sides of it, as they lie now. */
+/** Returns the axis of the selected piece, and the next mirror lines of the print on both sides. */
 export function railsOf(
   scene: PatternScene,
   selected: Target | undefined,

@@ -1,4 +1,4 @@
-/** The pieces of a workbench in their print as a view shows them: flat, or as they are worn. */
+/** Draws the pieces of a workbench in their print: flat, or as a drape. */
 import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
@@ -13,18 +13,18 @@ import {SceneMaker} from '../../workbench/scenes.js';
 import type {SheetWindow, ViewState} from '../../workbench/workbench.js';
 import {ShownTile} from './shown-tile.js';
 
-/** The print of the pattern is on the screen. */
+/** The drawing of the print is complete. */
 export const drawnEvent = 'sw-drawn';
-/** How far a drape is. */
+/** Progress of a drape. */
 export const drapeEvent = 'sw-drape';
-/** A graphics context that has not come back within this is not expected any more. [ms] */
+/** Longest time to wait for a lost graphics context. [ms] */
 const lossPatience = 3000;
-/** Nothing can be drawn, or nothing any more; the failure is the `detail`. */
+/** Drawing is impossible, or no longer possible; the failure is the `detail`. */
 export const undrawableEvent = 'sw-undrawable';
 
-/** What shows a scene. */
+/** A view of a scene. */
 interface SceneView {
-  /** What part is shown, to come back to it. */
+  /** The visible part, to be restored later. */
   state: ViewState | null;
   readonly widestPicture: number;
   show(scene: PatternScene, motion?: Motion, time?: number): void;
@@ -36,13 +36,13 @@ interface SceneView {
   dispose(): void;
 }
 
-/** What every view is begun with. */
+/** Options of every view. */
 interface SceneViewOptions {
   readonly appearance: Appearance;
   readonly onLost: (isLost: boolean) => void;
 }
 
-/** Fills an empty element. @throws {Error} where the browser has no WebGL 2 */
+/** Fills an empty element. @throws {Error} if the browser has no WebGL 2 */
 export type OpenView<View> = (stage: HTMLElement, options: SceneViewOptions) => View;
 
 export abstract class SceneDrawing<View extends SceneView> extends PatientElement {
@@ -65,20 +65,20 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     `,
   ];
 
-  /** Another drawing makes the scenes, and keeps the window of the sheet. */
+  /** True if another drawing makes the scenes, and owns the window of the sheet. */
   declare beside: boolean;
   readonly #maker = new SceneMaker();
   readonly #appearance = new AppearanceController(this);
   #view: View | undefined;
   #window: SheetWindow | undefined;
-  /** Why nothing can be drawn. */
+  /** Reason that drawing is impossible. */
   #undrawable: string | undefined;
   #isLost = false;
   #waiting: ReturnType<typeof setTimeout> | undefined;
   #showsDraft = false;
-  /** Of the next way to the answer; usually as always. [ms] */
+  /** Duration of the next transition to the result; undefined for the default. [ms] */
   #time: number | undefined;
-  /** The garment that was drawn last. */
+  /** The last garment drawn. */
   #drawn: DesignGarment | undefined;
   readonly #tile = new ShownTile(this, {
     texts: () => this.texts,
@@ -87,7 +87,10 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     },
   });
   #life: AbortController | undefined;
-  /** Of the stage. Asking for it at every update would lay the page out each time. [CSS px] */
+  /**
+   * Size of the stage, cached since reading it at every update would cause a layout of the page.
+   * [CSS px]
+   */
   #size: {readonly width: number; readonly height: number} | undefined;
 
   constructor() {
@@ -113,18 +116,18 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     if (this.workbench.view === this.#window) this.workbench.view = undefined;
   }
 
-  /** Whether the garment is shown as drafted just now. */
+  /** True if the drawing shows the garment as drafted. */
   get showsDraft(): boolean {
     return this.#showsDraft;
   }
 
-  /** Shows the garment as drafted, until `showAnswer`. Points and pictures are those of the draft as well. */
+  /** Shows the garment as drafted until `showAnswer`, also for points and images. */
   showDraft(): void {
     this.#showsDraft = true;
     this.requestUpdate();
   }
 
-  /** Shows what is known of the answer again, after a way of so many milliseconds. */
+  /** Shows the result again, after a transition of `ms` milliseconds. */
   showAnswer(ms: number): void {
     this.#showsDraft = false;
     this.#time = ms;
@@ -135,25 +138,25 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     return this.#view;
   }
 
-  /** A sentence where nothing can be drawn: without WebGL 2, without its context, or without the code for it. */
+  /** Message if drawing is impossible: no WebGL 2, no context, or no code for it. */
   protected get undrawable(): string | undefined {
     return this.#undrawable;
   }
 
-  /** Whether seams are drawn by how they match. */
+  /** Returns whether seams are drawn in mismatch colours. */
   protected hasSeams?(): boolean;
 
-  /** The code that draws. */
+  /** Loads the code of the view. */
   protected abstract load(): Promise<OpenView<View>>;
 
-  /** The stage is there for somebody to work on, until `signal` fires. */
+  /** Runs once the stage accepts input, until `signal` aborts. */
   protected opened?(stage: HTMLElement, signal: AbortSignal): void;
 
-  /** The scenes of the workbench are shown. */
+  /** Runs after the scenes of the workbench have been drawn. */
   protected drew?(view: View): void;
 
   async #open(signal: AbortSignal): Promise<void> {
-    // begun before anything is laid out: the drawing is the heaviest part
+    // starts before the first layout: the drawing is the largest module
     const code = this.load().catch((error: unknown) => toFailure(error));
     const [viewer] = await Promise.all([code, this.updateComplete]);
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
@@ -209,7 +212,7 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     if (!this.beside) this.workbench.view = this.#window;
   }
 
-  /** What was taken away usually comes back within a second. */
+  /** A lost context usually returns within a second. */
   #turn(isLost: boolean): void {
     this.#isLost = isLost;
     clearTimeout(this.#waiting);
@@ -235,7 +238,7 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     this.requestUpdate();
   }
 
-  /** The print is on the screen, or as much of it as there can be. */
+  /** The print is drawn, as far as possible. */
   protected printed(): void {
     this.tell(drawnEvent);
   }
@@ -264,14 +267,17 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     if (scenes && this.#life) this.#tile.show(view, this.#life.signal);
   }
 
-  /** What the workbench tells is drawn later, in a task of its own; a picture waits for it. */
+  /** Waits for changes to the workbench, which are drawn later in a separate task. */
   async #drawnAll(): Promise<void> {
-    let isUpToDate = false; // more may come meanwhile
+    let isUpToDate = false; // more changes may arrive meanwhile
     while (!isUpToDate) isUpToDate = await this.updateComplete;
     await this.#tile.settled;
   }
 
-  /** A garment is simply there at first; then an answer moves it all, and what is not an answer yet its shapes alone. */
+  /**
+   * A new garment appears without motion. A result moves the whole garment; changes before a result
+   * move shapes only.
+   */
   #motion(): Motion {
     const {design, result, isHeld} = this.workbench;
     const isKnown = design?.garment === this.#drawn;

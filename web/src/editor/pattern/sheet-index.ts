@@ -1,7 +1,7 @@
 import {pickIndex, type PickIndex} from '../../clicks/pick-index.js';
 import type {PatternScene} from '../../scene/scene.js';
 
-/** What clicks are looked up in, which stays while pieces only lie otherwise on the print. */
+/** Index for clicks; it stays valid while only the alignments change. */
 export class SheetIndex {
   #for: Pick<PatternScene, 'pattern' | 'outline' | 'size'> | undefined;
   #index: PickIndex | undefined;

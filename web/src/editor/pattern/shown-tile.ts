@@ -1,4 +1,4 @@
-/** The tile of a workbench's print as a view shows it: fetched once, and again when the network is back. */
+/** The tile of a workbench's print in a view: fetched once, and again when the network is back. */
 import type {LitElement} from 'lit';
 
 import type {Tile} from '../../recognition/tile.js';
@@ -14,13 +14,13 @@ interface TileView {
 export class ShownTile {
   readonly #host: LitElement & {readonly workbench: Workbench};
   readonly #calls: {readonly texts: () => Texts; readonly shown: () => void};
-  /** Whose tile is shown, or being fetched. */
+  /** Image of the tile that is displayed or being fetched. */
   #image: string | undefined;
-  /** The picture that there was no network for, and what was said of it. */
+  /** The image that needs the network, and its notice. */
   #awaited: {readonly image: string; readonly notice: Notice} | undefined;
   #settled: Promise<void> | undefined;
 
-  /** @param shown hears when the tile is there, or as much of it as there can be */
+  /** @param calls `shown` runs once the tile is displayed, as far as possible */
   constructor(
     host: LitElement & {readonly workbench: Workbench},
     calls: {readonly texts: () => Texts; readonly shown: () => void},
@@ -29,17 +29,20 @@ export class ShownTile {
     this.#calls = calls;
   }
 
-  /** Resolves when the tile that was to be shown last is shown, or what there is in its place. */
+  /** Resolves once the last requested tile, or its substitute, is displayed. */
   get settled(): Promise<void> | undefined {
     return this.#settled;
   }
 
-  /** Nothing is shown any more. */
+  /** Forgets the tile, since the view is gone. */
   forget(): void {
     this.#image = undefined;
   }
 
-  /** Shows the tile of the workbench's print, unless it is shown already. @param signal ends looking for it */
+  /**
+   * Shows the tile of the workbench's print, unless it is displayed already.
+   * @param signal cancels the fetch
+   */
   show(view: TileView, signal: AbortSignal): void {
     const image = this.#host.workbench.design?.print.image;
     if (image === undefined || image === this.#image) return;
@@ -63,7 +66,9 @@ export class ShownTile {
     if (this.#image === image) this.#calls.shown();
   }
 
-  /** Says so; what there is no network for is looked for again, unless it is of no use any more. */
+  /**
+   * Shows a notice. Without network, the fetch repeats later unless the tile is no longer needed.
+   */
   #miss(image: string, error: unknown, signal: AbortSignal): void {
     const {workbench} = this.#host;
     const isUnreached = error instanceof TypeError && !image.startsWith('data:');

@@ -1,4 +1,4 @@
-/** What is to be said about the pattern as a whole, over it. */
+/** Notes over the pattern as a whole. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/en.js';
@@ -38,7 +38,7 @@ export const noteStyle = css`
 
 const state = (text: string): TemplateResult => html`<p class="state">${text}</p>`;
 
-/** Undefined when there is nothing to say. */
+/** Returns undefined if there is no problem. */
 function trouble(
   {state: {kind}, pattern: meshed}: Workbench,
   {pattern}: Texts,
@@ -48,7 +48,10 @@ function trouble(
   return meshed?.seams.length === 0 ? pattern.noSeams : undefined;
 }
 
-/** `movement` says how far pieces have moved; undefined when that is not shown. */
+/**
+ * @param movement returns the greatest change of an outline as text; undefined while changes are
+ * hidden
+ */
 export function stateNote(
   workbench: Workbench,
   texts: Texts,
@@ -58,7 +61,7 @@ export function stateNote(
   return text === undefined ? nothing : state(text);
 }
 
-/** Nothing is open. */
+/** Note while nothing is open. */
 export const emptyNote = ({pattern}: Texts): TemplateResult =>
   html`<div class="nothing">
     <h2>${pattern.nothing}</h2>

@@ -1,4 +1,4 @@
-/** The clicks that name a symmetry, from the first to the step that they lead to. */
+/** Clicks that define a symmetry, from the first click to the step of the history. */
 import {
   afterEvent,
   outlived,
@@ -27,7 +27,7 @@ export class SymmetryChooser {
   readonly #workbench: Workbench;
   readonly #changed: () => void;
   #latest: SymmetryState = outside;
-  /** What `#latest` is about. */
+  /** The design that `#latest` belongs to. */
   #design: Design | undefined;
 
   constructor(workbench: Workbench, changed: () => void) {
@@ -35,7 +35,7 @@ export class SymmetryChooser {
     this.#changed = changed;
   }
 
-  /** What was refused of a design is not said of another; choices on another garment mean nothing. */
+  /** A refusal is valid for one design only, and choices for one garment only. */
   get #state(): SymmetryState {
     const {design} = this.#workbench;
     if (design !== this.#design) {
@@ -49,7 +49,7 @@ export class SymmetryChooser {
     return this.#state.stage === 'outside' ? undefined : this.#state.tool;
   }
 
-  /** Both choices are made and fit: it is for the user to accept. */
+  /** True if both choices are valid, so that the user can accept the symmetry. */
   get isReady(): boolean {
     const state = this.#state;
     return (
@@ -61,7 +61,7 @@ export class SymmetryChooser {
     return this.#workbench.design?.print.group ?? 'p1';
   }
 
-  /** Whether the print has what the symmetry needs. */
+  /** Returns whether the print has the symmetry that the tool requires. */
   #isCarried(tool: SymmetryTool): boolean {
     return carries(this.#group, tool);
   }
@@ -101,7 +101,7 @@ export class SymmetryChooser {
     this.#changed();
   }
 
-  /** What to do next, or what has been found. */
+  /** Returns the next instruction, or the finding. */
   words(texts: Texts, format: Format): string {
     const {symmetry} = texts;
     const state = this.#state;
@@ -125,7 +125,7 @@ export class SymmetryChooser {
     }
   }
 
-  /** Marks on the pattern for what has been chosen. */
+  /** Returns marks on the pattern for the choices. */
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
     const state = this.#state;
     if (state.stage === 'outside' || state.stage === 'idle' || state.stage === 'committed')
@@ -147,7 +147,7 @@ export class SymmetryChooser {
   }
 }
 
-/** The edge that was chosen, as it lies on the sheet. */
+/** Returns the chosen edge on the sheet. */
 function lineOf(scene: PatternScene, choice: Choice): NonNullable<Overlay['lines']> {
   const piece = scene.pieces[choice.piece];
   if (choice.kind !== 'line' || !piece?.edges) return [];
@@ -158,7 +158,7 @@ function lineOf(scene: PatternScene, choice: Choice): NonNullable<Overlay['lines
   return [{piece: choice.piece, line: pick(points, vertices)}];
 }
 
-/** The candidate as the scene would draw it if it were imposed: an axis, or two letters. */
+/** Returns the candidate as the scene would draw it if it were imposed: an axis, or two letters. */
 function candidateMarks(
   scene: PatternScene,
   symmetry: Symmetry,

@@ -1,4 +1,4 @@
-/** What a click may have meant, where several lines lie about as near. */
+/** Menu of the lines that a click may refer to, if several are about equally near. */
 import {css, html, LitElement, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
@@ -10,7 +10,7 @@ interface TiedChoice {
   readonly point: () => void;
 }
 
-/** Sends `close` when nothing is wanted. */
+/** Fires `close` if the user chooses nothing. */
 export class TiesMenu extends LitElement {
   static override properties = {
     at: {attribute: false},

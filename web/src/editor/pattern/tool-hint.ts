@@ -1,4 +1,4 @@
-/** What to do next with the tool that is at work, and what can be done with it. */
+/** Instructions of the active tool, and buttons for it. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
@@ -62,7 +62,7 @@ export class ToolHint extends WorkbenchElement {
     </div>`;
   }
 
-  /** For the selected piece, while it is pinned. */
+  /** Button for the selected piece, while it is pinned. */
   #free(): TemplateResult | typeof nothing {
     const {selected, scenes, design} = this.workbench;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;

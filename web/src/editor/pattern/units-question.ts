@@ -1,4 +1,4 @@
-/** Asks what unit a file is in, when the garment would fit nobody. */
+/** Question about the unit of a file, if the garment would fit no person. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
@@ -22,7 +22,7 @@ export class UnitsQuestion extends WorkbenchElement {
     `,
   ];
 
-  /** Whose owner says that it is right. */
+  /** The garment whose unit the user has confirmed. */
   #confirmed: DesignGarment | undefined;
 
   protected override render(): TemplateResult | typeof nothing {

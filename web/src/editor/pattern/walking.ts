@@ -1,4 +1,4 @@
-/** Where keys lead while the pattern has the focus: from piece to piece, along seams, across to a twin. */
+/** Keyboard navigation in the pattern: from piece to piece, along seams, across to a twin. */
 import type {PickIndex} from '../../clicks/pick-index.js';
 import {
   inwards,
@@ -43,7 +43,7 @@ function led(index: PickIndex, place: Place, key: string): Place | undefined {
   return undefined;
 }
 
-/** What is selected after a key; undefined when the key has no meaning here. */
+/** Returns the selection after a key; undefined if the key has no effect. */
 export function walked(
   index: PickIndex,
   selected: Target | undefined,
@@ -58,7 +58,7 @@ export function walked(
   return directions[key] && first !== undefined ? {kind: 'piece', piece: first} : undefined;
 }
 
-/** From a seam to its piece, from a piece to nothing. */
+/** Steps from a seam to its piece, and from a piece to no selection. */
 export function steppedOut(index: PickIndex, selected: Target): Target | undefined {
   const place = placeOf(index, selected);
   const out = place && outwards(place);

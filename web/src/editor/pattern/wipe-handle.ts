@@ -4,7 +4,7 @@ import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
-/** Browsers know the handle by different names, which cannot share a rule. */
+/** Browsers use different names for the handle, which cannot share a rule. */
 const thumb = css`
   pointer-events: auto;
   width: 2rem;
@@ -20,7 +20,10 @@ const focusedThumb = css`
   outline-offset: 2px;
 `;
 
-/** Sends `input` with the share of the width, from 0 to 1, as its detail. `bare`: without words, the handle at the foot. */
+/**
+ * Fires `input` with the share of the width, from 0 to 1, as `detail`. `bare`: no text, and the
+ * handle at the foot.
+ */
 export class WipeHandle extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, split: {attribute: false}};
   declare split: number;

@@ -1,4 +1,4 @@
-/** How large the pattern is shown, in per cent of what it is on cloth, and other sizes to choose or to type. */
+/** Zoom of the pattern in per cent of its true size, with other sizes to choose or to enter. */
 import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {PatternView} from '../../viewer/pattern-view.js';
@@ -6,10 +6,10 @@ import type {NumberField} from '../controls/number-field.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
-/** At 100 %, by how the web counts. [CSS px per cm] */
+/** Scale at 100 %, as CSS defines it. [CSS px per cm] */
 const trueScale = 96 / 2.54;
 const presets = [0.5, 1, 2];
-/** What may be typed; the view has limits of its own. [%] */
+/** Limits of an entry; the view has its own limits. [%] */
 const [least, most] = [1, 1000];
 
 export class ZoomMenu extends WorkbenchElement {
@@ -53,7 +53,7 @@ export class ZoomMenu extends WorkbenchElement {
     this.#end = undefined;
   }
 
-  /** Opens the sizes, with the one that is shown to be typed over. */
+  /** Opens the menu, with the focus in the field. */
   open(): void {
     this.#panel?.showPopover();
   }
@@ -117,7 +117,7 @@ export class ZoomMenu extends WorkbenchElement {
       </div>`;
   }
 
-  /** Of the true size. */
+  /** Share of the true size. */
   get #share(): number {
     return (this.view?.scale ?? trueScale) / trueScale;
   }
@@ -146,9 +146,9 @@ export class ZoomMenu extends WorkbenchElement {
     </button>`;
   }
 
-  /** A wrong entry is to be mended first. */
+  /** A wrong entry keeps the menu open. */
   #close(): void {
-    // what Enter enters is known once the field has heard of it
+    // the field handles Enter after this listener
     setTimeout(() => {
       if (this.#field?.isWrong) return;
       this.#panel?.hidePopover();
@@ -156,7 +156,7 @@ export class ZoomMenu extends WorkbenchElement {
     });
   }
 
-  /** Over the button, within the window. */
+  /** Places the menu above its button, within the window. */
   #place(): void {
     const panel = this.#panel;
     const {right, top} = this.renderRoot.querySelector('button')?.getBoundingClientRect() ?? {};

@@ -1,4 +1,4 @@
-/** Where a print breaks a symmetry, on every cell of its photograph. */
+/** Places at which a print breaks a symmetry, on every cell of its photo. */
 import {combined, coordinates, distance, type Point} from '../../model/geometry.js';
 import {pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
@@ -7,17 +7,20 @@ import {latticeType} from '../../model/wallpaper.js';
 import type {TileBreak} from '../../recognition/tile-check.js';
 import {boxOf, isInside, type PhotoSize} from './lattice-lines.js';
 
-/** In lattice coordinates. */
+/** Broken places of one cell, in lattice coordinates. */
 export interface BrokenPlaces {
   readonly rings: readonly (readonly Point[])[];
-  /** They are there again after each of these. */
+  /** Translations that repeat the places. */
   readonly steps: readonly [Point, Point];
 }
 
-/** More would hold up the page: then only the cells around the picture's middle have theirs. */
+/**
+ * Greatest number of drawn areas, since more would block the page. Only cells around the middle of
+ * the image have theirs then.
+ */
 const mostAreas = 5000;
 
-/** Neighbours in a row, as one. */
+/** Joins neighbours in a row. */
 function rowsOf(breaks: readonly TileBreak[]): readonly Omit<TileBreak, 'difference'>[] {
   const rows: {x: number; y: number; width: number; height: number}[] = [];
   for (const {x, y, width, height} of [...breaks].sort((a, b) => a.y - b.y || a.x - b.x)) {
@@ -28,7 +31,10 @@ function rowsOf(breaks: readonly TileBreak[]): readonly Omit<TileBreak, 'differe
   return rows;
 }
 
-/** What breaks on the picture of a print's cell, which shows w1 and w2 or the rectangle of a centred lattice. */
+/**
+ * Returns the broken places in lattice coordinates. The image of the cell shows w1 and w2, or the
+ * rectangle of a centred lattice.
+ */
 export function brokenPlaces(
   breaks: readonly TileBreak[],
   {group, cell}: Pick<DesignPrint, 'group' | 'cell'>,
@@ -60,7 +66,7 @@ export function brokenPlaces(
   };
 }
 
-/** Closed outlines of those that are seen. [px] */
+/** Returns closed outlines of the visible places. [px] */
 export function brokenPath(map: PhotoMap, size: PhotoSize, {rings, steps}: BrokenPlaces): string {
   return cellsSeen(map, size, steps)
     .slice(0, Math.ceil(mostAreas / Math.max(1, rings.length)))
@@ -72,7 +78,7 @@ export function brokenPath(map: PhotoMap, size: PhotoSize, {rings, steps}: Broke
     .join('');
 }
 
-/** Corners of the cells of `steps` that the picture shows, those in its middle first. */
+/** Returns the corners of the visible cells of `steps`, those in the middle of the image first. */
 function cellsSeen(map: PhotoMap, size: PhotoSize, steps: BrokenPlaces['steps']): readonly Point[] {
   const {least, most} = boxOf(map, size);
   const corners: readonly Point[] = [least, most, [least[0], most[1]], [most[0], least[1]]];

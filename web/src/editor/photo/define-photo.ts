@@ -1,4 +1,4 @@
-/** What makes prints of photographs: loaded by whoever asks for it. */
+/** Registers the photo dialog; loaded on demand. */
 import {registerAll} from '../base/register.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {PhotoOfCloth} from '../print/print-files.js';
@@ -12,7 +12,7 @@ import {PhotoWork} from './photo-work.js';
 
 const tag = 'sw-photo';
 
-/** Opens the sheet, with a picture where there is one. */
+/** Opens the dialog, with an image if one is given. */
 export async function openPhoto(
   workbench: Workbench,
   root: HTMLElement | DocumentFragment,

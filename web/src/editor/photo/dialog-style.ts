@@ -1,6 +1,6 @@
 import {css} from 'lit';
 
-/** Beside what `sheetDialog` says. */
+/** Styles in addition to `sheetDialog`. */
 export const dialogStyle = css`
   dialog {
     width: min(80rem, calc(100vw - 2rem));

@@ -1,4 +1,4 @@
-/** The cells of a print over its photograph, as paths in the photograph's pixels. */
+/** The cells of a print over its photo, as paths in pixels of the photo. */
 import type {Point} from '../../model/geometry.js';
 import {latticeOf, pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
@@ -8,19 +8,22 @@ export interface PhotoSize {
   readonly height: number;
 }
 
-/** Of lattice coordinates. */
+/** A box in lattice coordinates. */
 export interface LatticeBox {
   readonly least: Point;
   readonly most: Point;
 }
 
-/** More lines than this are a grey veil: then only every second, third ... is drawn. */
+/**
+ * Greatest numbers of lines and nodes. More lines would be a grey veil, so only every second, third
+ * ... line is drawn.
+ */
 const mostLines = 120;
 const mostNodes = 600;
-/** A line between two sides of the picture, which lens and perspective bend. */
+/** Segments of a line across the image, which lens and perspective bend. */
 const pieces = 12;
 
-/** All that the picture shows lies in it. */
+/** Returns a box that contains everything visible in the image. */
 export function boxOf(map: PhotoMap, size: PhotoSize): LatticeBox {
   const {width, height} = size;
   const shares = [0, 0.5, 1];
@@ -40,7 +43,7 @@ const short = (value: number): string => value.toFixed(1);
 const pathThrough = (points: readonly Point[]): string =>
   points.map(([x, y], k) => `${k === 0 ? 'M' : 'L'}${short(x)} ${short(y)}`).join('');
 
-/** From one place of the lattice to another. */
+/** Returns the path between two points of the lattice. */
 export function pathBetween(map: PhotoMap, size: PhotoSize, from: Point, to: Point): string {
   return pathThrough(
     Array.from({length: pieces + 1}, (_, k) => {
@@ -58,7 +61,7 @@ const steps = (from: number, to: number): readonly number[] => {
   return Array.from({length: Math.floor((to - from) / every) + 1}, (_, k) => from + every * k);
 };
 
-/** The borders of all cells that are seen. */
+/** Returns the borders of all visible cells. */
 export function cellLines(map: PhotoMap, size: PhotoSize): string {
   const {least, most} = boxOf(map, size);
   return [
@@ -67,7 +70,7 @@ export function cellLines(map: PhotoMap, size: PhotoSize): string {
   ].join('');
 }
 
-/** The corner of the cell that is seen in the middle. */
+/** Returns the corner of the cell in the middle of the image. */
 export function middleNode(map: PhotoMap, size: PhotoSize): Point {
   const [u, v] = latticeOf(map, size, [size.width / 2, size.height / 2]);
   return [Math.floor(u), Math.floor(v)];
@@ -76,7 +79,7 @@ export function middleNode(map: PhotoMap, size: PhotoSize): Point {
 export const isInside = ([x, y]: Point, {width, height}: PhotoSize): boolean =>
   x >= 0 && y >= 0 && x <= width && y <= height;
 
-/** Corners of cells that are seen, of few enough cells to be told apart. */
+/** Returns the visible corners of cells; none if there are too many cells to distinguish. */
 export function nodesOf(map: PhotoMap, size: PhotoSize): readonly Point[] {
   const {least, most} = boxOf(map, size);
   const [across, up] = [most[0] - least[0] + 1, most[1] - least[1] + 1];
@@ -87,7 +90,7 @@ export function nodesOf(map: PhotoMap, size: PhotoSize): readonly Point[] {
   ]).filter((node) => isInside(pixelOf(map, size, node), size));
 }
 
-/** A square cell in the middle. */
+/** Returns a square cell in the middle of the image. */
 export function startLattice({width, height}: PhotoSize): PhotoMap {
   const side = Math.min(width, height) / 4;
   const [x, y] = [(width - side) / 2, (height + side) / 2];

@@ -4,8 +4,8 @@ import type {PhotoMap} from '../../model/photo.js';
 import type {PhotoSize} from './lattice-lines.js';
 
 /**
- * The map after one node was moved: `base` takes all others along, any other stretches the lattice from there. Nodes keep
- * their numbers.
+ * Returns the map after a move of one node. A move of `base` shifts all nodes; a move of another
+ * node stretches the lattice from `base`. Nodes keep their numbers.
  */
 export function movedNode(
   map: PhotoMap,
@@ -18,7 +18,7 @@ export function movedNode(
   const [i, j] = [node[0] - base[0], node[1] - base[1]];
   const [du, dv] = [p - node[0], q - node[1]];
   const squared = i * i + j * j;
-  // the least change of both vectors that brings the node there
+  // the least change of both vectors that moves the node there
   const [a, b] = squared === 0 ? [0, 0] : [i / squared, j / squared];
   const [w1, w2]: [Point, Point] = [
     [1 + a * du, a * dv],

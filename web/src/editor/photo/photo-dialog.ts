@@ -1,4 +1,4 @@
-/** The sheet on which a photograph of cloth becomes a print. */
+/** Dialog that makes a print from a photo of fabric. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {PhotoMap} from '../../model/photo.js';
@@ -34,24 +34,24 @@ export class PhotoDialog extends WorkbenchElement {
     isTaking: {state: true},
   };
   static override styles = [controls, sheetDialog, dialogStyle];
-  /** Undefined until there is a picture. */
+  /** Undefined until there is an image. */
   declare protected session: PhotoSession | undefined;
-  /** Of the picture as the browser shows it. */
+  /** Size of the image as the browser shows it. */
   declare protected size: PhotoSize | undefined;
-  /** A lattice that somebody draws. */
+  /** Lattice drawn by the user. */
   declare protected hand: PhotoMap | undefined;
   declare protected name: string;
-  /** What went wrong with the picture, or with taking it. */
+  /** Problem with the image, or with making the print. */
   declare protected trouble: string | undefined;
   declare protected isTaking: boolean;
   keeper: PhotoKeeper | undefined;
   #address: string | undefined;
-  /** As it was kept, where nobody has changed that yet. */
+  /** The kept step, until the user changes it. */
   #resumed: PhotoStep | undefined;
-  /** The picture of the design's print when the sheet was left unfinished. */
+  /** Image of the design's print when the dialog was closed with unfinished work. */
   #leftAt: string | undefined;
   readonly #unfinished = new UnfinishedWork(() => ({keeper: this.keeper, image: this.#image}));
-  /** The focus went to what takes the print, once. */
+  /** True once the focus has moved to the button that makes the print. */
   #isLed = false;
 
   constructor() {
@@ -73,7 +73,7 @@ export class PhotoDialog extends WorkbenchElement {
     this.#forget();
   }
 
-  /** What was read may be taken without a closer look. */
+  /** True if the result needs no check by the user. */
   get #isSure(): boolean {
     const {state, step} = this.session ?? {};
     return state?.kind === 'done' && step !== undefined && !isDoubtful(step);
@@ -185,7 +185,7 @@ export class PhotoDialog extends WorkbenchElement {
   };
 
   #hand(event: Event, file: File | undefined): void {
-    event.stopPropagation(); // the page takes files, too
+    event.stopPropagation(); // the page accepts files, too
     if (!file) return;
     event.preventDefault();
     this.#given(file);
@@ -215,13 +215,13 @@ export class PhotoDialog extends WorkbenchElement {
     this.#keep(session);
   }
 
-  /** A page that is loaded again has it still. */
+  /** Keeps the work for a reload of the page. */
   #keep(session: PhotoSession): void {
     const isFinished = session.step !== undefined && session.step === this.#resumed;
     if (!isFinished) this.#unfinished.keep(session, this.name);
   }
 
-  /** Nobody will want to go on with it. */
+  /** Discards the work for good. */
   #drop(): void {
     this.#unfinished.drop();
     this.#forget();
@@ -231,7 +231,10 @@ export class PhotoDialog extends WorkbenchElement {
     return this.workbench.design?.print.image ?? '';
   }
 
-  /** The photograph that was left unfinished; once the print is another, the one that this was made of. */
+  /**
+   * Restores the unfinished photo; after a change of the print, the photo that the new print was
+   * made from.
+   */
   async #again(): Promise<void> {
     const image = this.#image;
     const address = this.#address;
@@ -241,7 +244,7 @@ export class PhotoDialog extends WorkbenchElement {
     await this.#take(found.picture, found.name, found);
   }
 
-  /** Whether that picture is the one that was left unfinished. */
+  /** Returns whether this image is the one left unfinished. */
   async #isAt(picture: Blob): Promise<boolean> {
     const {session} = this;
     return (
@@ -271,7 +274,7 @@ export class PhotoDialog extends WorkbenchElement {
     }
   }
 
-  /** Letters are keys of the page elsewhere. */
+  /** Stops keys here, since letters are shortcuts of the page. */
   readonly #key = (event: KeyboardEvent): void => {
     event.stopPropagation();
     const {session} = this;
@@ -291,7 +294,7 @@ export class PhotoDialog extends WorkbenchElement {
     this.renderRoot.querySelector('dialog')?.close();
   };
 
-  /** What was read or changed and not taken is there again when the sheet is opened the next time. */
+  /** Keeps unfinished work for the next time that the dialog opens. */
   readonly #ended = (): void => {
     const {step, state} = this.session ?? {};
     const isUnfinished =

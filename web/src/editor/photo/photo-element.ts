@@ -1,4 +1,4 @@
-/** What the parts of the photograph's sheet have in common. */
+/** Base class of the parts of the photo dialog. */
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import type {Said} from './photo-progress.js';
@@ -13,7 +13,7 @@ export abstract class PhotoElement extends WorkbenchElement {
     return photoTexts(language, messages);
   }
 
-  /** What a bar with a Cancel says. */
+  /** Texts of a progress bar with a button to cancel. */
   protected get said(): Said {
     const {words, format, texts} = this;
     return {words, cancel: texts.app.cancel, percent: (share) => format.percent(share)};

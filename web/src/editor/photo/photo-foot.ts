@@ -1,4 +1,7 @@
-/** What ends the sheet of a photograph: its name, another picture, a cell drawn by hand, and taking the print. */
+/**
+ * Foot of the photo dialog: name, another image, a cell drawn by hand, and the button that makes
+ * the print.
+ */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {PhotoTexts} from '../../texts/photo-texts.js';
@@ -9,7 +12,7 @@ import {pictureButton} from './picture-button.js';
 interface PhotoFoot {
   readonly words: PhotoTexts;
   readonly session: PhotoSession;
-  /** What went wrong with taking it. */
+  /** Problem with making the print. */
   readonly trouble: string | undefined;
   readonly name: string;
   readonly isDrawing: boolean;

@@ -1,4 +1,4 @@
-/** All groups, each with how far a print on a photograph breaks it. */
+/** All groups, each with the deviation of the photographed print from it. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {PhotoGroup} from '../../model/photo.js';
@@ -6,7 +6,7 @@ import type {GroupName} from '../../model/print.js';
 import type {PhotoTexts} from '../../texts/photo-texts.js';
 import {groupOf, type PhotoStep} from '../print/photo-step.js';
 
-/** Shares at which the bars are full: twice what is "has not". */
+/** Deviations of a full bar: twice those of the verdict "has not". */
 const fullBar = {rho: 0.12, worst: 0.8};
 
 interface GroupChoice {

@@ -5,12 +5,12 @@ import {pictureButton} from './picture-button.js';
 
 interface Intake {
   readonly words: PhotoTexts;
-  /** What is wrong with the picture that was given. */
+  /** Problem with the given image. */
   readonly trouble: string | undefined;
   readonly take: (file: File) => void;
 }
 
-/** Asks for a photograph, and says how to take it. */
+/** Buttons to choose or take a photo, with advice on taking it. */
 export function photoIntake({words, trouble, take}: Intake): TemplateResult {
   return html`<div class="intake">
     <p>${words.intake}</p>

@@ -1,37 +1,40 @@
 import type {History} from '../../model/history.js';
 import type {PhotoStep} from '../print/photo-step.js';
 
-/** A photograph with all that was decided about it. */
+/** A photo with all decisions about it. */
 export interface KeptPhoto {
   readonly picture: Blob;
   readonly name: string;
   readonly step: PhotoStep;
 }
 
-/** A photograph that no print was made of yet. */
+/** A photo that no print has been made from. */
 export interface UnfinishedPhoto {
-  /** As it was given. */
+  /** Image as given. */
   readonly picture: Blob;
   readonly name: string;
-  /** Undefined until something was read. */
+  /** Undefined until the photo has been read. */
   readonly history: History<PhotoStep> | undefined;
 }
 
-/** What a page that is loaded again finds of it. */
+/** An unfinished photo that a reloaded page finds. */
 export interface FoundPhoto extends UnfinishedPhoto {
-  /** The design has the print that it had when the photograph was given. */
+  /** True if the design has the same print as when the photo was given. */
   readonly isOfPrint: boolean;
 }
 
-/** Keeps the photographs that prints were made of, and this tab's unfinished one; a page that stores nothing has none. */
+/**
+ * Keeps the photos that prints were made from, and this tab's unfinished photo. A page without
+ * storage has no keeper.
+ */
 export interface PhotoKeeper {
-  /** @param image the picture of the print that was made; where nothing can be kept, nothing is */
+  /** Keeps a photo if possible. @param image image of the print made from it */
   readonly keep: (image: string, photo: KeptPhoto) => Promise<void>;
-  /** What the print with that picture was made of. */
+  /** Returns the photo that the print with this image was made from. */
   readonly kept: (image: string) => Promise<KeptPhoto | undefined>;
   /**
-   * For this tab's next page, in place of the one before; what cannot be kept is not.
-   * @param image the picture of the design's print
+   * Keeps the unfinished photo for this tab's next page if possible, in place of the one before.
+   * @param image image of the design's print
    */
   readonly keepUnfinished: (image: string, photo: UnfinishedPhoto) => Promise<void>;
   readonly unfinished: (image: string) => Promise<FoundPhoto | undefined>;

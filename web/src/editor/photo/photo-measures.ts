@@ -1,4 +1,4 @@
-/** How large the print on a photograph is: by a tape, by two points, or by a coin or card that lies on the cloth. */
+/** Size of the print on a photo: by a tape, by two points, or by a coin or card on the fabric. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {norm, type Point} from '../../model/geometry.js';
@@ -26,19 +26,19 @@ import {progressStyle} from './progress-style.js';
 import {saidFailure} from './said-failure.js';
 import {vectors, type Vector} from './stage-marks.js';
 
-/** What is measured by. */
+/** Ways to measure. */
 const ways = ['tape', 'points', 'object'] as const;
 export type Measuring = (typeof ways)[number];
 
-/** As often as a tape is held along, unless somebody says otherwise. */
+/** Default number of repeats along a tape. */
 const usualRepeats = 10;
 /** [cm] */
 const leastMeasured = 0.1;
 const mostMeasured = 10_000;
-/** Thickness and round edges leave no less. */
+/** Least relative error, caused by thickness and round edges. */
 const leastError = 0.01;
 
-/** Where a vector points on the photograph, beside its name. */
+/** Returns the name of a vector with an arrow for its direction on the photo. */
 function named(vector: Vector, step: PhotoStep): string {
   const {w1Px, w2Px} = vectorsAtMiddle(groupIn(step).map, step.reading);
   const [x, y] = vector === 'w1' ? w1Px : w2Px;
@@ -46,8 +46,9 @@ function named(vector: Vector, step: PhotoStep): string {
 }
 
 /**
- * Fires `measuring` with a `Measuring`, `object` with a `KnownObject`, `look` when it is to be looked for, and `along` with the
- * `Vector` whose fields have the focus, or nothing.
+ * Fires `measuring` with a `Measuring`, `object` with a `KnownObject`, and `look` to start the
+ * search for the object. Fires `along` with the `Vector` whose fields have the focus, or without
+ * detail.
  */
 export class PhotoMeasures extends PhotoElement {
   static override properties = {
@@ -60,11 +61,11 @@ export class PhotoMeasures extends PhotoElement {
   static override styles = [controls, panelStyle, progressStyle];
   declare way: Measuring;
   declare points: TwoPoints | undefined;
-  /** That lies on the cloth. */
+  /** Coin or card on the fabric. */
   declare object: KnownObject;
-  /** Along which a tape is held. */
+  /** Number of repeats along a tape. */
   declare protected repeats: Readonly<Record<Vector, number>>;
-  /** How far the search is, where that is shown. */
+  /** Displayed progress of the search. */
   #note: Element | null = null;
 
   constructor() {
@@ -105,7 +106,7 @@ export class PhotoMeasures extends PhotoElement {
     </section>`;
   }
 
-  /** Of the print as it would be taken now. */
+  /** Text on the present size of the print. */
   #said(step: PhotoStep): string {
     const {words, format} = this;
     const {w1, w2, isScaled} = cellOf(step);
@@ -169,7 +170,7 @@ export class PhotoMeasures extends PhotoElement {
     ></sw-number-field>`;
   }
 
-  /** @param cm NaN where it was not measured */
+  /** @param length NaN if not measured [cm] */
   #length(label: (unit: string) => string, length: number, enter: (cm: number) => void) {
     const {name, cm} = lengthUnit[this.workbench.preferences.units];
     return this.#number(
@@ -277,14 +278,14 @@ export class PhotoMeasures extends PhotoElement {
     }
   }
 
-  /** On a narrow page what is looked for is below what is seen. */
+  /** Scrolls to the progress, which a narrow page shows below the visible part. */
   protected override updated(): void {
     const note = this.renderRoot.querySelector('.note');
     if (note && note !== this.#note) note.scrollIntoView({block: 'nearest'});
     this.#note = note;
   }
 
-  /** The focus was on what is not there any more. */
+  /** Moves the focus here, since the focused button is gone. */
   async #toLook(): Promise<void> {
     await this.updateComplete;
     this.renderRoot.querySelector<HTMLElement>('.look')?.focus();

@@ -1,4 +1,4 @@
-/** Beside the photograph: what was found, and all that can be decided about it. */
+/** Panel beside the photo: the findings, and all settings. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
@@ -19,7 +19,7 @@ import {
 } from '../print/photo-step.js';
 import {overlayNames, vectors, type Overlays} from './stage-marks.js';
 
-/** Another basis of the lattice, or of a coarser or finer one. */
+/** Other bases of the lattice, or bases of a coarser or finer one. */
 const bases = {
   w1: (factor: number) =>
     [
@@ -31,14 +31,17 @@ const bases = {
       [1, 0],
       [0, factor],
     ] as const,
-  /** The middle of the cell is like its corner. */
+  /** The middle of the cell is a lattice point, like its corner. */
   halfDrop: [
     [0.5, -0.5],
     [0.5, 0.5],
   ] as const,
 };
 
-/** Fires `overlays` with `Overlays`, `whiten` when something white is to be shown or is not any more, and `broken`. */
+/**
+ * Fires `overlays` with `Overlays`, `whiten` to start or end the choice of a white spot, and
+ * `broken`.
+ */
 export class PhotoPanel extends PhotoElement {
   static override properties = {
     ...PhotoElement.properties,
@@ -47,7 +50,7 @@ export class PhotoPanel extends PhotoElement {
   };
   static override styles = [controls, panelStyle];
   declare overlays: Overlays;
-  /** Something white is asked for. */
+  /** True while the user chooses a white spot. */
   declare isWhitening: boolean;
 
   constructor() {

@@ -1,4 +1,4 @@
-/** How far the reading of a photograph is, and what came of it where nothing else shows that. */
+/** Progress of reading a photo, and its outcome if nothing else shows that. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {PhotoProgress} from '../../model/photo.js';
@@ -12,7 +12,7 @@ export interface Said {
   readonly percent: (share: number) => string;
 }
 
-/** A lattice that somebody draws: what to do, and its end. */
+/** Instructions for drawing a lattice, with buttons to end it. */
 export function drawnByHand(
   {words, cancel}: Said,
   {align, leave}: {readonly align: () => void; readonly leave: () => void},
@@ -24,7 +24,7 @@ export function drawnByHand(
   </div>`;
 }
 
-/** A bar with what is done, and a button that ends it. */
+/** Progress bar with the present stage and a button to cancel. */
 export function progressNote(
   {stage, fraction}: PhotoProgress,
   {words, cancel, percent}: Said,

@@ -1,4 +1,4 @@
-/** A photograph on its way to a print: what was read of it, what somebody changed about that, and its tile. */
+/** A photo on its way to a print: the reading, the user's changes, and the tile. */
 import type {Failure} from '../../model/failure.js';
 import type {Point} from '../../model/geometry.js';
 import {begun, redone, stepped, undone, type History} from '../../model/history.js';
@@ -25,7 +25,7 @@ type PhotoState =
   | {readonly kind: 'done' | 'cancelled'}
   | {readonly kind: 'failed'; readonly failure: Failure};
 
-/** The search for a coin or card, and what came of it last unless that is a step. */
+/** Search for a coin or card, and its last outcome unless that is a step of the history. */
 type ObjectSearch =
   | {readonly kind: 'none'}
   | {readonly kind: 'looking'; readonly stage: PhotoStage; readonly fraction: number}
@@ -33,16 +33,16 @@ type ObjectSearch =
 
 type Asked = Pick<SolverService, 'photo' | 'photoTile' | 'photoObject'>;
 
-/** Cameras write what they say of a picture before its pixels. [bytes] */
+/** Length of the head of a file, in which cameras store metadata. [bytes] */
 const head = 256 * 1024;
 
-/** The focal length that the file says, as on film of 36 mm. */
+/** Returns the focal length in the file, converted to film of 36 mm. */
 async function focalLengthOf(picture: Blob): Promise<number | undefined> {
   const view = new DataView(await picture.slice(0, head).arrayBuffer());
   try {
     return view.getUint16(0) === 0xffd8 ? exifTags(view).f35 : undefined;
   } catch {
-    return undefined; // it ends too early: whoever decodes it says so
+    return undefined; // truncated: the decoder reports that
   }
 }
 
@@ -76,7 +76,7 @@ export class PhotoSession extends Observable {
     return this.#search;
   }
 
-  /** Undefined until something was read. */
+  /** Undefined until the photo has been read. */
   get step(): PhotoStep | undefined {
     return this.#history?.present;
   }
@@ -89,7 +89,7 @@ export class PhotoSession extends Observable {
     return (this.#history?.future.length ?? 0) > 0;
   }
 
-  /** Looks for the print; a step of its own where something was read before. */
+  /** Reads the print; another reading is a separate step of the history. */
   begin(): Promise<void> {
     return this.#read({});
   }
@@ -98,18 +98,18 @@ export class PhotoSession extends Observable {
     return this.#history;
   }
 
-  /** As it was left before. */
+  /** Restores an earlier state. */
   resume(history: History<PhotoStep>): void {
     this.#history = history;
     this.#become({kind: 'done'});
   }
 
-  /** Begins at a lattice, which is mended unless `keeps`. */
+  /** Reads the print from a given lattice, which is refined unless `keeps`. */
   align(lattice: PhotoMap, keeps = false): Promise<void> {
     return this.#read({lattice, ...(keeps && {keepsLattice: true})});
   }
 
-  /** Ends what is under way; what was read before stays. */
+  /** Cancels the reading; an earlier reading stays. */
   cancel(): void {
     if (this.#state.kind !== 'reading') return;
     this.#reads.stop();
@@ -124,17 +124,17 @@ export class PhotoSession extends Observable {
     this.#become({kind: 'done'});
   }
 
-  /** How long so many repeats are: what anything else measured counts no more. */
+  /** Sets the length of several repeats, which replaces other kinds of measurement. */
   measure(vector: 'w1' | 'w2', measured: RepeatsMeasured): void {
     this.change({[`${vector}Measured`]: measured, between: undefined, object: undefined});
   }
 
-  /** How far two points lie apart: what anything else measured counts no more. */
+  /** Sets the distance between two points, which replaces other kinds of measurement. */
   measureBetween(between: PointsMeasured): void {
     this.change({...unmeasured, between});
   }
 
-  /** Measures by a coin or card that lies there; where none is seen, that is said, and nothing changes. */
+  /** Measures by a coin or card at this place; reports a failure if none is visible. */
   async measureBy(object: KnownObject, at: Point): Promise<void> {
     const {step} = this;
     if (!step) return;
@@ -158,14 +158,14 @@ export class PhotoSession extends Observable {
     }
   }
 
-  /** Ends the search for a coin or card; what was measured before stays. */
+  /** Cancels the search for a coin or card; earlier measurements stay. */
   cancelSearch(): void {
     if (this.#search.kind !== 'looking') return;
     this.#searches.stop();
     this.#found({kind: 'none'});
   }
 
-  /** What lies there is white. */
+  /** Sets the white balance from a white spot. */
   async whiten(at: Point): Promise<void> {
     const {step} = this;
     if (!step) return;
@@ -181,7 +181,10 @@ export class PhotoSession extends Observable {
     return this.#travel(redone);
   }
 
-  /** The print's cell as it is now, made once. @throws {SolverError}; an `AbortError` once another is asked for */
+  /**
+   * Returns the print's cell at present, computed once.
+   * @throws {SolverError}; an `AbortError` after a request for another cell
+   */
   tile(): Promise<PhotoPixels> {
     const {step} = this;
     if (!step) throw new Error('There is nothing to make a tile of.');
@@ -193,7 +196,7 @@ export class PhotoSession extends Observable {
     const made = {key, pixels};
     this.#made = made;
     pixels.catch(() => {
-      if (this.#made === made) this.#made = undefined; // to be tried again
+      if (this.#made === made) this.#made = undefined; // the next call tries again
     });
     return pixels;
   }
@@ -228,10 +231,10 @@ export class PhotoSession extends Observable {
   async #read(settings: PhotoSettings): Promise<void> {
     const {signal} = this.#reads.begin();
     const isOver = (): boolean => signal.aborted;
-    this.#searches.stop(); // its measure would be of the lattice before
+    this.#searches.stop(); // it would measure by the old lattice
     this.#become({kind: 'reading', stage: 'repeat', fraction: 0});
     try {
-      // a photograph that was kept does not say it any more
+      // a photo restored from storage no longer contains it
       const f35 = this.step?.f35 ?? (await focalLengthOf(this.picture));
       if (isOver()) return;
       const reading = await this.#solver.photo(

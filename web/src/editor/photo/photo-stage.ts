@@ -1,4 +1,4 @@
-/** The photograph with what was found over it, whose points can be moved by pointer and by keys. */
+/** The photo with the findings over it; points can be moved by pointer and by keys. */
 import {html, LitElement, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
 import {distance, type Point} from '../../model/geometry.js';
@@ -15,7 +15,7 @@ import {movedNode} from './moved-node.js';
 import {stageMarks, type Overlays, type Vector} from './stage-marks.js';
 import {stageStyle} from './stage-style.js';
 
-/** A corner that was moved; `keeps`: as it was placed. */
+/** A moved corner; `keeps`: the lattice stays as placed. */
 export interface Moved {
   readonly map: PhotoMap;
   readonly keeps: boolean;
@@ -23,20 +23,23 @@ export interface Moved {
 
 export type TwoPoints = readonly [Point, Point];
 
-/** What was moved, which is held still unless it `isSettled`. */
+/** A moved point or pair of points; the user still holds it unless `isSettled`. */
 export interface Placed<T> {
   readonly at: T;
   readonly isSettled: boolean;
 }
 
-/** A node, in lattice coordinates, one of the two measured points, or the place that is asked for. */
+/** A node in lattice coordinates, one of the two measured points, or the place to choose. */
 type Held = {readonly node: Point} | {readonly end: 0 | 1} | 'aim';
 
-/** How near to a corner a press takes hold of it, in CSS px. */
+/** Greatest distance at which a press grabs a corner. [CSS px] */
 const grasp = 18;
 const largeStep = 10;
 
-/** Fires `moved` with a `Moved`, `measured` with a `Placed<TwoPoints>`, and `aimed` with a `Placed<Point>`. */
+/**
+ * Fires `moved` with a `Moved`, `measured` with a `Placed<TwoPoints>`, and `aimed` with a
+ * `Placed<Point>`.
+ */
 export class PhotoStage extends LitElement {
   static override properties = {
     picture: {},
@@ -56,27 +59,27 @@ export class PhotoStage extends LitElement {
     draft: {state: true},
   };
   static override styles = [controls, dragHandle, stageStyle];
-  /** Its address. */
+  /** URL of the photo. */
   declare picture: string;
   declare size: PhotoSize;
-  /** Undefined until there is one. */
+  /** Undefined until there is a lattice. */
   declare map: PhotoMap | undefined;
   declare group: GroupName | undefined;
   declare differing: readonly (readonly Point[])[];
   declare broken: BrokenPlaces | undefined;
-  /** Of the coin or card that was found. */
+  /** Outline of the coin or card found. */
   declare outline: readonly Point[] | undefined;
   declare overlays: Overlays;
-  /** Whose distance is to be measured; undefined for none. */
+  /** Ends of the distance to measure; undefined for none. */
   declare points: TwoPoints | undefined;
-  /** The vector along which somebody measures just now. */
+  /** Vector that the user measures along at present. */
   declare measured: Vector | undefined;
-  /** A place that is asked for; undefined when none is. */
+  /** Place that the user has to choose; undefined for none. */
   declare aim: Point | undefined;
   declare aimLabel: string;
   declare words: PhotoTexts;
   declare isBusy: boolean;
-  /** While a node is held. */
+  /** Lattice while a node is held. */
   declare protected draft: PhotoMap | undefined;
   #held: Held | undefined;
   #base: Point = [0, 0];
@@ -159,7 +162,7 @@ export class PhotoStage extends LitElement {
         this.#step(event, name);
       }}
       @click=${({detail}: MouseEvent) => {
-        if (name === 'aim' && detail === 0) this.#aimed(true); // by Enter, and by readers of screens
+        if (name === 'aim' && detail === 0) this.#aimed(true); // Enter, or a screen reader
       }}
     ></button>`;
   }
@@ -220,7 +223,7 @@ export class PhotoStage extends LitElement {
     if (held) this.#settle(held, event.altKey);
   };
 
-  /** Any corner that is seen can be taken: the farther from the middle, the finer. */
+  /** Any visible corner can be grabbed: the farther from the middle, the finer the change. */
   #nearest(event: PointerEvent): Held | undefined {
     const shown = this.#shown;
     const frame = this.renderRoot.querySelector('.frame')?.getBoundingClientRect();

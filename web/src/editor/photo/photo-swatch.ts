@@ -1,4 +1,6 @@
-/** The print as it will be: three repeats of its tile, and where that breaks the symmetry that was chosen. */
+/**
+ * Preview of the print: three repeats of its tile, and the places that break the chosen symmetry.
+ */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {TileBreak} from '../../recognition/tile-check.js';
@@ -11,10 +13,10 @@ import {PhotoElement} from './photo-element.js';
 import {cellPicture, pngOf} from '../print/photo-picture.js';
 import {groupIn, measuresOf, tileSettings} from '../print/photo-step.js';
 
-/** What changes within that is shown as one. [ms] */
+/** Changes within this time are shown together. [ms] */
 const pause = 250;
 const repeats = 3;
-/** What is compared is no larger. [px] */
+/** Longest side of the compared image. [px] */
 const compared = 320;
 
 interface Shown {
@@ -22,7 +24,7 @@ interface Shown {
   readonly breaks: readonly TileBreak[];
 }
 
-/** Fires `broken` with `BrokenPlaces`, or with nothing where the symmetry holds. */
+/** Fires `broken` with `BrokenPlaces`, or without detail if the symmetry holds. */
 export class PhotoSwatch extends PhotoElement {
   static override properties = {
     ...PhotoElement.properties,
@@ -74,7 +76,7 @@ export class PhotoSwatch extends PhotoElement {
     if (key === this.#key) return;
     this.#key = key;
     this.isStale = true;
-    this.#tell(undefined); // places of another cell
+    this.#tell(undefined); // they belong to another cell
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => void this.#make(key), pause);
   }
@@ -119,7 +121,7 @@ export class PhotoSwatch extends PhotoElement {
       this.#show({print: {...measures, title: '', image: URL.createObjectURL(blob)}, breaks});
       this.isStale = false;
     } catch {
-      if (key === this.#key) this.#key = ''; // what was wrong is said where the print is taken
+      if (key === this.#key) this.#key = ''; // the error appears when the print is made
     }
   }
 

@@ -1,4 +1,4 @@
-/** A photograph beside all that is decided about it. */
+/** A photo with its settings beside it. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
@@ -15,7 +15,7 @@ import type {Overlays, Vector} from './stage-marks.js';
 import {progressStyle} from './progress-style.js';
 import {workStyle} from './work-style.js';
 
-/** Fires `hand` with a `PhotoMap` that somebody draws, or with nothing when that is at its end. */
+/** Fires `hand` with the `PhotoMap` that the user draws, or without detail at its end. */
 export class PhotoWork extends PhotoElement {
   static override properties = {
     ...PhotoElement.properties,
@@ -32,24 +32,24 @@ export class PhotoWork extends PhotoElement {
     broken: {state: true},
   };
   static override styles = [controls, workStyle, progressStyle];
-  /** Its address. */
+  /** URL of the photo. */
   declare picture: string;
-  /** Its size as the browser shows it. */
+  /** Size of the photo as the browser shows it. */
   declare natural: PhotoSize;
-  /** A lattice that somebody draws. */
+  /** Lattice drawn by the user. */
   declare hand: PhotoMap | undefined;
   declare protected overlays: Overlays;
   declare protected way: Measuring;
-  /** Whose distance is to be measured. */
+  /** Ends of the distance to measure. */
   declare protected points: TwoPoints | undefined;
-  /** The vector along which a tape is held. */
+  /** Vector along which a tape measures. */
   declare protected along: Vector | undefined;
-  /** That lies on the cloth, and about where. */
+  /** Coin or card on the fabric, and its approximate place. */
   declare protected object: KnownObject;
   declare protected objectAt: Point | undefined;
-  /** Where something white is, while that is asked for. */
+  /** White spot, while the user chooses it. */
   declare protected whiteAt: Point | undefined;
-  /** Where the print breaks the symmetry that is chosen. */
+  /** Places at which the print breaks the chosen symmetry. */
   declare protected broken: BrokenPlaces | undefined;
   #seen: PhotoStep | undefined;
 
@@ -190,7 +190,7 @@ export class PhotoWork extends PhotoElement {
     }
   }
 
-  /** What is measured by is shown, whenever that is another: a step back or forward has its own. */
+  /** Shows the kind of measurement that a step changed, also after undo and redo. */
   #follow(step: PhotoStep, before: PhotoStep | undefined): void {
     const {between, object, w1Measured, w2Measured} = step;
     if (between && between !== before?.between) {
@@ -209,7 +209,7 @@ export class PhotoWork extends PhotoElement {
   }
 }
 
-/** Somewhere in the middle, to be dragged from there. */
+/** Initial points around the middle, to be dragged. */
 const startPoints = ({width, height}: PhotoSize): TwoPoints => [
   [0.25 * width, 0.5 * height],
   [0.75 * width, 0.5 * height],

@@ -2,14 +2,14 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 interface PictureButton {
   readonly label: string;
-  /** Its class. */
+  /** CSS class. */
   readonly look: 'primary' | 'outlined';
-  /** On phones it takes a photo. */
+  /** Opens the camera on phones. */
   readonly isCamera?: boolean;
   readonly take: (file: File) => void;
 }
 
-/** A button that asks for a picture. */
+/** A button that opens an image file. */
 export function pictureButton({label, look, isCamera, take}: PictureButton): TemplateResult {
   return html`<span class=${isCamera ? 'camera' : ''}>
     <input

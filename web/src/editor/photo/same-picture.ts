@@ -1,4 +1,4 @@
-/** Whether two pictures are byte for byte the same; what cannot be read is not. */
+/** Returns whether two images are the same byte for byte; false if one cannot be read. */
 export async function areSame(one: Blob, other: Blob): Promise<boolean> {
   if (one.size !== other.size) return false;
   try {

@@ -2,10 +2,12 @@ import type {Texts} from '../../texts/texts.js';
 import {kindOf} from '../print/read-picture.js';
 import type {PhotoSize} from './lattice-lines.js';
 
-/** Kinds that browsers decode; of others it is said what they are. */
+/** Kinds that browsers decode; the message for any other kind names it. */
 const decodable: ReadonlySet<string> = new Set(['png', 'jpeg', 'webp', 'avif', 'gif', 'bmp']);
 
-/** The size of a picture as the browser shows it, or why it shows none. */
+/**
+ * Returns the size of an image as the browser shows it, or a message if the browser cannot show it.
+ */
 export async function shownPicture(
   picture: Blob,
   {address, name}: {readonly address: string; readonly name: string},

@@ -1,4 +1,4 @@
-/** What lies over a photograph: cells, their vectors, symmetries, and areas that are wrong. */
+/** Marks over a photo: cells, their vectors, symmetries, and areas that differ. */
 import {svg, type TemplateResult} from 'lit';
 
 import {combined, distance, minus, norm, plus, type Point} from '../../model/geometry.js';
@@ -9,7 +9,7 @@ import {brokenPath, ringPath, type BrokenPlaces} from './breaks-on-photo.js';
 import {cellLines, nodesOf, type PhotoSize} from './lattice-lines.js';
 import {marksOn} from './symmetry-marks.js';
 
-/** What may lie over the photograph. */
+/** Kinds of marks over the photo. */
 export const overlayNames = ['cells', 'axes', 'differing', 'breaks'] as const;
 export type Overlays = Readonly<Record<(typeof overlayNames)[number], boolean>>;
 
@@ -21,21 +21,21 @@ interface StageMarks {
   readonly size: PhotoSize;
   /** The corner at which the vectors begin. */
   readonly base: Point;
-  /** Undefined while somebody draws a lattice. */
+  /** Undefined while the user draws a lattice. */
   readonly group: GroupName | undefined;
   readonly differing: readonly (readonly Point[])[];
   readonly broken: BrokenPlaces | undefined;
   readonly overlays: Overlays;
-  /** The vector along which somebody measures just now. */
+  /** Vector that the user measures along at present. */
   readonly measured: Vector | undefined;
 }
 
-/** Of arrow heads and centres, as a share of the picture's longer side. */
+/** Size of arrow heads and centres, as a share of the image's longer side. */
 const markSize = 0.011;
 
-/** How far the middle of a name stays from the picture's border, in units. */
+/** Least distance of a name's middle from the border of the image, in units of `unitOf`. */
 const nameMargin = 2;
-/** Places along an arrow at which its name may stand beside it. */
+/** Number of possible places for a name along its arrow. */
 const nameSteps = 20;
 
 const unitOf = ({width, height}: PhotoSize): number => markSize * Math.max(width, height);
@@ -68,7 +68,7 @@ function symmetries(group: GroupName, {map, size}: StageMarks): TemplateResult {
     )}`;
 }
 
-/** As crystallographers draw them: a lens, a triangle, a square, a hexagon. */
+/** Symbols as in crystallography: a lens, a triangle, a square, a hexagon. */
 function symbol(order: 2 | 3 | 4 | 6, [x, y]: Point, unit: number): string {
   const radius = 0.6 * unit;
   const corner = (k: number): Point => {
@@ -80,7 +80,10 @@ function symbol(order: 2 | 3 | 4 | 6, [x, y]: Point, unit: number): string {
   return ringPath(corners.map(corner));
 }
 
-/** Where an arrow's name is read: beyond its end, or else beside it, as near to the end as the picture has room. */
+/**
+ * Returns the place of an arrow's name: beyond its end, or else beside it, as near to the end as
+ * the image has room.
+ */
 export function namePlace(from: Point, to: Point, size: PhotoSize): Point {
   const unit = unitOf(size);
   const [dx, dy] = minus(to, from);

@@ -1,10 +1,13 @@
-/** The same print by the cell that somebody has in hand: other cells of a group describe it as well. */
+/**
+ * Describes a print by the cell that the user holds, since several cells of a group describe the
+ * same print.
+ */
 import {combined, minus, norm, type Point} from '../../model/geometry.js';
 import {latticeOf, pixelOf, rebased, vectorsAtMiddle} from '../../model/photo-map.js';
 import type {PhotoMap, PhotoReading} from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
 
-/** New vectors, in the old ones. */
+/** New vectors in terms of the old ones. */
 type Basis = readonly [Point, Point];
 
 const asItIs: Basis = [
@@ -20,7 +23,10 @@ const sixth: Basis = [
   [-1, 1],
 ];
 
-/** The turns by which a group's cell is one of its cells again; w1 and w2 of hexagonal ones are 60 degrees apart. */
+/**
+ * Returns the turns that map a cell of the group to a cell of the group. w1 and w2 of hexagonal
+ * groups are 60 degrees apart.
+ */
 function turnsOf(group: GroupName): readonly Basis[] {
   const byQuarters = ['p4', 'p4m', 'p4g', 'pmm', 'pgg', 'cmm'].includes(group);
   const bySixths = ['p3', 'p3m1', 'p31m', 'p6', 'p6m'].includes(group);
@@ -38,7 +44,10 @@ const [half, third] = [1 / 2, 1 / 3];
 const corner: Point = [0, 0];
 const middle: Point = [half, half];
 
-/** The places of a cell that are as good an origin as its corner: translations of the group's normaliser. */
+/**
+ * Returns the places of a cell that are equivalent to its corner as origin: translations of the
+ * group's normaliser.
+ */
 function originsOf(group: GroupName): readonly Point[] {
   if (['p2', 'pm', 'pg', 'pmg', 'pmm', 'pgg'].includes(group))
     return [corner, [half, 0], [0, half], middle];
@@ -49,7 +58,10 @@ function originsOf(group: GroupName): readonly Point[] {
 
 const fraction = ([u, v]: Point): Point => [u - Math.round(u), v - Math.round(v)];
 
-/** The cell of `map` that is nearest to one of `held`: its basis, and its origin in lattice coordinates of `map`. */
+/**
+ * Returns the cell of `map` nearest to a cell of `held`: its basis, and its origin in lattice
+ * coordinates of `map`.
+ */
 function nearestCell(
   map: PhotoMap,
   held: PhotoMap,
@@ -68,13 +80,14 @@ function nearestCell(
   const origin = originsOf(group).reduce((best, other) =>
     away(other) < away(best) - 1e-6 ? other : best,
   );
-  // p1 has any origin
+  // p1 allows any origin
   return {basis, origin: group === 'p1' ? fraction(base) : origin};
 }
 
 /**
- * The reading with the cells of its group, and of another that was chosen, as near as may be to those of a map that somebody
- * has moved: so that handles stay where they are held.
+ * Returns the reading with those cells of its group that are nearest to the cells of a moved map,
+ * so that handles stay where the user holds them. The same applies to another group that was
+ * chosen.
  */
 export function steadied(
   reading: PhotoReading,

@@ -1,4 +1,4 @@
-/** Mirrors, glides and centres of turns of a group, in lattice coordinates and over a photograph. */
+/** Mirrors, glides and rotation centres of a group, in lattice coordinates and over a photo. */
 import {cross, leftOf, type Point} from '../../model/geometry.js';
 import {pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
@@ -6,18 +6,18 @@ import type {GroupName} from '../../model/print.js';
 import {determinant, printElements, type PlaneMap} from '../../model/wallpaper.js';
 import {boxOf, isInside, pathBetween, type LatticeBox, type PhotoSize} from './lattice-lines.js';
 
-/** All places x with cross(along, x) = offset + n, n whole. */
+/** All points x with cross(along, x) = offset + n for whole n. */
 interface AxisLines {
   /** Whole numbers without a common factor. */
   readonly along: Point;
-  /** From 0 up to 1. */
+  /** Range [0, 1). */
   readonly offset: number;
   readonly isMirror: boolean;
 }
 
 interface TurnCentre {
   readonly order: 2 | 3 | 4 | 6;
-  /** Each from 0 up to 1; one in every cell. */
+  /** Both coordinates in [0, 1); one such centre in every cell. */
   readonly at: Point;
 }
 
@@ -31,7 +31,7 @@ const orders = new Map([
 
 const wholeSteps = [-2, -1, 0, 1, 2].flatMap((i) => [-2, -1, 0, 1, 2].map((j): Point => [i, j]));
 
-/** Within the cell; what rounding leaves just below 1 is 0. */
+/** Wraps a value into [0, 1); a value rounded to just below 1 becomes 0. */
 const withinOne = (value: number): number => {
   const rest = value - Math.floor(value);
   return rest > 1 - near ? 0 : rest;
@@ -42,7 +42,7 @@ const elementsOf = (group: GroupName): readonly PlaneMap[] =>
 
 const factor = (a: number, b: number): number => (b === 0 ? Math.abs(a) : factor(b, a % b));
 
-/** Where a reflection of the lattice leaves vectors as they are. */
+/** Returns the direction that a reflection of the lattice leaves unchanged. */
 function axisOf({xx, xy, yx, yy}: PlaneMap): Point {
   const [x, y] = xx + 1 !== 0 || yx !== 0 ? [xx + 1, yx] : [xy, yy + 1];
   const common = factor(x, y) * (x < 0 || (x === 0 && y < 0) ? -1 : 1);
@@ -61,7 +61,7 @@ export function axesOf(group: GroupName): readonly AxisLines[] {
       const isMirror = Math.hypot(x + mx, y + my) < near;
       const offset = withinOne(cross(along, [(x - mx) / 4, (y - my) / 4]));
       const key = `${along.join()} ${offset.toFixed(4)}`;
-      // a glide along a mirror is that mirror and a step of the lattice
+      // a glide along a mirror is that mirror plus a translation of the lattice
       if (isMirror || !found.has(key)) found.set(key, {along, offset, isMirror});
     }
   }
@@ -88,7 +88,7 @@ export function centresOf(group: GroupName): readonly TurnCentre[] {
   return [...found.values()];
 }
 
-/** The part of a line that lies in a box. */
+/** Returns the part of a line inside a box. */
 function within(
   {least, most}: LatticeBox,
   at: Point,
@@ -114,10 +114,10 @@ interface ShownMarks {
   readonly centres: readonly {readonly order: TurnCentre['order']; readonly at: Point}[];
 }
 
-/** More cells than this are too small for marks. */
+/** Greatest number of cells with marks; more cells are too small for them. */
 const mostCells = 300;
 
-/** All that are seen. [px] */
+/** Returns all visible marks. [px] */
 export function marksOn(group: GroupName, map: PhotoMap, size: PhotoSize): ShownMarks {
   const box = boxOf(map, size);
   const {least, most} = box;

@@ -1,31 +1,31 @@
-/** Has the photograph on the sheet kept until a print is made of it, so that a page that is loaded again has it still. */
+/** Keeps the photo in the dialog until a print is made from it, for a reload of the page. */
 import {begun, type History} from '../../model/history.js';
 import type {PhotoStep} from '../print/photo-step.js';
 import type {PhotoKeeper, UnfinishedPhoto} from './photo-keeper.js';
 import type {PhotoSession} from './photo-session.js';
 
-/** A photograph that was on the sheet before. */
+/** A photo that was in the dialog before. */
 export interface PhotoBefore extends UnfinishedPhoto {
-  /** A print was made of it. */
+  /** True if a print was made from it. */
   readonly isFinished: boolean;
 }
 
 interface Where {
   readonly keeper: PhotoKeeper | undefined;
-  /** The picture of the design's print. */
+  /** Image of the design's print. */
   readonly image: string;
 }
 
 export class UnfinishedWork {
   readonly #where: () => Where;
-  /** As it is kept; undefined where nothing of what is on the sheet is. */
+  /** State as kept; undefined if nothing of the present photo is kept. */
   #kept: {readonly history: History<PhotoStep> | undefined; readonly name: string} | undefined;
 
   constructor(where: () => Where) {
     this.#where = where;
   }
 
-  /** Keeps what has changed. */
+  /** Keeps a changed state. */
   keep({picture, history}: PhotoSession, name: string): void {
     const {keeper, image} = this.#where();
     if (this.#kept?.history === history && this.#kept?.name === name) return;
@@ -33,26 +33,26 @@ export class UnfinishedWork {
     void keeper?.keepUnfinished(image, {picture, name, history});
   }
 
-  /** It is kept already. */
+  /** Marks a restored state as kept. */
   resume({history}: PhotoSession, name: string): void {
     this.#kept = {history, name};
   }
 
-  /** What is on the sheet next is something else. */
+  /** Prepares for another photo in the dialog. */
   leave(): void {
     this.#kept = undefined;
   }
 
-  /** Nobody will want to go on with it. */
+  /** Discards the kept photo for good. */
   drop(): void {
     if (this.#kept) void this.#where().keeper?.forgetUnfinished();
     this.leave();
   }
 
   /**
-   * What to go on with: what was left unfinished at this print; else what this print was made of; else what was left
-   * unfinished at another one.
-   * @param isLeft the sheet holds what was left itself
+   * Finds the photo to continue with: the unfinished one of this print; else the one that this
+   * print was made from; else the unfinished one of another print.
+   * @param isLeft the dialog itself holds the unfinished photo
    */
   async find(isLeft: boolean): Promise<PhotoBefore | undefined> {
     const {keeper, image} = this.#where();

@@ -1,19 +1,19 @@
-/** White balance from a spot of a photograph that is white. */
+/** White balance from a white spot of a photo. */
 import type {Point} from '../../model/geometry.js';
 import type {ColourGains} from '../../model/photo.js';
 import {linearOf} from '../../model/srgb.js';
 import type {PhotoSize} from './lattice-lines.js';
 
-/** Across the spot, as a share of the picture's longer side. */
+/** Width of the spot, as a share of the image's longer side. */
 const spot = 0.008;
-/** Pixels that the spot is made of, each way. */
+/** Pixels of the spot per side. */
 const grid = 8;
 /** Shares of red, green and blue light in brightness (ITU-R BT.709). */
 const brightness = [0.2126, 0.7152, 0.0722] as const;
-/** No lamp is more coloured than that. */
+/** Greatest gain: no lamp is more coloured than that. */
 const mostGain = 3;
 
-/** Gains that make the light of these pixels grey and leave it as bright. */
+/** Returns gains that make the light of these pixels grey without a change in brightness. */
 export function gainsFor(pixels: ArrayLike<number>): ColourGains {
   const light = brightness.map((_, channel) => {
     let sum = 0;
@@ -26,7 +26,7 @@ export function gainsFor(pixels: ArrayLike<number>): ColourGains {
   return [gain(0), gain(1), gain(2)];
 }
 
-/** @param size of the picture in the pixels that the place is given in */
+/** @param size size of the image in the pixels that the place is given in */
 export async function gainsAt(
   picture: Blob,
   {width, height}: PhotoSize,

@@ -1,4 +1,4 @@
-/** The cell of a print as it lies on the cloth, with the two sides that are measured. */
+/** Diagram of a print's cell on the fabric, with its two measured sides. */
 import {css, svg, html, type TemplateResult} from 'lit';
 
 import {combined, norm, type Point} from '../../model/geometry.js';
@@ -12,14 +12,14 @@ interface CellDiagram {
   readonly label: string;
 }
 
-/** Of the drawing. [px] */
+/** Size of the drawing. [px] */
 const [wide, tall] = [260, 104];
-/** Longest side of what the cell lies in, and how far names stand from it. [px] */
+/** Longest side of the box around the cell, and distance of names from it. [px] */
 const room = 62;
 const away = 9;
 
 export function cellDiagram({size, turnDeg, names, label}: CellDiagram): TemplateResult {
-  // any two sides at any angle are those of an oblique cell
+  // any two sides at any angle form an oblique cell
   const [a, b] = latticeVectors('p1', size, turnDeg);
   const reach = (k: 0 | 1): number => Math.abs(a[k]) + Math.abs(b[k]);
   const scale = Math.min((1.8 * room) / reach(0), room / reach(1));

@@ -1,4 +1,4 @@
-/** What the gallery offers: the 17 groups, and stripes, which have none of their own. */
+/** Choices of the gallery: the 17 groups, and stripes, which have no group of their own. */
 import {askedSymmetries, type Decisions, type DesignPrint} from '../../model/design.js';
 import {groupNames, type GroupName} from '../../model/print.js';
 import {carries, latticeVectors, type SymmetryKind} from '../../model/repeat.js';
@@ -8,18 +8,18 @@ export type Choice = GroupName | 'stripes';
 
 export const choices: readonly Choice[] = [...groupNames, 'stripes'];
 
-/** Along a stripe any repeat will do; this one stands for all. [cm] */
+/** Any repeat is valid along a stripe; this one represents all. [cm] */
 export const alongStripe = 0.5;
 
 export const groupOf = (choice: Choice): GroupName => (choice === 'stripes' ? 'pmm' : choice);
 
-/** The print that stands for a choice. */
+/** Returns the print that represents a choice. */
 export const sampleOf = (choice: Choice): string => (choice === 'stripes' ? 'ticking' : choice);
 
 export const choiceOf = ({group, size}: Pick<DesignPrint, 'group' | 'size'>): Choice =>
   ['pm', 'pmm'].includes(group) && size.height <= alongStripe ? 'stripes' : group;
 
-/** What is asked of the print and this group has not, the harder of the two first. */
+/** Returns the symmetry that the design requires and this group lacks; the harder one of two. */
 export function missing(
   group: GroupName,
   design: Pick<Decisions, 'symmetry'> | undefined,
@@ -30,7 +30,7 @@ export function missing(
   );
 }
 
-/** Whether every print of this group looks the same upside down. */
+/** Returns whether every print of this group looks the same upside down. */
 export function turnsOver(group: GroupName): boolean {
   const [w1, w2] = latticeVectors(group, {width: 1, height: 1, angleDeg: 90});
   return printElements({group, w1, w2}).some(

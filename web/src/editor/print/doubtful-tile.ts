@@ -1,4 +1,4 @@
-/** A picture that was opened as a print and does not meet its copies: where, and what may become of it. */
+/** An opened image that is not seamless: its open edges, and remedies. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {TileRepeat} from '../../model/print-tile.js';
@@ -12,10 +12,13 @@ import {printOfPicture} from './own-print.js';
 import type {PhotoOfCloth} from './print-files.js';
 import {remedies} from './remedies.js';
 
-/** Fires `another` when somebody would rather choose another file, `photo` with a `PhotoOfCloth` when it is one. */
+/**
+ * Fires `another` if the user wants another file, and `photo` with a `PhotoOfCloth` if the image is
+ * a photo.
+ */
 export class DoubtfulTile extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, repeats: {state: true}};
-  /** Ways to repeat it in which it does meet them. */
+  /** Repeats that make the image seamless. */
   declare protected repeats: readonly TileRepeat[];
   #shown: DoubtfulPicture | undefined;
 

@@ -1,4 +1,4 @@
-/** How large a picture is to be printed as its file says it, beside the size that somebody has entered. */
+/** Printed size of an image according to its file, beside the size that the user entered. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignPrint} from '../../model/design.js';
@@ -8,7 +8,7 @@ import {controls} from '../style/controls.js';
 import {isUnasked, sizeInFile, type FileSize} from './file-size.js';
 import {firstWidth} from './own-tile.js';
 
-/** What is as good as the same. [cm] */
+/** Greatest difference between equal sizes. [cm] */
 const same = 0.005;
 
 export class FileSizeNote extends WorkbenchElement {
@@ -69,7 +69,7 @@ export class FileSizeNote extends WorkbenchElement {
     ${isTaken && isUnasked(said.size) ? html`<p class="soft">${texts.unasked}</p>` : nothing}`;
   }
 
-  /** In the proportions that it has. */
+  /** Keeps the proportions. */
   #take(print: DesignPrint, width: number): void {
     const size = tileSize(print);
     const height = (size.height * width) / size.width;

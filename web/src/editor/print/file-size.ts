@@ -1,4 +1,4 @@
-/** How large the file of a picture says that it is to be printed. */
+/** Printed size of an image according to its file. */
 import {fileKind} from '../../recognition/file-kind.js';
 import {dpiOf, lengthOnPaper, resolutionOf} from '../../recognition/printed-size.js';
 import {rootAttribute} from '../../recognition/svg-size.js';
@@ -7,19 +7,22 @@ import {leastRepeat, mostRepeat} from './limits.js';
 import {loadPicture} from './picture.js';
 
 export interface FileSize {
-  /** Of the picture. [cm] */
+  /** Width of the image. [cm] */
   readonly width: number;
-  /** Undefined of an SVG, which has a length instead. */
+  /** Undefined for an SVG, which has a length instead. */
   readonly dpi: number | undefined;
 }
 
-/** What programs write that were told nothing. */
+/** Resolutions that programs write by default. [dpi] */
 const unasked: ReadonlySet<number> = new Set([72, 96]);
 
 export const isUnasked = ({dpi}: FileSize): boolean =>
   dpi !== undefined && unasked.has(Math.round(dpi));
 
-/** Undefined where the file does not say, or says what no print can be. @param image a `data:` URL */
+/**
+ * Returns undefined if the file has no size, or one that no print can have.
+ * @param image a `data:` URL
+ */
 export async function sizeInFile(image: string): Promise<FileSize | undefined> {
   if (!image.startsWith('data:')) return undefined;
   const size = await sizeOf(image);

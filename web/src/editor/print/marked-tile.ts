@@ -1,10 +1,10 @@
-/** The picture of a print with what does not match in it marked. */
+/** The image of a print with its mismatches marked. */
 import {css, html, svg, type TemplateResult} from 'lit';
 
 import type {TileBreak} from '../../recognition/tile-check.js';
 import type {OpenEdge} from '../../model/photo.js';
 
-/** The outline of places that touch: the sides that no two of them share. */
+/** Returns the outline of adjacent places: the sides that belong to one place only. */
 export function outlineOf(breaks: readonly TileBreak[]): string {
   const sides = new Map<string, number>();
   for (const {x, y, width, height} of breaks) {
@@ -44,16 +44,16 @@ export function edgesPath(edges: readonly OpenEdge[]): string {
 
 interface MarkedPicture {
   readonly image: string;
-  /** Of the picture. */
+  /** Size of the image. */
   readonly size: {readonly width: number; readonly height: number};
-  /** How far the picture has to be turned to lie upright, counter-clockwise. [degrees] */
+  /** Rotation that makes the image upright, counter-clockwise. [degrees] */
   readonly turnDeg: 0 | 90;
-  /** A path in shares of the picture, from its upper left corner. */
+  /** A path in shares of the image, from its upper left corner. */
   readonly marks: string;
   readonly label: string;
 }
 
-/** Around the picture, for lines on its edges; a share of its longer side. */
+/** Margin around the image for lines on its edges, as a share of its longer side. */
 const margin = 0.04;
 
 export function markedTile({image, size, turnDeg, marks, label}: MarkedPicture): TemplateResult {
@@ -76,7 +76,7 @@ export function markedTile({image, size, turnDeg, marks, label}: MarkedPicture):
   </svg>`;
 }
 
-/** A box with such a picture and what is said of it. */
+/** Styles of a box with such an image and its text. */
 export const markedTileStyle = css`
   .breaks {
     display: grid;

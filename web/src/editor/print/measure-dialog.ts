@@ -1,4 +1,4 @@
-/** The size of a print, from the distance of two points on its picture. */
+/** Sets the size of a print by the distance between two points on its image. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import {noPicture, type DesignPrint} from '../../model/design.js';
@@ -15,12 +15,12 @@ import {leastRepeat, mostRepeat} from './limits.js';
 import {measureStyle} from './measure-style.js';
 import {windowOn} from './measure-window.js';
 
-/** A point is moved by so much of the longer side with an arrow key, and by more with Shift. */
+/** Steps of a point per arrow key, without and with Shift, as shares of the longer side. */
 const step = 1 / 500;
 const largeStep = 1 / 50;
-/** Points that are nearer to each other measure nothing; as a share of the longer side. */
+/** Least distance between points for a measurement, as a share of the longer side. */
 const nearest = 0.02;
-/** What the picture may take of the height of the screen. */
+/** Greatest height of the image, as a share of the height of the screen. */
 const mostOfScreen = 0.55;
 
 type Two = readonly [Point, Point];
@@ -32,9 +32,9 @@ export class MeasureDialog extends WorkbenchElement {
     typed: {state: true},
     isOpen: {state: true},
   };
-  /** In shares of the picture, from its upper left corner. */
+  /** Points in shares of the image, from its upper left corner. */
   declare protected points: Two;
-  /** Their distance as somebody has entered it. [cm] */
+  /** Distance between the points, as entered by the user. [cm] */
   declare protected typed: number | undefined;
   declare protected isOpen: boolean;
   #next: 0 | 1 = 0;
@@ -65,7 +65,7 @@ export class MeasureDialog extends WorkbenchElement {
       </dialog>`;
   }
 
-  /** Where things are: a strict policy allows no styles in the markup. */
+  /** Sets positions by script, since a strict policy allows no styles in the markup. */
   protected override updated(): void {
     const print = this.workbench.design?.print;
     const picture = this.renderRoot.querySelector<HTMLElement>('.picture');
@@ -167,7 +167,7 @@ export class MeasureDialog extends WorkbenchElement {
     ></button>`;
   }
 
-  /** At the distance that was entered. */
+  /** Returns the print at the entered distance. */
   #measured(print: DesignPrint): DesignPrint {
     const distance = this.#distance(print);
     if (this.typed === undefined || distance === 0) return print;
@@ -178,7 +178,7 @@ export class MeasureDialog extends WorkbenchElement {
     return resized(print, {...size, width: size.width * factor, height});
   }
 
-  /** Of the points, at the print's present size. [cm] */
+  /** Returns the distance between the points at the print's present size. [cm] */
   #distance(print: DesignPrint): number {
     const {width, height} = windowOn(print);
     const [[x1, y1], [x2, y2]] = this.points;
@@ -201,7 +201,7 @@ export class MeasureDialog extends WorkbenchElement {
     return [(clientX - left) / width, (clientY - top) / height];
   }
 
-  /** A press takes hold of a point, or sets one: the first, the second, and so on. */
+  /** A press grabs a point, or sets one: the first, the second, and so on. */
   readonly #press = (event: PointerEvent): void => {
     const held = (event.target as HTMLElement).dataset.point;
     if (held === undefined) {

@@ -1,4 +1,4 @@
-/** What groups somebody's own picture has, where they lie in it, and where it does not meet its copies. */
+/** Groups of the user's own image, their positions in it, and its open edges. */
 import {SolverError} from '../../model/failure.js';
 import {cross, norm} from '../../model/geometry.js';
 import type {
@@ -21,19 +21,19 @@ import {isVector, loadPicture, pixelsOf} from './picture.js';
 
 export type ReadsPictures = Pick<SolverService, 'photo' | 'photoTile'>;
 
-/** A group that a picture has: all of the picture is a cell of it, or a cell has to be cut out. */
+/** A group of an image: the whole image is a cell of it, or a cell has to be cut out. */
 export type FoundGroup = WholeCell | CutCell;
 
 export interface CutCell {
   readonly group: GroupName;
   readonly picture: Picture;
-  /** As the sheet for photographs would have read it. */
+  /** The same step as from a reading in the photo dialog. */
   readonly cut: PhotoStep;
 }
 
 type Picture = PhotoRequest['picture'];
 
-/** The last of what was made of a text; it is asked for again with every group that is tried. */
+/** Caches the last result by its texts, since every group that is tried needs the same one. */
 export function lastOf<T>(make: (...of: readonly string[]) => Promise<T>) {
   let last: {readonly key: string; readonly made: Promise<T>} | undefined;
   return (...of: readonly string[]): Promise<T> => {
@@ -43,7 +43,7 @@ export function lastOf<T>(make: (...of: readonly string[]) => Promise<T>) {
   };
 }
 
-/** The picture of a cell, as small as it is compared. */
+/** Returns the image of a cell at the small size used for comparison. */
 export const pixelsIn = lastOf(async (image = ''): Promise<Pixels> =>
   pixelsOf(await loadPicture(image)),
 );
@@ -53,10 +53,10 @@ interface ReadPicture {
   readonly reading: PhotoReading;
 }
 
-/** Longest side in which a picture is read that has no pixels of its own. [px] */
+/** Longest side of a vector image for reading. [px] */
 const vectorRead = 1024;
 
-/** As many pictures as are asked for in turn: the one that somebody opened, and its cell. */
+/** Number of cached images: the opened image and its cell. */
 const mostKept = 2;
 const kept = new Map<string, Promise<ReadPicture | undefined>>();
 
@@ -65,14 +65,16 @@ async function pictureOf(image: string): Promise<Picture> {
   return pixelsOf(await loadPicture(image), vectorRead);
 }
 
-/** A seamless picture as it is read; undefined where nothing can be read off it, as of a few pixels. */
+/**
+ * Reads a seamless image once; undefined if nothing can be read from it, such as from a few pixels.
+ */
 function readOnce(solver: ReadsPictures, image: string): Promise<ReadPicture | undefined> {
   const known = kept.get(image);
   if (known) return known;
   const read = readNow(solver, image);
   kept.set(image, read);
   for (const old of [...kept.keys()].slice(0, -mostKept)) kept.delete(old);
-  read.catch(() => kept.delete(image)); // to be tried again
+  read.catch(() => kept.delete(image)); // the next call tries again
   return read;
 }
 
@@ -86,7 +88,7 @@ async function readNow(solver: ReadsPictures, image: string): Promise<ReadPictur
   }
 }
 
-/** Of those of a picture that is repeated straight, in half-drop or as bricks, the ones that count. */
+/** Returns the open edges that count for a repeat: straight, half-drop, brick or mirrored. */
 function edgesIn({straight, halfDrop, brick}: TileSeams, repeat: TileRepeat): readonly OpenEdge[] {
   const only = (...sides: readonly OpenEdge['side'][]): readonly OpenEdge[] =>
     straight.filter(({side}) => sides.includes(side));
@@ -111,7 +113,7 @@ const shut: TileSeams = {straight: [], halfDrop: [], brick: []};
 const seamsOf = async (solver: ReadsPictures, image: string): Promise<TileSeams> =>
   (await readOnce(solver, image))?.reading.seams ?? shut;
 
-/** Where a picture does not meet its copies. */
+/** Returns the edges at which an image does not continue in its copies. */
 export async function openEdgesOf(
   solver: ReadsPictures,
   {image, repeat}: Pick<PrintTile, 'image' | 'repeat'>,
@@ -119,7 +121,7 @@ export async function openEdgesOf(
   return edgesIn(await seamsOf(solver, image), repeat);
 }
 
-/** The ways to repeat a picture that let it meet its copies; mirrored, all do. */
+/** Returns the repeats that make an image seamless; a mirrored repeat always does. */
 export async function closedRepeats(
   solver: ReadsPictures,
   image: string,
@@ -130,20 +132,20 @@ export async function closedRepeats(
   return [...(['halfDrop', 'brick'] as const).filter(closed), mirrored ?? 'mirrored'];
 }
 
-/** Which of the edges of a picture do not meet. */
+/** Returns the direction in which edges are open. */
 export const openPairs = (edges: readonly OpenEdge[]): 'across' | 'up' | 'both' => {
   const isAcross = edges.some(({side}) => side === 'left');
   const isUp = edges.some(({side}) => side === 'top');
   return isAcross && isUp ? 'both' : isAcross ? 'across' : 'up';
 };
 
-/** How many smallest cells of a group the picture shows. */
+/** Returns the number of the group's smallest cells that the image shows. */
 const copiesOf = ({width, height}: PhotoReading, {map}: PhotoGroup): number => {
   const [a, b, , c, d] = map.homography;
   return Math.round((width * height) / Math.abs(cross([a, c], [b, d])));
 };
 
-/** Along a stripe any cell will do; across it has to be one. */
+/** Returns whether the image shows one cell across its stripes; any cell is valid along them. */
 function isOneStripe({width, height}: PhotoReading, {map}: PhotoGroup): boolean {
   const [a, , , c] = map.homography;
   const side = Math.abs(a) > Math.abs(c) ? width : height;
@@ -152,17 +154,17 @@ function isOneStripe({width, height}: PhotoReading, {map}: PhotoGroup): boolean 
 
 const orderOf = (group: GroupName): number => printElements({group, w1: [1, 0], w2: [0, 1]}).length;
 
-/** What the picture of a cell may be taken as, whatever it shows. */
+/** The group p1, which is valid for any image of a cell. */
 const plain = (size: RepeatSize): WholeCell => ({
   ...{group: 'p1', turnDeg: 0, cell: 'primitive'},
   size,
 });
 
 /**
- * Groups that the picture of a cell has, the one with most symmetries first. All of it serves as the cell wherever
- * that is one.
- * @param size     of the picture [cm]
- * @param mayCut  a cell may be cut out of it
+ * Returns the groups of a cell's image: first the group of the reading, then those with more
+ * symmetries. The whole image is the cell wherever possible.
+ * @param size size of the image [cm]
+ * @param mayCut true if a cell may be cut out of it
  */
 export async function groupsIn(
   solver: ReadsPictures,

@@ -1,4 +1,4 @@
-/** Somebody's own picture as a print: what groups it has, and what becomes of it in each. */
+/** The user's own image as a print: its groups, and the print in each of them. */
 import type {DesignPrint} from '../../model/design.js';
 import {coupledSize, type FittingGroup, type RepeatSize} from '../../model/repeat.js';
 import {cellTurn, copiesIn, pictureIn, type OwnPicture} from '../../model/tile-repeat.js';
@@ -23,7 +23,7 @@ import {arranged, loadPicture, pixelsOf, quarterTurned} from './picture.js';
 const cellOfOwn = lastOf((image = '', repeat = '') => arranged(image, repeat as TileRepeat));
 const tilePixels = lastOf(async (image = '') => pixelsOf(await loadPicture(image)));
 
-/** Compares the picture of a print with itself under its group. */
+/** Compares the image of a print with itself under its group. */
 export async function checked({image, group, size, cell}: DesignPrint): Promise<TileCheck> {
   const [{checkTile}, pixels] = await Promise.all([
     import('../../recognition/tile-check.js'),
@@ -32,11 +32,11 @@ export async function checked({image, group, size, cell}: DesignPrint): Promise<
   return checkTile(pixels, group, size, cell);
 }
 
-/** The pixels of the picture that somebody opened. */
+/** Returns the pixels of the image that the user opened. */
 export const pixelsOfTile = ({image}: Pick<OwnPicture, 'image'>): Promise<Pixels> =>
   tilePixels(image);
 
-/** Of the upright cell of an own picture, in the picture's own proportions. [cm] */
+/** Returns the size of the upright cell of an own image, in the image's own proportions. [cm] */
 async function uprightSize({image, repeat, size}: OwnPicture): Promise<RepeatSize> {
   const [across, up] = copiesIn[repeat];
   const {width, height} = await tilePixels(image);
@@ -44,30 +44,30 @@ async function uprightSize({image, repeat, size}: OwnPicture): Promise<RepeatSiz
   return {width: across * size.width, height: up * tall, angleDeg: 90};
 }
 
-/** Groups that an own picture has as it is repeated, the one with most symmetries first. */
+/** Returns the groups of an own image with its repeat, as `groupsIn` sorts them. */
 export async function groupsOfOwn(
   solver: ReadsPictures,
   own: OwnPicture,
 ): Promise<readonly FoundGroup[]> {
   const [image, size] = await Promise.all([cellOfOwn(own.image, own.repeat), uprightSize(own)]);
-  // what is repeated otherwise than straight keeps the picture that somebody opened
+  // no cell is cut out for other repeats, which keep the opened image
   return groupsIn(solver, image, size, own.repeat === 'straight');
 }
 
-/** A picture as a print, in the group with most symmetries that it has. */
+/** Returns an image as a print, in the first group that it has. */
 export async function printOfPicture(solver: ReadsPictures, own: OwnPicture): Promise<DesignPrint> {
   const [found] = await groupsOfOwn(solver, own);
   if (!found) throw new Error('A picture has at least the group p1.');
   return asFound(solver, own, found);
 }
 
-/** The picture of a print's cell, made of the one that somebody opened. */
+/** Returns the image of a print's cell, made from the image that the user opened. */
 export async function pictureOfTile({image, repeat, turnedDeg}: PrintTile): Promise<string> {
   const upright = await cellOfOwn(image, repeat);
   return turnedDeg === 90 ? quarterTurned(upright) : upright;
 }
 
-/** An own picture in a group that it has. */
+/** Returns an own image as a print, in one of its groups. */
 const asFound = (
   solver: ReadsPictures,
   own: OwnPicture,
@@ -90,7 +90,9 @@ async function asWhole(
   };
 }
 
-/** A print of one cell that is cut out of the picture, which looks as all of it did. */
+/**
+ * Returns a print of one cell cut out of the image, with the same appearance as the whole image.
+ */
 async function asCut(
   solver: ReadsPictures,
   own: OwnPicture,
@@ -107,7 +109,10 @@ async function asCut(
   };
 }
 
-/** With a smaller group on the same cloth, which looks as before. A picture that has to be turned is an own one. */
+/**
+ * Sets a smaller group without a change in appearance. A print whose image is turned becomes the
+ * user's own.
+ */
 export async function withGroup(
   print: DesignPrint,
   {group, size, cell, turnDeg}: FittingGroup,
@@ -119,20 +124,23 @@ export async function withGroup(
   return {title, oneWay, group, size, cell, image, turnDeg: turned};
 }
 
-/** Where the picture stays the same, so does what is known of its file. */
+/** Keeps what is known of the file if the image stays the same. */
 const inPlaceOf = (print: DesignPrint, found: DesignPrint): DesignPrint => {
   if (found.image !== print.image || found.tile || print.tile) return found;
   return {...print, ...found};
 };
 
-/** With a group that its picture has. */
+/** Returns the print with a group that its image has. */
 export const withFound = async (
   solver: ReadsPictures,
   print: DesignPrint,
   found: FoundGroup,
 ): Promise<DesignPrint> => inPlaceOf(print, await asFound(solver, pictureIn(print), found));
 
-/** As a group that it may not have: the whole picture is the cell, and is stretched where the group demands it. */
+/**
+ * Returns the print with a group that its image may not have. The whole image is the cell, and is
+ * stretched if the group requires it.
+ */
 export async function ownPrintAs(
   solver: ReadsPictures,
   print: DesignPrint,

@@ -1,4 +1,4 @@
-/** Reads what somebody hands over as a print: a print file, or the picture of one cell. */
+/** Reads a file as a print: a print file, or the image of one cell. */
 import {noPicture, type DesignPrint} from '../../model/design.js';
 import {distance, norm} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
@@ -16,14 +16,17 @@ import {printOfPicture} from './own-print.js';
 import {OpenEdgesError} from './print-files.js';
 import {looksLikePicture, readPicture} from './read-picture.js';
 
-/** No print file is longer. [bytes] */
+/** Greatest length of a print file. [bytes] */
 const mostBytes = 12 * 2 ** 20;
-/** How wide a picture is until its file or somebody says so. [cm] */
+/** Width of an image until its file or the user sets another one. [cm] */
 export const firstWidth = 10;
 
 type Words = Texts['print']['files'];
 
-/** Reads a picture as it is opened: straight, and as large as its file says. @throws {Error} with one sentence */
+/**
+ * Reads an image as opened: straight, in the size from its file.
+ * @throws {Error} with one sentence as message
+ */
 async function readOwnPicture(file: File, words: Words): Promise<OwnPicture> {
   const {image, width, height} = await readPicture(file, words);
   const said = await sizeInFile(image);
@@ -35,9 +38,10 @@ async function readOwnPicture(file: File, words: Words): Promise<OwnPicture> {
 }
 
 /**
- * A print as a design holds it. A picture gets the group with most symmetries that it has. A print file names
- * its picture, which cannot be read from here: until that is opened, too, the cloth is bare.
- * @throws {Error} with one sentence that says what is wrong
+ * Returns a print as a design contains it. An image has the first of its groups. A print file names
+ * its image, which cannot be read from here; the fabric is bare until the user opens the image,
+ * too.
+ * @throws {Error} with one sentence about the problem
  */
 export async function readPrint(
   solver: ReadsPictures,
@@ -51,9 +55,9 @@ export async function readPrint(
 }
 
 /**
- * Reads a print and shows the design on it. The picture of a print that waits for its own becomes that.
- * One that does not meet its copies is left for somebody to decide about.
- * @throws {Error} with one sentence that says what is wrong; the print stays as it is
+ * Reads a print and shows the design on it. An image completes a print that lacks its image. The
+ * user has to decide about an image that is not seamless.
+ * @throws {Error} with one sentence about the problem; the print stays unchanged
  */
 export async function openPrint(workbench: Workbench, file: File): Promise<void> {
   const {language, messages} = workbench.preferences;
@@ -77,7 +81,7 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
   workbench.change({print: await printOfPicture(workbench.solver, own)});
 }
 
-/** @throws {Error} */
+/** Reads the text of a print file. @throws {Error} one sentence about the problem */
 export function printFrom(text: string, name: string, words: Words): DesignPrint {
   const {
     title,
@@ -92,7 +96,7 @@ export function printFrom(text: string, name: string, words: Words): DesignPrint
   const repeat = repeatOf({group, w1, w2, cell});
   const again = latticeVectors(group, repeat.size, repeat.turnDeg, cell);
   const off = Math.max(distance(w1, again[0]), distance(w2, again[1]));
-  // also false where they are no numbers at all, as of vectors without a length
+  // also false for NaN, as from vectors without length
   if (!(off < 0.001 * norm(w1)) || repeat.size.angleDeg <= 0) {
     throw new Error(words.wrongLattice(name, group));
   }
@@ -112,7 +116,7 @@ function read(text: string, name: string, words: Words): Print {
   }
 }
 
-/** A sewing pattern has its pieces here, or says so. */
+/** Returns whether a file is a sewing pattern: it has pieces, or the format of one. */
 function isPattern(text: string): boolean {
   try {
     const file: unknown = JSON.parse(text);

@@ -1,14 +1,17 @@
-/** The picture of a print's cell, from the tile that was made of its photograph. */
+/** Image of a print's cell, from the tile made of its photo. */
 import {norm} from '../../model/geometry.js';
 import type {PhotoPixels} from '../../model/photo.js';
 import type {DesignPrint} from '../../model/design.js';
 import {latticeVectors} from '../../model/repeat.js';
 import {imageCell, latticeType} from '../../model/wallpaper.js';
 
-/** Longest side of a print's picture. [px] */
+/** Longest side of a print's image. [px] */
 const longest = 2048;
 
-/** In main memory, where files are written from: a graphics card would have to give all of it back. */
+/**
+ * Returns a canvas in main memory, since files are written from there; the graphics card would have
+ * to return all of it.
+ */
 function contextOf(width: number, height: number): OffscreenCanvasRenderingContext2D {
   const context = new OffscreenCanvas(width, height).getContext('2d', {willReadFrequently: true});
   if (!context) throw new Error('This browser draws no pictures.');
@@ -17,7 +20,7 @@ function contextOf(width: number, height: number): OffscreenCanvasRenderingConte
 
 function canvasOf({width, height, data}: PhotoPixels): OffscreenCanvas {
   const context = contextOf(width, height);
-  // a view where the buffer is not shared: a copy of 2048 x 2048 pixels takes 7 ms
+  // uses a view of an unshared buffer: a copy of 2048 x 2048 pixels takes 7 ms
   const pixels =
     data.buffer instanceof ArrayBuffer
       ? new Uint8ClampedArray(data.buffer, data.byteOffset, data.byteLength)
@@ -26,7 +29,7 @@ function canvasOf({width, height, data}: PhotoPixels): OffscreenCanvas {
   return context.canvas;
 }
 
-/** Of a tile that shows the cell of w1 and w2, what the print's own cell shows. */
+/** Returns the image of the print's own cell, from a tile that shows the cell of w1 and w2. */
 export function cellPicture(
   tile: PhotoPixels,
   {group, size, cell}: Pick<DesignPrint, 'group' | 'size' | 'cell'>,
@@ -52,7 +55,8 @@ export function cellPicture(
   }
   const pattern = context.createPattern(pixels, 'repeat');
   if (!pattern) throw new Error('This browser draws no pictures.');
-  // (u, v) = (s - t, s + t) of rhombic cells, (s - t, 2 t) of hexagonal ones; pictures run down, u and v up
+  // (u, v) = (s - t, s + t) for rhombic cells, (s - t, 2 t) for hexagonal ones; y points down in
+  // images, u and v point up
   const isHexagonal = latticeType(group) === 'hexagonal';
   const [a, b] = isHexagonal ? [width, 0] : [width / 2, height / 2];
   pattern.setTransform(

@@ -1,4 +1,4 @@
-/** What somebody has decided about the print on a photograph, and the print that makes. */
+/** The user's decisions about the print on a photo, and the resulting print. */
 import type {DesignPrint} from '../../model/design.js';
 import {combined, minus, norm, type Point} from '../../model/geometry.js';
 import {latticeOf, pixelOf, vectorsAtMiddle} from '../../model/photo-map.js';
@@ -19,39 +19,39 @@ import {isCentred, latticeType} from '../../model/wallpaper.js';
 import {assumedWidth, readableRepeat} from '../../recognition/photo-print.js';
 import {alongStripe, turnsOver} from './choices.js';
 
-/** What undo steps through. */
+/** A step of the history. */
 export interface PhotoStep {
   readonly reading: PhotoReading;
-  /** Focal length of the camera, as on film of 36 mm, where its file says it. */
+  /** Focal length of the camera, converted to film of 36 mm, if the file contains it. */
   readonly f35: number | undefined;
-  /** Somebody placed or chose the cell that this was read from. */
+  /** True if the user placed or chose the cell of this reading. */
   readonly isByHand: boolean;
-  /** Another group than the one that was found. */
+  /** The chosen group, if it differs from the group found. */
   readonly chosen: GroupName | undefined;
-  /** Counter-clockwise, of the print against the photograph as it was read. */
+  /** Quarter turns of the print against the photo as read, counter-clockwise. */
   readonly quarterTurns: number;
-  /** Whether it has an upside, where somebody says so. */
+  /** The user's setting for a print with one upright direction; undefined without a setting. */
   readonly oneWay: boolean | undefined;
-  /** The symmetries of the group are made exact. */
+  /** True if the symmetries of the group are made exact. */
   readonly isExact: boolean;
-  /** How much of the light's unevenness is taken away, 0 to 1. */
+  /** Share of the uneven light that is removed, 0 to 1. */
   readonly flatten: number;
   readonly w1Measured: RepeatsMeasured | undefined;
   readonly w2Measured: RepeatsMeasured | undefined;
   readonly between: PointsMeasured | undefined;
-  /** A coin or card that lies on the cloth. */
+  /** Coin or card on the fabric. */
   readonly object: PhotoObject | undefined;
-  /** By which something white is white. */
+  /** Gains that make a chosen spot white. */
   readonly gains: ColourGains | undefined;
 }
 
-/** What makes lengths known; of these one at a time counts, but w1 and w2 together. */
+/** Measurements of lengths. Only one kind counts at a time; w1 and w2 are one kind. */
 export const unmeasured = {
   ...{w1Measured: undefined, w2Measured: undefined},
   ...{between: undefined, object: undefined},
 } as const;
 
-/** As it was read, with what had been decided before. */
+/** Returns the step of a reading, with the earlier decisions. */
 export function stepOf(
   reading: PhotoReading,
   before?: PhotoStep,
@@ -70,7 +70,7 @@ export function stepOf(
   };
 }
 
-/** The same step on the same photograph in another size. */
+/** Returns the same step for the same photo in another size. */
 export function scaledStep(
   step: PhotoStep,
   {width, height}: {readonly width: number; readonly height: number},
@@ -112,13 +112,13 @@ export function groupIn(step: PhotoStep): PhotoGroup {
   return group;
 }
 
-/** Whether nobody can be sure of it: neither was the program, nor has somebody said what is right. */
+/** Returns whether the reading is uncertain and the user has not corrected it. */
 export const isDoubtful = ({reading, isByHand, chosen}: PhotoStep): boolean =>
   reading.confidence === 'uncertain' && !isByHand && chosen === undefined;
 
 export const isOneWay = (step: PhotoStep): boolean => step.oneWay ?? !turnsOver(groupOf(step));
 
-/** The vectors of a map as the print has them, in the reading's proportions. */
+/** Returns the vectors of a map in the print, in the reading's proportions. */
 function shapeOf({reading}: PhotoStep, map: PhotoMap): readonly [Point, Point] {
   const middle = latticeOf(map, reading, [reading.width / 2, reading.height / 2]);
   const [u, v] = [Math.round(middle[0]), Math.round(middle[1])];
@@ -137,11 +137,13 @@ const times = ([x, y]: Point, factor: number): Point => [factor * x, factor * y]
 interface PhotoCell {
   readonly w1: Point;
   readonly w2: Point;
-  /** Its lengths are cm; otherwise |w1| is about 1. */
+  /** True if lengths are cm; otherwise |w1| is about 1. */
   readonly isScaled: boolean;
 }
 
-/** How long w1 and w2 are, as far as they were measured; sides that the group has equal are. [cm] */
+/**
+ * Returns the measured lengths of w1 and w2; they are equal if the group requires equal sides. [cm]
+ */
 function lengthsOf(step: PhotoStep): readonly [number | undefined, number | undefined] {
   const [w1, w2] = [oneRepeat(step.w1Measured), oneRepeat(step.w2Measured)];
   if (w1 === undefined || w2 === undefined || !isEqualSided(step)) return [w1, w2];
@@ -149,7 +151,7 @@ function lengthsOf(step: PhotoStep): readonly [number | undefined, number | unde
   return [both, both];
 }
 
-/** w1 and w2 of the group that is shown. */
+/** Returns w1 and w2 of the displayed group. */
 export function cellOf(step: PhotoStep): PhotoCell {
   const [w1, w2] = shapeOf(step, groupIn(step).map);
   const [first, second] = lengthsOf(step);
@@ -165,7 +167,7 @@ export function cellOf(step: PhotoStep): PhotoCell {
   };
 }
 
-/** cm in the unit of the reading's shape. */
+/** Returns the unit of the reading's shape in cm. */
 function byPoints({reading, object, ...step}: PhotoStep): number | undefined {
   const between = step.between ?? object?.between;
   if (!between) return undefined;
@@ -177,22 +179,25 @@ function byPoints({reading, object, ...step}: PhotoStep): number | undefined {
   return apart > 0 ? between.cm / apart : undefined;
 }
 
-/** What two measures of sides may be apart that the group has equal, as a share: by how a tape errs. */
+/**
+ * Greatest difference between two measurements of sides that the group makes equal, as a share: the
+ * error of a tape.
+ */
 const tapeError = 0.005;
 
 const isEqualSided = (step: PhotoStep): boolean =>
   ['square', 'rhombic', 'hexagonal'].includes(latticeType(groupOf(step)));
 
-/** Measures along w1 and w2 that no cell has both. */
+/** Measurements along w1 and w2 that no cell can have together. */
 interface MeasureConflict {
-  /** Of one repeat. [cm] */
+  /** Length of one repeat. [cm] */
   readonly w1: number;
   readonly w2: number;
-  /** w2 as w1 and the photograph, or the group, have it. [cm] */
+  /** w2 according to w1 and the photo, or to w1 and the group. [cm] */
   readonly expected: number;
-  /** By which w2 is longer or shorter than that. */
+  /** Deviation of w2 from it, as a share. */
   readonly share: number;
-  /** The group has equal sides: then w1 counts. Otherwise both do. */
+  /** True if the group has equal sides, so that w1 counts; otherwise both count. */
   readonly isOfGroup: boolean;
 }
 
@@ -208,13 +213,13 @@ export function conflictIn(step: PhotoStep): MeasureConflict | undefined {
   return share > most ? {w1, w2, expected: w1 * aspect, share, isOfGroup} : undefined;
 }
 
-/** Above -180, up to 180. */
+/** Wraps an angle into (-180, 180]. */
 export const wrappedTurn = (degrees: number): number => {
   const turn = ((degrees % 360) + 360) % 360;
   return turn > 180 ? turn - 360 : turn;
 };
 
-/** The print without its picture, rounded as files of prints are. */
+/** Returns the print without its image, rounded as in print files. */
 export function measuresOf(
   step: PhotoStep,
 ): Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled'> {
@@ -233,7 +238,7 @@ export function measuresOf(
   };
 }
 
-/** What the tile of the print is made by. */
+/** Returns the settings for the tile of the print. */
 export function tileSettings(step: PhotoStep): PhotoTileSettings {
   const {name, map} = groupIn(step);
   return {

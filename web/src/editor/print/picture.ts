@@ -1,14 +1,14 @@
-/** The picture of a print's cell as pixels, wherever a design has it. */
+/** The image of a print's cell as pixels, from any source in a design. */
 import {copiesIn} from '../../model/tile-repeat.js';
 import type {TileRepeat} from '../../model/print-tile.js';
 import type {Pixels} from '../../recognition/tile-cloth.js';
 
-/** Longest side of what is compared, and of a picture that is drawn anew. [px] */
+/** Longest side of a compared image, and of a redrawn one. [px] */
 const compared = 320;
 const drawnAnew = 4096;
-/** A picture without pixels of its own is drawn this large. */
+/** Longest side of a redrawn vector image. [px] */
 const vectorDrawn = 1536;
-/** What takes more room than that without loss is compressed as it was before. [px] */
+/** Greatest size of a lossless image; larger ones keep their lossy compression. [px] */
 const mostLossless = 6e6;
 
 export async function loadPicture(url: string): Promise<HTMLImageElement> {
@@ -27,7 +27,7 @@ function canvasOf(width: number, height: number): CanvasRenderingContext2D {
   return context;
 }
 
-/** A few pixels of a picture, in its own proportions. */
+/** Returns a small copy of an image as pixels, in its own proportions. */
 export function pixelsOf(image: HTMLImageElement, longest = compared): Pixels {
   const {naturalWidth, naturalHeight} = image;
   const scale = Math.min(1, longest / Math.max(naturalWidth, naturalHeight));
@@ -39,7 +39,7 @@ export function pixelsOf(image: HTMLImageElement, longest = compared): Pixels {
 
 export const isVector = (url: string): boolean => /^data:image\/svg|\.svg$/.test(url);
 
-/** The same picture, turned clockwise by 90 degrees. @returns a `data:` URL */
+/** Turns an image clockwise by 90 degrees. @returns a `data:` URL */
 export async function quarterTurned(url: string): Promise<string> {
   const image = await loadPicture(url);
   const longest = Math.max(image.naturalWidth, image.naturalHeight);
@@ -52,7 +52,10 @@ export async function quarterTurned(url: string): Promise<string> {
   return context.canvas.toDataURL(url.startsWith('data:image/jpeg') ? 'image/jpeg' : 'image/png');
 }
 
-/** Even pixels, so that half a picture is whole ones; those of the picture itself wherever they fit. */
+/**
+ * Returns even sides, so that half an image has whole pixels. They are the image's own wherever
+ * those fit.
+ */
 function sidesFor(url: string, image: HTMLImageElement, repeat: TileRepeat): [number, number] {
   const [across, up] = copiesIn[repeat];
   const {naturalWidth: width, naturalHeight: height} = image;
@@ -64,8 +67,10 @@ function sidesFor(url: string, image: HTMLImageElement, repeat: TileRepeat): [nu
 }
 
 /**
- * One cell of a picture that repeats in such a way. Half-drop and brick have the middle of the picture at the
- * corner of the cell, where the group's origin is; mirrored pictures have their own corner there. @returns a `data:` URL
+ * Returns one cell of an image with this repeat. Half-drop and brick have the middle of the image
+ * at the corner of the cell, where the group's origin is; mirrored images have their own corner
+ * there.
+ * @returns a `data:` URL
  */
 export async function arranged(url: string, repeat: TileRepeat): Promise<string> {
   if (repeat === 'straight') return url;
@@ -73,7 +78,7 @@ export async function arranged(url: string, repeat: TileRepeat): Promise<string>
   const [width, height] = sidesFor(url, image, repeat);
   const [across, up] = copiesIn[repeat];
   const context = canvasOf(across * width, up * height);
-  // as they are: only a picture that is too large is made smaller
+  // keeps pixels as they are: only an image that is too large is reduced
   context.imageSmoothingEnabled = width < image.naturalWidth || isVector(url);
   const draw = (x: number, y: number, flipX: boolean, flipY: boolean): void => {
     context.setTransform(flipX ? -1 : 1, 0, 0, flipY ? -1 : 1, x + width / 2, y + height / 2);

@@ -1,21 +1,21 @@
-/** Files that may be opened as prints. */
+/** Files that can be opened as prints. */
 
-/** Of pictures. */
+/** Endings of image files. */
 export const pictureEndings: readonly string[] = ['png', 'jpg', 'jpeg', 'webp', 'svg'];
 
-/** What a file picker is to offer. */
+/** Files that a file picker offers. */
 export const printFiles = `.json,${pictureEndings.map((ending) => `.${ending}`).join()}`;
 
-/** A picture that does not meet its copies: whoever opened it has to decide what becomes of it. */
+/** An image that is not seamless; the user has to decide about it. */
 export class OpenEdgesError extends Error {
   override readonly name = 'OpenEdgesError';
 }
 
-/** A picture that a print is to be read off, and what it is called. */
+/** An image to read a print from, and its name. */
 export interface PhotoOfCloth {
   readonly picture: Blob;
   readonly name: string;
 }
 
-/** Asks whoever shows the print's panel to make a print of a photograph. */
+/** Event that opens the photo dialog. */
 export type PhotoWanted = CustomEvent<PhotoOfCloth | null>;

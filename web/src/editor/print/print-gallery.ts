@@ -1,4 +1,4 @@
-/** The prints to choose from: one for each group, more of them, and their colours. */
+/** Gallery of prints: one for each group, further prints, and their colours. */
 import {html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 
@@ -12,7 +12,7 @@ import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choi
 import {swatch} from './swatch.js';
 import {swatches} from './swatch-style.js';
 
-/** Of the gallery, which the arrow keys up and down jump by; as in its style. */
+/** Columns of the gallery, as in its style; the arrow keys up and down move by a row. */
 const columns = 4;
 
 const steps: Readonly<Record<string, number>> = {
@@ -21,14 +21,17 @@ const steps: Readonly<Record<string, number>> = {
 
 const standIns = new Set(choices.map(sampleOf));
 
-/** In its first colours, unless others are named: what is offered looks the same whatever is chosen. */
+/**
+ * Returns a print in its first colours unless others are named, so that the gallery always looks
+ * the same.
+ */
 const coloured = (print: SamplePrint, name?: string): string => {
   const {colourways} = print;
   const shown = colourways.find((one) => one.name === name) ?? colourways[0];
   return `prints/${shown?.raster ?? shown?.image ?? ''}`;
 };
 
-/** What somebody looks for. */
+/** Filters of the gallery. */
 const filters = ['botanical', 'geometric', 'tailored', 'mirrors'] as const;
 type Filter = (typeof filters)[number];
 
@@ -45,10 +48,10 @@ export class PrintGallery extends PatientElement {
   };
   declare samples: Samples | undefined;
   declare protected focused: Choice | undefined;
-  /** The group that somebody asked for and that the symmetries do not allow; said until the design is another. */
+  /** The chosen group that the symmetries do not allow; displayed until the design changes. */
   declare protected refused: {readonly group: GroupName; readonly design: Design} | undefined;
 
-  /** Of the prints that come with Seamwise, only these are shown. */
+  /** Filter of the prints that come with Seamwise. */
   declare protected filter: Filter | undefined;
 
   static override styles = [controls, swatches];
@@ -59,7 +62,7 @@ export class PrintGallery extends PatientElement {
     if (!design || !samples) return nothing;
     const refused = this.refused?.design === design ? this.refused.group : undefined;
     const {print, symmetry} = design;
-    // drawn again only when one of these is new, not with every step of a solve
+    // redrawn only for a new value of these, not with every step of a solve
     const seen = [print, symmetry, preferences, samples, focused, refused, filter];
     return html`${guard(
       seen,
@@ -89,7 +92,7 @@ export class PrintGallery extends PatientElement {
     </div>`;
   }
 
-  /** A print of one's own may become any of them. */
+  /** The user's own print can have any of the groups. */
   #shown({print}: Design, {prints}: Samples): readonly Choice[] {
     if (!print.sample) return choices;
     return choices.filter((choice) =>
@@ -142,7 +145,7 @@ export class PrintGallery extends PatientElement {
     </div>`;
   }
 
-  /** What the group means; or why it will not do, and those that would. */
+  /** Meaning of the group; or the reason that it is not possible, and the groups that are. */
   #meaning(design: Design, refused: GroupName | undefined): TemplateResult {
     const texts = this.texts.print;
     const {print} = design;
@@ -218,7 +221,7 @@ export class PrintGallery extends PatientElement {
       </div>`;
   }
 
-  /** @returns whether the symmetries allow this group; if not, why is said */
+  /** @returns true if the symmetries allow this group; otherwise the gallery shows the reason */
   #ask(group: GroupName): boolean {
     const {design} = this.workbench;
     const allowed = !missing(group, design);

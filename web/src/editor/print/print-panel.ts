@@ -1,4 +1,4 @@
-/** Which print, how large, and which way up. */
+/** Panel of the print: its choice, size and direction. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {noPicture, type DesignPrint} from '../../model/design.js';
@@ -18,7 +18,7 @@ export class PrintPanel extends WorkbenchElement {
     problem: {state: true},
   };
   declare samples: Samples | undefined;
-  /** What is wrong with the file that was opened last. */
+  /** Problem with the last opened file. */
   declare protected problem: string | undefined;
 
   static override styles = [
@@ -36,7 +36,7 @@ export class PrintPanel extends WorkbenchElement {
     `,
   ];
 
-  /** The keys go to where the size of the print is entered. */
+  /** Focuses the field for the size of the print. */
   toSize(): void {
     this.renderRoot.querySelector<RepeatFields>('sw-repeat-fields')?.focus();
   }
@@ -108,9 +108,9 @@ export class PrintPanel extends WorkbenchElement {
       const {openPrint} = await import('./own-tile.js');
       await openPrint(this.workbench, file);
     } catch (error) {
-      // what may become of such a picture is asked instead
+      // the panel shows remedies for an image with open edges
       if (!(error instanceof OpenEdgesError)) this.problem = toFailure(error).message;
     }
-    input.value = ''; // the same file may be opened again
+    input.value = ''; // the same file can be opened again
   }
 }

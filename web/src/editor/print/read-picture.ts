@@ -1,4 +1,4 @@
-/** Reads a file as the picture of a print; whatever else it is, is named. */
+/** Reads a file as the image of a print; the message for any other file names its kind. */
 import {fileKind, isWhole, type FileKind} from '../../recognition/file-kind.js';
 import {dataUrlOf} from '../../recognition/data-url.js';
 import {hasOutsidePictures} from '../../recognition/svg-picture.js';
@@ -10,12 +10,12 @@ import {pictureEndings} from './print-files.js';
 type Words = Texts['print']['files'];
 
 const mostBytes = 12 * 2 ** 20;
-/** Longest side. [px] */
+/** Greatest length of the longer side. [px] */
 const mostPixels = 8192;
-/** Enough to know a file by. [bytes] */
+/** Length of the head of a file that identifies its kind. [bytes] */
 const beginning = 4096;
 
-/** The kinds that become prints. */
+/** Kinds that can become prints. */
 const pictureTypes: Readonly<Partial<Record<FileKind, string>>> = {
   ...{png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', svg: 'image/svg+xml'},
 };
@@ -28,18 +28,18 @@ interface OpenedPicture {
   readonly height: number;
 }
 
-/** A picture by its first bytes, or by what it is called. */
+/** Returns whether a file is an image, by its first bytes or its name. */
 export async function looksLikePicture(file: File): Promise<boolean> {
   const ending = file.name.slice(file.name.lastIndexOf('.') + 1).toLowerCase();
   const isCalledSo = file.type.startsWith('image/') || pictureEndings.includes(ending);
   return isCalledSo || (await kindOf(file)) !== undefined;
 }
 
-/** What a file is by its first bytes; undefined for what is no picture and no document. */
+/** Returns the kind of a file by its first bytes; undefined if it is no image and no document. */
 export const kindOf = async (file: Blob): Promise<FileKind | undefined> =>
   fileKind(new Uint8Array(await file.slice(0, beginning).arrayBuffer()));
 
-/** @throws {Error} with one sentence that says what the file is, and what to do */
+/** Reads an image. @throws {Error} with one sentence that names the kind of file and a remedy */
 export async function readPicture(file: File, words: Words): Promise<OpenedPicture> {
   const {name} = file;
   const kind = await kindOf(file);

@@ -1,4 +1,4 @@
-/** What lets a picture meet its copies, one button for each way. */
+/** Buttons for the repeats that make an image seamless. */
 import {html, type TemplateResult} from 'lit';
 
 import type {TileRepeat} from '../../model/print-tile.js';

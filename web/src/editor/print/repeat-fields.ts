@@ -1,4 +1,4 @@
-/** How large the repeat is on the cloth, and how it lies there. */
+/** Fields for the size of the repeat on the fabric, and for its angle. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {radians, towards, type Point} from '../../model/geometry.js';
@@ -15,7 +15,7 @@ import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';
 import {choiceOf, missing} from './choices.js';
 import {leastRepeat, mostRepeat} from './limits.js';
 
-/** The arrow of a side as it lies on the cloth, once that is not as its name says. */
+/** Returns the arrow of a side on the fabric, unless its direction is the usual one. */
 function signOfLying(direction: Point, usual: string): string {
   const sign = directionSign(direction);
   return usual.includes(sign) ? '' : sign;
@@ -27,9 +27,9 @@ export class RepeatFields extends WorkbenchElement {
     measured: {state: true},
     isFree: {state: true},
   };
-  /** A cell that somebody measured on cloth and that the print's group does not allow. */
+  /** A measured cell that the print's group does not allow. */
   declare protected measured: {readonly of: DesignPrint; readonly size: RepeatSize} | undefined;
-  /** The picture whose width and height somebody wants to enter apart. */
+  /** The image whose width and height the user enters separately. */
   declare protected isFree: string | undefined;
 
   static override styles = [
@@ -122,7 +122,7 @@ export class RepeatFields extends WorkbenchElement {
     `;
   }
 
-  /** Width and height; along a stripe any height is as good as any other. */
+  /** Fields for width and height; stripes need no height, since any is valid along them. */
   #sides(print: DesignPrint): TemplateResult {
     const texts = this.texts.print;
     const size = tileSize(print);
@@ -167,13 +167,13 @@ export class RepeatFields extends WorkbenchElement {
     </div>`;
   }
 
-  /** Angles, and a drawing of what they and the sides mean. */
+  /** Fields for the angles, and a drawing of angles and sides. */
   #lie(print: DesignPrint): TemplateResult {
     const {print: texts} = this.texts;
     const size = tileSize(print);
     const turn = tileTurn(print);
     const {format} = this;
-    // a picture that is no rectangle is rare; a cell that is none is not
+    // cells are often not rectangular, images rarely
     const isSlanted = latticeType(print.group) === 'oblique' && print.cell === 'primitive';
     const asksAngle = isSlanted && (size.angleDeg !== 90 || this.isFree !== undefined);
     const angle = `${format.number(turn)}°`;
@@ -243,10 +243,10 @@ export class RepeatFields extends WorkbenchElement {
     ></sw-number-field>`;
   }
 
-  /** What still fits a cell that was measured. */
+  /** Offers a group that fits a measured cell. */
   #offer(print: DesignPrint): TemplateResult | typeof nothing {
     const fitting = this.measured && fittingGroup(print.group, this.measured.size);
-    // another cell of the picture than the measured one would have to be drawn anew
+    // otherwise, another cell of the image would have to be drawn
     const drawn = latticeType(print.group) === 'square' || print.cell === 'rectangular';
     if (!fitting || !drawn) return nothing;
     const texts = this.texts.print;

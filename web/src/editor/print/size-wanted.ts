@@ -1,4 +1,4 @@
-/** Asks the editor for the fields in which the size of the print is entered. @param from what stands in it */
+/** Opens the editor's fields for the size of the print. @param from an element inside the editor */
 export const wantSize = (from: HTMLElement): void => {
   from.dispatchEvent(new CustomEvent('sw-size-wanted', {bubbles: true, composed: true}));
 };

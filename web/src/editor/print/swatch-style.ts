@@ -1,4 +1,4 @@
-/** How swatches look that can be chosen. */
+/** Styles of swatches to choose from. */
 import {css} from 'lit';
 
 export const swatches = css`

@@ -1,4 +1,4 @@
-/** A small window on a print, drawn by its real lattice. */
+/** A small part of a print, drawn with its real lattice. */
 import {html, svg, type TemplateResult} from 'lit';
 
 import {noPicture} from '../../model/design.js';
@@ -9,10 +9,10 @@ import {imageCell} from '../../model/wallpaper.js';
 const bareCloth = '#f1ede3';
 const hasPicture = (image: string): boolean => image !== '' && image !== noPicture;
 
-/** How much a swatch usually shows: the longer of w1, w2 fits this often across. */
+/** Usual extent of a swatch: it shows this number of repeats by the longer of w1 and w2. */
 const usualRepeats = 2.4;
 
-/** @param id of its own among the swatches of one element */
+/** @param id unique among the swatches of one element */
 export function swatch(
   id: string,
   print: Print,
@@ -22,7 +22,7 @@ export function swatch(
   const [a, b] = imageCell(print);
   const [width, height] = [norm(a), norm(b)];
   const side = repeats * Math.max(norm(print.w1), norm(print.w2));
-  // the picture's y runs down, against the second edge of the cell
+  // y points down in the image, against the second edge of the cell
   const matrix = [a[0] / width, -a[1] / width, -b[0] / height, b[1] / height, side / 2, side / 2];
   return html`<svg
     viewBox="0 0 ${side} ${side}"

@@ -1,4 +1,4 @@
-/** How somebody's own picture repeats, each way with a small drawing of it. */
+/** Choice of the repeat of the user's own image, with a small drawing of each. */
 import {css, html, nothing, svg, type SVGTemplateResult, type TemplateResult} from 'lit';
 
 import {pictureIn} from '../../model/tile-repeat.js';
@@ -7,7 +7,7 @@ import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {printOfPicture} from './own-print.js';
 
-/** A leaf that has no symmetry, in a square of 10. */
+/** A leaf without symmetry, in a square of side 10. */
 const leaf = 'M2.2 8.2C1.6 4.4 4 1.8 8.2 1.6C8.4 4.6 6.6 7.2 3.4 7.2z';
 
 function drawing(repeat: TileRepeat): SVGTemplateResult {

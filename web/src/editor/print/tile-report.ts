@@ -1,4 +1,6 @@
-/** Somebody's own picture beside what it is used as: whether it has that, and where it does not. */
+/**
+ * Report on the user's own image: the places that break the symmetries of its group, and remedies.
+ */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {noPicture, type DesignPrint} from '../../model/design.js';
@@ -28,7 +30,7 @@ interface Report {
   readonly isStriped: boolean;
   readonly groups: readonly FoundGroup[];
   readonly edges: readonly OpenEdge[];
-  /** What would let it meet its copies. */
+  /** Repeats that would make it seamless. */
   readonly repeats: readonly TileRepeat[];
 }
 
@@ -73,7 +75,7 @@ export class TileReport extends WorkbenchElement {
     if (!print || print === this.#looked) return;
     this.#looked = print;
     if (print.image === noPicture) return;
-    this.#look(print).catch(() => undefined); // who draws the picture says that it cannot be read
+    this.#look(print).catch(() => undefined); // the pattern shows this failure
   }
 
   protected override render(): TemplateResult | typeof nothing {
@@ -119,7 +121,7 @@ export class TileReport extends WorkbenchElement {
     const texts = this.texts.print;
     const {language} = this.workbench.preferences;
     const hows = new Intl.ListFormat(language, {type: 'conjunction'});
-    // along a stripe the repeat is as short as you like, and would show nothing
+    // the repeat along a stripe may be too short to show anything
     const shape = choiceOf(print) === 'stripes' ? {width: 3, height: 2} : print.size;
     const how = hows.format(lacks.slice(0, 3).map((one) => texts.differs[one]));
     return html`<div class="breaks" role="status">

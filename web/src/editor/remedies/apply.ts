@@ -1,4 +1,4 @@
-/** A remedy as one step: what it changes of a design. */
+/** Applies a remedy as one step of the history. */
 import type {Design, DesignPrint} from '../../model/design.js';
 import {repeatOf} from '../../model/repeat.js';
 import {printOf} from '../../model/design.js';
@@ -6,7 +6,10 @@ import type {Remedy} from '../../remedies/remedy.js';
 import {sampleOf} from '../print/choices.js';
 import {samplePrint, type Samples} from '../../workbench/samples.js';
 
-/** Undefined where it takes a print that is not at hand: the cloth of the design has no such mirrors. */
+/**
+ * Returns the change of the design. It is undefined if the remedy needs a print that is not
+ * available, since the print of the design has no such mirrors.
+ */
 export function remedied(
   {options, print}: Design,
   {change}: Remedy,

@@ -1,4 +1,4 @@
-/** A better answer, looked for when somebody asks for it and for as long as they like. */
+/** Search for a better result, on the user's request and until the user stops it. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
@@ -6,7 +6,7 @@ import {controls} from '../style/controls.js';
 import {mostEffort} from '../../workbench/improvement.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
-/** What there is to be asked for: to begin, or to stop what is under way. */
+/** Returns the available action: begin a search, or stop a running one. */
 export function improvementOffer({
   afterwards,
   design,

@@ -1,4 +1,4 @@
-/** Which seams stay off, why, and what would help, one click away. */
+/** Seams that do not match, the reasons, and remedies at one click. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Remedy} from '../../remedies/remedy.js';
@@ -11,7 +11,7 @@ import type {Samples} from '../../workbench/samples.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {remedied} from './apply.js';
 
-/** More seams than these are only counted. */
+/** Greatest number of listed seams; any others are only counted. */
 const mostSeams = 3;
 
 /** "Turn Waistband by 90°: 20.5 mm → 0 mm" */

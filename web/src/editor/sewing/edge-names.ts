@@ -1,4 +1,4 @@
-/** What edges are called: as the file calls them, or by where they lie on their piece as it is shown. */
+/** Names of edges: from the file, or by their place on the displayed piece. */
 import type {Run} from '../../clicks/run.js';
 import type {EdgeOfPiece, GarmentDocument} from '../../model/garment-document.js';
 import {angleOf, minus} from '../../model/geometry.js';
@@ -6,7 +6,7 @@ import type {PatternScene} from '../../scene/scene.js';
 import type {SewTexts} from '../../texts/sew-texts.js';
 import type {Texts} from '../../texts/texts.js';
 
-/** Counter-clockwise from where the way out of the piece leads to the right. */
+/** Names of outward directions, counter-clockwise from the right. */
 const places = [
   ...(['right', 'upperRight', 'top', 'upperLeft'] as const),
   ...(['left', 'lowerLeft', 'bottom', 'lowerRight'] as const),
@@ -27,7 +27,7 @@ export class EdgeNames {
       const {label = name, isTurned = false} = scene.pieces[piece] ?? {};
       const own = outline.map((drafted) => {
         const way = minus(drafted.points.at(-1) ?? drafted.points[0], drafted.points[0]);
-        // the way out is a quarter turn clockwise of the way along
+        // outward is a quarter turn clockwise of the direction along the edge
         const eighth =
           Math.round((angleOf(way) - Math.PI / 2) / (Math.PI / 4)) + (isTurned ? 4 : 0);
         return drafted.label ?? sew.places[places[(eighth + 16) % 8] ?? 'top'];
@@ -53,7 +53,9 @@ export class EdgeNames {
   }
 }
 
-/** Where a mark on an edge lies, as a share of its length, that is nearest to a place. */
+/**
+ * Returns the notch of an edge that is nearest to a position; both are shares of the edge's length.
+ */
 export function nearestNotch(
   {pieces}: GarmentDocument,
   at: EdgeOfPiece,

@@ -1,4 +1,4 @@
-/** A garment's mesh right after an edit, to be shown until it is meshed anew: its pieces have not changed. */
+/** A garment's mesh right after an edit, until the new mesh is ready; its pieces are unchanged. */
 import {edgeLength} from '../../model/edge-curve.js';
 import type {EdgeOfPiece, GarmentDocument, GarmentSeam} from '../../model/garment-document.js';
 import {edgeOf, type Edited} from '../../model/garment-edit.js';
@@ -6,7 +6,10 @@ import {distance} from '../../model/geometry.js';
 import type {MeshedPattern, MeshedPiece, ResultSeam} from '../../model/result.js';
 import {edgeVertices} from '../../scene/edge-line.js';
 
-/** The numbers of edges along an outline, those of parts by how much of their whole has been gone. */
+/**
+ * Returns the edge numbers along an outline; the length along a former edge decides between its
+ * parts.
+ */
 function edgesAfter(
   {rest, outline, edges}: MeshedPiece,
   piece: number,
@@ -44,7 +47,7 @@ function edgesAfter(
   return next;
 }
 
-/** As many vertices as there are on the other side: of more, those at equal steps. */
+/** Returns `count` of the vertices at equal steps, so that both sides have the same number. */
 const thinned = (vertices: readonly number[], count: number): readonly number[] =>
   Array.from(
     {length: count},

@@ -1,4 +1,4 @@
-/** The clicks and keys that sew a garment, from the first edge to the steps that they lead to. */
+/** Clicks and keys that sew a garment, from the first edge to the steps of the history. */
 import type {Target as Picked} from '../../clicks/pick.js';
 import {
   afterEvent,
@@ -35,19 +35,19 @@ import {partMarks, seamMarks, type Part} from './seam-marks.js';
 import {countWords, edgeWords, seamWords, type Speech} from './seam-words.js';
 import {sewingOf} from './sewing.js';
 
-/** A notch that is no further from the pointer is meant. [cm] */
+/** Greatest distance at which a pointer snaps to a notch. [cm] */
 const notchReach = 1;
-/** Nothing shorter is split off, as a share. */
+/** Least part that can be split off, as a share. */
 const leastPart = 0.02;
 const within = (share: number): number => Math.max(leastPart, Math.min(1 - leastPart, share));
 
-/** An edge under the pointer, and how much of it lies before that. */
+/** An edge under the pointer, and the share of it before the pointer. */
 interface Hovered {
   readonly edge: EdgeOfPiece;
   readonly share: number;
 }
 
-/** An end of an edge that is being dragged. Points of the sheet. */
+/** A drag of an end of an edge, in points of the sheet. */
 interface Grabbed {
   readonly move: (to: Point) => void;
   readonly drop: () => void;
@@ -62,12 +62,12 @@ export class SeamChooser {
     (...given: ConstructorParameters<typeof EdgeNames>) => new EdgeNames(...given),
   );
   #latest = nothingChosen;
-  /** What `#latest` is about. */
+  /** The garment that `#latest` belongs to. */
   #garment: DesignGarment | undefined;
   #hovered: Hovered | undefined;
-  /** What would be split off where a drag is just now. */
+  /** The part that the present drag would split off. */
   #part: Part | undefined;
-  /** A drag has ended, and no press begun since. */
+  /** True from the end of a drag to the next press. */
   #isDropped = false;
 
   constructor(workbench: Workbench, sew: SewTexts, changed: () => void) {
@@ -76,12 +76,12 @@ export class SeamChooser {
     this.#changed = changed;
   }
 
-  /** The words of the tool. */
+  /** Texts of the sewing tool. */
   get sew(): SewTexts {
     return this.#sew;
   }
 
-  /** What was chosen of one garment means nothing on another: after an undo, say. */
+  /** Choices for one garment are not valid for another, such as after an undo. */
   get state(): SeamState {
     const garment = this.#workbench.design?.garment;
     if (garment !== this.#garment) {
@@ -107,13 +107,13 @@ export class SeamChooser {
     return sewing && questionOf(this.state, sewing);
   }
 
-  /** What the run may be sewn to, to be chosen by its number. */
+  /** Possible partners of the run, chosen by number. */
   get candidates(): readonly Candidate[] {
     const {sewing, isSewn} = this;
     return sewing && !isSewn ? sewing.candidates(this.state.run) : [];
   }
 
-  /** Whether the edge that is chosen is sewn. */
+  /** True if the chosen edge is sewn. */
   get isSewn(): boolean {
     const [first] = this.state.run;
     const {sewing} = this;
@@ -127,7 +127,7 @@ export class SeamChooser {
     return this.state.run.some((edge) => sewing && isOpen(edgeOf(sewing.garment, edge)));
   }
 
-  /** @returns whether the tool goes on */
+  /** @returns true if the tool stays active */
   send(event: SeamEvent): boolean {
     const {sewing, state} = this;
     if (!sewing) return true;
@@ -139,7 +139,7 @@ export class SeamChooser {
     return true;
   }
 
-  /** A change is a step of its own, and undone as one. */
+  /** Each change is one separate step of the history. */
   #take(edit: SeamEdit, {garment: before}: Sewing): void {
     const {design, pattern} = this.#workbench;
     if (!design || !pattern) return;
@@ -164,15 +164,15 @@ export class SeamChooser {
     if (answer) this.#latest = answer.state;
   }
 
-  /** A press. @param isMore one more edge of the same side */
+  /** Applies a press. @param isMore adds the edge to the same side */
   take(target: Picked, isMore: boolean): void {
-    if (this.#isDropped) return; // the end of a drag is no press
+    if (this.#isDropped) return; // this click ends a drag
     if (target.kind === 'piece' || target.edge === undefined) return;
     const edge = {piece: target.piece, edge: target.edge};
     this.send({type: 'pick', edge, extends: isMore});
   }
 
-  /** What the pointer is over. */
+  /** Updates the edge under the pointer. */
   hover(target: Picked | undefined): void {
     const before = this.#hovered;
     this.#hovered = target && this.#under(target);
@@ -186,7 +186,10 @@ export class SeamChooser {
     return {edge, share: shareAt(edgePoints(shown, edge.edge), target.point)};
   }
 
-  /** Splits the chosen edge at the pointer, or else in its middle; at a notch, where one is near. */
+  /**
+   * Splits the chosen edge at the pointer, or at a notch near the pointer. If the pointer is
+   * elsewhere, it splits at the notch nearest to the middle, or else in the middle.
+   */
   split(): void {
     const {sewing} = this;
     const [edge = this.#hovered?.edge] = this.state.run;
@@ -198,8 +201,10 @@ export class SeamChooser {
   }
 
   /**
-   * A press at an end of the edge that is chosen: it is dragged along the edge, for a part of it to be sewn.
-   * @param at on the sheet @param reach how near it has to be [cm] @returns what follows the pointer and lets go
+   * Starts to drag an end of the chosen edge along the edge, so that a part of it can be sewn.
+   * @param at point on the sheet
+   * @param reach greatest distance from the end [cm]
+   * @returns functions that move and end the drag
    */
   grab(at: Point, reach: number): Grabbed | undefined {
     this.#isDropped = false;
@@ -228,7 +233,7 @@ export class SeamChooser {
     };
   }
 
-  /** A place on an edge, or the notch that is near there. */
+  /** Returns a position on an edge, or that of a notch near it. */
   #near(edge: EdgeOfPiece, share: number): number {
     const garment = this.sewing?.garment;
     const drafted = garment && edgeOf(garment, edge);
@@ -237,7 +242,10 @@ export class SeamChooser {
     return Math.abs(notch - share) * edgeLength(drafted) < notchReach ? notch : share;
   }
 
-  /** To the next edge of all, or of the piece, or the first one of the next piece. @returns whether there is one */
+  /**
+   * Moves to the next edge of the garment or of the piece, or to the first edge of the next piece.
+   * @returns true if there is one
+   */
   walk(by: 1 | -1, within: 'all' | 'piece' | 'pieces'): boolean {
     const {sewing, state} = this;
     if (!sewing) return false;
@@ -280,7 +288,7 @@ export class SeamChooser {
     return sewing ? countWords(sewing, this.#sew) : '';
   }
 
-  /** All edges as words, in their order. */
+  /** Returns all edges as text, in their order. */
   options(): readonly {readonly edge: EdgeOfPiece; readonly text: string}[] {
     const {sewing} = this;
     if (!sewing) return [];
@@ -303,7 +311,7 @@ export class SeamChooser {
   }
 }
 
-/** How much of a line lies before the place on it that is nearest to a point. */
+/** Returns the share of a line before the place on it that is nearest to a point. */
 function shareAt(line: readonly Point[], point: Point): number {
   const path = pathThrough(line);
   return (nearestOn(path, point)?.along ?? 0) / (path.length || 1);

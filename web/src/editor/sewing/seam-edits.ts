@@ -1,4 +1,4 @@
-/** What the tool asks for, done to the garment: mirror images follow by themselves. */
+/** Applies edits of the sewing tool to a garment and to mirror images of its edges. */
 import type {Run} from '../../clicks/run.js';
 import type {SeamEdit, Suggestion} from '../../clicks/seam-tool.js';
 import type {EdgeOfPiece, GarmentDocument} from '../../model/garment-document.js';
@@ -19,7 +19,7 @@ import {
 } from '../../model/garment-edit.js';
 import {mirrorImage} from '../../pairing/image.js';
 
-/** The mirror image of a run: it is sewn the other way round its outline. */
+/** Returns the mirror image of a run; it is sewn in the opposite direction around its outline. */
 function imageOf(document: GarmentDocument, run: Run): Run | undefined {
   const images = run.flatMap((edge) => mirrorImage(document, edge) ?? []);
   return images.length === run.length ? images.reverse() : undefined;
@@ -31,7 +31,7 @@ const overlap = (one: Run, other: Run): boolean =>
 const isFree = (document: GarmentDocument, run: Run): boolean =>
   run.every((edge) => seamAt(document, edge) === undefined);
 
-/** Two sides, and their mirror images if neither is sewn. */
+/** Sews two sides, and their mirror images if neither is sewn. */
 function sewn(document: GarmentDocument, {a, b, sameDirection}: Sewn): Edited {
   const first = sew(document, {a, b, sameDirection});
   const [imageA, imageB] = [imageOf(document, a), imageOf(document, b)];
@@ -51,7 +51,10 @@ function sewnAll(document: GarmentDocument, seams: readonly Suggestion[]): Edite
   }, unchanged(document));
 }
 
-/** Seams that were sewn too short: the later ones first, whose numbers do not move. */
+/**
+ * Replaces seams that were sewn too short. Later seams are removed first, so that the other indices
+ * stay valid.
+ */
 function joined(
   document: GarmentDocument,
   {seams, a, b, sameDirection}: Extract<SeamEdit, {readonly kind: 'join'}>,
@@ -67,13 +70,13 @@ function split(document: GarmentDocument, edge: EdgeOfPiece, share: number): Edi
   const image = mirrorImage(document, edge);
   const parts = image && !sameEdge(image, edge) ? first.edgesOf(image) : [];
   const [only] = parts;
-  // what is sewn to its own mirror image has been split with it
+  // an edge sewn to its own mirror image was split together with it
   return only && parts.length === 1
     ? after(first, (next) => splitEdge(next, only, 1 - share))
     : first;
 }
 
-/** The seam between the mirror images of what a seam joins. */
+/** Returns the seam between the mirror images of the two sides of a seam. */
 function imageSeam(document: GarmentDocument, number: number): number | undefined {
   const seam = document.seams[number];
   const [a, b] = seam ? [seam.a, seam.b].map((edge) => mirrorImage(document, edge)) : [];
@@ -83,7 +86,7 @@ function imageSeam(document: GarmentDocument, number: number): number | undefine
   return isImage ? image : undefined;
 }
 
-/** What is done to a seam, and then to its mirror image: the later one first, whose number does not move. */
+/** Changes a seam and its mirror image, the later first, so that the other index stays valid. */
 function inBoth(
   document: GarmentDocument,
   number: number,
@@ -132,7 +135,7 @@ export function editedBy(
 /** A side that is longer by more than this share is gathered. */
 const gathers = 0.1;
 
-/** By how much one side of what is sewn is longer. [cm] */
+/** Returns the difference in length of two sides, in cm and as a share of the shorter side. */
 export function easeOf(
   document: GarmentDocument,
   a: Run,
@@ -142,7 +145,7 @@ export function easeOf(
   return {cm: Math.abs(one - other), share: Math.max(one, other) / Math.min(one, other) - 1};
 }
 
-/** The seams that an edit has made of sides that differ too much for the print to run on. */
+/** Returns the new seams whose sides differ too much in length for a continuous print. */
 export const newGathers = (before: GarmentDocument, after: GarmentDocument): readonly number[] =>
   after.seams.flatMap(({a, b}, number) =>
     number >= before.seams.length && easeOf(after, [a], [b]).share > gathers ? [number] : [],

@@ -1,4 +1,4 @@
-/** Keys of the tool that sews, while the pattern has the focus. */
+/** Keys of the sewing tool, while the pattern has the focus. */
 import {undoAndSay} from '../commands/step-words.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {SeamChooser} from './seam-chooser.js';
@@ -25,7 +25,7 @@ const acts: Readonly<Record<string, Act>> = {
   },
 };
 
-/** While something is asked. */
+/** Keys while a question is open. */
 const answers: Readonly<Record<string, Act>> = {
   y: send({type: 'yes'}),
   n: send({type: 'no'}),
@@ -40,7 +40,7 @@ const ways: Readonly<Record<string, readonly [by: 1 | -1, within: 'piece' | 'pie
   ArrowDown: [1, 'pieces'],
 };
 
-/** @returns whether the key means something here */
+/** @returns true if the key has an effect */
 export function seamKey(chooser: SeamChooser, workbench: Workbench, event: KeyboardEvent): boolean {
   const {shiftKey} = event;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;

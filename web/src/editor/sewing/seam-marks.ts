@@ -1,4 +1,7 @@
-/** What the tool draws over the pattern: edges that are chosen or may be, and threads that show which end meets which. */
+/**
+ * Marks of the sewing tool over the pattern: chosen and possible edges, and threads between ends
+ * that meet.
+ */
 import {has, type Run} from '../../clicks/run.js';
 import {
   directionOf,
@@ -27,7 +30,7 @@ const linesOf = ({pieces}: PatternScene, run: Run, look: LineLook): Lines =>
     return shown ? [{piece, line: edgePoints(shown, edge), look}] : [];
   });
 
-/** Where a side begins and where it ends. */
+/** Returns the start and the end of a side. */
 function endsOf({pieces}: PatternScene, run: Run): readonly OnPiece[] {
   const at = (edge: EdgeOfPiece | undefined, k: 0 | -1): readonly OnPiece[] => {
     const shown = edge && pieces[edge.piece];
@@ -37,7 +40,7 @@ function endsOf({pieces}: PatternScene, run: Run): readonly OnPiece[] {
   return [...at(run[0], 0), ...at(run.at(-1), -1)];
 }
 
-/** From both ends of one side to those that they meet. */
+/** Returns threads from both ends of one side to the ends that they meet. */
 function threadsOf(scene: PatternScene, a: Run, b: Run, sameDirection: boolean): Threads {
   const [from, to] = [endsOf(scene, a), endsOf(scene, b)];
   return (sameDirection ? to : [...to].reverse()).flatMap((end, k) => {
@@ -46,7 +49,7 @@ function threadsOf(scene: PatternScene, a: Run, b: Run, sameDirection: boolean):
   });
 }
 
-/** The numbers of candidates, where an edge is part of several all of them. */
+/** Returns the numbers of the candidates; an edge in several candidates has all their numbers. */
 function badgesOf({pieces}: PatternScene, candidates: readonly Candidate[]): Badges {
   const edges = candidates.flatMap(({b}) => b);
   const first = edges.filter((edge, k) => edges.findIndex((one) => sameEdge(one, edge)) === k);
@@ -59,7 +62,7 @@ function badgesOf({pieces}: PatternScene, candidates: readonly Candidate[]): Bad
   });
 }
 
-/** A seam that is sewn: both sides, and which end meets which. */
+/** Marks of a seam: both sides, and threads between the ends that meet. */
 function sewnMarks(scene: PatternScene, {garment}: Sewing, edge: EdgeOfPiece): Overlay {
   const seam = garment.seams[seamAt(garment, edge) ?? -1];
   if (!seam) return {};
@@ -94,7 +97,10 @@ export function seamMarks(
   };
 }
 
-/** A side and what it may be sewn to; threads to what the pointer or the keys are at, else to the likeliest. */
+/**
+ * Marks of a side and its candidates. Threads lead to the edge at the pointer or chosen by keys, or
+ * else to the likeliest candidate.
+ */
 function runMarks(
   state: SeamState,
   sewing: Sewing,
@@ -125,11 +131,11 @@ function runMarks(
 export interface Part {
   readonly edge: EdgeOfPiece;
   readonly share: number;
-  /** The first part, or the second. */
+  /** 0 for the first part, 1 for the second. */
   readonly keeps: 0 | 1;
 }
 
-/** An edge of which a part is to be split off, and how long that is. */
+/** Marks of an edge from which a part is to be split off, with the length of that part. */
 export function partMarks(
   {garment}: Sewing,
   scene: PatternScene,
@@ -151,7 +157,7 @@ export function partMarks(
   };
 }
 
-/** Seams that are as good as sure, faintly, and the one that is asked about. */
+/** Marks of the seams that are almost certain, faintly, and of the seam in question. */
 function suggestionMarks(state: SeamState, sewing: Sewing, scene: PatternScene): Overlay {
   if (!state.suggests) return {};
   const question = questionOf(state, sewing);

@@ -1,4 +1,4 @@
-/** What the tool says of what is chosen, asked or refused. */
+/** Texts of the sewing tool on choices, questions and refusals. */
 import {has, type Run} from '../../clicks/run.js';
 import {questionOf, type SeamState, type Sewing, type Suggestion} from '../../clicks/seam-tool.js';
 import {edgeOf, isOpen, seamAt, sideLength, twinOf} from '../../model/garment-edit.js';
@@ -8,7 +8,7 @@ import type {EdgeNames} from './edge-names.js';
 import {allEdges} from './sewing.js';
 import {easeOf} from './seam-edits.js';
 
-/** Less is nothing to somebody who sews. [cm] */
+/** Smaller ease does not matter in sewing. [cm] */
 const leastEase = 0.05;
 
 export interface Speech {
@@ -22,7 +22,7 @@ const easeWords = ({garment}: Sewing, a: Run, b: Run, {sew, format}: Speech): st
   return cm < leastEase ? sew.noEase : sew.ease(format.fine(cm));
 };
 
-/** As a sentence begins. */
+/** Capitalizes the start of a sentence. */
 const capital = (text: string): string => text.slice(0, 1).toLocaleUpperCase() + text.slice(1);
 
 const named = ({garment}: Sewing, run: Run, {names, sew, format}: Speech): string =>
@@ -35,7 +35,9 @@ export function countWords({garment}: Sewing, sew: SewTexts): string {
   return sew.count(2 * garment.seams.length, all.length, open.length);
 }
 
-/** An edge alone, for who hears the list of all: what it is called, how long it is, and what has become of it. */
+/**
+ * Returns the text of an edge in the list for screen readers: its name, its length and its state.
+ */
 export function edgeWords(sewing: Sewing, run: Run, speech: Speech): string {
   const {garment} = sewing;
   const {sew, names} = speech;

@@ -1,4 +1,4 @@
-/** How far the sewing is, what can be done with what is chosen, and answers to what is asked. */
+/** Progress of sewing, actions for the chosen run, and answers to an open question. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {SeamEvent, SeamState} from '../../clicks/seam-tool.js';
@@ -13,7 +13,7 @@ export class SewBar extends WorkbenchElement {
     state: {attribute: false},
   };
   declare chooser: SeamChooser;
-  /** What the chooser is at: another one is drawn anew. */
+  /** State of the chooser; the bar redraws after a change. */
   declare state: SeamState;
 
   static override styles = [
@@ -70,7 +70,7 @@ export class SewBar extends WorkbenchElement {
     </div>`;
   }
 
-  /** Answers, and all that is sure at once. */
+  /** Buttons for answers, and for all certain seams at once. */
   #question(): TemplateResult | typeof nothing {
     const {chooser} = this;
     const {sew, question} = chooser;
@@ -95,7 +95,7 @@ export class SewBar extends WorkbenchElement {
     }`;
   }
 
-  /** What can be done with what is chosen. */
+  /** Buttons for the chosen run. */
   #ofRun(): TemplateResult | typeof nothing {
     const {chooser} = this;
     const {sew} = chooser;

@@ -1,4 +1,4 @@
-/** The tool that sews, with its words and its keys: loaded when somebody takes it up. */
+/** The sewing tool with its texts and keys; loaded on demand. */
 import {html, type TemplateResult} from 'lit';
 
 import {loadSewTexts} from '../../texts/sew-texts.js';
@@ -17,19 +17,19 @@ export class SewingTool {
     this.chooser = chooser;
   }
 
-  /** @returns whether the key means something here */
+  /** @returns true if the key has an effect */
   press(event: KeyboardEvent): boolean {
     return seamKey(this.chooser, this.#workbench, event);
   }
 
-  /** What is chosen, for `aria-activedescendant`. */
+  /** Id of the chosen edge, for `aria-activedescendant`. */
   get activeId(): string | undefined {
     const {run, other} = this.chooser.state;
     const active = other[0] ?? run[0];
     return active && `edge-${active.piece}-${active.edge}`;
   }
 
-  /** The edges as a list of words, for those who hear it. */
+  /** List of the edges for screen readers. */
   options(label: string): TemplateResult {
     const {activeId} = this;
     return html`<div role="listbox" class="hidden" id="options" aria-label=${label}>
@@ -50,7 +50,7 @@ export class SewingTool {
   }
 }
 
-/** @throws {Error} without network */
+/** Loads the texts and makes the tool. @throws {Error} if there is no network */
 export async function sewingTool(workbench: Workbench, changed: () => void): Promise<SewingTool> {
   const {language, messages} = workbench.preferences;
   const texts = await loadSewTexts(language, messages);

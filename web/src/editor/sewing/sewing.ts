@@ -1,4 +1,4 @@
-/** A garment as the tool sees it: what goes with what, worked out once per garment and answer. */
+/** A garment in the sewing tool: matching edges, computed once per garment and answer. */
 import {has, type Run} from '../../clicks/run.js';
 import type {Candidate, Sewing, Suggestion} from '../../clicks/seam-tool.js';
 import type {EdgeOfPiece, GarmentDocument} from '../../model/garment-document.js';
@@ -8,17 +8,19 @@ import {likeliestSides} from '../../pairing/sides.js';
 import {likeliestSeams, sureSeams} from '../../pairing/suggest.js';
 import {lastOf} from '../../workbench/last-of.js';
 
-/** What is less likely is no question. */
+/** Least likelihood of a seam in a question. */
 const leastLikely = 0.15;
-/** What is less likely is not named as a match. */
+/** Least likelihood of a partner that the tool names. */
 const leastNamed = 0.3;
-/** No more are shown, and have keys. */
+/** Greatest number of displayed candidates, which have keys. */
 const mostCandidates = 5;
 
 export const allEdges = ({pieces}: GarmentDocument): readonly EdgeOfPiece[] =>
   pieces.flatMap(({outline}, piece) => outline.map((_, edge) => ({piece, edge})));
 
-/** Several edges are like none: what is about as long as all of them comes first. */
+/**
+ * Ranks single edges for a run of several edges by length, since no edge has the shape of several.
+ */
 function byLength(garment: GarmentDocument, run: Run): readonly Candidate[] {
   const length = sideLength(garment, run);
   return allEdges(garment)
@@ -32,7 +34,7 @@ function byLength(garment: GarmentDocument, run: Run): readonly Candidate[] {
     });
 }
 
-/** Pairs of single edges: sides of several are not ranked by their shapes. */
+/** Returns pairs of single edges, since sides of several edges are not ranked by their shapes. */
 const pairsOf = ({a: [a, ...moreA], b: [b, ...moreB]}: Suggestion) =>
   a && b && moreA.length + moreB.length === 0 ? [[a, b] as const] : [];
 
@@ -43,7 +45,7 @@ const sameSides = (one: Suggestion, other: Suggestion): boolean =>
   (sameRun(one.a, other.a) && sameRun(one.b, other.b)) ||
   (sameRun(one.a, other.b) && sameRun(one.b, other.a));
 
-/** @param refused what somebody said is not sewn to each other */
+/** @param refused pairs of sides that the user rejected */
 export function sewingOf(garment: GarmentDocument, refused: readonly Suggestion[]): Sewing {
   const hooks = {refused: refused.flatMap(pairsOf)};
   const isLeft = (one: Suggestion): boolean => !refused.some((other) => sameSides(one, other));
@@ -52,7 +54,9 @@ export function sewingOf(garment: GarmentDocument, refused: readonly Suggestion[
       .map(({edge, side, p}) => ({a: side, b: [edge], p, sameDirection: false}))
       .filter(isLeft),
   );
-  /** With sides of several edges: what the run is sewn to, or is part of. */
+  /**
+   * Candidates with sides of several edges: the run is the partner of such a side, or part of it.
+   */
   const sidesWith = (run: Run): readonly Candidate[] =>
     sides().flatMap((one): Candidate[] => {
       if (sameRun(one.b, run)) return [{...one, a: one.b, b: one.a}];
@@ -86,7 +90,7 @@ export function sewingOf(garment: GarmentDocument, refused: readonly Suggestion[
   return {garment, candidates, best, sure, likeliest, order: allEdges(garment)};
 }
 
-/** Sides of one edge each. */
+/** Returns a suggestion with one edge on each side. */
 const sided = ({
   a,
   b,

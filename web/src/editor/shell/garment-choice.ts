@@ -1,4 +1,4 @@
-/** Which garment, and in which size. */
+/** Choice of the garment and of its size. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
@@ -10,7 +10,7 @@ import {sampleGarment, Unreachable, type Samples} from '../../workbench/samples.
 export class GarmentChoice extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, samples: {attribute: false}};
   declare samples: Samples | undefined;
-  /** Of the garment that was chosen last, until it is there. */
+  /** Cancels the loading of the garment that was chosen last. */
   #waits: AbortController | undefined;
 
   static override styles = [
@@ -48,7 +48,7 @@ export class GarmentChoice extends WorkbenchElement {
     this.#waits?.abort();
   }
 
-  /** A list that somebody has used shows that choice until it is told otherwise. */
+  /** Resets the lists to the present garment, since a browser keeps the user's choice in a list. */
   protected override updated(): void {
     const {style = '', size = ''} = this.workbench.design?.garment.sample ?? {};
     this.renderRoot.querySelectorAll('select').forEach((list, k) => {
@@ -91,7 +91,7 @@ export class GarmentChoice extends WorkbenchElement {
     `;
   }
 
-  /** Another size keeps all that was decided about the garment; another garment cannot. */
+  /** Another size keeps all decisions about the garment; another garment cannot keep them. */
   async choose(style: string, size: string, isAgain = false): Promise<void> {
     this.#waits?.abort();
     if (style === '') return;
@@ -105,11 +105,11 @@ export class GarmentChoice extends WorkbenchElement {
       if (signal.aborted) return;
       if (error instanceof Unreachable) this.#await(style, size, isAgain, signal);
       else this.workbench.say({tone: 'error', text: toFailure(error).message});
-      this.requestUpdate(); // the lists show what is shown
+      this.requestUpdate(); // resets the lists to the displayed garment
     }
   }
 
-  /** Chooses again by itself, unless something else is chosen before. */
+  /** Repeats the choice once the network is back, unless another choice comes first. */
   #await(style: string, size: string, isAgain: boolean, signal: AbortSignal): void {
     const sample = this.samples?.garments.find((one) => one.style === style);
     const title = this.texts.samples.garments[style] ?? sample?.title ?? style;

@@ -1,4 +1,4 @@
-/** What the head of the editor has for everybody: what is shown, steps back and on, and what begins or ends solving. */
+/** Buttons in the header of the editor: views, undo and redo, and start or end of a solve. */
 import {html, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
@@ -30,7 +30,7 @@ export function viewButtons<View extends keyof Texts['pattern']['views'] & keyof
 }
 
 interface Step {
-  /** What it would do; without, there is nothing to be done. */
+  /** Name of the step; undefined if there is no step. */
   readonly words: string | undefined;
   readonly run: () => void;
 }
@@ -59,7 +59,7 @@ const iconButton = (
     ${picture}
   </button>`;
 
-/** One button: it ends what is under way, or begins it where nobody else does. */
+/** Button that ends a running solve, or starts one if the solver does not start automatically. */
 export function solvingButton(workbench: Workbench, words: Texts['app']): TemplateResult {
   const isSolving = workbench.state.kind === 'solving';
   const aligns = canAlign(workbench);
@@ -67,7 +67,7 @@ export function solvingButton(workbench: Workbench, words: Texts['app']): Templa
     class=${aligns ? 'primary' : 'outlined'}
     ?hidden=${!aligns && !isSolving}
     @click=${({detail}: MouseEvent) => {
-      if (detail > 1) return; // the second half of a double click
+      if (detail > 1) return; // second click of a double click
       if (isSolving) workbench.cancel();
       else if (aligns) workbench.align();
     }}

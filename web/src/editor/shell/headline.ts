@@ -1,4 +1,4 @@
-/** How well the garment meets, in one sentence; under it the figures. */
+/** Mismatch of the garment in one sentence, with the figures below. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/failure.js';
@@ -65,7 +65,7 @@ export class Headline extends WorkbenchElement {
     `,
   ];
 
-  /** Asked for with every change of anything. */
+  /** Cached, since every update reads it. */
   readonly #mismatches = lastOf(mismatches);
 
   protected override render(): TemplateResult | typeof nothing {
@@ -106,7 +106,7 @@ export class Headline extends WorkbenchElement {
       <sw-ways-out .workbench=${this.workbench} .failure=${failure}></sw-ways-out>`;
   }
 
-  /** For who compares with the paper. */
+  /** Figures for a comparison with the paper. */
   #more(metrics: Metrics): TemplateResult {
     const {fit, fitRandom} = metrics.continuous ?? metrics;
     const {value, unit} = this.format.area(fit);
@@ -119,19 +119,19 @@ export class Headline extends WorkbenchElement {
     </details>`;
   }
 
-  /** Of the placing that was found before anything was deformed. */
+  /** Bound on the alignment that was found before the deformation. */
   #proof({method, searchBound}: Metrics): TemplateResult | typeof nothing {
     if (method !== 'best') return nothing;
     const {proven, nearlyProven, unproven} = this.texts.headline;
     const {afterwards, design} = this.workbench;
     const bound = Math.max(searchBound, (design && afterwards.bound(design)) ?? 0);
-    // up to the next per cent: what is said must hold
+    // rounds up to a whole per cent, so that the statement holds
     const left = this.format.percent(Math.ceil(100 * (1 - bound)) / 100);
     const text = bound === 1 ? proven : bound > 0.5 ? nearlyProven(left) : unproven;
     return html`<p>${text}</p>`;
   }
 
-  /** @param mean with symmetry [cm] */
+  /** @param mean mean mismatch with symmetry [cm] */
   #cost(mean: number): TemplateResult | typeof nothing {
     const {afterwards, design} = this.workbench;
     const free = design && afterwards.withoutSymmetry(design);
@@ -165,7 +165,7 @@ export class Headline extends WorkbenchElement {
   }
 }
 
-/** Of the pieces as drafted, and of the answer. */
+/** Returns the mismatch of the pieces as drafted, and of the result. */
 function mismatches(
   result: SolveResult,
   pattern: MeshedPattern | undefined,

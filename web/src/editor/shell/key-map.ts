@@ -1,4 +1,4 @@
-/** All keys at a glance. */
+/** All keyboard shortcuts. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
@@ -17,15 +17,15 @@ export class KeyMap extends WorkbenchElement {
     view: {},
     sewing: {attribute: false},
   };
-  /** Commands that there are beside those of the pattern. */
+  /** Commands in addition to those of the pattern. */
   declare known: readonly ShortcutId[];
-  /** What else has keys just now, while it has the focus. */
+  /** Returns the keys of another visible view, which work while that view has the focus. */
   declare more: () => KeyList;
-  /** Whose those are. */
+  /** The view of those keys. */
   declare view: keyof Texts['pattern']['views'];
-  /** Those of the tool that sews, while it is at work. */
+  /** Returns the keys of the sewing tool, while it is active. */
   declare sewing: () => KeyList;
-  /** Had the focus before the map; browsers forget it when it is in a shadow. */
+  /** The element with the focus before the map; browsers do not restore it inside a shadow root. */
   #before: Element | null = null;
 
   static override styles = [
@@ -68,9 +68,9 @@ export class KeyMap extends WorkbenchElement {
   ];
 
   open(): void {
-    this.requestUpdate(); // there may be other keys than before
+    this.requestUpdate(); // the keys may have changed
     const map = this.renderRoot.querySelector<HTMLElement>('[popover]');
-    // at once, so that the next key is the map's, however soon it is pressed
+    // opens at once, so that the map receives the next key
     if (map?.togglePopover()) map.querySelector('button')?.focus();
   }
 
@@ -104,7 +104,9 @@ export class KeyMap extends WorkbenchElement {
     </div>`;
   }
 
-  /** The cloth takes the place of the pattern, and has other meanings for some of its keys. */
+  /**
+   * False for the fabric layout, which replaces the pattern and uses some of its keys differently.
+   */
   get #hasPattern(): boolean {
     return this.view !== 'cloth';
   }

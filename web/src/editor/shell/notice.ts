@@ -1,4 +1,4 @@
-/** What is said once. It leaves by itself after it can have been read, unless something went wrong. */
+/** A notice. It disappears after enough time to read it, unless it is an error. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {undoAndSay} from '../commands/step-words.js';
@@ -7,7 +7,7 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Notice} from '../../workbench/state.js';
 
-/** How long it stays: for looking up, and for every letter. [ms] */
+/** Time of a notice: for looking up, and for every letter. [ms] */
 const [least, perLetter] = [4000, 60];
 
 export class NoticeBar extends WorkbenchElement {
@@ -101,7 +101,7 @@ export class NoticeBar extends WorkbenchElement {
     </div>`;
   }
 
-  /** Counts anew, and not at all while somebody points at it or has the focus in it. */
+  /** Restarts the timer. The notice also stays while it has the pointer or the focus. */
   readonly #stay = (): void => {
     clearTimeout(this.#timer);
     const {notice} = this.workbench;

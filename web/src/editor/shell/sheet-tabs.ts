@@ -1,4 +1,7 @@
-/** What opens below the pattern where there is no room beside it, one sheet at a time; another press closes it. */
+/**
+ * Tabs of a narrow editor, whose sheets open below the pattern, one at a time. A second press
+ * closes a sheet.
+ */
 import {html, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';

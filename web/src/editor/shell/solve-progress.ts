@@ -1,4 +1,4 @@
-/** How far the solve is: a bar for the eye, and words at every quarter for who listens. */
+/** Progress of the solve: a bar, and a text for screen readers at every quarter. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';

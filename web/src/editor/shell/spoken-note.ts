@@ -1,4 +1,4 @@
-/** What the core notes, in the language of the user; in English where that is not known here. */
+/** Notes of the core in the user's language; unknown notes stay in English. */
 import type {NoteDetail} from '../../model/notes.js';
 import {seamRows} from '../lists/rows.js';
 import type {Format} from '../../texts/format.js';
@@ -9,7 +9,7 @@ import type {Workbench} from '../../workbench/workbench.js';
 const joined = (names: readonly (string | undefined)[]): string =>
   names.filter((name) => name !== undefined).join(', ');
 
-/** @param sentence the note as the core writes it */
+/** @param sentence the note as written by the core */
 export function spokenNote(
   sentence: string,
   detail: NoteDetail | undefined,

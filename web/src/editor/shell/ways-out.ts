@@ -1,4 +1,4 @@
-/** What went wrong, and buttons for what can be done about it: each is one step of the history. */
+/** A failure with buttons for its remedies; each remedy is one step of the history. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries, askingFor, printOf, type Design} from '../../model/design.js';
@@ -23,7 +23,7 @@ interface Way {
 const namesOf = (symmetry: Symmetry): readonly string[] =>
   symmetry.kind === 'piece' ? [symmetry.piece] : symmetry.pieces;
 
-/** More ways than this are none. */
+/** Greatest number of remedies; a longer list would not help. */
 const mostWays = 6;
 
 export class WaysOut extends WorkbenchElement {
@@ -33,7 +33,7 @@ export class WaysOut extends WorkbenchElement {
     measured: {state: true},
   };
   declare failure: Failure;
-  /** The symmetries that are to blame, as they lie on the garment. */
+  /** The symmetries that cause the failure, as measured on the garment. */
   declare protected measured: readonly MeasuredSymmetry[];
 
   static override styles = [
@@ -92,7 +92,7 @@ export class WaysOut extends WorkbenchElement {
     this.measured = all.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : []));
   }
 
-  /** Symmetries of the piece that the failure names; all of them when it names none. */
+  /** Returns the symmetries of the piece in the failure; all symmetries if the failure has none. */
   #toBlame(): readonly Symmetry[] {
     const {design, pattern} = this.workbench;
     const name = pattern?.pieces[this.failure.piece ?? -1]?.name;

@@ -1,4 +1,4 @@
-/** How buttons, fields and headings look, wherever they are. */
+/** Styles of buttons, fields and headings in all parts. */
 import {css} from 'lit';
 
 export const controls = css`

@@ -1,6 +1,6 @@
 import {css} from 'lit';
 
-/** A point on a picture that pointers and keys move: a ring in an area that a finger hits. */
+/** A point on an image that pointers and keys move: a ring in an area large enough for a finger. */
 export const dragHandle = css`
   .handle {
     position: absolute;

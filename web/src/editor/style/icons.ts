@@ -1,7 +1,7 @@
-/** Small pictures of one stroke, drawn in the colour of the text beside them. */
+/** Line icons in the colour of the text beside them. */
 import {svg, html, type TemplateResult} from 'lit';
 
-/** Of lines 16 units wide and high. */
+/** Returns an icon of 16 by 16 units, drawn with lines. */
 export const drawn = (paths: TemplateResult): TemplateResult =>
   html`<svg
     viewBox="0 0 16 16"

@@ -1,4 +1,4 @@
-/** A bar as thin as a line at the foot of what is being worked on. */
+/** A progress bar as thin as a line, at the foot of a view. */
 import {css} from 'lit';
 
 export const progressLine = css`

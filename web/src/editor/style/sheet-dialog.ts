@@ -1,4 +1,6 @@
-/** What the dialogs have in common that open and cut patterns, and that read photographs: a head, a body beside its settings, a foot. */
+/**
+ * Styles of the dialogs that open and cut patterns and read photos: header, body, settings, footer.
+ */
 import {css} from 'lit';
 
 export const sheetDialog = css`

@@ -1,4 +1,4 @@
-/** The one type scale, the one spacing scale and the quiet colours that everything is drawn with. */
+/** The type scale, the spacing scale and the quiet colours of all parts. */
 import {css} from 'lit';
 
 export const tokens = css`

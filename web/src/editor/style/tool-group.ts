@@ -1,7 +1,7 @@
-/** Buttons that belong together, in a frame over what they are for. */
+/** Groups of buttons, in a frame over their view. */
 import {css} from 'lit';
 
-/** A frame on paper. */
+/** Frame with the background colour of paper. */
 export const framed = css`
   padding: 2px;
   border: 1px solid var(--sw-line);
@@ -27,7 +27,7 @@ export const toolGroup = css`
   }
 `;
 
-/** The pictures of tools say it where there is no room for words. */
+/** Tools without text, if there is room for icons only. */
 export const wordlessTools = css`
   .group .tool {
     width: var(--sw-target);

@@ -1,4 +1,4 @@
-/** A view with a row of tools above what it shows, and a row of words and tools below. */
+/** A view with a row of tools above it, and a row of text and tools below. */
 import {css} from 'lit';
 
 import {framed, toolGroup} from './tool-group.js';

@@ -1,4 +1,4 @@
-/** The symmetries that are kept, and those that were found and are offered. */
+/** The kept symmetries, and found ones as proposals. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {groupsThatCarry, carries} from '../../model/repeat.js';

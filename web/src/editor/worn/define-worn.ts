@@ -1,4 +1,4 @@
-/** What shows a garment as it is worn: loaded by whoever does. */
+/** Registers the drape; loaded on demand. */
 import {registerAll} from '../base/register.js';
 import {Legend} from '../pattern/legend.js';
 import {WornPane} from './worn-pane.js';

@@ -1,34 +1,34 @@
-/** Once round a worn garment as a film, recorded in the time that it takes to be seen. */
+/** Records a film of one turn around a drape, in real time. */
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
 
-/** Once round. [ms] */
+/** Duration of one turn. [ms] */
 const turnTime = 8000;
 /** [px] */
 const widest = 1280;
 /** [bits per second] */
 const rate = 8e6;
 
-/** Browsers write the one or the other. */
+/** Formats of a film; a browser supports one or the other. */
 const types = ['video/webm;codecs=vp9', 'video/webm', 'video/mp4'];
 
-/** What this browser can record; undefined for nothing. */
+/** Returns the format that this browser can record; undefined for none. */
 export const filmType = (): string | undefined =>
   'MediaRecorder' in globalThis && 'captureStream' in HTMLCanvasElement.prototype
     ? types.find((type) => MediaRecorder.isTypeSupported(type))
     : undefined;
 
-/** @throws {Error} where nothing can be drawn or recorded, or while the graphics context is lost */
+/** @throws {Error} if drawing or recording is impossible, or while the graphics context is lost */
 export async function film(view: GarmentView, type: string): Promise<Blob> {
   const width = 2 * Math.floor(Math.min(widest, view.widestPicture) / 2);
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');
   const show = async (share: number): Promise<void> => {
     const picture = await view.onTheWayRound(width, share);
-    const height = 2 * Math.floor(picture.height / 2); // codecs ask for even sides
+    const height = 2 * Math.floor(picture.height / 2); // codecs require even sides
     if (canvas.height !== height) Object.assign(canvas, {width, height});
     context?.drawImage(picture, 0, 0);
   };
-  await show(0); // there is something to be seen from the first frame on
+  await show(0); // the first frame must have content
   const recorder = new MediaRecorder(canvas.captureStream(), {
     ...{mimeType: type, videoBitsPerSecond: rate},
   });
@@ -43,7 +43,7 @@ export async function film(view: GarmentView, type: string): Promise<Blob> {
     const begun = performance.now();
     for (let share = 0; share < 1; share = (performance.now() - begun) / turnTime) {
       await show(share);
-      await new Promise((resolve) => setTimeout(resolve)); // others have to do, too
+      await new Promise((resolve) => setTimeout(resolve)); // lets other tasks run
     }
   } finally {
     recorder.stop();

@@ -1,4 +1,4 @@
-/** What a worn garment can be asked for, by a key or by its name. */
+/** Commands of the drape, by key or by name. */
 import {fabricOf} from '../../model/design.js';
 import {fabricNames} from '../../model/drape.js';
 import type {Texts} from '../../texts/texts.js';
@@ -8,7 +8,7 @@ import type {GarmentView} from '../../viewer/garment/garment-view.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {Command} from '../commands/command.js';
 
-/** The worn garment as keys and commands see it. */
+/** State and functions that keys and commands of the drape use. */
 interface CommandedGarment {
   readonly workbench: Workbench;
   readonly view: GarmentView | undefined;
@@ -17,10 +17,10 @@ interface CommandedGarment {
   toggleWipe(): void;
 }
 
-/** One notch of zoom by a key. */
+/** Zoom step of a key. */
 const notch = 1.25;
 
-/** How it is looked at: also for who looks only. */
+/** Commands of the camera; a drape for display only has them, too. */
 function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
   const {commands, lists, pattern} = texts;
   const also = {show: commands.also.view, zoom: commands.also.zoom};
@@ -64,7 +64,7 @@ function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): read
   ];
 }
 
-/** From piece to piece, each seen from where it is. */
+/** Commands that walk from piece to piece; the camera faces each piece. */
 function walking({workbench}: CommandedGarment, words: WornTexts): readonly Command[] {
   const walk = (step: 1 | -1): void => {
     const {selected, scenes} = workbench;
@@ -89,7 +89,7 @@ function walking({workbench}: CommandedGarment, words: WornTexts): readonly Comm
   ];
 }
 
-/** What is shown of it, and what it is made of. */
+/** Commands for the display of the drape, and for its fabric. */
 function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
   const {workbench} = garment;
   const {commands, lists, pattern} = texts;
@@ -126,7 +126,7 @@ function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): rea
   ];
 }
 
-/** @param edits whether anything of it can be changed */
+/** @param edits true if the user can change the garment */
 export const wornCommands = (
   garment: CommandedGarment,
   edits: boolean,

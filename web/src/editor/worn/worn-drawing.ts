@@ -1,4 +1,4 @@
-/** The garment of a workbench as it is worn, and nothing else; it is draped while it is in view. */
+/** Drape of a workbench's garment without tools; it is simulated while it is in view. */
 import type {PropertyValues} from 'lit';
 
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
@@ -6,14 +6,14 @@ import type {CameraPreset} from '../../viewer/garment/camera.js';
 import {drapingOf, type Draping} from '../../workbench/draping.js';
 import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
 
-/** The detail of a `drapeEvent`. */
+/** Detail of a `drapeEvent`. */
 interface DrapeNews {
   readonly stage: 'sew' | 'hang' | 'settle' | 'done';
   /** 0 to 1 */
   readonly fraction: number;
-  /** It will not move any more. */
+  /** True once the drape no longer moves. */
   readonly settled: boolean;
-  /** What people should know, one sentence each. */
+  /** Notes for the user, one sentence each. */
   readonly notes: readonly string[];
 }
 
@@ -24,10 +24,10 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
     form: {},
     turntable: {type: Boolean},
   };
-  /** Where it is looked at from at first, and comes home to. */
+  /** Initial view of the camera, to which it returns. */
   declare camera: CameraPreset;
   declare form: 'shown' | 'hidden';
-  /** It goes round until somebody touches it. */
+  /** True for a turntable, which runs until the user touches the drape. */
   declare turntable: boolean;
   #observer: IntersectionObserver | undefined;
   #isInView = false;
@@ -66,7 +66,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
     return drapingOf(this.workbench);
   }
 
-  /** What a garment that somebody works on adds. */
+  /** Additional options of a drape with tools. */
   protected viewOptions(): ConstructorParameters<typeof GarmentView>[1] {
     return {leavesWheel: true};
   }
@@ -97,7 +97,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
     this.#tellNews();
   }
 
-  /** The poster stays until there is a garment with a print. */
+  /** The poster stays until the drape has a shape and a print. */
   protected override printed(): void {
     this.#isPrinted = true;
     this.#tellDrawn();
@@ -115,7 +115,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
     this.#end = undefined;
   }
 
-  /** @returns what ends it */
+  /** @returns function that ends the draping */
   #begin(view: GarmentView): () => void {
     const quiet = matchMedia('(prefers-reduced-motion: reduce)');
     let shown = false;
@@ -127,7 +127,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
         view.mesh = mesh;
       },
       positions: (positions, isFinal) => {
-        // for who wants no motion: the first shape, and the last
+        // reduced motion: only the first shape and the last
         if (shown && quiet.matches && !isFinal) return;
         shown = !isFinal;
         view.pose(positions);
@@ -144,7 +144,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
     const {state, drape} = this.draping.read;
     if (state.kind === 'draping') {
       const {stage, fraction} = state.progress;
-      // the end is told once the last places are there
+      // the end is reported with the final positions
       if (stage !== 'done') this.#tellOnce({stage, fraction, settled: false, notes: []});
     } else if (state.kind === 'done') {
       this.#tellOnce({stage: 'done', fraction: 1, settled: true, notes: drape?.notes ?? []});

@@ -1,4 +1,4 @@
-/** What there is to take away of a worn garment. */
+/** Files of a drape. */
 import {printOf} from '../../model/design.js';
 import {cellPicture, glb, type CellPicture} from '../../model/glb.js';
 import {norm} from '../../model/geometry.js';
@@ -15,16 +15,16 @@ import type {WornPane} from './worn-pane.js';
 interface WornFile {
   readonly id: string;
   readonly title: string;
-  /** Of its name. */
+  /** Suffix of the file name. */
   readonly ending: string;
-  /** @throws {Error} with one sentence */
+  /** @throws {Error} one sentence as its message */
   readonly make: () => Promise<Blob>;
 }
 
-/** Of the picture of a cell; viewers on telephones take no larger one. [px] */
+/** Longest side of a cell's image; viewers on phones accept no larger one. [px] */
 const greatestSide = 2048;
 
-/** What can be had just now. */
+/** Returns the files that can be saved at present. */
 export function wornFiles({workbench, view}: WornPane): readonly WornFile[] {
   const {language, messages} = workbench.preferences;
   const words = wornTexts(language, messages);
@@ -63,7 +63,9 @@ async function model(workbench: Workbench): Promise<Blob> {
   return new Blob([Uint8Array.from(bytes)], {type: 'model/gltf-binary'});
 }
 
-/** The picture of the print's cell on white cloth, as a PNG; undefined where it cannot be read. */
+/**
+ * Returns the image of the print's cell on white fabric, as a PNG; undefined if it cannot be read.
+ */
 async function cellOf({design, tileOf}: Workbench): Promise<CellPicture | undefined> {
   if (!design) return undefined;
   const tile = await tileOf(design.print.image).catch(() => undefined);

@@ -1,4 +1,4 @@
-/** The garment as it is worn, to be turned and looked at: its drawing, what is chosen for it, and the same as words. */
+/** The drape with its tools: drawing, settings, and text for screen readers. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {fabricOf, usualFabric} from '../../model/design.js';
@@ -18,10 +18,10 @@ import {wornCommands} from './worn-commands.js';
 import {WornDrawing} from './worn-drawing.js';
 import {wornStyle} from './worn-style.js';
 
-/** Of a press of a button; a key goes less far. */
+/** Zoom step of a button; a key zooms less. */
 const zoomFactor = 1.4;
 
-/** What may go well another time; all else is the garment's. */
+/** Failures that a second attempt may avoid; all others are caused by the garment. */
 const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
 
 export class WornPane extends WornDrawing {
@@ -30,14 +30,14 @@ export class WornPane extends WornDrawing {
     purpose: {},
   };
   static override styles = [...WornDrawing.styles, controls, wornStyle];
-  /** `show`: for who looks only, in a page that is read on. */
+  /** `show`: for display only, in a page that scrolls. */
   declare purpose: 'show' | 'edit';
   #showsSeams = false;
-  /** How much of the width shows the garment as it comes; undefined when none does. */
+  /** Share of the width that shows the garment before the solve; undefined for none. */
   #split: number | undefined;
-  /** What the camera is nearest to, which is said when it is another. */
+  /** The preset nearest to the camera; a change of it is announced. */
   #preset: CameraPreset = 'front';
-  /** What was picked last, here or elsewhere. */
+  /** Last selected target, here or elsewhere. */
   #selected: Target | undefined;
 
   constructor() {
@@ -45,13 +45,16 @@ export class WornPane extends WornDrawing {
     this.purpose = 'edit';
   }
 
-  /** Shows the garment as it comes on a part of the width: all of it, say, while a key is held. */
+  /**
+   * Shows the garment before the solve on a share of the width, for example on all of it while a
+   * key is held.
+   */
   set split(split: number | undefined) {
     this.#split = split;
     this.requestUpdate();
   }
 
-  /** Shows the garment as it comes on one half, or not any more. */
+  /** Shows or hides the garment before the solve on one half. */
   toggleWipe(): void {
     this.split = this.#split === undefined ? 0.5 : undefined;
   }
@@ -61,22 +64,22 @@ export class WornPane extends WornDrawing {
     this.requestUpdate();
   }
 
-  /** Shows what it hangs on, or not any more. */
+  /** Shows or hides the form under the garment. */
   toggleForm(): void {
     this.form = this.form === 'hidden' ? 'shown' : 'hidden';
   }
 
-  /** Of its commands. */
+  /** Keys of the commands. */
   get keys(): KeyList {
     return keysOf(this.commands);
   }
 
-  /** What it can be asked for, with the keys that mean it while it has the focus. */
+  /** Commands, with the keys that work while the pane has the focus. */
   get commands(): readonly Command[] {
     return wornCommands(this, this.purpose === 'edit', this.texts, this.#words);
   }
 
-  /** The keys of the garment work. */
+  /** Focuses the drape, so that its keys work. */
   override focus(options?: FocusOptions): void {
     this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
   }
@@ -105,7 +108,7 @@ export class WornPane extends WornDrawing {
 
   protected override opened(stage?: HTMLElement): void {
     super.opened();
-    if (stage) stage.tabIndex = -1; // the garment as a whole has the focus
+    if (stage) stage.tabIndex = -1; // the whole drape has the focus
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
@@ -207,7 +210,7 @@ export class WornPane extends WornDrawing {
     </div>`;
   }
 
-  /** From where, how near, and round and round. */
+  /** Controls of the camera: view, zoom and turntable. */
   #looking(words: WornTexts, edits: boolean): TemplateResult {
     const {pattern} = this.texts;
     const isTurning = this.view?.camera.isTurning ?? false;
@@ -259,7 +262,7 @@ export class WornPane extends WornDrawing {
     </div>`;
   }
 
-  /** How far it is, what went wrong, or what people should know. */
+  /** Progress, failure or notes. */
   #told(words: WornTexts): TemplateResult | typeof nothing {
     if (this.undrawable !== undefined) return html`<p class="told">${this.undrawable}</p>`;
     const {draping} = this;
