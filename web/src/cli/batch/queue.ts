@@ -106,7 +106,7 @@ export class QueueWorker {
     const solve = async ({data}: QueuedJob<KeyedJob, Outcome>) => {
       const outcome = await this.#outcome(data);
       if (!this.#isClosing || outcome.status === 'done' || outcome.isFinal) return outcome;
-      return new Promise<never>(() => undefined); // an aborted job never settles, so that another worker takes it over
+      return new Promise<never>(() => undefined); // another worker takes over the aborted job
     };
     this.#worker = new packages.bullmq.Worker<KeyedJob, Outcome>(name, solve, {
       connection: this.#client,
