@@ -34,7 +34,7 @@ export const ownShare = (held: readonly boolean[]): OwnShare =>
 
 /** A drawn cut line farther away belongs to another edge. */
 const greatestWidth = 12;
-/** Seam ends with an angle below this, from 0 or from 180 degrees, stay uncut. */
+/** Least angle of a seam's end, from 0 and from 180 degrees, at which it is cut across. */
 const leastAngle = 0.35;
 /** Cut ends whose reaches differ by less meet. */
 const sameReach = 0.03;

@@ -98,7 +98,8 @@ export async function readPicture(print: Print, printFile: string): Promise<stri
     if (tile === undefined) return undefined;
     return tile.startsWith('data:') ? tile : `data:image/svg+xml,${encodeURIComponent(tile)}`;
   } catch (error) {
-    if (error instanceof UsageError || error instanceof FileError) return undefined; // a solve needs no image
+    // a solve needs no image
+    if (error instanceof UsageError || error instanceof FileError) return undefined;
     throw error;
   }
 }
