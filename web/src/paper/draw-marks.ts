@@ -124,7 +124,8 @@ export function drawMarks(
   shown.forEach((first, k) => {
     const before = shown[k - 1];
     const isRun = first.kind === 'line';
-    if (isRun && before?.kind === 'line' && before.layer === first.layer) return; // drawn with the previous ones
+    // drawn with the previous ones
+    if (isRun && before?.kind === 'line' && before.layer === first.layer) return;
     const end = shown.findIndex(
       (mark, n) => n > k && !(isRun && mark.kind === 'line' && mark.layer === first.layer),
     );

@@ -43,7 +43,6 @@ interface Png {
   readonly data: Bytes;
 }
 
-/** */
 function readPng(bytes: Bytes): Png {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts: Bytes[] = [];
