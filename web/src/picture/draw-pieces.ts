@@ -79,7 +79,8 @@ function seamSide(scene: Scene, side: SeamSide, mismatch: readonly number[]): st
   const line = pick(scene.result.pieces[side.piece]?.[scene.outline] ?? [], side.vertices).map(
     toPage(scene, side.piece),
   );
-  const drawn = mismatch.map((one) => mismatchLine(one)); // values repeat, so that a seam is a few long strokes
+  // one of a few shared styles, so that a seam is a few long strokes
+  const drawn = mismatch.map((one) => mismatchLine(one));
   const strokes: string[] = [];
   for (let from = 0; from < drawn.length;) {
     let to = from + 1;

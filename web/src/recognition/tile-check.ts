@@ -56,8 +56,8 @@ function cellsOf(group: GroupName): readonly PrintCell[] {
 const movedBy = (shift: Point): PlaneMap => ({xx: 1, xy: 0, yx: 0, yy: 1, shift});
 
 /**
- * Size of the checked tile: at most the image's, and even, so that the cell's centre is the centre
- * of pixels, too.
+ * Size of the checked tile: at most the image's, and even, so that half the cell is a whole number
+ * of pixels.
  */
 function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] {
   const [a, b] = imageCell(cell).map(norm);
