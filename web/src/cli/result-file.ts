@@ -83,7 +83,10 @@ const damaged = (path: string, what: string): UsageError =>
     `${path} is not a whole result file (seamwise-result/1)${what}; align the garment again with --out.`,
   );
 
-/** @throws {UsageError} with the file and the invalid field */
+/**
+ * Checks a parsed result file.
+ * @throws {UsageError} with the file and the invalid field
+ */
 function asResult(value: unknown, path: string): ResultFile {
   const complain = (what: string): UsageError => damaged(path, what);
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
@@ -173,7 +176,10 @@ export async function readResult(
   return {bytes, result: asResult(parsed(textOf(bytes), path), path)};
 }
 
-/** @throws {UsageError} with the file */
+/**
+ * Parses JSON.
+ * @throws {UsageError} with the file
+ */
 export function parsed(text: string, path: string): unknown {
   if (text.trim() === '') throw new UsageError(`${path} is empty; choose another file.`);
   try {

@@ -28,7 +28,10 @@ export interface AllowanceRule {
 /** The share of edges with their own width. */
 export type OwnShare = 'none' | 'some' | 'all';
 
-/** @param held for each edge, whether it has its own width */
+/**
+ * The share of edges with their own width.
+ * @param held for each edge, whether it has its own width
+ */
 export const ownShare = (held: readonly boolean[]): OwnShare =>
   !held.includes(true) ? 'none' : held.includes(false) ? 'some' : 'all';
 

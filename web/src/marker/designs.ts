@@ -70,7 +70,10 @@ interface Offered {
   readonly lengthCm: number;
   /** Smallest difference that counts as a saving. */
   readonly leastSaving: number;
-  /** @param share effort, as a share of the layout's */
+  /**
+   * The layout order of garments.
+   * @param share effort, as a share of the layout's
+   */
   readonly orderOf: (garments: readonly MarkerGarment[], share: number) => MarkerOrder;
   readonly share: number;
   readonly lay: Lay;

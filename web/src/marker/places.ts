@@ -191,7 +191,10 @@ export class Places {
     this.all = isRoom ? turn.bases.flatMap((base) => latticeIn(basis, base, room)) : [];
   }
 
-  /** @param n an index of `all` */
+  /**
+   * Returns whether a place is free.
+   * @param n an index of `all`
+   */
   isFree(n: number): boolean {
     const at = this.all[n];
     return (this.#known[n] ??= at !== undefined && this.#tell(at));

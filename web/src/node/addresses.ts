@@ -56,7 +56,10 @@ export function addressFrom(base: URL, url: string): URL {
 export const calledAs = (address: URL): string =>
   address.protocol === 'file:' && address.host === '' ? fileURLToPath(address) : address.href;
 
-/** @throws {FileError} with the address and the reason; the signal's reason when it aborts */
+/**
+ * The bytes at an address.
+ * @throws {FileError} with the address and the reason; the signal's reason when it aborts
+ */
 export async function readAddress(address: URL, limits: ReadingLimits = {}): Promise<Uint8Array> {
   limits.signal?.throwIfAborted();
   checkWithin(address, limits.within);

@@ -52,7 +52,10 @@ export interface Cut {
   /** The pages of `pdf`. */
   readonly layout: PageLayout;
   readonly map: SheetMap;
-  /** @throws {FileError} if the print's image cannot be drawn */
+  /**
+   * Writes the PDF.
+   * @throws {FileError} if the print's image cannot be drawn
+   */
   readonly pdf: () => Promise<Pick<CuttingPdf, 'bytes' | 'notes'>>;
   /** All pieces on one sheet, at true scale. */
   readonly svg: () => string;
@@ -65,7 +68,10 @@ export interface Cut {
 const usualAllowance = 1;
 const usualHem = 3;
 
-/** @throws {RangeError} for an unknown paper */
+/**
+ * Lays out the cutting sheet of a result.
+ * @throws {RangeError} for an unknown paper
+ */
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {print, garment, garmentFile, plain = [], mark} = settings;
   const {allowanceCm = usualAllowance, hemCm = settings.allowanceCm ?? usualHem} = settings;

@@ -97,7 +97,10 @@ export interface ImportedGarment {
 /** Reads and checks the text of a garment. */
 type ReadGarment = (text: string, name: string) => Promise<GarmentDocument>;
 
-/** @throws {FileError} or {SolverError} under the conditions of `importGarment` */
+/**
+ * Imports a pattern file.
+ * @throws {FileError} or {SolverError} under the conditions of `importGarment`
+ */
 export async function importWith(
   readGarment: ReadGarment,
   bytes: Uint8Array,

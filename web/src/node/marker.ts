@@ -23,7 +23,10 @@ export interface MarkerPlanHooks extends Pick<MarkerHooks, 'signal' | 'onProgres
   readonly onLayout?: (plan: LayPlan) => void;
 }
 
-/** @throws {SolverError} under the conditions of `marker` */
+/**
+ * Computes a layout.
+ * @throws {SolverError} under the conditions of `marker`
+ */
 export async function markerWith(
   {lay, solve}: {readonly lay: Lay; readonly solve: SolveDesign},
   results: readonly (SolveResult | MarkerGarment)[],

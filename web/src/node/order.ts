@@ -66,7 +66,10 @@ export interface Order {
 
 type OrderSolver = Pick<SolverService, 'solve' | 'garment' | 'marker'>;
 
-/** @throws {FileError} or {SolverError} under the conditions of `order` */
+/**
+ * Solves an order.
+ * @throws {FileError} or {SolverError} under the conditions of `order`
+ */
 export async function orderWith(
   solver: OrderSolver,
   stored: StoredDesign | string,
@@ -118,7 +121,10 @@ function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read
   return (url) => readAddress(addressFrom(folder, url), {...limits, within});
 }
 
-/** @throws {FileError} if the file differs from the design's */
+/**
+ * The text of a stored file.
+ * @throws {FileError} if the file differs from the design's
+ */
 async function textAt(
   {url, sha256}: StoredFile,
   design: string,

@@ -34,7 +34,10 @@ interface Reads {
 /** Share of the time for reading; the tile takes the rest. */
 const share = 0.5;
 
-/** @throws {SolverError} under the conditions of `printFromPixels` */
+/**
+ * Reads a print from pixels.
+ * @throws {SolverError} under the conditions of `printFromPixels`
+ */
 export async function printWith(
   {photo, photoTile}: Reads,
   pixels: PhotoPixels,

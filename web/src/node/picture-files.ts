@@ -53,7 +53,10 @@ const exifOf = (bytes: Uint8Array, kind: FileKind | undefined): ExifTags => {
   }
 };
 
-/** @throws {FileError} if the file is no PNG, JPEG or WebP, or is damaged */
+/**
+ * Decodes an image file.
+ * @throws {FileError} if the file is no PNG, JPEG or WebP, or is damaged
+ */
 export async function pictureIn(bytes: Uint8Array, path: string): Promise<PictureFile> {
   const kind = fileKind(bytes);
   const load = kind && decoders[kind];

@@ -35,7 +35,10 @@ async function contentOf(tile: string): Promise<string | Uint8Array<ArrayBuffer>
   return svgType.test(tile) ? blob.text() : new Uint8Array(await blob.arrayBuffer());
 }
 
-/** @throws {FileError} if the image cannot be drawn */
+/**
+ * The cell of a print for a PDF.
+ * @throws {FileError} if the image cannot be drawn
+ */
 export async function clothCell(
   resources: PdfResources,
   print: PrintWithTile,

@@ -50,7 +50,10 @@ export class PdfDocument {
     return this.#objects.push({head: content});
   }
 
-  /** @param entries entries of the stream's dictionary, without its length */
+  /**
+   * Adds a stream, compressed on writing.
+   * @param entries entries of the stream's dictionary, without its length
+   */
   stream(entries: string, content: string): Ref {
     return this.#objects.push({head: entries, data: encoder.encode(content)});
   }

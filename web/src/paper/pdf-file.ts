@@ -25,7 +25,10 @@ interface PdfFileOptions {
 /** Yields the thread between pages. */
 const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-/** @param resources resources of all pages, finished here */
+/**
+ * Writes the file.
+ * @param resources resources of all pages, finished here
+ */
 export async function pdfFile(
   document: PdfDocument,
   resources: PdfResources,

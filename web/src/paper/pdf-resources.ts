@@ -22,6 +22,7 @@ export class PdfResources {
   }
 
   /**
+   * Adds a layer.
    * @param name layer name in viewers
    * @returns the name in content
    */
@@ -38,7 +39,11 @@ export class PdfResources {
     return known;
   }
 
-  /** @param more further entries of its dictionary: bounding box and optional matrix */
+  /**
+   * Adds a form.
+   * @param more further entries of its dictionary: bounding box and optional matrix
+   * @returns the name in content
+   */
   form(more: string, content: string): string {
     const entries = `/Type/XObject/Subtype/Form/Resources ${refTo(this.ref)}${more}`;
     return this.#named(this.#document.stream(entries, content));

@@ -1,6 +1,9 @@
 /** Converts files to `data:` URLs and back. */
 
-/** @throws {Error} if the URL is malformed */
+/**
+ * Decodes a `data:` URL.
+ * @throws {Error} if the URL is malformed
+ */
 export function blobOf(url: string): Blob {
   const comma = url.indexOf(',');
   const head = url.slice('data:'.length, comma);
@@ -10,7 +13,10 @@ export function blobOf(url: string): Blob {
   return new Blob([Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0))], {type});
 }
 
-/** @throws {Error} if the file is no longer readable */
+/**
+ * Encodes a file as a `data:` URL.
+ * @throws {Error} if the file is no longer readable
+ */
 export const dataUrlOf = (blob: Blob): Promise<string> =>
   new Promise((resolve, reject) => {
     const reader = new FileReader();

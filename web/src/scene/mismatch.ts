@@ -290,7 +290,8 @@ function bestJoin(
       for (let j = t - 1; j <= t + 1; j++) {
         const sx = i * u[0] + j * v[0];
         const sy = i * u[1] + j * v[1];
-        if (whole * Math.hypot(mx - sx, my - sy) >= least) continue; // the sum is at least that of the mean offset
+        // the sum is at least that of the mean offset
+        if (whole * Math.hypot(mx - sx, my - sy) >= least) continue;
         let cost = 0;
         for (let k = 0; k < lengths.length && cost < least; k++) {
           const dx = (apart[2 * k] ?? 0) - sx;

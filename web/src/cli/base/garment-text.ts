@@ -16,6 +16,9 @@ export async function readGarmentBytes(path: string): Promise<Buffer> {
   );
 }
 
-/** @throws {FileError} under the conditions of `readGarmentBytes` */
+/**
+ * The text of a garment file.
+ * @throws {FileError} under the conditions of `readGarmentBytes`
+ */
 export const readGarmentText = async (path: string): Promise<string> =>
   textOf(await readGarmentBytes(path));

@@ -7,9 +7,12 @@ import type {Answer, Task} from './solve-job.js';
 import type {Store} from './store.js';
 
 export interface Crew {
-  /** Number of jobs to start before the first of them is done. */
+  /** Greatest number of jobs submitted before the first of them is done. */
   readonly atOnce: number;
-  /** @throws {Error} if the outcome cannot be written to disk, which ends the batch */
+  /**
+   * Runs a job.
+   * @throws {Error} if the outcome cannot be written to disk, which ends the batch
+   */
   run(job: KeyedJob): Promise<Outcome>;
   /** Stops within about a second, and leaves running jobs undone. */
   close(): Promise<void>;

@@ -152,7 +152,10 @@ function oneOrList(
   return all.length > 0 ? all : fail(name, 'given');
 }
 
-/** @throws {FileError} if a file cannot be read */
+/**
+ * A job with its key.
+ * @throws {FileError} if a file cannot be read
+ */
 export async function keyed(
   job: Job,
   sha256At: (address: string) => Promise<string>,

@@ -15,7 +15,10 @@ interface Line {
   readonly isWhole: boolean;
 }
 
-/** @throws {FileError} if the file cannot be read */
+/**
+ * The lines of a file.
+ * @throws {FileError} if the file cannot be read
+ */
 export async function* linesOf(path: string): AsyncGenerator<Line> {
   let [number, rest, isTooLong] = [1, '', false];
   const end = (isWhole: boolean): Line => {

@@ -12,6 +12,7 @@ interface Owner {
 }
 
 /**
+ * Locks a folder.
  * @returns a function that unlocks the folder
  * @throws {UsageError} if another batch uses the folder
  */

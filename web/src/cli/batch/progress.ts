@@ -28,7 +28,10 @@ export class BatchProgress extends StatusLine {
   }
 }
 
-/** @param seconds time since the start of the run */
+/**
+ * The text of the progress line.
+ * @param seconds time since the start of the run
+ */
 export function progressText(
   {done, failed, now}: Readonly<Tally>,
   jobs: number,

@@ -33,7 +33,10 @@ interface QueuePlace {
   readonly name: string;
 }
 
-/** @throws {UsageError} if packages are missing or the server is unreachable */
+/**
+ * Connects to the queue of a folder.
+ * @throws {UsageError} if packages are missing or the server is unreachable
+ */
 export async function queueAt(url: string, store: Store): Promise<QueuePlace> {
   if (!/^rediss?:\/\//.test(url) || !URL.canParse(url)) {
     throw new UsageError(`--queue is '${url}', but must be redis://HOST:PORT[/DB].`);
@@ -176,7 +179,10 @@ export class QueueCrew implements Crew {
     this.#looking = setInterval(() => void this.#look().catch(ignore), lookEvery);
   }
 
-  /** @param worker worker of this process, closed with the crew */
+  /**
+   * Opens a queue for adding jobs.
+   * @param worker worker of this process, closed with the crew
+   */
   static async open(place: QueuePlace, store: Store, worker?: QueueWorker): Promise<QueueCrew> {
     const crew = new QueueCrew(place, store, worker);
     await crew.#events.waitUntilReady();

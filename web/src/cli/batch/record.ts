@@ -79,7 +79,10 @@ export class DoneRecord {
     return left > 0;
   }
 
-  /** @throws {FileError} if the record cannot be written */
+  /**
+   * Adds a finished job.
+   * @throws {FileError} if the record cannot be written
+   */
   add(key: string, label: Label, outcome: Outcome): Promise<void> {
     const {status, milliseconds} = outcome;
     const isFiled = status === 'done' || outcome.isFinal;

@@ -36,6 +36,7 @@ export class Store {
   }
 
   /**
+   * Creates the folders if they are missing.
    * @throws {FileError} if the folder cannot be written
    * @throws {UsageError} if it is a file
    */

@@ -26,7 +26,10 @@ const entities: Readonly<Record<string, string>> = {
   ...{amp: '&', lt: '<', gt: '>', quot: '"', apos: "'"},
 };
 
-/** @throws {FileError} if the text is malformed, too deep or too large, or uses its own entities */
+/**
+ * Parses a document.
+ * @throws {FileError} if it is malformed, too deep or too large, or uses its own entities
+ */
 export function readXml(text: string, file: string): XmlDocument {
   return new Reader(text, file).read();
 }

@@ -3,7 +3,10 @@ import {FileError} from '../../model/versioned-file.js';
 
 const mostPieces = 500;
 
-/** @throws {FileError} if there are more pieces */
+/**
+ * Checks the number of pieces.
+ * @throws {FileError} if there are more pieces
+ */
 export function checkCount(count: number, file: string): void {
   if (count <= mostPieces) return;
   throw new FileError(

@@ -21,7 +21,10 @@ export interface DxfDocument {
 /** Greatest number of entities; garments have thousands. */
 const mostEntities = 200_000;
 
-/** @throws {FileError} with the file name */
+/**
+ * Parses a file.
+ * @throws {FileError} if it is damaged or too large
+ */
 export function documentOf(text: string, name: string): DxfDocument {
   const header = new Map<string, number>();
   const blocks: Block[] = [];

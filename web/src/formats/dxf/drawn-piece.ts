@@ -25,7 +25,10 @@ interface DrawnDxfPiece {
   readonly isInterpolated: boolean;
 }
 
-/** @throws {FileError} if the outline is open */
+/**
+ * The drawn piece of a DXF piece.
+ * @throws {FileError} if the outline is open
+ */
 export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
   const {entities, text} = piece;
   const {cmPerUnit, vendor} = how;

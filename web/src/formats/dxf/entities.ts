@@ -116,7 +116,11 @@ const readers: Readonly<Record<string, Reader>> = {
   }),
 };
 
-/** @throws {FileError} for invalid entities */
+/**
+ * The entity of a group; undefined if patterns do not use it.
+ * @param vertices records of a polyline's vertices
+ * @throws {FileError} for invalid entities
+ */
 export function entityOf(group: Group, vertices: readonly Group[]): Entity | undefined {
   if (group.type === 'POLYLINE') return oldPolyline(group, vertices);
   return Object.hasOwn(readers, group.type) ? readers[group.type]?.(group) : undefined;

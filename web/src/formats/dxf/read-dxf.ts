@@ -15,7 +15,10 @@ import {textOf} from './text.js';
 import {largestOf, unitOf} from './units.js';
 import {vendorOf} from './vendors.js';
 
-/** @throws {FileError} with the file, the error and a remedy */
+/**
+ * Reads a DXF file.
+ * @throws {FileError} with the file, the error and a remedy
+ */
 export function readDxf(bytes: Uint8Array, file: string, options: DrawingOptions): Drawing {
   const document = documentOf(textOf(bytes), file);
   const blocks = new Blocks(document, file);

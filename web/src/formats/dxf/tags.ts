@@ -32,7 +32,10 @@ export class Group {
     return this.tags.findLast((tag) => tag.code === code)?.value ?? '';
   }
 
-  /** @throws {FileError} if the value is no number or too large */
+  /**
+   * The first number of a code, or a default.
+   * @throws {FileError} if the value is no number or too large
+   */
   number(code: number, otherwise?: number): number {
     const tag = this.tags.find((one) => one.code === code);
     if (tag) return this.#numberIn(tag);
@@ -61,7 +64,10 @@ export class Group {
     return vertices;
   }
 
-  /** @param complaint predicate of the error sentence, without its full stop */
+  /**
+   * An error at this group.
+   * @param complaint predicate of the error sentence, without its full stop
+   */
   error(complaint: string): FileError {
     return damaged(this.#name, this.#begin.line, `, where a ${this.type} ${complaint}`);
   }

@@ -28,7 +28,10 @@ const [newline, carriage, space, tab, slash, minusSign, plusSign, dot, zero, nin
 /** Greatest number of triangles, five times that of simulators' garments. */
 const mostTriangles = 500_000;
 
-/** @throws {FileError} for an invalid number, or a face with an unknown index */
+/**
+ * Parses an OBJ file.
+ * @throws {FileError} for an invalid number, or a face with an unknown index
+ */
 export const readMesh = (bytes: Uint8Array, file: string): ObjMesh =>
   new Parser(bytes, file).read();
 
