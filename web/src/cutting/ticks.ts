@@ -41,7 +41,10 @@ export interface SeamTick {
 /** Least distance between ticks of a seam, and from its ends. */
 const apart = 4;
 const endRoom = 1;
-/** Greatest distance of a tick from its point of equal print; the sides do not match beyond it. */
+/**
+ * Greatest distance, at a tick, between the sewn point and the point that shows the same print as
+ * the other side.
+ */
 const greatestMiss = 0.1;
 
 /**

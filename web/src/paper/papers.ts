@@ -33,7 +33,10 @@ export const noPaper = (word: string): string =>
   `there is no paper '${word}'; name one of ${Object.keys(papers).join(', ')}, or a size from 12 cm to 5 m, such as 60x90cm or 24x36in.`;
 
 const units: Readonly<Record<string, number>> = {mm: 0.1, cm: 1, in: inch};
-/** Limits of a side: below, there is no room for the test squares; above, viewers fail. */
+/**
+ * Limits of a side: below, there is no room for the test squares; above, viewers do not display the
+ * page.
+ */
 const least = 12;
 const most = 500;
 

@@ -119,10 +119,7 @@ export interface Drift {
   readonly end: number;
   /** The greatest mismatch. */
   readonly most: number;
-  /**
-   * True if the mismatch exceeds the greatest possible distance between pointwise matches, so that
-   * its value is meaningless.
-   */
+  /** True beyond the greatest possible pointwise mismatch, where the value is meaningless. */
   readonly isLost: boolean;
 }
 
