@@ -1,4 +1,4 @@
-/** The package for pages: the solver in workers, and the files that a page may be handed. */
+/** The package for web pages: the solver in workers, and the file formats. */
 export type {Alignment, MirrorMap, Point} from './model/geometry.js';
 export * from './model/drape.js';
 export * from './model/drape-file.js';

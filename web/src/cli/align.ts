@@ -105,11 +105,11 @@ export async function align(words: readonly string[]): Promise<void> {
 
 interface Solved {
   readonly result: SolveResult;
-  /** Undefined when nobody asked for them. */
+  /** Undefined if remedies were not requested. */
   readonly found?: readonly Remedy[];
 }
 
-/** Shows how far it is, and looks for remedies if they are wanted. */
+/** Solves with a progress display, and searches for remedies if requested. */
 async function solved(
   given: Aligned,
   names: ProblemNames,
@@ -121,7 +121,7 @@ async function solved(
     garment: textOf(given.garment.bytes),
     print: textOf(given.print.bytes),
   };
-  // what is asked of this result alone is no part of its design
+  // output options of this run are no part of the design
   const others = wants.others ? {otherAlignments: true} : {};
   try {
     const result = await solve(
@@ -141,7 +141,10 @@ async function solved(
   }
 }
 
-/** What flags decide goes over the file. What is no JSON stays as it is: the solver says so. */
+/**
+ * Adds options from flags, which override the file. Invalid JSON is returned unchanged, and the
+ * solver reports it.
+ */
 function withDecided(options: string, decided: Readonly<Record<string, unknown>>): string {
   const given = Object.entries(decided).filter(([, value]) => value !== undefined);
   if (given.length === 0) return options;
@@ -162,7 +165,7 @@ async function checkOutputs(
   checkDistinct({'--out': outFile, '--design': designFile});
 }
 
-/** A result with the design that it answers, which lets a page open it, and with what would make it better. */
+/** The result with its design, so that a page can open it, and with its remedies. */
 async function openable(
   {garment, print, options, seed}: Aligned,
   result: SolveResult,

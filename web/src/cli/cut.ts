@@ -8,7 +8,7 @@ import {print, remark} from './base/terminal.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {garmentOf, plainIn, readClothOf, readResult} from './result-file.js';
 
-/** What can be written, by the flag that names the file. */
+/** Output formats by flag. */
 const outputs: Readonly<
   Record<string, (cut: Cut, args: Arguments) => Promise<string | Uint8Array> | string>
 > = {
@@ -41,10 +41,10 @@ const grammar = {
   switches: ['--sew-as-1'],
 };
 
-/** More than anybody sews with. [cm] */
+/** Greatest allowance, above any in use. [cm] */
 const greatestAllowance = 10;
 
-/** `cut`: the pieces of a result at true scale, to print and to cut along. */
+/** `cut`: writes cutting sheets of a result at true scale. */
 export async function cut(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [resultFile = ''] = args.files;
@@ -87,7 +87,7 @@ export async function cut(words: readonly string[]): Promise<void> {
   }
 }
 
-/** @throws {UsageError} */
+/** @throws {UsageError} for an invalid value */
 function settingsOf(args: Arguments) {
   const allowanceCm = lengthCm(args, '--allowance', greatestAllowance);
   const hemCm = lengthCm(args, '--hem', greatestAllowance);

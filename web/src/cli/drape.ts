@@ -33,7 +33,7 @@ const grammar = {
 
 const efforts = {1: 1, 2: 2, 4: 4} as const;
 
-/** `drape`: a result as it is worn. */
+/** `drape`: drapes a result on a form. */
 export async function drape(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [resultFile = ''] = args.files;
@@ -74,7 +74,7 @@ export async function drape(words: readonly string[]): Promise<void> {
   report(resultFile, file, args.has('--json'));
 }
 
-/** @throws {UsageError} for flags that are of no use */
+/** @throws {UsageError} for unusable flags */
 function checkFlags(args: Arguments, glbFile: string | undefined): void {
   if (args.value('--png') !== undefined) {
     throw new UsageError(
@@ -91,7 +91,10 @@ function checkFlags(args: Arguments, glbFile: string | undefined): void {
   checkDistinct({'--out': args.value('--out'), '--glb': glbFile});
 }
 
-/** @throws {UsageError}, {FileError} */
+/**
+ * @throws {UsageError} for invalid flags
+ * @throws {FileError} if the body file cannot be read
+ */
 async function settingsOf(args: Arguments, bodyFile: string | undefined): Promise<DrapeSettings> {
   const fabric = choice(args, '--fabric', fabricNames);
   const size = choice(args, '--size', formSizes);
@@ -102,7 +105,7 @@ async function settingsOf(args: Arguments, bodyFile: string | undefined): Promis
   return {
     ...(fabric !== undefined && {fabric}),
     ...(size !== undefined && {size}),
-    // the core says what is missing in it
+    // the core reports missing measurements
     ...(bodyFile !== undefined && {
       body: parsed(await readText(bodyFile), bodyFile) as Measurements,
     }),
@@ -117,7 +120,7 @@ const stages: Readonly<Record<DrapeProgress['stage'], string>> = {
   done: 'Settled',
 };
 
-/** Shows how far it is. */
+/** Drapes with a progress display and measures the time. */
 async function timed(
   result: string,
   settings: DrapeSettings,
@@ -138,7 +141,7 @@ async function timed(
   }
 }
 
-/** What the design says that a result may hold. */
+/** The fabric of the result's design, if any. */
 function fabricIn({design}: ResultFile): Pick<DrapeSettings, 'fabric'> {
   const fabric = fabricNames.find((name) => name === fieldOf(design, 'fabric'));
   return {...(fabric && {fabric})};

@@ -19,7 +19,7 @@ const grammar = {
   switches: ['--cloth-only'],
 };
 
-/** `draw`: a result on its print, before and after, as an SVG file that stands by itself. */
+/** `draw`: draws a result on its print, before and after, as a self-contained SVG file. */
 export async function draw(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [resultFile = ''] = args.files;
@@ -51,7 +51,7 @@ export async function draw(words: readonly string[]): Promise<void> {
   else await writeWhole(out, picture);
 }
 
-/** What the design that a result may hold says of the garment and its pieces; undefined where it holds none. */
+/** Garment title and piece data from the result's design; undefined without a design. */
 async function designIn({
   pieces,
   design,
@@ -68,6 +68,6 @@ async function designIn({
       placements: placementsIn(marks),
     };
   } catch {
-    return undefined; // it is no garment, and the picture does not depend on it
+    return undefined; // the drawing does not depend on a valid garment
   }
 }

@@ -19,7 +19,7 @@ const grammar = {
   switches: [],
 };
 
-/** `dump`: draws what a solve goes through, one picture for each stage. */
+/** `dump`: draws the stages of a solve, one image each. */
 export async function dump(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [garmentFile = ''] = args.files;
@@ -49,7 +49,10 @@ export async function dump(words: readonly string[]): Promise<void> {
   }
 }
 
-/** As drafted; each better placing that the search told of; placed; shaped. */
+/**
+ * The drafted pattern, each better alignment found by the search, the placed and the shaped
+ * pattern.
+ */
 async function stages(
   problem: Parameters<typeof solve>[0],
   names: NonNullable<NonNullable<Parameters<typeof solve>[1]>['names']>,
@@ -76,7 +79,7 @@ async function stages(
   ];
 }
 
-/** @param numbers angle, x, y per piece */
+/** @param numbers angle, x and y per piece */
 function alignmentsIn(numbers: Float64Array): readonly Alignment[] {
   return Array.from({length: numbers.length / 3}, (_, k) => {
     const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k);

@@ -7,13 +7,16 @@ import {finalMismatch, mismatchOf, worstOf} from '../scene/mismatch.js';
 
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 
-/** What was aligned, as far as a line of figures says something of it. */
+/** The part of the aligned problem that the figures use. */
 interface Asked {
   readonly garment: GarmentDocument;
   readonly options: SolveOptions;
 }
 
-/** As drafted a piece lies on its grain; where nobody says how that runs, upwards is meant. */
+/**
+ * A remark on the reference: drafted pieces lie on their grain, and pieces without a grain line are
+ * taken as drawn upright.
+ */
 function grainAsDrafted({garment, options}: Asked, {pieces}: SolveResult): string {
   const {pieces: grain = {}} = options.grain ?? {};
   const marks = panelMarks(garment, {grain});
@@ -27,7 +30,7 @@ function grainAsDrafted({garment, options}: Asked, {pieces}: SolveResult): strin
   return ` with the grain upwards as drawn, for the file states none${which}`;
 }
 
-/** How far the print misses at the seams: the mean, the worst of their means, and the mean as drafted. */
+/** The mismatch at the seams: the mean, the worst mean of a seam, and the mean as drafted. */
 function mismatch(result: SolveResult, asked: Asked): string[] {
   const mismatch = finalMismatch(result);
   const worst = worstOf(mismatch);
@@ -41,7 +44,7 @@ function mismatch(result: SolveResult, asked: Asked): string[] {
   ];
 }
 
-/** The figures of a result as one line for people. */
+/** The figures of a result in one line. */
 export function figuresLine(name: string, result: SolveResult, asked: Asked): string {
   const {print, pieces, seams, metrics} = result;
   return [
@@ -61,6 +64,6 @@ const what: Readonly<Record<Remedy['kind'], (names: readonly string[]) => string
   smaller: () => 'Take a print of half the repeat',
 };
 
-/** Turn 'waistband' by 90 degrees: 20.5 -> 0.0 mm */
+/** The text of a remedy, for example "Turn 'waistband' by 90 degrees: 20.5 -> 0.0 mm". */
 export const remedyLine = ({kind, pieces, before, after}: Remedy): string =>
   `${what[kind](pieces)}: ${(10 * before).toFixed(1)} -> ${millimetres(after)}`;

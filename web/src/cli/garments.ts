@@ -6,7 +6,9 @@ import {print} from './base/terminal.js';
 
 const grammar = {files: ['the garment file'], valued: ['--out']};
 
-/** `symmetries`: what `--symmetry auto` would find, in the format of a symmetry file. */
+/**
+ * `symmetries`: prints the symmetries found by `--symmetry auto` in the format of a symmetry file.
+ */
 export async function listSymmetries(words: readonly string[]): Promise<void> {
   const {file, out} = await readArguments(words);
   await deliver(
@@ -15,10 +17,10 @@ export async function listSymmetries(words: readonly string[]): Promise<void> {
   );
 }
 
-/** More than anybody sews with. [cm] */
+/** Greatest allowance, above any in use. [cm] */
 const greatestAllowance = 10;
 
-/** `convert`: the garment in the project's own format, in plain GarmentCode, or as DXF. */
+/** `convert`: writes the garment in the native format, as plain GarmentCode, or as DXF. */
 export async function convertFile(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, {
     ...grammar,

@@ -13,7 +13,7 @@ const grammar = {
 
 const units: Readonly<Record<'mm' | 'cm' | 'in', FileUnit>> = {mm: 'mm', cm: 'cm', in: 'inch'};
 
-/** `import`: a pattern of another program as a garment. */
+/** `import`: converts a pattern of another program to a garment. */
 export async function importFile(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [file = ''] = args.files;
@@ -43,7 +43,7 @@ const unitNames: Readonly<Record<string, string>> = {
   ...{mm: 'millimetres', cm: 'centimetres', in: 'inches', m: 'metres'},
 };
 
-/** One line for the file, then one for every piece. */
+/** One line for the file, then one for each piece. */
 function listOf(
   file: string,
   {pieces, sizes, size, units: {used, from}, seams}: ImportReport,

@@ -7,7 +7,7 @@ import {print} from './base/terminal.js';
 
 type Command = (words: readonly string[]) => Promise<void>;
 
-/** Each is loaded when it is asked for: reading all scripts takes as long as solving a small garment. */
+/** Loaded on demand, since loading all scripts takes as long as solving a small garment. */
 const commands: Readonly<Record<string, () => Promise<Command>>> = {
   align: async () => (await import('./align.js')).align,
   order: async () => (await import('./order.js')).order,
@@ -43,13 +43,13 @@ async function main([command, ...words]: readonly string[]): Promise<void> {
   await run(words);
 }
 
-/** 2: the input is at fault. 1: anything else. */
+/** Exit code 2 for invalid input, 1 for any other error. */
 function exitCode(error: unknown): 1 | 2 {
   if (error instanceof UsageError || error instanceof FileError) return 2;
   return error instanceof SolverError && error.code !== 'internal' ? 2 : 1;
 }
 
-// A reader that has seen enough (`| head -1`) is no error.
+// a reader that closes the pipe early, such as `| head -1`, is no error
 process.stdout.on('error', () => process.exit());
 
 try {

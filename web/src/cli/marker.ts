@@ -38,7 +38,7 @@ import {garmentOf, optionsIn, parsed, problemIn, readClothOf, readResult} from '
 
 type Content = string | Uint8Array;
 
-/** What can be written, by the flag that names the file. */
+/** Output formats by flag. */
 const outputs: Readonly<
   Record<string, (files: LayPlanFiles, plan: LayPlan) => Content | Promise<Content>>
 > = {
@@ -69,7 +69,7 @@ const grammar = {
   switches: ['--free', '--fold', '--json'],
 } as const;
 
-/** `marker`: the pieces of results laid on a bolt of their print. */
+/** `marker`: lays the pieces of results out on their printed fabric. */
 export async function marker(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [printFile, garmentFile, flawsFile] = ['--print', '--garment', '--flaws'].map((flag) =>
@@ -139,7 +139,7 @@ interface LaidFile {
   readonly isOnly: boolean;
 }
 
-/** @throws {UsageError}, {FileError}, {SolverError} naming the file */
+/** @throws {UsageError}, {FileError} or {SolverError} with the name of an invalid file */
 async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile) {
   const {result} = await readResult(file);
   const cloth = await readClothOf(result, file, {printFile, colourway: undefined});
@@ -160,7 +160,7 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
   return {cloth, garment};
 }
 
-/** @throws {UsageError} */
+/** @throws {UsageError} for an invalid value */
 function wishOf(args: Arguments): LayWish {
   const width = lengthCm(args, '--width', layRange('width')[1]);
   if (width === undefined) throw new UsageError('--width CM, how wide the cloth is, is missing.');
@@ -189,7 +189,10 @@ function wishOf(args: Arguments): LayWish {
 
 const polygons = listOf(listOf(pairOf(number(-1e6, 1e6))));
 
-/** @throws {UsageError}, {FileError} naming the file */
+/**
+ * @throws {UsageError} if the file is no list of flaws
+ * @throws {FileError} if it cannot be read
+ */
 async function readFlaws(file: string): Promise<readonly (readonly Point[])[]> {
   try {
     return polygons(parsed(await readText(file), file), 'flaws');
@@ -211,7 +214,7 @@ const stages: Readonly<Record<MarkerProgress['stage'], string>> = {
   done: 'Laid',
 };
 
-/** Shows how far it is. */
+/** Computes the layout with a progress display and measures the time. */
 async function timed(
   garments: readonly MarkerGarment[],
   settings: NodeMarkerSettings,

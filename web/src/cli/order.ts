@@ -11,7 +11,7 @@ import {figuresLine} from './figures.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, ProgressLine, remark} from './base/terminal.js';
 
-/** Files to cut by, by the flags that name them. */
+/** Cutting-sheet formats by flag. */
 const cutFlags = {'--svg': 'svg', '--pdf': 'pdf', '--dxf': 'dxf', '--plt': 'plt'} as const;
 const wishFlags = ['--paper', '--allowance', '--hem', '--ink'];
 
@@ -21,10 +21,13 @@ const grammar = {
   switches: ['--json'],
 };
 
-/** For scripts: what was written is an answer, but not the one that was sold. */
+/** Exit code for scripts if the written answer differs from the sold one. */
 const notReproducedCode = 3;
 
-/** `order`: solves a stored design again, for production, and says whether the answer is the one that was sold. */
+/**
+ * `order`: solves a stored design again for production, and reports whether the answer equals the
+ * sold one.
+ */
 export async function order(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [designFile = ''] = args.files;
@@ -49,7 +52,7 @@ export async function order(words: readonly string[]): Promise<void> {
   }
   const address = addressOf(designFile);
   const base = baseWord === undefined ? new URL('.', address) : folderOf(baseWord);
-  // what a stranger's design names elsewhere is not read
+  // a foreign design must not read files outside these folders
   const within =
     baseWord === undefined && base.protocol === 'file:' ? [base, folderOf('.')] : [base];
   const stored = textOf(await readAddress(address));
@@ -76,7 +79,7 @@ export async function order(words: readonly string[]): Promise<void> {
   if (!done.reproduced) process.exitCode = notReproducedCode;
 }
 
-/** @throws {UsageError} */
+/** @throws {UsageError} for an invalid value */
 function wishOf(args: Arguments): CutWish {
   const [allowance, hem] = ['--allowance', '--hem'].map((flag) =>
     lengthCm(args, flag, greatestAllowance),

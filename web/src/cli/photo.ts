@@ -29,7 +29,7 @@ const grammar = {
   switches: ['--tile', '--symmetrise', '--json'],
 };
 
-/** `photo`: a print read off a photograph or scan of its cloth. */
+/** `photo`: reads a print from a photo or scan of its fabric. */
 export async function photo(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [path = ''] = args.files;
@@ -75,7 +75,7 @@ const read = (
     },
   );
 
-/** Names the file that is at fault, and what else it may be. */
+/** Runs the work, and adds the file and a hint to its errors. */
 async function timed(
   path: string,
   {isTile = false}: PhotoSettings,
@@ -98,7 +98,7 @@ const numberIn = (text: string | undefined): number =>
 
 const isLength = (cm: number): boolean => cm >= 0.1 && cm <= 10_000;
 
-/** @throws {UsageError} */
+/** @throws {UsageError} for an invalid value */
 function settingsOf(args: Arguments): PhotoSettings {
   const f35 = args.value('--f35');
   if (f35 !== undefined && !(numberIn(f35) >= 5 && numberIn(f35) <= 2000)) {
@@ -119,7 +119,10 @@ function settingsOf(args: Arguments): PhotoSettings {
   };
 }
 
-/** As in `w1=10/98.5`. @throws {UsageError} */
+/**
+ * Parses a measurement such as `w1=10/98.5`.
+ * @throws {UsageError} if it is invalid
+ */
 function measureOf(text: string): readonly [string, RepeatsMeasured] {
   const [, vector, count, length] = /^(w[12])=([^/]+)\/(.+)$/.exec(text) ?? [];
   const measured = {repeats: numberIn(count), cm: numberIn(length)};
@@ -132,7 +135,10 @@ function measureOf(text: string): readonly [string, RepeatsMeasured] {
   return [vector, measured];
 }
 
-/** As in `120,80,1020,95=30`. @throws {UsageError} */
+/**
+ * Parses a distance such as `120,80,1020,95=30`.
+ * @throws {UsageError} if it is invalid
+ */
 function betweenOf(text: string): NonNullable<PhotoSettings['between']> {
   const [points = '', length] = text.split('=');
   const [x1 = NaN, y1 = NaN, x2 = NaN, y2 = NaN, ...rest] = points.split(',').map(numberIn);
@@ -146,7 +152,10 @@ function betweenOf(text: string): NonNullable<PhotoSettings['between']> {
   return {from: [x1, y1], to: [x2, y2], cm};
 }
 
-/** @throws {UsageError} */
+/**
+ * The path of the tile beside the print file.
+ * @throws {UsageError} if that is no JSON file
+ */
 function tileBeside(outFile: string): string {
   if (extname(outFile).toLowerCase() !== '.json') {
     throw new UsageError(`${outFile} would hold JSON; name a file ending in .json.`);
@@ -154,7 +163,7 @@ function tileBeside(outFile: string): string {
   return join(dirname(outFile), `${basename(outFile, extname(outFile))}.png`);
 }
 
-/** Named after the picture that it was read off. */
+/** The print file, with the photo's name as its title. */
 function printText(found: Print, path: string, tileFile: string): string {
   const title = titleOfFile(basename(path, extname(path)));
   return `${JSON.stringify({...found, title, image: basename(tileFile)}, null, 2)}\n`;
@@ -195,7 +204,10 @@ const sentences: Readonly<Record<PhotoNote, string>> = {
     'w1 and w2 measure differently, so that a smaller symmetry was taken than the print seems to have; measure again if they should be equal.',
 };
 
-/** One repeat as the page has it, whose sides are not w1 and w2 on rhombic and hexagonal lattices. */
+/**
+ * The size of one repeat as shown on the page. Its sides differ from w1 and w2 on rhombic and
+ * hexagonal lattices.
+ */
 const sizeOf = ({group, w1, w2}: PhotoReading): RepeatSize | null =>
   w1 && w2 ? repeatOf({group, w1, w2}).size : null;
 
@@ -212,7 +224,7 @@ function sizeWords(
   return `one repeat ${across} x ${up} cm${vectors} (+-${error} %)`;
 }
 
-/** Which way a vector of the picture runs, y downwards. */
+/** The direction of a vector in the photo, y down. */
 function directionOf([x, y]: Point): string {
   const eighth = (Math.round((4 * Math.atan2(y, x)) / Math.PI) + 8) % 8;
   const words = ['to the right', 'down to the right', 'down', 'down to the left'];
@@ -220,13 +232,13 @@ function directionOf([x, y]: Point): string {
   return [...words, ...others][eighth] ?? '';
 }
 
-/** What has to be known of w1 and w2 to measure them. */
+/** The directions of w1 and w2, for measuring them. */
 const lying = ({w1Px, w2Px, stripes}: PhotoReading): string =>
   stripes
     ? `w1 ${directionOf(w1Px)} across them`
     : `w1 ${directionOf(w1Px)} and w2 ${directionOf(w2Px)} on the picture`;
 
-/** Said of two lengths that the picture does not show so. */
+/** A warning if two measured lengths contradict the photo. */
 function conflict(
   {seen, stripes}: PhotoReading,
   {w1Measured, w2Measured}: PhotoSettings,
@@ -239,7 +251,7 @@ function conflict(
   return `The lengths disagree by ${(100 * share).toFixed(0)} %: with ${first} cm along w1, the picture shows ${expected} cm along w2, not ${second} cm. Both were taken; measure again.`;
 }
 
-/** What programs are told. */
+/** The reading as JSON data. */
 function plainReading(reading: PhotoReading): object {
   const {map, groups} = reading;
   const {width, height, w1Px, w2Px, originPx, w1, w2, group, confidence} = reading;

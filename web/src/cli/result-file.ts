@@ -1,4 +1,4 @@
-/** A result file as a picture is drawn of it. It may have been written, or changed, by anybody. */
+/** Reads and checks result files, which may have been changed by others. */
 import {problemFor} from '../model/design-problem.js';
 import {decisionFields, decisions, readAlignment} from '../model/design-reader.js';
 import type {GarmentDocument} from '../model/garment-document.js';
@@ -28,9 +28,9 @@ import {UsageError} from './base/arguments.js';
 import {inColourway, readPrint} from './base/print-files.js';
 
 export type ResultFile = SolveResult & {
-  /** What `order` writes of a result says first if it is not the one that was sold. */
+  /** Written by `order`: false if the result differs from the sold one. */
   readonly reproduced?: boolean;
-  /** That it answers, as far as whoever wrote the file is to be believed. */
+  /** The solved design; unverified. */
   readonly design?: unknown;
 };
 
@@ -83,7 +83,10 @@ const damaged = (path: string, what: string): UsageError =>
     `${path} is not a whole result file (seamwise-result/1)${what}; align the garment again with --out.`,
   );
 
-/** @throws {UsageError} naming the file and the field that is wrong */
+/**
+ * Checks a parsed result file.
+ * @throws {UsageError} with the file and the invalid field
+ */
 function asResult(value: unknown, path: string): ResultFile {
   const complain = (what: string): UsageError => damaged(path, what);
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
@@ -106,7 +109,10 @@ function asResult(value: unknown, path: string): ResultFile {
   return value as ResultFile;
 }
 
-/** What it was solved with, as the design says that it may hold. @throws {UsageError} naming the file */
+/**
+ * The options of the result's design.
+ * @throws {UsageError} with the file
+ */
 export function optionsIn({design}: ResultFile, path: string): SolveOptions {
   const options = fieldOf(design, 'options');
   try {
@@ -117,7 +123,10 @@ export function optionsIn({design}: ResultFile, path: string): SolveOptions {
   }
 }
 
-/** What it answers, on its print; undefined where it does not hold its design. @throws {UsageError} naming the file */
+/**
+ * The solved problem on its print; undefined if the result has no design.
+ * @throws {UsageError} with the file
+ */
 export function problemIn(
   {design}: ResultFile,
   path: string,
@@ -133,7 +142,10 @@ export function problemIn(
   }
 }
 
-/** Its garment: that of a file, if one is named, or as the design that the result may hold. @throws {UsageError}, {FileError}, {SolverError} */
+/**
+ * The garment from a file, if given, otherwise from the result's design.
+ * @throws {UsageError}, {FileError} or {SolverError} if it is invalid
+ */
 export async function garmentOf(
   {design}: ResultFile,
   file: string | undefined,
@@ -147,13 +159,16 @@ export async function garmentOf(
   return {garment: await readGarment(text, called), garmentFile: called};
 }
 
-/** Pieces of unprinted cloth, as the design says that a result may hold. */
+/** Pieces of plain fabric, from the result's design. */
 export function plainIn({design}: ResultFile): readonly string[] {
   const plain = fieldOf(fieldOf(design, 'options'), 'plain');
   return Array.isArray(plain) ? plain.filter((name) => typeof name === 'string') : [];
 }
 
-/** The file with its bytes. @throws {UsageError}, {FileError} naming it */
+/**
+ * The result and its bytes.
+ * @throws {UsageError} or {FileError} with the file
+ */
 export async function readResult(
   path: string,
 ): Promise<{readonly bytes: Uint8Array; readonly result: ResultFile}> {
@@ -161,7 +176,10 @@ export async function readResult(
   return {bytes, result: asResult(parsed(textOf(bytes), path), path)};
 }
 
-/** @throws {UsageError} naming the file */
+/**
+ * Parses JSON.
+ * @throws {UsageError} with the file
+ */
 export function parsed(text: string, path: string): unknown {
   if (text.trim() === '') throw new UsageError(`${path} is empty; choose another file.`);
   try {
@@ -171,7 +189,11 @@ export function parsed(text: string, path: string): unknown {
   }
 }
 
-/** The print that a result was solved with, in one of its colourways. @throws {UsageError}, {FileError} */
+/**
+ * The print of a result in one of its colourways.
+ * @throws {UsageError} if it is another print
+ * @throws {FileError} if it cannot be read
+ */
 export async function readClothOf(
   result: SolveResult,
   resultFile: string,
@@ -185,7 +207,7 @@ export async function readClothOf(
   );
 }
 
-/** The solver corrects a lattice that is within rounding of its type, so equal means nearly so. */
+/** Compares with a tolerance, since the solver corrects lattices within rounding of their type. */
 function sameRepeat(one: SolveResult['print'], other: Print): boolean {
   const close = (key: 'w1' | 'w2') => distance(one[key], other[key]) < 1e-5 * norm(other[key]);
   return one.group === other.group && close('w1') && close('w2');

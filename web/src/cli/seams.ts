@@ -9,7 +9,7 @@ const grammar = {
   switches: ['--strip', '--suggest', '--json'],
 };
 
-/** `seams`: what the edges of a garment may be sewn to, by their shapes. */
+/** `seams`: suggests partners for the edges of a garment by their shapes. */
 export async function listSeams(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [file = ''] = args.files;
@@ -40,7 +40,7 @@ export async function listSeams(words: readonly string[]): Promise<void> {
 const called = ({piece, edge}: NamedEdge): string => `${piece} ${String(edge)}`;
 const percent = (p: number): string => `${(100 * p).toFixed(0)} %`;
 
-/** The sure seams, one a line, then the three likeliest partners of every edge. */
+/** The certain seams, one per line, then the three likeliest partners of each edge. */
 function listOf({edges, sure}: SeamSuggestions): string {
   const lines = [
     ...sure.map(({a, b, p}) => `sure: ${called(a)} - ${called(b)}, ${percent(p)}`),

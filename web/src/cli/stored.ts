@@ -13,7 +13,7 @@ interface InputFile {
   readonly bytes: Uint8Array;
 }
 
-/** What `align` was given. */
+/** The input of `align`. */
 export interface Aligned {
   readonly garment: InputFile;
   readonly print: InputFile;
@@ -24,7 +24,10 @@ export interface Aligned {
   readonly seed: number;
 }
 
-/** The text of a design that names its files from where it lies itself. @throws {FileError} */
+/**
+ * The text of a design with file addresses relative to its own location.
+ * @throws {FileError} if the design is invalid
+ */
 export function storedText(designFile: string, given: Aligned, result: SolveResult): string {
   const {symmetry, options, method, seed} = given;
   const stored = ({path, bytes}: InputFile) => ({
@@ -42,7 +45,8 @@ export function storedText(designFile: string, given: Aligned, result: SolveResu
     },
     result,
   );
-  // reading leaves out what no solve depends on, and finds out now what an order would refuse
+  // reading it again drops fields that no solve depends on, and detects now what `order` would
+  // reject
   return writeStoredDesign(readStoredDesign(writeStoredDesign(design), designFile));
 }
 
@@ -52,5 +56,5 @@ function relativeUrl(from: string, to: string): string {
   const parting = own.findIndex((part, k) => part !== other[k]);
   const shared = parting < 0 ? own.length : parting;
   const way = [...own.slice(shared).map(() => '..'), ...other.slice(shared)].join('/');
-  return /^[^/]*:/.test(way) ? `./${way}` : way; // a colon would end a scheme
+  return /^[^/]*:/.test(way) ? `./${way}` : way; // otherwise a colon would end a scheme
 }

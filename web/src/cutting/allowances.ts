@@ -1,4 +1,4 @@
-/** How much cloth stays beyond each edge, and how it ends at corners. Lengths in cm, angles in radians. */
+/** Seam allowances of edges, and their shape at corners. Lengths in cm, angles in radians. */
 import type {PanelMarks} from '../model/garment-marks.js';
 import {minus, unit, type Point} from '../model/geometry.js';
 import {crossingsOf, distanceTo} from '../model/polyline.js';
@@ -11,39 +11,42 @@ import {hems} from './openings.js';
 
 export interface Allowances {
   readonly widths: ReadonlyMap<EdgeKey, number>;
-  /** Edges whose width the garment states or draws, whatever the rule says. */
+  /** Edges whose width is stated or drawn in the garment, and therefore overrides the rule. */
   readonly own: ReadonlySet<EdgeKey>;
-  /** By the edge that begins there. */
+  /** Corners, by the edge that begins there. */
   readonly corners: ReadonlyMap<EdgeKey, CornerPlan>;
   readonly hems: ReadonlySet<EdgeKey>;
 }
 
-/** What is asked of edges that do not say it themselves. */
+/** Allowances of edges without their own. */
 export interface AllowanceRule {
   readonly allowanceCm: number;
-  /** Of hems; as all others when left out. */
+  /** Hem allowance; defaults to `allowanceCm`. */
   readonly hemCm?: number;
 }
 
-/** How many edges have a width of their own. */
+/** The share of edges with their own width. */
 export type OwnShare = 'none' | 'some' | 'all';
 
-/** @param held whether each edge has one */
+/**
+ * The share of edges with their own width.
+ * @param held for each edge, whether it has its own width
+ */
 export const ownShare = (held: readonly boolean[]): OwnShare =>
   !held.includes(true) ? 'none' : held.includes(false) ? 'some' : 'all';
 
-/** A drawn cut line that is further off belongs to something else. */
+/** A drawn cut line farther away belongs to another edge. */
 const greatestWidth = 12;
-/** Ends of seams within these angles are cut across. */
+/** Least angle of a seam's end, from 0 and from 180 degrees, at which it is cut across. */
 const leastAngle = 0.35;
-/** Cut ends that differ by less meet. */
+/** Cut ends whose reaches differ by less meet. */
 const sameReach = 0.03;
-/** So do corners: both sides are mirror images there. [rad] */
+/** Equal angles of two mirrored corners, whose cut ends meet. [rad] */
 const sameAngle = 0.05;
-/** No seam is made longer by more than this, in widths of the allowance beyond it. */
+/** Greatest extension of a seam, in widths of the allowance beyond it. */
 const greatestReach = 2.5;
 
-/** As drawn: the median distance of the cut line. */
+/** The drawn allowance: the median distance of the cut line. */
 function drawnWidth(
   {rest}: ResultPiece,
   vertices: readonly number[],
@@ -56,17 +59,17 @@ function drawnWidth(
   return median < greatestWidth ? Math.round(1000 * median) / 1000 : undefined;
 }
 
-/** A seam's end on one of its sides. */
+/** One side of a seam at the seam's end. */
 interface Cut {
-  /** Within the piece. */
+  /** Interior angle of the piece. */
   readonly angle: number;
-  /** Of the edge beyond, whose cut line crosses the seam. */
+  /** Allowance of the next edge, whose cut line crosses the seam. */
   readonly width: number;
-  /** From the end of the seam to the cut. */
+  /** Distance from the end of the seam to the cut. */
   readonly reach: number;
 }
 
-/** How far beyond the end of an edge the cut line of the next one crosses it. */
+/** The distance beyond the end of an edge where the next edge's cut line crosses it. */
 function crossedAt(garment: GarmentEdges, end: EdgeEnd, width: number): number | undefined {
   const points = garment.edges.get(end.key)?.edge.points ?? [];
   const [from, to] = end.at === 'end' ? points.slice(-2) : points.slice(0, 2).reverse();
@@ -74,7 +77,7 @@ function crossedAt(garment: GarmentEdges, end: EdgeEnd, width: number): number |
   if (!from || !to) return undefined;
   const {cut} = bandOf(beyond, width);
   const along = unit(minus(to, from));
-  // open: the step that would close it is none of it
+  // the line is open: its closing segment does not count
   const found = cut
     .slice(1)
     .flatMap((q, k) => crossingsOf([cut[k] ?? q, q], to, along).slice(0, 1));
@@ -90,18 +93,22 @@ function cutOf(garment: GarmentEdges, widths: Allowances['widths'], end: EdgeEnd
   return {angle, width, reach: crossedAt(garment, end, width) ?? width / Math.sin(angle)};
 }
 
-/** Where both sides of a seam are cut off, so that their ends meet; undefined where they meet as they are. */
+/**
+ * The common length at which both sides of a seam are cut off so that their ends meet; undefined if
+ * they already meet.
+ */
 function commonReach(one: Cut, two: Cut): number | undefined {
   const isSame = Math.abs(one.reach - two.reach) < sameReach;
   if (isSame && Math.abs(one.angle - two.angle) < sameAngle) return undefined;
   const [less, more] = one.reach < two.reach ? [one, two] : [two, one];
-  // an acute tip ends beyond its neighbour's cloth, so that cutting it off takes nothing from that
+  // an acute tip extends beyond its neighbour's allowance, so cutting it off takes nothing from the
+  // neighbour
   const mayBeCut = more.angle < Math.PI / 2 && less.reach >= more.width * Math.sin(more.angle);
   const reach = mayBeCut ? less.reach : more.reach;
   return reach <= greatestReach * less.width ? reach : undefined;
 }
 
-/** How wide an allowance is by the garment itself: as its edge says, then as its drawn cut line. */
+/** Allowances defined by the garment: stated at the edge, otherwise from the drawn cut line. */
 const ownWidths = (
   garment: GarmentEdges,
   pieces: readonly ResultPiece[],
@@ -120,7 +127,7 @@ const ownWidths = (
 
 const ends = ['start', 'end'] as const;
 
-/** The allowances of all edges of a garment, and the corners between them. */
+/** The allowances of all edges of a garment and the corners between them. */
 export function allowancesOf(
   garment: GarmentEdges,
   pieces: readonly ResultPiece[],

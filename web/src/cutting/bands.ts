@@ -1,27 +1,27 @@
-/** Cloth along an edge: from the line that is sewn to the line that is cut. Lengths in cm. */
+/** The allowance along an edge, between sewn line and cut line. Lengths in cm. */
 import {cross, dot, minus, plus, turnBetween, unit, type Point} from '../model/geometry.js';
 import {outOf} from './corners.js';
 
 export interface Band {
-  /** Counter-clockwise, and together all of it. */
+  /** Counter-clockwise polygons that cover the allowance. */
   readonly cloth: readonly (readonly Point[])[];
-  /** From the edge's start to its end. */
+  /** The cut line from the edge's start to its end. */
   readonly cut: readonly Point[];
 }
 
-/** A step from one point of the edge to the next. */
+/** A segment of the edge. */
 interface Step {
   readonly from: Point;
   readonly to: Point;
   readonly out: Point;
 }
 
-/** No band that turns by more is one polygon: its cut line might cross itself. [rad] */
+/** Greatest total turn of a band as one polygon; beyond it, the cut line may cross itself. [rad] */
 const greatestTurn = 2.2;
-/** Steps that turn by more have a corner between them: 1 + cosine. */
+/** Segments with a smaller 1 + cosine of their turn form a corner. */
 const leastBend = 0.6;
 
-/** The cut line's points at a point of the edge: one, or two where the edge has a corner. */
+/** Points of the cut line at a point of the edge: one, or two at a corner. */
 function feet(
   at: Point,
   width: number,
@@ -35,7 +35,10 @@ function feet(
   return [plus(at, plus(one.out, two.out), width / bend)];
 }
 
-/** The band of an edge, without what corners add. @param points from its start to its end, the piece to the left */
+/**
+ * The band of an edge, without its corners.
+ * @param points from start to end, with the piece to the left
+ */
 export function bandOf(points: readonly Point[], width: number): Band {
   const steps = points.slice(1).map((to, k): Step => {
     const from = points[k] ?? to;

@@ -1,44 +1,45 @@
-/** What is cut beyond a corner of an outline: polygons of cloth, counter-clockwise. Lengths in cm. */
+/** The allowance beyond a corner of an outline: counter-clockwise polygons. Lengths in cm. */
 import {between, dot, leftOf, minus, norm, plus, unit, type Point} from '../model/geometry.js';
 
 /** The edge that ends at a corner, or the one that begins there. */
 export type Own = 'before' | 'after';
 
-/** Where neither says anything, cut lines run on until they meet. */
+/** The shape of a corner. By default the cut lines are extended until they meet. */
 export interface CornerPlan {
-  /** Whose allowance is turned up along its seam line, as a hem is. */
+  /** The edge whose allowance is turned up along its seam line, like a hem. */
   readonly turned?: Own;
-  /** How far beyond the end of its seam an allowance is cut off at a right angle. */
+  /** Distance beyond the end of a seam at which its allowance is cut off square. */
   readonly square?: {readonly before?: number; readonly after?: number};
 }
 
-/** The two edges that meet: which way each runs there, and how wide its allowance is. */
+/** A corner: directions and allowances of its two edges. */
 export interface Corner {
   readonly at: Point;
-  /** Of length 1, in the direction of the outline. */
+  /** Unit vectors in the direction of the outline. */
   readonly before: Point;
   readonly after: Point;
   readonly widthBefore: number;
   readonly widthAfter: number;
 }
 
-/** How far a corner's allowance may reach, in widths, before it is cut off. */
+/** Greatest length of a mitre, in allowance widths. */
 const mitreLimit = 2.5;
-/** A line that is nearly straight has no corner: sine of its turn. */
+/** Sine of the least turn of a corner. */
 const least = 1e-6;
 
-/** Nor is anything turned up where the other edge leaves it at less than this: sine. */
+/** Sine of the least angle at which an allowance can be turned up. */
 const leastTurned = 0.3;
 
-/** A quarter turn clockwise: out of the piece. */
+/** The direction a quarter turn clockwise, out of the piece. */
 export const outOf = (direction: Point): Point => {
   const [x, y] = leftOf(direction);
   return [0 - x, 0 - y];
 };
 
 /**
- * A corner as one of its edges sees it: the corner is the origin, that edge runs towards it along +x, its allowance lies
- * at +y. The other allowance is what has less than `width` along `normal`.
+ * A corner in the coordinates of one of its edges. The corner is the origin, the edge runs towards
+ * it along +x, and its allowance is at +y. The other allowance is the region less than `width`
+ * along `normal`.
  */
 interface Frame {
   readonly along: Point;
@@ -70,11 +71,11 @@ const intoFrame = ({at}: Corner, {along, out}: Frame, p: Point): Point => [
   dot(minus(p, at), out),
 ];
 
-/** Where the other cut line is at a height y of the frame. */
+/** The x coordinate of the other cut line at height y. */
 const acrossAt = ({other: {normal, width}}: Frame, y: number): number =>
   (width - y * normal[1]) / normal[0];
 
-/** Both cut lines run on until they meet, or to the limit. */
+/** Extends both cut lines until they meet, or to the limit. */
 function mitre(frame: Frame): readonly Point[] {
   const {
     width,
@@ -82,7 +83,7 @@ function mitre(frame: Frame): readonly Point[] {
   } = frame;
   const foot: Point = [0, width];
   const otherFoot: Point = [otherWidth * normal[0], otherWidth * normal[1]];
-  // where one allowance ends within the line of the other, the end of the wider one stays square
+  // if one allowance ends inside the other, the end of the wider one stays square
   if (otherWidth < width * normal[1]) return [[0, 0], [0, otherWidth / normal[1]], otherFoot];
   if (width < otherWidth * normal[1]) {
     const share = width / normal[1];
@@ -98,7 +99,7 @@ function mitre(frame: Frame): readonly Point[] {
   return [[0, 0], foot, cutOff(foot), cutOff(otherFoot), otherFoot];
 }
 
-/** The part of a convex polygon that lies no further along a direction than `far`. */
+/** The part of a convex polygon up to the distance `far` in a direction. */
 function upTo(polygon: readonly Point[], direction: Point, far: number): readonly Point[] {
   return polygon.flatMap((p, k) => {
     const q = polygon[(k + 1) % polygon.length] ?? p;
@@ -108,10 +109,10 @@ function upTo(polygon: readonly Point[], direction: Point, far: number): readonl
   });
 }
 
-/** An allowance that runs on beyond the other cut line begins so far inside of its seam line. */
+/** Overlap of an extended allowance with its piece, across the seam line. */
 const overlap = 0.1;
 
-/** The allowance of a seam made longer, if it has to be. */
+/** The extended part of a seam's allowance; empty if none is needed. */
 export function longer(corner: Corner, own: Own, reach: number): readonly Point[] {
   const frame = frameOf(corner, own);
   if (frame.other.normal[0] < least || reach <= acrossAt(frame, 0) + least) return [];
@@ -123,13 +124,13 @@ export function longer(corner: Corner, own: Own, reach: number): readonly Point[
   ].map(([x = 0, y = 0]) => fromFrame(corner, frame, [x, y]));
 }
 
-/** The corner's cloth with its seam cut off square. */
+/** The allowance of a corner with its seam cut off square. */
 function squared(
   frame: Frame,
   reach: number,
   cloth: readonly Point[],
 ): readonly (readonly Point[])[] {
-  // an acute corner's tip lies beyond the other cloth and is cut off; else the allowance is made longer
+  // an acute tip beyond the other allowance is cut off; otherwise the allowance is extended
   if (frame.other.normal[1] < 0) return [upTo(cloth, [1, 0], reach)];
   return [
     cloth,
@@ -142,7 +143,7 @@ function squared(
   ];
 }
 
-/** What fills a corner that is not turned up; nothing where the outline turns inwards. */
+/** The allowance of a corner that is not turned up; empty at a concave corner. */
 export function cornerCloth(
   corner: Corner,
   square: CornerPlan['square'] = {},
@@ -167,7 +168,10 @@ export function cornerCloth(
   return [cloth, ...more];
 }
 
-/** A hem's end, as polygons: what its allowance has besides, and has not; and what the other edge's has besides. */
+/**
+ * Polygons at a hem's end: additions to its allowance, subtractions from it, and additions to the
+ * other edge's.
+ */
 interface Turned {
   readonly more: readonly Point[];
   readonly less: readonly Point[];
@@ -175,9 +179,9 @@ interface Turned {
 }
 
 /**
- * Turned up along its seam line, a hem lies on the piece: beyond that line the other cut line runs on as its own mirror
- * image.
- * @param otherCut the other edge's cut line, from the corner on
+ * The corner of a hem. The folded hem covers the piece, so beyond its seam line the other cut line
+ * continues as its mirror image.
+ * @param otherCut the other edge's cut line, starting at the corner
  */
 export function turnedCorner(
   corner: Corner,
@@ -195,7 +199,7 @@ export function turnedCorner(
     if (-y > last + least) image.push([x, -y]);
     if (-y > width) break;
   }
-  // what is shorter than the hem is deep runs on as it ends
+  // a line shorter than the hem's depth continues in its last direction
   const [[x1, y1] = [start, 0], [x0, y0] = [start - other.normal[1], -other.normal[0]]] = image
     .slice(-2)
     .reverse();

@@ -1,4 +1,4 @@
-/** Where cloth is cut: the sewn outline with the allowances of its edges. Lengths in cm. */
+/** The cut line of a piece: its sewn outline with the allowances. Lengths in cm. */
 import {Clipper, FillRule} from 'clipper2-ts';
 
 import {dot, minus, unit, type Point} from '../model/geometry.js';
@@ -8,18 +8,18 @@ import {bandOf, type Band} from './bands.js';
 import {cornerCloth, longer, turnedCorner, type Corner} from './corners.js';
 import type {EdgeKey} from './garment-edges.js';
 
-/** Digits after the point of a centimetre that are kept. */
+/** Decimal places of a centimetre in clipping. */
 const precision = 5;
-/** What is less is rounding. [cm2] */
+/** Least area that is no rounding error. [cm2] */
 const leastArea = 0.01;
-/** Cosine of a turn that no corner has. */
+/** Cosine of a turn sharper than any corner. */
 const spike = -0.98;
-/** Points of a cut line that lie this near to the line through their neighbours are left out. */
+/** Points of a cut line this close to the line between their neighbours are removed. */
 const straight = 1e-4;
 
 interface AllowedEdge {
   readonly key: EdgeKey;
-  /** From start to end, the piece to the left. */
+  /** From start to end, with the piece to the left. */
   readonly points: readonly Point[];
 }
 
@@ -42,7 +42,7 @@ const without = (all: readonly Polygon[], less: readonly Polygon[]): readonly Po
     Clipper.differenceD(paths(all), paths(less.map(anticlockwise)), FillRule.NonZero, precision),
   );
 
-/** Where a loop's edge begins. */
+/** The corner at the start of an edge. */
 function cornerBefore(
   edge: AllowedEdge,
   before: AllowedEdge,
@@ -58,7 +58,7 @@ function cornerBefore(
   };
 }
 
-/** All cloth beyond one closed line. */
+/** The whole allowance of one closed line. */
 function clothBeyond(
   loop: readonly AllowedEdge[],
   {widths, corners}: Allowances,
@@ -93,7 +93,7 @@ function clothBeyond(
   ].filter((polygon) => polygon.length > 2);
 }
 
-/** Without points at which it turns back on itself: what rounding leaves of polygons that touch. */
+/** Removes points where a line reverses, which rounding leaves at touching polygons. */
 function withoutSpikes(line: Polygon): Polygon {
   const kept = line.filter((p, k) => {
     const [before = p, after = p] = [line.at(k - 1), line[(k + 1) % line.length]];
@@ -103,9 +103,9 @@ function withoutSpikes(line: Polygon): Polygon {
 }
 
 /**
- * The closed lines at the allowances outside of an outline and inside of its holes, without loops where they would
- * cross themselves; small holes close.
- * @param loops the outline counter-clockwise, then holes clockwise, edge by edge
+ * The cut lines outside an outline and inside its holes, without self-intersections; small holes
+ * close.
+ * @param loops edges of the outline counter-clockwise, then of the holes clockwise
  */
 export function cutLine(
   loops: readonly (readonly AllowedEdge[])[],
@@ -120,7 +120,7 @@ export function cutLine(
     const kept =
       polygons([Clipper.simplifyPathD(paths([withoutSpikes(line)])[0] ?? [], straight, true)])[0] ??
       [];
-    // what allowances close between them is cloth
+    // a gap closed off by allowances is no hole
     const isHole = area < 0 && holes.some((hole) => line.some((p) => isInside(hole, p)));
     return Math.abs(area) > leastArea && (area > 0 || isHole) ? [kept] : [];
   });

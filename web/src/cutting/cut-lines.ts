@@ -1,4 +1,4 @@
-/** Where the pieces of a garment are sewn and cut, as far as its file and a rule say it. Lengths in cm. */
+/** Sewn and cut lines of a garment's pieces, from its file and an allowance rule. Lengths in cm. */
 import {drained} from '../model/drained.js';
 import type {PanelMarks} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
@@ -9,18 +9,18 @@ import {cutLine} from './cut-line.js';
 import {allowedLoops, garmentEdges, type GarmentEdges} from './garment-edges.js';
 
 interface CutLines {
-  /** By piece, as all that follows. */
+  /** Indexed by piece, like all following fields. */
   readonly marks: readonly PanelMarks[];
   readonly garment: GarmentEdges;
   readonly allowances: Allowances;
   readonly loops: readonly ReturnType<typeof allowedLoops>[];
-  /** In the coordinates of the shape: the outline counter-clockwise, then holes clockwise. */
+  /** In coordinates of the shape: the outline counter-clockwise, then the holes clockwise. */
   readonly cut: readonly (readonly (readonly Point[])[])[];
 }
 
 /**
- * Takes some ten milliseconds a step.
- * @param panels what the garment's file says of its pieces, by name
+ * Computes the lines in steps of about ten milliseconds.
+ * @param panels marks from the garment file, by piece name
  */
 export function* cutLineSteps(
   result: Pick<SolveResult, 'pieces' | 'seams'>,
@@ -41,6 +41,6 @@ export function* cutLineSteps(
   return {marks, garment, allowances, loops, cut};
 }
 
-/** The same at once. */
+/** Computes the lines in one call. */
 export const cutLinesOf = (...asked: Parameters<typeof cutLineSteps>): CutLines =>
   drained(cutLineSteps(...asked));

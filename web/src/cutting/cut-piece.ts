@@ -1,4 +1,4 @@
-/** One piece as it is cut, with all that a maker wants to find on it. Lengths in cm. */
+/** One piece of the cutting sheet with all of its marks. Lengths in cm. */
 import type {PanelMarks} from '../model/garment-marks.js';
 import {
   between,
@@ -21,15 +21,15 @@ import type {CutNotch} from './notches.js';
 import {stripeWays, type SeamTick} from './ticks.js';
 import type {SeamLetter} from '../scene/seam-letters.js';
 
-/** How much is cut beyond an edge. */
+/** The allowance of an edge. */
 export interface EdgeAllowance {
   readonly widthCm: number;
   readonly isHem: boolean;
-  /** The garment says it. */
+  /** Specified by the garment. */
   readonly isOwn: boolean;
 }
 
-/** Points are in the coordinates of the piece's shape. */
+/** A piece to cut. Points are in coordinates of its shape. */
 export interface CutPiece {
   readonly name: string;
   readonly label: string;
@@ -37,32 +37,35 @@ export interface CutPiece {
   /** The outline, then the holes. */
   readonly sewn: readonly (readonly Point[])[];
   readonly cut: readonly (readonly Point[])[];
-  /** Where edges of the sewn lines meet. */
+  /** Corners between edges of the sewn lines. */
   readonly corners: readonly Point[];
   readonly notches: readonly CutNotch[];
   readonly grain: readonly [Point, Point];
   readonly letters: readonly SeamLetter[];
-  /** Where the print shows one and the same point of it; none on plain cloth. */
+  /** Points that show the same point of the print; empty on plain fabric. */
   readonly matches: readonly Point[];
   readonly ticks: readonly SeamTick[];
-  /** Lines of the print through the first of them, across and along the grain, from outline to outline. */
+  /**
+   * Lines of the print through the first match point, across and along the grain, between the
+   * outlines.
+   */
   readonly stripe?: readonly [Point, Point];
   readonly plaid?: readonly [Point, Point];
-  /** Drawn on the piece, neither cut nor sewn. */
+  /** Internal lines, which are neither cut nor sewn. */
   readonly internalLines: readonly (readonly Point[])[];
   readonly drillHoles: readonly Point[];
-  /** How many are cut. */
+  /** Number of copies to cut. */
   readonly quantity: number;
-  /** Of each of its edges. */
+  /** One allowance per edge. */
   readonly allowances: readonly EdgeAllowance[];
-  /** A place for words, and how far it is from everything else. */
+  /** The position of the text, and its distance from all marks. */
   readonly words: {readonly at: Point; readonly room: number};
 }
 
 interface CutOptions {
   readonly sewn: readonly (readonly Point[])[];
   readonly cut: readonly (readonly Point[])[];
-  /** Of printed cloth. */
+  /** Undefined for plain fabric. */
   readonly print: Print | undefined;
   readonly allowances: readonly EdgeAllowance[];
   readonly letters: readonly SeamLetter[];
@@ -70,11 +73,11 @@ interface CutOptions {
   readonly notches: readonly CutNotch[];
 }
 
-/** Lines inside follow the shape at steps of this length. */
+/** Step at which internal lines follow the deformed shape. */
 const lineStep = 1;
-/** Points that stand for the grain line when something looks for room. */
+/** Sample points of the grain line in the search for free space. */
 const grainSteps = 20;
-/** Words keep away from matching marks by this much. */
+/** Distance of text from match points. */
 const markRoom = 1;
 
 const along = ([from, to]: readonly [Point, Point]): Point[] =>
@@ -83,7 +86,7 @@ const along = ([from, to]: readonly [Point, Point]): Point[] =>
 const around = (p: Point): Point[] =>
   [0, 1, 2, 3, 4, 5].map((k) => plus(p, towards((k * Math.PI) / 3), markRoom));
 
-/** The stretch of a line through a point of the piece that holds that point. */
+/** The segment of a line inside the piece that contains a given point. */
 function throughPiece(
   loops: readonly (readonly Point[])[],
   at: Point,
@@ -98,7 +101,7 @@ function throughPiece(
   );
 }
 
-/** A line with more points on it. */
+/** The line with additional points. */
 export const finer = (line: readonly Point[]): readonly Point[] =>
   line.flatMap((to, k) => {
     const from = line[k - 1];
@@ -114,7 +117,7 @@ export function cutPiece(
   const {name, shape, alignment} = piece;
   const outline = pick(shape, piece.outline);
   const holes = piece.holes.map((hole) => pick(shape, hole));
-  // where nobody says how the grain runs, the length of the cloth does as the piece lies on the print
+  // without a stated grain, the warp of the alignment on the print is used
   const [foot, head] = grainLine(piece, marks) ?? lineAt(piece, alignment.angle + Math.PI / 2);
   const onShape = (p: Point): Point => carried(piece.triangles, piece.rest, shape, p);
   const grain = [onShape(foot), onShape(head)] as const;

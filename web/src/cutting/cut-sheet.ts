@@ -1,6 +1,6 @@
 /**
- * Pieces to cut, laid out on one sheet of paper: neither SVG nor PDF nor DXF, which are drawn from it. Lengths are in cm
- * on the sheet, y up, from its lower left corner, but for widths of lines and sizes of letters, which are in mm.
+ * The cutting sheet: pieces laid out on one sheet, from which SVG, PDF and DXF are drawn. Lengths
+ * are in cm on the sheet, y up, from its lower left corner. Line widths and letter sizes are in mm.
  */
 import type {Alignment, Point} from '../model/geometry.js';
 import type {OwnShare} from './allowances.js';
@@ -14,26 +14,26 @@ export interface CutLine {
   readonly isClosed: boolean;
   readonly widthMm: number;
   readonly dashMm?: readonly number[];
-  /** A light line beneath, wider by so much, so that it shows on any print. */
+  /** A light line beneath, wider by this amount, which keeps the line visible on any print. */
   readonly haloMm?: number;
-  /** Drawn so that the print shows through. */
+  /** Drawn translucent over the print. */
   readonly isFaint?: boolean;
 }
 
-/** Words one below the other, their middle at a point, or that of their left or right edge. */
+/** Lines of text, aligned at a point. */
 export interface CutText {
   readonly kind: 'text';
   readonly layer: CutLayer;
   readonly at: Point;
   readonly lines: readonly string[];
   readonly sizeMm: number;
-  /** On a light ground, so that they show on any print. */
+  /** Drawn on a light plate, which keeps the text legible on any print. */
   readonly hasPlate: boolean;
-  /** Counter-clockwise. [rad] Default 0. */
+  /** Rotation counter-clockwise. [rad] Default 0. */
   readonly angle?: number;
-  /** Default middle. */
+  /** Alignment at the point. Default middle. */
   readonly align?: 'left' | 'middle' | 'right';
-  /** Of all lines. Default bold for the first, regular for the others. */
+  /** Weight of all lines. Default: bold for the first line, regular for the others. */
   readonly weight?: 'regular' | 'bold';
 }
 
@@ -42,35 +42,38 @@ export type CutMark = CutLine | CutText;
 export interface LaidPiece {
   readonly name: string;
   readonly label: string;
-  /** Which of several equal ones, from 1. */
+  /** Number among several copies, from 1. */
   readonly copy: number;
-  /** Points of the piece's shape -> sheet: p_sheet = R(angle) p + translation. */
+  /** Transform from shape coordinates to the sheet: p_sheet = R(angle) p + translation. */
   readonly place: Alignment;
-  /** Where the piece lies on the print; none of unprinted cloth. */
+  /** Alignment of the piece on the print; undefined for plain fabric. */
   readonly alignment?: Alignment;
   /** The outline, then the holes. */
   readonly cut: readonly (readonly Point[])[];
   readonly sewn: readonly (readonly Point[])[];
-  /** Where edges of the sewn lines meet. */
+  /** Corners between edges of the sewn lines. */
   readonly corners: readonly Point[];
   readonly notches: readonly {
-    /** On the sewn line. */
+    /** Position on the sewn line. */
     readonly at: Point;
-    /** Of the line from there towards the allowance, from x, counter-clockwise. [rad] */
+    /** Direction towards the allowance, counter-clockwise from x. [rad] */
     readonly angle: number;
-    /** From there to the cut line. */
+    /** Distance to the cut line. */
     readonly allowanceCm: number;
-    /** Of the slit, from the cut line; 0 where there is too little to cut into. */
+    /** Depth of the slit from the cut line; 0 if the allowance is too narrow to cut into. */
     readonly depthCm: number;
     readonly seam?: number;
   }[];
   readonly grain: readonly [Point, Point];
-  /** Numbered crosses on one and the same point of the print. */
+  /** Numbered crosses that all mark the same point of the print. */
   readonly matchPoints: readonly {readonly at: Point; readonly number: number}[];
-  /** On seams: two of one label lie on one and the same point of the print, but for its symmetries. */
+  /**
+   * Ticks on seams. Two ticks of one label are at the same point of the print, up to its
+   * symmetries.
+   */
   readonly ticks: readonly {
     readonly at: Point;
-    /** Of the line of the print that they lie on. [rad] */
+    /** Direction of the tick's line of the print. [rad] */
     readonly angle: number;
     readonly label: string;
     readonly seam: number;
@@ -78,20 +81,20 @@ export interface LaidPiece {
   /** Lines of the print through the first cross, across and along the grain. */
   readonly stripe?: readonly [Point, Point];
   readonly plaid?: readonly [Point, Point];
-  /** Beside edges, inside: what has the same letter is sewn together. */
+  /** Seam letters beside edges, inside the piece; edges with the same letter are sewn together. */
   readonly letters: readonly {readonly letter: string; readonly at: Point}[];
   readonly internalLines: readonly (readonly Point[])[];
   readonly drillHoles: readonly Point[];
-  /** How many are cut of it. */
+  /** Number of copies to cut. */
   readonly quantity: number;
-  /** Of material other than the print's. */
+  /** Material, if other than the printed fabric. */
   readonly material?: string;
-  /** What stands on it, line by line; the first is its label. */
+  /** Text on the piece by line; the first line is its label. */
   readonly words: readonly string[];
   readonly marks: readonly CutMark[];
 }
 
-/** Pieces on it keep their distance from each other; it has no margin. */
+/** A sheet without margins, on which pieces keep a distance from each other. */
 export interface CutSheet {
   readonly widthCm: number;
   readonly heightCm: number;
@@ -100,8 +103,8 @@ export interface CutSheet {
   readonly heading: string;
   readonly title?: string;
   readonly size?: string;
-  /** How many edges have an allowance that the garment says, and not whoever cuts it. */
+  /** The share of edges whose allowance is specified by the garment rather than the user. */
   readonly ownAllowances: OwnShare;
-  /** What a maker has to know, a sentence each. */
+  /** Instructions, one sentence each. */
   readonly facts: readonly string[];
 }

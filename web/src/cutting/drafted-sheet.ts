@@ -1,4 +1,4 @@
-/** The pieces of a garment as drafted, to cut from plain cloth. Lengths in cm. */
+/** The cutting sheet of a drafted garment, for plain fabric. Lengths in cm. */
 import type {DraftedEdge, GarmentDocument, GarmentPiece} from '../model/garment-document.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
 import {combined, norm, plus, type Point} from '../model/geometry.js';
@@ -8,19 +8,20 @@ import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
 import type {CutSheet} from './cut-sheet.js';
 import {cutSheet, type SheetOptions} from './lay-sheet.js';
 
-/** Lines lie this near to the curves that they stand for. */
+/** Greatest distance of polylines from their curves. */
 const tolerance = 0.001;
-/** Of a curve that is nearly straight, and of one that nobody draws. */
+/** Least and greatest number of segments of a curve. */
 const leastSteps = 4;
 const greatestSteps = 400;
 
-/** Into how many steps each curve of an edge has to be divided. */
+/** The number of segments of each curve of an edge. */
 function stepsOf({points, sweep, radius}: DraftedEdge): number {
   const bends = points.slice(2).map((c, k) => {
     const [a = c, b = c] = points.slice(k, k + 2);
     return norm(plus(combined([a, b], 1, -2), c));
   });
-  // second differences bound how far a Bezier curve leaves its chord; of an arc, its angle does
+  // second differences bound the distance of a Bezier curve from its chord; for an arc, its angle
+  // does
   const steps =
     sweep === undefined
       ? Math.sqrt((0.75 * Math.max(0, ...bends)) / tolerance)
@@ -30,11 +31,11 @@ function stepsOf({points, sweep, radius}: DraftedEdge): number {
 
 interface Vertices {
   readonly points: Point[];
-  /** Per edge, from its start to its end. */
+  /** For each edge, its vertices from start to end. */
   readonly edges: readonly (readonly number[])[];
 }
 
-/** The vertices of a closed line, which go to the end of `points`. */
+/** The vertices of a closed line, which are appended to `points`. */
 function loopOf(loop: readonly DraftedEdge[], points: Point[]): Vertices['edges'] {
   const first = points.length;
   const starts = loop.map((edge) => {
@@ -50,7 +51,7 @@ function loopOf(loop: readonly DraftedEdge[], points: Point[]): Vertices['edges'
   });
 }
 
-/** A piece as the solver would have it before it is meshed: as drafted, and nowhere on a print. */
+/** A piece as the solver represents it before meshing: as drafted, without a place on a print. */
 function pieceOf({name, outline, holes, mirroredFromInput}: GarmentPiece): {
   readonly piece: ResultPiece;
   readonly edges: Vertices['edges'];
@@ -92,7 +93,10 @@ function draftedPattern({pieces, seams}: GarmentDocument): Omit<Pattern, 'print'
   };
 }
 
-/** @param file what the garment is called where it gives no title */
+/**
+ * The cutting sheet.
+ * @param file the garment's name if it has no title
+ */
 export const draftedSheet = (
   garment: GarmentDocument,
   options: Omit<SheetOptions, 'plain'>,

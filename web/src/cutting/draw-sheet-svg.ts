@@ -1,4 +1,4 @@
-/** A sheet of pieces to cut as SVG whose unit is the millimetre, with squares to measure below them. */
+/** Draws a cutting sheet as SVG in millimetres, with test squares below the pieces. */
 import {onPiece, type Point} from '../model/geometry.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
 import {markAcross} from '../picture/mark.js';
@@ -9,7 +9,7 @@ import type {CutLine, CutMark, CutSheet, CutText, LaidPiece} from './cut-sheet.j
 /** [mm] */
 const unit = 10;
 const margin = 15;
-/** Room for test squares, and at least so much for words beside them. */
+/** Height of the test squares, and least height for the text beside them. */
 const foot = 82;
 const belowWords = 24;
 const leading = 7;
@@ -38,7 +38,7 @@ function drawnLine({points, isClosed, widthMm, dashMm, haloMm, isFaint}: CutLine
   };
 }
 
-/** Parts of a text's width that lie left of its point, and how SVG calls that. */
+/** The share of a text's width to the left of its point, and the SVG anchor, by alignment. */
 const aligned = {
   left: {share: 0, anchor: 'start'},
   middle: {share: 0.5, anchor: 'middle'},
@@ -68,7 +68,7 @@ function drawnText(mark: CutText, page: Page): string {
   return `<g stroke="none"${turn}>${ground}${words.join('')}</g>`;
 }
 
-/** Lines that follow each other lie on the light ground of all of them. */
+/** Draws marks. Consecutive lines share their halos, which are drawn beneath all of them. */
 export function drawnMarks(marks: readonly CutMark[], page: Page): string {
   const drawn: string[] = [];
   let lines: string[] = [];
@@ -92,14 +92,17 @@ export function drawnMarks(marks: readonly CutMark[], page: Page): string {
 const drawnPiece = (piece: LaidPiece, k: number, page: Page): string =>
   `<g id="piece-${k}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round"><path d="${closed(piece.cut, page)}" fill="${piece.alignment ? `url(#cloth-${k})` : '#fff'}" fill-rule="evenodd"/>${drawnMarks(piece.marks, page)}</g>`;
 
-/** Measured with a ruler, they show whether the paper has the right size. */
+/** Squares that verify the print scale with a ruler. */
 function testSquares([x, y]: Point): string {
   const square = (left: number, side: number, label: string): string =>
     `<rect x="${short(left)}" y="${short(y)}" width="${side}" height="${side}" fill="none" stroke="${ink}" stroke-width="0.3"/>${text([left + side / 2, y + side / 2 + 1.5], label, {size: 5, anchor: 'middle', fill: ink})}`;
   return square(x, 50, '5 cm') + square(x + 60, 50.8, '2 in');
 }
 
-/** @param mark words across the whole sheet, such as `notAsSold` */
+/**
+ * Draws the sheet.
+ * @param mark watermark across the whole sheet, such as `notAsSold`
+ */
 export function drawSheetSvg(
   {widthCm, heightCm, pieces, heading, facts}: CutSheet,
   print: PrintWithTile,

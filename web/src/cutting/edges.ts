@@ -1,35 +1,35 @@
-/** The outline of a piece, edge by edge as it was drafted, once it is shaped. Lengths in cm. */
+/** The outline of a solved piece, divided into its drafted edges. Lengths in cm. */
 import type {DraftedEdge, GarmentPiece} from '../model/garment-document.js';
 import {distance, minus, turnBetween, type Point} from '../model/geometry.js';
 import type {ResultPiece, ResultSeam} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 import {smoothLine} from './smooth-line.js';
 
-/** Where an edge is sewn. */
+/** The seam of an edge. */
 interface EdgeSeam {
   readonly number: number;
   readonly side: 'a' | 'b';
-  /** Sewn from its end to its start. */
+  /** Sewn from end to start. */
   readonly isReversed: boolean;
 }
 
 export interface OutlineEdge {
-  /** Vertices of the piece from its start to its end. */
+  /** Vertex indices of the piece from start to end. */
   readonly vertices: readonly number[];
-  /** Of the shape, as a curve through its vertices. */
+  /** A smooth curve through the vertices of the shape. */
   readonly points: readonly Point[];
   readonly drafted?: DraftedEdge;
   readonly seam?: EdgeSeam;
 }
 
-/** Corners of a drafted piece lie this near to vertices of its outline. */
+/** Greatest distance between a drafted corner and its outline vertex. */
 const sameCorner = 0.05;
-/** Where no draft tells edges apart, an outline has a corner that turns by more. [rad] */
+/** Least turn of a corner in an outline without a matching draft. [rad] */
 const cornerTurn = 0.4;
 
 type Sides = readonly (EdgeSeam & {readonly vertices: readonly number[]})[];
 
-/** Every run of outline vertices that is sewn, in the direction of the outline. */
+/** Every sewn run of outline vertices, in the direction of the outline. */
 const sidesOf = (
   seams: readonly ResultSeam[],
   piece: number,
@@ -49,7 +49,7 @@ const sidesOf = (
     }),
   );
 
-/** Where edges begin, as places in the loop, as the draft has it; undefined where it does not fit the outline. */
+/** Loop indices where drafted edges begin; undefined if the draft does not fit the outline. */
 function draftedStarts(
   {rest}: ResultPiece,
   loop: readonly number[],
@@ -69,7 +69,7 @@ function draftedStarts(
   return isWhole || (starts.length === 1 && starts[0] !== -1) ? starts : undefined;
 }
 
-/** Where seams begin and end, and where the outline turns sharply. */
+/** Loop indices where seams begin or end, and where the outline turns sharply. */
 function seenStarts({rest}: ResultPiece, loop: readonly number[], sides: Sides): readonly number[] {
   const points = pick(rest, loop);
   const ends = new Set(sides.flatMap(({vertices}) => [vertices[0], vertices.at(-1)]));
@@ -82,7 +82,7 @@ function seenStarts({rest}: ResultPiece, loop: readonly number[], sides: Sides):
   return starts.length > 0 ? starts : [0];
 }
 
-/** Of the outline, then of each hole. */
+/** The edges of the outline, then of each hole. */
 export function outlineEdges(
   piece: ResultPiece,
   number: number,

@@ -1,17 +1,22 @@
-/** Brings marks of the drafted piece to its solved shape, which shares its triangles and outline. */
+/**
+ * Transfers marks of the drafted piece to its solved shape, which shares its triangles and outline.
+ */
 import type {Notch} from '../model/garment-marks.js';
 import {between, distance, leftOf, minus, unit, type Point} from '../model/geometry.js';
 import {stepAt} from '../model/polyline.js';
 import type {ResultPiece} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 
-/** A point of the sewn outline, and the unit vector that leads out of the piece there. */
+/** A point of the sewn outline with its outward unit normal. */
 interface OutlineMark {
   readonly at: Point;
   readonly outward: Point;
 }
 
-/** A notch on the shape's outline. @param notch as the piece lies face up, in its drafted coordinates */
+/**
+ * A notch on the shape's outline.
+ * @param notch in drafted coordinates of the piece, face up
+ */
 export function notchMark(
   {rest, shape, outline}: ResultPiece,
   {from, to, at}: Notch,

@@ -1,11 +1,11 @@
-/** The edges of all pieces, and where those that are sewn together begin and end. */
+/** The edges of all pieces, and the ends of seams. */
 import {minus, turnBetween, type Point} from '../model/geometry.js';
 import type {GarmentPiece} from '../model/garment-document.js';
 import type {SolveResult} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 import {outlineEdges, type OutlineEdge} from './edges.js';
 
-/** Names an edge among those of all pieces: piece, loop, edge. */
+/** Identifies an edge of the garment: piece, loop and edge. */
 export type EdgeKey = string;
 
 export interface EdgeEnd {
@@ -16,7 +16,7 @@ export interface EdgeEnd {
 interface PlacedEdge {
   readonly edge: OutlineEdge;
   readonly piece: number;
-  /** 0 of the outline, then the holes. */
+  /** 0 for the outline, then the holes. */
   readonly loop: number;
   readonly before: EdgeKey;
   readonly after: EdgeKey;
@@ -24,11 +24,11 @@ interface PlacedEdge {
 
 export interface GarmentEdges {
   readonly edges: ReadonlyMap<EdgeKey, PlacedEdge>;
-  /** By piece, its loops with their edges in order. */
+  /** For each piece, its loops with their edges in order. */
   readonly loops: readonly (readonly (readonly EdgeKey[])[])[];
-  /** By piece, of the shape. */
+  /** For each piece, the outline of its shape. */
   readonly outlines: readonly (readonly Point[])[];
-  /** Ends of sewn edges that are sewn to each other. */
+  /** Pairs of edge ends that are sewn to each other. */
   readonly seamEnds: readonly (readonly [EdgeEnd, EdgeEnd])[];
 }
 
@@ -41,7 +41,7 @@ function seamEndsOf(edges: GarmentEdges['edges']): GarmentEdges['seamEnds'] {
     const {number, side} = edge.seam;
     sides.set(number, {...sides.get(number), [side]: key});
   }
-  /** Where the sewing of an edge begins, and where it ends. */
+  /** The start and the end of an edge in sewing direction. */
   const ends = (key: EdgeKey): readonly [EdgeEnd, EdgeEnd] => {
     const both = [
       {key, at: 'start'},
@@ -56,7 +56,10 @@ function seamEndsOf(edges: GarmentEdges['edges']): GarmentEdges['seamEnds'] {
   });
 }
 
-/** @param draftOf a piece as its garment has it, by name */
+/**
+ * The edges of a garment.
+ * @param draftOf returns a piece of the garment by name
+ */
 export function garmentEdges(
   {pieces, seams}: Pick<SolveResult, 'pieces' | 'seams'>,
   draftOf: (name: string) => GarmentPiece | undefined,
@@ -82,7 +85,9 @@ export function garmentEdges(
   };
 }
 
-/** Where an edge ends: the edge beyond, and by how much the outline turns to the left there. [rad] */
+/**
+ * The corner at an end of an edge: the next edge, and the turn of the outline to the left. [rad]
+ */
 export function cornerOf(
   {edges}: GarmentEdges,
   {key, at}: EdgeEnd,

@@ -1,4 +1,4 @@
-/** All pieces of a garment at true scale on one sheet, to cut along. Lengths in cm. */
+/** Lays all pieces of a garment out on one cutting sheet at true scale. Lengths in cm. */
 import type {GarmentTitle, PanelMarks} from '../model/garment-marks.js';
 import {angleOf, onPiece, onPrint, wrapped, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
@@ -22,20 +22,20 @@ export interface CuttingMarks extends GarmentTitle {
 }
 
 export interface SheetOptions extends WordsOptions {
-  /** Pieces, by name, that are cut from unprinted cloth. */
+  /** Names of pieces that are cut from plain fabric. */
   readonly plain?: readonly string[];
 }
 
-/** Of a result, what is cut. */
+/** The part of a result that the cutting sheet uses. */
 type SolvedPattern = Omit<Pattern, 'print'>;
 
-/** From a sewn line to the middle of its letter. */
+/** Distance from a sewn line to the centre of its letter. */
 const letterRoom = 0.6;
-/** Between cut lines. */
+/** Distance between cut lines. */
 const gap = 1.5;
 const usualAspect = 1.4;
 
-/** What a piece is the mirror image of, by number. */
+/** The mirror image of each piece, by index. */
 const twins = ({symmetries}: SolvedPattern): ReadonlyMap<number, number> =>
   new Map(
     symmetries.flatMap((symmetry) => {
@@ -48,7 +48,7 @@ const twins = ({symmetries}: SolvedPattern): ReadonlyMap<number, number> =>
     }),
   );
 
-/** Pieces keep apart by their cut lines. */
+/** Lays the pieces out by their cut lines. */
 function laidOut(
   result: SolvedPattern,
   cuts: readonly CutPiece[],
@@ -68,7 +68,7 @@ const placeOf = ({offset, isTurned}: SheetPlace): Alignment => ({
   translation: offset,
 });
 
-/** From the coordinates of a piece to those of the sheet. */
+/** Transforms from piece coordinates to the sheet. */
 const placed = (place: Alignment) => {
   const onto = (p: Point): Point => onPiece(place, p);
   return {
@@ -119,7 +119,7 @@ function laidPiece(
   };
 }
 
-/** The pieces of a garment with all that is found on each. */
+/** The pieces of a garment with all of their marks. */
 function cutPieces(
   result: SolvedPattern,
   print: Print | undefined,
@@ -156,9 +156,8 @@ function cutPieces(
 }
 
 /**
- * Sheets of the pieces of a result, with all that a maker wants to find on them, by the width to height that a sheet comes
- * near to.
- * @param print none of plain cloth alone
+ * Cutting sheets of a result for a desired ratio of width to height, which a sheet approximates.
+ * @param print undefined for plain fabric only
  * @throws {SolverError} for a print of unknown size
  */
 export function sheetsOf(

@@ -1,4 +1,7 @@
-/** Places inside a piece that show the same point of the print, to lay paper on printed cloth by. Lengths in cm. */
+/**
+ * Points inside a piece that show the same point of the print, for aligning paper with printed
+ * fabric. Lengths in cm.
+ */
 import {
   combined,
   coordinates,
@@ -14,20 +17,20 @@ import {
 import {boxOf, distanceTo, isInside} from '../model/polyline.js';
 import type {Print} from '../model/print.js';
 
-/** Marks may lie this near to the sewn outline. */
+/** Least distance of marks from the sewn outline. */
 const margin = 1.5;
-/** Repeats shorter than this are taken several at a time. */
+/** Shorter repeats are combined to multiples. */
 const least = 1;
-/** Parts of a repeat in which another point of the print is tried, along both of its sides. */
+/** Candidate points per side of the repeat. */
 const parts = 6;
-/** Three marks so far from each other are good enough, as a share of the piece's diagonal. */
+/** Sufficient distance between three marks, as a share of the piece's diagonal. */
 const enough = 0.3;
 
 type Lattice = Pick<Print, 'w1' | 'w2'>;
 
 const several = (side: Point): Point => plus(side, side, Math.ceil(least / norm(side)) - 1);
 
-/** All points of the piece, clear of its lines, at which the print shows its point `motif`. */
+/** All points of the piece, clear of its lines, that show the point `motif` of the print. */
 function placesOf(
   motif: Point,
   basis: readonly [Point, Point],
@@ -35,7 +38,7 @@ function placesOf(
   loops: readonly (readonly Point[])[],
 ): readonly Point[] {
   const [outline = []] = loops;
-  // the piece's extent in whole repeats from the motif
+  // the extent of the piece, in whole repeats from the motif
   const shares = outline.map((p) => coordinates(basis, minus(onPrint(alignment, p), motif)));
   const range = (axis: 0 | 1): number[] => {
     const values = shares.map((share) => share[axis]);
@@ -48,7 +51,7 @@ function placesOf(
     .filter((p) => loops.every((loop) => distanceTo(loop, p) >= margin));
 }
 
-/** Up to three of the places, each as far as can be from those before it. */
+/** Up to three of the points, each as far as possible from those before it. */
 function farApart(places: readonly Point[]): readonly Point[] {
   const [first] = places;
   if (!first) return [];
@@ -62,7 +65,7 @@ function farApart(places: readonly Point[]): readonly Point[] {
   return [...new Set([one, two, furthest([one, two])])];
 }
 
-/** The least distance of any two. */
+/** The least distance between two points. */
 const spread = (marks: readonly Point[]): number =>
   marks.length < 2
     ? 0
@@ -74,9 +77,9 @@ function diagonal(points: readonly Point[]): number {
 }
 
 /**
- * Three points of the piece, or fewer where it is small, that lie on the print a whole number of repeats
- * from each other: on its origin, which is the middle of a motif, if two of them lie well there, else on the
- * point of it that serves best.
+ * Up to three points of the piece that are whole repeats of the print apart. They show the print's
+ * origin, the middle of a motif, if at least two fit well; otherwise the best other point of the
+ * print.
  * @param loops outline and holes of the shape
  */
 export function matchMarks(

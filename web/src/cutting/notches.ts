@@ -1,4 +1,4 @@
-/** Notches: those of the garment, and those that seams need besides. Lengths in cm. */
+/** Notches of the garment, and additional notches of seams. Lengths in cm. */
 import type {Notch, PanelMarks} from '../model/garment-marks.js';
 import {distance, dot, leftOf, minus, plus, type Point} from '../model/geometry.js';
 import {atShare, distanceTo, lengthOf} from '../model/polyline.js';
@@ -8,33 +8,33 @@ import {notchMark} from './follow.js';
 import {cornerOf, type EdgeKey, type GarmentEdges} from './garment-edges.js';
 
 export interface CutNotch {
-  /** On the sewn line. */
+  /** Position on the sewn line. */
   readonly at: Point;
-  /** Of length 1. */
+  /** Outward unit vector. */
   readonly outward: Point;
   readonly width: number;
-  /** Of the slit, from the cut line. */
+  /** Depth of the slit from the cut line. */
   readonly depth: number;
   readonly seam?: number;
 }
 
-/** A longer seam has a notch at its middle. */
+/** Least length of a seam that gets a notch at its middle. */
 const longSeam = 25;
-/** Notches keep away from corners, and new ones from others. */
+/** Least distance of notches from corners, and of new notches from others. */
 const cornerRoom = 2;
 const notchRoom = 3;
-/** Between the two notches of a back. */
+/** Distance between the two notches of a back piece. */
 const pairGap = 1;
-/** A seam that ends where its outline turns by less ends at a split. [rad] */
+/** A seam end with a smaller turn of the outline is a split. [rad] */
 const splitTurn = 0.35;
-/** Slits take this share of the allowance, and leave so much of it. */
+/** Depth of slits as a share of the allowance, and the least allowance that remains. */
 const slitShare = 0.4;
 const leastLeft = 0.2;
 const intoPiece = 0.4;
 
 type Side = 'front' | 'back' | undefined;
 
-/** Where a piece hangs, or what it is called. */
+/** The side of a piece, from its name or its position on the body. */
 function sideOf(marks: PanelMarks | undefined): Side {
   const {label = '', placement} = marks ?? {};
   const said = [/\bfront\b/i, /\bback\b/i].map((word) => word.test(label));
@@ -46,7 +46,7 @@ function sideOf(marks: PanelMarks | undefined): Side {
 const slitDepth = (width: number): number =>
   Math.max(0, Math.min(slitShare * width, width - leastLeft));
 
-/** On an edge, at a share of it in the direction of the outline. */
+/** A notch on an edge, at a share of its length in the direction of the outline. */
 function onEdge(garment: GarmentEdges, key: EdgeKey, share: number, width: number): CutNotch {
   const {edge} = garment.edges.get(key) ?? {};
   const {at, along} = atShare(edge?.points ?? [], share);
@@ -57,7 +57,7 @@ function onEdge(garment: GarmentEdges, key: EdgeKey, share: number, width: numbe
   };
 }
 
-/** Where sewn lines turn, per piece: notches do not tell points apart there. */
+/** Corners of a piece's sewn lines, where notches are useless. */
 function cornersOf(garment: GarmentEdges, piece: number): readonly Point[] {
   return (garment.loops[piece] ?? []).flat().flatMap((key) => {
     const {turn} = cornerOf(garment, {key, at: 'start'});
@@ -66,7 +66,7 @@ function cornersOf(garment: GarmentEdges, piece: number): readonly Point[] {
   });
 }
 
-/** By piece, from the garment. */
+/** The notches of a piece in the garment. */
 function ownNotches(
   garment: GarmentEdges,
   piece: ResultPiece,
@@ -81,7 +81,7 @@ function ownNotches(
   return notches.flatMap((notch) => {
     const mark = notchMark(piece, notch);
     if (!mark) return [];
-    // it lies on the edge whose step it divides
+    // the notch is on the edge with the segment that contains it
     const k = lines.findIndex((line) =>
       line.slice(1).some((to, n) => {
         const from = line[n] ?? to;
@@ -97,8 +97,8 @@ function ownNotches(
 }
 
 /**
- * By piece. Those of the garment; one at the middle of every long seam, two on what joins a back; one at every split of a
- * seam: at the same share of both sides.
+ * The notches of each piece: those of the garment, one at the middle of every long seam, two for a
+ * back piece, and one at every split of a seam. Both sides of a seam have them at the same share.
  */
 export function garmentNotches(
   garment: GarmentEdges,
@@ -145,7 +145,7 @@ export function garmentNotches(
   return found;
 }
 
-/** Both edges of every seam. */
+/** The two edges of every seam. */
 function seamSides({edges}: GarmentEdges): readonly (readonly [EdgeKey, EdgeKey])[] {
   const first = new Map<number, EdgeKey>();
   return [...edges].flatMap(([key, {edge}]) => {
@@ -156,7 +156,7 @@ function seamSides({edges}: GarmentEdges): readonly (readonly [EdgeKey, EdgeKey]
   });
 }
 
-/** The slit of a notch; a line into the piece where there is no allowance to cut into. */
+/** The slit of a notch; without an allowance to cut into, a line into the piece. */
 export function slitOf({at, outward, width, depth}: CutNotch): readonly [Point, Point] {
   const edge = plus(at, outward, width);
   return [edge, plus(edge, outward, -(depth || intoPiece))];

@@ -1,34 +1,38 @@
-/** Edges that stay open, round by round, and which of them are hems. */
+/** Finds the open edges of a garment, grouped into openings, and the hems among them. */
 import {minus, turnBetween, type Point} from '../model/geometry.js';
 import type {PanelMarks} from '../model/garment-marks.js';
 import {lengthOf} from '../model/polyline.js';
 import {turned} from '../layout/on-body.js';
 import {cornerOf, type EdgeEnd, type EdgeKey, type GarmentEdges} from './garment-edges.js';
 
-/** An open edge goes on in the next one of its piece where it turns by less. [rad] */
+/** Greatest turn at which an open edge continues in the next edge. [rad] */
 const smoothTurn = 0.5;
-/** A hem turns by no more than this, or it would not lie flat when it is turned up. [rad] */
+/** Greatest turn of a hem, which otherwise would not lie flat when turned up. [rad] */
 const greatestTurn = 0.7;
-/** Cosine of the angle between what leads out of a hem and the way down, or down the arm, that is still a hem. */
+/**
+ * Least cosine of the angle between a hem's outward normal and the direction down, or down the arm.
+ */
 const leastDown = 0.6;
-/** Pieces whose middle is further aside than this are on an arm. [cm] */
+/** Pieces with their middle farther aside are on an arm. [cm] */
 const armAside = 25;
 
-/** By how much a line turns, both ways added up. [rad] */
+/** The total absolute turn of a line. [rad] */
 const turnOf = (points: readonly Point[]): number =>
   points.slice(2).reduce((sum, c, k) => {
     const [a = c, b = c] = points.slice(k, k + 2);
     return sum + Math.abs(turnBetween(minus(b, a), minus(c, b)));
   }, 0);
 
-/** From the end of a line to its start, a quarter turn to the right: out of the piece, as long as the line is wide. */
+/** The outward vector of a line, normal to its chord and of the same length. */
 function outOf(points: readonly Point[]): Point {
   const [first = [0, 0], last = first] = [points[0], points.at(-1)];
   const [x, y] = minus(last, first);
   return [y, -x];
 }
 
-/** How far down, or down the arm, what leads out of an edge points on the body; from -1 to 1. */
+/**
+ * The share of an edge's outward normal that points down, or down the arm, on the body; -1 to 1.
+ */
 function downwards(
   points: readonly Point[],
   outline: readonly Point[],
@@ -39,7 +43,7 @@ function downwards(
   const {placement, grain} = marks ?? {};
   if (!placement) {
     const [gx, gy] = grain ? minus(grain[1], grain[0]) : [0, 1];
-    // drawn along the roll, nobody knows which end is up
+    // for a piece drawn along the fabric roll, the upper end is unknown
     return Math.abs(gx) > Math.abs(gy) ? 0 : -y / length;
   }
   const {rotation = [0, 0, 0], translation} = placement;
@@ -50,7 +54,7 @@ function downwards(
   return (Math.sign(aside) * out[0] - out[1]) / Math.SQRT2;
 }
 
-/** Open edges that follow each other, on a piece or across a seam. */
+/** Groups of consecutive open edges, on one piece or across a seam. */
 function openings(garment: GarmentEdges): readonly (readonly EdgeKey[])[] {
   const {edges, seamEnds} = garment;
   const open = new Set([...edges.keys()].filter((key) => !edges.get(key)?.edge.seam));
@@ -84,8 +88,8 @@ function openings(garment: GarmentEdges): readonly (readonly EdgeKey[])[] {
 }
 
 /**
- * The hems of a garment: openings that lie lowest, or at the end of an arm, and do not turn much. Where nothing places
- * pieces on the body, they are taken to be drawn upright.
+ * The hems of a garment: openings at the bottom or at the end of an arm that turn little. Pieces
+ * without a position on the body are assumed to be drawn upright.
  */
 export function hems(garment: GarmentEdges, marks: readonly PanelMarks[]): ReadonlySet<EdgeKey> {
   const found = openings(garment).filter((group) => {

@@ -1,4 +1,7 @@
-/** What is drawn on a piece to cut: its lines, marks and words on the sheet. Lengths in cm, but for lines and letters. */
+/**
+ * Lines, marks and text of a piece on the cutting sheet. Lengths in cm; line widths and letter
+ * sizes in mm.
+ */
 import {combined, minus, plus, rotated, towards, unit, type Point} from '../model/geometry.js';
 import {linesInside} from '../model/polyline.js';
 import type {Print} from '../model/print.js';
@@ -10,11 +13,11 @@ import type {SeamTick} from './ticks.js';
 import type {CutLayer, CutLine, CutMark, CutText} from './cut-sheet.js';
 
 interface MarkStyle {
-  /** Of printed cloth. */
+  /** Undefined for plain fabric. */
   readonly print: Print | undefined;
-  /** Lines of words; the first is the name, and what comes first matters most. */
+  /** Lines of text by importance; the first is the name. */
   readonly words: readonly string[];
-  /** Piece coordinates -> sheet. */
+  /** Transform from piece coordinates to the sheet. */
   readonly onto: (p: Point) => Point;
 }
 
@@ -40,7 +43,7 @@ const insideDashMm = [6, 1.5, 0.5, 1.5];
 const drillRadius = 0.15;
 const tickMm = 0.4;
 const tickReach = 0.4;
-/** From the end of a tick to the middle of its label. */
+/** Distance from the end of a tick to the centre of its label. */
 const tickAside = 0.35;
 const tickLabelMm = 2.6;
 const stripeStyle = {
@@ -49,7 +52,7 @@ const stripeStyle = {
   haloMm: 0.5,
   isFaint: true,
 };
-/** From a cross to the middle of its number. */
+/** Offset from a cross to the centre of its number. */
 const numberAside: Point = [0.65, 0.4];
 
 type LineStyle = Omit<CutLine, 'kind' | 'layer' | 'points' | 'isClosed'>;
@@ -69,7 +72,7 @@ const plate = (layer: CutLayer, at: Point, lines: readonly string[], sizeMm: num
   ...{kind: 'text', layer, at, lines, sizeMm, hasPlate: true},
 });
 
-/** Both ends have heads: the file says how the grain runs, not which end is up. */
+/** The grain line with arrowheads at both ends, since the file does not define its upper end. */
 function grainArrow([from, to]: readonly [Point, Point]): readonly CutLine[] {
   const [ux, uy] = unit(minus(to, from)).map((side) => side * arrow) as [number, number];
   const head = ([x, y]: Point, sign: 1 | -1): Point[] => [
@@ -82,7 +85,7 @@ function grainArrow([from, to]: readonly [Point, Point]): readonly CutLine[] {
   );
 }
 
-/** Across the sewn line, along a line of the print. */
+/** A tick across the sewn line, along a line of the print. */
 function tickMarks({at, along, label}: SeamTick, onto: (p: Point) => Point): readonly CutMark[] {
   const ends = [plus(at, along, -tickReach), plus(at, along, tickReach)];
   return [
@@ -91,7 +94,7 @@ function tickMarks({at, along, label}: SeamTick, onto: (p: Point) => Point): rea
   ];
 }
 
-/** One repeat of the print around a point, so that the place is found on the cloth. */
+/** The outline of one repeat of the print around a point, which helps to find it on the fabric. */
 function repeatAround(p: Point, piece: CutPiece, {print, onto}: MarkStyle): readonly CutLine[] {
   if (!print) return [];
   const [a, b] = imageCell(print).map((side) => rotated(side, piece.alignment.angle));
@@ -136,7 +139,7 @@ function crossAt([x, y]: Point, number: number): readonly CutMark[] {
   ];
 }
 
-/** As large as the room for words allows; where that is little, the first of them alone. */
+/** The text, as large as its space allows; in a small space, only the first lines. */
 function wordsOn({words: {at, room}}: CutPiece, {words, onto}: MarkStyle): CutText {
   const sizeOf = (lines: readonly string[]): number => {
     const longest = Math.max(...lines.map((one) => textWidth(one, 1)));
@@ -149,7 +152,7 @@ function wordsOn({words: {at, room}}: CutPiece, {words, onto}: MarkStyle): CutTe
   return plate('words', onto(at), lines, size);
 }
 
-/** In the order in which they are drawn. */
+/** The marks in drawing order. */
 export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[] {
   const {onto} = style;
   const loops = (points: readonly (readonly Point[])[]) => points.map((loop) => loop.map(onto));

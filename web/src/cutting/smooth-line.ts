@@ -1,30 +1,33 @@
-/** Lines as curves that run through their points. Lengths in cm, angles in radians. */
+/** Smooth curves through the points of lines. Lengths in cm, angles in radians. */
 import {distance, dot, minus, plus, turnBetween, unit, type Point} from '../model/geometry.js';
 
-/** Points further apart are no curve's. */
+/** Greatest distance between points of a curve. */
 const dense = 2.5;
-/** What turns by more has a corner. */
+/** Least turn of a corner. */
 const corner = 0.4;
-/** A curve is drawn by steps that turn by less. */
+/** Greatest turn between the drawn segments of a curve. */
 const leastStep = 0.03;
-/** What bends by less is straight. */
+/** Least bend of a curve. */
 const leastBend = 1e-5;
 
-/** The direction as its image in a chord: that of an arc at the chord's other end. */
+/** A direction reflected in a chord: the direction of an arc at the chord's other end. */
 const acrossChord = (way: Point, chord: Point): Point =>
   unit(minus(plus([0, 0], chord, 2 * dot(way, chord)), way));
 
-/** From one point to the next; none of a step that stays straight. */
+/** Direction and length of a segment; undefined if the segment stays straight. */
 interface Chord {
   readonly way: Point;
   readonly length: number;
 }
 
-/** Where the curve runs at a point between two steps: as the parabola through all three points. */
+/**
+ * The direction of a curve at a point between two segments: that of the parabola through all three
+ * points.
+ */
 const between = (one: Chord, two: Chord): Point =>
   unit(plus(plus([0, 0], one.way, two.length), two.way, one.length));
 
-/** A step as a cubic with these directions at its ends, by points; without its last. */
+/** Points of a cubic with given directions at its ends, without the last point. */
 function curved(from: Point, to: Point, start: Point, end: Point): readonly Point[] {
   const length = distance(from, to);
   const chord = unit(minus(to, from));
@@ -43,7 +46,9 @@ function curved(from: Point, to: Point, start: Point, end: Point): readonly Poin
   });
 }
 
-/** The same line with more points where it is a curve: its own stay, straight parts stay, and so do corners. */
+/**
+ * The line with additional points on its curves. Its own points, straight parts and corners stay.
+ */
 export function smoothLine(points: readonly Point[]): readonly Point[] {
   const chords = points.slice(1).map((to, k): Chord | undefined => {
     const from = points[k] ?? to;

@@ -1,4 +1,6 @@
-/** Ticks along matched seams: both sides show one and the same point of the print there. Lengths in cm. */
+/**
+ * Ticks along matched seams, at which both sides show the same point of the print. Lengths in cm.
+ */
 import {
   between,
   combined,
@@ -27,28 +29,37 @@ import {
 import {pick} from '../scene/marks.js';
 
 export interface SeamTick {
-  /** The same on both sides, and nowhere else. */
+  /** Shared by both sides of a tick, otherwise unique. */
   readonly label: string;
-  /** On the sewn line, or where the print shows the same as on the other side, if that is beside it. */
+  /** Position on the sewn line, or beside it at the point that shows the same as the other side. */
   readonly at: Point;
-  /** Along the line of the print, of length 1. */
+  /** Unit vector along the line of the print. */
   readonly along: Point;
   readonly seam: number;
 }
 
-/** Ticks of a seam keep apart, and away from its ends. */
+/** Least distance between ticks of a seam, and from its ends. */
 const apart = 4;
 const endRoom = 1;
-/** Sides that show the same this far beside each other do not pair up. */
+/**
+ * Greatest distance, at a tick, between the sewn point and the point that shows the same print as
+ * the other side.
+ */
 const greatestMiss = 0.1;
 
-/** Where a line crosses a lattice line through `motif`: a fraction of the step, of its sides. */
+/**
+ * A crossing of a sewn line with a lattice line through `motif`: the segment, and the fraction of
+ * it.
+ */
 interface Crossing {
   readonly step: number;
   readonly part: number;
 }
 
-/** The steps of a sewn line on the print, in repeats from the motif: which cross a line that the other side spans. */
+/**
+ * Crossings of a sewn line with whole repeats.
+ * @param shares coordinates of the line's points, in repeats from the motif
+ */
 function crossings(shares: readonly number[]): readonly Crossing[] {
   return shares.slice(1).flatMap((to, step) => {
     const from = shares[step] ?? to;
@@ -61,7 +72,10 @@ function crossings(shares: readonly number[]): readonly Crossing[] {
   });
 }
 
-/** The image of a print point by a symmetry of the print that comes nearest to another one, with what turns lines along. */
+/**
+ * The image of a print point under the symmetry that brings it nearest to another point, with that
+ * symmetry.
+ */
 function imageNear(
   elements: readonly PlaneMap[],
   repeat: Repeat,
@@ -84,7 +98,7 @@ interface Sewn {
   readonly alignment: Alignment;
 }
 
-/** Ticks of one seam, both sides of each. */
+/** The ticks of one seam, each for both sides. */
 function seamTicks(
   number: number,
   [a, b]: readonly [Sewn, Sewn],
@@ -101,7 +115,7 @@ function seamTicks(
   const {w1, w2} = repeat;
   const [start, end] = [a.line[0], a.line.at(-1)];
   if (!start || !end) return [];
-  // lines of the family that crosses the seam more squarely
+  // use the family of lattice lines that crosses the seam more squarely
   const chord = unit(minus(onPrint(a.alignment, end), onPrint(a.alignment, start)));
   const lines = Math.abs(cross(unit(w1), chord)) > Math.abs(cross(unit(w2), chord)) ? w1 : w2;
   const across = lines === w1 ? 1 : 0;
@@ -134,8 +148,8 @@ function seamTicks(
 }
 
 /**
- * By piece.
- * @param motifOf the point of the print that a piece's crosses show; undefined of what has none, such as plain cloth
+ * The ticks of each piece.
+ * @param motifOf the point of the print at a piece's crosses; undefined for plain fabric
  */
 export function matchTicks(
   {pieces, seams, continuousOnly}: Pick<SolveResult, 'pieces' | 'seams' | 'continuousOnly'>,
@@ -160,7 +174,7 @@ export function matchTicks(
   return ticks;
 }
 
-/** The lattice vectors nearest to across and along a line, as they lie on the piece. */
+/** Lattice directions nearest to across and along a line, in piece coordinates. */
 export function stripeWays(
   {w1, w2}: Repeat,
   {angle}: Alignment,

@@ -1,4 +1,4 @@
-/** What stands on a sheet of pieces to cut, and on each piece. */
+/** Text of a cutting sheet and of each piece. */
 import {angleOf, degrees, minus} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {repeatOf} from '../model/repeat.js';
@@ -8,15 +8,15 @@ import type {CutPiece, EdgeAllowance} from './cut-piece.js';
 
 export interface WordsOptions extends AllowanceRule {
   readonly units: Units;
-  /** How numbers are written. Default 'en'. */
+  /** Locale of numbers. Default 'en'. */
   readonly locale?: string;
-  /** Of the print, as it is called. */
+  /** Name of the print's colourway. */
   readonly colourway?: string;
-  /** On which the sheet is made, as people write it. */
+  /** Creation date as text. */
   readonly date?: string;
 }
 
-/** A turn that is less is none. [degrees] */
+/** Smallest rotation that is mentioned. [degrees] */
 const leastTurn = 0.05;
 
 const printName = (print: Print, {colourway}: WordsOptions): string =>
@@ -29,7 +29,7 @@ function repeatSize(print: Print, {units, locale = 'en'}: WordsOptions): string 
   return [width, height].map((cm) => formatLength(cm, units, locale)).join(' × ');
 }
 
-/** By how much the print is turned from the grain line of a piece, in (-90, 90]. [degrees] */
+/** Rotation of the print from the grain line of a piece, in (-90, 90]. [degrees] */
 function turnOf({grain: [foot, head], alignment}: CutPiece, print: Print): number {
   const turn = degrees(alignment.angle - angleOf(minus(head, foot))) + 90 + repeatOf(print).turnDeg;
   return turn - 180 * Math.ceil(turn / 180 - 0.5);
@@ -42,7 +42,10 @@ function turnWords(piece: CutPiece, print: Print, {locale = 'en'}: WordsOptions)
   return `, turned ${amount}°`;
 }
 
-/** Line by line; what comes first matters most. @param print of printed cloth */
+/**
+ * The text of a piece, with the most important lines first.
+ * @param print undefined for plain fabric
+ */
 export function pieceWords(
   piece: CutPiece,
   {
@@ -71,13 +74,13 @@ export function pieceWords(
   ];
 }
 
-/** What is said of edges of one kind, and whether that is true of all of them. */
+/** The stated allowance of one kind of edges, and whether it holds for all of them. */
 interface SaidWidth {
   readonly said: string | undefined;
   readonly isAll: boolean;
 }
 
-/** What the rule asks for, where some follow it; else what all have. */
+/** The allowance of the rule if any edge uses it, otherwise a common allowance of all edges. */
 function saidOf(
   edges: readonly EdgeAllowance[],
   ruledCm: number,
@@ -89,7 +92,7 @@ function saidOf(
   return {said: edges.every(({isOwn}) => isOwn) ? undefined : length(ruledCm), isAll};
 }
 
-/** How cut and sewn lines are drawn, and how far they are apart. */
+/** The line styles of cut and sewn lines, and the distance between them. */
 function linesSentence(cuts: readonly CutPiece[], options: WordsOptions): string {
   const {allowanceCm, hemCm = allowanceCm, units, locale = 'en'} = options;
   const length = (cm: number): string => formatLength(cm, units, locale);
@@ -116,7 +119,7 @@ function linesSentence(cuts: readonly CutPiece[], options: WordsOptions): string
     : 'Solid: cut. Dashed: sew, as far inside as the pattern says.';
 }
 
-/** A sentence each. */
+/** Facts about the sheet, one sentence each. */
 export function factsOf(
   cuts: readonly CutPiece[],
   print: Print | undefined,

@@ -1,4 +1,4 @@
-/** Files of other programs as drawings. */
+/** Reads files of other programs as drawings. */
 import type {Drawing, DrawingOptions} from '../model/drawing.js';
 import {FileError} from '../model/versioned-file.js';
 import {readDxf} from './dxf/read-dxf.js';
@@ -7,7 +7,7 @@ import {decoded} from './base/decoded.js';
 import {recognised, type DrawingKind} from './recognise.js';
 import {readSvg} from './svg/read-svg.js';
 
-/** Beyond it a file is no pattern. [bytes] */
+/** Greatest size of a pattern file. [bytes] */
 export const drawingLimit = 64_000_000;
 
 type Read = (bytes: Uint8Array, name: string, options: DrawingOptions) => Drawing;
@@ -18,13 +18,13 @@ const readers: Readonly<Record<DrawingKind, Read>> = {
   obj: (bytes, name, {units}) => readObj(bytes, name, units),
 };
 
-/** Space, or zero. */
+/** Returns whether a byte is white space or zero. */
 const isBlank = (byte: number): boolean => byte === 0 || byte === 32 || (byte > 8 && byte < 14);
 
 /**
- * What a file of another program shows.
- * @param name the file's, for messages
- * @throws {FileError} naming the file, what is wrong and what to do
+ * Reads a drawing.
+ * @param name file name for messages
+ * @throws {FileError} with the file, the error and a remedy
  */
 export function readDrawing(
   bytes: Uint8Array,

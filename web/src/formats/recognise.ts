@@ -1,16 +1,16 @@
-/** What a file is by its content, whatever it is called, and what is said of those that cannot be read. */
+/** Recognises file types by content, regardless of the name, and explains unsupported ones. */
 import {decoded} from './base/decoded.js';
 
 export type DrawingKind = 'dxf' | 'svg' | 'obj';
 
-/** A file as far as it takes to tell what it is. */
+/** The start of a file. */
 interface Beginning {
   readonly bytes: Uint8Array;
   /** The first characters. */
   readonly text: string;
 }
 
-/** Characters that are looked at. */
+/** Number of characters examined. */
 const looked = 16_384;
 
 interface Recognised {
@@ -18,7 +18,7 @@ interface Recognised {
   readonly kind: DrawingKind | Refusal;
 }
 
-/** Ends the sentence that begins with the name of the file. */
+/** Predicate of an error sentence whose subject is the file name. */
 interface Refusal {
   readonly refusal: string;
 }
@@ -46,7 +46,7 @@ const illustrator: Refusal = {
   refusal: "is Adobe Illustrator's own format; there, use File > Save a Copy, and choose SVG.",
 };
 
-/** The first that fits counts. */
+/** The first match counts. */
 const kinds: readonly Recognised[] = [
   {is: starts('AutoCAD Binary DXF'), kind: {refusal: 'is a binary DXF; save it as ASCII DXF.'}},
   {
@@ -108,7 +108,7 @@ const kinds: readonly Recognised[] = [
   {is: says(/^v[tn]?[ \t]+[-+.\d][^\0]*$|^(?:mtllib|usemtl)\s/m), kind: 'obj'},
 ];
 
-/** Undefined for what is nothing that is known. */
+/** The type of a file; undefined if unknown. */
 export function recognised(bytes: Uint8Array): DrawingKind | Refusal | undefined {
   const file = {bytes, text: decoded(bytes.subarray(0, looked))};
   return kinds.find(({is}) => is(file))?.kind;

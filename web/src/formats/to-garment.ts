@@ -1,4 +1,7 @@
-/** A drawing as a garment: what was chosen of it, in centimetres, outlines counter-clockwise, nothing mirrored. */
+/**
+ * Converts the chosen part of a drawing to a garment: in centimetres, with outlines
+ * counter-clockwise and no piece mirrored.
+ */
 import type {Drawing, DrawnPiece, Run} from '../model/drawing.js';
 import type {
   DraftedEdge,
@@ -16,22 +19,22 @@ import {nearestOn} from './base/nearest.js';
 import {cmPer} from './base/units.js';
 import {unfolded} from './unfold.js';
 
-/** How far lines are drawn from the curves that they stand for. [cm] */
+/** Greatest deviation of traced lines from their curves. [cm] */
 const traceTolerance = 0.002;
 
-/** Control points this near to a line draw one. [cm] */
+/** Greatest distance of control points from a straight line. [cm] */
 const straightTolerance = 1e-4;
 
-/** A notch further from the outline marks none of its edges. [cm] */
+/** Greatest distance of a notch from its edge. [cm] */
 const notchReach = 3;
 
-/** A grain line that rises by less lies on its side, and points to the right in all pieces. [rad] */
+/** A grain line with a smaller rise is horizontal, and points to the right in all pieces. [rad] */
 const sideways = radians(20);
 
-/** What has less is no piece that anybody prints. [cm2] */
+/** Smallest area of a printed piece. [cm2] */
 const smallest = 4;
 
-/** Of one piece: whether it is taken, and whether its mirror image is cut, too. */
+/** The choice for one piece: use it, and cut its mirror image, too. */
 export interface PieceChoice {
   readonly take: boolean;
   readonly cut: 'once' | 'pair';
@@ -39,13 +42,13 @@ export interface PieceChoice {
 
 export interface Choices {
   readonly unit: FileUnit;
-  /** As many as the drawing has pieces. */
+  /** One per piece of the drawing. */
   readonly pieces: readonly PieceChoice[];
 }
 
-/** What is taken unless somebody chooses otherwise. */
+/** The default choices for a drawing. */
 export interface DefaultChoices extends Choices {
-  /** One sentence for every piece that is left out. */
+  /** One sentence for every omitted piece. */
   readonly notes: readonly string[];
 }
 
@@ -73,13 +76,16 @@ function reasonToLeave({sewn, material = ''}: DrawnPiece, scale: number): string
   return unprinted.test(material) ? `its material is ${material}` : undefined;
 }
 
-/** Cut once and once mirrored, or twice; what is unfolded is its own mirror image. */
+/**
+ * Returns whether a piece is cut once as drawn and once mirrored, or twice; an unfolded piece is
+ * its own mirror image.
+ */
 const isPair = ({quantity: {asDrawn, mirrored}, fold}: DrawnPiece): boolean =>
   !fold && (mirrored > 0 || asDrawn === 2);
 
 /**
- * The garment that a drawing shows. Half pieces are unfolded and keep their axis as a symmetry; of pairs the mirror
- * image is a piece of its own.
+ * The garment of a drawing. Half pieces are unfolded and keep their axis as a symmetry; the mirror
+ * image of a pair is a separate piece.
  */
 export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): GarmentDocument {
   const names = new Set<string>();
@@ -114,7 +120,7 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
   };
 }
 
-/** "Sleeve", "Sleeve 2", ...; not more than messages can bear. */
+/** A unique name such as "Sleeve" or "Sleeve 2", with a limited length for messages. */
 function uniqueName(drawn: string, taken: Set<string>): string {
   const stem =
     drawn
@@ -127,13 +133,16 @@ function uniqueName(drawn: string, taken: Set<string>): string {
   return name;
 }
 
-/** A piece by itself, as a garment would have it. @param scale from the unit of the drawing to cm */
+/**
+ * A single piece in the format of a garment.
+ * @param scale cm per unit of the drawing
+ */
 export const drawnPieceInCm = (drawn: DrawnPiece, scale: number): GarmentPiece =>
   pieceOf(drawn, drawn.name, scale).piece;
 
 interface Made {
   readonly piece: GarmentPiece;
-  /** By the numbers of the drawn runs, those of the edges. */
+  /** Edge index per drawn run. */
   readonly edges: readonly number[];
   readonly axis?: readonly [Point, Point];
 }
@@ -173,7 +182,7 @@ function pieceOf(drawn: DrawnPiece, name: string, scale: number): Made {
   };
 }
 
-/** Grain lines of such files have no head: which end they begin at says nothing. */
+/** Orients a grain line upwards, since grain lines in such files have no defined direction. */
 function upwards([from, to]: readonly [Point, Point]): readonly [Point, Point] {
   return dot(minus(to, from), [Math.sin(sideways), Math.cos(sideways)]) < 0
     ? [to, from]
@@ -207,7 +216,7 @@ function edgeOf(run: Run): DraftedEdge {
   return {points: [run.start, first ?? run.start, ...rest]};
 }
 
-/** How wide the cloth is kept beyond an edge: what most of it is, as corners have other widths. [cm] */
+/** Adds the allowance of an edge: the median width, since corners have other widths. [cm] */
 function withAllowance(run: Run, cut: readonly Point[] | undefined): DraftedEdge {
   const edge = edgeOf(run);
   if (!cut) return edge;
@@ -218,7 +227,7 @@ function withAllowance(run: Run, cut: readonly Point[] | undefined): DraftedEdge
   return {...edge, allowance: {width: Number((widths[7] ?? 0).toFixed(3))}};
 }
 
-/** Each on the edge that it is nearest to, if that is near. */
+/** Assigns each notch to its nearest edge within reach. */
 function notchesOf({notches}: DrawnPiece, runs: readonly Run[]): DraftedNotch[] {
   const lines = runs.map((run) => measured(tracedRun(run, traceTolerance)));
   return notches.flatMap(({at}): DraftedNotch[] => {
@@ -231,7 +240,7 @@ function notchesOf({notches}: DrawnPiece, runs: readonly Run[]): DraftedNotch[] 
 
 interface Measured {
   readonly points: readonly Point[];
-  /** From the start to each point. */
+  /** Length from the start to each point. */
   readonly lengths: readonly number[];
 }
 
@@ -258,7 +267,7 @@ function onLine(
 
 const mirror = ([x, y]: Point): Point => [0 - x, y];
 
-/** The piece with x the other way round: its outline is turned, to run counter-clockwise again. */
+/** The piece with x reversed; its outline is reversed, too, to stay counter-clockwise. */
 function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
   const {outline, holes, internalLines, cutLine, notches = [], grain, drillHoles} = piece;
   const loop = (edges: readonly DraftedEdge[]): DraftedEdge[] =>

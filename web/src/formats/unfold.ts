@@ -1,4 +1,4 @@
-/** Half pieces, whose cloth is folded along a line of their outline, as wholes. */
+/** Unfolds half pieces along the fold on their outline. */
 import type {DrawnPiece, Run} from '../model/drawing.js';
 import {
   cross,
@@ -13,21 +13,24 @@ import {
 } from '../model/geometry.js';
 import {cubicsOf, endOf, isLine, mapped, reversed, straight} from './base/bezier.js';
 
-/** How far from the fold the edge may lie that is folded. [cm] */
+/** Greatest distance of the folded edge from the fold. [cm] */
 const foldReach = 0.1;
 
-/** Edges that meet their own images at a lesser turn are one with them. */
+/** Greatest turn at which an edge and its mirror image are joined. */
 const smooth = radians(10);
 
 interface Unfolded {
   readonly piece: DrawnPiece;
-  /** The fold, of a piece that was half. */
+  /** The fold of a former half piece. */
   readonly axis?: readonly [Point, Point];
 }
 
 type Mirror = (point: Point) => Point;
 
-/** @param piece in cm */
+/**
+ * Unfolds a piece if it has a fold.
+ * @param piece in cm
+ */
 export function unfolded(piece: DrawnPiece): Unfolded {
   const {fold, sewn, cut, holes, notches, internalLines, drillHoles, ...rest} = piece;
   const whole = fold && wholeLoop(sewn, fold);
@@ -60,7 +63,10 @@ function mirrorIn([from, to]: readonly [Point, Point]): Mirror {
   };
 }
 
-/** A closed line with the image of all but its folded edge; none where no edge lies on the fold. */
+/**
+ * A closed line completed by the mirror image of its edges except the folded one; undefined if no
+ * edge is on the fold.
+ */
 function wholeLoop(loop: readonly Run[], fold: readonly [Point, Point]): Run[] | undefined {
   const along = unit(minus(fold[1], fold[0]));
   const off = (point: Point): number => Math.abs(cross(along, minus(point, fold[0])));
@@ -78,7 +84,7 @@ function wholeLoop(loop: readonly Run[], fold: readonly [Point, Point]): Run[] |
   return joined(joined([...half, ...image], half.length), 0);
 }
 
-/** With both ends on the fold exactly. */
+/** Moves both ends exactly onto the fold. */
 function onFold(half: readonly Run[], onto: (point: Point) => Point): Run[] {
   const [last] = half.slice(-1);
   return half.map((run, k) => {
@@ -89,7 +95,7 @@ function onFold(half: readonly Run[], onto: (point: Point) => Point): Run[] {
   });
 }
 
-/** Makes one of the run before and the run at a number, where they meet smoothly. */
+/** Joins the run at an index with the previous one if they meet smoothly. */
 function joined(loop: readonly Run[], at: number): Run[] {
   const [before, after] = [loop.at(at - 1), loop[at]];
   if (!before || !after || loop.length <= 2) return [...loop];

@@ -1,8 +1,11 @@
-/** Rectangles with pieces in them, put beside and below each other: nothing built of them overlaps. Lengths in cm, y down. */
+/**
+ * Arranges rectangles with pieces beside and below each other, without overlaps. Lengths in cm, y
+ * down.
+ */
 import type {Point} from '../model/geometry.js';
 
 export interface Block {
-  /** Where the upper left corner of each piece's outline lies. */
+  /** Position of the upper left corner of each piece's bounding box. */
   readonly places: readonly {readonly piece: number; readonly at: Point}[];
   readonly width: number;
   readonly height: number;
@@ -14,7 +17,7 @@ const moved = ({places}: Block, dx: number, dy: number): Block['places'] =>
 const filled = (blocks: readonly Block[]): readonly Block[] =>
   blocks.filter(({places}) => places.length > 0);
 
-/** From left to right, each `drops` below the common top. */
+/** Blocks from left to right, each `drops` below the common top. */
 export function beside(
   blocks: readonly Block[],
   gap: number,
@@ -33,7 +36,7 @@ export function beside(
   return {places, width: Math.max(0, width), height};
 }
 
-/** From the top down, each centred. */
+/** Blocks from the top down, each centred. */
 export function below(blocks: readonly Block[]): Block {
   const all = filled(blocks);
   const width = Math.max(0, ...all.map((block) => block.width));
@@ -46,7 +49,7 @@ export function below(blocks: readonly Block[]): Block {
   return {places, width, height};
 }
 
-/** Blocks standing on shelves no wider than `limit`; what is in one group stays together. */
+/** Blocks aligned at the bottom of rows no wider than `limit`; each group stays in one row. */
 export function shelves(groups: readonly (readonly Block[])[], limit: number, gap: number): Block {
   const rows: Block[][] = [];
   let used = Infinity;

@@ -1,4 +1,7 @@
-/** Where pieces lie on a sheet: as on the body where the garment tells, else on shelves. Lengths in cm, y up. */
+/**
+ * Lays pieces out on a sheet: as on the body if the garment has placements, otherwise on shelves.
+ * Lengths in cm, y up.
+ */
 import {minus, type Point} from '../model/geometry.js';
 import {boxOf} from '../model/polyline.js';
 import type {Pattern} from '../model/result.js';
@@ -6,9 +9,12 @@ import type {SheetPlace} from '../model/sheet-place.js';
 import {shelves, type Block} from './blocks.js';
 import {headDown, isPlaced, onBody, type Arrangement, type Placements} from './on-body.js';
 
-/** Follows from outlines, names, placements and page alone, so that nothing moves while people work on a garment. */
+/**
+ * A layout. It depends only on outlines, names, placements and page, so that nothing moves while
+ * people edit a garment.
+ */
 export interface Layout {
-  /** Per piece. */
+  /** One place per piece. */
   readonly places: readonly SheetPlace[];
   readonly width: number;
   readonly height: number;
@@ -20,12 +26,12 @@ interface PieceBox {
   readonly height: number;
 }
 
-/** Room between pieces, and for the name of each. */
+/** Space between pieces, and for their names. */
 interface Spacing {
   readonly gap: number;
-  /** Below a piece, by its number and width. */
+  /** Space below a piece, by its index and width. */
   readonly below: (piece: number, width: number) => number;
-  /** No piece takes less room than this across. */
+  /** Least width of a piece's space. */
   readonly least: (piece: number) => number;
 }
 
@@ -57,10 +63,13 @@ const partner = (name: string): string =>
     .map((word) => sides[word.toLowerCase()] ?? word.toLowerCase())
     .join('');
 
-/** Meshed anew, a piece is as much larger or smaller: nothing moves for it. */
+/** Tolerance of the size, so that pieces stay in place when they are meshed again. [share] */
 const noise = 0.002;
 
-/** The tallest come first, and pairs by name stay side by side, the wearer's right on the left. */
+/**
+ * Arrangements on shelves, with the tallest pieces first. Pairs by name stay side by side, with the
+ * wearer's right on the left.
+ */
 function onShelves(
   {pieces}: Pick<Pattern, 'pieces'>,
   cells: readonly Block[],
@@ -74,7 +83,7 @@ function onShelves(
     if (other === undefined || other === k) return [cells.slice(k, k + 1)];
     return isRight(k) ? [[k, other].flatMap((n) => cells.slice(n, n + 1))] : [];
   });
-  // whole halves, lest twins that were meshed anew swap places
+  // rounds to half centimetres, so that mirrored pieces keep their order when they are meshed again
   const tallest = (group: readonly Block[]): number =>
     Math.round(2 * Math.max(...group.map(({height}) => height)));
   groups.sort((a, b) => tallest(b) - tallest(a));
@@ -86,15 +95,16 @@ function onShelves(
 }
 
 interface LayoutChoice {
-  /** Known already. */
+  /** Bounding boxes, if already computed. */
   readonly boxes?: readonly PieceBox[];
-  /** On shelves, which take the least room, also where placements are known. */
+  /** Always uses shelves, which take the least space. */
   readonly isPacked?: boolean;
 }
 
 /**
- * The arrangement that is largest on a page with the proportions `aspect` (width to height). What placements show
- * to be drawn upside down lies upright, so that mirrored pairs are mirror images of each other.
+ * The arrangement with the largest scale on a page of the proportions `aspect` (width to height).
+ * Pieces that are drawn upside down according to their placements are turned, so that mirrored
+ * pairs look mirrored.
  */
 export function layOut(
   pattern: Pick<Pattern, 'pieces'>,
@@ -125,23 +135,23 @@ export function layOut(
   return {places, width: block.width, height: block.height};
 }
 
-/** A page to lay pieces out on; its lengths are pixels, and names keep their size whatever the scale. */
+/** A page for laying pieces out. Lengths are in pixels, and names keep their size at any scale. */
 interface LayoutPage {
   readonly width: number;
   readonly height: number;
-  /** The page may become higher or lower than `height`, which then only gives its proportions. */
+  /** Lets the height of the page vary; `height` then only determines its proportions. */
   readonly grows?: boolean;
   readonly greatestScale: number;
   readonly gap: number;
-  /** What the name of a piece takes below it, when that is so wide. */
+  /** Height of a name below a piece of a given width. */
   readonly nameHeight: (piece: number, width: number) => number;
   readonly nameWidth: (piece: number) => number;
 }
 
-/** Halvings of the scale that is looked for. */
+/** Number of bisections in the search for the scale. */
 const rounds = 12;
 
-/** The layout with the largest scale at which every name has its room. [px per cm] */
+/** The layout with the largest scale at which all names have enough space. [px per cm] */
 export function layOutNamed(
   pattern: Pattern,
   page: LayoutPage,
@@ -166,7 +176,8 @@ export function layOutNamed(
   let [low, high] = [0, page.greatestScale];
   let layout = at(high);
   if (scaleOf(layout) >= high) return {layout, scale: high};
-  // room for names costs scale, and less of it the smaller the scale: halve towards where both agree
+  // names take space from the scale, and less of it at smaller scales: bisect to the scale that
+  // satisfies both
   for (let round = 0; round < rounds || low === 0; round++) {
     const scale = (low + high) / 2;
     const next = at(scale);

@@ -1,12 +1,12 @@
-/** Names in the room that they have. */
+/** Breaks names into lines. */
 
-/** About how wide a letter of a text is, in parts of its size. */
+/** Approximate width of a letter, as a share of the font size. */
 const letterWidth = 0.56;
 
 export const textWidth = (content: string, size: number): number =>
   letterWidth * size * content.length;
 
-/** A name as it is shown, in lines no wider than `room` where its words allow it. [px] */
+/** A displayed name in lines no wider than `room`, if its words permit. [px] */
 export function nameLines(name: string, room: number, size: number): readonly string[] {
   const lines: string[] = [];
   for (const word of name.replaceAll('_', ' ').split(' ')) {

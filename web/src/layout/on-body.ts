@@ -1,4 +1,4 @@
-/** Pieces arranged as they hang on the body: by where a garment file places them in space. Lengths in cm. */
+/** Arranges pieces as on the body, from the placements of a garment file. Lengths in cm. */
 import type {Placement} from '../model/garment-document.js';
 import {radians, rotated, type Point} from '../model/geometry.js';
 import type {Pattern, ResultPiece} from '../model/result.js';
@@ -8,7 +8,7 @@ type Vector = Placement['translation'];
 
 export type Placements = ReadonlyMap<string, Placement>;
 
-/** Of the pieces whose file tells where they are. */
+/** Placements of the pieces that have one in the file. */
 export const placementsIn = (
   marks: ReadonlyMap<string, {readonly placement?: Placement}>,
 ): Placements =>
@@ -16,27 +16,27 @@ export const placementsIn = (
     [...marks].flatMap(([name, {placement}]) => (placement ? [[name, placement] as const] : [])),
   );
 
-/** A piece with its room on the sheet, and where it is on the body as one sees it who looks at its face. */
+/** A piece with its space on the sheet, and its position on the body in a view of its face. */
 interface Hung {
   readonly block: Block;
   readonly name: string;
   readonly side: 'front' | 'back' | 'left' | 'right';
-  /** To the right, and up. */
+  /** Position to the right and up. */
   readonly at: Point;
   readonly width: number;
   readonly height: number;
 }
 
-/** Cosine of the angle to straight ahead from which on a piece belongs to the side. */
+/** Cosine of the angle to the front beyond which a piece belongs to the side. */
 const sideways = 0.3;
-/** Pieces overlap by this part of the lower one's height, and they lie in one row. */
+/** Least overlap of two pieces in one row, as a share of the lower one's height. */
 const sameRow = 0.5;
 const partNames =
   /pocket|collar|cuff|band|stand|strap|belt|flap|facing|placket|welt|(^|[_ ])wb([_ ]|$)/i;
-/** A part is no larger than this part of the largest piece. */
+/** Greatest area of a small part, as a share of the largest piece. */
 const greatestPart = 0.35;
 
-/** A vector turned about the fixed axes x, y, z in this order. [degrees] */
+/** A vector rotated about the fixed axes x, y and z, in this order. [degrees] */
 export function turned([x, y, z]: Vector, [rx, ry, rz]: Vector): Vector {
   const about = (angle: number, a: number, b: number): Point => rotated([a, b], radians(angle));
   const [y1, z1] = about(rx, y, z);
@@ -45,7 +45,7 @@ export function turned([x, y, z]: Vector, [rx, ry, rz]: Vector): Vector {
   return [x3, y3, z2];
 }
 
-/** Whether placements tell pieces apart; those of a flat file are all zero. */
+/** Returns whether placements distinguish pieces; those of a flat file are all zero. */
 export function isPlaced({pieces}: Pick<Pattern, 'pieces'>, placements: Placements): boolean {
   const all = pieces.map(({name}) => placements.get(name)?.translation);
   const known = all.filter((place) => place !== undefined);
@@ -55,10 +55,12 @@ export function isPlaced({pieces}: Pick<Pattern, 'pieces'>, placements: Placemen
   );
 }
 
-/** Cosine of the angle to straight up from which on a piece counts as drawn upside down. */
+/** Cosine of the angle to the upward direction beyond which a piece is drawn upside down. */
 const upsideDown = -0.5;
 
-/** Which pieces hang head down as they are drawn, by number. Those that lie across hang as they are drawn. */
+/**
+ * For each piece, whether it hangs upside down relative to its drawing. Horizontal pieces do not.
+ */
 export const headDown = (
   {pieces}: Pick<Pattern, 'pieces'>,
   placements: Placements | undefined,
@@ -82,7 +84,7 @@ function hung(
   if (Math.abs(nz) < sideways && Math.abs(nx) > sideways) {
     return {...common, side: nx > 0 ? 'left' : 'right', at: [nx > 0 ? -z : z, y]};
   }
-  // a flat file may show all faces to the front: then where a piece is tells more
+  // a flat file may orient all faces to the front; the position is then more reliable
   const isFront = Math.abs(z) > 1 ? z > 0 : nz >= 0;
   return {...common, side: isFront ? 'front' : 'back', at: [nz >= 0 ? x : -x, y]};
 }
@@ -90,7 +92,10 @@ function hung(
 const median = (values: readonly number[]): number =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
 
-/** Collars, cuffs, bands, pockets: by their names, or narrow beside the other pieces. */
+/**
+ * Returns a test for collars, cuffs, bands and pockets: by name, or narrow compared with other
+ * pieces.
+ */
 function partTest(pieces: readonly Hung[]): (piece: Hung) => boolean {
   const area = ({width, height}: Hung): number => width * height;
   const largest = Math.max(...pieces.map(area));
@@ -105,7 +110,7 @@ function partTest(pieces: readonly Hung[]): (piece: Hung) => boolean {
 const top = ({at, height}: Hung): number => at[1] + height / 2;
 const foot = ({at, height}: Hung): number => at[1] - height / 2;
 
-/** Rows from the top down, in each the pieces as far below each other as on the body. */
+/** Rows from the top down, with vertical offsets in a row as on the body. */
 function rowsOf(pieces: readonly Hung[], gap: number): Block {
   const rows: Hung[][] = [];
   for (const piece of pieces.toSorted((a, b) => b.height - a.height)) {
@@ -128,13 +133,18 @@ function rowsOf(pieces: readonly Hung[], gap: number): Block {
   );
 }
 
-/** An arrangement, and how much smaller it may be drawn than another before that is preferred. */
+/**
+ * An arrangement with a factor of preference: 1, or less if it has to be drawn larger to be chosen.
+ */
 export interface Arrangement {
   readonly block: Block;
   readonly merit: number;
 }
 
-/** Fronts between the sleeves, backs below or beside, parts at the foot; on narrow sheets the sleeves below. */
+/**
+ * Arrangements with fronts between the sleeves, backs below or beside them, and parts at the
+ * bottom; for narrow sheets, with sleeves below.
+ */
 export function onBody(
   pattern: Pick<Pattern, 'pieces'>,
   boxes: readonly {readonly low: Point; readonly width: number; readonly height: number}[],
@@ -181,7 +191,7 @@ export function onBody(
   ];
 }
 
-/** Parts at one height, the wearer's right first, as when one looks at the front. */
+/** Groups of parts at the same height, with the wearer's right first, as in a front view. */
 function levels(parts: readonly Hung[]): readonly (readonly Hung[])[] {
   const groups: Hung[][] = [];
   const across = ({side, at}: Hung): number =>

@@ -1,33 +1,37 @@
-/** Whether closed lines keep a distance from each other. Lengths in cm. */
+/** Tests of the distance between closed lines. Lengths in cm. */
 import {between, distance, minus, plus, type Point} from '../model/geometry.js';
 import {boxOf, distanceTo, isInside, type Box} from '../model/polyline.js';
 
-/** What is nearer by less than this touches. */
+/** Smallest distance that counts as a gap. [cm] */
 const slack = 1e-3;
-/** Of the bands across a line by which its edges are found. */
+/** Height of the horizontal bands that index the edges of a line. [cm] */
 const bandHeight = 2;
-/** Points that are tried for being well inside, per side of the box. */
-const tries = 10; // the middle is one of them
+/** Grid cells per side of the box, in the search for an inner point. */
+const tries = 10; // even, so that the grid includes the middle
 
-/** A closed line with its edges in order of height. */
+/** A closed line whose edges are indexed by height. */
 export interface Ring extends Box {
   readonly points: readonly Point[];
-  /** Well inside of it. */
+  /** A point well inside the line. */
   readonly inner: Point;
-  /** Numbers of the edges that reach into each band, from the lowest. */
+  /** Indices of the edges that reach into each band, from the lowest band up. */
   readonly bands: readonly (readonly number[])[];
 }
 
 const band = (ring: Pick<Ring, 'low'>, y: number): number =>
   Math.floor((y - ring.low[1]) / bandHeight);
 
-/** Of two points of a grid with as much room, the one nearer to the middle is taken: a share of how far it is. */
+/**
+ * Penalty per cm of distance from the middle: it decides between grid points of equal clearance.
+ */
 const pull = 0.05;
 
-/** How far a point is inside is told by so many points of the line, at the most: it is no matter of millimetres. */
+/**
+ * Largest number of points used to measure a clearance, which need not be exact to the millimetre.
+ */
 const mostTold = 64;
 
-/** The point of a grid that is furthest from the line, inside of it. */
+/** The grid point inside the line with the greatest clearance. */
 function innerOf(all: readonly Point[], {low, high}: Box): Point {
   const every = Math.ceil(all.length / mostTold);
   const points = all.filter((_, k) => k % every === 0);
@@ -59,12 +63,12 @@ export function ringOf(points: readonly Point[]): Ring {
   return {
     ...{...box, points, bands},
     get inner() {
-      return (inner ??= innerOf(points, box)); // sought only where somebody asks
+      return (inner ??= innerOf(points, box)); // computed only on demand
     },
   };
 }
 
-/** Of a point from an edge, squared. */
+/** Squared distance of a point from an edge. */
 function offEdge(px: number, py: number, ax: number, ay: number, bx: number, by: number): number {
   const [dx, dy] = [bx - ax, by - ay];
   const length = dx * dx + dy * dy;
@@ -74,7 +78,7 @@ function offEdge(px: number, py: number, ax: number, ay: number, bx: number, by:
   return x * x + y * y;
 }
 
-/** On which side of a line through a, b a point is, and how far. */
+/** Signed distance of a point from the line through a and b. */
 function sideOf(px: number, py: number, ax: number, ay: number, bx: number, by: number): number {
   const [dx, dy] = [bx - ax, by - ay];
   const length = Math.sqrt(dx * dx + dy * dy) || 1;
@@ -84,7 +88,7 @@ function sideOf(px: number, py: number, ax: number, ay: number, bx: number, by: 
 const areOpposite = (one: number, other: number): boolean =>
   (one > slack && other < -slack) || (one < -slack && other > slack);
 
-/** Whether two edges cross, or come nearer than the root of `least`. */
+/** Returns whether two edges cross, or come closer than the square root of `least`. */
 function meet(a: Point, b: Point, c: Point, d: Point, least: number): boolean {
   const [[ax, ay], [bx, by], [cx, cy], [dx, dy]] = [a, b, c, d];
   if (
@@ -101,7 +105,7 @@ function meet(a: Point, b: Point, c: Point, d: Point, least: number): boolean {
   );
 }
 
-/** Whether an edge meets any of a ring that is near enough. */
+/** Returns whether an edge meets any nearby edge of a ring. */
 function meetsRing(from: Point, to: Point, ring: Ring, near: number, least: number): boolean {
   const [left, right] = from[0] < to[0] ? [from[0], to[0]] : [to[0], from[0]];
   const [lower, upper] = from[1] < to[1] ? [from[1], to[1]] : [to[1], from[1]];
@@ -121,8 +125,8 @@ function meetsRing(from: Point, to: Point, ring: Ring, near: number, least: numb
 }
 
 /**
- * Whether neither of two rings holds any of the other, nor comes nearer to it than `gap`.
- * @param shift moves the second one before
+ * Returns whether two rings are disjoint and at least `gap` apart.
+ * @param shift translation of the second ring
  */
 export function areApart(one: Ring, other: Ring, shift: Point, gap: number): boolean {
   const near = Math.max(0, gap - slack);

@@ -1,4 +1,6 @@
-/** What would take less cloth: offered, never done unasked. Lengths in cm. */
+/**
+ * Suggestions that save fabric. They are offered and never applied automatically. Lengths in cm.
+ */
 import {combined, onPiece, onPrint, type Point} from '../model/geometry.js';
 import type {CheaperLay, LayPlan} from '../model/lay-plan.js';
 import type {MarkerAnswer, MarkerHooks} from '../model/marker.js';
@@ -10,22 +12,22 @@ import {markerOrder, type LaidPrint, type MarkerOrder} from './problem.js';
 import type {MarkerSettings} from './settings.js';
 import {hasShiftsToTry, layShifted, unlessFailed, type Lay} from './shifted.js';
 
-/** Each is looked at for so long, as a share of the time for the plan. */
+/** Search time of each suggestion, as a share of the layout's. */
 const effortShare = 0.25;
-/** Whoever buys cloth does not care for less. */
+/** Smallest saving worth a suggestion. [cm] */
 const leastSaving = 1;
-/** A piece that is smaller than this share of the largest may be left unmatched without being noticed much. */
+/** Pieces smaller than this share of the largest may stay unmatched: it is hardly noticed. */
 const smallShare = 0.25;
-/** As many of them, the largest, are tried at so many places along each vector of the repeat. */
+/** Number of small pieces, largest first, that are freed; and positions tried per repeat vector. */
 const mostUnmatched = 2;
 const steps = 3;
-/** A piece lies on its print that misses it by less. */
+/** A piece is in register with the print if it is off by less than this. [cm] */
 const onIt = 1e-3;
 
-/** What the questions are answered with. */
+/** Functions that compute the suggestions. */
 export interface CheaperMeans {
   readonly lay: Lay;
-  /** Without it no other design is looked at. */
+  /** Other designs are considered only with this function. */
   readonly solve?: SolveDesign;
 }
 
@@ -36,19 +38,19 @@ interface Laid {
   readonly plan: LayPlan;
 }
 
-/** Shifts over the whole cell of the repeat. */
+/** Shifts that cover the whole cell of the repeat. */
 const anyShifts = ({w1, w2}: Repeat): readonly Point[] =>
   Array.from({length: steps * steps - 1}, (_, k) =>
     combined([w1, w2], ((k + 1) % steps) / steps, Math.floor((k + 1) / steps) / steps),
   );
 
-/** Wherever the print starts at the left edge. */
+/** Settings that leave the print's start at the left edge open. */
 const withoutPhase = (settings: MarkerSettings): MarkerSettings => ({
   widthCm: settings.widthCm,
   ...Object.fromEntries(Object.entries(settings).filter(([name]) => name !== 'phaseCm')),
 });
 
-/** Names of the pieces that do not lie on the print as the seams ask for. */
+/** Names of the pieces whose place does not match the print of their alignment. */
 function moved({problem, pieces}: MarkerOrder, {places, printOrigin}: MarkerAnswer): string[] {
   const away = printDistance(problem.print);
   return problem.pieces.flatMap(({outline, alignment}, k) => {
@@ -62,7 +64,7 @@ function moved({problem, pieces}: MarkerOrder, {places, printOrigin}: MarkerAnsw
   });
 }
 
-/** The order with some small pieces free to lie on any part of the print; none where all are large. */
+/** The order with some small pieces free of the print; undefined if no piece is small. */
 function withSmallUnmatched(order: MarkerOrder): MarkerOrder | undefined {
   const {problem} = order;
   const areas = problem.pieces.map(({outline}) => Math.abs(signedArea(outline)));
@@ -77,7 +79,10 @@ function withSmallUnmatched(order: MarkerOrder): MarkerOrder | undefined {
   return {...order, problem: {...problem, pieces}};
 }
 
-/** The shortest first. @param lay seeks the layout of a problem */
+/**
+ * Suggestions for a layout, the shortest first.
+ * @param lay computes the layout of a problem
+ */
 export async function cheaperLays(
   {garments, settings, print, plan}: Laid,
   {lay, solve}: CheaperMeans,
@@ -136,14 +141,20 @@ export async function cheaperLays(
   return offers.sort((one, other) => one.lengthCm - other.lengthCm);
 }
 
-/** A plan that tells of them: but for another design's, each is also a layout without regard to the print. */
+/**
+ * Adds suggestions to a layout. Except for another design's, each is also a layout without the
+ * print.
+ */
 export function withOffers(plan: LayPlan, cheaper: readonly CheaperLay[]): LayPlan {
   const same = cheaper.filter(({kind}) => kind !== 'design').map(({lengthCm}) => lengthCm);
   const {freeLengthCm: free} = plan;
   return {...plan, cheaper, freeLengthCm: free === null ? null : Math.min(free, ...same)};
 }
 
-/** With the print moved under loose pieces and under joined ones; undefined where there are none, or no place. */
+/**
+ * A layout with the print moved under loose pieces and under components; undefined if there is
+ * nothing to move or no place.
+ */
 async function shiftedAnswer(
   order: MarkerOrder,
   phaseCm: number,

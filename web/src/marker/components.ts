@@ -1,9 +1,12 @@
-/** Pieces that have to keep their places on the print relative to each other. */
+/** Pieces that have to keep their relative places on the print. */
 import type {SolveResult} from '../model/result.js';
 
 type Joined = Pick<SolveResult, 'pieces' | 'seams' | 'symmetries' | 'matches'>;
 
-/** The numbers of the pieces, by what is matched, directly or by way of others; or is each other's mirror image. */
+/**
+ * Groups of piece indices, joined directly or indirectly by matched seams, matches or mirror
+ * symmetry.
+ */
 function components({
   pieces,
   seams,
@@ -27,15 +30,20 @@ function components({
   return [...groups.values()];
 }
 
-/** What of the print on a garment's pieces may move, and with what. Pieces are meant by their numbers. */
+/**
+ * Pieces under which the print may move alone, and those under which it moves together; by index.
+ */
 interface Movable {
-  /** Each by itself: nothing holds it to the print where it is. */
+  /** Pieces that nothing ties to their place on the print. */
   readonly loose: ReadonlySet<number>;
-  /** Only together; the one of most pieces first. */
+  /** Groups that move only together, the largest first. */
   readonly joined: readonly (readonly number[])[];
 }
 
-/** Pieces alone are loose, but for one where all are alone. */
+/**
+ * Divides pieces into loose and joined ones. Single pieces are loose, except the first if all are
+ * single.
+ */
 export function movablePieces(garment: Joined, printed: readonly number[]): Movable {
   const groups = components(garment)
     .map((group) => group.filter((k) => printed.includes(k)))

@@ -1,25 +1,31 @@
-/** In which repeat of the print something on the cloth begins: how people find it on a bolt. */
+/** Position on the fabric, counted in repeats of the print. */
 import {norm, type Point} from '../model/geometry.js';
 import {imageCell} from '../model/wallpaper.js';
 import type {Bolt} from './places.js';
 
-/** Counted from 1: from the left selvedge, and from where the cloth is cut. The first may be cut off. */
+/**
+ * Counted from 1: from the left selvedge and from the cut end. The first repeat may be incomplete.
+ */
 interface CountedRepeats {
   readonly across: number;
   readonly along: number;
 }
 
-/** Sides of a cell lie along the cloth where they miss it by less than this share of their length. */
+/** Sides of a cell are parallel to the fabric's edges within this share of their length. */
 const straight = 1e-6;
-/** Nobody counts repeats that are smaller, as those along stripes. [cm] */
+/** Smallest repeat that people can count, unlike the repeat along stripes. [cm] */
 const leastCounted = 2;
-/** Of a repeat: what misses its edge by less lies on it. */
+/** Points this close to the edge of a repeat are on it, as a share of the repeat. */
 const slack = 1e-3;
 
 const isAlong = (side: Point, axis: 0 | 1): boolean =>
   Math.abs(side[axis === 0 ? 1 : 0]) < straight * norm(side);
 
-/** Undefined where the repeats do not lie along the edges of the cloth, so that nobody can count them, or are too small. @param at the lower left corner of the box around it */
+/**
+ * Counts the repeats up to a point. Undefined if the repeats are too small to count, or not
+ * parallel to the fabric's edges.
+ * @param at the lower left corner of a bounding box
+ */
 export function countedRepeats(
   at: Point,
   {repeat, origin, selvedgeCm}: Bolt,

@@ -1,4 +1,4 @@
-/** The lines along which the pieces of a solved garment are cut, each made once. Lengths in cm. */
+/** The cut lines of the pieces of a solved garment, cached. Lengths in cm. */
 import {ownShare, type AllowanceRule, type OwnShare} from '../cutting/allowances.js';
 import {cutLineSteps} from '../cutting/cut-lines.js';
 import {decidedOf} from '../model/design.js';
@@ -13,36 +13,39 @@ import type {Problem} from '../model/problem.js';
 import type {OtherAlignment, SolveResult} from '../model/result.js';
 import {outerRing, selfCrossing} from './outline.js';
 
-/** A solved garment, and what is known of it besides. */
+/** A solved garment with its source data. */
 export interface MarkerGarment {
   readonly result: SolveResult;
-  /** What messages call it: the name of its file. */
+  /** File name, used in messages. */
   readonly name?: string;
-  /** What the garment's file says of its pieces: allowances, grain, how many of each are cut. */
+  /** Garment file: allowances, grain, and quantity of each piece. */
   readonly garment?: GarmentDocument;
-  /** What it was solved with: grain rules, and pieces of plain cloth. */
+  /** Options of the solve: grain rules, and pieces of plain fabric. */
   readonly options?: Pick<SolveOptions, 'grain' | 'plain'>;
-  /** What pieces are called, where that was chosen. */
+  /** Names chosen for the pieces. */
   readonly names?: PieceNames;
-  /** What it answers, so that other designs of it can be solved. */
+  /** The solved problem, required to solve other designs of the garment. */
   readonly problem?: Problem;
-  /** Other designs of it that fit as well. Default: those that the result tells of. */
+  /** Other designs that match as well. Default: those of the result. */
   readonly others?: readonly OtherAlignment[];
 }
 
 interface CutRings {
-  /** By piece. */
+  /** Marks of each piece. */
   readonly marks: readonly PanelMarks[];
-  /** Of the pieces that are printed, by number. */
+  /** Cut lines of the printed pieces, by piece index. */
   readonly rings: ReadonlyMap<number, readonly Point[]>;
   readonly ownAllowances: OwnShare;
 }
 
-/** What messages call a piece. */
+/** The name of a piece in messages. */
 export const calledIn = ({name: file}: MarkerGarment, piece: string): string =>
   file === undefined ? piece : `${piece} of ${file}`;
 
-/** Of the cut lines' rings, the outer ones. @throws {SolverError} naming a piece that cannot be laid */
+/**
+ * The outermost cut line.
+ * @throws {SolverError} if the piece cannot be laid, with its name
+ */
 function ringOf(cut: readonly (readonly Point[])[], name: string, piece: number): readonly Point[] {
   const ring = outerRing(cut);
   if (!ring) {
@@ -63,12 +66,13 @@ interface Known {
   readonly made: CutRings;
 }
 
-/** Of each result, as it was asked for last: a layout and its offers all begin with them. */
+/** The latest cut lines of each result: a layout and its suggestions all start with them. */
 const known = new WeakMap<SolveResult, Known>();
 
 /**
- * Takes some ten milliseconds a step, so that it can be done beside a page; none where they are known.
- * @throws {SolverError} naming a piece whose cut line crosses itself
+ * Computes the cut lines in steps of about ten milliseconds, so that a page stays responsive.
+ * Cached lines need no steps.
+ * @throws {SolverError} if a cut line crosses itself, with the piece's name
  */
 export function* cutRingSteps(
   laid: MarkerGarment,
@@ -95,6 +99,6 @@ export function* cutRingSteps(
   return made;
 }
 
-/** The same at once. */
+/** Computes the cut lines in one call. */
 export const cutRings = (...asked: Parameters<typeof cutRingSteps>): CutRings =>
   drained(cutRingSteps(...asked));

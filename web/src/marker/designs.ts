@@ -1,4 +1,4 @@
-/** Other designs of a result that fit as well, laid on the same cloth. Lengths in cm. */
+/** Layouts of a result's other designs that match as well, on the same fabric. Lengths in cm. */
 import type {CheaperDesign, CheaperLay} from '../model/lay-plan.js';
 import type {MarkerHooks} from '../model/marker.js';
 import type {SolveOptions} from '../model/options.js';
@@ -8,26 +8,29 @@ import type {MarkerGarment} from './pieces.js';
 import type {MarkerOrder} from './problem.js';
 import {unlessFailed, type Lay} from './shifted.js';
 
-/** What solves a design: `solve`, wherever it runs. */
+/** Solves a design like `solve`, in any thread. */
 export type SolveDesign = (
   problem: Problem,
   hooks: Pick<MarkerHooks, 'signal'>,
 ) => Promise<SolveResult>;
 
-/** A design fits as well whose print misses by no more than this share beyond, or by so much. */
+/** A design matches as well if its mismatch is no larger than this share more, plus `asGoodCm`. */
 const asGood = 0.1;
 const asGoodCm = 0.01;
-/** As many are laid, each with this share of the time for the plan, with the pieces' outlines as they are. */
+/**
+ * Number of designs that are laid roughly, with the outlines unchanged; and effort for each, as a
+ * share of the layout's.
+ */
 const mostLaid = 16;
 const roughShare = 0.05;
-/** Of those the shortest are solved, and laid once more. */
+/** Number of the shortest that are then solved and laid again. */
 const mostSolved = 3;
-/** Solving moves outlines, so that a rough layout is off by about as much. */
+/** Allowance for the error of a rough layout, since solving moves the outlines. [cm] */
 const roughError = 1;
 
 type Pins = CheaperDesign['pins'];
 
-/** How they lie, by name: what a solve is told to keep. */
+/** Alignments of a design by piece name, as the pins of a solve. */
 const pinsOf = ({pieces}: SolveResult, {pieces: at}: OtherAlignment): Pins =>
   Object.fromEntries(
     pieces.flatMap(({name}, k) => {
@@ -36,7 +39,7 @@ const pinsOf = ({pieces}: SolveResult, {pieces: at}: OtherAlignment): Pins =>
     }),
   );
 
-/** The order with the pieces of one garment where they lie in another design of it. */
+/** The order with one garment's pieces aligned as in another of its designs. */
 function placedAs(
   order: MarkerOrder,
   {result: {pieces}}: MarkerGarment,
@@ -54,7 +57,7 @@ function placedAs(
 
 const meanOf = ({metrics}: SolveResult): number => metrics.localCm?.final ?? Infinity;
 
-/** The same garment with other options. */
+/** The problem with changed options. */
 export function withOptions(problem: Problem, changed: SolveOptions): Problem {
   const {options = {}} = problem;
   const given = typeof options === 'string' ? (JSON.parse(options) as SolveOptions) : options;
@@ -63,18 +66,24 @@ export function withOptions(problem: Problem, changed: SolveOptions): Problem {
 
 interface Offered {
   readonly garments: readonly MarkerGarment[];
-  /** Of the plan. */
+  /** Length of the current layout. */
   readonly lengthCm: number;
-  /** Shorter by less is no saving. */
+  /** Smallest difference that counts as a saving. */
   readonly leastSaving: number;
-  /** @param share of the effort for the plan */
+  /**
+   * The layout order of garments.
+   * @param share effort, as a share of the layout's
+   */
   readonly orderOf: (garments: readonly MarkerGarment[], share: number) => MarkerOrder;
   readonly share: number;
   readonly lay: Lay;
   readonly solve: SolveDesign;
 }
 
-/** The shortest that fits as well as the design that is laid, solved and laid to be sure; undefined for none. */
+/**
+ * The shortest other design that matches as well as the current one, solved and laid again;
+ * undefined if none is shorter.
+ */
 export async function cheaperDesign(
   {garments, lengthCm, leastSaving, orderOf, share, lay, solve}: Offered,
   {signal}: Pick<MarkerHooks, 'signal'>,

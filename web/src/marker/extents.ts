@@ -1,8 +1,10 @@
-/** How much room a piece takes at the least, however it may be turned. Lengths in cm. */
+/** The least space of a piece over all of its rotations. Lengths in cm. */
 import type {MarkerProblem} from '../model/marker.js';
 import {turnedRing, turnsOf, type LayablePiece} from './places.js';
 
-/** Across the cloth and along it; each by the turn that suits it best. */
+/**
+ * The least extent across the fabric and along it, each for the rotation with the smallest value.
+ */
 export function leastExtents(
   piece: LayablePiece,
   {print, widthCm, selvedgeCm, nap}: MarkerProblem,

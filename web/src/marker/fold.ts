@@ -1,4 +1,7 @@
-/** Cloth that is folded lengthwise, and cut through both plies at once. Lengths in cm, angles in radians. */
+/**
+ * Layouts on fabric that is folded lengthwise, with both plies cut at once. Lengths in cm, angles
+ * in radians.
+ */
 import {SolverError} from '../model/failure.js';
 import {
   minus,
@@ -24,13 +27,16 @@ import {acrossRepeat} from './repeats.js';
 interface FoldedOrder {
   /** One piece of each pair, on the ply to the right of the fold. */
   readonly order: MarkerOrder;
-  /** Of its plan that of both plies, the cloth spread again. */
+  /** Converts the layout of one ply to that of both plies, with the fabric unfolded. */
   readonly spread: (half: LayPlan) => LayPlan;
 }
 
 const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
 
-/** Mirror lines along the cloth: where one of them crosses it, from an origin of the print, and how far it is to the next. */
+/**
+ * Mirror lines along the fabric: the position of one across the fabric, relative to an origin of
+ * the print, and their spacing.
+ */
 function linesAlong(repeat: Repeat): {readonly at: number; readonly spacing: number} {
   const lines = mirrorLines(repeat).find(({along}) => Math.abs(along[0]) < 1e-6);
   if (!lines) {
@@ -38,18 +44,21 @@ function linesAlong(repeat: Repeat): {readonly at: number; readonly spacing: num
       `Along this cloth ${repeat.group} has no mirror line, so the lower ply of folded cloth would show the print wrongly; lay single cloth, or a print of pm, pmm, pmg, cm, cmm, p3m1, p31m, p4m, p4g or p6m that mirrors from side to side.`,
     );
   }
-  // `offset` counts along the normal of `along`, which is across the cloth
+  // `offset` is measured along the normal of `along`, which points across the fabric
   return {at: 0 - lines.along[1] * lines.offset, spacing: lines.spacing};
 }
 
-/** Where the fold lies on the cloth, and where the print's origin may lie from it. */
+/** The position of the fold on the fabric, and the possible positions of the print's origin. */
 interface FoldPlaces {
   readonly foldCm: number;
-  /** From the fold to an origin of the print. */
+  /** Distances from the fold to an origin of the print. */
   readonly origins: readonly number[];
 }
 
-/** In the middle where the place of the print is open; else on the line of the print that is nearest to that. */
+/**
+ * Places the fold in the middle if the print's position is open, otherwise on the print's mirror
+ * line nearest to the middle.
+ */
 function foldPlaces(
   {problem: {print, widthCm, ignoresPrint, startCm}}: MarkerOrder,
   phaseCm: number | undefined,
@@ -72,7 +81,7 @@ function foldPlaces(
   };
 }
 
-/** Where the mirror image of a piece lies, in the line x = 0, if the piece lies there. */
+/** The place of a piece's mirror image in the line x = 0, for a given place of the piece. */
 function mirroredPlace({angle, translation}: Alignment, map: MirrorMap): Alignment {
   const turned = wrapped(0 - angle - map.angle);
   const [x, y] = translation;
@@ -82,7 +91,10 @@ function mirroredPlace({angle, translation}: Alignment, map: MirrorMap): Alignme
   };
 }
 
-/** @throws {SolverError} naming a piece that is wider than a ply, and how wide the cloth has to be */
+/**
+ * Checks that each piece fits one ply.
+ * @throws {SolverError} with the name of a piece that is too wide and the fabric width it needs
+ */
 function checkWidths({problem}: MarkerOrder, spreadOf: (width: number) => number): void {
   const {widthCm, selvedgeCm} = problem;
   for (const piece of problem.pieces) {
@@ -96,13 +108,15 @@ function checkWidths({problem}: MarkerOrder, spreadOf: (width: number) => number
   }
 }
 
-/** To the next millimetre. */
+/** Rounds a length up to the next millimetre. */
 const upwards = (cm: number): string => (Math.ceil(10 * cm - 1e-4) / 10).toFixed(1);
 
 /**
- * An order for folded cloth: half of its pieces, on half of the cloth.
- * @param phaseCm of the print's origin from the left edge of the cloth spread; undefined where that is open
- * @throws {SolverError} where the print has no mirror line for the fold, or a piece no mirror image
+ * The order for folded fabric: half of the pieces on half of the width.
+ * @param phaseCm distance of the print's origin from the left edge of the unfolded fabric;
+ *   undefined if open
+ * @throws {SolverError} if the print has no mirror line for the fold, or a piece has no mirror
+ *   image
  */
 export function foldedOrder(
   order: MarkerOrder,
@@ -113,7 +127,7 @@ export function foldedOrder(
   const {widthCm, selvedgeCm, gapCm} = problem;
   const {foldCm, origins} = foldPlaces(order, phaseCm);
   const pairs = cutPairs(order, results);
-  // pieces keep half the gap from the fold, which takes the place of a selvedge
+  // pieces keep half the gap from the fold, which replaces a selvedge
   const beyond = selvedgeCm - gapCm / 2;
   const halfOf = (width: number): number => width + beyond;
   const spreadOf = (width: number): number => 2 * (width - beyond);
@@ -121,13 +135,13 @@ export function foldedOrder(
   const across = ([x, y]: Point): Point => [2 * foldCm - x, y];
   const half: MarkerOrder = {
     ...order,
-    // the lower ply mirrors the print where it is
+    // the lower ply mirrors the print where it is, so the print cannot move under components
     ...{components: [], pieces: pairs.flatMap(({first}) => pieces[first] ?? [])},
     problem: {
       ...problem,
       pieces: pairs.flatMap(({first}) => {
         const piece = problem.pieces[first];
-        // copies are cut together, so that they lie the same way
+        // copies are cut together and therefore keep the same direction
         return piece ? [{...piece, shifts: [], garment: pieces[first]?.result ?? 0}] : [];
       }),
       widthCm: halfOf(Math.min(foldCm, widthCm - foldCm)),
@@ -179,7 +193,7 @@ const movedBy = (one: LaidPlacement, by: Point): LaidPlacement => ({
   cut: one.cut.map((p) => plus(p, by)),
 });
 
-/** The other piece of a pair, on the lower ply once that is spread. */
+/** The other piece of a pair, on the lower ply of the unfolded fabric. */
 function lowerPly(
   {pieces, problem}: MarkerOrder,
   {second, map}: CutPair,

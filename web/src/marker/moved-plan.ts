@@ -1,4 +1,4 @@
-/** A plan with its pieces lying otherwise: as somebody has moved them. Lengths in cm. */
+/** Updates a layout whose pieces were moved by hand. Lengths in cm. */
 import {onPiece, type Alignment} from '../model/geometry.js';
 import {isOfPhases} from '../model/lay-note.js';
 import type {LaidPlacement, LayPlan} from '../model/lay-plan.js';
@@ -6,16 +6,16 @@ import {boxOf, signedArea} from '../model/polyline.js';
 import {saidNote} from './draw/note-texts.js';
 import type {MarkerOrder} from './problem.js';
 
-/** A length that is greater than the bound by less is as short as it can be. */
+/** A layout is shortest if its length exceeds the bound by less than this. */
 const sameLength = 0.05;
-/** Of lengths, which are sums. [cm] */
+/** Rounding error of summed lengths. [cm] */
 const rounding = 1e-6;
 
 type Pieces = Pick<MarkerOrder, 'pieces'> & {
   readonly problem: Pick<MarkerOrder['problem'], 'pieces'>;
 };
 
-/** What a plan says of where each piece lies; undefined where it has no place. */
+/** The place of each piece in a layout; undefined for an unplaced piece. */
 export function placesIn({pieces}: Pieces, {placements}: LayPlan): (Alignment | undefined)[] {
   return pieces.map(({result, copy, piece, nth}) => {
     const found = placements.find(
@@ -25,14 +25,17 @@ export function placesIn({pieces}: Pieces, {placements}: LayPlan): (Alignment | 
   });
 }
 
-/** Whether pieces lie otherwise than a plan says. @param places by number of the pieces */
+/**
+ * Returns whether pieces have other places than in a layout.
+ * @param places by piece index
+ */
 export const isMoved = (
   order: Pieces,
   plan: LayPlan,
   places: readonly (Alignment | undefined)[],
 ): boolean => JSON.stringify(placesIn(order, plan)) !== JSON.stringify(places);
 
-/** What is said of the same pieces packed otherwise is no part of a plan whose pieces were moved. */
+/** Changes to a moved layout: statements about the computed packing no longer apply. */
 function unpacked(plan: LayPlan, lengthCm: number | null): Partial<LayPlan> {
   const {printOrigin} = plan;
   const noteDetails = plan.noteDetails.filter((note) => !isOfPhases(note));
@@ -43,7 +46,10 @@ function unpacked(plan: LayPlan, lengthCm: number | null): Partial<LayPlan> {
   };
 }
 
-/** The plan as its pieces lie, of which all figures hold. @param places by number of the pieces */
+/**
+ * The layout with new places and updated figures.
+ * @param places by piece index
+ */
 export function movedPlan(
   {pieces, problem}: Pieces,
   plan: LayPlan,
@@ -57,16 +63,16 @@ export function movedPlan(
   });
   const unplaced = pieces.filter((_, k) => !places[k]);
   const lengthCm = Math.max(0, boxOf(placements.flatMap(({cut}) => cut)).high[1]);
-  // what is known of all pieces says nothing of some of them
+  // the bound for all pieces does not hold for some of them
   const boundCm = unplaced.length > 0 ? 0 : Math.min(plan.boundCm, lengthCm);
   const area = placements.reduce((sum, {cut}) => sum + signedArea(cut), 0);
   const wholeCm = unplaced.length > 0 ? null : lengthCm;
   return {
     ...plan,
     ...(isMoved({pieces, problem}, plan, places) && unpacked(plan, wholeCm)),
-    // on other widths nothing is pinned
+    // the lengths for other widths ignore pins
     ...(plan.unpinnedLengthCm !== undefined && {widths: []}),
-    // what it costs that it was moved is no cost of the print
+    // fabric lost by moving pieces is not a cost of the print
     freeLengthCm: Math.abs(lengthCm - plan.lengthCm) < rounding ? plan.freeLengthCm : null,
     ...{placements, lengthCm, boundCm, useShare: area / (plan.widthCm * lengthCm || 1)},
     proven: unplaced.length === 0 && plan.proven && lengthCm - boundCm < sameLength,

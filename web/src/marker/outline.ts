@@ -1,8 +1,8 @@
-/** The line along which a piece is cut, as it is laid. Lengths in cm. */
+/** The cut line of a piece in a layout. Lengths in cm. */
 import {cross, minus, type Point} from '../model/geometry.js';
 import {boxOf, signedArea} from '../model/polyline.js';
 
-/** The outer one of a piece's cut lines, counter-clockwise; undefined where there is none. */
+/** The outermost of a piece's cut lines, counter-clockwise; undefined if it has none. */
 export function outerRing(cut: readonly (readonly Point[])[]): readonly Point[] | undefined {
   const [largest] = [...cut].sort(
     (one, other) => Math.abs(signedArea(other)) - Math.abs(signedArea(one)),
@@ -11,7 +11,7 @@ export function outerRing(cut: readonly (readonly Point[])[]): readonly Point[] 
   return signedArea(largest) < 0 ? [...largest].reverse() : largest;
 }
 
-/** A step of a line, with the least and the greatest x and y on it. */
+/** A segment of a line with its bounding box. */
 interface Step {
   readonly from: Point;
   readonly to: Point;
@@ -27,16 +27,16 @@ const isApart = (one: Step, other: Step): boolean =>
   one.high[1] < other.low[1] ||
   other.high[1] < one.low[1];
 
-/** Whether two steps pass through each other; to touch is no crossing. */
+/** Returns whether two segments cross; touching is not crossing. */
 function passThrough({from: a, to: b}: Step, {from: c, to: d}: Step): boolean {
   const side = (p: Point, q: Point, r: Point): number => cross(minus(q, p), minus(r, p));
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-/** Where a closed line crosses itself: the start of a step that does. */
+/** The start of a segment where a closed line crosses itself; undefined if it does not. */
 export function selfCrossing(ring: readonly Point[]): Point | undefined {
   const steps = ring.map((from, k) => stepOf(from, ring[(k + 1) % ring.length] ?? from));
-  // from left to right, so that each meets only those that begin before it ends
+  // sorted from left to right, so that each segment meets only those that begin before it ends
   const sorted = [...steps].sort((one, other) => one.low[0] - other.low[0]);
   for (const [k, step] of sorted.entries()) {
     for (let n = k + 1; n < sorted.length; n++) {

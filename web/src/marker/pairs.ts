@@ -1,4 +1,7 @@
-/** Pieces that are cut at once from both plies of folded cloth: each with its mirror image. Lengths in cm, angles in radians. */
+/**
+ * Pairs of mirrored pieces that are cut at once from both plies of folded fabric. Lengths in cm,
+ * angles in radians.
+ */
 import {SolverError} from '../model/failure.js';
 import {rotated, type MirrorMap, type Point} from '../model/geometry.js';
 import {inverse, mirrors} from '../model/mirror-images.js';
@@ -8,19 +11,19 @@ import type {SolveResult} from '../model/result.js';
 import {mirrorImage} from '../scene/marks.js';
 import type {MarkerOrder} from './problem.js';
 
-/** Two pieces by their numbers in a problem, and how the first mirrors onto the second. */
+/** Two pieces by their indices in a problem, and the map from the first to its mirror image. */
 export interface CutPair {
   readonly first: number;
   readonly second: number;
   readonly map: MirrorMap;
 }
 
-/** Cut lines of mirror images lie this near to each other. */
+/** Greatest distance between the cut lines of mirror images. [cm] */
 const sameLine = 0.02;
 
 const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
 
-/** What each piece of a result mirrors onto, by name; a piece may mirror onto itself. */
+/** The mirror image of each piece of a result, by name; a piece may be its own mirror image. */
 function twinsIn({
   pieces,
   symmetries,
@@ -42,28 +45,35 @@ function twinsIn({
 const liesOn = (line: readonly Point[], other: readonly Point[]): boolean =>
   line.every((p) => distanceTo(other, p) < sameLine);
 
-/** By how much a turn may be off. [rad] */
+/** Tolerance of a rotation. [rad] */
 const sameTurn = 1e-6;
 
 const rightTurns: Readonly<Record<LaidTurns, number>> = {
   ...{half: Math.PI, quarter: Math.PI / 2, any: 0},
 };
 
-/** Whether the second piece lies on the print by a turn that it may have, wherever the first one does. */
+/**
+ * Returns whether the second piece keeps a rotation allowed by its grain, for every place of the
+ * first.
+ */
 function keepsGrain(one: MarkerPiece, other: MarkerPiece, map: MirrorMap): boolean {
   const step = rightTurns[other.turns];
   const turn = one.alignment.angle + other.alignment.angle - map.angle;
   return step === 0 || Math.abs(turn - step * Math.round(turn / step)) < sameTurn;
 }
 
-/** Whether both pieces have their heads the same way, wherever the first one lies. */
+/** Returns whether both pieces point the same way up, for every place of the first. */
 function keepsUpside(one: MarkerPiece, other: MarkerPiece, map: MirrorMap): boolean {
   const angle = -one.alignment.angle;
   const rise = rotated(one.up, angle)[1] * rotated(other.up, -angle - map.angle)[1];
   return rise >= 0;
 }
 
-/** @throws {SolverError} where one is not the mirror image of the other, as it is cut or in its print */
+/**
+ * Checks that two pieces mirror each other.
+ * @throws {SolverError} if their cut lines or their print are not mirrored, or the nap or grain
+ *   differs
+ */
 function checkMirrored({problem}: MarkerOrder, {first, second, map}: CutPair): void {
   const [one, other] = [problem.pieces[first], problem.pieces[second]];
   if (!one || !other) return;
@@ -93,8 +103,8 @@ function checkMirrored({problem}: MarkerOrder, {first, second, map}: CutPair): v
 }
 
 /**
- * All pieces of a problem, two by two.
- * @throws {SolverError} naming a piece that has no mirror image to be cut with
+ * All pieces of a problem in pairs.
+ * @throws {SolverError} with the name of a piece that has no mirror image to be cut with
  */
 export function cutPairs(order: MarkerOrder, results: readonly SolveResult[]): readonly CutPair[] {
   const numbersOf = (result: number, name: string): number[] =>

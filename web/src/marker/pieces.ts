@@ -1,4 +1,4 @@
-/** The pieces of solved garments as they are laid on cloth. Lengths in cm, angles in radians. */
+/** The pieces of solved garments, prepared for a layout. Lengths in cm, angles in radians. */
 import type {AllowanceRule} from '../cutting/allowances.js';
 import type {GarmentPiece} from '../model/garment-document.js';
 import type {PanelMarks} from '../model/garment-marks.js';
@@ -11,12 +11,12 @@ import {calledIn, cutRings, type MarkerGarment} from './cut-rings.js';
 
 export type {MarkerGarment} from './cut-rings.js';
 
-/** Which piece of which garment lies where a problem has one. */
+/** Identifies the source of a problem's piece: its garment and its name there. */
 export interface PieceOfMarker {
   readonly result: number;
   readonly copy: number;
   readonly piece: string;
-  /** Which of several that are cut of it for one garment, from 0. */
+  /** Index among several copies of the piece in one garment, from 0. */
   readonly nth?: number;
 }
 
@@ -27,7 +27,7 @@ interface Laying extends AllowanceRule {
 
 interface LaidOf extends PieceOfMarker {
   readonly asked: Omit<MarkerPiece, 'garment'>;
-  /** Of a piece whose print moves only with that of others: which of these. */
+  /** Index of the component with which the piece's print moves, if any. */
   readonly component?: number;
 }
 
@@ -38,7 +38,10 @@ const turnsBy: Readonly<Record<GrainLock, LaidTurns>> = {
 const own = <T>(record: Readonly<Record<string, T>>, name: string): T | undefined =>
   Object.hasOwn(record, name) ? record[name] : undefined;
 
-/** As the solver takes it: what was chosen for the piece, what its file says, what was chosen for all. */
+/**
+ * The grain rule of a piece, with the solver's precedence: chosen for the piece, from its file,
+ * chosen for all pieces.
+ */
 function lockOf(
   {grain: {default: all, pieces = {}} = {}}: Pick<SolveOptions, 'grain'>,
   drafted: GarmentPiece | undefined,
@@ -49,10 +52,13 @@ function lockOf(
   return chosen ?? drafted?.grain?.lock ?? all;
 }
 
-/** A grain line that rises by less of its length has no upper end. */
+/** A grain line has no upper end if it rises by less than this share of its length. */
 const leastRise = 0.2;
 
-/** From foot to head of the grain line; up the cloth as the piece was solved, where that runs across it and stays so. */
+/**
+ * The upward direction of a piece: from foot to head of its grain line. The warp of the solved
+ * alignment replaces a grain line that runs across the fabric and stays so.
+ */
 function upOf(
   {alignment, grainAngle = Math.PI / 2}: ResultPiece,
   {grainDeg}: Pick<PanelMarks, 'grainDeg'>,
@@ -63,20 +69,23 @@ function upOf(
   return turns === 'half' && Math.abs(dot(warp, grain)) < leastRise ? warp : grain;
 }
 
-/** Of all pieces of a garment together: each has to be compared with all others. */
+/**
+ * Greatest number of shifts of all pieces of a garment together, since each is compared with all
+ * others.
+ */
 const mostShifts = 60;
 
-/** Evenly chosen. */
+/** A subset at even intervals. */
 function thinned<T>(all: readonly T[], most: number): readonly T[] {
   const every = Math.max(1, Math.ceil(all.length / Math.max(1, most)));
   return all.filter((_, k) => k % every === 0);
 }
 
 /**
- * Those of one garment, once each time that they are cut.
- * @param result its number
- * @param laying how, and shifts of the print under pieces that nothing holds to it
- * @throws {SolverError} naming a piece whose cut line crosses itself
+ * The pieces of one garment, each as often as it is cut.
+ * @param result index of the garment
+ * @param laying nap, allowances, and shifts of the print under loose pieces
+ * @throws {SolverError} if a cut line crosses itself, with the piece's name
  */
 export function laidPieces(
   laid: MarkerGarment,
@@ -92,7 +101,7 @@ export function laidPieces(
     if (!piece) return [];
     const quantity = mark.drafted?.quantity ?? 1;
     const lock = lockOf(options, mark.drafted, piece.name) ?? 'on';
-    // what stands on its head is turned back by half a turn, and by no other
+    // only a half turn corrects an upside-down piece
     const turns = nap === 'one-way' ? 'half' : turnsBy[lock];
     const asked = {
       name: calledIn(laid, piece.name),

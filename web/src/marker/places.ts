@@ -1,6 +1,7 @@
 /**
- * Where on printed cloth a piece may lie: on the same print as in its alignment. Cloth: x across from the left edge, y
- * along the warp from the cut; p_cloth = R(angle) p + translation. Lengths in cm, angles in radians.
+ * Places on printed fabric where a piece shows the same print as in its alignment. Fabric
+ * coordinates: x across from the left edge, y along the warp from the cut; p_cloth = R(angle) p +
+ * translation. Lengths in cm, angles in radians.
  */
 import {
   coordinates,
@@ -17,32 +18,32 @@ import {boxOf, type Box} from '../model/polyline.js';
 import {determinant, printElements, reducedBasis, type CellOf} from '../model/wallpaper.js';
 import {areApart, ringOf, type Ring} from './apart.js';
 
-/** Angles that differ by less are the same. */
+/** Angles that differ by less are equal. [rad] */
 const sameAngle = 1e-6;
-/** What reaches beyond an edge by less than this does not. */
+/** Overlaps smaller than this are ignored. [cm] */
 const slack = 1e-4;
 
-/** What is laid: of a piece of a problem, what its places depend on. */
+/** The parts of a problem's piece that determine its places. */
 export type LayablePiece = Pick<MarkerPiece, 'outline' | 'alignment' | 'turns' | 'up' | 'shifts'>;
 
-/** The cloth, and how pieces keep apart on it. */
+/** The fabric, and the distances that pieces keep on it. */
 export interface Bolt {
   readonly repeat: CellOf;
-  /** Where an origin of the print lies. */
+  /** Position of an origin of the print. */
   readonly origin: Point;
   readonly widthCm: number;
   readonly selvedgeCm: number;
   readonly gapCm: number;
-  /** All pieces lie with their heads the same way. */
+  /** All pieces point the same way up. */
   readonly isOneWay: boolean;
-  /** Where nothing may lie. */
+  /** Polygons where no piece may lie. */
   readonly flaws: readonly (readonly Point[])[];
 }
 
-/** One way of turning a piece on the cloth. */
+/** A rotation of a piece on the fabric. */
 interface Turn {
   readonly angle: number;
-  /** Translations with which it may lie, but for whole repeats. */
+  /** Possible translations, up to whole repeats. */
   readonly bases: readonly Point[];
 }
 
@@ -55,7 +56,10 @@ const stepOf: Readonly<Record<LayablePiece['turns'], number>> = {
 const isMultiple = (angle: number, step: number): boolean =>
   step === 0 || Math.abs(wrapped(angle - step * Math.round(angle / step))) < sameAngle;
 
-/** All turns with which a piece lies on its print, face up; the first is as it lies in its alignment, where that is allowed. */
+/**
+ * All rotations in which a piece matches its print, face up. The first is the one of its alignment,
+ * if allowed.
+ */
 export function turnsOf(piece: LayablePiece, {repeat, origin, isOneWay}: Bolt): readonly Turn[] {
   const {angle: aligned, translation} = piece.alignment;
   const turns = printElements(repeat)
@@ -73,7 +77,7 @@ export function turnsOf(piece: LayablePiece, {repeat, origin, isOneWay}: Bolt): 
   return upright.length > 0 ? upright.slice(0, 1) : turns.slice(0, 1);
 }
 
-/** All points of a lattice through `base` in a box. */
+/** All points in a box of the lattice through `base`. */
 function latticeIn(basis: readonly [Point, Point], base: Point, {low, high}: Box): Point[] {
   const corners = [low, high, [low[0], high[1]], [high[0], low[1]]] as const;
   const seen = boxOf(corners.map((corner) => coordinates(basis, minus(corner, base))));
@@ -92,7 +96,7 @@ function latticeIn(basis: readonly [Point, Point], base: Point, {low, high}: Box
 
 const rings = new WeakMap<readonly Point[], Map<number, Ring>>();
 
-/** A cut line turned, made once. */
+/** A rotated cut line, cached. */
 export function turnedRing(cut: readonly Point[], angle: number): Ring {
   const known = rings.get(cut) ?? new Map<number, Ring>();
   rings.set(cut, known);
@@ -102,13 +106,13 @@ export function turnedRing(cut: readonly Point[], angle: number): Ring {
   return ring;
 }
 
-/** A piece where it lies. */
+/** A piece and its place. */
 export interface LaidPiece {
   readonly piece: LayablePiece;
   readonly place: Alignment;
 }
 
-/** What is in the way of a piece: numbers of other pieces and of flaws, or an edge of the cloth. */
+/** Obstacles of a piece: indices of other pieces and of flaws, or an edge of the fabric. */
 export interface Obstacles {
   readonly pieces: readonly number[];
   readonly flaws: readonly number[];
@@ -118,17 +122,17 @@ export interface Obstacles {
 export const isFree = ({pieces, flaws, isOutside}: Obstacles): boolean =>
   pieces.length === 0 && flaws.length === 0 && !isOutside;
 
-/** The box around a piece as it lies. */
+/** The bounding box of a placed piece. */
 export function boxAt({piece, place}: LaidPiece): Box {
   const {low, high} = turnedRing(piece.outline, place.angle);
   return {low: plus(low, place.translation), high: plus(high, place.translation)};
 }
 
-/** Up to where the cloth is used. */
+/** The used length of the fabric. */
 export const usedLength = (laid: readonly LaidPiece[]): number =>
   Math.max(0, ...laid.map((one) => boxAt(one).high[1]));
 
-/** What would be in the way of the piece of number `k`. */
+/** The obstacles to piece `k` at a place. */
 export function obstaclesTo(
   laid: readonly LaidPiece[],
   k: number,
@@ -151,10 +155,16 @@ export function obstaclesTo(
   };
 }
 
-/** The places of one piece among the others, at one of its turns: which are free is found out as it is asked for. */
+/**
+ * Places of one piece among the others, for one of its rotations. Each place is tested only when
+ * needed.
+ */
 export class Places {
   readonly angle: number;
-  /** All translations within the edges of the cloth, up to one height of the piece beyond its end. */
+  /**
+   * All translations within the edges of the fabric, up to one height of the piece beyond the used
+   * length.
+   */
   readonly all: readonly Point[];
   readonly #known: (boolean | undefined)[];
   readonly #tell: (at: Point) => boolean;
@@ -181,18 +191,21 @@ export class Places {
     this.all = isRoom ? turn.bases.flatMap((base) => latticeIn(basis, base, room)) : [];
   }
 
-  /** @param n the number of one of `all` */
+  /**
+   * Returns whether a place is free.
+   * @param n an index of `all`
+   */
   isFree(n: number): boolean {
     const at = this.all[n];
     return (this.#known[n] ??= at !== undefined && this.#tell(at));
   }
 
-  /** Undefined where nobody has asked yet. */
+  /** The result of a test; undefined if the place was not tested yet. */
   known(n: number): boolean | undefined {
     return this.#known[n];
   }
 
-  /** The place that costs least, of those that are free; infinite costs are none. */
+  /** The free place of least cost; places of infinite cost are excluded. */
   least(cost: (at: Point) => number): Point | undefined {
     const costs = this.all.map(cost);
     for (;;) {
@@ -202,7 +215,7 @@ export class Places {
     }
   }
 
-  /** The same, whether or not it is free. */
+  /** The place of least cost, free or not. */
   leastOfAll(cost: (at: Point) => number): Point | undefined {
     const best = leastOf(this.all.map(cost), () => true);
     return best === undefined ? undefined : this.all[best];
@@ -218,13 +231,13 @@ function leastOf(costs: readonly number[], counts: (n: number) => boolean): numb
   return best;
 }
 
-/** How far a place is from another, squared. */
+/** Squared distance of a place from another. */
 export const apartFrom =
   (wanted: Point) =>
   (at: Point): number =>
     (at[0] - wanted[0]) ** 2 + (at[1] - wanted[1]) ** 2;
 
-/** How far on in a direction of length 1 a place is; what lies more to its side than on is none. */
+/** Cost of a place in a unit direction from another; infinite if it is farther aside than ahead. */
 export const onFrom =
   (from: Point, [wayX, wayY]: Point) =>
   (at: Point): number => {
@@ -234,7 +247,7 @@ export const onFrom =
     return on > slack && beside <= on ? on + 3 * beside : Infinity;
   };
 
-/** The turn after the one that a piece has. */
+/** The next rotation after the current one. */
 export function turnAfter(turns: readonly Turn[], angle: number): Turn | undefined {
   const ways = turns.map((turn) => {
     const way = wrapped(turn.angle - angle);
@@ -244,11 +257,11 @@ export function turnAfter(turns: readonly Turn[], angle: number): Turn | undefin
   return turns[ways.indexOf(least)];
 }
 
-/** The turn that a piece has; its first where it has none of them. */
+/** The current rotation of a piece, or the first if it has none of these. */
 export const turnAt = (turns: readonly Turn[], angle: number): Turn | undefined =>
   turns.find((turn) => Math.abs(wrapped(turn.angle - angle)) < 1e3 * sameAngle) ?? turns[0];
 
-/** Where a piece turned otherwise would have to lie for the middle of its box to stay. */
+/** The translation that keeps the middle of a piece's bounding box when the piece is rotated. */
 export function turnedInPlace({piece, place}: LaidPiece, angle: number): Point {
   const [before, after] = [place.angle, angle].map((one) => turnedRing(piece.outline, one));
   if (!before || !after) return place.translation;

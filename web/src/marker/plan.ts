@@ -1,4 +1,4 @@
-/** The answer about a layout as a plan that people and programs read. Lengths in cm. */
+/** Converts the solver's answer to a layout for people and programs. Lengths in cm. */
 import {minus, onPiece, plus, type Alignment, type Point} from '../model/geometry.js';
 import {layNote, type LayNote} from '../model/lay-note.js';
 import type {LaidPlacement, LayPlan, PhaseLength, WidthLength} from '../model/lay-plan.js';
@@ -7,12 +7,12 @@ import {boxOf, signedArea} from '../model/polyline.js';
 import {saidNote} from './draw/note-texts.js';
 import type {MarkerOrder} from './problem.js';
 
-/** Phases differ by less only by rounding. */
+/** Phases that differ by less differ only by rounding. [cm] */
 const samePhase = 1e-9;
-/** Lengths that differ by less are the same to whoever buys cloth. */
+/** Lengths that differ by less are equal to a buyer. [cm] */
 const sameLength = 0.5;
 
-/** As far as it is known while the rest is still looked into. */
+/** The known part of an answer during the search. */
 type Layout = MarkerLayout & Partial<MarkerAnswer>;
 
 const onCloth = (ring: readonly Point[], place: Alignment): readonly Point[] =>
@@ -25,7 +25,7 @@ function placementsOf({problem, pieces}: MarkerOrder, {places}: Layout): readonl
   });
 }
 
-/** Cut from where the first piece begins, unless it is said where the print starts. */
+/** Moves the layout to the start of its first piece, for fabric that may be cut anywhere. */
 function cutOff(placements: readonly LaidPlacement[], down: number): readonly LaidPlacement[] {
   const moved = (p: Point): Point => minus(p, [0, down]);
   return placements.map((one) => ({
@@ -34,7 +34,7 @@ function cutOff(placements: readonly LaidPlacement[], down: number): readonly La
   }));
 }
 
-/** What the place of the print is worth. */
+/** Notes on the effect of the print's position. */
 function phaseNotes(phases: readonly PhaseLength[]): readonly LayNote[] {
   const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
   const [least, most] = [Math.min(...known), Math.max(...known)];
@@ -49,7 +49,10 @@ function phaseNotes(phases: readonly PhaseLength[]): readonly LayNote[] {
   ];
 }
 
-/** What lies on a cloth lies on a wider one, too; what it takes on the cloth of the plan is the plan's length. */
+/**
+ * Lengths for other widths. A layout for a narrower fabric also fits a wider one; the layout's own
+ * width has its own length.
+ */
 function widthsOf(
   {problem: {widthCm: own, widthsCm}}: MarkerOrder,
   {widthLengthsCm}: Layout,
@@ -66,14 +69,17 @@ function widthsOf(
   });
 }
 
-/** @param layout the answer, or the best layout so far, of which it is not known yet how good it is */
+/**
+ * The layout of an order.
+ * @param layout the final answer, or the best layout so far without figures of its quality
+ */
 export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
   const {problem, pieces, allowanceCm, notes} = order;
   const {widthCm, selvedgeCm, gapCm, ignoresPrint, wholeRepeats, startCm} = problem;
   const laid = placementsOf(order, layout);
   const {low, high} = boxOf(laid.flatMap(({cut}) => cut));
   const isWhole = laid.length > 0;
-  // the search lays lines that are a hair larger than those that are cut
+  // the search lays lines that are slightly larger than the cut lines
   const down = isWhole && startCm === undefined && !wholeRepeats ? low[1] : 0;
   const lengthCm = wholeRepeats || !isWhole ? layout.lengthCm : high[1] - down;
   const placements = down === 0 ? laid : cutOff(laid, down);
@@ -94,7 +100,7 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
     useShare: area / (widthCm * lengthCm),
     boundCm: proven ? lengthCm : Math.min(bound, lengthCm),
     proven,
-    // where the print is no matter, a layout with it is one
+    // without the print, a layout with the print is valid too
     freeLengthCm: free === null ? null : Math.min(free, lengthCm),
     phases: ignoresPrint ? [] : phases,
     widths: widthsOf(order, layout, lengthCm),
@@ -104,5 +110,5 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
   };
 }
 
-/** The text of a plan's file. */
+/** The text of a layout's file. */
 export const layPlanText = (plan: LayPlan): string => `${JSON.stringify(plan)}\n`;

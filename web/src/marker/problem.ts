@@ -1,4 +1,4 @@
-/** Solved garments as one problem: which pieces lie on which cloth, and how. Lengths in cm. */
+/** Combines solved garments into one layout problem: pieces, fabric and settings. Lengths in cm. */
 import {SolverError} from '../model/failure.js';
 import {distance, norm, rotated} from '../model/geometry.js';
 import {layNote, type LayNote} from '../model/lay-note.js';
@@ -10,36 +10,41 @@ import {laidPieces, type MarkerGarment, type PieceOfMarker} from './pieces.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from './repeats.js';
 import {checkedSettings, type MarkerSettings} from './settings.js';
 
-/** A problem with what it takes to read its answer. */
+/** A problem with the data to interpret its answer. */
 export interface MarkerOrder {
   readonly problem: MarkerProblem;
-  /** Of each piece of the problem, which it is. */
+  /** Source of each piece of the problem. */
   readonly pieces: readonly PieceOfMarker[];
-  /** Numbers of pieces whose print moves only together; of each garment those of most pieces first. */
+  /**
+   * Indices of pieces whose print moves only together, per garment with the largest group first.
+   */
   readonly components: readonly (readonly number[])[];
   readonly allowanceCm: number;
-  /** What people should know. */
+  /** Notes for people. */
   readonly notes: readonly LayNote[];
 }
 
-/** What is to be known of a print besides its repeat. */
+/** Print properties in addition to its repeat. */
 export type LaidPrint = Pick<Print, 'oneWay'> & PrintScale;
 
 const usualAllowance = 1;
 const usualHem = 3;
 
-/** As many as anybody cuts at once, and waits for. */
+/** Greatest number of pieces that people cut at once and wait for. */
 const mostPieces = 500;
-/** How many places across the cloth are tried for the print's origin where nobody says it. */
+/** Number of positions tried across the fabric for the print's origin, if it is not given. */
 const phaseCount = 8;
-/** By which repeats of two results differ that are the same, as a share. */
+/** Repeats of two results that differ by less are the same, as a share. */
 const sameRepeat = 1e-5;
 
 const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
 
 const calledBy = ({name}: MarkerGarment, k: number): string => name ?? `result ${k + 1}`;
 
-/** The print of all. @throws {SolverError} where results have several */
+/**
+ * The common print of all results.
+ * @throws {SolverError} if results have different prints
+ */
 function commonPrint(garments: readonly MarkerGarment[]): Repeat {
   const [first, ...others] = garments;
   if (!first) throw wrong('There is no result to lay; name at least one.');
@@ -59,7 +64,10 @@ function commonPrint(garments: readonly MarkerGarment[]): Repeat {
   return {group: print.group, w1: print.w1, w2: print.w2};
 }
 
-/** Where a pile or a print has an upside, pieces that stand on their heads have to be turned by a half turn of the print. */
+/**
+ * Checks the direction of napped fabric and one-way prints: an upside-down piece requires a half
+ * turn of the print.
+ */
 function checkUpright({print, pieces, nap, ignoresPrint}: MarkerProblem): void {
   if (nap !== 'one-way' || ignoresPrint || hasHalfTurn(print)) return;
   const down = pieces.find(({alignment, up}) => rotated(up, -alignment.angle)[1] < 0);
@@ -90,8 +98,10 @@ function notesOf(
 }
 
 /**
- * @param print what is known of it besides its repeat
- * @throws {SolverError} for settings, garments and pieces that cannot be laid, naming which and what to do
+ * Builds the problem of a layout.
+ * @param cloth print properties in addition to the repeat
+ * @throws {SolverError} if settings, garments or pieces cannot be laid, with their name and a
+ *   remedy
  */
 export function markerOrder(
   garments: readonly MarkerGarment[],
@@ -143,7 +153,7 @@ export function markerOrder(
   };
 }
 
-/** Numbers of pieces by what their print moves with: garment by garment, as `movablePieces` orders them. */
+/** Indices of pieces whose print moves together: by garment, in the order of `movablePieces`. */
 function componentsOf(
   laid: readonly {readonly garment: number; readonly component?: number}[],
 ): readonly (readonly number[])[] {

@@ -1,4 +1,6 @@
-/** How a print repeats across and along its cloth, and by which shifts it fits as well. Lengths in cm. */
+/**
+ * The repeat of a print across and along its fabric, and shifts that match as well. Lengths in cm.
+ */
 import {combined, cross, minus, norm, type Point} from '../model/geometry.js';
 import {
   apply,
@@ -10,12 +12,18 @@ import {
   type Repeat,
 } from '../model/wallpaper.js';
 
-/** As exact as a lattice is, as a share of its shortest vector. */
+/** Accuracy of a lattice, as a share of its shortest vector. */
 const tolerance = 1e-6;
-/** Lattice vectors along the edges of the cloth have no greater coordinates; a print that is turned may have none. */
+/**
+ * Greatest coordinates of the lattice vectors searched along the fabric's edges. A rotated print
+ * may have none.
+ */
 const reach = 12;
 
-/** The shortest vector of the lattice in a direction. @param direction of length 1 */
+/**
+ * Length of the shortest lattice vector in a direction.
+ * @param direction of length 1
+ */
 function repeatAlong({w1, w2}: Repeat, direction: Point): number | undefined {
   const basis = reducedBasis(w1, w2);
   const near = tolerance * norm(basis[0]);
@@ -26,20 +34,23 @@ function repeatAlong({w1, w2}: Repeat, direction: Point): number | undefined {
   return lengths.length > 0 ? Math.min(...lengths) : undefined;
 }
 
-/** After how much of the cloth's length the print comes again; undefined where it never does. */
+/** The repeat of the print along the fabric; undefined if it never repeats in that direction. */
 export const warpRepeat = (repeat: Repeat): number | undefined => repeatAlong(repeat, [0, 1]);
 
-/** Steps finer than this across the cloth make no difference to anybody who measures it. */
+/** Smallest step across the fabric that people can measure. [cm] */
 const leastStep = 0.5;
 
-/** The greatest length of which both are multiples, as far as they are known. */
+/** The greatest length of which both are multiples, within a tolerance. */
 function commonMeasure(one: number, other: number, near: number): number {
   let [a, b] = [Math.abs(one), Math.abs(other)];
   while (b > near) [a, b] = [b, a % b > b - near ? 0 : a % b];
   return a;
 }
 
-/** By how much the print may start further from the left edge and lie on the cloth as before, which is cut anywhere unless `isStartFixed`. */
+/**
+ * The distance across the fabric after which the print may start with the same effect. The cut is
+ * free unless `isStartFixed`.
+ */
 export function acrossRepeat(repeat: Repeat, isStartFixed = false): number {
   const {w1, w2} = repeat;
   const shortest = norm(reducedBasis(w1, w2)[0]);
@@ -49,17 +60,20 @@ export function acrossRepeat(repeat: Repeat, isStartFixed = false): number {
   return measure < leastStep ? along : measure;
 }
 
-/** Where a print may be moved freely, it is moved in steps of about this much, and to so many places at the most. */
+/** Step of a freely movable print [cm], and the greatest number of its shifts. */
 const freeStep = 0.5;
 const mostShifts = 400;
 
-/** Whether a print may be moved by as little as one likes, along an axis or anywhere, and meet itself as before. */
+/**
+ * Returns whether a print matches itself after arbitrarily small moves, along an axis or in any
+ * direction.
+ */
 export function movesFreely(repeat: Repeat): boolean {
   const [, other, third] = printElements(repeat);
   return !other || (!third && determinant(other) < 0);
 }
 
-/** In how many steps of equal length each vector of the lattice is gone through for shifts. */
+/** Number of equal steps along each lattice vector in the search for shifts. */
 function stepsOf({w1, w2, ...repeat}: Repeat): readonly [number, number] {
   const elements = printElements({w1, w2, ...repeat});
   const [identity, other] = elements;
@@ -69,17 +83,18 @@ function stepsOf({w1, w2, ...repeat}: Repeat): readonly [number, number] {
     return [steps(w1), steps(w2)];
   }
   if (elements.length === 2 && other && determinant(other) < 0) {
-    // even: across the axis, half a repeat fits as well
+    // even, since half a repeat across the axis matches as well
     const steps = (w: Point): number =>
       2 * Math.max(1, Math.min(mostShifts / 4, Math.round(norm(w) / (2 * freeStep))));
     return [steps(w1), steps(w2)];
   }
-  return [6, 6]; // halves and thirds
+  return [6, 6]; // covers halves and thirds
 }
 
 /**
- * Shifts of the print, beside none, after which it meets itself at all seams as before: v for which every symmetry
- * followed by v is v followed by a symmetry. Where they run on without steps, some hundred of them.
+ * Nonzero shifts of the print after which it matches at all seams as before: every v for which each
+ * symmetry followed by v equals v followed by a symmetry. A continuous set is sampled by some
+ * hundred of them.
  */
 export function equalShifts(repeat: Repeat): readonly Point[] {
   const {w1, w2} = repeat;
@@ -92,11 +107,11 @@ export function equalShifts(repeat: Repeat): readonly Point[] {
   }).filter((v) => turns.every((turn) => norm(reduced(repeat, minus(v, apply(turn, v)))) < near));
 }
 
-/** How far apart two shifts are, less whole repeats. */
+/** The distance between two shifts, modulo whole repeats. */
 const shiftsApart = (repeat: Repeat, one: Point, other: Point): number =>
   norm(reduced(repeat, minus(one, other)));
 
-/** The same, but of so many at most those that are furthest from none and from each other. */
+/** At most `most` of the equal shifts, chosen farthest from zero and from each other. */
 export function spreadShifts(repeat: Repeat, most: number): readonly Point[] {
   const all = equalShifts(repeat);
   const chosen: Point[] = [];
@@ -111,6 +126,6 @@ export function spreadShifts(repeat: Repeat, most: number): readonly Point[] {
   return chosen;
 }
 
-/** Whether the print shows the same when it is turned upside down. */
+/** Returns whether the print is unchanged by a half turn. */
 export const hasHalfTurn = (repeat: Repeat): boolean =>
   printElements(repeat).some((element) => determinant(element) > 0 && element.xx < -1 + 1e-9);

@@ -1,4 +1,4 @@
-/** What is asked of a layout on cloth, and what of it cannot be. Lengths in cm. */
+/** Settings of a layout, and their checks. Lengths in cm. */
 import {SolverError} from '../model/failure.js';
 import type {Point} from '../model/geometry.js';
 import {naps, type Nap} from '../model/marker.js';
@@ -6,45 +6,59 @@ import {signedArea} from '../model/polyline.js';
 import {selfCrossing} from './outline.js';
 
 export interface MarkerSettings {
-  /** Of the cloth, between its edges. */
+  /** Width of the fabric between its edges. */
   readonly widthCm: number;
-  /** Along each edge, of no use. Default 1. */
+  /** Width of the unusable strip along each edge. Default 1. */
   readonly selvedgeCm?: number;
-  /** Between pieces. Default 0.2. */
+  /** Least distance between pieces. Default 0.2. */
   readonly gapCm?: number;
-  /** How many garments of each result. Default 1. */
+  /** Number of garments of each result. Default 1. */
   readonly copies?: number;
-  /** From the left edge to an origin of the print; by default several are tried, and the best is taken. */
+  /**
+   * Distance from the left edge to an origin of the print. By default several are tried and the
+   * best is used.
+   */
   readonly phaseCm?: number;
-  /** From the cut to an origin of the print; by default the cloth is cut anywhere. */
+  /** Distance from the cut to an origin of the print. By default the cut may be anywhere. */
   readonly startCm?: number;
-  /** Around the pieces, where the garment gives an edge none of its own. Default 1. */
+  /** Seam allowance of edges without their own in the garment. Default 1. */
   readonly allowanceCm?: number;
-  /** Of hems, where the garment gives them none. Default `allowanceCm` if that is given, else 3. */
+  /**
+   * Allowance of hems without their own in the garment. Default: `allowanceCm` if given, otherwise
+   * 3.
+   */
   readonly hemCm?: number;
-  /** Which pieces lie the same way up. Default: all for a print with an upside, else none. */
+  /** Pieces that keep the same way up. Default: all for a one-way print, otherwise none. */
   readonly nap?: Nap;
-  /** `component`: the print may move under pieces that no seam matches with others, where it fits as well. Default `kept`. */
+  /**
+   * `component`: the print may move under pieces that no seam matches with others, to equally good
+   * positions. Default `kept`.
+   */
   readonly shift?: 'kept' | 'component';
-  /** How many layers of cloth are cut at once; of several, each is as long as whole repeats. Default 1. */
+  /**
+   * Number of layers cut at once. With several, each is a whole number of repeats long. Default 1.
+   */
   readonly plies?: number;
-  /** Polygons of the cloth on which no piece may lie. */
+  /** Polygons of the fabric on which no piece may lie. */
   readonly flaws?: readonly (readonly Point[])[];
-  /** Whether the cloth is folded lengthwise, and both plies are cut at once: for pieces with mirror images. Default false. */
+  /**
+   * Folds the fabric lengthwise and cuts both plies at once, for pieces with mirror images. Default
+   * false.
+   */
   readonly fold?: boolean;
-  /** Lays pieces wherever they fit, whatever the print. Default false. */
+  /** Ignores the print in the layout. Default false. */
   readonly ignoresPrint?: boolean;
-  /** How much the repeat on the bolt may be longer or shorter than told, as a share. Default 0. */
+  /** Greatest deviation of the fabric's repeat from the given one, as a share. Default 0. */
   readonly repeatTolerance?: number;
-  /** Of other cloths to lay on, quickly. Default: those that are sold. */
+  /** Other fabric widths to try quickly. Default: usual widths. */
   readonly widthsCm?: readonly number[];
-  /** How long to look, from 1, the default, which is about a second; 0 for a first layout. */
+  /** Search effort: 1, the default, takes about a second; 0 stops at the first layout. */
   readonly effort?: number;
-  /** The same seed, the same layout. Default 1. */
+  /** Random seed; the same seed gives the same layout. Default 1. */
   readonly seed?: number;
 }
 
-/** Cloth is sold this wide. */
+/** Usual widths of fabric. [cm] */
 const usualWidths: readonly number[] = [90, 110, 115, 140, 150, 160];
 
 type Usual = Required<
@@ -59,7 +73,7 @@ const usual: Usual = {
 
 type Given = MarkerSettings & Usual;
 
-/** What numbers may be. */
+/** Least and greatest values of the numeric settings. */
 export const markerLimits = {
   widthCm: [0, 1000],
   selvedgeCm: [0, 100],
@@ -104,7 +118,10 @@ function checkFlaws(flaws: Given['flaws']): void {
   }
 }
 
-/** With what is left out as it usually is. @throws {SolverError} for what cannot be */
+/**
+ * Checks settings and adds defaults.
+ * @throws {SolverError} for invalid settings
+ */
 export function checkedSettings(asked: MarkerSettings): Given {
   const settings: Given = {...usual, ...asked};
   const {widthCm, selvedgeCm, phaseCm, nap, widthsCm, shift} = settings;

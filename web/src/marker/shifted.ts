@@ -1,6 +1,6 @@
 /**
- * The print moved under all pieces of a component at once, by shifts after which it meets itself at every seam as
- * before: which of them take less cloth. Lengths in cm, angles in radians.
+ * Moves the print under all pieces of a component at once, by shifts that keep the match at every
+ * seam, to save fabric. Lengths in cm, angles in radians.
  */
 import {minus, rotated, type Point} from '../model/geometry.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
@@ -9,19 +9,21 @@ import {leastExtents} from './extents.js';
 import type {MarkerOrder} from './problem.js';
 import {movesFreely, spreadShifts} from './repeats.js';
 
-/** Seeks the layout of a problem. */
+/** Computes the layout of a problem. */
 export type Lay = (problem: MarkerProblem, hooks: MarkerHooks) => Promise<MarkerAnswer>;
 
-/** By how much the print is moved under the pieces of each component of an order. */
+/** Shift of the print under each component of an order. */
 type ComponentShifts = readonly Point[];
 
-/** Each layout that is tried takes so long, as a share of the time for the plan. */
+/** Effort of each trial layout, as a share of the layout's. */
 const effortShare = 0.05;
-/** As many are tried, with the same effort as the plan in all. */
+/** Number of trial layouts, which in total take the same effort as the layout. */
 const mostTried = 20;
-/** Of one component where shifts run on, however few components there are. */
+/**
+ * Greatest number of shifts per component if shifts are continuous, for any number of components.
+ */
 const mostOfOne = 12;
-/** Lengths that differ by less are the same. */
+/** Lengths that differ by less are equal. [cm] */
 const sameLength = 0.05;
 
 /** The order with the print moved. */
@@ -41,26 +43,30 @@ function shiftedOrder(order: MarkerOrder, shifts: ComponentShifts): MarkerOrder 
   return {...order, problem: {...order.problem, pieces}};
 }
 
-/** Quickly, and of nothing but the length, where the print lies as in a layout. */
+/** A quick problem that computes only the length, with the print placed as in a given layout. */
 const hastened = (problem: MarkerProblem, origin: Point, effort: number): MarkerProblem => ({
   ...problem,
   ...{phasesCm: [origin[0]], widthsCm: [], alsoFree: false, effort},
 });
 
 /**
- * Components whose print may move. Where the cloth may be cut anywhere and nobody says where the print starts, all of
- * them moved alike is another place of the print, and those are tried already: then the first one stays.
+ * Indices of components whose print may move. If both the cut and the print's start are open,
+ * moving all components alike only moves the print, which the phases already try. The first
+ * component then stays.
  */
 function movableIn({components, problem}: MarkerOrder): readonly number[] {
   const isOpen = problem.phasesCm.length > 1 && problem.startCm === undefined;
   return [...components.keys()].slice(isOpen ? 1 : 0);
 }
 
-/** Whether there is anything to be tried. */
+/** Returns whether there are shifts to try. */
 export const hasShiftsToTry = (order: MarkerOrder): boolean =>
   movableIn(order).length > 0 && spreadShifts(order.problem.print, 1).length > 0;
 
-/** Of any places of its print: the area of all pieces, or the tallest piece, whichever asks for more. */
+/**
+ * A lower bound of the length for any position of the print: the larger of the pieces' area per
+ * width and the tallest piece.
+ */
 export function plainBound(problem: MarkerProblem): number {
   const {widthCm, selvedgeCm, pieces} = problem;
   const area = pieces.reduce((sum, {outline}) => sum + signedArea(outline), 0);
@@ -68,30 +74,30 @@ export function plainBound(problem: MarkerProblem): number {
   return Math.max(area / (widthCm - 2 * selvedgeCm), ...heights);
 }
 
-/** What is known of a layout where the print might have been moved otherwise: no proof looks into that. */
+/** The answer with its proof removed, since the proof does not cover other shifts of the print. */
 const withoutProof = ({problem}: MarkerOrder, answer: MarkerAnswer): MarkerAnswer => ({
   ...answer,
   ...{boundCm: Math.min(answer.boundCm, plainBound(problem)), proven: false},
 });
 
-/** Whether a layout's bound holds whatever the print is moved by. */
+/** Returns whether a layout's bound holds for all shifts of the print. */
 const isBoundOfAll = ({problem}: MarkerOrder): boolean =>
   problem.pieces.every(({shifts}) => shifts.length === 0) || !movesFreely(problem.print);
 
 interface Shifted {
-  /** The order whose answer it is. */
+  /** The order that the answer belongs to. */
   readonly order: MarkerOrder;
   readonly answer: MarkerAnswer;
 }
 
 const none: Point = [0, 0];
-/** All components are gone through as often at most, while that helps. */
+/** Greatest number of passes over all components; a pass without improvement is the last. */
 const rounds = 2;
 
 /**
- * Moves the print under one component after the other, each time to where it takes least.
- * @param lengthFor how much cloth it takes so
- * @param tells hears of each layout that is tried
+ * Moves the print under one component after another, each time to the shift of least length.
+ * @param lengthFor returns the length for given shifts
+ * @param tells called before each trial layout
  */
 async function bestShifts(
   order: MarkerOrder,
@@ -122,10 +128,10 @@ async function bestShifts(
 }
 
 /**
- * A layout where the print is moved under components to where quick layouts are shortest, then once more as thorough
- * as the first layout was.
- * @param laid the answer with the print as it is
- * @returns the shorter one of the two
+ * Computes a layout with the print moved to the shifts of the shortest trial layouts, with the
+ * effort of the first layout.
+ * @param laid the answer without shifts
+ * @returns the shorter of the two layouts
  */
 export async function layShifted(
   order: MarkerOrder,
@@ -156,7 +162,10 @@ export async function layShifted(
   return {order: shiftedOrder(order, best), answer: withoutProof(order, answer)};
 }
 
-/** Undefined for what cannot be, as where some piece finds no place. @throws what ends the search */
+/**
+ * The value, or undefined if it failed, as for a piece without a place.
+ * @throws the reason of an aborted search
+ */
 export async function unlessFailed<T>(
   tried: Promise<T>,
   signal: AbortSignal | undefined,

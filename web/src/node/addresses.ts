@@ -1,4 +1,4 @@
-/** What lies at an address: on this machine, or on another that speaks http. */
+/** Reads files from this machine or by HTTP. */
 import {resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
@@ -8,9 +8,9 @@ import {inputLimit, readBytes, tooLarge} from './files.js';
 
 export interface ReadingLimits {
   readonly signal?: AbortSignal;
-  /** Folders, or hosts of the web, out of which nothing is read; without them, no bounds. */
+  /** Folders and hosts to which reading is restricted; unrestricted without them. */
   readonly within?: readonly URL[];
-  /** For one file. [ms] Default 30 000. */
+  /** Time limit for one file. [ms] Default 30 000. */
   readonly timeoutMs?: number;
 }
 
@@ -18,14 +18,20 @@ const mostRedirections = 5;
 
 const isWeb = (address: URL): boolean => /^https?:$/.test(address.protocol);
 
-/** A URL as it is, and anything else as a path of this machine. @throws {FileError} */
+/**
+ * A URL unchanged, anything else as a local path.
+ * @throws {FileError} for an invalid URL
+ */
 export function addressOf(word: string): URL {
   if (!/^(https?|file):\/\//i.test(word)) return pathToFileURL(resolve(word));
   if (URL.canParse(word)) return new URL(word);
   throw new FileError(word, 'is not a whole URL; correct it.');
 }
 
-/** The address of a folder, to which the addresses in it are relative. @throws {FileError} */
+/**
+ * The address of a folder, as a base for relative addresses.
+ * @throws {FileError} for an invalid URL
+ */
 export function folderOf(word: string): URL {
   const address = addressOf(word);
   if (!address.pathname.endsWith('/')) address.pathname += '/';
@@ -33,8 +39,8 @@ export function folderOf(word: string): URL {
 }
 
 /**
- * Where a file names another one.
- * @throws {FileError} when that is no address, or when a file from the web names one of this machine
+ * The address of a file named in another file.
+ * @throws {FileError} if it is invalid, or if a file from the web names a local file
  */
 export function addressFrom(base: URL, url: string): URL {
   if (!URL.canParse(url, base.href)) throw new FileError(url, 'is no URL; correct it.');
@@ -46,11 +52,14 @@ export function addressFrom(base: URL, url: string): URL {
   );
 }
 
-/** How messages call an address. */
+/** The name of an address in messages. */
 export const calledAs = (address: URL): string =>
   address.protocol === 'file:' && address.host === '' ? fileURLToPath(address) : address.href;
 
-/** @throws {FileError} naming the address and what is wrong; the signal's reason, when it fires */
+/**
+ * The bytes at an address.
+ * @throws {FileError} with the address and the reason; the signal's reason when it aborts
+ */
 export async function readAddress(address: URL, limits: ReadingLimits = {}): Promise<Uint8Array> {
   limits.signal?.throwIfAborted();
   checkWithin(address, limits.within);
@@ -78,7 +87,7 @@ const isIn = (address: URL, {protocol, host, pathname}: URL): boolean =>
   address.host === host &&
   (isWeb(address) || address.pathname.startsWith(pathname.replace(/\/*$/, '/')));
 
-/** Those that lie in no other one of them. */
+/** The places that are not inside another one. */
 const outermost = (places: readonly URL[]): readonly URL[] =>
   places.reduce<readonly URL[]>(
     (kept, one) =>
@@ -88,7 +97,7 @@ const outermost = (places: readonly URL[]): readonly URL[] =>
     [],
   );
 
-/** Follows redirections as far as they stay within the bounds. */
+/** Follows redirections within the restrictions. */
 async function answerOf(
   address: URL,
   within: ReadingLimits['within'],
@@ -136,7 +145,7 @@ async function fetchBytes(
   }
 }
 
-/** What fetch hides in its error's cause, such as ECONNREFUSED. */
+/** The reason in the cause of fetch's error, such as ECONNREFUSED. */
 function reasonOf(error: unknown): string {
   const cause = error instanceof Error ? (error.cause ?? error) : error;
   if (cause instanceof Error) return 'code' in cause ? String(cause.code) : cause.message;

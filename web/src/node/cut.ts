@@ -1,4 +1,4 @@
-/** Pieces of a result to cut: a sheet, and files of it. */
+/** Cutting sheets of a result, and their files. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {sheetsOf} from '../cutting/lay-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
@@ -15,42 +15,51 @@ import {sheetMap, type SheetMap} from '../paper/sheet-map.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 
 export interface CutSettings extends PanelDecisions {
-  /** The print that the result was solved with; `tile` is the picture of its cell, as SVG text or `data:` URL. */
+  /** The print of the result. `tile` is the image of its cell, as SVG text or `data:` URL. */
   readonly print: PrintWithTile;
-  /** What the garment's file says of its pieces: names, notches, grain lines, and where they are worn. */
+  /** Garment file: names, notches, grain lines and placements of the pieces. */
   readonly garment?: GarmentDocument;
-  /** What the garment is called where its file gives no title. */
+  /** File name, used as the garment's name if it has no title. */
   readonly garmentFile?: string;
-  /** Around the pieces, where the garment gives an edge none of its own. Default 1. [cm] */
+  /** Seam allowance of edges without their own in the garment. Default 1. [cm] */
   readonly allowanceCm?: number;
-  /** Of hems, where the garment gives them none. Default `allowanceCm` if that is given, else 3. [cm] */
+  /**
+   * Allowance of hems without their own in the garment. Default: `allowanceCm` if given, otherwise
+   * 3. [cm]
+   */
   readonly hemCm?: number;
-  /** Of the print, as it is called. */
+  /** Name of the print's colourway. */
   readonly colourway?: string;
-  /** Pieces, by name, that are cut from unprinted cloth. */
+  /** Names of pieces that are cut from plain fabric. */
   readonly plain?: readonly string[];
-  /** a4, letter, a3, legal, tabloid, a2, a1, a0, 36in, projector, or a size, such as 60x90. Default a4. */
+  /**
+   * a4, letter, a3, legal, tabloid, a2, a1, a0, 36in, projector, or a size such as 60x90. Default
+   * a4.
+   */
   readonly paper?: string;
-  /** The print in its place, or lines alone. Default full. */
+  /** Draws the print in place, or lines only. Default full. */
   readonly ink?: 'full' | 'outline';
-  /** Stands on every page. */
+  /** Date on every page. */
   readonly date?: Date;
-  /** Words across every page. */
+  /** Watermark on every page. */
   readonly mark?: string;
-  /** The cell as PNG or JPEG, asked for where `tile` is none and no simple SVG. */
+  /** Returns the cell as PNG or JPEG, for a `tile` that is neither and no simple SVG. */
   readonly pixels?: CellPixels;
 }
 
 export interface Cut {
   readonly sheet: CutSheet;
-  /** The pages that `pdf` will have. */
+  /** The pages of `pdf`. */
   readonly layout: PageLayout;
   readonly map: SheetMap;
-  /** @throws {FileError} where the print's picture can be drawn by nobody */
+  /**
+   * Writes the PDF.
+   * @throws {FileError} if the print's image cannot be drawn
+   */
   readonly pdf: () => Promise<Pick<CuttingPdf, 'bytes' | 'notes'>>;
-  /** All on one sheet, at true scale. */
+  /** All pieces on one sheet, at true scale. */
   readonly svg: () => string;
-  /** For programs and machines that cut: AAMA DXF, and HP-GL. */
+  /** For CAD programs and cutters: AAMA DXF and HP-GL. */
   readonly dxf: (options?: DxfOptions) => string;
   readonly hpgl: () => string;
 }
@@ -59,7 +68,10 @@ export interface Cut {
 const usualAllowance = 1;
 const usualHem = 3;
 
-/** @throws {RangeError} for a paper that is none */
+/**
+ * Lays out the cutting sheet of a result.
+ * @throws {RangeError} for an unknown paper
+ */
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {print, garment, garmentFile, plain = [], mark} = settings;
   const {allowanceCm = usualAllowance, hemCm = settings.allowanceCm ?? usualHem} = settings;

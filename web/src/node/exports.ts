@@ -1,4 +1,4 @@
-/** What the functions of `seamwise/node` take and give, and what makes files of it. */
+/** Types of the functions of `seamwise/node`, and writers of its files. */
 export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
 export * from '../model/drape.js';
 export * from '../model/drape-file.js';

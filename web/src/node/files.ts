@@ -1,29 +1,32 @@
-/** Files of this machine as they are read, and what is said when they cannot be. */
+/** Reads local files, and describes errors of the file system. */
 import {closeSync, constants, openSync} from 'node:fs';
 import {open, stat, type FileHandle} from 'node:fs/promises';
 import {Socket} from 'node:net';
 
 import {FileError} from '../model/versioned-file.js';
 
-/** Real garments stay below 1 MB. [bytes] */
+/** Greatest size of an input file; real garments are below 1 MB. [bytes] */
 export const inputLimit = 20_000_000;
-/** A result holds every vertex twice. [bytes] */
+/** Greatest size of a result file, which contains every vertex twice. [bytes] */
 export const resultLimit = 200_000_000;
 
-/** The text of a file, which may be a pipe. @throws {FileError} naming the file and what is wrong */
+/**
+ * The text of a file or pipe.
+ * @throws {FileError} with the file and the reason
+ */
 export const readText = async (path: string, limit?: number): Promise<string> =>
   textOf(await readBytes(path, limit));
 
-/** What is said of a file beyond a limit. [bytes] */
+/** The message for a file beyond a limit. [bytes] */
 export const tooLarge = (limit: number): string =>
   `is larger than ${limit / 1e6} MB, the limit for such a file; choose another.`;
 
-/** Also drops the mark that some editors put before UTF-8. */
+/** Decodes UTF-8, and drops the byte order mark of some editors. */
 export const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
 
 /**
- * The bytes of a file, which may be a pipe.
- * @throws {FileError} naming the file and what is wrong; the signal's reason, when it fires
+ * The bytes of a file or pipe.
+ * @throws {FileError} with the file and the reason; the signal's reason when it aborts
  */
 export async function readBytes(
   path: string,
@@ -55,7 +58,10 @@ export async function readBytes(
   }
 }
 
-/** A pipe that nobody writes into would hold a thread of Node for ever, and no signal would end that. */
+/**
+ * Opens a pipe without blocking: otherwise, a pipe without a writer would block a thread of Node
+ * forever, and no signal could end it.
+ */
 function pipeAt(path: string, signal: AbortSignal | undefined): AsyncIterable<Buffer> {
   const fd = openSync(path, constants.O_RDONLY | constants.O_NONBLOCK);
   try {
@@ -77,7 +83,7 @@ const reasons: Readonly<Record<string, string>> = {
   ELOOP: 'its links run in circles',
 };
 
-/** An error of the file system as a sentence; any other as it is. */
+/** Converts an error of the file system to a sentence; other errors are unchanged. */
 export function fileError(error: unknown, path: string, verb: 'read' | 'written'): unknown {
   const code = error instanceof Error && 'code' in error ? String(error.code) : '';
   if (code === '') return error;

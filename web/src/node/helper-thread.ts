@@ -1,4 +1,4 @@
-/** A thread that helps the one that solves: what a nested worker is in a page. */
+/** A thread that helps the solver, like a nested worker in a page. */
 import {parentPort} from 'node:worker_threads';
 
 import {answering} from '../solver/answering.js';

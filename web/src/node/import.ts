@@ -1,4 +1,4 @@
-/** Patterns of other programs as garments, and what was found in them. */
+/** Imports patterns of other programs as garments, with a report. */
 import {drawingLimit, readDrawing} from '../formats/read-drawing.js';
 import {
   defaultChoices,
@@ -26,18 +26,19 @@ import {textOf} from './files.js';
 
 export {drawingLimit};
 
-/** Steps per curve by which a piece is measured: areas to 0.1 cm2. */
+/** Segments per curve for measuring a piece, which give areas to 0.1 cm2. */
 const areaSteps = 128;
 
 export interface ImportOptions {
-  /** What messages call the file. */
+  /** File name for messages. */
   readonly name?: string;
-  /** In which unit it is, whatever it says. */
+  /** Unit of the file, which overrides the stated one. */
   readonly units?: FileUnit;
-  /** Of a nest of sizes; by default the one that the others were graded from. */
+  /** Size of a nest. Default: the sample size, from which others were graded. */
   readonly size?: string;
   /**
-   * Where seams come from: suggested where the file has none, the default; the file alone; or none at all.
+   * Source of the seams: `suggest`, the default, adds suggestions if the file has none; `file` uses
+   * only the file; `none` omits them.
    */
   readonly seams?: 'suggest' | 'file' | 'none';
 }
@@ -47,21 +48,21 @@ export interface ImportedPiece {
   readonly widthCm: number;
   readonly heightCm: number;
   readonly areaCm2: number;
-  /** How many are cut, mirror images too. */
+  /** Number of pieces to cut, including mirror images. */
   readonly quantity: number;
   readonly notches: number;
-  /** Of the grain line, counter-clockwise from the x axis; null without one. */
+  /** Angle of the grain line, counter-clockwise from the x axis; null without one. */
   readonly grainDeg: number | null;
-  /** Whether the file draws half of it, up to a fold. */
+  /** True if the file draws half of the piece, up to a fold. */
   readonly fold: boolean;
-  /** Whether the file draws where it is sewn, and where it is cut. */
+  /** True if the file draws the sewn line and the cut line. */
   readonly sewLine: boolean;
   readonly cutLine: boolean;
-  /** False of what is left out: notes say why. */
+  /** False for omitted pieces; notes give the reason. */
   readonly taken: boolean;
 }
 
-/** Part of an outline, from point to point in the order of sewing. [cm] */
+/** A part of an outline, from point to point in sewing order. [cm] */
 export interface ImportedSide {
   readonly piece: string;
   readonly from: Point;
@@ -71,9 +72,9 @@ export interface ImportedSide {
 export interface ImportedSeam {
   readonly a: ImportedSide;
   readonly b: ImportedSide;
-  /** Whether the start of one edge meets the end of the other. */
+  /** True if the start of one edge meets the end of the other. */
   readonly reversed: boolean;
-  /** How likely it is; 1 as the file has it. */
+  /** Probability of a suggested seam; 1 for seams of the file. */
   readonly score: number;
 }
 
@@ -83,7 +84,7 @@ export interface ImportReport {
   readonly size: string | null;
   readonly units: {readonly used: string; readonly from: 'file' | 'flag' | 'guess'};
   readonly seams: readonly ImportedSeam[];
-  /** One sentence each, of what was assumed or left out. */
+  /** Assumptions and omissions, one sentence each. */
   readonly notes: readonly string[];
 }
 
@@ -96,7 +97,10 @@ export interface ImportedGarment {
 /** Reads and checks the text of a garment. */
 type ReadGarment = (text: string, name: string) => Promise<GarmentDocument>;
 
-/** @throws as `importGarment` does */
+/**
+ * Imports a pattern file.
+ * @throws {FileError} or {SolverError} under the conditions of `importGarment`
+ */
 export async function importWith(
   readGarment: ReadGarment,
   bytes: Uint8Array,
@@ -121,7 +125,7 @@ export async function importWith(
   };
 }
 
-/** Seams that are as good as certain, marked as suggested. */
+/** Adds nearly certain seams, marked as suggested. */
 async function withSuggestions(document: GarmentDocument): Promise<GarmentDocument> {
   const {sureSeams} = await import('../pairing/suggest.js');
   const seams = sureSeams(document).map(({a, b, p, sameDirection}) => ({
@@ -158,7 +162,7 @@ async function fromGarment(
   };
 }
 
-/** As the flag has it. */
+/** The unit as in the command line's flag. */
 const shortly = (unit: string): string => (unit === 'inch' ? 'in' : unit);
 
 async function fromDrawing(
@@ -204,7 +208,7 @@ async function fromDrawing(
   };
 }
 
-/** All that are drawn, whether taken or not. */
+/** All drawn pieces, including omitted ones. */
 function piecesIn(
   drawing: Drawing,
   {unit, pieces: choices}: DefaultChoices,

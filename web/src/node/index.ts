@@ -31,20 +31,23 @@ export * from './exports.js';
 const solver = new ThreadSolver();
 
 /**
- * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its seams.
- * Runs on this thread in slices of about 40 ms, two solves at a time, in the order they came. Called on the main
- * thread, it has threads of its own help with what takes long, which changes no result.
- * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it fires
+ * Aligns a print with a sewing pattern, and deforms the pattern so that the print matches at its
+ * seams. Runs on this thread in slices of about 40 ms, two solves at a time, in the order of the
+ * calls. On the main thread, additional threads help with long steps, which does not change the
+ * result.
+ * @throws {SolverError} for invalid input; the signal's reason, an `AbortError` by default, when it
+ *   aborts
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
   return solver.solve(problem, hooks);
 }
 
 /**
- * What would make the seams of a result meet that stay off, each tried by solving once more and kept only where it
- * clearly helps; the first is the most likely. At most four are tried, none where all seams meet to within 3 mm.
- * @param problem that of the result
- * @throws the signal's reason, an `AbortError` by default, when it fires
+ * Changes that reduce the mismatch at seams of a result, the most likely first. Each is tested by
+ * another solve, and kept only if it clearly helps. At most four are tried; none if all seams match
+ * within 3 mm.
+ * @param problem the problem of the result
+ * @throws the signal's reason, an `AbortError` by default, when it aborts
  */
 export async function remedies(
   problem: Problem,
@@ -61,10 +64,10 @@ export async function remedies(
 }
 
 /**
- * Solves a stored design again, from the very files that it was made with, and lays it on `cloth` where that is given.
+ * Solves a stored design again from its original files, and lays it out on `cloth` if given.
  * @param design an object, or its JSON text
- * @throws {FileError} when the design is damaged, or when a file cannot be read or is another one;
- *   {SolverError} for a bad garment or print; the signal's reason, when it fires
+ * @throws {FileError} if the design is damaged, or if a file cannot be read or has changed;
+ *   {SolverError} for an invalid garment or print; the signal's reason when it aborts
  */
 export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
   const {orderWith} = await import('./order.js');
@@ -72,10 +75,10 @@ export async function order(design: StoredDesign | string, hooks: OrderHooks = {
 }
 
 /**
- * A solved garment as it is worn: hung on a form and left to settle. `drapeFile` makes a file of it, `glb` what other
- * programs show. Runs on this thread in slices, one drape at a time.
- * @throws {SolverError} for bad input, such as a garment whose file does not say where its pieces hang; the signal's
- *   reason, when it fires
+ * Drapes a solved garment on a form. `drapeFile` converts the drape to a file, `glb` to a 3D model
+ * for other programs. Runs on this thread in slices, one drape at a time.
+ * @throws {SolverError} for invalid input, such as a garment without placements; the signal's
+ *   reason when it aborts
  */
 export async function drape(
   result: SolveResult | string,
@@ -86,9 +89,9 @@ export async function drape(
 }
 
 /**
- * The pieces of a result to cut, laid on a sheet at true scale, and how that is divided among pages. Files of it, as PDF
- * and as SVG, are made when they are asked for.
- * @throws {RangeError} for a paper that is none
+ * Lays the pieces of a result out on a cutting sheet at true scale, and divides it among pages. PDF
+ * and SVG files are written on demand.
+ * @throws {RangeError} for an unknown paper
  */
 export async function cut(result: SolveResult, settings: CutSettings): Promise<Cut> {
   const {cutWith} = await import('./cut.js');
@@ -96,10 +99,10 @@ export async function cut(result: SolveResult, settings: CutSettings): Promise<C
 }
 
 /**
- * The pieces of one or several results on a bolt of their print: each so that the cloth shows on it what the result asks
- * for, on as little cloth as can be found. Runs on this thread in slices, one layout at a time.
- * @throws {SolverError} for settings and pieces that cannot be laid, such as one that is wider than the cloth; the
- *   signal's reason, when it fires
+ * Lays the pieces of one or several results out on their printed fabric, in register with the
+ * print, on the shortest length that is found. Runs on this thread in slices, one layout at a time.
+ * @throws {SolverError} for settings and pieces that cannot be laid, such as a piece wider than the
+ *   fabric; the signal's reason when it aborts
  */
 export async function marker(
   results: readonly (SolveResult | MarkerGarment)[],
@@ -114,7 +117,10 @@ export async function marker(
   return markerWith(means, results, settings, hooks);
 }
 
-/** Files of a lay plan: drawn small with its tables, at true scale for a plotter, and as DXF for cutters. */
+/**
+ * Files of a layout: a reduced drawing with tables, a drawing at true scale for a plotter, and DXF
+ * for cutters.
+ */
 export async function layPlanFiles(
   plan: LayPlan,
   settings: LayPlanSettings,
@@ -123,7 +129,7 @@ export async function layPlanFiles(
   return layPlanFilesOf(plan, settings);
 }
 
-/** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */
+/** Detects the symmetries of a garment, which `symmetry: 'auto'` imposes if the group permits. */
 export async function symmetries(
   garment: Garment | string,
   name = plainNames.garment,
@@ -132,8 +138,8 @@ export async function symmetries(
 }
 
 /**
- * The garment as a solve would begin with it: checked, meshed, its symmetries settled.
- * @throws {SolverError} as `solve` does
+ * The garment at the start of a solve: checked, meshed, and with its symmetries.
+ * @throws {SolverError} under the conditions of `solve`
  */
 export async function prepare(
   problem: Problem,
@@ -143,17 +149,17 @@ export async function prepare(
 }
 
 /**
- * How good alignments of the pieces as drafted can be: looked into until no more can be proven, which may take
- * minutes, or until the signal fires. While something is solved it waits.
- * @throws {SolverError} as `solve` does
+ * Proves a bound for alignments of the drafted pieces. It continues until no better bound can be
+ * proven, which may take minutes, or until the signal aborts. It pauses during solves.
+ * @throws {SolverError} under the conditions of `solve`
  */
 export async function prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
   return solver.prove(problem, hooks);
 }
 
 /**
- * Measures one symmetry on a garment, whether or not the garment mirrors so.
- * @throws {SolverError} for bad input, such as a piece that the garment does not have
+ * Measures one symmetry on a garment, whether or not the garment has it.
+ * @throws {SolverError} for invalid input, such as an unknown piece
  */
 export async function mirror(
   garment: Garment | string,
@@ -164,9 +170,9 @@ export async function mirror(
 }
 
 /**
- * A garment of any readable format as one document: pieces face side up in centimetres, seams, matches, symmetries, and
- * what its file leaves open. `garmentFile` writes one.
- * @throws {SolverError} for bad input
+ * Reads a garment of any supported format as one document: pieces face up in centimetres, seams,
+ * matches, symmetries, and open questions of its file. `garmentFile` writes such a document.
+ * @throws {SolverError} for invalid input
  */
 export async function readGarment(
   garment: Garment | string,
@@ -176,8 +182,9 @@ export async function readGarment(
 }
 
 /**
- * A pattern of another program as a garment, by the bytes of its file: DXF (AAMA, ASTM or plain), or any garment's JSON.
- * @throws {FileError} or {SolverError} naming what is wrong and what to do
+ * Imports the bytes of a pattern file of another program as a garment: DXF (AAMA, ASTM or plain),
+ * or any garment's JSON.
+ * @throws {FileError} or {SolverError} with the error and a remedy
  */
 export async function importGarment(
   bytes: Uint8Array,
@@ -188,9 +195,9 @@ export async function importGarment(
 }
 
 /**
- * What every edge of a garment that is not sewn may be sewn to, and which seams are as good as certain. Shapes decide, and
- * the seams that the garment has.
- * @throws {SolverError} for bad input
+ * Suggests partners for every unsewn edge of a garment, and the nearly certain seams, from the
+ * shapes of the edges and the existing seams.
+ * @throws {SolverError} for invalid input
  */
 export async function seamSuggestions(
   garment: Garment | string,
@@ -202,19 +209,20 @@ export async function seamSuggestions(
 }
 
 export interface ConvertOptions {
-  /** What failures call the garment. */
+  /** Name of the garment in messages. */
   readonly name?: string;
-  /** As a plain GarmentCode specification; see `convert`. */
+  /** Writes a plain GarmentCode specification; see `convert`. */
   readonly plain?: boolean;
 }
 
 /**
- * A garment of any readable format as the text of a seamwise-garment/1 file. With `plain`, as a GarmentCode
- * specification for programs that know no more than that, in centimetres: each path is split into single cubics, and
- * both sides of its seam at the same shares of their lengths, so that every stitch joins one edge to one edge. What
- * that format has no place for is left out: cut-outs, grain lines, marks.
- * @param options or only the name
- * @throws {SolverError} for bad input
+ * Converts a garment of any supported format to the text of a seamwise-garment/1 file. With
+ * `plain`, writes a basic GarmentCode specification in centimetres. Each path is then split into
+ * single cubics, and both sides of its seam at the same shares of their lengths, so that every
+ * stitch joins one edge to one edge. Cut-outs, grain lines and marks are omitted, since that format
+ * has none.
+ * @param options options, or only the name
+ * @throws {SolverError} for invalid input
  */
 export async function convert(
   garment: Garment | string,
@@ -228,18 +236,21 @@ export async function convert(
 }
 
 export interface GarmentDxfOptions {
-  /** What failures call the garment, and what it is called where it gives no title. */
+  /** Name of the garment in messages, and its title if it has none. */
   readonly name?: string;
-  /** Beyond edges whose garment states none. Default 0. [cm] */
+  /** Allowance of edges without their own. Default 0. [cm] */
   readonly allowanceCm?: number;
-  /** The sewn line on layer 1 and the cut line on 14, as CLO expects them. Default false. */
+  /**
+   * Writes the sewn line on layer 1 and the cut line on layer 14, as CLO expects. Default false.
+   */
   readonly sewAsBoundary?: boolean;
 }
 
 /**
- * The pieces of a garment as AAMA DXF (R12, millimetres, a block per piece): the cut line on layer 1, the line that is
- * sewn on 14 where it is another one, notches on 4, grain on 7, and so on, each within 0.02 mm of its curves.
- * @throws {SolverError} for bad input
+ * Writes the pieces of a garment as AAMA DXF (R12, millimetres, one block per piece): the cut line
+ * on layer 1, a different sewn line on 14, notches on 4, grain on 7, and so on, each within 0.02 mm
+ * of its curves.
+ * @throws {SolverError} for invalid input
  */
 export async function garmentDxf(
   garment: Garment | string,
@@ -254,8 +265,10 @@ export async function garmentDxf(
 }
 
 /**
- * Reads a print off a photograph or scan of its cloth: lattice, group, size, and a clean picture of its cell.
- * @throws {SolverError} where there is none to be found, with one sentence that says why; the signal's reason, when it fires
+ * Reads a print from a photo or scan of its fabric: lattice, group, size, and a clean image of its
+ * cell.
+ * @throws {SolverError} without a recognisable print, with the reason in one sentence; the signal's
+ *   reason when it aborts
  */
 export async function printFromPixels(
   pixels: PhotoPixels,
@@ -275,7 +288,7 @@ export async function printFromPixels(
   );
 }
 
-/** Memory of the shared module: its size, and what is in use of it. [bytes] */
+/** Memory of the shared module: its size and the part in use. [bytes] */
 export async function memory(): Promise<{readonly heap: number; readonly live: number}> {
   return solver.ask('memory', {}, {});
 }

@@ -1,4 +1,4 @@
-/** Files of a lay plan. */
+/** Files of a layout. */
 import {drawPlanSvg} from '../marker/draw/draw-plan-svg.js';
 import {planDxf} from '../marker/draw/plan-dxf.js';
 import {planPdf, type PlanPdf} from '../marker/draw/plan-pdf.js';
@@ -9,23 +9,26 @@ import type {CellPixels} from '../paper/cloth-cell.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 
 export interface LayPlanSettings extends KnownPieces {
-  /** The print of the cloth; `tile` is the picture of its cell, as SVG text or `data:` URL. */
+  /** The print of the fabric. `tile` is the image of its cell, as SVG text or `data:` URL. */
   readonly print: PrintWithTile;
   readonly units?: Units;
-  /** What stands above the plan. */
+  /** Title above the layout. */
   readonly title?: string;
-  /** Without it the same plan gives the same bytes. */
+  /** Creation date. Without it, the same layout gives the same bytes. */
   readonly date?: Date;
-  /** The cell as PNG or JPEG, asked for where `tile` is none and no simple SVG. */
+  /** Returns the cell as PNG or JPEG, for a `tile` that is neither and no simple SVG. */
   readonly pixels?: CellPixels;
 }
 
 export interface LayPlanFiles {
-  /** A tenth of its true size. */
+  /** A drawing at a tenth of true size. */
   readonly svg: () => string;
-  /** The same on paper, with tables; or as wide as the cloth, for a plotter. @throws {FileError} where the print's picture can be drawn by nobody */
+  /**
+   * A drawing on paper with tables, or on a page as wide as the fabric for a plotter.
+   * @throws {FileError} if the print's image cannot be drawn
+   */
   readonly pdf: (scale?: 10 | 1) => Promise<PlanPdf>;
-  /** For programs and machines that cut. */
+  /** For CAD programs and cutters. */
   readonly dxf: () => string;
 }
 

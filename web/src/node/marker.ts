@@ -1,4 +1,4 @@
-/** Pieces of results laid on cloth, as a plan. */
+/** Computes the layout of results on fabric. */
 import {cheaperLays, withOffers} from '../marker/cheaper.js';
 import type {SolveDesign} from '../marker/designs.js';
 import {foldedOrder} from '../marker/fold.js';
@@ -13,17 +13,20 @@ import type {MarkerHooks} from '../model/marker.js';
 import type {SolveResult} from '../model/result.js';
 
 export interface NodeMarkerSettings extends MarkerSettings {
-  /** The print that the results were solved with, for what they do not repeat of it: whether it has an upside. */
+  /** The print of the results, for properties that they do not repeat: whether it is one-way. */
   readonly print?: LaidPrint;
 }
 
-/** How to follow the search for a layout and how to end it early. */
+/** Hooks for the progress of a layout, and for aborting it. */
 export interface MarkerPlanHooks extends Pick<MarkerHooks, 'signal' | 'onProgress'> {
-  /** Each plan that is better than those before. */
+  /** Called with each layout that improves on the previous ones. */
   readonly onLayout?: (plan: LayPlan) => void;
 }
 
-/** @throws as `marker` does */
+/**
+ * Computes a layout.
+ * @throws {SolverError} under the conditions of `marker`
+ */
 export async function markerWith(
   {lay, solve}: {readonly lay: Lay; readonly solve: SolveDesign},
   results: readonly (SolveResult | MarkerGarment)[],

@@ -1,4 +1,4 @@
-/** An order: a stored design, solved again from the files that it names, and laid on the cloth that it is cut from. */
+/** Orders: a stored design is solved again from its files, and laid out on its fabric. */
 import {layPlan} from '../marker/plan.js';
 import {markerOrder} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
@@ -25,43 +25,51 @@ import {textOf} from './files.js';
 
 export interface OrderHooks extends SolveHooks, ReadingLimits {
   /**
-   * The bytes of a file, by its URL as the design gives it. Without it they are fetched, or read from disk, which
-   * takes a `base`.
+   * Returns the bytes of a file, by its URL in the design. By default they are fetched or read from
+   * disk, which requires a `base`.
    */
   readonly read?: (url: string, signal?: AbortSignal) => Promise<Uint8Array>;
-  /** URL or folder that relative URLs count from. */
+  /** URL or folder that relative URLs refer to. */
   readonly base?: string | URL;
-  /** Folders and hosts that files may come from, redirections included; the folder or host of `base` by default. */
+  /**
+   * Folders and hosts of allowed files, also for redirections. Default: the folder or host of
+   * `base`.
+   */
   readonly within?: readonly URL[];
-  /** What messages call the design. Default 'design'. */
+  /** Name of the design in messages. Default 'design'. */
   readonly name?: string;
-  /** A bolt of the print to lay the answer on, too. */
+  /** Fabric on which the result is laid out, too. */
   readonly cloth?: MarkerSettings;
 }
 
 export interface Order {
   readonly design: StoredDesign;
-  /** The text of the garment's file. */
+  /** The text of the garment file. */
   readonly garment: string;
-  /** In the colourway and the repeat of the design. */
+  /** The print with the colourway and repeat of the design. */
   readonly print: Print;
   readonly result: SolveResult;
-  /** What production takes: the result's text, which says so first where it is not the one that was sold. */
+  /**
+   * The result's text for production. It begins with a remark if it differs from the sold result.
+   */
   readonly text: string;
-  /** Whether the result is, byte for byte, the one that was sold. */
+  /** True if the result equals the sold one, byte for byte. */
   readonly reproduced: boolean;
   /**
-   * How far the print lies, at most, from where it was sold, over all pieces' outlines and modulo the print's
-   * symmetries; null when the design's alignments are not those of the garment's pieces. [cm]
+   * Greatest displacement of the print from the sold result, over all pieces' outlines and modulo
+   * the print's symmetries; null if the design's alignments are of other pieces. [cm]
    */
   readonly differenceCm: number | null;
-  /** How the answer lies on `cloth`, as `layPlan()` of the element tells it; absent where none was asked for. */
+  /** The layout on `cloth`, as from the element's `layPlan()`; absent without `cloth`. */
   readonly plan?: LayPlan;
 }
 
 type OrderSolver = Pick<SolverService, 'solve' | 'garment' | 'marker'>;
 
-/** @throws as `order` does */
+/**
+ * Solves an order.
+ * @throws {FileError} or {SolverError} under the conditions of `order`
+ */
 export async function orderWith(
   solver: OrderSolver,
   stored: StoredDesign | string,
@@ -89,7 +97,7 @@ export async function orderWith(
   };
 }
 
-/** @throws {SolverError} for cloth on which the answer cannot lie */
+/** @throws {SolverError} if the result does not fit the fabric */
 async function planOf(
   solver: OrderSolver,
   {design, garment, print, result}: Pick<Order, 'design' | 'garment' | 'print' | 'result'>,
@@ -113,7 +121,10 @@ function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read
   return (url) => readAddress(addressFrom(folder, url), {...limits, within});
 }
 
-/** @throws {FileError} when it is not the file that the design was made with */
+/**
+ * The text of a stored file.
+ * @throws {FileError} if the file differs from the design's
+ */
 async function textAt(
   {url, sha256}: StoredFile,
   design: string,
@@ -143,5 +154,5 @@ function greatestDifference({alignments}: StoredDesign, result: SolveResult): nu
         greatest = Math.max(greatest, apart(onPrint(alignment, point), onPrint(before, point)));
     }
   }
-  return Math.round(greatest * 1e6) / 1e6; // below lies the rounding of the calculation
+  return Math.round(greatest * 1e6) / 1e6; // removes rounding errors
 }

@@ -1,4 +1,4 @@
-/** Prints read off pictures of their cloth. */
+/** Reads prints from photos of their fabric. */
 import type {
   PhotoHooks,
   PhotoPixels,
@@ -11,28 +11,33 @@ import type {Print} from '../model/print.js';
 import {isSymmetric, printOfPhoto} from '../recognition/photo-print.js';
 
 export interface PrintFromPixelsSettings extends PhotoSettings {
-  /** Makes the symmetries of the group that was found exact; as the cloth has them, if left out. */
+  /** Makes the symmetries of the detected group exact. Default false. */
   readonly symmetrise?: boolean;
 }
 
 export interface PrintFromPixels {
   readonly reading: PhotoReading;
-  /** Its lengths are in proportion only, and `unscaled` says so, until one of them is known. */
+  /**
+   * The print. Its lengths are only proportional, as `unscaled` states, until one of them is known.
+   */
   readonly print: Print;
-  /** The print's cell, w1 to the right and w2 up. */
+  /** The print's cell, with w1 to the right and w2 up. */
   readonly tile: PhotoPixels;
 }
 
-/** What the solver is asked. */
+/** Solver functions that read a photo. */
 interface Reads {
   readonly photo: (request: PhotoRequest, hooks: PhotoHooks) => Promise<PhotoReading>;
   readonly photoTile: (request: PhotoTileRequest, hooks: PhotoHooks) => Promise<PhotoPixels>;
 }
 
-/** Reading takes about half of the time, and the tile the other half. */
+/** Share of the time for reading; the tile takes the rest. */
 const share = 0.5;
 
-/** @throws as `printFromPixels` does */
+/**
+ * Reads a print from pixels.
+ * @throws {SolverError} under the conditions of `printFromPixels`
+ */
 export async function printWith(
   {photo, photoTile}: Reads,
   pixels: PhotoPixels,

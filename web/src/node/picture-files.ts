@@ -1,4 +1,4 @@
-/** Pictures as files hold them, and as upright pixels. */
+/** Decodes image files to upright pixels, and encodes them. */
 import {readFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';
 
@@ -8,18 +8,18 @@ import {exifTags, type ExifTags} from '../recognition/exif.js';
 import {fileKind, isWhole, type FileKind} from '../recognition/file-kind.js';
 import {upright} from '../recognition/upright.js';
 
-/** Upright, and what its camera says of it. */
+/** Upright pixels, and the camera's focal length. */
 interface PictureFile {
   readonly pixels: PhotoPixels;
   readonly f35?: number;
 }
 
-/** A photograph of 60 megapixels takes as much. [bytes] */
+/** Greatest size of an image file, that of a photo of 60 megapixels. [bytes] */
 export const pictureLimit = 40_000_000;
 
 type Decode = (bytes: ArrayBuffer) => Promise<PhotoPixels>;
 
-/** A decoder's module, which a package holds. */
+/** Compiles a decoder module of a package. */
 async function compiled(path: string): Promise<WebAssembly.Module> {
   const file = createRequire(import.meta.url).resolve(path);
   return WebAssembly.compile(await readFile(file));
@@ -48,12 +48,15 @@ const exifOf = (bytes: Uint8Array, kind: FileKind | undefined): ExifTags => {
   try {
     return exifTags(new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength));
   } catch (error) {
-    if (error instanceof RangeError) return {}; // not sound: as if it said nothing
+    if (error instanceof RangeError) return {}; // invalid metadata counts as missing
     throw error;
   }
 };
 
-/** @throws {FileError} for what is no PNG, JPEG or WebP, or is damaged */
+/**
+ * Decodes an image file.
+ * @throws {FileError} if the file is no PNG, JPEG or WebP, or is damaged
+ */
 export async function pictureIn(bytes: Uint8Array, path: string): Promise<PictureFile> {
   const kind = fileKind(bytes);
   const load = kind && decoders[kind];
@@ -78,7 +81,7 @@ export async function pictureIn(bytes: Uint8Array, path: string): Promise<Pictur
   }
 }
 
-/** Pixels as a PNG file. */
+/** Encodes pixels as a PNG file. */
 export async function pngOf({width, height, data}: PhotoPixels): Promise<Uint8Array> {
   const {default: encode, init} = await import('@jsquash/png/encode.js');
   await init(await compiled('@jsquash/png/codec/pkg/squoosh_png_bg.wasm'));

@@ -1,4 +1,4 @@
-/** The solver on this thread, which reads its modules from the package. */
+/** The solver on this thread, with modules from the package. */
 import {readFile} from 'node:fs/promises';
 import {availableParallelism} from 'node:os';
 import {isMainThread} from 'node:worker_threads';
@@ -11,7 +11,10 @@ import {Helpers} from '../solver/seamwise/helpers.js';
 import {TextService} from '../solver/service.js';
 import {thread} from './thread.js';
 
-/** For a program that solves on threads of its own, as a batch does, all cores are at work already. */
+/**
+ * Number of helper threads; none in a program's own threads, such as those of a batch, since all
+ * cores are then in use.
+ */
 const most = isMainThread ? helpersFor(availableParallelism()) : 0;
 
 const wasmFile = (name: string) =>

@@ -6,7 +6,7 @@ import type {StartThread} from '../solver/threads/thread.js';
 
 const script = new URL('./helper-thread.js', import.meta.url);
 
-/** A thread of this process, which it does not keep from ending. */
+/** A thread that does not keep this process alive. */
 export const thread: StartThread<Requests> = (owner) => {
   const worker = new Worker(script, {stdin: false});
   worker.on('message', (message: FromThread) => {
@@ -18,7 +18,7 @@ export const thread: StartThread<Requests> = (owner) => {
   worker.on('exit', () => {
     owner.lost('');
   });
-  worker.unref(); // last: a listener to messages would undo it
+  worker.unref(); // last, since a message listener would undo it
   return {
     post: (message, transfer = []) => {
       worker.postMessage(message, [...transfer]);

@@ -1,4 +1,4 @@
-/** Upright boxes on a sheet, and what reaches into them. Lengths in cm. */
+/** Axis-aligned boxes on a sheet, and their intersections with outlines. Lengths in cm. */
 import {cross, minus, type Point} from '../model/geometry.js';
 import {isInside, type Box} from '../model/polyline.js';
 
@@ -12,7 +12,7 @@ export const grown = ({low, high}: Box, by: number): Box => ({
   high: [high[0] + by, high[1] + by],
 });
 
-/** What two boxes share; of boxes apart, one whose corners are the wrong way round. */
+/** The intersection of two boxes; for disjoint boxes, a box with its corners swapped. */
 export const shared = (a: Box, b: Box): Box => ({
   low: [Math.max(a.low[0], b.low[0]), Math.max(a.low[1], b.low[1])],
   high: [Math.min(a.high[0], b.high[0]), Math.min(a.high[1], b.high[1])],
@@ -30,7 +30,7 @@ export const cornersOf = ({low, high}: Box): readonly [Point, Point, Point, Poin
   [low[0], high[1]],
 ];
 
-/** Whether a straight line has a point in a box. */
+/** Returns whether a line segment meets a box. */
 function enters(from: Point, to: Point, box: Box): boolean {
   const {low, high} = box;
   const isBeside = ([0, 1] as const).some(
@@ -42,11 +42,11 @@ function enters(from: Point, to: Point, box: Box): boolean {
   return Math.min(...sides) <= 0 && Math.max(...sides) >= 0;
 }
 
-/** Whether a closed line has a point in a box. */
+/** Returns whether a closed line meets a box. */
 export const crossesInto = (loop: readonly Point[], box: Box): boolean =>
   loop.some((p, k) => enters(p, loop[(k + 1) % loop.length] ?? p, box));
 
-/** Whether what lies within closed lines, the outline and its holes, reaches into a box. */
+/** Returns whether the region within an outline and its holes meets a box. */
 export const reachesInto = (loops: readonly (readonly Point[])[], box: Box): boolean =>
   loops.some((loop) => crossesInto(loop, box)) ||
   loops.filter((loop) => isInside(loop, box.low)).length % 2 === 1;

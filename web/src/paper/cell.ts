@@ -1,6 +1,7 @@
 /**
- * The print under pieces, cell by cell. PDF has patterns for this, but readers draw those up to 12 mm off where they are
- * turned. Each cell runs on a little beyond its edges, so that no hairline shows between two. Lengths in cm.
+ * Draws the print beneath pieces, cell by cell. PDF has patterns for this purpose, but viewers draw
+ * rotated ones up to 12 mm off. Each cell extends slightly beyond its edges, so that no hairline is
+ * visible between two. Lengths in cm.
  */
 import type {LaidPiece} from '../cutting/cut-sheet.js';
 import {
@@ -24,18 +25,18 @@ import type {PdfImage} from './raster-tile.js';
 import type {Size} from './vector-cell.js';
 
 export interface Cell {
-  /** Of what a form shows, on the print. */
+  /** Sides of a form's content, on the print. */
   readonly sides: readonly [Point, Point];
-  /** Each is drawn for all cells before the next. */
+  /** Each pass is drawn for all cells before the next one. */
   readonly passes: readonly {readonly form: string; readonly opacity: number}[];
 }
 
-/** A picture of pixels is first drawn larger by this on every side. */
+/** Enlargement, on every side, of a raster image in its first pass. */
 const leastReach = 0.02;
-/** Cells with shorter sides are drawn several at once. */
+/** Cells with shorter sides are combined to blocks. */
 const blockSide = 5;
 
-/** Sides of the print's cell, and the map from a form's upright box to the slanted cell. */
+/** Size of the print's cell, and the map from a form's rectangle to the oblique cell. */
 function sheared(print: Print): {readonly size: Size; readonly matrix: string} {
   const sides = imageCell(print);
   const [[ax, ay], [bx, by]] = [unit(sides[0]), unit(sides[1])];
@@ -47,7 +48,7 @@ function sheared(print: Print): {readonly size: Size; readonly matrix: string} {
 
 const bounds = ({low, high}: Box): string => `/BBox[${nums(...low, ...high)}]`;
 
-/** Small cells as blocks of several. */
+/** Combines small cells to blocks. */
 function inBlocks(resources: PdfResources, print: Print, cell: Cell, reach: number): Cell {
   const [a, b] = cell.sides;
   const counts = [a, b].map((side) => Math.max(1, Math.round(blockSide / norm(side))));
@@ -68,7 +69,10 @@ function inBlocks(resources: PdfResources, print: Print, cell: Cell, reach: numb
 
 const placed = (form: string, at: Point): string => `q 1 0 0 1 ${nums(...at)} cm /${form} Do Q`;
 
-/** @param drawn by the sizes of the cell's sides, each to be seen through at its opacity */
+/**
+ * A cell of vector graphics.
+ * @param drawn returns the content for the cell's size, in groups with their opacity
+ */
 export function vectorCell(
   resources: PdfResources,
   print: Print,
@@ -86,7 +90,10 @@ export function vectorCell(
   return inBlocks(resources, print, {sides: imageCell(print), passes}, reach);
 }
 
-/** The picture a little larger first, so that the paper does not show where two of true size meet. */
+/**
+ * A cell with a raster image. The image is first drawn slightly larger, so that no paper is visible
+ * between two of true size.
+ */
 export function rasterCell(resources: PdfResources, print: Print, image: PdfImage): Cell {
   const {size, matrix} = sheared(print);
   const name = resources.image(image);
@@ -102,13 +109,13 @@ export function rasterCell(resources: PdfResources, print: Print, image: PdfImag
   return inBlocks(resources, print, {sides: imageCell(print), passes}, 2 * leastReach);
 }
 
-/** Where print points lie on the sheet: first on the piece, then with it. */
+/** The alignment of the print on the sheet: the piece's place composed with its alignment. */
 const onSheet = (place: Alignment, alignment: Alignment): Alignment => ({
   angle: place.angle + alignment.angle,
   translation: onPiece(place, alignment.translation),
 });
 
-/** Corners of the cells that reach into a box of the sheet, on the print. */
+/** Corners, on the print, of the cells that meet a box of the sheet. */
 function cellsIn(lying: Alignment, sides: readonly [Point, Point], seen: Box): readonly Point[] {
   const corners = cornersOf(seen).map((corner) => coordinates(sides, onPrint(lying, corner)));
   const {low, high} = boxOf(corners);
@@ -124,7 +131,7 @@ function cellsIn(lying: Alignment, sides: readonly [Point, Point], seen: Box): r
   return cells;
 }
 
-/** The print within the cut line of a piece, as far as a window of the sheet shows it. */
+/** The print within the cut line of a piece, clipped to a window of the sheet. */
 export function clothUnder(
   resources: PdfResources,
   cell: Cell,

@@ -1,4 +1,4 @@
-/** The cell of a print for a PDF, of whatever its picture is; what draws that is loaded then. */
+/** Builds a print's cell for a PDF from any supported image. Drawing code is loaded on demand. */
 import {norm} from '../model/geometry.js';
 import {FileError} from '../model/versioned-file.js';
 import {imageCell} from '../model/wallpaper.js';
@@ -7,25 +7,27 @@ import {blobOf} from '../recognition/data-url.js';
 import {rasterCell, vectorCell, type Cell} from './cell.js';
 import type {PdfResources} from './pdf-resources.js';
 
-/** The cell as PNG or JPEG, asked for where its picture is neither, and no simple SVG. Sizes in pixels. */
+/**
+ * Returns the cell as PNG or JPEG, for an image that is neither and no simple SVG. Sizes in pixels.
+ */
 export type CellPixels = (
   width: number,
   height: number,
 ) => Promise<Uint8Array<ArrayBuffer> | undefined>;
 
-/** For whoever draws the cell in pixels. [dots per inch] */
+/** Resolution for rendering the cell. [dots per inch] */
 const drawnDpi = 300;
-/** Fewer show on paper. */
+/** Least resolution without visible pixels. [dots per inch] */
 const leastDpi = 150;
 const inch = 2.54;
 
-/** Where a print has no picture, its cells are outlined. */
+/** Outline of a cell, for prints without an image. */
 const blank = (width: number, height: number): string =>
   `<svg viewBox="0 0 ${width} ${height}"><rect width="100%" height="100%" fill="#f1ede3" stroke="#c9c1ae" stroke-width="0.03"/></svg>`;
 
 const svgType = /^data:image\/svg\+xml\b/i;
 
-/** The text of an SVG, or the bytes of any other picture that is at hand. */
+/** The text of an SVG, or the bytes of another embedded image; undefined for an external one. */
 async function contentOf(tile: string): Promise<string | Uint8Array<ArrayBuffer> | undefined> {
   if (tile.trimStart().startsWith('<')) return tile;
   if (!tile.startsWith('data:')) return undefined;
@@ -33,7 +35,10 @@ async function contentOf(tile: string): Promise<string | Uint8Array<ArrayBuffer>
   return svgType.test(tile) ? blob.text() : new Uint8Array(await blob.arrayBuffer());
 }
 
-/** @throws {FileError} where nothing draws the picture */
+/**
+ * The cell of a print for a PDF.
+ * @throws {FileError} if the image cannot be drawn
+ */
 export async function clothCell(
   resources: PdfResources,
   print: PrintWithTile,

@@ -1,4 +1,4 @@
-/** A sheet of pieces to cut as a file, of whatever kind. */
+/** Writes a cutting sheet as a file of any kind. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
 import {sheetDxf} from '../cutting/out/sheet-dxf.js';
@@ -11,11 +11,15 @@ export type CutFileKind = 'pdf' | 'svg' | 'dxf' | 'plt';
 
 interface CutFileOptions extends Omit<CuttingPdfOptions, 'paper'> {
   readonly file: CutFileKind;
-  /** By its name or its size, as `paperOf` takes it; of PDF alone. */
+  /** Paper of a PDF: a name or a size, as in `paperOf`. */
   readonly paper: string;
 }
 
-/** What cutters and plotters read has no print. @throws {RangeError} for a paper that is none; {FileError} where the print's picture can be drawn by nobody */
+/**
+ * Writes a cutting sheet. Files for cutters and plotters contain no print.
+ * @throws {RangeError} for an unknown paper
+ * @throws {FileError} if the print's image cannot be drawn
+ */
 export async function cutFile(
   sheet: CutSheet,
   print: PrintWithTile,

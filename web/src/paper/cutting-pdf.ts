@@ -1,4 +1,4 @@
-/** A sheet of pieces to cut as PDF, at true scale, on pages of paper or for a projector. */
+/** Writes a cutting sheet as PDF at true scale, on pages of paper or for a projector. */
 import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
 import {middle, type Point} from '../model/geometry.js';
 import {boxOf, isInside, type Box} from '../model/polyline.js';
@@ -30,11 +30,11 @@ import {marksOnPages} from './words-on-page.js';
 
 export interface CuttingPdfOptions {
   readonly paper: Paper;
-  /** The print in its place, or lines alone, to save ink. Default full. */
+  /** Draws the print in place, or lines only to save ink. Default full. */
   readonly ink?: 'full' | 'outline';
-  /** Words across every page, such as `notAsSold`. */
+  /** Watermark on every page, such as `notAsSold`. */
   readonly mark?: string;
-  /** Stands on every page. Without it the same sheet gives the same bytes. */
+  /** Date on every page. Without it, the same sheet gives the same bytes. */
   readonly date?: Date;
   readonly pixels?: CellPixels;
 }
@@ -43,18 +43,18 @@ export interface CuttingPdf {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly layout: PageLayout;
   readonly map: SheetMap;
-  /** A sentence each. */
+  /** One sentence each. */
   readonly notes: readonly string[];
 }
 
-/** How a sheet is divided among pages. Cheap: a page may tell before a file is made. */
+/** The pages of a sheet. This is fast enough for a preview before the file is written. */
 export const pagesOf = (sheet: CutSheet, paper: Paper): PageLayout =>
   dividedAmong(sheet, paper, (hasMap) => roomOf(sheet, hasMap));
 
-/** Shapes of a sheet that are tried, as width to height. */
+/** Ratios of width to height tried for a sheet. */
 const aspects = [1.4, 0.6, 2.8];
 
-/** The sheet that takes the fewest pages of a paper, then the least paper. */
+/** The sheet with the fewest pages, and with the least paper among equals. */
 export function sheetFor(paper: Paper, lay: (aspect: number) => CutSheet): CutSheet {
   const tried = (paper.isProjector ? aspects.slice(0, 1) : aspects).map((aspect) => {
     const sheet = lay(aspect);
@@ -72,7 +72,7 @@ const layerNames = {
 
 type LayerName = keyof typeof layerNames;
 
-/** What stands in all pages of a file. */
+/** Content common to all pages of a file. */
 interface Drawing {
   readonly sheet: CutSheet;
   readonly layout: PageLayout;
@@ -84,7 +84,9 @@ interface Drawing {
   readonly mark: string | undefined;
 }
 
-/** On the wall thin lines are lost, and what is sewn is not cut. */
+/**
+ * Line width for projectors, which lose thin lines. Sewn lines are omitted, since they are not cut.
+ */
 const projectedMm = 1.5;
 
 const projected = (marks: readonly CutMark[]): readonly CutMark[] =>
@@ -97,7 +99,7 @@ const projected = (marks: readonly CutMark[]): readonly CutMark[] =>
 const gridSide = 5;
 const gridLine = 0.03;
 
-/** Lines that a projector is set up by. */
+/** Grid for calibrating a projector. */
 function drawnGrid({low, high}: Box): string {
   const steps = (axis: 0 | 1): number[] => {
     const first = Math.ceil(low[axis] / gridSide);
@@ -119,7 +121,7 @@ function drawnGrid({low, high}: Box): string {
   return scoped(`${nums(gridLine)} w`, strokedWith([0.6, 0.6, 0.6]), ...upright, ...level, 'S');
 }
 
-/** From corner to corner, as large as it goes. */
+/** Text across the page's diagonal, as large as fits. */
 function drawnAcross(words: string, {low, high}: Box, resources: PdfResources): string {
   const [width, height] = [high[0] - low[0], high[1] - low[1]];
   const size = (0.8 * Math.hypot(width, height)) / widthOf(words, 'bold');
@@ -159,7 +161,10 @@ function pageContent(page: SheetPage, number: number, drawing: Drawing): string 
   );
 }
 
-/** Readers list pieces beside the pages, each with the page that shows its middle, or else some of it. */
+/**
+ * The document outline: an entry per piece, for the page with its middle, otherwise with a part of
+ * it.
+ */
 function outlineOf(
   document: PdfDocument,
   {pieces}: CutSheet,
@@ -194,8 +199,9 @@ function outlineOf(
 }
 
 /**
- * The file, and where everything lies in it. `print.tile` is the picture of its cell, as SVG text or `data:` URL.
- * @throws {FileError} where the picture can be drawn by nobody
+ * Writes the file, and a map of its content. `print.tile` is the image of the print's cell, as SVG
+ * text or `data:` URL.
+ * @throws {FileError} if the image cannot be drawn
  */
 export async function cuttingPdf(
   sheet: CutSheet,

@@ -1,4 +1,4 @@
-/** Lines, marks and words of pieces to cut as content of a page, in cm on the sheet. */
+/** Draws lines, marks and text of pieces as page content, in cm on the sheet. */
 import type {CutLine, CutMark, CutText} from '../cutting/cut-sheet.js';
 import {plus, rotated, towards, type Point} from '../model/geometry.js';
 import {boxOf, type Box} from '../model/polyline.js';
@@ -7,20 +7,20 @@ import {filledWith, line, nums, onLayer, scoped, strokedWith, through} from './p
 import type {PdfResources} from './pdf-resources.js';
 import {textAt, widthOf, type Weight} from './pdf-text.js';
 
-/** Names in content of the layers that marks have. */
+/** Content names of the layers of marks. */
 type MarkLayers = Readonly<Record<CutMark['layer'], string>>;
 
 const mm = 0.1;
 const leading = 1.25;
-/** Light grounds of lines and words: the print shows through a little. */
+/** Opacity of the light plates and halos of marks. */
 const light = 0.85;
 const faint = 0.4;
 
 const white = filledWith([1, 1, 1]);
 
-/** A rectangle with round corners, from its lower left one. */
+/** A rectangle with rounded corners, from its lower left corner. */
 function roundBox([x, y]: Point, width: number, height: number, radius: number): string {
-  const k = 0.5523 * radius; // a quarter of a circle as a cubic
+  const k = 0.5523 * radius; // a quarter circle as a cubic
   const [right, top] = [x + width, y + height];
   const curve = (...values: number[]): string => `${nums(...values)} c`;
   return [
@@ -41,7 +41,7 @@ function stroke({points, isClosed}: CutLine, widthMm: number, dashMm: readonly n
   return `${nums(widthMm * mm)} w [${nums(...dash)}] 0 d\n${line(points, isClosed)}\nS`;
 }
 
-/** The light line beneath, and the line. */
+/** A line and the halo beneath it. */
 function drawnLine(mark: CutLine, resources: PdfResources): readonly [string, string] {
   const {widthMm, haloMm, dashMm = [], isFaint} = mark;
   const seen = (share: number): string => `/${resources.opacity(share)} gs`;
@@ -71,7 +71,7 @@ function wordsBox(mark: CutText): WordsBox {
   return {width: Math.max(...widths) + size, height: size * (leading * lines.length + 0.4)};
 }
 
-/** Where the left edge of words is, as a share of their width from their point. */
+/** Offset of the text's left edge from its point, as a share of its width. */
 const leftShare = {left: 0, middle: -0.5, right: -1} as const;
 
 function drawnText(mark: CutText, resources: PdfResources): string {
@@ -96,7 +96,7 @@ function drawnText(mark: CutText, resources: PdfResources): string {
   );
 }
 
-/** What a mark may cover. */
+/** The bounding box of a mark. */
 export function boxOfMark(mark: CutMark): Box {
   if (mark.kind === 'line') {
     return grown(boxOf(mark.points), (mark.widthMm + (mark.haloMm ?? 0)) * mm);
@@ -109,7 +109,10 @@ export function boxOfMark(mark: CutMark): Box {
   return boxOf(corners);
 }
 
-/** Those of some marks that a window shows. Lines that follow each other lie on the light ground of all of them. */
+/**
+ * Draws the marks in a window. Consecutive lines of a layer share their halos, which are drawn
+ * beneath all of them.
+ */
 export function drawMarks(
   marks: readonly CutMark[],
   window: Box,
@@ -121,7 +124,8 @@ export function drawMarks(
   shown.forEach((first, k) => {
     const before = shown[k - 1];
     const isRun = first.kind === 'line';
-    if (isRun && before?.kind === 'line' && before.layer === first.layer) return; // drawn with those before
+    // drawn with the previous ones
+    if (isRun && before?.kind === 'line' && before.layer === first.layer) return;
     const end = shown.findIndex(
       (mark, n) => n > k && !(isRun && mark.kind === 'line' && mark.layer === first.layer),
     );

@@ -1,4 +1,4 @@
-/** What stands on the first page: words, squares to measure, and which page lies where. Lengths in cm, y up. */
+/** Content of the first page: text, test squares, and a map of the pages. Lengths in cm, y up. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {plus, type Point} from '../model/geometry.js';
 import {boxOf, type Box} from '../model/polyline.js';
@@ -14,16 +14,16 @@ const factLeading = 0.5;
 const gap = 0.5;
 const squareSides = [5, 2 * inch];
 const squareWords = ['5 cm', '2 in'];
-/** The map takes this much at least. */
+/** Least height of the map. */
 const leastMap = 7;
 const mapLine = 0.02;
-/** A page of home printers is then some centimetres large. */
+/** Greatest scale of the map, at which a page of a home printer is some centimetres large. */
 const mostScale = 0.2;
 
-/** More fits no small page. */
+/** Greatest width of the heading on small pages. */
 const mostHeading = 17;
 
-/** A name that is too long for the page ends in an ellipsis. */
+/** Shortens a heading that is too long, with an ellipsis. */
 function fitting(heading: string): string {
   const letters = Array.from(heading);
   const isWider = (text: string): boolean => headingSize * widthOf(text, 'bold') > mostHeading;
@@ -33,17 +33,17 @@ function fitting(heading: string): string {
   return `${letters.slice(0, count).join('').trimEnd()}…`;
 }
 
-/** A square to measure. */
+/** A square that verifies the print scale. */
 interface TestSquare {
   readonly low: Point;
   readonly side: number;
 }
 
-/** Without the map: the words, then the squares. */
+/** Height of the text, without squares and map. */
 const wordsHeight = (facts: readonly string[]): number =>
   headingSize + gap + factLeading * facts.length;
 
-/** What words and squares take at least, with a map if there are several pages. */
+/** Least size of the text and squares, and of a map for several pages. */
 export function roomOf({heading, facts}: CutSheet, hasMap: boolean): Point {
   const width = Math.max(
     squareSides.reduce((sum, side) => sum + side + gap, -gap),
@@ -54,7 +54,7 @@ export function roomOf({heading, facts}: CutSheet, hasMap: boolean): Point {
   return [width, height + (hasMap ? gap + leastMap : 0)];
 }
 
-/** From the lower left corner of the block. */
+/** Test squares from the block's lower left corner. */
 export const testSquares = ({low}: Box): readonly TestSquare[] =>
   squareSides.map((side, k) => ({
     side,
@@ -77,7 +77,7 @@ function drawnSquares(block: Box): string {
 
 const grey = strokedWith([0.45, 0.45, 0.45]);
 
-/** Pages with their names over the outlines of the pieces; those left out are crossed. */
+/** The pages with their names over the outlines of the pieces; omitted pages are crossed out. */
 function drawnMap({pieces}: CutSheet, {pages, empty}: PageLayout, room: Box): string {
   const named = pages.filter(({name}) => name !== undefined);
   const {low, high} = boxOf([...named.map(({frame}) => frame), ...empty].flatMap(cornersOf));
@@ -108,7 +108,7 @@ function drawnMap({pieces}: CutSheet, {pages, empty}: PageLayout, room: Box): st
       const size = Math.min(0.4, 0.25 * scale * Math.min(b[0] - a[0], b[1] - a[1]));
       const at = plus(onMap([a[0], b[1]]), [0.3 * size, -size]);
       const width = size * widthOf(name, 'bold');
-      // outlines below would strike it through
+      // covers outlines, which would strike the name through
       const plate = box(plus(at, [-0.15 * size, -0.15 * size]), width + 0.3 * size, size);
       return [
         scoped(filledWith([1, 1, 1]), plate, 'f'),
@@ -118,7 +118,7 @@ function drawnMap({pieces}: CutSheet, {pages, empty}: PageLayout, room: Box): st
   ].join('\n');
 }
 
-/** Words from the top, squares at the bottom, the map in between. */
+/** Draws text at the top, squares at the bottom and the map between them. */
 export function drawFirstPage(sheet: CutSheet, layout: PageLayout): string {
   const {block} = layout;
   const {heading, facts} = sheet;

@@ -1,4 +1,7 @@
-/** What helps to glue pages: frames, marks on joints, and who each page is. Lengths in cm on the sheet. */
+/**
+ * Frames, joint marks and page names, which help to glue pages together. Lengths in cm on the
+ * sheet.
+ */
 import type {Point} from '../model/geometry.js';
 import type {Box} from '../model/polyline.js';
 import {box, filledWith, line, nums, scoped, strokedWith} from './pdf-content.js';
@@ -9,7 +12,7 @@ const frameLine = 0.02;
 const diamond = 0.4;
 const jointSize = 0.32;
 const footSize = 0.26;
-/** From the edge of the page up to the line that words stand on. */
+/** Height of the footer's baseline above the edge of the page. */
 const footRise = 0.55;
 const nameSize = 0.6;
 const grey = strokedWith([0.45, 0.45, 0.45]);
@@ -18,7 +21,10 @@ const black = filledWith([0, 0, 0]);
 
 type Neighbour = (row: number, column: number) => SheetPage | undefined;
 
-/** A diamond on a joint, of which each page keeps half, and beside its halves whom it joins. */
+/**
+ * A diamond on a joint, half of which is on each page, and the names of the joined pages beside its
+ * halves.
+ */
 function joint([x, y]: Point, before: string, after: string, isUpright: boolean): string {
   const d = diamond;
   const shape = line(
@@ -47,7 +53,7 @@ function joint([x, y]: Point, before: string, after: string, isUpright: boolean)
   ].join('\n');
 }
 
-/** Large enough to lay pages out on a floor by. */
+/** The page name, large enough to arrange pages on a floor. */
 function drawnName(name: string, {low, high}: Box): string {
   const [width, height] = [nameSize * widthOf(name, 'bold') + 0.3, 1.3 * nameSize];
   const at: Point = [low[0], high[1] - height];
@@ -57,7 +63,10 @@ function drawnName(name: string, {low, high}: Box): string {
   ].join('\n');
 }
 
-/** The frame is where a page is cut that is glued over another one: on its left and at its top. */
+/**
+ * Draws the frame, along which the left and upper edges of a page are cut before it is glued over
+ * another.
+ */
 export function drawFrame(page: SheetPage, layout: PageLayout): string {
   const {name, row, column, frame, window} = page;
   if (name === undefined || layout.columns * layout.rows === 1) return '';
@@ -87,7 +96,7 @@ export function drawFrame(page: SheetPage, layout: PageLayout): string {
   );
 }
 
-/** As much of a text as there is room for. */
+/** Shortens a text to fit. */
 function fitting(text: string, room: number): string {
   if (footSize * widthOf(text) <= room) return text;
   const letters = Array.from(text);
@@ -95,7 +104,7 @@ function fitting(text: string, room: number): string {
   return `${letters.join('')}…`;
 }
 
-/** In the margin below: what the file is, and which page this is of how many. */
+/** Draws the footer: the file's description and the page number. */
 export function drawFoot(
   {low, name, window}: SheetPage,
   words: string,

@@ -1,4 +1,4 @@
-/** Which page of a file shows what of a sheet. Lengths in cm, on the sheet, y up. */
+/** Divides a sheet among pages. Lengths in cm on the sheet, y up. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import type {Point} from '../model/geometry.js';
 import {seamLetter} from '../model/letters.js';
@@ -7,57 +7,60 @@ import {boxAt, grown, overlap, reachesInto} from './boxes.js';
 import type {Paper} from './papers.js';
 
 export interface SheetPage {
-  /** Its row as a letter, its column as a number; none of a page that shows nothing of the sheet. */
+  /** Row letter and column number; undefined for a page that shows nothing of the sheet. */
   readonly name?: string;
   readonly row: number;
   readonly column: number;
-  /** Where its lower left corner lies. */
+  /** Position of the page's lower left corner. */
   readonly low: Point;
-  /** What is drawn of the sheet. */
+  /** The part of the sheet that is drawn. */
   readonly window: Box;
-  /** Of that, what is not glued below another page. */
+  /** The part of the window that is not glued beneath another page. */
   readonly frame: Box;
 }
 
-/** All pages have one size. */
+/** Pages of equal size. */
 export interface PageLayout {
   readonly paper: Paper;
   readonly widthCm: number;
   readonly heightCm: number;
   readonly columns: number;
   readonly rows: number;
-  /** In the order in which they are read. */
+  /** In reading order. */
   readonly pages: readonly SheetPage[];
-  /** Frames of pages that would be empty, and are left out. */
+  /** Frames of empty pages, which are omitted. */
   readonly empty: readonly Box[];
-  /** Where on the first page the squares to measure are, and words. */
+  /** Position of the test squares and text on the first page. */
   readonly block: Box;
 }
 
-/** Printers reach no further. */
+/** Margin that printers cannot reach. */
 const usualMargin = 1;
-/** Pages are glued over each other by this. */
+/** Overlap of glued pages. */
 const overlapCm = 1;
-/** Lines on the edge of the sheet are wide. */
+/** Space for the width of lines at the edge of the sheet. */
 const pad = 0.2;
 const projectorPad = 0.5;
-/** 200 inches, all that readers show, less what rounding takes. */
+/** Greatest page size in viewers, 200 inches, minus rounding. */
 const longest = 500;
-/** The block keeps half of this away from all, and tries places this far apart, on large pages fewer. */
+/**
+ * The block's distance from pieces is half of this, which is also the grid step of its search;
+ * large pages use a coarser grid.
+ */
 const step = 1;
 const mostTries = 30;
 
-/** A paper turned one way, and how sheets are divided among pages of it. */
+/** A paper in one orientation, with its margins. */
 interface Format {
   readonly width: number;
   readonly height: number;
   readonly margin: number;
   readonly pad: number;
-  /** Pages become longer this way where something needs room. */
+  /** Axis along which pages may grow for content. */
   readonly grows?: 0 | 1;
 }
 
-/** What lies on pages of a format, beginning at a share of the room that is left over. */
+/** The pages of a sheet in one format. The spare length is distributed by a share. */
 interface Tiling {
   readonly format: Format;
   readonly columns: number;
@@ -68,7 +71,7 @@ interface Tiling {
 
 const shares = [0.5, 0, 1] as const;
 
-/** How many pages lie side by side, and how much room is left. */
+/** Number of pages in one direction, and the spare length. */
 function divided(length: number, page: number): {readonly count: number; readonly left: number} {
   const count = Math.max(1, Math.ceil((length - overlapCm) / (page - overlapCm) - 1e-9));
   return {count, left: count * (page - overlapCm) + overlapCm - length};
@@ -112,7 +115,7 @@ function tiling(
   return {format, columns: across.count, rows: down.count, pages, empty};
 }
 
-/** Both ways to turn the paper. */
+/** Both orientations of the paper. */
 function formatsOf({widthCm, heightCm}: CutSheet, paper: Paper): readonly Format[] {
   if (paper.isProjector) {
     const side = (length: number): number => Math.min(longest, length + 2 * projectorPad);
@@ -136,7 +139,7 @@ function formatsOf({widthCm, heightCm}: CutSheet, paper: Paper): readonly Format
 
 const area = ({width, height}: Format): number => width * height;
 
-/** Those with the fewest pages, then the least paper. */
+/** The tilings with the fewest pages, and with the least paper among equals. */
 function best(sheet: CutSheet, formats: readonly Format[]): readonly [Tiling, ...Tiling[]] {
   const all = formats.flatMap((format) =>
     shares.flatMap((x) => shares.map((y) => tiling(sheet, format, [x, y]))),
@@ -146,7 +149,7 @@ function best(sheet: CutSheet, formats: readonly Format[]): readonly [Tiling, ..
   return all.filter((one) => cost(one) <= least + 1e-6) as [Tiling, ...Tiling[]];
 }
 
-/** A place on a page that no piece reaches into, from below. */
+/** A place on a page that no piece meets, searched from below. */
 function freePlace(
   {pieces}: CutSheet,
   {frame}: SheetPage,
@@ -169,7 +172,7 @@ function freePlace(
   return undefined;
 }
 
-/** The first of some tilings whose first page has room. */
+/** The first tiling with enough room on its first page. */
 function withRoom(
   sheet: CutSheet,
   tilings: readonly Tiling[],
@@ -183,7 +186,7 @@ function withRoom(
   return undefined;
 }
 
-/** A page before all others, above the sheet, so that it shows nothing of it. */
+/** An additional first page above the sheet, which shows nothing of it. */
 function cover({format, pages}: Tiling, {heightCm}: CutSheet): SheetPage {
   const {width, height, margin} = format;
   const left = Math.min(...pages.map(({low}) => low[0]));
@@ -196,8 +199,9 @@ function cover({format, pages}: Tiling, {heightCm}: CutSheet): SheetPage {
 }
 
 /**
- * How a sheet is divided among pages.
- * @param roomFor width and height of the words and squares on the first page, with or without a map
+ * Divides a sheet among pages.
+ * @param roomFor returns width and height of the text and squares on the first page, with or
+ *   without a map
  */
 export function dividedAmong(
   sheet: CutSheet,

@@ -1,13 +1,13 @@
 /** Sizes of paper. [cm] */
 
-/** Upright. */
+/** A paper in portrait orientation. */
 export interface Paper {
-  /** As people call it. */
+  /** Displayed name. */
   readonly name: string;
   readonly widthCm: number;
-  /** None of a roll: as long as needed. */
+  /** Undefined for a roll, which is as long as needed. */
   readonly heightCm?: number;
-  /** One page as large as what lies on it, for a projector. */
+  /** One page as large as its content, for a projector. */
   readonly isProjector?: boolean;
 }
 
@@ -33,11 +33,17 @@ export const noPaper = (word: string): string =>
   `there is no paper '${word}'; name one of ${Object.keys(papers).join(', ')}, or a size from 12 cm to 5 m, such as 60x90cm or 24x36in.`;
 
 const units: Readonly<Record<string, number>> = {mm: 0.1, cm: 1, in: inch};
-/** Less has no room for the squares to measure; more no reader shows. */
+/**
+ * Limits of a side: below, there is no room for the test squares; above, viewers do not display the
+ * page.
+ */
 const least = 12;
 const most = 500;
 
-/** By its name, or by its size, such as `60x90`, `600x900mm` or `24x36in`, in cm unless it says otherwise. */
+/**
+ * A paper by name, or by size in cm or another unit, such as `60x90`, `600x900mm` or `24x36in`;
+ * undefined if unknown.
+ */
 export function paperOf(word: string): Paper | undefined {
   const known = word.toLowerCase();
   if (Object.hasOwn(papers, known)) return papers[known];

@@ -1,21 +1,24 @@
-/** What stands in content streams: operators with their numbers, in whatever unit the matrix sets. */
+/** Operators of content streams with their numbers, in the unit of the current matrix. */
 import type {Point} from '../model/geometry.js';
 import type {PlaneMap} from '../model/wallpaper.js';
 
-/** Points to the centimetre. */
+/** Points per centimetre. */
 export const pointsPerCm = 72 / 2.54;
 
-/** Four digits of a centimetre are a micrometre, more than any paper holds. */
+/** Formats a number; four digits of a centimetre are a micrometre, more exact than paper. */
 export const num = (value: number, digits = 4): string => String(Number(value.toFixed(digits)) + 0);
 
 export const nums = (...values: readonly number[]): string =>
   values.map((value) => num(value)).join(' ');
 
-/** What follows is drawn through a map. Its linear part is kept finer, since it is multiplied by long ways. */
+/**
+ * The operator for a map. Its linear part has more digits, since it is multiplied by long
+ * distances.
+ */
 export const through = ({xx, xy, yx, yy, shift}: PlaneMap): string =>
   `${[xx, yx, xy, yy].map((value) => num(value, 8)).join(' ')} ${shift.map((value) => num(value, 5)).join(' ')} cm`;
 
-/** What is inside leaves no trace on what follows. */
+/** Encloses content in a graphics state of its own. */
 export const scoped = (...parts: readonly string[]): string =>
   ['q', ...parts.filter((part) => part !== ''), 'Q'].join('\n');
 
@@ -26,7 +29,7 @@ export const line = (points: readonly Point[], isClosed = false): string =>
 export const box = ([x, y]: Point, width: number, height: number): string =>
   `${nums(x, y, width, height)} re`;
 
-/** What belongs to a layer, by the name that the page's resources give it. */
+/** Assigns content to a layer, by its name in the page's resources. */
 export const onLayer = (layer: string, ...parts: readonly string[]): string =>
   parts.every((part) => part === '') ? '' : [`/OC /${layer} BDC`, ...parts, 'EMC'].join('\n');
 

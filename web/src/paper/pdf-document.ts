@@ -1,4 +1,4 @@
-/** A PDF file as numbered objects: written whole, compressed, the same bytes for the same content. */
+/** A PDF file of numbered, compressed objects. The same content gives the same bytes. */
 
 /** The number of an object. */
 export type Ref = number;
@@ -13,7 +13,10 @@ const encoder = new TextEncoder();
 
 export const refTo = (ref: Ref): string => `${ref} 0 R`;
 
-/** Any text, for readers to show in lists; content has letters of its fonts instead. */
+/**
+ * A text string in any script, for viewers' lists; content streams use letters of their fonts
+ * instead.
+ */
 export function textString(text: string): string {
   if (/^[ -~]*$/.test(text)) return `(${text.replaceAll(/[\\()]/g, String.raw`\$&`)})`;
   const units = Array.from({length: text.length}, (_, k) =>
@@ -22,7 +25,7 @@ export function textString(text: string): string {
   return `<feff${units.join('')}>`;
 }
 
-/** `D:20261124225800Z` */
+/** A date such as `D:20261124225800Z`. */
 export const dateString = (date: Date): string =>
   `(D:${date.toISOString().replaceAll(/[-:T]/g, '').slice(0, 14)}Z)`;
 
@@ -34,7 +37,7 @@ async function packed(data: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBu
 export class PdfDocument {
   readonly #objects: (PdfObject | undefined)[] = [];
 
-  /** A number for what is written later. */
+  /** Reserves a number for an object that is set later. */
   reserve(): Ref {
     return this.#objects.push(undefined);
   }
@@ -47,12 +50,15 @@ export class PdfDocument {
     return this.#objects.push({head: content});
   }
 
-  /** @param entries of its dictionary, without length */
+  /**
+   * Adds a stream, compressed on writing.
+   * @param entries entries of the stream's dictionary, without its length
+   */
   stream(entries: string, content: string): Ref {
     return this.#objects.push({head: entries, data: encoder.encode(content)});
   }
 
-  /** Bytes that stay as they are, since they are compressed already, as `entries` say. */
+  /** Adds bytes that are already compressed, as stated in `entries`. */
   packedStream(entries: string, data: Uint8Array<ArrayBuffer>): Ref {
     return this.#objects.push({head: entries, data, isPacked: true});
   }
@@ -66,7 +72,7 @@ export class PdfDocument {
       parts.push(bytes);
       length += bytes.length;
     };
-    // bytes beyond ASCII tell programs that copy files not to take this for text
+    // bytes beyond ASCII mark the file as binary for transfer programs
     write('%PDF-1.7\n');
     write(Uint8Array.of(0x25, 0xe2, 0xe3, 0xcf, 0xd3, 0x0a));
     for (const [k, object] of this.#objects.entries()) {

@@ -1,4 +1,4 @@
-/** A PDF file of pages whose content is at hand: its catalog, labels of pages, and what readers show first. */
+/** Assembles a PDF file from pages: catalog, page labels and initial view. */
 import {packageVersion} from '../model/version.js';
 import {num, pointsPerCm} from './pdf-content.js';
 import {dateString, refTo, textString, type PdfDocument, type Ref} from './pdf-document.js';
@@ -7,25 +7,28 @@ import type {PdfResources} from './pdf-resources.js';
 interface PdfPage {
   readonly widthCm: number;
   readonly heightCm: number;
-  /** What readers call it. */
+  /** The page label in viewers. */
   readonly label: string;
   readonly content: () => string;
 }
 
 interface PdfFileOptions {
   readonly title: string;
-  /** Without it the same pages give the same bytes. */
+  /** Creation date. Without it, the same pages give the same bytes. */
   readonly date?: Date;
-  /** Whether readers show layers beside the pages at first. */
+  /** Initial panel of viewers: layers, or none. */
   readonly mode: 'UseOC' | 'UseNone';
-  /** What readers list beside the pages, made once those are. */
+  /** Builds the document outline after the pages. */
   readonly outline?: (pages: readonly Ref[]) => Ref;
 }
 
-/** Lets others have the thread between pages. */
+/** Yields the thread between pages. */
 const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-/** @param resources of all pages, which it finishes */
+/**
+ * Writes the file.
+ * @param resources resources of all pages, finished here
+ */
 export async function pdfFile(
   document: PdfDocument,
   resources: PdfResources,
@@ -52,7 +55,7 @@ export async function pdfFile(
     [
       `<</Type/Catalog/Pages ${refTo(tree)}${outline === undefined ? '' : `/Outlines ${refTo(outline)}`}/Lang(en)`,
       `/PageLabels<</Nums[${labels.join('')}]>>/OCProperties ${resources.optionalContent}`,
-      // whoever prints is offered true size first
+      // viewers preselect true size for printing
       `/ViewerPreferences<</PrintScaling/None/DisplayDocTitle true>>`,
       `/PageMode/${mode}>>`,
     ].join('\n'),

@@ -1,4 +1,7 @@
-/** What content names: fonts, layers, opacities, forms and pictures, in one dictionary that all pages and forms share. */
+/**
+ * Resources of content streams: fonts, layers, opacities, forms and images, in one dictionary
+ * shared by all pages and forms.
+ */
 import {num} from './pdf-content.js';
 import {PdfDocument, refTo, textString, type Ref} from './pdf-document.js';
 import {fontNames, type Weight} from './pdf-text.js';
@@ -18,13 +21,17 @@ export class PdfResources {
     this.ref = document.reserve();
   }
 
-  /** @param name as readers list it. @returns the name in content */
+  /**
+   * Adds a layer.
+   * @param name layer name in viewers
+   * @returns the name in content
+   */
   layer(name: string): string {
     const ref = this.#document.add(`<</Type/OCG/Name ${textString(name)}>>`);
     return `L${this.#layers.push({ref, name}) - 1}`;
   }
 
-  /** Of what is filled, and of lines. */
+  /** The graphics state for an opacity of fills and strokes. */
   opacity(share: number): string {
     const value = num(share);
     const known = this.#opacities.get(value) ?? `G${this.#opacities.size}`;
@@ -32,7 +39,11 @@ export class PdfResources {
     return known;
   }
 
-  /** @param more entries of its dictionary: its box, and its matrix if it has one */
+  /**
+   * Adds a form.
+   * @param more further entries of its dictionary: bounding box and optional matrix
+   * @returns the name in content
+   */
   form(more: string, content: string): string {
     const entries = `/Type/XObject/Subtype/Form/Resources ${refTo(this.ref)}${more}`;
     return this.#named(this.#document.stream(entries, content));
@@ -46,13 +57,13 @@ export class PdfResources {
     return `X${this.#objects.push(ref) - 1}`;
   }
 
-  /** Layers for the catalog, all of them seen. */
+  /** Layers for the catalog, all visible. */
   get optionalContent(): string {
     const refs = this.#layers.map(({ref}) => refTo(ref)).join(' ');
     return `<</OCGs[${refs}]/D<</Name(Layers)/Order[${refs}]/ON[${refs}]>>>>`;
   }
 
-  /** Once all is drawn. */
+  /** Writes the dictionary after everything is drawn. */
   finish(): void {
     const styles = Object.entries(fonts).map(
       ([weight, font]) =>

@@ -1,8 +1,8 @@
-/** Words in Helvetica, which every reader of PDF has: its letters are those of Windows-1252, and how wide they are. */
+/** Text in Helvetica, which every PDF viewer has: letters of Windows-1252 and their widths. */
 import {nums, scoped, through} from './pdf-content.js';
 import {towards, type Point} from '../model/geometry.js';
 
-/** Codes 128 to 159. */
+/** Letters of the codes 128 to 159. */
 const others = '€\0‚ƒ„…†‡ˆ‰Š‹Œ\0Ž\0\0‘’“”•–—˜™š›œ\0žŸ';
 
 const cyrillic =
@@ -11,7 +11,7 @@ const greek =
   'α a β b γ g δ d ε e ζ z η i θ th ι i κ k λ l μ m ν n ξ x ο o π p ρ r σ s ς s τ t υ y φ f χ ch ψ ps ω o';
 const latin = 'ł l đ d ħ h ŋ n ŧ t ı i − - ‐ - ‑ - → -> ← <- ⁄ / ′ \' ″ " ≤ <= ≥ >= ≈ ~';
 
-/** What is written for letters that the font has not. */
+/** Replacements for letters that are missing from the font. */
 const written = new Map(
   [cyrillic, greek, latin].flatMap((list) => {
     const words = list.split(' ');
@@ -28,7 +28,7 @@ const codeOf = (letter: string): number | undefined => {
   return place >= 0 && code > 0 ? 128 + place : undefined;
 };
 
-/** A letter in those that the font has; '?' where nobody would know it. */
+/** A letter in characters of the font; '?' if there is no readable replacement. */
 function inFont(letter: string): string {
   if (codeOf(letter) !== undefined) return letter;
   const lower = letter.toLowerCase();
@@ -40,13 +40,16 @@ function inFont(letter: string): string {
   return accents.length > 0 ? inFont(base) : '?';
 }
 
-/** The text in letters of the font, the same where it has them all. */
+/** The text in characters of the font; unchanged if the font has them all. */
 export const inFontLetters = (text: string): string =>
   Array.from(text.normalize('NFC').replaceAll(/\s/g, ' '), inFont).join('');
 
 const units = (list: string): readonly number[] => list.split(' ').map(Number);
 
-/** From the space to the tilde, in thousandths of the size: Adobe's metrics of the standard fonts. */
+/**
+ * Widths from space to tilde in thousandths of the font size, from Adobe's metrics of the standard
+ * fonts.
+ */
 const widths = {
   regular: units(
     '278 278 355 556 556 889 667 191 333 333 389 584 278 333 278 278 556 556 556 556 556 556 556 556 556 556 278 278 584 584 584 556 1015 667 667 722 722 667 611 778 722 278 500 667 556 833 722 778 667 778 722 667 611 722 667 944 667 667 611 278 278 278 469 556 333 556 556 500 556 556 278 556 556 222 222 500 222 833 556 556 556 556 333 500 278 556 500 722 500 500 500 334 260 334 584',
@@ -60,10 +63,10 @@ const usual = 556;
 
 export type Weight = keyof typeof widths;
 
-/** Names of the fonts in the resources of pages. */
+/** Font names in the resources of pages. */
 export const fontNames: Readonly<Record<Weight, string>> = {regular: 'F1', bold: 'F2'};
 
-/** How long a text is, in its size. Letters with accents are as wide as without. */
+/** The width of a text relative to the font size. Accents do not change the width of a letter. */
 export function widthOf(text: string, weight: Weight = 'regular'): number {
   let sum = 0;
   for (const letter of inFontLetters(text)) {
@@ -73,7 +76,7 @@ export function widthOf(text: string, weight: Weight = 'regular'): number {
   return sum / 1000;
 }
 
-/** As a string of a content stream. */
+/** The text as a string of a content stream. */
 function shown(text: string): string {
   const letters = Array.from(inFontLetters(text), (letter) => {
     const code = codeOf(letter) ?? 63;
@@ -93,7 +96,7 @@ interface TextStyle {
 
 const shares = {left: 0, middle: 0.5, right: 1};
 
-/** A line of text that stands on a point. */
+/** A line of text with its baseline at a point. */
 export function textAt(at: Point, text: string, style: TextStyle): string {
   const {size, weight = 'regular', align = 'left', angle = 0} = style;
   const [c, s] = towards(angle);

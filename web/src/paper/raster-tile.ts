@@ -1,7 +1,10 @@
-/** Pictures of pixels as PDF holds them: JPEG and most PNG as they are; see-through ones laid on white cloth first. */
+/**
+ * Converts raster images to PDF images. JPEG and most PNG data stay unchanged; transparent images
+ * are composited on white.
+ */
 import {FileError} from '../model/versioned-file.js';
 
-/** What `PdfDocument.packedStream` takes. */
+/** An image for `PdfDocument.packedStream`. */
 export interface PdfImage {
   readonly entries: string;
   readonly data: Uint8Array<ArrayBuffer>;
@@ -25,7 +28,7 @@ async function piped(data: Bytes, stream: CompressionStream | DecompressionStrea
 const entriesOf = (width: number, height: number, bits: number, more: string): string =>
   `/Type/XObject/Subtype/Image/Width ${width}/Height ${height}/BitsPerComponent ${bits}/Interpolate true${more}`;
 
-/** Through Flate with the filters of PNG. */
+/** Dictionary entries for Flate data with PNG filters. */
 const predicted = (colours: number, bits: number, width: number): string =>
   `/Filter/FlateDecode/DecodeParms<</Predictor 15/Colors ${colours}/BitsPerComponent ${bits}/Columns ${width}>>`;
 
@@ -40,7 +43,6 @@ interface Png {
   readonly data: Bytes;
 }
 
-/** */
 function readPng(bytes: Bytes): Png {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts: Bytes[] = [];
@@ -75,7 +77,7 @@ function readPng(bytes: Bytes): Png {
   };
 }
 
-/** What PNG's filters predict of a byte, from its neighbours to the left, above and above left. */
+/** The prediction of a PNG filter for a byte, from its left, upper and upper left neighbours. */
 function predictedBy(filter: number, left: number, above: number, corner: number): number {
   if (filter === 1) return left;
   if (filter === 2) return above;
@@ -86,7 +88,10 @@ function predictedBy(filter: number, left: number, above: number, corner: number
   return a <= b && a <= c ? left : b <= c ? above : corner;
 }
 
-/** Grey or red, green and blue, then alpha, all of 8 bits: laid on white, with the rows' filters for PDF to undo. */
+/**
+ * Composites grey or RGB with alpha, 8 bits each, on white; rows have PNG filters for the PDF
+ * decoder.
+ */
 async function flattened({data, width, height, kind}: Png): Promise<Bytes> {
   const colours = kind === 4 ? 1 : 3;
   const depth = colours + 1;
@@ -119,11 +124,11 @@ async function flattened({data, width, height, kind}: Png): Promise<Bytes> {
   return piped(out, new CompressionStream('deflate'));
 }
 
-/** Of the palette's colours, those that are see-through lie on white, too. */
+/** The palette composited on white, for colours with transparency. */
 const paletteOnWhite = (palette: Bytes, transparency: Bytes | undefined): Bytes =>
   palette.map((value, k) => overWhite(value, transparency?.[Math.floor(k / 3)] ?? 255));
 
-/** @throws {FileError} */
+/** @throws {FileError} for a PNG that PDF cannot contain */
 async function pngImage(bytes: Bytes, called: string): Promise<PdfImage> {
   const png = readPng(bytes);
   const {width, height, bits, kind, isInterlaced, palette, transparency, data} = png;
@@ -154,7 +159,7 @@ async function pngImage(bytes: Bytes, called: string): Promise<PdfImage> {
   const space = isGrey ? '/DeviceGray' : '/DeviceRGB';
   const shown = image(isGrey ? 1 : 3, space, hasAlpha ? await flattened(png) : data);
   if (!transparency || hasAlpha) return shown;
-  // one colour that stands for none
+  // a single transparent colour
   const key = Array.from({length: isGrey ? 1 : 3}, (_, k) => {
     const value = ((transparency[2 * k] ?? 0) << 8) | (transparency[2 * k + 1] ?? 0);
     return `${value} ${value}`;
@@ -162,7 +167,7 @@ async function pngImage(bytes: Bytes, called: string): Promise<PdfImage> {
   return {...shown, entries: `${shown.entries}/Mask[${key.join(' ')}]`};
 }
 
-/** @throws {RangeError} where it says no size */
+/** @throws {RangeError} if the size is missing */
 function jpegImage(bytes: Bytes): PdfImage {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let isAdobe = false;
@@ -178,7 +183,7 @@ function jpegImage(bytes: Bytes): PdfImage {
       view.getUint8(at + 9),
     ];
     const space = colours === 1 ? 'Gray' : colours === 3 ? 'RGB' : 'CMYK';
-    // programs of Adobe's write inks the other way round
+    // Adobe programs write inverted inks
     const decode = colours === 4 && isAdobe ? '/Decode[1 0 1 0 1 0 1 0]' : '';
     return {
       ...{width, height, data: bytes},
@@ -188,9 +193,9 @@ function jpegImage(bytes: Bytes): PdfImage {
 }
 
 /**
- * A PNG or a JPEG; undefined for what is neither.
- * @param called names the picture in messages
- * @throws {FileError} for what PDF does not hold, or for a damaged file
+ * A PNG or JPEG image; undefined for any other format.
+ * @param called name of the image in messages
+ * @throws {FileError} if PDF cannot contain the image or the file is damaged
  */
 export async function pdfImage(bytes: Bytes, called: string): Promise<PdfImage | undefined> {
   const begins = (...start: number[]): boolean => start.every((byte, k) => bytes[k] === byte);

@@ -1,4 +1,4 @@
-/** Where everything lies in a cutting file, for programs. Lengths in cm, y up. */
+/** Positions of everything in a cutting file, for programs. Lengths in cm, y up. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {minus, type Alignment, type Point} from '../model/geometry.js';
 import {testSquares} from './first-page.js';
@@ -6,25 +6,25 @@ import type {PageLayout} from './pages.js';
 
 export interface SheetMap {
   readonly format: 'seamwise-cut/1';
-  /** Of the sheet, whose lower left corner is the origin. */
+  /** Width of the sheet, whose lower left corner is the origin. */
   readonly widthCm: number;
   readonly heightCm: number;
   readonly pages: readonly {
     readonly index: number;
-    /** Its row as a letter and its column as a number; null of a page beside the sheet. */
+    /** Row letter and column number; null for a page outside the sheet. */
     readonly name: string | null;
     readonly widthCm: number;
     readonly heightCm: number;
-    /** Where on the sheet its lower left corner lies. */
+    /** Position of the page's lower left corner on the sheet. */
     readonly sheet: Point;
-    /** What is drawn of the sheet: lower left and upper right corner. */
+    /** The drawn part of the sheet: lower left and upper right corner. */
     readonly window: readonly [Point, Point];
   }[];
   readonly pieces: readonly {
     readonly name: string;
     readonly label: string;
     readonly copy: number;
-    /** Piece coordinates -> sheet: p_sheet = R(angle) p + translation. */
+    /** Transform from piece coordinates to the sheet: p_sheet = R(angle) p + translation. */
     readonly place: Alignment;
     readonly cut: readonly Point[];
     readonly cutHoles: readonly (readonly Point[])[];
@@ -34,7 +34,7 @@ export interface SheetMap {
     readonly grain: readonly [Point, Point];
     readonly matchPoints: CutSheet['pieces'][number]['matchPoints'];
   }[];
-  /** `at` is the lower left corner on its page, from that page's lower left corner. */
+  /** `at` is the lower left corner of the square, relative to its page's lower left corner. */
   readonly squares: readonly {
     readonly page: number;
     readonly at: Point;

@@ -1,17 +1,17 @@
-/** Path data of SVG as lines and cubics. */
+/** Converts SVG path data to lines and cubics. */
 import {rotated, type Point} from '../model/geometry.js';
 import {apply, type PlaneMap} from '../model/wallpaper.js';
 
-/** To a point, by a line or a cubic, or back to the beginning. */
+/** A move, a line, a cubic, or the closing of a subpath. */
 interface PathStep {
   readonly kind: 'm' | 'l' | 'c' | 'h';
-  /** The points that PDF's operator of this name takes. */
+  /** Operands of the PDF operator of the same name. */
   readonly points: readonly Point[];
 }
 
 export type SvgPath = readonly PathStep[];
 
-/** How many numbers each command takes. */
+/** Number of operands per command. */
 const counts: Readonly<Record<string, number>> = {
   ...{m: 2, l: 2, h: 1, v: 1, c: 6, s: 4, q: 4, t: 2, a: 7, z: 0},
 };
@@ -20,7 +20,7 @@ const number = /\s*,?\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)/iy;
 const flag = /\s*,?\s*([01])/y;
 const command = /[\s,]*([a-z])/iy;
 
-/** An elliptic arc as cubics, after the appendix of SVG 1.1 on its implementation (F.6). */
+/** An elliptical arc as cubics, after the implementation notes of SVG 1.1 (F.6). */
 function arcSteps(
   from: Point,
   [rx, ry, degrees, isLarge, isPositive, x, y]: readonly number[],
@@ -65,12 +65,12 @@ function arcSteps(
   });
 }
 
-/** Where drawing stands while path data is read. */
+/** The state of the path reader. */
 class Pen {
   readonly steps: PathStep[] = [];
   at: Point = [0, 0];
   #start: Point = [0, 0];
-  /** The last control point, which a smooth curve mirrors, and of which kind its curve was. */
+  /** The last control point, which a smooth curve reflects, and the last command. */
   #control: Point = [0, 0];
   #before = '';
 
@@ -131,7 +131,7 @@ class Pen {
   }
 }
 
-/** Undefined for what is no path data. */
+/** Reads path data; undefined if it is invalid. */
 export function readPath(data: string): SvgPath | undefined {
   const pen = new Pen();
   let at = 0;
@@ -144,7 +144,7 @@ export function readPath(data: string): SvgPath | undefined {
   let name = '';
   while (/[^\s,]/.test(data.slice(at))) {
     const said = next(command);
-    // numbers that follow go on as before, after a move as lines
+    // numbers without a command repeat the last one; after a move, they are lines
     name = said ?? (name === 'm' ? 'l' : name === 'M' ? 'L' : name);
     const count = counts[name.toLowerCase()];
     if (count === undefined || (said === undefined && count === 0)) return undefined;

@@ -1,4 +1,4 @@
-/** The elements of an SVG, as far as pictures of prints have them: tags and attributes, in the order of the file. */
+/** A minimal SVG parser for images of prints: tags and attributes in file order. */
 
 export interface SvgElement {
   readonly name: string;
@@ -10,7 +10,7 @@ const token =
   /<!--[^]*?-->|<\?[^]*?\?>|<!\[CDATA\[[^]*?\]\]>|<!DOCTYPE[^>[]*>|<(\/?)([\w:.-]+)((?:[^>"']|"[^"]*"|'[^']*')*?)(\/?)>/gi;
 const attribute = /([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')/g;
 
-/** Declarations of `style` count as attributes, which they outrank. */
+/** Attributes, including the declarations of `style`, which override them. */
 function attributesOf(text: string): ReadonlyMap<string, string> {
   const found = new Map<string, string>();
   for (const [, name = '', double, single] of text.matchAll(attribute)) {
@@ -24,7 +24,7 @@ function attributesOf(text: string): ReadonlyMap<string, string> {
   return found;
 }
 
-/** The outermost element; undefined where the text is no well-formed SVG. */
+/** The root element; undefined if the text is no well-formed SVG. */
 export function readTags(text: string): SvgElement | undefined {
   const open: SvgElement[] = [{name: '', attributes: new Map(), children: []}];
   for (const [, isEnd, name, rest = '', isEmpty] of text.matchAll(token)) {

@@ -1,4 +1,4 @@
-/** Values of attributes of SVG: colours, lengths, transforms, and shapes as path data. */
+/** Parses SVG attribute values: colours, lengths, transforms, and shapes as path data. */
 import {radians} from '../model/geometry.js';
 import {after, type PlaneMap} from '../model/wallpaper.js';
 import type {Colour} from './pdf-content.js';
@@ -11,7 +11,7 @@ const named: Readonly<Record<string, string>> = {
   ...{currentcolor: '000000'},
 };
 
-/** None is null; undefined is what only a browser knows, such as a gradient. */
+/** The colour; null for none, undefined for values that need a browser, such as gradients. */
 export function colourOf(text: string): Colour | null | undefined {
   const word = text.toLowerCase();
   if (word === 'none' || word === 'transparent') return null;
@@ -30,7 +30,10 @@ export function colourOf(text: string): Colour | null | undefined {
     : undefined;
 }
 
-/** In user units; of what 100 % stands for. NaN for other units. */
+/**
+ * A length in user units. NaN for other units.
+ * @param whole length of 100 %
+ */
 export function lengthOf(text: string | undefined, whole = NaN): number {
   if (text === undefined || text === '') return 0;
   if (text.endsWith('%')) return (Number(text.slice(0, -1)) / 100) * whole;
@@ -61,7 +64,7 @@ function single(name: string, values: readonly number[]): PlaneMap | undefined {
   return after(shifted(b, c), after(linear(cos, -sin, sin, cos), shifted(-b, -c)));
 }
 
-/** Undefined for what is no list of transforms. */
+/** Parses a list of transforms; undefined if it is invalid. */
 export function transformOf(text: string): PlaneMap | undefined {
   let whole: PlaneMap | undefined = identity;
   const rest = text.replaceAll(/(\w+)\s*\(([^)]*)\)[\s,]*/g, (_, name: string, list: string) => {
@@ -72,7 +75,7 @@ export function transformOf(text: string): PlaneMap | undefined {
   return rest.trim() === '' ? whole : undefined;
 }
 
-/** Path data of an element that is a shape; undefined for any other. */
+/** Path data of a shape; undefined for other elements. */
 export function shapeData(
   name: string,
   value: (key: string) => string | undefined,

@@ -1,8 +1,9 @@
 /**
- * What a cell of areas and lines draws, so that no hairline shows where it meets others. Screens draw a pixel on the edge of
- * an area half seen; of areas on one another, each lets some of what is below through. Cells are drawn from left to right and
- * from below, and each covers edges of those before it: what lies on other things runs on beyond the cell, the further the
- * more there is below. Lengths in cm.
+ * Draws a cell of areas and lines so that no hairline is visible between cells. Viewers draw pixels
+ * at the edge of an area half transparent, and stacked areas each let the one below show through.
+ * Cells are drawn from left to right and from the bottom up, and each covers the edges of previous
+ * cells. Areas on top of others therefore extend beyond the cell, the further the more areas are
+ * below. Lengths in cm.
  */
 import {boxOf, type Box} from '../model/polyline.js';
 import type {Point} from '../model/geometry.js';
@@ -12,16 +13,16 @@ import type {Leaf} from './vector-tile.js';
 
 export type Size = readonly [width: number, height: number];
 
-/** What lies on something runs on by this, more than a pixel of what is looked at closely. */
+/** Extension of an area on top of another, more than a pixel at close view. */
 const leastReach = 0.02;
-/** What lies on that, by so much more. */
+/** Additional extension per further level. */
 const reachStep = 0.01;
-/** A small cell allows less: a share of its shorter side. */
+/** Greatest extension in a small cell, as a share of its shorter side. */
 const mostShare = 0.25;
-/** A line this near to an edge of the picture, as a share of its side, lies on it. */
+/** Lines this close to an edge of the image are on it, as a share of the side. */
 const onEdge = 1e-4;
 
-/** For each leaf how many lie below it, one on the other. */
+/** For each leaf, the number of leaves stacked below it. */
 function levelsOf(leaves: readonly Leaf[]): readonly number[] {
   const levels: number[] = [];
   leaves.forEach((leaf, k) => {
@@ -34,7 +35,7 @@ function levelsOf(leaves: readonly Leaf[]): readonly number[] {
   return levels;
 }
 
-/** An edge of the picture: the left or lower one, or the right or upper one. */
+/** An edge of the image: left or lower, or right or upper if `isFar`. */
 interface Side {
   readonly axis: 0 | 1;
   readonly isFar: boolean;
@@ -47,13 +48,15 @@ const sides: readonly Side[] = ([0, 1] as const).flatMap((axis) =>
 const isNear = (p: Point, {axis, isFar}: Side, size: Size): boolean =>
   Math.abs(p[axis] - (isFar ? size[axis] : 0)) < onEdge * size[axis];
 
-/** Whether a leaf ends along an edge, rather than at a point of it. */
+/** Returns whether a leaf ends along an edge rather than at a single point of it. */
 const touches = ({path}: Leaf, side: Side, size: Size): boolean =>
   path.flatMap(({points}) => points).filter((p) => isNear(p, side, size)).length > 1;
 
 const hasColour = (one: Leaf, other: Leaf): boolean => String(one.fill) === String(other.fill);
 
-/** What ends on an edge beyond which its colour goes on is drawn further, by as much as cells ever run on. */
+/**
+ * Extends a leaf beyond the edges where its colour continues, by the greatest extension of cells.
+ */
 function runningOn(leaf: Leaf, leaves: readonly Leaf[], size: Size, by: number): Leaf {
   const open = sides.filter(
     (side) =>
@@ -100,7 +103,7 @@ const movedBox = ({low, high}: Box, [dx, dy]: Point): Box => ({
 const holds = (outer: Box, inner: Box): boolean =>
   ([0, 1] as const).every((k) => outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k]);
 
-/** Drawn as far as a box goes. */
+/** Draws a leaf clipped to a box. */
 function within(seen: Box, leaf: Leaf, shift: Point): string {
   const drawn = drawnLeaf(leaf, shift);
   if (holds(seen, movedBox(leaf.box, shift))) return drawn;
@@ -108,14 +111,14 @@ function within(seen: Box, leaf: Leaf, shift: Point): string {
   return scoped(box(seen.low, width, height), 'W n', drawn);
 }
 
-/** Of the cells before this one, those over whose edges it is drawn. */
+/** Offsets of the previous cells whose edges this cell covers. */
 const before: readonly Point[] = [
   [-1, 0],
   [0, -1],
   [-1, -1],
 ];
 
-/** The content of a cell, and how far it runs on. */
+/** The content of a cell, and its greatest extension. */
 export function drawnGroup(
   leaves: readonly Leaf[],
   size: Size,
@@ -134,7 +137,7 @@ export function drawnGroup(
     const reach = reachOf(level);
     return {low: [-reach, -reach], high: [size[0] + far, size[1] + far]};
   };
-  /** Whether something below is drawn over the edge of a cell before this one, there. */
+  /** Returns whether a lower leaf covers the edge of a previous cell at this place. */
   const isCovered = (place: Box, level: number): boolean =>
     drawn.some((other, k) => {
       const below = levels[k] ?? 0;
@@ -148,7 +151,7 @@ export function drawnGroup(
       const shift: Point = [i * size[0], j * size[1]];
       const place = shared(shared(seen, boxAt(shift, ...size)), movedBox(original.box, shift));
       const isSeen = place.low[0] < place.high[0] && place.low[1] < place.high[1];
-      // what runs through to the other side is there already
+      // a leaf that continues on the opposite side is already there
       const runsThrough = sides.some(
         ({axis}) =>
           (axis === 0 ? i : j) !== 0 &&

@@ -1,4 +1,7 @@
-/** The picture of a print's cell as areas and lines: what is simple in an SVG, and all of the prints of this project. */
+/**
+ * Converts a simple SVG image of a print's cell to areas and lines; all prints of this project
+ * qualify.
+ */
 import {boxOf, type Box} from '../model/polyline.js';
 import {after, determinant, type PlaneMap} from '../model/wallpaper.js';
 import type {Colour} from './pdf-content.js';
@@ -22,23 +25,23 @@ interface Stroke {
   readonly dash: readonly number[];
 }
 
-/** What is drawn at once. */
+/** An area or line drawn in one operation. */
 export interface Leaf {
   readonly path: SvgPath;
   readonly fill?: Colour;
   readonly isEvenOdd: boolean;
   readonly stroke?: Stroke;
-  /** Around it. */
+  /** Bounding box. */
   readonly box: Box;
 }
 
-/** Leaves that become visible together, as one, through an opacity. */
+/** Leaves that share one opacity as a group. */
 interface LeafGroup {
   readonly opacity: number;
   readonly leaves: Leaf[];
 }
 
-/** No print of anybody's needs more, and a file that lets them multiply ends here. */
+/** Limits that exceed the needs of any print, and stop files with multiplying uses. */
 const mostLeaves = 20_000;
 const deepest = 30;
 
@@ -46,17 +49,17 @@ class Unknown extends Error {
   override readonly name = 'Unknown';
 }
 
-/** What is said for an element and all within. */
+/** Inherited properties of an element. */
 type Style = ReadonlyMap<string, string>;
 
 const inherited = [
   ...['fill', 'fill-rule', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-opacity'],
   ...['stroke-linecap', 'stroke-linejoin', 'stroke-dasharray', 'visibility', 'color'],
 ];
-/** Of these no part is drawn in its place. */
+/** Elements whose content is not drawn in place. */
 const unseen = new Set(['defs', 'title', 'desc', 'metadata', 'sodipodi:namedview']);
 const containers = new Set(['svg', 'g', 'a']);
-/** Whatever has one of these is for browsers. */
+/** Attributes that only browsers support. */
 const beyond = ['clip-path', 'mask', 'filter', 'mix-blend-mode'];
 
 class Reader {
@@ -64,7 +67,7 @@ class Reader {
   readonly #named = new Map<string, SvgElement>();
   readonly #size: readonly [number, number];
   #count = 0;
-  /** The group that is being filled, whose opacity holds for all of it. */
+  /** The current group, whose opacity applies to all of its leaves. */
   #group: LeafGroup | undefined;
 
   constructor(root: SvgElement, size: readonly [number, number]) {
@@ -105,7 +108,10 @@ class Reader {
     });
   }
 
-  /** All of one element at one opacity. Within one another they would have to be drawn apart. */
+  /**
+   * Draws one element with an opacity. Nested opacities are unsupported, since they would need
+   * separate groups.
+   */
   #through(opacity: number, draw: () => void): void {
     if (!(opacity >= 0 && opacity <= 1)) throw new Unknown();
     if (opacity === 1) {
@@ -173,8 +179,8 @@ function boxAround(path: SvgPath, more: number): Box {
 }
 
 /**
- * The picture stretched over a cell of this size, from its lower left corner, y up; undefined for an SVG that has more than
- * simple shapes in plain colours. [cm]
+ * Stretches the image over a cell, from its lower left corner, y up; undefined for an SVG with more
+ * than simple shapes in plain colours. [cm]
  */
 export function vectorTile(
   svg: string,

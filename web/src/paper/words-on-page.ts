@@ -1,4 +1,7 @@
-/** Words of pieces where they are read whole: within one page, where the piece has room for that. Lengths in cm. */
+/**
+ * Moves the text of pieces off page joints, if the piece has room for it on one page. Lengths in
+ * cm.
+ */
 import type {CutMark, CutText, LaidPiece} from '../cutting/cut-sheet.js';
 import {distance, middle, type Point} from '../model/geometry.js';
 import {boxOf, isInside, type Box} from '../model/polyline.js';
@@ -6,9 +9,9 @@ import {boxAt, crossesInto, grown, overlap, shared} from './boxes.js';
 import {boxOfMark} from './draw-marks.js';
 import type {SheetPage} from './pages.js';
 
-/** Places are tried this far apart. */
+/** Distance between tried places. */
 const step = 0.5;
-/** From the joint, and from other marks. */
+/** Least distance from joints and other marks. */
 const clear = 0.3;
 
 const within = (inner: Box, outer: Box): boolean =>
@@ -17,7 +20,7 @@ const within = (inner: Box, outer: Box): boolean =>
   inner.high[0] <= outer.high[0] &&
   inner.high[1] <= outer.high[1];
 
-/** Whether a box lies inside the sewn line, and outside of holes. */
+/** Returns whether a box is inside the sewn line and outside of holes. */
 function liesOn(loops: readonly (readonly Point[])[], box: Box): boolean {
   const [outline = [], ...holes] = loops;
   return (
@@ -27,7 +30,10 @@ function liesOn(loops: readonly (readonly Point[])[], box: Box): boolean {
   );
 }
 
-/** The place in a frame, within closed lines, that is nearest to where the words are; undefined without room. */
+/**
+ * The place in a frame, within closed lines, that is nearest to the text's position; undefined
+ * without room.
+ */
 export function placeIn(
   frame: Box,
   mark: CutText,
@@ -51,7 +57,7 @@ export function placeIn(
   return best;
 }
 
-/** The marks of a piece, its words moved off the joints of pages. */
+/** The marks of a piece, with its text moved off page joints. */
 export function marksOnPages(piece: LaidPiece, pages: readonly SheetPage[]): readonly CutMark[] {
   const {marks} = piece;
   return marks.map((mark): CutMark => {

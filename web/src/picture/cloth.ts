@@ -1,14 +1,20 @@
-/** A print as SVG patterns: its tile once, and the cloth under every piece. */
+/** A print as SVG patterns: its tile once, and one pattern per piece. */
 import {norm, rotated, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {imageCell} from '../model/wallpaper.js';
 import {escaped, short} from './svg.js';
 import {imageHref} from '../recognition/svg-picture.js';
 
-/** A print with the picture of its cell: SVG text, or a URL. Without one, only the cell is drawn. */
+/**
+ * A print with the image of its cell: SVG text, or a URL. Without an image, only the cell is
+ * outlined.
+ */
 export type PrintWithTile = Print & {readonly tile?: string};
 
-/** The tile as a pattern that every piece's own pattern refers to. @param scale [px per cm] */
+/**
+ * The tile as a pattern, which the patterns of all pieces refer to.
+ * @param scale [px per cm]
+ */
 export function clothTile(id: string, print: PrintWithTile, scale: number): string {
   const [w, h] = imageCell(print).map((side) => short(scale * norm(side)));
   const content = print.tile
@@ -18,9 +24,10 @@ export function clothTile(id: string, print: PrintWithTile, scale: number): stri
 }
 
 /**
- * The print under one piece: p = R w + t, then the page. The image's y runs down, against the cell's second edge.
- * @param tile the id of the pattern with the tile
- * @param page piece coordinates -> page, upright or upside down
+ * The print beneath one piece: p = R w + t, followed by the page transform. The image's y runs
+ * down, opposite to the cell's second side.
+ * @param tile id of the tile's pattern
+ * @param page map from piece coordinates to the page, upright or upside down
  */
 export function clothUnder(
   id: string,

@@ -1,4 +1,4 @@
-/** Draws the pieces of a result, filled with the print as it lies on them. */
+/** Draws the pieces of a result, filled with their print. */
 import type {Alignment, MirrorMap, Point} from '../model/geometry.js';
 import {pairLetter} from '../model/letters.js';
 import {boxOf} from '../model/polyline.js';
@@ -14,7 +14,7 @@ import {seamLetters} from '../scene/seam-letters.js';
 import {escaped, polyline, short, text} from './svg.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
 
-/** One of the two states that are shown, and where on the page. */
+/** One of the two displayed states, and its position on the page. */
 export interface Scene {
   readonly result: Pattern;
   readonly print: Print;
@@ -26,21 +26,21 @@ export interface Scene {
   readonly corner: Point;
   /** [px per cm] */
   readonly scale: number;
-  /** Starts every id of this scene; `cloth` is the id of the pattern with the tile. */
+  /** Prefix of all ids of this scene. `cloth` is the id of the tile's pattern. */
   readonly id: string;
   readonly cloth: string;
-  /** What each piece is called. */
+  /** Displayed names of the pieces. */
   readonly names: readonly string[];
-  /** No seams, axes and names over the print. */
+  /** Omits seams, axes and names. */
   readonly isBare: boolean;
-  /** With the triangles of the pieces. */
+  /** Draws the triangles of the pieces. */
   readonly hasMesh?: boolean;
 }
 
 const outlineColour = '#4a4d52';
 const quiet = '#8d9096';
 
-/** Piece coordinates -> page. */
+/** The map from piece coordinates to the page. */
 function toPage(scene: Scene, piece: number): (p: Point) => Point {
   const {corner, scale, layout} = scene;
   const place = layout.places[piece] ?? {offset: [0, 0]};
@@ -67,19 +67,20 @@ function mesh(scene: Scene, piece: ResultPiece, index: number): string {
   return `<path class="mesh" d="${triangles.join('')}" fill="none" stroke="${quiet}" stroke-width="0.4" stroke-linejoin="round"/>`;
 }
 
-/** How a line is drawn, as attributes. */
+/** SVG attributes of a line. */
 export function strokeOf(line = mismatchLine(0)): string {
   const {colour, width, dash} = line;
   const gaps = dash ? ` stroke-dasharray="${dash.map(short).join(' ')}"` : '';
   return `stroke="${colour}" stroke-width="${short(width)}"${gaps}`;
 }
 
-/** One side of a seam, as strokes of equal mismatch over a light casing. */
+/** One side of a seam: strokes of equal mismatch over a light casing. */
 function seamSide(scene: Scene, side: SeamSide, mismatch: readonly number[]): string {
   const line = pick(scene.result.pieces[side.piece]?.[scene.outline] ?? [], side.vertices).map(
     toPage(scene, side.piece),
   );
-  const drawn = mismatch.map((one) => mismatchLine(one)); // one of a few, so that a seam is a few long strokes
+  // one of a few shared styles, so that a seam is a few long strokes
+  const drawn = mismatch.map((one) => mismatchLine(one));
   const strokes: string[] = [];
   for (let from = 0; from < drawn.length;) {
     let to = from + 1;
@@ -104,7 +105,7 @@ function seams(scene: Scene): string {
   return `<g fill="none" stroke-linecap="round" stroke-linejoin="round">${sides.join('')}</g>`;
 }
 
-/** The mirror axis of a symmetric piece, a little longer than the piece. */
+/** The mirror axis of a symmetric piece, slightly longer than the piece. */
 function axis(scene: Scene, piece: number, map: MirrorMap): string {
   const {outline = [], [scene.outline]: points = []} = scene.result.pieces[piece] ?? {};
   const line = polyline(
@@ -125,13 +126,13 @@ function symmetries(scene: Scene): string {
       const [first, second] = symmetry.pieces;
       const {outline = [], rest = []} = scene.result.pieces[first] ?? {};
       const here = innermost(pick(rest, outline)).at;
-      const there = mirrorImage(symmetry.map, here); // the same place on the other piece
+      const there = mirrorImage(symmetry.map, here); // the mirrored point of the other piece
       return letter(toPage(scene, first)(here), name) + letter(toPage(scene, second)(there), name);
     })
     .join('');
 }
 
-/** From a seam to the middle of its letter. [px] */
+/** Distance from a seam to the centre of its letter. [px] */
 const letterRoom = 10;
 
 function letters(scene: Scene): string {
@@ -142,15 +143,17 @@ function letters(scene: Scene): string {
     .join('');
 }
 
-/** On a light ground. */
+/** A seam letter on a light plate. */
 export function seamLetterAt([x, y]: Point, one: string): string {
   const wide = textWidth(one, 10) + 5;
   return `<rect x="${short(x - wide / 2)}" y="${short(y - 6.5)}" width="${short(wide)}" height="13" rx="3" fill="#fff" fill-opacity="0.85"/>${text([x, y + 3.6], one, {size: 10, weight: 600, anchor: 'middle', fill: '#2b2d31'})}`;
 }
 
-/** From line to line of a name, in parts of its size. */
+/** Line spacing of a name, relative to its font size. */
 export const nameLeading = 1.2;
-/** What a name may take under a piece of this width: a little of the gaps at its sides. [px] */
+/**
+ * Available width of a name below a piece of this width, including part of the gaps beside it. [px]
+ */
 export const nameRoom = (pieceWidth: number): number => pieceWidth + 20;
 
 function names(scene: Scene, size: number): string {
@@ -171,7 +174,7 @@ function names(scene: Scene, size: number): string {
     .join('');
 }
 
-/** All pieces of a scene: cloth, outline, seams by mismatch, symmetries, names. */
+/** All pieces of a scene: print, outline, seams by mismatch, symmetries and names. */
 export function drawPieces(scene: Scene, nameSize: number): string {
   const {pieces} = scene.result;
   const cloths = pieces.map((_, k) => {

@@ -1,4 +1,7 @@
-/** One picture of a result: the pattern on the print before and after, with its figures and a key. */
+/**
+ * Draws a result as one image: the pattern on the print before and after, with figures and a
+ * legend.
+ */
 import {norm, type Point} from '../model/geometry.js';
 import {pairLetter, seamLetter} from '../model/letters.js';
 import {pieceNames} from '../model/piece-names.js';
@@ -15,17 +18,17 @@ import {laidOut, margin, nameSize, width} from './page.js';
 import {escaped, short, text} from './svg.js';
 
 export interface PictureOptions {
-  /** Headline; the print's group and repeat by default. */
+  /** Title. Default: the print's group and repeat. */
   readonly title?: string;
-  /** Words across the whole picture, such as `notAsSold`. */
+  /** Watermark across the whole image, such as `notAsSold`. */
   readonly mark?: string;
-  /** What people call the pieces; by default the keys of their panels, in words. */
+  /** Displayed names of the pieces. Default: their panel keys as words. */
   readonly names?: readonly string[];
-  /** Where pieces are on the body, by the keys of their panels: then they lie as on the page. */
+  /** Placements of the pieces on the body by panel key, for the layout of the page. */
   readonly placements?: Placements;
-  /** The pieces in their print alone, without lines and names over it. */
+  /** Draws only the pieces in their print, without lines and names. */
   readonly clothOnly?: boolean;
-  /** Starts every id in the picture, for pages that hold several. */
+  /** Prefix of all ids, for pages with several images. */
   readonly id?: string;
 }
 
@@ -33,7 +36,7 @@ const ink = '#26282c';
 const soft = '#6a6d73';
 
 const millimetres = (cm: number): string => `${(cm * 10).toFixed(1)} mm`;
-/** The sides of the cell a maker would name: of the centred cell when the lattice is rhombic. */
+/** The sides of the cell as people describe it: the centred cell of a rhombic lattice. */
 function repeatOf(print: Print): string {
   const cell =
     latticeType(print.group) === 'rhombic'
@@ -49,7 +52,7 @@ function figure(x: number, y: number, label: string, value: string): string {
   );
 }
 
-/** A rule with a heading on it and the section's own figures at its end. */
+/** A rule with the section's heading and figures. */
 function heading(y: number, title: string, note: string, mismatch: PatternMismatch): string {
   return [
     `<path d="M${margin} ${y}H${width - margin}" stroke="#d5d3cd"/>`,
@@ -63,7 +66,7 @@ function heading(y: number, title: string, note: string, mismatch: PatternMismat
   ].join('');
 }
 
-/** What the lines mean, and how long 10 cm are. */
+/** The legend of the lines, and a scale bar of 10 cm. */
 function legend(y: number, scale: number, result: SolveResult, mismatch: PatternMismatch): string {
   const length = 52;
   const parts: string[] = [text([margin, y], 'Print mismatch along seams', {size: 13, fill: soft})];
@@ -112,7 +115,10 @@ function legend(y: number, scale: number, result: SolveResult, mismatch: Pattern
   return parts.join('');
 }
 
-/** The whole picture as the text of an SVG file. `print.tile` is shown at true scale, as it lies on every piece. */
+/**
+ * The whole image as SVG text. `print.tile` is drawn at true scale, in its alignment on every
+ * piece.
+ */
 export function drawResult(
   result: SolveResult,
   print: PrintWithTile,
@@ -126,7 +132,7 @@ export function drawResult(
   const left = (width - layout.width * scale) / 2;
   const tall = layout.height * scale;
 
-  // files of earlier versions do not say how the pieces lay before: upright, then, on one length of cloth
+  // files of earlier versions lack the drafted alignments; their pieces were upright
   const before = result.drafted ?? result.pieces.map(() => ({angle: 0, translation: [0, 0]}));
   const after = result.pieces.map(({alignment}) => alignment);
   const mismatches = {before: mismatchOf(result, 'rest', before), after: finalMismatch(result)};

@@ -1,4 +1,7 @@
-/** One stage of a solve for those who look into it: meshes, the print's cells as they lie on the pieces, seams with their letters. */
+/**
+ * Draws one stage of a solve for debugging: meshes, cells of the print on the pieces, and seam
+ * letters.
+ */
 import type {Alignment} from '../model/geometry.js';
 import type {Pattern} from '../model/result.js';
 import {clothTile} from './cloth.js';
@@ -16,7 +19,7 @@ export interface Stage {
 
 const top = 76;
 
-/** The text of an SVG file. Pieces are called by the keys of their panels, as in files and messages. */
+/** The stage as SVG text. Pieces have the names of their panel keys, as in files and messages. */
 export function drawStage({title, pattern, outline, alignments}: Stage): string {
   const names = pattern.pieces.map(({name}) => name);
   const {layout, scale} = laidOut(pattern, names, undefined);

@@ -1,11 +1,11 @@
-/** Words across a whole sheet, which nobody can miss who is about to cut by it. */
+/** A conspicuous watermark across a whole sheet, as a warning before cutting. */
 import {escaped, short} from './svg.js';
 import {textWidth} from '../layout/name-lines.js';
 
-/** For an answer that is not, byte for byte, the one that was sold. */
+/** Watermark of a result that differs from the sold one, byte for byte. */
 export const notAsSold = 'NOT AS IT WAS SOLD';
 
-/** From corner to corner, as large as they go, see-through. Lengths in the picture's units. */
+/** Translucent text across the diagonal, as large as fits. Lengths in the image's units. */
 export function markAcross(words: string, width: number, height: number): string {
   const size = (0.8 * Math.hypot(width, height)) / textWidth(words, 1);
   const angle = (-180 / Math.PI) * Math.atan2(height, width);

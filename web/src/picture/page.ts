@@ -1,4 +1,4 @@
-/** The page that pictures are drawn on. [px] */
+/** The page of drawn images. [px] */
 import type {Pattern} from '../model/result.js';
 import {nameLeading, nameRoom} from './draw-pieces.js';
 import {layOutNamed} from '../layout/layout.js';
@@ -9,7 +9,7 @@ export const width = 1200;
 export const margin = 56;
 export const nameSize = 13;
 
-/** A layout of pieces with room for the names. A crowd of pieces gets more height. */
+/** A layout of pieces with space for their names. Patterns of many pieces get more height. */
 export function laidOut(
   pattern: Pattern,
   names: readonly string[],

@@ -1,7 +1,10 @@
-/** Small helpers for writing SVG text. */
+/** Helpers for writing SVG text. */
 import type {Point} from '../model/geometry.js';
 
-/** What XML cannot hold, not even escaped: most control characters, halves of surrogate pairs, U+FFFE and U+FFFF. */
+/**
+ * Characters that XML cannot contain even as references: most control characters, surrogates,
+ * U+FFFE and U+FFFF.
+ */
 const unwritable = /[^\t\n\r\u{20}-\u{d7ff}\u{e000}-\u{fffd}\u{10000}-\u{10ffff}]/gu;
 
 export const escaped = (text: string): string =>
@@ -9,7 +12,7 @@ export const escaped = (text: string): string =>
 
 export const short = (value: number): string => String(Number(value.toFixed(2)) + 0);
 
-/** "M x y L x y ..." */
+/** Path data "M x y L x y ...". */
 export const polyline = (points: readonly Point[]): string =>
   points.map(([x, y], k) => `${k === 0 ? 'M' : 'L'}${short(x)} ${short(y)}`).join('');
 

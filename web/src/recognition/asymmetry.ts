@@ -1,11 +1,11 @@
-/** What a picture lacks that its group asks for, in the ways in which people notice it. */
+/** Describes the symmetries of its group that an image lacks, in terms that people notice. */
 import {angleOf, degrees} from '../model/geometry.js';
 import type {GroupName} from '../model/print.js';
 import {determinant, type PlaneMap} from '../model/wallpaper.js';
 import {visibleDifference, type TileCheck} from './tile-check.js';
 import type {Pixels} from './tile-cloth.js';
 
-/** `steps`: mirrored and moved on, as footprints are. */
+/** `steps`: a glide reflection, as of footprints. */
 const asymmetries = [
   ...(['leftRight', 'topBottom', 'diagonal', 'slanted', 'steps'] as const),
   ...(['upsideDown', 'quarterTurn', 'thirdTurn', 'sixthTurn', 'halfDrop'] as const),
@@ -20,7 +20,7 @@ const turns: ReadonlyMap<number, Asymmetry> = new Map([
   [60, 'sixthTurn'],
 ]);
 
-/** @param turnDeg how the picture lies before somebody, counter-clockwise, in quarter turns */
+/** @param turnDeg rotation of the displayed image, counter-clockwise, in multiples of 90 */
 function kindOf(group: GroupName, map: PlaneMap, turnDeg: number): Asymmetry {
   const angle = Math.round(degrees(angleOf([map.xx, map.yx])));
   if (determinant(map) > 0) {
@@ -33,7 +33,7 @@ function kindOf(group: GroupName, map: PlaneMap, turnDeg: number): Asymmetry {
   return axis % 45 === 0 ? 'diagonal' : 'slanted';
 }
 
-/** Most obvious first; empty where the picture has all that the group asks for. */
+/** Missing symmetries, the most obvious first; empty if the image has them all. */
 export function asymmetriesOf(
   {elements, breaks}: TileCheck,
   group: GroupName,
@@ -48,7 +48,7 @@ export function asymmetriesOf(
   return asymmetries.filter((one) => found.includes(one));
 }
 
-/** Whether a picture is the same all along its rows or columns. */
+/** Returns whether an image is constant along its rows or columns. */
 export function isStriped({width, height, data}: Pixels): boolean {
   const apart = (step: number, isSkipped: (pixel: number) => boolean): number => {
     let [sum, count] = [0, 0];

@@ -1,6 +1,9 @@
-/** Files as `data:` URLs, and back. */
+/** Converts files to `data:` URLs and back. */
 
-/** @throws {Error} for what is not well-formed */
+/**
+ * Decodes a `data:` URL.
+ * @throws {Error} if the URL is malformed
+ */
 export function blobOf(url: string): Blob {
   const comma = url.indexOf(',');
   const head = url.slice('data:'.length, comma);
@@ -10,12 +13,15 @@ export function blobOf(url: string): Blob {
   return new Blob([Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0))], {type});
 }
 
-/** @throws {Error} when the file cannot be read any more */
+/**
+ * Encodes a file as a `data:` URL.
+ * @throws {Error} if the file is no longer readable
+ */
 export const dataUrlOf = (blob: Blob): Promise<string> =>
   new Promise((resolve, reject) => {
     const reader = new FileReader();
     reader.onload = () => {
-      resolve(reader.result as string); // what readAsDataURL gives
+      resolve(reader.result as string); // readAsDataURL results in a string
     };
     reader.onerror = () => {
       reject(new Error(reader.error?.message));

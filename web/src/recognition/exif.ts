@@ -1,16 +1,16 @@
-/** What cameras and programs write into JPEG files beside the pixels. */
+/** Reads metadata of cameras and programs in JPEG files. */
 
 export interface ExifTags {
-  /** How the stored picture has to be turned or mirrored to stand upright: 1 to 8, 1 is as it is. */
+  /** EXIF orientation of the stored image, 1 to 8; 1 is upright. */
   readonly orientation?: number;
-  /** Focal length, as on film of 36 mm. */
+  /** Focal length equivalent to 35 mm film. */
   readonly f35?: number;
-  /** Pixels per unit, across and down; 2 stands for inches, 3 for cm. */
+  /** Pixels per unit, across and down. Unit 2 is the inch, 3 the cm. */
   readonly resolution?: readonly [number, number];
   readonly resolutionUnit?: number;
 }
 
-/** Parts of a JPEG file before its pixels, and where each begins. */
+/** Segments of a JPEG file before its pixels, and their offsets. */
 export function* jpegSegments(view: DataView): Generator<{marker: number; at: number}> {
   for (let at = 2; ;) {
     const marker = view.getUint16(at);
@@ -24,7 +24,10 @@ export function* jpegSegments(view: DataView): Generator<{marker: number; at: nu
   }
 }
 
-/** Of a JPEG file; none where it says nothing. @throws {RangeError} when the file ends too early */
+/**
+ * EXIF tags of a JPEG file; empty without any.
+ * @throws {RangeError} if the file ends too early
+ */
 export function exifTags(view: DataView): ExifTags {
   for (const {marker, at} of jpegSegments(view)) {
     const isExif = marker === 0xffe1 && view.getUint32(at + 4) === 0x45786966;
@@ -33,7 +36,7 @@ export function exifTags(view: DataView): ExifTags {
   return {};
 }
 
-/** The directories of a TIFF that lies in the file from `start` on. */
+/** Tags of the TIFF structure at offset `start`. */
 function tagsFrom(view: DataView, start: number): ExifTags {
   const little = view.getUint16(start) === 0x4949;
   const short = (at: number): number => view.getUint16(at, little);

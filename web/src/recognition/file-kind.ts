@@ -1,6 +1,9 @@
-/** What a file is by its first bytes, whatever it is called, and whether it is all there. */
+/**
+ * Recognises image files by their first bytes, regardless of the name, and checks that they are
+ * complete.
+ */
 
-/** Those that become prints, others that people take for pictures, drawings, and documents, which are neither. */
+/** Kinds of files: images for prints, other images and drawings, and documents. */
 export type FileKind =
   | 'png'
   | 'jpeg'
@@ -19,7 +22,7 @@ export type FileKind =
 
 export const isDocument = (kind: FileKind): boolean => ['pdf', 'postscript', 'zip'].includes(kind);
 
-/** Bytes that are looked at for the beginning of a text. */
+/** Number of bytes examined for the start of a text. */
 const beginning = 4096;
 
 const heicBrands = new Set(['heic', 'heix', 'heim', 'heis', 'hevc', 'hevx', 'mif1', 'msf1']);
@@ -30,7 +33,7 @@ const viewOf = (bytes: Uint8Array): DataView =>
 const letters = (bytes: Uint8Array, from: number, to: number): string =>
   String.fromCharCode(...bytes.subarray(from, to));
 
-/** Undefined for what is none of these. */
+/** The kind of a file; undefined if it is none of these. */
 export function fileKind(bytes: Uint8Array): FileKind | undefined {
   const first = letters(bytes, 0, 4);
   if (first === '\x89PNG') return 'png';
@@ -51,7 +54,7 @@ export function fileKind(bytes: Uint8Array): FileKind | undefined {
     : undefined;
 }
 
-/** Of the brands that a file says it is compatible with. */
+/** The kind of a media file, from its compatible brands. */
 function mediaKind(bytes: Uint8Array): FileKind | undefined {
   const end = Math.min(viewOf(bytes).getUint32(0), 256, bytes.length);
   const brands: string[] = [];
@@ -61,8 +64,8 @@ function mediaKind(bytes: Uint8Array): FileKind | undefined {
 }
 
 /**
- * Whether a picture is all there, as far as its format can tell: browsers show what is left of a damaged one.
- * An SVG is a document, which whoever parses it judges.
+ * Returns whether an image is complete, as far as its format permits a check, since browsers
+ * display the rest of a damaged one. The parser of an SVG checks it instead.
  */
 export function isWhole(bytes: Uint8Array, kind: FileKind): boolean {
   try {
@@ -89,14 +92,14 @@ const remainders = Uint32Array.from({length: 256}, (_, byte) => {
   return value;
 });
 
-/** As PNG and zip files have it. */
+/** The CRC-32 of PNG and zip files. */
 export function crc32(bytes: Uint8Array): number {
   let crc = 0xffffffff;
   for (const byte of bytes) crc = (remainders[(crc ^ byte) & 0xff] ?? 0) ^ (crc >>> 8);
   return (crc ^ 0xffffffff) >>> 0;
 }
 
-/** Parts with a sum of each, up to an empty last one. */
+/** Checks that all chunks have correct checksums, up to the empty last one. */
 function isWholePng(bytes: Uint8Array): boolean {
   const view = viewOf(bytes);
   let hasPixels = false;
@@ -111,7 +114,7 @@ function isWholePng(bytes: Uint8Array): boolean {
   }
 }
 
-/** Segments up to the pixels, which run to an end of their own. */
+/** Checks that there are segments, and pixels with an end marker. */
 function isWholeJpeg(bytes: Uint8Array): boolean {
   const view = viewOf(bytes);
   let at = 2;
@@ -126,7 +129,8 @@ function isWholeJpeg(bytes: Uint8Array): boolean {
     at += 2 + view.getUint16(at + 2);
     if (marker === 0xffda) break;
   }
-  // within the pixels, ff is followed by 0 or by a restart; a progressive file has segments in between
+  // within the pixels, ff is followed by 0 or by a restart marker; progressive files have segments
+  // in between
   for (; at + 1 < bytes.length; at++) {
     if (bytes[at] === 0xff && bytes[at + 1] === 0xd9) return true;
   }

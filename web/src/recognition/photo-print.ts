@@ -1,30 +1,36 @@
-/** What was read off a picture, as a print. */
+/** Converts the reading of a photo to a print. */
 import type {Point} from '../model/geometry.js';
 import type {PhotoReading} from '../model/photo.js';
 import type {Print} from '../model/print.js';
 import {latticeVectors, repeatOf} from '../model/repeat.js';
 
-/** Of prints whose size nobody knows yet: so wide that a print can be judged on a garment. [cm] */
+/** Width of prints of unknown size, for a preview on a garment. [cm] */
 export const assumedWidth = 10;
 
-/** Whether anything of it could be made exact. */
+/** Returns whether a reading has symmetries that can be made exact. */
 export const isSymmetric = ({group}: Pick<PhotoReading, 'group'>): boolean => group !== 'p1';
 
 type ReadPrint = Pick<PhotoReading, 'group' | 'w1' | 'w2' | 'shape' | 'oneWay'>;
 
-/** A micrometre, and a thousandth of a degree: finer than any cloth is measured. */
+/**
+ * Steps of lengths and angles: a micrometre and a thousandth of a degree, finer than any
+ * measurement of fabric. [cm, degrees]
+ */
 const lengthStep = 1e-4;
 const angleStep = 1e-3;
-/** What lies below is the rounding of cosines; readers of prints allow vectors to err by a millionth. [cm] */
+/**
+ * Step of vector coordinates, below which cosines have rounding errors. Readers of prints accept an
+ * error of a millionth. [cm]
+ */
 const vectorStep = 1e-7;
 
-/** Never -0. */
+/** Rounds, and never returns -0. */
 const rounded = (value: number, step: number): number =>
   Math.round(value / step) / Math.round(1 / step) + 0;
 
 const crisp = ([x, y]: Point): Point => [rounded(x, vectorStep), rounded(y, vectorStep)];
 
-/** The repeat of a lattice in numbers that a person can read, on the sheet and in files. */
+/** The repeat of a lattice in rounded numbers, for display and files. */
 export function readableRepeat(
   lattice: Parameters<typeof repeatOf>[0],
 ): ReturnType<typeof repeatOf> {
@@ -40,7 +46,7 @@ export function readableRepeat(
   };
 }
 
-/** Without a picture. Its repeat is rounded, and its vectors are what the group makes of that. */
+/** The print, without an image. Its vectors follow from the rounded repeat and the group. */
 export function printOfPhoto({group, w1, w2, shape, oneWay}: ReadPrint): Print {
   const isScaled = w1 !== null && w2 !== null;
   const [a, b] = isScaled ? [w1, w2] : shape;

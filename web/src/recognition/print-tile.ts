@@ -1,8 +1,11 @@
-/** The picture of a print's cell, from wherever a design has it. */
+/** Loads the image of a print's cell from a design. */
 import {blobOf} from './data-url.js';
 import {loadTile, svgTile, type Tile} from './tile.js';
 
-/** `data:` URLs are read here: a strict policy does not let a page fetch them. */
+/**
+ * Loads a tile. Decodes `data:` URLs here, since a strict content security policy forbids fetching
+ * them.
+ */
 export async function tileOf(image: string, signal?: AbortSignal): Promise<Tile> {
   if (!image.startsWith('data:')) return loadTile(new URL(image, document.baseURI), signal);
   const blob = blobOf(image);

@@ -1,8 +1,8 @@
-/** How large a picture is to be printed, as its file says it. */
+/** Reads the print size of an image from its file. */
 import {exifTags, jpegSegments} from './exif.js';
 import type {FileKind} from './file-kind.js';
 
-/** Pixels per cm, to the right and down, as the picture is stored. */
+/** Pixels per cm, across and down, as stored. */
 interface Resolution {
   readonly across: number;
   readonly down: number;
@@ -16,8 +16,8 @@ const usable = (across: number, down: number): Resolution | undefined =>
   across > 0 && down > 0 && Number.isFinite(across * down) ? {across, down} : undefined;
 
 /**
- * PNG says it in its part pHYs; JPEG in its first segment, or in the EXIF data of a camera or a program.
- * Undefined where a file says nothing, or only proportions.
+ * The resolution of an image: from the pHYs chunk of a PNG; from the first segment of a JPEG, or
+ * its EXIF data. Undefined if the file states none, or only proportions.
  */
 export function resolutionOf(bytes: Uint8Array, kind: FileKind): Resolution | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -33,7 +33,7 @@ export function resolutionOf(bytes: Uint8Array, kind: FileKind): Resolution | un
 function pngResolution(view: DataView): Resolution | undefined {
   for (let at = 8; ;) {
     const type = view.getUint32(at + 4);
-    if (type === 0x49444154) return undefined; // IDAT: what describes the pixels lies before them
+    if (type === 0x49444154) return undefined; // IDAT: metadata precedes the pixels
     if (type === 0x70485973) {
       const isPerMetre = view.getUint8(at + 16) === 1;
       const perCm = (offset: number): number => view.getUint32(at + offset) / 100;
@@ -58,12 +58,12 @@ function jpegResolution(view: DataView): Resolution | undefined {
   return unit === 2 || unit === 3 ? usable(across / perUnit, down / perUnit) : undefined;
 }
 
-/** Centimetres of the units that stand for a length on paper. */
+/** Centimetres per absolute unit. */
 const paperUnits: Readonly<Record<string, number>> = {
   ...{cm: 1, mm: 0.1, in: cmPerInch, pt: cmPerInch / 72, pc: cmPerInch / 6},
 };
 
-/** A side of an SVG, as its attribute has it; undefined where that is in pixels or in shares of a page. [cm] */
+/** The length of an SVG size attribute; undefined for pixels or percentages. [cm] */
 export function lengthOnPaper(attribute: string | undefined): number | undefined {
   const [, value, unit] =
     /^\s*([\d.]+(?:e[+-]?\d+)?)\s*([a-z]{2})\s*$/i.exec(attribute ?? '') ?? [];

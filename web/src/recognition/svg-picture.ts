@@ -1,12 +1,15 @@
-/** SVG as a picture. */
+/** SVG as an image. */
 
-/** A picture as something `href` can name: SVG text becomes a data URL, anything else stays. */
+/** An image as a value for `href`: SVG text becomes a data URL, anything else is unchanged. */
 export const imageHref = (image: string): string =>
   image.trimStart().startsWith('<') ? `data:image/svg+xml,${encodeURIComponent(image)}` : image;
 
-/** Whether an SVG takes in pictures from elsewhere: as an image it may not, and shows the sign of a broken one instead. */
+/**
+ * Returns whether an SVG refers to external images, which are not loaded in an image and appear
+ * broken.
+ */
 export function hasOutsidePictures(svg: string): boolean {
-  // in the place of fonts from elsewhere, others are shown
+  // missing external fonts are replaced, so they do not count
   const text = svg
     .replaceAll(/<!--[^]*?-->/g, '')
     .replaceAll(/@font-face\s*\{[^}]*\}|@import[^;]*;/gi, '');

@@ -1,19 +1,25 @@
-/** The size that an SVG gives itself, read from its text: a parser would hold its styles against the page's policy. */
+/**
+ * Reads and sets the size of an SVG in its text, since a parser would apply the page's content
+ * security policy to its styles.
+ */
 
 const rootTag = /<(?:\w+:)?svg\b(?:[^>"']|"[^"]*"|'[^']*')*>/i;
 
-/** Of an SVG that says nothing about its size. [px] */
+/** Size of an SVG that states none. [px] */
 const unsaid = 100;
 
 const bare = (text: string): string => text.replaceAll(/<!--[^]*?-->/g, '');
 
-/** An attribute of the outermost element; undefined where it has none. */
+/** An attribute of the root element; undefined if it is missing. */
 export function rootAttribute(text: string, name: string): string | undefined {
   const tag = rootTag.exec(bare(text))?.[0] ?? '';
   return new RegExp(`\\s${name}\\s*=\\s*["']([^"']*)["']`).exec(tag)?.[1];
 }
 
-/** With a width and a height, which some browsers do not draw a picture without: in pixels, from its view box. */
+/**
+ * The SVG with width and height in pixels from its view box, since some browsers do not draw images
+ * without them.
+ */
 export function sizedSvg(text: string): string {
   const isSized = ['width', 'height'].every((name) =>
     /^\s*[\d.]+\s*([a-z]+\s*)?$/i.test(rootAttribute(text, name) ?? ''),

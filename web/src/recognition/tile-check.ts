@@ -1,4 +1,4 @@
-/** Whether the picture of one cell has the symmetries of a group, and where it breaks them. */
+/** Checks whether a tile has the symmetries of a group, and finds the places that break them. */
 import {norm, type Point} from '../model/geometry.js';
 import type {GroupName, PrintCell} from '../model/print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
@@ -11,19 +11,22 @@ import {
 } from '../model/wallpaper.js';
 import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
 
-/** A place of the tile that differs from its images; shares of the cell, from its upper left corner. */
+/**
+ * A place of the tile that differs from its images under the symmetries; in shares of the cell,
+ * from its upper left corner.
+ */
 export interface TileBreak {
   readonly x: number;
   readonly y: number;
   readonly width: number;
   readonly height: number;
-  /** From what the symmetries make of the place, root mean square. [0, 255] */
+  /** Root mean square difference from its images. [0, 255] */
   readonly difference: number;
 }
 
 interface ElementCheck {
   readonly map: PlaneMap;
-  /** Root mean square difference, of all of the tile and of the place where it is greatest. [0, 255] */
+  /** Root mean square difference of the whole tile, and of the worst place. [0, 255] */
   readonly rms: number;
   readonly worst: number;
 }
@@ -31,20 +34,20 @@ interface ElementCheck {
 export interface TileCheck {
   /** The greatest difference of a place; up to `visibleDifference` it is noise. [0, 255] */
   readonly worst: number;
-  /** The tile and its image under every symmetry but the identity. */
+  /** The comparison with the tile's image under every symmetry except the identity. */
   readonly elements: readonly ElementCheck[];
-  /** Worst first. */
+  /** The worst first. */
   readonly breaks: readonly TileBreak[];
 }
 
-/** Pixels along the longer side in which a tile is looked at: what is finer than that is noise. */
+/** Pixels of the checked tile along its longer side; finer details are noise. */
 const detail = 160;
-/** Places along each side. */
+/** Number of places along each side. */
 const places = 24;
-/** What a compressed or coarsely drawn picture may be off by, in one place. [0, 255] */
+/** Greatest difference at a place of a compressed or coarsely drawn image. [0, 255] */
 export const visibleDifference = 16;
 
-/** What the picture of a group's cell may show, where it is a rectangle; the most symmetric first. */
+/** The cells of a group that a rectangular image may show, the most symmetric first. */
 function cellsOf(group: GroupName): readonly PrintCell[] {
   if (isCentred(group)) return ['rectangular'];
   return latticeType(group) === 'oblique' ? ['centred', 'primitive'] : ['primitive'];
@@ -52,7 +55,10 @@ function cellsOf(group: GroupName): readonly PrintCell[] {
 
 const movedBy = (shift: Point): PlaneMap => ({xx: 1, xy: 0, yx: 0, yy: 1, shift});
 
-/** No finer than the picture itself is; even, so that the middle of the cell is one of pixels. */
+/**
+ * Size of the checked tile: at most the image's, and even, so that half the cell is a whole number
+ * of pixels.
+ */
 function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] {
   const [a, b] = imageCell(cell).map(norm);
   const scale = detail / Math.max(a ?? 1, b ?? 1);
@@ -61,13 +67,13 @@ function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] 
   return [pixels(a, image.width), pixels(b, image.height)];
 }
 
-/** How many there are in a cloth that may have fewer pixels. */
+/** Number of columns and rows of places in a tile, at most its pixels. */
 const placesIn = ({width, height}: Cloth): readonly [columns: number, rows: number] => [
   Math.min(places, width),
   Math.min(places, height),
 ];
 
-/** Per place, the root mean square of a value that every colour of every pixel has. */
+/** For each place, the root mean square of a value given per colour and pixel. */
 function byPlace(cloth: Cloth, value: (index: number) => number): readonly number[] {
   const {width, height} = cloth;
   const [columns, rows] = placesIn(cloth);
@@ -92,8 +98,9 @@ function rootMeanSquare({colours: one}: Cloth, {colours: other}: Cloth): number 
 }
 
 /**
- * Compares the tile with its image under every symmetry of the group, on the group's own origin.
- * A place counts by how far it is from the mean of all its images: where one of many is wrong, that one stands out.
+ * Compares the tile with its image under every symmetry of the group, relative to the group's own
+ * origin. A place's difference is its distance from the mean of all its images, so that a single
+ * wrong one among many stands out.
  */
 export function checkTile(
   pixels: Pixels,
@@ -118,7 +125,7 @@ export function checkTile(
     return {map, rms: rootMeanSquare(cloth, seen), worst: Math.max(...apart)};
   });
   if (elements.length === 0) return {worst: 0, elements, breaks: []};
-  // what holds for the tile holds for its sum: the centre of the cell is like its corner
+  // a symmetry of the tile also applies to its sum, so the centre of the cell equals its corner
   for (const map of centring) add(seenThrough({...cloth, colours: Float32Array.from(sum)}, map));
   // a place that differs from all the others by d is d (1 - 1/n) from the mean of all n
   const order = (own.length + 1) * (centring.length + 1);
@@ -138,12 +145,12 @@ export function checkTile(
   return {worst: Math.max(...off), elements, breaks};
 }
 
-/** A picture as the cell of a group. */
+/** An image as the cell of a group. */
 export interface WholeCell {
   readonly group: GroupName;
-  /** 90 when the picture has the group's axes after a quarter turn clockwise. [degrees] */
+  /** 90 if the image has the group's axes after a quarter turn clockwise. [degrees] */
   readonly turnDeg: 0 | 90;
-  /** As the picture has to be taken: of the turned cell, if it is turned. */
+  /** Size of the image, after the turn if there is one. */
   readonly size: RepeatSize;
   readonly cell: PrintCell;
 }
@@ -160,9 +167,9 @@ function turnedClockwise({width, height, data}: Pixels): Pixels {
 }
 
 /**
- * A rectangular picture as the cell of a group that has its origin in the lower left corner; a group whose axes run
- * the other way has it after a turn. Undefined where the group lies elsewhere, or in no cell of that area.
- * @param copies smallest cells that the picture shows; undefined where any will do
+ * An image as the cell of a group with its origin in the lower left corner; a group with swapped
+ * axes fits after a turn. Undefined if the group has another origin, or no cell of that area.
+ * @param copies number of smallest cells in the image; undefined if any will do
  */
 export function wholeCell(
   pixels: Pixels,

@@ -1,4 +1,4 @@
-/** A print by the pixels of one cell, and how it looks when the plane is moved. */
+/** A print given by the pixels of one cell, and its images under maps of the plane. */
 import {combined, coordinates, type Point} from '../model/geometry.js';
 import {apply, imageCell, type CellOf as Cell, type PlaneMap} from '../model/wallpaper.js';
 
@@ -11,7 +11,7 @@ export interface Pixels {
   readonly data: Uint8ClampedArray;
 }
 
-/** A print, known everywhere by one cell of it. */
+/** A periodic print, given by one cell. */
 export interface Cloth {
   readonly cell: Cell;
   readonly width: number;
@@ -20,7 +20,10 @@ export interface Cloth {
   readonly colours: Float32Array;
 }
 
-/** Where the centres of an image's pixels lie on the print [cm], and which pixel shows a point, in whole cells or beyond. */
+/**
+ * Maps between pixels and the print: the centres of pixels on the print [cm], and the pixel of a
+ * point, also beyond the cell.
+ */
 export function pixelGrid(cell: Cell, width: number, height: number) {
   const [a, b] = imageCell(cell);
   const centre = (x: number, y: number): Point => {
@@ -34,7 +37,10 @@ export function pixelGrid(cell: Cell, width: number, height: number) {
   return {centre, pixel};
 }
 
-/** Where each of `from` places lies among `to` larger ones: in which it begins, and what part of it lies there. */
+/**
+ * For each of `from` cells, the index among `to` larger ones where it begins, and the share of it
+ * there.
+ */
 function split(
   from: number,
   to: number,
@@ -45,8 +51,9 @@ function split(
 }
 
 /**
- * The cell in `width` by `height` pixels, no more than the image has, each the mean of what it covers of it on
- * white, softened by the kernel 1 2 1 in both directions across its borders, `times` times.
+ * The cell resampled to `width` by `height` pixels, at most those of the image. Each pixel is the
+ * mean of the covered area on white. The result is blurred `times` times by the kernel 1 2 1 in
+ * both directions, periodically.
  */
 export function clothOf(
   cell: Cell,
@@ -100,13 +107,13 @@ function softened(from: Float32Array, width: number, height: number, dx: 0 | 1, 
   return to;
 }
 
-/** The cloth as it is seen through a map: at x it has the colour that was at the image of x. */
+/** The print through a map: the colour at x is that at the image of x. */
 export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
   const {width, height, colours} = cloth;
   const {centre, pixel} = pixelGrid(cloth.cell, width, height);
   const seen = new Float32Array(colours.length);
   const wrap = (value: number, size: number): number => ((value % size) + size) % size;
-  // from pixels to pixels the map is affine, too
+  // the map between pixels is affine, too
   const image = (x: number, y: number): Point => pixel(apply(map, centre(x, y)));
   const [[ox, oy], [ax, ay], [bx, by]] = [image(0, 0), image(1, 0), image(0, 1)];
   for (let y = 0; y < height; y++) {

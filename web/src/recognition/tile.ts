@@ -1,8 +1,8 @@
-/** The picture of a print's cell, as it is loaded: before anything is drawn, and without what draws it. */
+/** Loads the image of a print's cell, independently of drawing. */
 import {trustedMarkup} from '../model/trusted.js';
 import {imageHref} from './svg-picture.js';
 
-/** One cell of a print: pixels, or an image of an SVG, which can be drawn at any size. */
+/** One cell of a print: pixels, or an SVG image, which can be drawn at any size. */
 export type Tile =
   ImageBitmap | HTMLCanvasElement | HTMLImageElement | {readonly vector: HTMLImageElement};
 
@@ -13,21 +13,26 @@ async function vectorTile(url: string): Promise<Tile> {
   return {vector: image};
 }
 
-/** The file of a print's image. @throws {Error} with one sentence, `TypeError` where there is no network */
+/**
+ * The image file of a print.
+ * @throws {Error} with one sentence; `TypeError` without network
+ */
 export async function fetchPicture(url: string | URL, signal?: AbortSignal): Promise<Blob> {
   const response = await fetch(url, signal ? {signal} : {});
   if (!response.ok) throw new Error(`The print's image ${String(url)} cannot be read; try again.`);
   return response.blob();
 }
 
-/** Reads a tile from a file. An SVG needs a width and a height. */
+/** Loads a tile from a file. An SVG requires a width and a height. */
 export async function loadTile(url: string | URL, signal?: AbortSignal): Promise<Tile> {
   const blob = await fetchPicture(url, signal);
   if (blob.type.startsWith('image/svg')) return vectorTile(String(url));
   return createImageBitmap(blob, {colorSpaceConversion: 'none'});
 }
 
-/** A tile from the text of an SVG, whatever size it gives itself. The page's policy has to allow `data:` images. */
+/**
+ * A tile from SVG text of any size. The page's content security policy has to allow `data:` images.
+ */
 export async function svgTile(svg: string): Promise<Tile> {
   const document = new DOMParser().parseFromString(trustedMarkup(svg), 'image/svg+xml');
   const root = document.documentElement;

@@ -1,7 +1,9 @@
-/** Stored pixels as their picture stands upright. */
+/** Rotates stored pixels upright. */
 import type {PhotoPixels} from '../model/photo.js';
 
-/** Per orientation of EXIF: whether rows and columns change places, then which of them run backwards. */
+/**
+ * For each EXIF orientation: whether rows and columns are swapped, and which of them are reversed.
+ */
 const orders: Readonly<Record<number, readonly [boolean, boolean, boolean]>> = {
   2: [false, true, false],
   3: [false, true, true],
@@ -12,7 +14,10 @@ const orders: Readonly<Record<number, readonly [boolean, boolean, boolean]>> = {
   8: [true, false, true],
 };
 
-/** @param orientation as EXIF counts it, 1 to 8; others count as 1 */
+/**
+ * Rotates an image.
+ * @param orientation EXIF orientation, 1 to 8; other values count as 1
+ */
 export function upright(pixels: PhotoPixels, orientation: number): PhotoPixels {
   const order = orders[orientation];
   if (!order) return pixels;

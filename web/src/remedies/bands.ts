@@ -1,4 +1,7 @@
-/** Which pieces to turn where grains run across each other: the bands, not what they are sewn to. */
+/**
+ * Selects the pieces to rotate where grains cross at seams: bands, rather than the pieces they are
+ * sewn to.
+ */
 import {distance} from '../model/geometry.js';
 import {boxOf, lengthOf, signedArea} from '../model/polyline.js';
 import type {Pattern, ResultSeam} from '../model/result.js';
@@ -7,7 +10,10 @@ import {pick} from '../scene/marks.js';
 const seamLength = ({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number =>
   lengthOf(pick(pieces[piece]?.rest ?? [], vertices));
 
-/** How broad a piece is across its length, as drafted: its area by the diagonal of the box around it. [cm] */
+/**
+ * The width of a drafted piece across its length: its area divided by the diagonal of its bounding
+ * box. [cm]
+ */
 function breadthOf({pieces}: Pattern, piece: number): number {
   const {rest = [], outline = []} = pieces[piece] ?? {};
   const loop = pick(rest, outline);
@@ -16,11 +22,12 @@ function breadthOf({pieces}: Pattern, piece: number): number {
 }
 
 /**
- * Sets of pieces to be turned together, each with the seams that it is about. Of every seam the narrower side is turned,
- * of two alike the one with less other seam to it, and with it its mirror image and what it is sewn to of its own kind
- * with grains that do not cross: turned alone, a band in two halves would no longer meet where they join.
- * @param crossed numbers of the seams at which the grains cross
- * @param canTurn whether a piece lies on a grain that can be turned
+ * Sets of pieces to rotate together, each with its crossed seams. At every crossed seam, the
+ * narrower side is rotated; of two equal ones, the one with less other seam length. Its mirror
+ * image and pieces of its kind that are joined to it without crossed grains are included: a band in
+ * two halves would otherwise no longer match at its joint.
+ * @param crossed indices of the seams with crossed grains
+ * @param canTurn returns whether a piece's grain can be rotated
  */
 export function bandsOf(
   pattern: Pattern,
@@ -62,7 +69,7 @@ export function bandsOf(
   }));
 }
 
-/** The sets into which pieces fall that are joined, directly or by others of them. */
+/** The connected sets of pieces under the given joins. */
 function connected(
   pieces: readonly number[],
   joins: readonly (readonly [number, number])[],

@@ -1,4 +1,4 @@
-/** What might make the seams of a result meet that stay off. Whether it does is another matter: `remedies.ts`. */
+/** Proposes changes that may improve seams with a mismatch. `remedies.ts` tests whether they do. */
 import {dot, unit} from '../model/geometry.js';
 import type {GrainLock, GrainRule, SolveOptions} from '../model/options.js';
 import type {GroupName, Print} from '../model/print.js';
@@ -9,12 +9,12 @@ import {finalMismatch, isGathered, meanOf} from '../scene/mismatch.js';
 import {bandsOf} from './bands.js';
 import {parsed, type Proposal} from './remedy.js';
 
-/** No more than this is tried: each is a solve, */
+/** Greatest number of proposals, since each takes a solve. */
 const most = 4;
-/** and of a garment of more pieces than these a long one. */
+/** Greatest number of pieces of a garment for which a solve is fast enough. */
 const mostPieces = 60;
 
-/** In the order in which they are worth a try. */
+/** Proposals in the order in which they are tried. */
 export function proposals(problem: Problem, result: SolveResult): readonly Proposal[] {
   if (result.pieces.length > mostPieces) return [];
   const options = parsed(problem.options);
@@ -29,12 +29,13 @@ export function proposals(problem: Problem, result: SolveResult): readonly Propo
   ].slice(0, most);
 }
 
-/** What a seam misses by at most, on average, without a reason being asked for. [cm] */
+/** Greatest mean mismatch of a seam that needs no reason. [cm] */
 const meets = 0.3;
 
 /**
- * Why each seam stays off, if it does. Where a result does not say, gathers are known by their lengths; elsewhere the
- * grain is looked at first, and what does not help is not offered.
+ * The reason of each seam's mismatch, if any. If the result states none, gathers are recognised by
+ * the lengths of both sides, and other seams are attributed to the grain; proposals without effect
+ * are not offered.
  */
 function reasons(result: SolveResult): readonly (SeamReason | undefined)[] {
   const {seams} = finalMismatch(result);
@@ -47,13 +48,13 @@ function reasons(result: SolveResult): readonly (SeamReason | undefined)[] {
   });
 }
 
-/** How a piece lies, as far as the options say. */
+/** The grain rule of a piece in the options. */
 function lockOf({grain}: SolveOptions, name: string): GrainLock | undefined {
   const rule = grain?.pieces?.[name];
   return (typeof rule === 'object' ? rule.lock : rule) ?? grain?.default;
 }
 
-/** What an angle of 90 degrees makes of a lock. */
+/** The grain rule after a rotation by 90 degrees. */
 const quarter: Readonly<Partial<Record<GrainLock, GrainLock>>> = {on: 'across', across: 'on'};
 
 function turns(
@@ -63,7 +64,8 @@ function turns(
 ): readonly Proposal[] {
   const {pieces} = result;
   const nameOf = (piece: number): string => pieces[piece]?.name ?? '';
-  // a piece without a rule lies as its file says, on grain or the seam would not be crossed
+  // a piece without a rule has the grain of its file: it is on grain, since its seam would not be
+  // crossed otherwise
   const turnedLock = (name: string): GrainLock | undefined =>
     quarter[lockOf(options, name) ?? 'on'];
   const canTurn = (piece: number): boolean => {
@@ -91,13 +93,13 @@ function ungathered({unmatched = []}: SolveOptions, seams: readonly number[]): r
   return [{kind: 'ungather', pieces: [], seams, change}];
 }
 
-/** By a group without mirrors, or with mirrors in one direction only: a group with more of them on the same lattice. */
+/** For groups without mirrors or with fewer ones, a group with more mirrors on the same lattice. */
 const mirrorsOf: Readonly<Partial<Record<GroupName, GroupName>>> = {
   ...{pm: 'pmm', pg: 'pmm', pmg: 'pmm', pgg: 'pmm', cm: 'cmm'},
   ...{p4: 'p4m', p4g: 'p4m', p3: 'p6m', p3m1: 'p6m', p31m: 'p6m', p6: 'p6m'},
 };
 
-/** Undefined where no group on this lattice has more mirrors. */
+/** The group with more mirrors on the same lattice; undefined if there is none. */
 export function groupWithMirrors({group, w1, w2}: Repeat): GroupName | undefined {
   if (group !== 'p1' && group !== 'p2') return mirrorsOf[group];
   return Math.abs(dot(unit(w1), unit(w2))) < 1e-6 ? 'pmm' : undefined;

@@ -1,28 +1,31 @@
-/** Tries what might help a result, and keeps what does. */
+/** Tries proposals for a result, and keeps those that help. */
 import type {Problem} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
 import {countedSeams, finalMismatch, meanOf, type PatternMismatch} from '../scene/mismatch.js';
 import {proposals} from './proposals.js';
 import {withRemedy, type Proposal, type Remedy} from './remedy.js';
 
-/** What is left of a mismatch at most, for a remedy to be worth a word. A print half as large halves it by itself. */
+/**
+ * Greatest remaining share of the mismatch for each remedy. Half the repeat halves the mismatch
+ * anyway.
+ */
 const leftAtMost = {turn: 0.6, ungather: 0.6, mirrors: 0.6, smaller: 0.35} as const;
-/** What is gained at least. [cm] */
+/** Least improvement. [cm] */
 const leastGain = 0.1;
-/** How much worse the whole may become, over all seams. [cm] */
+/** Greatest increase of the mean over all seams. [cm] */
 const patience = 0.02;
 
 interface RemedyHooks {
   readonly signal?: AbortSignal | undefined;
-  /** Waits until nobody minds another solve. */
+  /** Resolves when another solve would not disturb. */
   readonly idle?: () => Promise<void>;
-  /** As soon as one is found. */
+  /** Called as soon as a remedy is found. */
   readonly onRemedy?: (remedy: Remedy) => void;
 }
 
 /**
- * Solves the problem with each proposal, one after the other. One that cannot be solved is no remedy.
- * @throws the signal's reason, when it fires
+ * Solves the problem with each proposal in turn. A proposal that cannot be solved is no remedy.
+ * @throws the signal's reason when it aborts
  */
 export async function remediesOf(
   problem: Problem,
@@ -44,9 +47,10 @@ export async function remediesOf(
   return found;
 }
 
-/** Undefined where it does not clearly help. */
+/** The remedy; undefined without a clear improvement. */
 function asRemedy(proposal: Proposal, result: SolveResult, tried: SolveResult): Remedy | undefined {
-  // the same seams in both: under other symmetries other seams meet by themselves
+  // compares the same seams in both results, since other symmetries make other seams match
+  // trivially
   const counted = countedSeams(result);
   const left = counted.map((counts, k) => counts && tried.seams[k]?.matched !== false);
   const [before, after] = [finalMismatch(result, counted), finalMismatch(tried, left)];

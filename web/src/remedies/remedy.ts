@@ -1,15 +1,15 @@
-/** What would make seams meet that stay off, as a change of what was asked. */
+/** Remedies: changes of a problem that reduce the mismatch at seams. */
 import type {SolveOptions} from '../model/options.js';
 import type {Print} from '../model/print.js';
 import type {Problem} from '../model/problem.js';
 
 /**
- * `turn`: pieces by 90 degrees on the cloth; `ungather`: gathers are left out of the match; `mirrors`: a print with
- * mirrors, of the same repeat; `smaller`: a print of half the repeat.
+ * `turn`: rotates pieces by 90 degrees on the fabric; `ungather`: excludes gathers from the match;
+ * `mirrors`: a print with mirrors and the same repeat; `smaller`: a print of half the repeat.
  */
 export type RemedyKind = 'turn' | 'ungather' | 'mirrors' | 'smaller';
 
-/** What to put in place of the options and of fields of the print; what is left out stays. */
+/** Replacements for options and fields of the print; missing ones stay unchanged. */
 export interface RemedyChange {
   readonly options?: SolveOptions;
   readonly print?: Partial<Pick<Print, 'group' | 'w1' | 'w2'>>;
@@ -17,25 +17,30 @@ export interface RemedyChange {
 
 export interface Proposal {
   readonly kind: RemedyKind;
-  /** The pieces that are turned, by name. */
+  /** Names of the rotated pieces. */
   readonly pieces: readonly string[];
-  /** The seams that it is about, by number. */
+  /** Indices of the improved seams. */
   readonly seams: readonly number[];
   readonly change: RemedyChange;
 }
 
-/** A proposal that was tried and helps. */
+/** A tested proposal that helps. */
 export interface Remedy extends Proposal {
-  /** Mean mismatch along these seams, or along all that count where these are left out: as it is, and with the remedy. [cm] */
+  /**
+   * Mean mismatch along these seams before and after; for `ungather`, along all counted seams. [cm]
+   */
   readonly before: number;
   readonly after: number;
 }
 
-/** A part of a problem as an object. @throws {SyntaxError} when it is no JSON */
+/**
+ * A part of a problem as an object.
+ * @throws {SyntaxError} if it is invalid JSON
+ */
 export const parsed = <T extends object>(part: T | string | undefined): T =>
   typeof part === 'string' ? (JSON.parse(part === '' ? '{}' : part) as T) : (part ?? ({} as T));
 
-/** The same problem with a remedy. */
+/** The problem with a remedy applied. */
 export function withRemedy(problem: Problem, {options, print}: RemedyChange): Problem {
   return {
     ...problem,

@@ -1,21 +1,29 @@
-/** How a mismatch is drawn: by colour, and by width and gaps for eyes that do not part the colours. */
+/**
+ * Line styles for a mismatch: by colour, and by width and gaps for people who do not distinguish
+ * the colours.
+ */
 
-/** `absolute`: in steps at 1, 3 and 6 mm, for every print; `paper`: from 0 to 2 cm without steps, as in the paper. */
+/**
+ * `absolute`: steps at 1, 3 and 6 mm for every print; `paper`: continuous from 0 to 2 cm, as in the
+ * paper.
+ */
 export type MismatchScale = 'absolute' | 'paper';
 
-/** How the line along a seam is drawn. */
+/** Style of a line along a seam. */
 export interface MismatchLine {
   readonly colour: string;
   /** [px] */
   readonly width: number;
-  /** Lengths of dash and gap before round caps. None where the print meets. [px] */
+  /** Lengths of dash and gap without the round caps; undefined if the print matches. [px] */
   readonly dash?: readonly [number, number];
 }
 
-/** Above each of these a mismatch is drawn as worse: it is seen from near, at once, from across the room. [cm] */
+/**
+ * Upper bounds of the steps of mismatch: visible from near, at once, and from across a room. [cm]
+ */
 export const mismatchSteps = [0.1, 0.3, 0.6] as const;
 
-/** From perfect to worst, as in `mismatchSteps`. */
+/** Line styles from perfect to worst, divided by `mismatchSteps`. */
 export const stepLines: readonly MismatchLine[] = [
   {colour: '#2b9358', width: 2.4},
   {colour: '#b0b32f', width: 3, dash: [12, 5.5]},
@@ -23,7 +31,7 @@ export const stepLines: readonly MismatchLine[] = [
   {colour: '#c83028', width: 4.6, dash: [6, 9]},
 ];
 
-/** From here on a mismatch is drawn as the worst. [cm] */
+/** Least mismatch with the worst style. [cm] */
 export const worstMismatch: Readonly<Record<MismatchScale, number>> = {
   absolute: mismatchSteps[2],
   paper: 2,
@@ -45,9 +53,9 @@ const ramp = [
   [200, 48, 40],
 ] as const;
 
-/** On the scale of the paper a match better than this part of the worst is a line without gaps. */
+/** Share of the worst mismatch below which lines have no gaps, on the scale of the paper. */
 const solidBelow = 0.2;
-/** Steps in which its gaps grow, so that neighbouring edges share one rhythm. */
+/** Number of gap sizes, so that neighbouring edges have the same dashes. */
 const gapSteps = 4;
 
 /** @param share from 0, a perfect match, to 1 */

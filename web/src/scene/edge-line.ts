@@ -1,9 +1,9 @@
-/** Edges of a panel along the outline of its piece as it is shown. */
+/** Edges of a panel along the displayed outline of its piece. */
 import type {Point} from '../model/geometry.js';
 import {pick} from './marks.js';
 import type {ScenePiece} from './scene.js';
 
-/** The vertices along an edge of the file, from its start to its end; none where nothing says which they are. */
+/** The vertices along an edge of the file, from start to end; empty if they are unknown. */
 export function edgeVertices(
   {outline, edges = []}: Pick<ScenePiece, 'outline' | 'edges'>,
   edge: number,
@@ -18,6 +18,6 @@ export function edgeVertices(
   return Array.from({length: steps + 1}, (_, k) => outline[(start + k) % count] ?? 0);
 }
 
-/** The same as points of the piece. [cm] */
+/** The points along an edge, in piece coordinates. [cm] */
 export const edgePoints = (piece: ScenePiece, edge: number): readonly Point[] =>
   pick(piece.points, edgeVertices(piece, edge));

@@ -1,22 +1,28 @@
-/** Where the grain line of a piece is drawn. Lengths in cm. */
+/** Position of a piece's grain line. Lengths in cm. */
 import type {PanelMarks} from '../model/garment-marks.js';
 import {plus, radians, towards, type Point} from '../model/geometry.js';
 import type {ResultPiece} from '../model/result.js';
 import {innermost, pick} from './marks.js';
 
-/** Longest line that is drawn where the file draws none. */
+/** Greatest length of a line that the file does not draw. */
 const greatest = 20;
 
 type Drafted = Pick<ResultPiece, 'rest' | 'outline'>;
 
-/** In the widest part of the drafted piece. @param angle from its x axis, face up [radians] */
+/**
+ * A line in the widest part of the drafted piece.
+ * @param angle from its x axis, face up [radians]
+ */
 export function lineAt({rest, outline}: Drafted, angle: number): readonly [Point, Point] {
   const {at, room} = innermost(pick(rest, outline));
   const reach = Math.min(greatest / 2, 0.8 * room);
   return [plus(at, towards(angle), -reach), plus(at, towards(angle), reach)];
 }
 
-/** Of the drafted piece as it lies face up: as it was decided, else as the garment has it; undefined where nobody says it. */
+/**
+ * The grain line of a drafted piece, face up: the user's, otherwise the garment's; undefined
+ * without either.
+ */
 export function grainLine(
   piece: Drafted,
   {grain, grainDeg}: Pick<PanelMarks, 'grain' | 'grainDeg'> = {},

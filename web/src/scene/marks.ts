@@ -1,11 +1,14 @@
-/** Where symmetries are marked on a piece. Lengths in cm, y up. */
+/** Positions of symmetry marks on a piece. Lengths in cm, y up. */
 import {dot, middle, minus, plus, rotated, type MirrorMap, type Point} from '../model/geometry.js';
 import {boxOf, isInside} from '../model/polyline.js';
 
 export const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
   vertices.flatMap((v) => points.slice(v, v + 1));
 
-/** The mirror axis along the given points and `overhang` beyond them. p' = R F p + t mirrors in a line through t / 2. */
+/**
+ * The mirror axis along the given points, extended by `overhang`. p' = R F p + t mirrors in a line
+ * through t / 2.
+ */
 export function axisAlong(
   {angle, translation}: MirrorMap,
   points: readonly Point[],
@@ -22,7 +25,10 @@ export function axisAlong(
 export const mirrorImage = ({angle, translation}: MirrorMap, [x, y]: Point): Point =>
   plus(rotated([-x, y], angle), translation);
 
-/** The point of a piece that lies furthest from its outline, and from what else is in the way, on a coarse grid; and how far that is. */
+/**
+ * The point of a piece with the greatest distance from its outline and obstacles, on a coarse grid,
+ * and that distance.
+ */
 export function innermost(
   points: readonly Point[],
   obstacles: readonly Point[] = [],
@@ -45,7 +51,7 @@ export function innermost(
   return {at, room};
 }
 
-/** From a point to the nearest of others; 0 as soon as it is known to be no more than `least`. */
+/** The distance from a point to the nearest of others; 0 if it is at most `least`. */
 function clearance(points: readonly Point[], [px, py]: Point, least: number): number {
   let nearest = Infinity;
   for (const [x, y] of points) {

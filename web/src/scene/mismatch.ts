@@ -1,6 +1,7 @@
 /**
- * How well a print meets along the seams of a result, under any alignment of its pieces: point by point, which is
- * what every figure for people says, and by one symmetry of the print for all of a seam, which tells where it runs off.
+ * The mismatch of a print along the seams of a result, for any alignment of its pieces. All
+ * displayed figures use the pointwise mismatch. The mismatch under one symmetry per seam shows
+ * where the print drifts.
  */
 import {coordinates, distance, type Alignment, type Point} from '../model/geometry.js';
 import type {Pattern, ResultSeam, SeamSide} from '../model/result.js';
@@ -14,25 +15,33 @@ import {
   type Repeat,
 } from '../model/wallpaper.js';
 
-/** A seam under an alignment: the mismatch of every edge and the mean length of its two sides. [cm] */
+/**
+ * A seam under an alignment: the mismatch of every edge, and the mean length of its two sides. [cm]
+ */
 export interface SeamMismatch {
   readonly mismatch: readonly number[];
   readonly lengths: readonly number[];
-  /** False: the user switched it off, or it joins a piece to its own mirror twin and always matches. */
+  /**
+   * False if the user excluded the seam, or if it joins a piece to its own mirror image and always
+   * matches.
+   */
   readonly counts: boolean;
 }
 
 export interface PatternMismatch {
   readonly seams: readonly SeamMismatch[];
-  /** E_fit: the sum of length times mismatch over the seams that count. [cm2] */
+  /** E_fit: the sum of length times mismatch over the counted seams. [cm2] */
   readonly total: number;
-  /** `total` over the length of those seams. [cm] */
+  /** `total` divided by the length of the counted seams. [cm] */
   readonly mean: number;
 }
 
 const key = (piece: number, vertex: number | undefined): string => `${piece}:${vertex ?? ''}`;
 
-/** Whether a seam joins every vertex to its own mirror image, so that it matches however the print lies. */
+/**
+ * Returns a test for seams that join every vertex to its own mirror image, and therefore match for
+ * any alignment.
+ */
 function twinTest(result: Pattern): (seam: ResultSeam) => boolean {
   const images = new Map<string, string>();
   for (const symmetry of result.symmetries) {
@@ -47,13 +56,13 @@ function twinTest(result: Pattern): (seam: ResultSeam) => boolean {
     a.vertices.every((v, k) => images.get(key(a.piece, v)) === key(b.piece, b.vertices[k]));
 }
 
-/** Which seams the figures take into account. It depends on no alignment. */
+/** For each seam, whether the figures count it. Independent of alignments. */
 export function countedSeams(result: Pattern): readonly boolean[] {
   const isTwin = twinTest(result);
   return result.seams.map((seam) => seam.matched && !isTwin(seam));
 }
 
-/** The middles of a seam's edges as points of the print, one after the other, and their mean lengths. */
+/** Midpoints of a seam's edges in print coordinates, interleaved, and mean edge lengths. */
 interface Edges {
   readonly a: Float64Array;
   readonly b: Float64Array;
@@ -87,33 +96,42 @@ function edgesOf(
   return {a: middles(seam.a), b: middles(seam.b), lengths};
 }
 
-/** By length. [cm] */
+/** Mean weighted by length. [cm] */
 export function meanOf({mismatch, lengths}: Pick<SeamMismatch, 'mismatch' | 'lengths'>): number {
   const length = lengths.reduce((sum, one) => sum + one, 0);
   const total = mismatch.reduce((sum, one, k) => sum + one * (lengths[k] ?? 0), 0);
   return length > 0 ? total / length : 0;
 }
 
-/** Whether the sides of a seam differ so much in length that no print runs on all along it, as the solver counts it. */
+/**
+ * Returns whether the sides of a seam differ too much in length for a continuous print, with the
+ * solver's threshold.
+ */
 export const isGathered = ({lengthRatio}: Pick<ResultSeam, 'lengthRatio'>): boolean =>
   Math.abs(Math.log(lengthRatio)) > Math.log(1.1);
 
-/** A seam along which the print does not run on as one: what it misses by at both ends when followed all along. [cm] */
+/**
+ * The drift of a seam whose print is not continuous along it: the mismatch at both ends under one
+ * symmetry. [cm]
+ */
 export interface Drift {
   readonly start: number;
   readonly end: number;
-  /** The most anywhere. */
+  /** The greatest mismatch. */
   readonly most: number;
-  /** Further than a print can miss that lies anyhow: how far says nothing then. */
+  /** True beyond the greatest possible pointwise mismatch, where the value is meaningless. */
   readonly isLost: boolean;
 }
 
-/** A print that is further off than this along the whole seam than it is point by point has run off. [cm] */
+/**
+ * Least excess of the mean mismatch under one symmetry over the pointwise one that counts as drift.
+ * [cm]
+ */
 const leastDrift = 0.3;
-/** What counts as the end of a seam, as a part of its length. */
+/** Length of the ends of a seam, as a share of its whole length. */
 const endPart = 0.1;
 
-/** Undefined where following the print along the seam makes no difference. */
+/** The drift of a seam; undefined if one symmetry for the whole seam matches equally well. */
 export function driftOf(
   local: SeamMismatch,
   whole: SeamMismatch,
@@ -131,12 +149,12 @@ export function driftOf(
     return meanOf({mismatch: some.slice(0, count), lengths: long.slice(0, count)});
   };
   const [most, [u, v]] = [Math.max(...mismatch), reducedBasis(w1, w2)];
-  // no point is further than half this diagonal from the nearest of the lattice
+  // no point is farther than half this diagonal from the nearest lattice point
   const isLost = most > Math.hypot(...u, ...v) / 2;
   return {start: endOf(1), end: endOf(-1), most, isLost};
 }
 
-/** Adds the seams up. */
+/** Sums the counted seams. */
 function summed<S extends SeamMismatch>(
   seams: readonly S[],
 ): PatternMismatch & {readonly seams: readonly S[]} {
@@ -156,7 +174,10 @@ const pointAt = (points: Float64Array, k: number): Point => [
   points[2 * k + 1] ?? NaN,
 ];
 
-/** The mismatch of `rest` or `shape`, with one alignment per piece; every edge by the symmetry of the print that suits it. */
+/**
+ * The mismatch of `rest` or `shape` with one alignment per piece, and the best symmetry of the
+ * print for every edge.
+ */
 export function mismatchOf(
   result: Pattern,
   outline: 'rest' | 'shape',
@@ -176,7 +197,7 @@ export function mismatchOf(
   );
 }
 
-/** The mismatch of a result as it was solved: what the headline and every table say. */
+/** The mismatch of a result as solved, which the headline and all tables display. */
 export const finalMismatch = (result: Pattern, counted?: readonly boolean[]): PatternMismatch =>
   mismatchOf(
     result,
@@ -185,7 +206,7 @@ export const finalMismatch = (result: Pattern, counted?: readonly boolean[]): Pa
     counted,
   );
 
-/** The worst seam of those that count: its number and mean. [cm] Undefined where none counts. */
+/** The worst counted seam: its index and mean. [cm] Undefined if none is counted. */
 export function worstOf({
   seams,
 }: PatternMismatch): {readonly seam: number; readonly mean: number} | undefined {
@@ -197,18 +218,21 @@ export function worstOf({
     );
 }
 
-/** A seam across which one symmetry of the print carries it: what the eye sees. */
+/** A seam under a single symmetry of the print, as seen by the eye. */
 export interface JoinedSeam extends SeamMismatch {
-  /** Whether that symmetry lets the print run on or mirrors it. */
+  /** Whether the symmetry continues the print or mirrors it. */
   readonly kind: 'continuous' | 'mirrored';
 }
 
-/** How much more a mirrored seam has to save before it is called so: along a straight mirror line both are the same. [cm2] */
+/**
+ * Least saving of a mirrored seam over a continuous one, since both are equal along a straight
+ * mirror line. [cm2]
+ */
 const indifference = 1e-6;
 
 /**
- * The mismatch with one symmetry of the print per seam. Of each kind of symmetry it tries the lattice shift that suits
- * the mean of the seam, and its eight neighbours.
+ * The mismatch with one symmetry of the print per seam. For each kind of symmetry, the lattice
+ * shift nearest to the seam's mean offset and its eight neighbours are tried.
  */
 export function joinedMismatchOf(
   result: Pattern,
@@ -218,7 +242,7 @@ export function joinedMismatchOf(
 ): PatternMismatch & {readonly seams: readonly JoinedSeam[]} {
   const {w1, w2} = result.print;
   const basis = reducedBasis(w1, w2);
-  // those that mirror come last, so that they have to be better
+  // mirroring symmetries come last, so that they have to be better
   const elements = printElements(joining(result.print, result.continuousOnly)).toSorted(
     (a, b) => determinant(b) - determinant(a),
   );
@@ -263,7 +287,8 @@ function bestJoin(
       for (let j = t - 1; j <= t + 1; j++) {
         const sx = i * u[0] + j * v[0];
         const sy = i * u[1] + j * v[1];
-        if (whole * Math.hypot(mx - sx, my - sy) >= least) continue; // no sum is less than its mean
+        // the sum is at least that of the mean offset
+        if (whole * Math.hypot(mx - sx, my - sy) >= least) continue;
         let cost = 0;
         for (let k = 0; k < lengths.length && cost < least; k++) {
           const dx = (apart[2 * k] ?? 0) - sx;

@@ -1,4 +1,6 @@
-/** Marks on the pieces of a scene: axes and letters of their symmetries, and grain lines. Lengths in cm. */
+/**
+ * Marks on the pieces of a scene: axes and letters of symmetries, and grain lines. Lengths in cm.
+ */
 import type {PanelMarks} from '../model/garment-marks.js';
 import {dot, leftOf, minus, plus, unit, type Point} from '../model/geometry.js';
 import {pairLetter} from '../model/letters.js';
@@ -6,7 +8,7 @@ import type {Pattern, ResultPiece} from '../model/result.js';
 import {grainLine} from './grain-line.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
 
-/** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
+/** A position for a letter in piece coordinates, and its distance from the outline. */
 interface PairMark {
   readonly piece: number;
   readonly at: Point;
@@ -17,10 +19,10 @@ export type SceneSymmetry =
   | {readonly kind: 'piece'; readonly piece: number; readonly axis: readonly [Point, Point]}
   | {readonly kind: 'pair'; readonly letter: string; readonly marks: readonly PairMark[]};
 
-/** A grain line on a mirror axis is moved aside by this, since only its direction counts. */
+/** Offset of a grain line from a mirror axis; only the direction of the line matters. */
 const grainShift = 2;
 
-/** Axes and letters of symmetries, as they are drawn. */
+/** Axes and letters of symmetries for drawing. */
 export function symmetriesOf(
   {pieces, symmetries}: Pattern,
   outline: 'rest' | 'shape',
@@ -47,7 +49,7 @@ export function symmetriesOf(
   });
 }
 
-/** Beside the piece's mirror axis, if it would lie on it. */
+/** Moves a grain line beside the piece's mirror axis if it coincides with it. */
 function besideAxis(grain: readonly [Point, Point], axis: readonly [Point, Point]): typeof grain {
   const [start, end] = axis;
   const normal = leftOf(unit(minus(end, start)));

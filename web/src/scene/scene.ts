@@ -1,4 +1,4 @@
-/** What a view of a pattern shows, as plain data. Lengths in cm, y up. */
+/** The content of a pattern view as plain data. Lengths in cm, y up. */
 import type {Alignment, Point} from '../model/geometry.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import {isInside} from '../model/polyline.js';
@@ -25,17 +25,17 @@ import {offSheet, type SheetPlace} from '../model/sheet-place.js';
 import {grainOf, symmetriesOf, type SceneSymmetry} from './scene-marks.js';
 import {screenMargin} from './sheet-view.js';
 
-/** Points are in the piece's own coordinates, not in those of the sheet. */
+/** A displayed piece. Points are in piece coordinates, not in those of the sheet. */
 export interface ScenePiece
   extends SheetPlace, Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
-  /** What people call it. */
+  /** Displayed name. */
   readonly label: string;
   readonly points: readonly Point[];
   readonly alignment: Alignment;
   readonly grain?: readonly [Point, Point];
-  /** Per outline edge the number of the panel's edge in the file, for clicks. */
+  /** For each outline edge, the index of the panel's edge in the file, for clicks. */
   readonly edges?: readonly number[];
-  /** Cut from unprinted cloth. */
+  /** True for a piece of plain fabric. */
   readonly plain: boolean;
 }
 
@@ -43,16 +43,16 @@ export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b'>, SeamMatch {
   readonly counts: boolean;
 }
 
-/** How the print meets along a seam as the pieces lie in a scene. */
+/** The match along a seam for the alignments of a scene. */
 interface SeamMatch {
   readonly kind: ResultSeam['kind'];
-  /** Per edge, each under the symmetry of the print that suits it. [cm] */
+  /** For each edge, the mismatch under its best symmetry of the print. [cm] */
   readonly mismatch: readonly number[];
-  /** The edge where it misses most. [cm] */
+  /** The edge with the greatest mismatch. [cm] */
   readonly worst: {readonly edge: number; readonly mismatch: number};
-  /** By length. [cm] */
+  /** Mean weighted by length. [cm] */
   readonly mean: number;
-  /** Where no symmetry of the print carries all of the seam. */
+  /** Defined if no symmetry of the print fits the whole seam. */
   readonly drift: Drift | undefined;
 }
 
@@ -60,7 +60,7 @@ interface SeamMatch {
 export interface KeptLine {
   readonly piece: number;
   readonly vertices: readonly number[];
-  /** A seam is drawn along it. */
+  /** True if a seam is drawn along it. */
   readonly isSewn: boolean;
 }
 
@@ -73,42 +73,48 @@ export interface PatternScene {
   readonly symmetries: readonly SceneSymmetry[];
   /** Parts of outlines that stay as drafted. */
   readonly kept?: readonly KeptLine[];
-  /** The sheet reaches from (0, 0) to here. */
+  /** The upper right corner of the sheet; the lower left is (0, 0). */
   readonly size: Point;
   readonly scale: MismatchScale;
 }
 
 export interface SceneOptions {
-  /** Which of a piece's two states. Default `shape`. */
+  /** The displayed state of the pieces. Default `shape`. */
   readonly outline?: 'rest' | 'shape';
-  /** One per piece. Default: the pattern's own. */
+  /** One alignment per piece. Default: the pattern's own. */
   readonly alignments?: readonly Alignment[];
-  /** Gives labels and grain lines. */
+  /** Provides labels and grain lines. */
   readonly garment?: Pick<GarmentDocument, 'pieces' | 'names'>;
-  /** Goes before what the garment says of its panels. */
+  /** Overrides the garment's data about its panels. */
   readonly decided?: PanelDecisions;
-  /** What the layout is made for. [CSS px] */
+  /** Size for which the layout is made. [CSS px] */
   readonly viewport?: {readonly width: number; readonly height: number};
-  /** Names of the pieces that are cut from unprinted cloth. */
+  /** Names of the pieces of plain fabric. */
   readonly plain?: ReadonlySet<string>;
   /** Default `absolute`. */
   readonly scale?: MismatchScale;
 }
 
-/** Height of the letters of a piece's name. [CSS px] */
+/** Font size of piece names. [CSS px] */
 export const labelSize = 12;
-/** A longer name is broken between words. [CSS px] */
+/** Greatest width of a line of a name; longer names are broken between words. [CSS px] */
 const labelRoom = 96;
 
 export const labelLines = (label: string): readonly string[] =>
   nameLines(label, labelRoom, labelSize);
 
-/** Room that names may cost: where pieces would get smaller than this part of what they could be, names do without. */
+/** Least scale relative to a layout without names; below it, names get no space. */
 const leastShare = 0.75;
-/** Pieces of a very small garment lie no further apart than they would at this scale. [CSS px per cm] */
+/**
+ * Greatest scale of a layout, which limits the distance between pieces of a very small garment.
+ * [CSS px per cm]
+ */
 const greatestLayoutScale = 14;
 
-/** Pieces on a sheet with the proportions of the viewport; a name has room below its piece at the scale of the whole sheet. */
+/**
+ * Lays pieces out on a sheet of the viewport's proportions, with space below each for its name at
+ * the scale of the whole sheet.
+ */
 function sheet(
   pattern: Pattern,
   labels: readonly string[],
@@ -141,7 +147,7 @@ function sheet(
   return (named.scale < leastShare * bare.scale ? bare : named).layout;
 }
 
-/** Lays a pattern out and measures how the print meets along its seams. */
+/** Lays a pattern out, and measures the mismatch along its seams. */
 export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = {}): PatternScene {
   const outline = options.outline ?? 'shape';
   const {garment, decided} = options;
@@ -179,7 +185,10 @@ function unmatched(pattern: Pattern): readonly SceneSeam[] {
   }));
 }
 
-/** The same sheet with the pieces lying otherwise on the print. Shares all geometry with `scene`, so that showing it is cheap. */
+/**
+ * The sheet with other alignments on the print. It shares all geometry with `scene`, so that
+ * displaying it is fast.
+ */
 export function realigned(scene: PatternScene, alignments: readonly Alignment[]): PatternScene {
   const counted = scene.seams.map(({counts}) => counts);
   const {pattern, outline} = scene;
@@ -211,7 +220,7 @@ function matchOf(
   };
 }
 
-/** The same sheet in another print. */
+/** The same sheet with another print. */
 export function reprinted(scene: PatternScene, print: Print): PatternScene {
   const {group, w1, w2} = print;
   const pattern = {...scene.pattern, print: {group, w1, w2}};
@@ -221,14 +230,14 @@ export function reprinted(scene: PatternScene, print: Print): PatternScene {
   );
 }
 
-/** Alignments as a solve reports them on its way: angle, x, y per piece. */
+/** Converts alignments from a solve's progress: angle, x and y per piece. */
 export const alignmentsFrom = (numbers: Float64Array): readonly Alignment[] =>
   Array.from({length: Math.floor(numbers.length / 3)}, (_, k) => {
     const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k, 3 * k + 3);
     return {angle, translation: [x, y]};
   });
 
-/** The piece that lies under a point of the sheet, and the point in that piece's coordinates. */
+/** The piece at a point of the sheet, and the point in piece coordinates. */
 export function pieceAt(
   scene: PatternScene,
   at: Point,

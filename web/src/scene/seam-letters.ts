@@ -1,4 +1,4 @@
-/** Letters along the seams of pieces: what has the same is sewn together. */
+/** Letters along the seams of pieces; edges with the same letter are sewn together. */
 import {leftOf, plus, type Point} from '../model/geometry.js';
 import {seamLetter} from '../model/letters.js';
 import {atShare, isInside} from '../model/polyline.js';
@@ -7,11 +7,11 @@ import {pick} from './marks.js';
 
 export interface SeamLetter {
   readonly letter: string;
-  /** Beside the sewn line, inside of the piece's shape. */
+  /** Beside the sewn line, inside the piece's shape. */
   readonly at: Point;
 }
 
-/** Beside the middle of a line, on the side where the piece is. */
+/** The point beside the middle of a line, on the piece's side. */
 function beside(line: readonly Point[], outline: readonly Point[], inside: number): Point {
   const {at, along} = atShare(line, 0.5);
   const left = plus(at, leftOf(along), inside);
@@ -19,8 +19,8 @@ function beside(line: readonly Point[], outline: readonly Point[], inside: numbe
 }
 
 /**
- * By piece, in the coordinates of its outline in either of its two states.
- * @param inside from the sewn line to the middle of a letter [cm]
+ * Letters of each piece, in coordinates of one of its two states.
+ * @param inside distance from the sewn line to the centre of a letter [cm]
  */
 export function seamLetters(
   {pieces, seams}: Pick<Pattern, 'pieces' | 'seams'>,

@@ -1,8 +1,11 @@
-/** Which part of the sheet the screen shows: sheet points in cm, y up; screen points in CSS px from the upper left, y down. */
+/**
+ * The part of the sheet on the screen. Sheet points are in cm, y up; screen points in CSS px from
+ * the upper left, y down.
+ */
 import type {Point} from '../model/geometry.js';
 
 export interface SheetView {
-  /** The sheet point in the middle of the screen. */
+  /** The sheet point at the centre of the screen. */
   readonly centre: Point;
   /** [CSS px per cm] */
   readonly scale: number;
@@ -13,11 +16,13 @@ export interface ScreenSize {
   readonly height: number;
 }
 
-/** Around the whole sheet. [CSS px] */
+/** Margin around the whole sheet. [CSS px] */
 export const screenMargin = 24;
-/** A millimetre then is 40 px wide; nothing on cloth is finer. [CSS px per cm] */
+/**
+ * Greatest scale, at which a millimetre is 40 px wide; fabric has no finer details. [CSS px per cm]
+ */
 const greatestScale = 400;
-/** How much smaller than to fit. */
+/** Smallest scale, relative to that of the fitted view. */
 const smallest = 0.5;
 
 export const toScreen = (
@@ -32,7 +37,7 @@ export const toSheet = (
   [x, y]: Point,
 ): Point => [centre[0] + (x - width / 2) / scale, centre[1] - (y - height / 2) / scale];
 
-/** The view that shows the whole sheet. */
+/** The view of the whole sheet. */
 export function fitted(sheet: Point, {width, height}: ScreenSize): SheetView {
   const across = Math.max(width - 2 * screenMargin, 1) / sheet[0];
   const up = Math.max(height - 2 * screenMargin, 1) / sheet[1];
@@ -40,13 +45,13 @@ export function fitted(sheet: Point, {width, height}: ScreenSize): SheetView {
   return {centre: [sheet[0] / 2, sheet[1] / 2], scale};
 }
 
-/** The nearest view that is allowed: never far off the sheet, never too small or too large. */
+/** The nearest allowed view, whose centre is on the sheet. */
 function within(view: SheetView, sheet: Point): SheetView {
   const clamp = (value: number, limit: number): number => Math.min(Math.max(value, 0), limit);
   return {...view, centre: [clamp(view.centre[0], sheet[0]), clamp(view.centre[1], sheet[1])]};
 }
 
-/** Scaled by `factor` about the screen point `at`, which keeps its place on the sheet. */
+/** Scales the view by `factor` about the screen point `at`, which keeps its place on the sheet. */
 export function zoomed(
   view: SheetView,
   size: ScreenSize,
@@ -64,7 +69,7 @@ export function zoomed(
   return within({centre, scale}, sheet);
 }
 
-/** Moved so that the sheet follows a pointer by (dx, dy) on the screen. */
+/** Moves the view so that the sheet follows a pointer by (dx, dy) on the screen. */
 export function panned(view: SheetView, sheet: Point, dx: number, dy: number): SheetView {
   const {centre, scale} = view;
   return within({scale, centre: [centre[0] - dx / scale, centre[1] + dy / scale]}, sheet);

@@ -1,4 +1,4 @@
-/** What is said of the pieces on their cloth: loaded with what shows them, in all languages. */
+/** Texts of the fabric layout in all languages, loaded with its view. */
 import {cloth as de} from './cloth/de.js';
 import {cloth as en, type ClothTexts} from './cloth/en.js';
 import {cloth as es} from './cloth/es.js';
@@ -11,7 +11,7 @@ export type {ClothTexts} from './cloth/en.js';
 
 const tables: Readonly<Record<Language, ClothTexts>> = {en, de, fr, es, it};
 
-/** The words of a language, but for those that somebody gives themselves. */
+/** The texts of a language, with custom messages in their place. */
 export function clothTexts(language: Language, messages?: Messages): ClothTexts {
   const own = tables[language];
   return messages?.cloth ? withMessages({cloth: own}, {cloth: messages.cloth}).cloth : own;

@@ -1,4 +1,4 @@
-/** What is asked before pieces are cut: loaded with what asks it, in one language. */
+/** Texts of the cutting dialog in one language, loaded with the dialog. */
 import type {CutTexts} from './cut/en.js';
 import type {Language} from './preferences.js';
 

@@ -1,4 +1,4 @@
-/** Everything the page says, in German. */
+/** All texts of the page in German. */
 import {answer} from './de/answer.js';
 import {page} from './de/page.js';
 import {pattern} from './de/pattern.js';

@@ -1,4 +1,4 @@
-/** Everything the page says, in English. Functions take what is already formatted. */
+/** All texts of the page in English. Functions take formatted values. */
 import {answer} from './en/answer.js';
 import {page} from './en/page.js';
 import {pattern} from './en/pattern.js';

@@ -1,4 +1,4 @@
-/** Everything the page says, in Spanish. */
+/** All texts of the page in Spanish. */
 import {answer} from './es/answer.js';
 import {page} from './es/page.js';
 import {pattern} from './es/pattern.js';

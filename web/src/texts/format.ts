@@ -1,18 +1,18 @@
-/** Numbers as a person reads them. */
+/** Formats numbers for people. */
 import {formatLength, type Units} from '../model/units.js';
 import type {Language} from './preferences.js';
 
 export interface Format {
-  /** 41 cm, 16 1/8 in */
+  /** A length such as "41 cm" or "16 1/8 in". */
   length(cm: number): string;
-  /** 1.2 mm, 0.05 in */
+  /** A small length such as "1.2 mm" or "0.05 in". */
   fine(cm: number): string;
-  /** The number and the unit of length that it is squares of. */
+  /** An area as a number, and the unit of length to be squared. */
   area(cm2: number): {readonly value: string; readonly unit: string};
-  /** A share as percent, of which at least one digit is shown. */
+  /** A share as a percentage, with at least one digit. */
   percent(share: number): string;
   seconds(milliseconds: number): string;
-  /** A time of today, or a day. [ms since 1970] */
+  /** A time of today, or a date. [ms since 1970] */
   moment(time: number): string;
   number(value: number, digits?: number): string;
 }

@@ -1,4 +1,4 @@
-/** What is asked when a drawing is opened: loaded with what asks it, in one language. */
+/** Texts of the import dialog in one language, loaded with the dialog. */
 import type {ImportTexts} from './import/en.js';
 import type {Language} from './preferences.js';
 

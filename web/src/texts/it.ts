@@ -1,4 +1,4 @@
-/** Everything the page says, in Italian. */
+/** All texts of the page in Italian. */
 import {answer} from './it/answer.js';
 import {page} from './it/page.js';
 import {pattern} from './it/pattern.js';

@@ -1,4 +1,4 @@
-/** Words that whoever embeds the element gives in place of its own. */
+/** Custom messages of pages that embed the element. */
 import type {ClothTexts} from './cloth/en.js';
 import type {Texts} from './en.js';
 import type {SewTexts} from './sew/en.js';
@@ -13,12 +13,15 @@ type Some<T> = T extends (...given: never) => string
       ? T
       : {readonly [Name in keyof T]?: Some<T[Name]>};
 
-/** Any of the texts, by their names in `texts/en`, `texts/worn`, `texts/sew`, `texts/cloth` and `texts/photo`; a plain sentence may stand for one with figures in it. */
+/**
+ * Any of the texts, by their names in `texts/en`, `texts/worn`, `texts/sew`, `texts/cloth` and
+ * `texts/photo`. A plain sentence may replace one with figures.
+ */
 export type Messages = Some<
   Texts & {worn: WornTexts; sew: SewTexts; cloth: ClothTexts; photo: PhotoTexts}
 >;
 
-/** What is of another kind than the text in its place is left out. */
+/** Merges messages into the texts. Messages of another type than their text are ignored. */
 export const withMessages = <T>(texts: T, messages: Messages): T => merged(texts, messages) as T;
 
 function merged(own: unknown, given: unknown): unknown {

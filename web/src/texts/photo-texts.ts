@@ -1,4 +1,4 @@
-/** What is said of a print on a photograph: loaded with what shows it, in all languages. */
+/** Texts of the photo dialog in all languages, loaded with the dialog. */
 import {photo as de} from './photo/de.js';
 import {photo as en, type PhotoTexts} from './photo/en.js';
 import {photo as es} from './photo/es.js';
@@ -11,7 +11,7 @@ export type {PhotoTexts} from './photo/en.js';
 
 const tables: Readonly<Record<Language, PhotoTexts>> = {en, de, fr, es, it};
 
-/** The words of a language, but for those that somebody gives themselves. */
+/** The texts of a language, with custom messages in their place. */
 export function photoTexts(language: Language, messages?: Messages): PhotoTexts {
   const own = tables[language];
   return messages?.photo ? withMessages({photo: own}, {photo: messages.photo}).photo : own;

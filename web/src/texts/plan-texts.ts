@@ -1,4 +1,7 @@
-/** What stands on a lay plan: loaded with what draws it, in all languages. English is there already, for programs without a page. */
+/**
+ * Texts of a drawn layout in all languages, loaded with the drawing code. The English ones are in
+ * `marker/draw`, for programs without a page.
+ */
 import {planTexts as en, type PlanTexts} from '../marker/draw/plan-texts.js';
 import {plan as de} from './plan/de.js';
 import {plan as es} from './plan/es.js';

@@ -1,4 +1,4 @@
-/** How a person wants to be shown things; not part of any design. */
+/** Display preferences of a person, which are not part of any design. */
 import type {Units} from '../model/units.js';
 import type {MismatchScale} from '../scene/colours.js';
 import type {Messages} from './messages.js';
@@ -6,7 +6,7 @@ import type {Messages} from './messages.js';
 export const languages = ['en', 'de', 'fr', 'es', 'it'] as const;
 export type Language = (typeof languages)[number];
 
-/** What pieces have around them to be sewn by, where a pattern gives its edges no allowance of their own. [cm] */
+/** Allowances of edges without their own in the pattern. [cm] */
 export interface ChosenAllowances {
   readonly allowanceCm: number;
   readonly hemCm: number;
@@ -16,19 +16,19 @@ export interface Preferences {
   readonly units: Units;
   readonly language: Language;
   readonly theme: 'system' | 'light' | 'dark';
-  /** Solve after every change, without being asked. */
+  /** Solves after every change. */
   readonly solveAsIGo: boolean;
-  /** How mismatch is coloured. */
+  /** The colour scale of the mismatch. */
   readonly scale: MismatchScale;
-  /** Words to be used in place of the language's own. */
+  /** Custom messages in place of the language's own. */
   readonly messages?: Messages | undefined;
-  /** Those that are not as they are usual in the units. */
+  /** Allowances that differ from the usual ones of the units. */
   readonly allowances?: Partial<ChosenAllowances> | undefined;
-  /** What was said of the cloth that a print is on, by the print's name; the newest comes last. */
+  /** Fabric settings by the print's name; the newest comes last. */
   readonly cloths?: Readonly<Record<string, unknown>> | undefined;
 }
 
-/** What the browser says about its user. */
+/** Preferences from the browser's locale. */
 export function preferencesFor(locale: string): Preferences {
   const {language} = new Intl.Locale(locale);
   return {

@@ -1,4 +1,4 @@
-/** What the tool that sews says: loaded with it, in one language. */
+/** Texts of the sewing tool in one language, loaded with the tool. */
 import {withMessages, type Messages} from './messages.js';
 import {isTouched} from './pointer.js';
 import type {Language} from './preferences.js';
@@ -14,7 +14,10 @@ const loaders: Readonly<Record<Language, () => Promise<{readonly sew: SewTexts}>
   it: () => import('./sew/it.js'),
 };
 
-/** The words of a language, but for those that somebody gives themselves. @throws {Error} without network */
+/**
+ * Loads the texts of a language, with custom messages in their place.
+ * @throws {Error} without network
+ */
 export async function loadSewTexts(language: Language, messages?: Messages): Promise<SewTexts> {
   const {sew: own} = await loaders[language]();
   const sew = isTouched() ? withMessages({sew: own}, {sew: own.touch}).sew : own;

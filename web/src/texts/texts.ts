@@ -6,7 +6,7 @@ import {isTouched} from './pointer.js';
 export type {Texts} from './en.js';
 export type {Messages} from './messages.js';
 
-/** English is always there; every other language is loaded once it is chosen. */
+/** English is included; other languages are loaded when they are chosen. */
 const loaders: Readonly<Record<Exclude<Language, 'en'>, () => Promise<Texts>>> = {
   de: async () => (await import('./de.js')).de,
   fr: async () => (await import('./fr.js')).fr,
@@ -16,7 +16,7 @@ const loaders: Readonly<Record<Exclude<Language, 'en'>, () => Promise<Texts>>> =
 const tables = new Map<Language, Texts>([['en', en]]);
 const changed = new WeakMap<Messages, Map<Texts, Texts>>();
 
-/** One table with others' words in it, made once. */
+/** The texts merged with messages, cached. */
 function withThese(texts: Texts, messages: Messages | undefined): Texts {
   if (!messages) return texts;
   const known = changed.get(messages) ?? new Map<Texts, Texts>();
@@ -26,15 +26,18 @@ function withThese(texts: Texts, messages: Messages | undefined): Texts {
   return made;
 }
 
-/** The words of a language, English until they are loaded, but for those that somebody gives themselves. */
+/**
+ * The texts of a language with custom messages in their place; English until the language is
+ * loaded.
+ */
 export function textsOf(language: Language, messages?: Messages): Texts {
   const own = tables.get(language) ?? en;
   return withThese(isTouched() ? withThese(own, own.touch) : own, messages);
 }
 
 /**
- * Loads the words of a language, so that `textsOf` has them. Without network English stays.
- * @returns whether `textsOf` has other words than before
+ * Loads the texts of a language for `textsOf`. Without network, English stays.
+ * @returns whether the texts of `textsOf` changed
  */
 export async function loadTexts(language: Language): Promise<boolean> {
   if (language === 'en' || tables.has(language)) return false;

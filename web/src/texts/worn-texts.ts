@@ -1,4 +1,4 @@
-/** What is said of the garment as it is worn: loaded with what shows it, in all languages. */
+/** Texts of the drape in all languages, loaded with its view. */
 import {withMessages, type Messages} from './messages.js';
 import type {Language} from './preferences.js';
 import {worn as de} from './worn/de.js';
@@ -11,7 +11,7 @@ export type {WornTexts} from './worn/en.js';
 
 const wornTables: Readonly<Record<Language, WornTexts>> = {en, de, fr, es, it};
 
-/** The words of a language, but for those that somebody gives themselves. */
+/** The texts of a language, with custom messages in their place. */
 export function wornTexts(language: Language, messages?: Messages): WornTexts {
   const own = wornTables[language];
   return messages?.worn ? withMessages({worn: own}, {worn: messages.worn}).worn : own;

@@ -1,16 +1,16 @@
-/** A mistake of the person at the keyboard: one sentence, exit code 2. */
+/** An error of the user, described in one sentence; the exit code is 2. */
 export class UsageError extends Error {
   override readonly name = 'UsageError';
 }
 
-/** What a subcommand accepts: flags with a value, flags without, and its files in order. */
+/** Arguments of a subcommand: flags with a value, flags without, and files in order. */
 interface Grammar {
   readonly valued: readonly string[];
   readonly switches: readonly string[];
   readonly files: readonly string[];
-  /** Those of the flags with a value that may be given more than once. */
+  /** Flags with a value that may be repeated. */
   readonly repeated?: readonly string[];
-  /** Whether the last of its files may be followed by more of its kind. */
+  /** Allows further files of the kind of the last one. */
   readonly hasMore?: true;
 }
 
@@ -23,7 +23,10 @@ export interface Arguments {
   has(flag: string): boolean;
 }
 
-/** Reads `--flag value`, `--flag=value` and files. @throws {UsageError} naming what is wrong */
+/**
+ * Parses `--flag value`, `--flag=value` and files.
+ * @throws {UsageError} with the invalid argument
+ */
 export function parseArguments(words: readonly string[], grammar: Grammar): Arguments {
   const values = new Map<string, readonly string[]>();
   const files: string[] = [];
@@ -77,7 +80,10 @@ function readFlag(
   }
 }
 
-/** The flag's value, if it is one of `choices`. @throws {UsageError} */
+/**
+ * The flag's value, if it is one of `choices`.
+ * @throws {UsageError} for any other value
+ */
 export function choice<T extends string>(
   args: Arguments,
   flag: string,
@@ -92,7 +98,10 @@ export function choice<T extends string>(
   return found;
 }
 
-/** The flag's value as a whole number in a range. @throws {UsageError} */
+/**
+ * The flag's value as a whole number in a range.
+ * @throws {UsageError} for any other value
+ */
 export function wholeNumber(
   args: Arguments,
   flag: string,
@@ -108,7 +117,10 @@ export function wholeNumber(
   return Number(value);
 }
 
-/** The flag's value as a number in a range. @throws {UsageError} */
+/**
+ * The flag's value as a number in a range.
+ * @throws {UsageError} for any other value
+ */
 export function factor(
   args: Arguments,
   flag: string,
@@ -122,7 +134,10 @@ export function factor(
   return Number(value);
 }
 
-/** The flag's value as a length from 0 to `most`. [cm] @throws {UsageError} */
+/**
+ * The flag's value as a length from 0 to `most`. [cm]
+ * @throws {UsageError} for any other value
+ */
 export function lengthCm(args: Arguments, flag: string, most: number): number | undefined {
   const value = args.value(flag);
   if (value === undefined) return undefined;

@@ -4,8 +4,8 @@ import {FileError} from '../../model/versioned-file.js';
 import {addressFrom, calledAs, readAddress} from '../../node/addresses.js';
 
 /**
- * The picture of the print's cell as a GLB file holds it: its image, or where that is none, the raster that its colourway
- * names. @throws {FileError} where neither is PNG or JPEG: Node draws no SVG
+ * The image of the print's cell for a GLB file: the raster of its colourway, otherwise the image.
+ * @throws {FileError} if it is neither PNG nor JPEG, since Node does not render SVG
  */
 export async function readCell(print: Print, file: URL): Promise<CellPicture | undefined> {
   const {image, colourways = []} = print;

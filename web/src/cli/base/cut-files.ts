@@ -1,4 +1,4 @@
-/** Files to cut by, of an answer that was just solved. */
+/** Writes cutting sheets of a solved garment. */
 import {cutSheet, type CuttingMarks} from '../../cutting/lay-sheet.js';
 import {garmentTitle, panelMarks, type PanelDecisions} from '../../model/garment-marks.js';
 import type {Print} from '../../model/print.js';
@@ -8,33 +8,33 @@ import {readGarment} from '../../node/index.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
 import {fetchTile} from './print-files.js';
 
-/** What a maker chooses. Lengths in cm. */
+/** Settings of the cutting sheets. Lengths in cm. */
 export interface CutWish {
-  /** Of PDF. Default a4. */
+  /** Paper of a PDF. Default a4. */
   readonly paper?: string;
-  /** Default 1. */
+  /** Seam allowance. Default 1. */
   readonly allowance?: number;
-  /** Default: as the allowance. */
+  /** Hem allowance. Default: the seam allowance. */
   readonly hem?: number;
   /** Default full. */
   readonly ink?: 'full' | 'outline';
 }
 
-/** More than anybody sews with. [cm] */
+/** Greatest allowance, above any in use. [cm] */
 export const greatestAllowance = 10;
 const usualAllowance = 1;
 
-/** What is cut: an answer with what its garment's file and its design say. */
+/** A result with the data of its garment file and its design. */
 export interface CutAnswer {
   readonly result: SolveResult;
   readonly garment: {readonly text: string; readonly name: string; readonly size?: string};
   readonly print: Print;
-  /** Where the print's file lies, and what may be read there. */
+  /** Address of the print file, and limits for reading the files it refers to. */
   readonly address: URL;
   readonly limits?: ReadingLimits;
   readonly decisions?: PanelDecisions;
   readonly plain?: readonly string[];
-  /** Words across every page. */
+  /** Watermark on every page. */
   readonly mark?: string;
 }
 
@@ -48,8 +48,9 @@ async function marksOf({garment: {text, name, size}, decisions}: CutAnswer): Pro
 }
 
 /**
- * One file for each kind.
- * @throws {UsageError}, {FileError} where the print's picture cannot be read, or be drawn by nobody
+ * Writes one file of each kind.
+ * @throws {UsageError} if the print's image has an unsupported format
+ * @throws {FileError} if the print's image cannot be read or drawn
  */
 export async function cutFiles(
   answer: CutAnswer,

@@ -6,7 +6,10 @@ import {dirname, resolve} from 'node:path';
 import {fileError} from '../../node/files.js';
 import {UsageError} from './arguments.js';
 
-/** Two outputs in one file would leave the last. @throws {UsageError} */
+/**
+ * Checks that outputs have different paths, since they would overwrite each other.
+ * @throws {UsageError} for equal paths
+ */
 export function checkDistinct(outputs: Readonly<Record<string, string | undefined>>): void {
   const given = Object.entries(outputs).flatMap(([flag, path]) =>
     path === undefined ? [] : [{flag, at: resolve(path)}],
@@ -18,8 +21,8 @@ export function checkDistinct(outputs: Readonly<Record<string, string | undefine
 }
 
 /**
- * Finds out before a long solve that its result could not be written, or would be written over what is read.
- * @throws {UsageError}
+ * Checks before a long solve that an output can be written and overwrites no input.
+ * @throws {UsageError} if it cannot be written
  */
 export async function checkWritable(path: string, inputs: readonly string[] = []): Promise<void> {
   const same = inputs.find((input) => resolve(input) === resolve(path));
@@ -49,7 +52,10 @@ async function checkFolder(path: string): Promise<void> {
   }
 }
 
-/** Writes a file whole or not at all, even when the power fails. @throws {UsageError} naming the file and what is wrong */
+/**
+ * Writes a file atomically, safe even against power failure.
+ * @throws {UsageError} with the file and the reason
+ */
 export async function writeWhole(path: string, content: string | Uint8Array): Promise<void> {
   const existing = await stat(path).catch(() => null);
   try {

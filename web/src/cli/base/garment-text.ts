@@ -2,7 +2,10 @@ import {recognised} from '../../formats/recognise.js';
 import {FileError} from '../../model/versioned-file.js';
 import {readBytes, textOf} from '../../node/files.js';
 
-/** The bytes of a garment's file. @throws {FileError} for drawings, of which a garment is to be made first */
+/**
+ * The bytes of a garment file.
+ * @throws {FileError} for drawings, which have to be imported first
+ */
 export async function readGarmentBytes(path: string): Promise<Buffer> {
   const bytes = await readBytes(path);
   const kind = recognised(bytes);
@@ -13,6 +16,9 @@ export async function readGarmentBytes(path: string): Promise<Buffer> {
   );
 }
 
-/** @throws as `readGarmentBytes` */
+/**
+ * The text of a garment file.
+ * @throws {FileError} under the conditions of `readGarmentBytes`
+ */
 export const readGarmentText = async (path: string): Promise<string> =>
   textOf(await readGarmentBytes(path));

@@ -1,16 +1,16 @@
-/** How pieces are to lie on cloth, as people write it: on the command line, and in jobs. Lengths in cm. */
+/** Layout settings as written on the command line and in jobs. Lengths in cm. */
 import {markerLimits, type MarkerSettings} from '../../marker/settings.js';
 import {naps, type Nap} from '../../model/marker.js';
 import {fail, flag, number, oneOf, shape, wholeNumber, type Read} from '../../model/read.js';
 
-/** What a maker chooses; as usual, where it is left out. */
+/** Layout settings; missing ones have their defaults. */
 export interface LayWish {
-  /** Of the cloth, between its edges. */
+  /** Width of the fabric between its edges. */
   readonly width: number;
   readonly selvedge?: number;
-  /** From the left edge to an origin of the print; several are tried of `any`, which is usual. */
+  /** Distance from the left edge to an origin of the print; `any`, the default, tries several. */
   readonly phase?: number | 'any';
-  /** From the cut to an origin of the print. */
+  /** Distance from the cut to an origin of the print. */
   readonly start?: number;
   readonly gap?: number;
   readonly allowance?: number;
@@ -19,9 +19,9 @@ export interface LayWish {
   readonly plies?: number;
   readonly nap?: Nap;
   readonly shift?: (typeof shifts)[number];
-  /** Lengthwise, and cut through both plies. */
+  /** Folds the fabric lengthwise and cuts both plies at once. */
   readonly fold?: boolean;
-  /** Whatever the print. */
+  /** Ignores the print. */
   readonly free?: boolean;
   readonly effort?: number;
   readonly seed?: number;
@@ -29,7 +29,7 @@ export interface LayWish {
 
 export const shifts = ['kept', 'component'] as const;
 
-/** Those that are lengths, and those that are counted. */
+/** Names of the settings that are lengths, and of those that are counts. */
 export const layLengths = ['width', 'selvedge', 'start', 'gap', 'allowance', 'hem'] as const;
 export const layCounts = ['copies', 'plies', 'seed'] as const;
 
@@ -41,7 +41,7 @@ const limitsOf = {
   effort: markerLimits.effort,
 };
 
-/** What a length, a number or the effort may be. */
+/** The range of a length, a count or the effort. */
 export const layRange = (name: keyof typeof limitsOf): readonly [number, number] => limitsOf[name];
 
 const within = (name: keyof typeof limitsOf): Read<number> =>
@@ -66,7 +66,7 @@ export const layFields: Read<LayWish> = shape(
 
 const others = ['nap', 'shift', 'effort'] as const;
 
-/** The same, as pieces are laid by it. */
+/** Converts the settings to those of the marker. */
 export function laySettings(wish: LayWish): MarkerSettings {
   const {width, phase: place, free, fold} = wish;
   const given = <K extends keyof LayWish>(names: readonly K[], named: (name: K) => string) =>

@@ -7,7 +7,7 @@ import {addressFrom, readAddress, type ReadingLimits} from '../../node/addresses
 import {readBytes, textOf} from '../../node/files.js';
 import {UsageError} from './arguments.js';
 
-/** Kinds of image that every browser shows, by the file's extension. */
+/** Image types that every browser supports, by file extension. */
 export const imageTypes: Readonly<Record<string, string>> = {
   '.svg': 'image/svg+xml',
   '.png': 'image/png',
@@ -20,7 +20,10 @@ export const imageTypes: Readonly<Record<string, string>> = {
 
 const isOnWeb = (image: string): boolean => /^https?:/i.test(image);
 
-/** The bytes of a print file. Its picture, which often lies beside it, is named by mistake. @throws {UsageError} */
+/**
+ * The bytes of a print file. Detects the common mistake of naming the image beside it.
+ * @throws {UsageError} for an image file
+ */
 export async function readPrint(path: string): Promise<Uint8Array> {
   if (extname(path).toLowerCase() in imageTypes) {
     throw new UsageError(`${path} is a picture; name the print file, JSON with group, w1 and w2.`);
@@ -28,7 +31,10 @@ export async function readPrint(path: string): Promise<Uint8Array> {
   return readBytes(path);
 }
 
-/** The print in one of its colourways. @throws {UsageError} naming those there are */
+/**
+ * The print in one of its colourways.
+ * @throws {UsageError} with the known colourways
+ */
 export function inColourway(print: Print, name: string, path: string): Print {
   const {colourways = []} = print;
   const found = colourwayOf(print, name);
@@ -41,7 +47,10 @@ export function inColourway(print: Print, name: string, path: string): Print {
   );
 }
 
-/** The print's image as a picture takes it: SVG text, or a URL that holds all of its bytes. @throws {UsageError} */
+/**
+ * The print's image for drawing: SVG text, or a data URL.
+ * @throws {UsageError} for an unsupported format
+ */
 export async function readTile(print: Print, printFile: string): Promise<string | undefined> {
   const {image} = print;
   if (image === undefined || image.startsWith('data:')) return image;
@@ -50,7 +59,10 @@ export async function readTile(print: Print, printFile: string): Promise<string 
   return tileIn(path, path, readBytes);
 }
 
-/** The same for a print that lies at an address, from where its image is fetched. @throws {UsageError} */
+/**
+ * The image of a print at an address; the image's own address is relative to that.
+ * @throws {UsageError} for an unsupported format
+ */
 export async function fetchTile(
   {image}: Print,
   print: URL,
@@ -78,7 +90,7 @@ async function tileIn(
   return `data:${type};base64,${Buffer.from(bytes).toString('base64')}`;
 }
 
-/** The print's picture as a design holds it: with all of its bytes; none where there is no such file. */
+/** The print's image as a data URL, as in a design; undefined if the file is missing. */
 export async function readPicture(print: Print, printFile: string): Promise<string | undefined> {
   if (print.image === undefined || isOnWeb(print.image)) return undefined;
   try {
@@ -86,12 +98,16 @@ export async function readPicture(print: Print, printFile: string): Promise<stri
     if (tile === undefined) return undefined;
     return tile.startsWith('data:') ? tile : `data:image/svg+xml,${encodeURIComponent(tile)}`;
   } catch (error) {
-    if (error instanceof UsageError || error instanceof FileError) return undefined; // a solve needs no picture
+    // a solve needs no image
+    if (error instanceof UsageError || error instanceof FileError) return undefined;
     throw error;
   }
 }
 
-/** For pictures that Node does not draw: the one of pixels that the colourway names. @throws {FileError} */
+/**
+ * The raster of the colourway, for images that Node cannot render.
+ * @throws {FileError} if it cannot be read
+ */
 export async function readRaster(
   {image, colourways = []}: Print,
   printFile: string,

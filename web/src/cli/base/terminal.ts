@@ -6,7 +6,7 @@ const words = {
   deformation: 'Deforming',
 } as const;
 
-/** One line on standard error, drawn over and over; silent when that is no terminal. */
+/** A line on standard error that is redrawn in place; disabled if standard error is no terminal. */
 export class StatusLine {
   #shown = '';
 
@@ -22,19 +22,19 @@ export class StatusLine {
   }
 }
 
-/** How far a solve is. */
+/** Progress of a solve. */
 export class ProgressLine extends StatusLine {
   show({phase, fraction}: Progress): void {
     this.write(`${words[phase]}, ${String(Math.floor(100 * fraction))} %`);
   }
 }
 
-/** Remarks that are neither result nor error. */
+/** Prints a note, which is neither result nor error. */
 export function remark(sentence: string): void {
   process.stderr.write(`note: ${sentence}\n`);
 }
 
-/** What would help, beside the result. */
+/** Prints advice about the result. */
 export function advise(sentence: string): void {
   process.stderr.write(`${sentence}\n`);
 }

@@ -20,14 +20,14 @@ const grammar = {
 const workGrammar = {files: [], valued: grammar.valued, switches: ['--work']};
 
 const mostWorkers = 256;
-/** Far more than any garment needs, and less than a night is worth. [s] */
+/** Default time limit of a job, far above the need of any garment. [s] */
 const usualTimeout = 600;
-/** What timers can hold. [s] */
+/** Greatest delay of a timer. [s] */
 const greatestTimeout = 2_000_000;
-/** What a shell reports of a program that was interrupted. */
+/** Exit code of an interrupted program, by shell convention. */
 const interruptedCode = 130;
 
-/** `batch`: solves every job of a file, on all cores, and goes on where an earlier run was cut short. */
+/** `batch`: solves every job of a file on all cores, and resumes an interrupted run. */
 export async function batch(words: readonly string[]): Promise<void> {
   const isWork = words.includes('--work');
   const args = parseArguments(words, isWork ? workGrammar : grammar);
@@ -40,7 +40,7 @@ export async function batch(words: readonly string[]): Promise<void> {
   for (const name of ['SIGINT', 'SIGTERM'] as const) process.once(name, interrupt);
   const store = new Store(out);
   await (isWork ? work(args, store, interruption.signal) : lead(args, store, interruption.signal));
-  // not by itself: the connection to a server that is gone would be tried for ever
+  // an explicit exit, since the connection to a missing server retries forever
   if (interruption.signal.aborted) process.exit(interruptedCode);
 }
 
@@ -59,7 +59,7 @@ function timeoutOf(args: Arguments): number {
   );
 }
 
-/** Solves what others hand out, until it is interrupted. */
+/** Solves jobs from a queue until it is interrupted. */
 async function work(args: Arguments, store: Store, signal: AbortSignal): Promise<void> {
   const url = args.value('--queue');
   if (url === undefined) throw new UsageError('--work belongs to --queue, which is missing.');
@@ -77,7 +77,7 @@ async function work(args: Arguments, store: Store, signal: AbortSignal): Promise
   await worker.close();
 }
 
-/** Reads the jobs, and keeps the record. */
+/** Reads the jobs and keeps the record. */
 async function lead(args: Arguments, store: Store, signal: AbortSignal): Promise<void> {
   const [jobsFile = ''] = args.files;
   const count = workersOf(args);
@@ -117,7 +117,7 @@ async function lead(args: Arguments, store: Store, signal: AbortSignal): Promise
   else if (tally.failed > 0) process.exitCode = 1;
 }
 
-/** Looks whether results are still what they were when they were put on record. */
+/** Checks that results still match their recorded hash. */
 const checkIn =
   (store: Store) =>
   async (key: string, sha256: string): Promise<boolean> => {
@@ -127,7 +127,10 @@ const checkIn =
     return false;
   };
 
-/** @throws {UsageError}, {FileError} */
+/**
+ * @throws {UsageError} if the path is no file
+ * @throws {FileError} if it cannot be read
+ */
 async function checkJobs(path: string): Promise<void> {
   const found = await stat(path).catch((error: unknown) => {
     throw fileError(error, path, 'read');
@@ -135,7 +138,7 @@ async function checkJobs(path: string): Promise<void> {
   if (!found.isFile()) throw new UsageError(`${path} is no file; name a file with one job a line.`);
 }
 
-/** Threads of this process; or, with a queue, whoever takes jobs from it, threads of this process among them. */
+/** Threads of this process; with a queue, any of its workers, including threads of this process. */
 async function crewFor(
   url: string | undefined,
   store: Store,

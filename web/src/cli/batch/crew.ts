@@ -1,4 +1,4 @@
-/** Who works on the jobs of a batch: threads of this process. */
+/** Runs the jobs of a batch on threads of this process. */
 import {Piscina} from 'piscina';
 
 import type {KeyedJob} from './jobs.js';
@@ -7,15 +7,18 @@ import type {Answer, Task} from './solve-job.js';
 import type {Store} from './store.js';
 
 export interface Crew {
-  /** How many jobs may be handed over before the first of them has ended. */
+  /** Greatest number of jobs submitted before the first of them is done. */
   readonly atOnce: number;
-  /** @throws {Error} when the outcome cannot be put on disk: there is no use in going on */
+  /**
+   * Runs a job.
+   * @throws {Error} if the outcome cannot be written to disk, which ends the batch
+   */
   run(job: KeyedJob): Promise<Outcome>;
-  /** Ends it within about a second, whatever it is at; jobs at work are left undone. */
+  /** Stops within about a second, and leaves running jobs undone. */
   close(): Promise<void>;
 }
 
-/** Time for the jobs at work to end by themselves. [ms] */
+/** Time for running jobs to finish on close. [ms] */
 const farewell = 1000;
 
 export class Threads implements Crew {
@@ -23,14 +26,14 @@ export class Threads implements Crew {
   readonly #store: Store;
   readonly #timeout: number;
   readonly #pool: Piscina<Task, Answer>;
-  /** Jobs that wait for a thread: the time of a job begins when it has one. */
+  /** Jobs that wait for a thread. A job's time limit starts with its thread. */
   readonly #waiting: (() => void)[] = [];
   #free: number;
   #closing: Promise<void> | undefined;
 
   /**
-   * @param store where the results lie
-   * @param timeout a job that takes longer is ended, with its thread; 0 for none [s]
+   * @param store folder of the results
+   * @param timeout time limit of a job in seconds, after which its thread is ended; 0 for none
    */
   constructor(store: Store, threads: number, timeout: number) {
     this.#store = store;
@@ -42,7 +45,7 @@ export class Threads implements Crew {
       ...{minThreads: threads, maxThreads: threads},
       closeTimeout: farewell,
     });
-    this.#pool.on('error', () => undefined); // a job whose thread broke, or was not waited for, rejects by itself
+    this.#pool.on('error', () => undefined); // jobs of a broken thread reject on their own
   }
 
   async run(job: KeyedJob): Promise<Outcome> {
@@ -78,7 +81,7 @@ export class Threads implements Crew {
     return answer;
   }
 
-  /** A job that took too long has ended: no later run should lose its time with it unasked. */
+  /** Records a timeout as final, so that later runs do not repeat the job unless requested. */
   async #ended(job: KeyedJob, seconds: number): Promise<Outcome> {
     const message = `The job was not done within ${seconds} s; give it more with --job-timeout, and --retry-timeouts.`;
     const failure = {code: 'timeout', message, piece: null, seam: null} as const;

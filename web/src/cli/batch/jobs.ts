@@ -1,4 +1,4 @@
-/** Jobs as lines of a file: what is to be solved, and by which key its answer is known. */
+/** Jobs as lines of a file, and the key of a job's answer. */
 import {usualSeed, type Design} from '../../model/design.js';
 import {seed as seedField} from '../../model/design-reader.js';
 import {FileError} from '../../model/versioned-file.js';
@@ -24,27 +24,30 @@ import {paperOf} from '../../paper/papers.js';
 import {greatestAllowance, type CutWish} from '../base/cut-files.js';
 import {layFields, type LayWish} from '../base/lay-wish.js';
 
-/** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
+/** A garment in a print. Addresses are absolute; options and symmetries are unchanged. */
 export interface Job extends Omit<Design<string, string>, 'names' | 'fabric'> {
   readonly label: Label;
-  /** Whether to drape the result and to write it as GLB. */
+  /** Drapes the result and writes it as GLB. */
   readonly drape: boolean;
-  /** How to write the pieces of the result as PDF; null for not at all. */
+  /** Settings to write the cutting sheet as PDF; null for none. */
   readonly cut: CutWish | null;
-  /** How to lay the pieces of the result on cloth; null for not at all. */
+  /** Settings to lay the pieces out; null for no layout. */
   readonly marker: LayWish | null;
 }
 
-/** What a job is called; nothing in it but the files it names changes the answer. */
+/** The label of a job, which does not change its answer. */
 export interface Label {
   readonly name: string | null;
-  /** As the line has it. */
+  /** Unchanged from the line. */
   readonly garment: string;
   readonly print: string;
   readonly size: string | null;
 }
 
-/** A job with the sha256 of its files, and of all that its answer depends on: its key. */
+/**
+ * A job with the SHA-256 of its files, and its key: the SHA-256 of everything its answer depends
+ * on.
+ */
 export interface KeyedJob extends Job {
   readonly key: string;
   readonly garmentSha256: string;
@@ -60,7 +63,7 @@ const known = [
 const mark = '{size}';
 
 const word = text(/\S/, 'text');
-/** The core looks into it. */
+/** The core checks the content. */
 const object: Read<SolveOptions> = (value, at) =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
     ? value
@@ -93,8 +96,10 @@ const fields = shape(
 );
 
 /**
- * The jobs of a line: one, or every garment in every size and print that it lists, one after the other.
- * @param base what relative addresses count from @throws {Malformed}, {FileError}
+ * The jobs of a line: every listed garment in every size and print.
+ * @param base base of relative addresses
+ * @throws {Malformed} if the line is no job
+ * @throws {FileError} for an invalid address
  */
 export function* jobsOf(line: string, base: URL): Generator<Job> {
   let value: unknown;
@@ -147,7 +152,10 @@ function oneOrList(
   return all.length > 0 ? all : fail(name, 'given');
 }
 
-/** @throws {FileError} when a file cannot be read */
+/**
+ * A job with its key.
+ * @throws {FileError} if a file cannot be read
+ */
 export async function keyed(
   job: Job,
   sha256At: (address: string) => Promise<string>,
@@ -157,13 +165,13 @@ export async function keyed(
   return {...hashed, key: keyOf(hashed)};
 }
 
-/** What the answer of a job depends on, as one sha256. */
+/** The SHA-256 of everything a job's answer depends on. */
 function keyOf(job: Omit<KeyedJob, 'key'>): string {
   const {garmentSha256, printSha256, symmetry, method, options, seed, drape, cut, marker} = job;
   const content = sorted({
     ...{garment: garmentSha256, print: printSha256},
     ...{symmetry, method, options, seed, solver: packageVersion},
-    ...(drape && {drape}), // what is not draped keeps its key
+    ...(drape && {drape}), // an absent field keeps the key of jobs without a drape
     ...(cut && {cut}),
     ...(marker && {marker}),
   });
@@ -190,14 +198,17 @@ const keyedFields: Read<KeyedJob> = shape({
   },
 });
 
-/** A job as it came from a queue, where others may write, too. @throws {Malformed} unless its key is its own */
+/**
+ * A job from a queue, to which others can write.
+ * @throws {Malformed} if it is invalid or its key does not match
+ */
 export function checkedJob(value: unknown): KeyedJob {
   if (isTooDeep(value)) throw new Malformed('it is nested too deep');
   const job = keyedFields(value, '');
   return job.key === keyOf(job) ? job : fail('key', "the sha256 of the job's content");
 }
 
-/** With the fields of all objects in one order. */
+/** The value with sorted object keys. */
 function sorted(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(sorted);
   if (typeof value !== 'object' || value === null) return value;
@@ -205,7 +216,7 @@ function sorted(value: unknown): unknown {
   return Object.fromEntries(entries.map(([name, entry]) => [name, sorted(entry)]));
 }
 
-/** Why a line holds no job, as one sentence. */
+/** The reason why a line is no job, without its full stop. */
 export const complaintAbout = (error: unknown): string | undefined =>
   error instanceof Malformed || error instanceof FileError
     ? error.message.replace(/\.$/, '')

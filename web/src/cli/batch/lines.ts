@@ -1,21 +1,24 @@
-/** The lines of a file, of which only a part is in memory. */
+/** Reads a file line by line, with bounded memory. */
 import {createReadStream} from 'node:fs';
 
 import {fileError} from '../../node/files.js';
 
-/** More than a job with pins for every piece takes. [characters] */
+/** Greatest line length, above that of a job with pins for every piece. [characters] */
 const greatestLength = 1_000_000;
 
 interface Line {
-  /** From 1. */
+  /** Counted from 1. */
   readonly number: number;
-  /** Undefined when it is longer than lines are read. */
+  /** Undefined if the line is too long. */
   readonly text: string | undefined;
-  /** Whether a line break ends it. */
+  /** True if the line ends in a line break. */
   readonly isWhole: boolean;
 }
 
-/** @throws {FileError} */
+/**
+ * The lines of a file.
+ * @throws {FileError} if the file cannot be read
+ */
 export async function* linesOf(path: string): AsyncGenerator<Line> {
   let [number, rest, isTooLong] = [1, '', false];
   const end = (isWhole: boolean): Line => {

@@ -1,4 +1,4 @@
-/** Keeps two batches out of one folder. */
+/** Locks a folder against other batches. */
 import {randomUUID} from 'node:crypto';
 import {link, readFile, rename, rm, writeFile} from 'node:fs/promises';
 import {hostname} from 'node:os';
@@ -11,7 +11,11 @@ interface Owner {
   readonly process: number;
 }
 
-/** @returns what ends the exclusion @throws {UsageError} when another batch is at work there */
+/**
+ * Locks a folder.
+ * @returns a function that unlocks the folder
+ * @throws {UsageError} if another batch uses the folder
+ */
 export async function lockFolder(folder: string): Promise<() => Promise<void>> {
   const file = `${folder}/batch.lock`;
   const own = `${file}.${randomUUID()}`;
@@ -25,7 +29,7 @@ export async function lockFolder(folder: string): Promise<() => Promise<void>> {
   return () => rm(file, {force: true});
 }
 
-/** Puts the lock there, whole from the first moment; false where there is one. */
+/** Creates the lock atomically; returns false if there is one. */
 async function linked(own: string, file: string): Promise<boolean> {
   try {
     await link(own, file);
@@ -52,7 +56,7 @@ async function removeStale(file: string, folder: string): Promise<void> {
       );
     }
     await rename(file, aside);
-    // somebody else may have been faster and have put a lock of his own there
+    // another process may have replaced the stale lock by its own
     if ((await readFile(aside, 'utf8')) !== words) await linked(aside, file);
   } catch (error) {
     if (codeOf(error) !== 'ENOENT') throw error;
@@ -61,7 +65,7 @@ async function removeStale(file: string, folder: string): Promise<void> {
   }
 }
 
-/** Who wrote the lock; undefined when nobody can tell. */
+/** The owner of a lock; undefined if the lock is damaged. */
 function ownerIn(words: string): Owner | undefined {
   try {
     const owner: unknown = JSON.parse(words);
@@ -73,7 +77,10 @@ function ownerIn(words: string): Owner | undefined {
   }
 }
 
-/** On other machines, nobody can tell. In a container, an earlier life may have had the same number. */
+/**
+ * Owners on other hosts are assumed to run. In a restarted container, an ended process may have had
+ * this process's number.
+ */
 function isAtWork(owner: Owner): boolean {
   if (owner.host !== hostname()) return true;
   if (owner.process === process.pid) return false;

@@ -1,7 +1,7 @@
 import type {Failure, FailureCode} from '../../model/failure.js';
 import type {Metrics, SolveResult} from '../../model/result.js';
 
-/** The figures of a result that are the same in every run. */
+/** The reproducible figures of a result. */
 type Figures = Omit<Metrics, 'milliseconds'> & {readonly milliseconds?: undefined};
 
 export const figuresOf = ({metrics}: Pick<SolveResult, 'metrics'>): Figures => ({
@@ -10,16 +10,16 @@ export const figuresOf = ({metrics}: Pick<SolveResult, 'metrics'>): Figures => (
 });
 
 export interface JobFailure extends Omit<Failure, 'code'> {
-  /** `bad-line`: the line in the file of jobs holds none. */
+  /** `bad-line`: the line of the jobs file is no job. */
   readonly code: FailureCode | 'bad-line';
 }
 
-/** How a job ended. `milliseconds` are null when it is not known any more how long it took. */
+/** The outcome of a job. `milliseconds` is null if the time is no longer known. */
 export type Outcome =
   | {
       readonly status: 'done';
       readonly metrics: Figures;
-      /** Of the result's file. */
+      /** SHA-256 of the result file. */
       readonly sha256: string;
       readonly milliseconds: number | null;
     }
@@ -27,14 +27,14 @@ export type Outcome =
       readonly status: 'failed';
       readonly failure: JobFailure;
       readonly milliseconds: number | null;
-      /** The solver's last word: another try would end in the same way. */
+      /** True if another try would fail in the same way. */
       readonly isFinal: boolean;
     };
 
-/** What stands in the file of a job that failed for good. */
+/** The file content of a job that failed for good. */
 export const failureText = (failure: JobFailure): string => `${JSON.stringify(failure)}\n`;
 
-/** A failure that is none of the solver's, and that may not come again. */
+/** A failure outside the solver, which may not recur. */
 export const failedFor = (code: JobFailure['code'], message: string): Outcome => ({
   status: 'failed',
   failure: {code, message, piece: null, seam: null},

@@ -1,17 +1,20 @@
 import {StatusLine} from '../base/terminal.js';
 import {listedIn, type Tally} from './run.js';
 
-/** Often enough to be seen as moving. [ms] */
+/** Redraw interval. [ms] */
 const drawEvery = 100;
 
-/** How far a batch is, on standard error, when that is a terminal. */
+/** Progress of a batch on standard error, if that is a terminal. */
 export class BatchProgress extends StatusLine {
   readonly isShown = process.stderr.isTTY;
   readonly #started = performance.now();
   #jobs = 0;
   #drawn = 0;
 
-  /** Counts the jobs of a file. @throws {FileError} */
+  /**
+   * Counts the jobs of a file.
+   * @throws {FileError} if it cannot be read
+   */
   async expect(jobsFile: string): Promise<void> {
     const jobs = listedIn(jobsFile);
     while (!(await jobs.next()).done) this.#jobs += 1;
@@ -25,7 +28,10 @@ export class BatchProgress extends StatusLine {
   }
 }
 
-/** @param seconds since the run began */
+/**
+ * The text of the progress line.
+ * @param seconds time since the start of the run
+ */
 export function progressText(
   {done, failed, now}: Readonly<Tally>,
   jobs: number,

@@ -1,4 +1,4 @@
-/** The same jobs by way of Redis, so that several processes and machines work on one batch. */
+/** Distributes jobs over several processes and machines with Redis. */
 import {randomUUID} from 'node:crypto';
 import {link, readFile, rm, writeFile} from 'node:fs/promises';
 import {join} from 'node:path';
@@ -19,21 +19,24 @@ interface Packages {
   readonly Redis: typeof Redis;
 }
 
-/** A worker says every half of this that it is still at its job; one that was killed does not. [ms] */
+/** Lifetime of a job's lock, which its worker renews at half of it. [ms] */
 const patience = 5000;
-/** How often a job may lose its worker before it is to blame itself. */
+/** Number of lost workers after which a job fails. */
 const mostLosses = 10;
-/** How often the missed words of other workers are looked up on disk. [ms] */
+/** Interval of looking for outcomes on disk, for lost events. [ms] */
 const lookEvery = 5000;
 
-/** A queue of its own for each folder and version: nobody solves what belongs to another batch. */
+/** Queue of one folder and version, so that workers solve only the jobs of their batch. */
 interface QueuePlace {
   readonly packages: Packages;
   readonly url: string;
   readonly name: string;
 }
 
-/** @throws {UsageError} when the packages are missing, or no server answers */
+/**
+ * Connects to the queue of a folder.
+ * @throws {UsageError} if packages are missing or the server is unreachable
+ */
 export async function queueAt(url: string, store: Store): Promise<QueuePlace> {
   if (!/^rediss?:\/\//.test(url) || !URL.canParse(url)) {
     throw new UsageError(`--queue is '${url}', but must be redis://HOST:PORT[/DB].`);
@@ -78,7 +81,7 @@ async function checkServer({Redis: Client}: Packages, url: string): Promise<void
   }
 }
 
-/** What tells the folder from all others, on whichever machine and under whichever path. */
+/** An identifier of the folder, independent of machine and path. */
 async function idOf({folder}: Store): Promise<string> {
   const file = join(folder, 'queue-id');
   const draft = `${file}.${randomUUID()}`;
@@ -93,7 +96,7 @@ async function idOf({folder}: Store): Promise<string> {
   return readFile(file, 'utf8');
 }
 
-/** Takes jobs from a queue and lets threads solve them. */
+/** Takes jobs from a queue and solves them on threads. */
 export class QueueWorker {
   readonly #client: Redis;
   readonly #worker: Worker<KeyedJob, Outcome>;
@@ -106,7 +109,7 @@ export class QueueWorker {
     const solve = async ({data}: QueuedJob<KeyedJob, Outcome>) => {
       const outcome = await this.#outcome(data);
       if (!this.#isClosing || outcome.status === 'done' || outcome.isFinal) return outcome;
-      return new Promise<never>(() => undefined); // it was called off, and is left to others
+      return new Promise<never>(() => undefined); // another worker takes over the aborted job
     };
     this.#worker = new packages.bullmq.Worker<KeyedJob, Outcome>(name, solve, {
       connection: this.#client,
@@ -114,7 +117,7 @@ export class QueueWorker {
       ...{lockDuration: patience, stalledInterval: patience / 2, maxStalledCount: mostLosses},
       ...{removeOnComplete: {count: 0}, removeOnFail: {count: 0}},
     });
-    this.#worker.on('error', ignore); // the connection comes back, or the lock passes to another worker
+    this.#worker.on('error', ignore); // the client reconnects, or the lock passes to another worker
   }
 
   async #outcome(data: unknown): Promise<Outcome> {
@@ -129,20 +132,20 @@ export class QueueWorker {
     return this.#threads.run(job);
   }
 
-  /** Within about a second. What is left undone is taken up by others. */
+  /** Closes within about a second. Other workers take over unfinished jobs. */
   async close(): Promise<void> {
     this.#isClosing = true;
     await inTime(this.#worker.pause(true)); // takes no more jobs
     await this.#threads.close();
-    await sleep(50); // for the last words of those that have just ended
+    await sleep(50); // lets finished jobs report their outcome
     await inTime(this.#worker.close(true));
     this.#client.disconnect();
   }
 }
 
-/** Hands jobs to a queue, and hears of their ends. */
+/** Adds jobs to a queue and waits for their outcomes. */
 export class QueueCrew implements Crew {
-  /** Enough for many machines; the others stay in the file. */
+  /** Enough jobs for many machines; the rest stays in the file. */
   readonly atOnce = 1000;
   readonly #store: Store;
   readonly #clients: readonly Redis[];
@@ -176,7 +179,10 @@ export class QueueCrew implements Crew {
     this.#looking = setInterval(() => void this.#look().catch(ignore), lookEvery);
   }
 
-  /** @param worker of this process, which is closed with it */
+  /**
+   * Opens a queue for adding jobs.
+   * @param worker worker of this process, closed with the crew
+   */
   static async open(place: QueuePlace, store: Store, worker?: QueueWorker): Promise<QueueCrew> {
     const crew = new QueueCrew(place, store, worker);
     await crew.#events.waitUntilReady();
@@ -190,7 +196,7 @@ export class QueueCrew implements Crew {
     return end;
   }
 
-  /** A job that is in the queue already is not added again. */
+  /** Adds jobs; the queue ignores those it already contains. */
   async #add(jobs: readonly KeyedJob[]): Promise<void> {
     await this.#queue.addBulk(
       jobs.map((job) => ({name: 'solve', data: job, opts: {jobId: job.key}})),
@@ -203,7 +209,10 @@ export class QueueCrew implements Crew {
     pending?.settle(outcome);
   }
 
-  /** Words get lost with a connection, and jobs with a server that forgets; files do not. */
+  /**
+   * Polls the disk, since events are lost with a connection, and jobs with a server without
+   * persistence.
+   */
   async #look(): Promise<void> {
     if (this.#isLooking) return;
     this.#isLooking = true;
@@ -241,11 +250,11 @@ export class QueueCrew implements Crew {
 
 function connection({Redis: Client}: Packages, url: string): Redis {
   const client = new Client(url, {maxRetriesPerRequest: null});
-  client.on('error', ignore); // it tries again until it is disconnected
+  client.on('error', ignore); // the client retries until it is disconnected
   return client;
 }
 
-/** A farewell to a server that may not be there any more. */
+/** Limits the time to close a connection to a server that may be gone. */
 const inTime = (farewell: Promise<unknown>): Promise<unknown> =>
   Promise.race([farewell.catch(ignore), sleep(300)]);
 

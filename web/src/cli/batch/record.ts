@@ -1,4 +1,4 @@
-/** `done.ndjson`: one line for each job that has ended, in the order in which they did. */
+/** The record `done.ndjson`: one line per finished job, in order of completion. */
 import {createWriteStream} from 'node:fs';
 import {open, rename, rm, type FileHandle} from 'node:fs/promises';
 import {join} from 'node:path';
@@ -16,9 +16,9 @@ export class DoneRecord {
   readonly #store: Store;
   readonly #path: string;
   #file: FileHandle | undefined;
-  /** How many lines there are for each key under each label. */
+  /** Number of lines per key and label. */
   readonly #lines = new Map<string, number>();
-  /** The end of the last write. */
+  /** The last pending write. */
   #written: Promise<unknown> = Promise.resolve();
 
   constructor(store: Store) {
@@ -27,9 +27,10 @@ export class DoneRecord {
   }
 
   /**
-   * Keeps the lines of an earlier run whose jobs have ended. A line that a crash tore goes, and so does that
-   * of a job without a file, which is tried again. @throws {FileError}
-   * @param isSound asked of each job that has ended well, with the sha256 on record
+   * Keeps earlier lines whose jobs are done. Removes incomplete lines after a crash, and lines of
+   * jobs without a file, which are tried again.
+   * @param isSound checks each successful job against its recorded SHA-256
+   * @throws {FileError} if the record cannot be written
    */
   async open(
     ended: ReadonlyMap<string, Status>,
@@ -37,7 +38,7 @@ export class DoneRecord {
   ): Promise<void> {
     const draft = `${this.#path}.tmp`;
     try {
-      const earlier = await open(this.#path, 'a'); // so that there is one to read
+      const earlier = await open(this.#path, 'a'); // creates the file if it is missing
       await earlier.close();
       await pipeline(() => this.#kept(ended, isSound), createWriteStream(draft, {flush: true}));
       await rename(draft, this.#path);
@@ -69,7 +70,7 @@ export class DoneRecord {
     this.#lines.set(identity, (this.#lines.get(identity) ?? 0) + 1);
   }
 
-  /** Takes one earlier line for this job, if there is one; each is taken once. */
+  /** Consumes one earlier line of a job, if there is one. */
   take(key: string, label: Label): boolean {
     const identity = identityOf(key, label);
     const left = this.#lines.get(identity) ?? 0;
@@ -78,7 +79,10 @@ export class DoneRecord {
     return left > 0;
   }
 
-  /** @throws {FileError} */
+  /**
+   * Adds a finished job.
+   * @throws {FileError} if the record cannot be written
+   */
   add(key: string, label: Label, outcome: Outcome): Promise<void> {
     const {status, milliseconds} = outcome;
     const isFiled = status === 'done' || outcome.isFinal;
@@ -92,7 +96,10 @@ export class DoneRecord {
     });
   }
 
-  /** For a line that holds no job, or one whose files cannot be read. @throws {FileError} */
+  /**
+   * Adds a line that is no job, or a job with unreadable files.
+   * @throws {FileError} if the record cannot be written
+   */
   addFailed(line: number, label: Label | null, failure: JobFailure): Promise<void> {
     return this.#append({key: null, line, ...label, status: 'failed', failure, file: null});
   }
@@ -120,6 +127,6 @@ function parsed(text: string): unknown {
   }
 }
 
-/** Short, because there is one for every line. */
+/** Shortened, since there is one per line. */
 const identityOf = (key: string, {name, garment, print, size}: Label): string =>
   sha256Of(JSON.stringify([key, name, garment, print, size])).slice(0, 32);

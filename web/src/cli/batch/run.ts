@@ -1,4 +1,4 @@
-/** A batch: every job of a file, those in front while the ones behind them are not even read. */
+/** Runs a batch. The jobs file is read while the first jobs run. */
 import {stat} from 'node:fs/promises';
 import {basename, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
@@ -13,11 +13,11 @@ import type {Outcome} from './outcome.js';
 import type {DoneRecord} from './record.js';
 import type {Status, Store} from './store.js';
 
-/** How far a batch is. */
+/** Progress of a batch. */
 export interface Tally {
   done: number;
   failed: number;
-  /** Of both, those that this run put on record. */
+  /** The number of both that this run recorded. */
   now: number;
 }
 
@@ -26,18 +26,21 @@ interface Batch {
   readonly store: Store;
   readonly record: DoneRecord;
   readonly crew: Crew;
-  /** Ends the batch: no more jobs are begun. */
+  /** Aborts the batch; no further jobs start. */
   readonly signal: AbortSignal;
   readonly onTally: (tally: Readonly<Tally>) => void;
 }
 
 interface Listed {
-  /** Where in the file, from 1. */
+  /** Line number, from 1. */
   readonly line: number;
   readonly entry: Job | {readonly complaint: string};
 }
 
-/** The jobs of a file, and what is wrong where there is none. @throws {FileError} */
+/**
+ * The jobs of a file, and the errors of invalid lines.
+ * @throws {FileError} if the file cannot be read
+ */
 export async function* listedIn(jobsFile: string): AsyncGenerator<Listed> {
   const base = new URL('.', pathToFileURL(resolve(jobsFile)));
   for await (const {number: line, text} of linesOf(jobsFile)) {
@@ -60,7 +63,11 @@ export async function* listedIn(jobsFile: string): AsyncGenerator<Listed> {
   }
 }
 
-/** Runs what has not ended yet. @throws {FileError}; {Error} when a result cannot be put on disk */
+/**
+ * Runs all unfinished jobs.
+ * @throws {FileError} if files cannot be read or written
+ * @throws {Error} if a result cannot be written
+ */
 export async function runBatch(batch: Batch): Promise<Tally> {
   const run = new BatchRun(batch, await batch.store.ended());
   await run.all();
@@ -71,10 +78,10 @@ class BatchRun {
   readonly tally: Tally = {done: 0, failed: 0, now: 0};
   readonly #batch: Batch;
   readonly #ended: Map<string, Status>;
-  /** Jobs at work, by their key: the same job in another line waits for the one answer. */
+  /** Running jobs by key; equal jobs in other lines share their answer. */
   readonly #atWork = new Map<string, Promise<Outcome>>();
   readonly #hashes = new Map<string, Promise<string>>();
-  /** What makes it useless to go on. */
+  /** The error that ends the batch. */
   #broken: {readonly cause: unknown} | undefined;
 
   constructor(batch: Batch, ended: Map<string, Status>) {
@@ -118,7 +125,7 @@ class BatchRun {
       return;
     }
     const outcome = await this.#outcome(job);
-    if (signal.aborted && !this.#ended.has(job.key)) return; // it was called off
+    if (signal.aborted && !this.#ended.has(job.key)) return; // the job was aborted
     await record.add(job.key, job.label, outcome);
     this.#count(outcome.status, true);
   }

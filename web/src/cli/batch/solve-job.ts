@@ -1,4 +1,4 @@
-/** What each thread of a batch runs: one job after the other, with a solver's module of its own. */
+/** The task of a batch thread: solves one job at a time with its own instance of the solver. */
 import {problemFor} from '../../model/design-problem.js';
 import {drapeFile, drapeText} from '../../model/drape-file.js';
 import {SolverError} from '../../model/failure.js';
@@ -21,14 +21,14 @@ import {Store} from './store.js';
 
 export interface Task {
   readonly job: KeyedJob;
-  /** Where the results lie. */
+  /** Folder of the results. */
   readonly folder: string;
 }
 
-/** The outcome, once it is on disk; or why it could not be put there. */
+/** The outcome once it is written; or the reason why it could not be written. */
 export type Answer = Outcome | {readonly status: 'unwritten'; readonly reason: string};
 
-/** Solves a job that has not ended yet. */
+/** Solves a job that is not finished yet. */
 export default async function solveJob({job, folder}: Task): Promise<Answer> {
   const started = performance.now();
   const store = new Store(folder);
@@ -49,9 +49,9 @@ export default async function solveJob({job, folder}: Task): Promise<Answer> {
 
 interface Solved {
   readonly outcome: Outcome;
-  /** Of the file that makes it the job's end; undefined when it may end better another time. */
+  /** Text of the file that marks the job as finished; undefined if the failure may not recur. */
   readonly text?: string;
-  /** By the endings of their names: files that belong to it. */
+  /** Additional files by the ending of their names. */
   readonly beside?: Readonly<Record<string, string | Uint8Array>>;
 }
 
@@ -79,7 +79,10 @@ async function solved(job: KeyedJob): Promise<Solved> {
   }
 }
 
-/** @throws {SolverError} for what cannot be draped; {FileError} where the print's picture cannot be read */
+/**
+ * @throws {SolverError} if the garment cannot be draped
+ * @throws {FileError} if the print's image cannot be read
+ */
 async function draped(
   {label, print: address, options}: KeyedJob,
   printText: string,
@@ -97,7 +100,7 @@ async function draped(
   return {'.drape.json': drapeText(drapeFile(result, worn)), '.glb': scene};
 }
 
-/** @throws {FileError} where the print's picture cannot be read, or be drawn by nobody */
+/** @throws {FileError} if the print's image cannot be read or drawn */
 async function cut(
   {label, print: address, options}: KeyedJob,
   wish: CutWish,
@@ -115,7 +118,7 @@ async function cut(
   return {'.pdf': pdf};
 }
 
-/** @throws {SolverError} for what cannot be laid */
+/** @throws {SolverError} if the pieces cannot be laid out */
 async function laid(
   {label, options}: KeyedJob,
   wish: LayWish,
@@ -131,14 +134,14 @@ async function laid(
 }
 
 function refused({code, message, piece, seam}: SolverError): Solved {
-  // the machine's fault, not the garment's
+  // caused by the machine, not the garment
   if (code === 'internal' || code === 'no-wasm') return {outcome: failedFor(code, message)};
   const failure = {code, message, piece, seam};
   const outcome: Outcome = {status: 'failed', failure, milliseconds: null, isFinal: true};
   return {outcome, text: failureText(failure)};
 }
 
-/** Files that were read last, by their sha256: jobs come garment by garment, and print by print. */
+/** The most recent files by SHA-256, since consecutive jobs share garments and prints. */
 const recent = new Map<string, string>();
 const mostRecent = 8;
 

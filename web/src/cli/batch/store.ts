@@ -1,7 +1,4 @@
-/**
- * What has been found so far: one file for each job that has ended, by its key. These files are the truth
- * about a batch; everything else follows from them.
- */
+/** Stores one file per finished job, by its key. These files alone define the state of a batch. */
 import {mkdir, readdir, readFile, rm, stat} from 'node:fs/promises';
 import {join} from 'node:path';
 
@@ -27,18 +24,22 @@ function parsed(text: string | undefined): unknown {
   }
 }
 
-/** A draft older than this was left behind by a process that was killed. [ms] */
+/** Age of drafts that a killed process left behind. [ms] */
 const greatestDraftAge = 60_000;
 
 export class Store {
-  /** Without a slash at its end. */
+  /** Without a trailing slash. */
   readonly folder: string;
 
   constructor(folder: string) {
     this.folder = folder.replace(/(?<=.)\/+$/, '');
   }
 
-  /** @throws {FileError}, {UsageError} when the folder cannot be used */
+  /**
+   * Creates the folders if they are missing.
+   * @throws {FileError} if the folder cannot be written
+   * @throws {UsageError} if it is a file
+   */
   async open(): Promise<void> {
     const existing = await stat(this.folder).catch(() => null);
     if (existing && !existing.isDirectory()) {
@@ -53,13 +54,13 @@ export class Store {
     }
   }
 
-  /** Where the file of a job lies, counted from the folder. */
+  /** The path of a job's file, relative to the folder. */
   fileOf(key: string, status: Status): string {
-    if (!isKey(key)) throw new Error(`'${key}' is no key of a job.`); // nor part of a path
+    if (!isKey(key)) throw new Error(`'${key}' is no key of a job.`); // also excludes other paths
     return `${kinds[status]}/${key}.json`;
   }
 
-  /** Every job that has ended. An empty file, as some broken disks leave them, is no end. */
+  /** All finished jobs. Empty files, which some broken disks leave, do not count. */
   async ended(): Promise<Map<string, Status>> {
     const found = new Map<string, Status>();
     for (const status of ['failed', 'done'] as const) {
@@ -84,7 +85,7 @@ export class Store {
     return (await stat(join(this.folder, this.fileOf(key, status)))).size;
   }
 
-  /** Lets jobs be tried again that took too long. */
+  /** Removes the outcomes of jobs that timed out, so that they run again. */
   async forgetTimeouts(): Promise<void> {
     for (const key of await this.#keys('failed')) {
       const outcome = await this.outcome(key);
@@ -94,7 +95,9 @@ export class Store {
     }
   }
 
-  /** Whether the result of a job is what it was; if not, it goes, and the job is solved again. */
+  /**
+   * Returns whether a result matches its hash. Removes it otherwise, so that the job runs again.
+   */
   async check(key: string, sha256: string): Promise<boolean> {
     const result = await this.#read(key, 'done');
     if (result !== undefined && sha256Of(result) === sha256) return true;
@@ -102,7 +105,10 @@ export class Store {
     return false;
   }
 
-  /** How a job ended; undefined when it has not, or when its file is damaged: it is solved again then. */
+  /**
+   * The outcome of a job; undefined if it is unfinished or its file is damaged, so that it runs
+   * again.
+   */
   async outcome(key: string): Promise<Outcome | undefined> {
     const text = await this.#read(key, 'done');
     const result = parsed(text);
@@ -127,18 +133,27 @@ export class Store {
     }
   }
 
-  /** Whole or not at all. @throws {FileError} */
+  /**
+   * Writes a file atomically.
+   * @throws {FileError} if it cannot be written
+   */
   write(key: string, status: Status, text: string): Promise<void> {
     return writeWhole(join(this.folder, this.fileOf(key, status)), text);
   }
 
-  /** What is written beside the result of a job, before that: whole or not at all. @throws {FileError} */
+  /**
+   * Atomically writes a file beside a job's result, before the result itself.
+   * @throws {FileError} if it cannot be written
+   */
   writeBeside(key: string, ending: string, content: string | Uint8Array): Promise<void> {
     const result = this.fileOf(key, 'done');
     return writeWhole(join(this.folder, result.replace(/\.json$/, ending)), content);
   }
 
-  /** Removes the drafts of processes that were killed. @param shared with others, whose drafts are younger */
+  /**
+   * Removes the drafts of killed processes.
+   * @param shared keeps recent drafts, which may belong to other processes
+   */
   async sweep(shared: boolean): Promise<void> {
     for (const kind of Object.values(kinds)) {
       for (const name of await readdir(join(this.folder, kind))) {

@@ -1,17 +1,20 @@
-/** Records of DXF R12, in millimetres to two thousandths: pairs of a group code and a value, a line each. */
+/**
+ * Records of DXF R12 in millimetres: pairs of a group code and a value, one line each. Coordinates
+ * have four decimal places.
+ */
 import type {Point} from '../../model/geometry.js';
 
-/** Lines end as those of programs that cut do. */
+/** Line ending of CAD programs. */
 const lineEnd = '\r\n';
-/** Of words that nobody draws at a size of their own. [mm] */
+/** Height of text, which readers ignore. [mm] */
 const textHeight = 5;
 
 export type Pair = readonly [code: number, value: string | number];
 
-/** From centimetres, without a digit that does not count. */
+/** Converts centimetres to millimetres without redundant digits. */
 const mm = (cm: number): string => String(Number((10 * cm).toFixed(4)) + 0);
 
-/** What 7 bits hold: letters without their accents, and a question mark for what has no such letter. */
+/** The text in 7-bit ASCII: letters without accents, and a question mark for all others. */
 export function plainText(text: string): string {
   const written: Readonly<Record<string, string>> = {
     ß: 'ss',
@@ -41,7 +44,10 @@ const at = ([x, y]: Point): readonly Pair[] => [
   [20, mm(y)],
 ];
 
-/** @param more such as a notch's depth and angle */
+/**
+ * A point.
+ * @param more further pairs, such as a notch's depth and angle
+ */
 export const point = (layer: number, p: Point, more: readonly Pair[] = []): readonly Pair[] => [
   [0, 'POINT'],
   [8, layer],
@@ -99,7 +105,7 @@ export const insert = (name: string): readonly Pair[] => [
   ...at([0, 0]),
 ];
 
-/** A whole file without tables, which some readers refuse. */
+/** A whole file, without tables, since some readers reject them. */
 export function dxfFile(blocks: readonly Pair[], entities: readonly Pair[]): string {
   const section = (name: string, pairs: readonly Pair[]): readonly Pair[] => [
     [0, 'SECTION'],

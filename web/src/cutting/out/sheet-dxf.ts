@@ -1,6 +1,6 @@
 /**
- * Pieces to cut as AAMA DXF: syntax of R12, a block per piece, metric. The layers are those of ANSI/AAMA-292 and ASTM
- * D6673. Units METRIC are millimetres.
+ * Writes a cutting sheet as AAMA DXF: R12 syntax, one block per piece, metric. Layers follow
+ * ANSI/AAMA-292 and ASTM D6673. The units METRIC are millimetres.
  */
 import {
   degrees,
@@ -38,27 +38,30 @@ export const layers = {
   drill: 13,
   sew: 14,
   words: 15,
-  /** The first of the copies by which readers check 1, 8, 11 and 14. */
+  /** The first of the quality-validation copies of layers 1, 8, 11 and 14. */
   copy: 84,
 } as const;
 
 export interface DxfOptions {
-  /** The sewn line is the boundary, on layer 1, and what is cut follows on 14, as CLO expects it. Default false. */
+  /**
+   * Writes the sewn line as the boundary on layer 1 and the cut line on layer 14, as CLO expects.
+   * Default false.
+   */
   readonly sewAsBoundary?: boolean;
-  /** On which the file is made. */
+  /** Creation date of the file. */
   readonly date?: Date;
 }
 
-/** Lines that turn by more have a corner there. [rad] */
+/** Least turn of a corner. [rad] */
 const cornerTurn = 0.35;
-/** Points that are one. [cm] */
+/** Points closer than this are equal. [cm] */
 const same = 1e-3;
-/** Of an internal line that stands for a tick. [cm] */
+/** Half the length of an internal line that represents a tick. [cm] */
 const tickReach = 0.4;
-/** Names of blocks are cut here by some readers. */
+/** Greatest length of block names in some readers. */
 const longestName = 31;
 
-/** Corners of a line are turn points, all others lie on curves. */
+/** Corners of a line are turn points; all other points are curve points. */
 function pointsOf(loop: readonly Point[], corners: readonly Point[]): readonly Pair[] {
   return loop.flatMap((p, k) => {
     const [before = p, after = p] = [loop.at(k - 1), loop[(k + 1) % loop.length]];
@@ -69,7 +72,7 @@ function pointsOf(loop: readonly Point[], corners: readonly Point[]): readonly P
   });
 }
 
-/** Whether the line that is cut is another one than the line that is sewn. */
+/** Returns whether the cut line differs from the sewn line. */
 const hasAllowance = ({cut, sewn}: LaidPiece): boolean =>
   cut.length !== sewn.length ||
   cut.some((loop, k) => {
@@ -77,7 +80,7 @@ const hasAllowance = ({cut, sewn}: LaidPiece): boolean =>
     return loop.length !== other.length || loop.some((p, n) => distance(p, other[n] ?? p) > 0);
   });
 
-/** The boundary, copied for whoever checks it; the other line; cut-outs. */
+/** The boundary with its validation copy, the other line, and cut-outs. */
 function outlines(piece: LaidPiece, {sewAsBoundary = false}: DxfOptions): readonly Pair[] {
   const {cut, sewn, corners} = piece;
   const [boundary, other] = sewAsBoundary ? [sewn, cut] : [cut, sewn];
@@ -92,7 +95,7 @@ function outlines(piece: LaidPiece, {sewAsBoundary = false}: DxfOptions): readon
   ];
 }
 
-/** On the boundary: how deep, how wide, and which way into the piece. */
+/** Notches on the boundary, with depth, width and direction into the piece. */
 function notches(piece: LaidPiece, {sewAsBoundary = false}: DxfOptions): readonly Pair[] {
   return piece.notches.flatMap(({at, angle, allowanceCm, depthCm}) =>
     point(layers.notch, sewAsBoundary ? at : plus(at, towards(angle), allowanceCm), [
@@ -122,7 +125,7 @@ function inside(piece: LaidPiece): readonly Pair[] {
   ];
 }
 
-/** Numbered. */
+/** Numbered crosses. */
 export const crosses = (points: LaidPiece['matchPoints']): readonly Pair[] =>
   points.flatMap(({at, number}) => [
     ...[0, Math.PI / 2].flatMap((angle) =>
@@ -150,7 +153,7 @@ function words(piece: LaidPiece, name: string, {size}: CutSheet): readonly Pair[
   ];
 }
 
-/** Readable, in 7 bits, and each once, however it is capitalised. */
+/** Unique readable names in 7-bit ASCII, regardless of case. */
 export function namesOf(pieces: readonly Pick<LaidPiece, 'name'>[]): readonly string[] {
   const taken = new Set<string>();
   return pieces.map(({name}, k) => {
@@ -166,7 +169,7 @@ export function namesOf(pieces: readonly Pick<LaidPiece, 'name'>[]): readonly st
   });
 }
 
-/** Of letters that every reader takes. */
+/** A block name of characters that every reader supports. */
 export const blockName = (name: string): string => name.replace(/[^\w-]+/g, '_');
 
 const twoDigits = (value: number): string => String(value).padStart(2, '0');
@@ -182,7 +185,7 @@ function style(sheet: CutSheet, {date}: DxfOptions): readonly string[] {
   ];
 }
 
-/** The text of a DXF file of 7 bits. */
+/** The text of a DXF file in 7-bit ASCII. */
 export function sheetDxf(sheet: CutSheet, options: DxfOptions = {}): string {
   const names = namesOf(sheet.pieces);
   const blocks = sheet.pieces.flatMap((piece, k) => {

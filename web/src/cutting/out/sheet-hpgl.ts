@@ -1,10 +1,10 @@
-/** Pieces to cut for plotters and cutters: HP-GL, whose unit is a fortieth of a millimetre. */
+/** Writes a cutting sheet for plotters and cutters in HP-GL, whose unit is 1/40 mm. */
 import type {Point} from '../../model/geometry.js';
 import type {CutSheet} from '../cut-sheet.js';
 
-/** Per centimetre. */
+/** Units per centimetre. */
 const units = 400;
-/** What is cut, and what is drawn on the way, each with a pen of its own. */
+/** Separate pens for cutting and drawing. */
 const cutPen = 1;
 const drawPen = 2;
 
@@ -16,7 +16,7 @@ function stroke(points: readonly Point[], isClosed: boolean): string {
   return `PU;PA${place(first)};PD;${others.map((p) => `PA${place(p)};`).join('')}PU;`;
 }
 
-/** Marks are drawn with pen 2 before pen 1 cuts, as what is cut out no longer lies still. */
+/** The HP-GL text. Pen 2 draws all marks before pen 1 cuts, since cut pieces may shift. */
 export function sheetHpgl({pieces}: CutSheet): string {
   const drawn = pieces.flatMap(({marks}) =>
     marks.flatMap((mark) =>

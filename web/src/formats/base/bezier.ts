@@ -1,4 +1,4 @@
-/** Bezier curves of drawings, one or a chain of them. Lengths in the unit of the file. */
+/** Cubic Bezier curves and chains of them. Lengths in the unit of the file. */
 import type {Run} from '../../model/drawing.js';
 import {between, cross, dot, middle, minus, norm, plus, type Point} from '../../model/geometry.js';
 
@@ -29,7 +29,7 @@ export const reversed = (run: Run): Run => ({
     .reverse(),
 });
 
-/** A closed line the other way round, from the same start. */
+/** A closed line in the opposite direction, from the same start. */
 export const reversedLoop = (loop: readonly Run[]): Run[] => loop.map(reversed).reverse();
 
 const pointAt = ([a, b, c, d]: Cubic, t: number): Point => {
@@ -38,7 +38,7 @@ const pointAt = ([a, b, c, d]: Cubic, t: number): Point => {
   return [p * a[0] + q * b[0] + r * c[0] + s * d[0], p * a[1] + q * b[1] + r * c[1] + s * d[1]];
 };
 
-/** Whether a curve is the line between its ends, to within a distance. */
+/** Returns whether a curve is straight within a tolerance. */
 export const isStraight = ([start, first, second, end]: Cubic, tolerance: number): boolean => {
   const way = minus(end, start);
   const length = norm(way);
@@ -53,11 +53,14 @@ export const isStraight = ([start, first, second, end]: Cubic, tolerance: number
   });
 };
 
-/** Whether a whole run is the line between its ends, to within a distance. */
+/** Returns whether a whole run is straight within a tolerance. */
 export const isLine = (run: Run, tolerance: number): boolean =>
   run.cubics.flat().every((point) => isStraight([run.start, point, point, endOf(run)], tolerance));
 
-/** Points along a curve but its start, so close that the lines between them miss it by no more than a distance. */
+/**
+ * Points along a curve without its start; the lines between them are within a tolerance of the
+ * curve.
+ */
 function traced(cubic: Cubic, tolerance: number): Point[] {
   const [a, b, c, d] = cubic;
   const bend = Math.max(norm(plus(minus(a, b), minus(c, b))), norm(plus(minus(b, c), minus(d, c))));
@@ -67,13 +70,13 @@ function traced(cubic: Cubic, tolerance: number): Point[] {
   );
 }
 
-/** A run as points, from its start to its end. */
+/** Points along a run, from start to end. */
 export const tracedRun = (run: Run, tolerance: number): Point[] => [
   run.start,
   ...cubicsOf(run).flatMap((cubic) => traced(cubic, tolerance)),
 ];
 
-/** A closed line as points, none of them twice. */
+/** Points along a closed line, without repeating the first. */
 export const tracedLoop = (loop: readonly Run[], tolerance: number): Point[] =>
   loop.flatMap((run) => tracedRun(run, tolerance).slice(0, -1));
 

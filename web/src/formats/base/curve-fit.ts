@@ -1,4 +1,4 @@
-/** Few curves through many points. */
+/** Fits a chain of few cubics through many points. */
 import {
   between,
   distance,
@@ -9,25 +9,30 @@ import {
 } from '../../model/geometry.js';
 import {straight, type CubicFrom} from './bezier.js';
 
-/** How often a curve is fitted anew to points that have moved along it to where it is nearest. */
+/**
+ * Greatest number of fitting rounds, each with the points reassigned to their nearest parameters.
+ */
 const rounds = 24;
 
-/** How often it is fitted once it is good enough. */
+/** Number of further rounds once a fit is within tolerance. */
 const polish = 4;
 
-/** Who is not this near after some rounds, in tolerances, will not get there. */
+/** A fit is abandoned if it is off by more than `times` tolerances after `after` rounds. */
 const hopeless = {after: 8, times: 8};
 
-/** How far a curve may bow out between points, in tolerances: where they lie wider apart, lines are meant. */
+/**
+ * Greatest bow of a curve between points, in tolerances; wider gaps between points represent
+ * straight lines.
+ */
 const mostBow = 3;
 
-/** A step this much longer than most is drawn straight, and has points put on it. */
+/** A segment longer than the usual one by this factor is straight, and gets intermediate points. */
 const longStep = 3;
 const mostParts = 64;
 
 /**
- * A chain of curves along a line through points, which it misses by no more than `tolerance` at any of them. Ends are
- * kept; corners have to be ends of lines already.
+ * A chain of curves through points, with a deviation of at most `tolerance` at each of them. The
+ * ends are kept; corners have to be ends of lines already.
  * @param points at least two, in the unit of the tolerance
  */
 export function pathThrough(points: readonly Point[], tolerance: number): CubicFrom[] {
@@ -46,11 +51,11 @@ export function pathThrough(points: readonly Point[], tolerance: number): CubicF
   return fitted({xs, ys, bows}, tolerance);
 }
 
-/** Columns, as curves are fitted to thousands of points. */
+/** Points as columns, since curves are fitted to thousands of points. */
 interface Columns {
   readonly xs: Float64Array;
   readonly ys: Float64Array;
-  /** How far the curve may bow out of the line that leads to each point: twice as far as an arc would. */
+  /** Greatest bow of the curve from the line to each point: twice that of an arc. */
   readonly bows: Float64Array;
 }
 
@@ -69,7 +74,7 @@ function fitted(points: Columns, tolerance: number): CubicFrom[] {
   return [...fitted(part(0, at), tolerance), ...fitted(part(at, last), tolerance)];
 }
 
-/** A curve knows nothing of the points between those that it is fitted to, and would swing there. */
+/** Adds points to long straight segments, since a fitted curve could swing between its points. */
 function withStraightSteps(points: readonly Point[]): readonly Point[] {
   const lengths = points.slice(1).map((to, k) => distance(points[k] ?? to, to));
   const usual = [...lengths].sort((a, b) => a - b)[Math.floor(lengths.length / 2)] ?? 0;
@@ -83,15 +88,15 @@ function withStraightSteps(points: readonly Point[]): readonly Point[] {
   });
 }
 
-/** A curve by its control points, and what it misses. */
+/** The control points of a curve and its deviation. */
 interface Fit {
   readonly cubic: CubicFrom;
   readonly off: number;
-  /** The number of the point that is missed most, none of the ends. */
+  /** The index of the point with the largest deviation, excluding the ends. */
   readonly at: number;
 }
 
-/** The best curve between the first point and the last, or one that is good enough. */
+/** The best curve from the first to the last point, or one within tolerance. */
 function oneCurve(points: Columns, tolerance: number): Fit {
   const last = points.xs.length - 1;
   const [start, end] = [pointOf(points, 0), pointOf(points, last)];
@@ -101,12 +106,13 @@ function oneCurve(points: Columns, tolerance: number): Fit {
   let best = fitOf(points, at, controls);
   let more = best.off > tolerance ? rounds : 0;
   for (let round = 0; round < more; round++) {
-    // by distances from the points at first, then from the curve's tangents, along which they may slip
+    // minimises distances from the points first, then from the tangents, along which points may
+    // slide
     if (!improve(points, at, controls, round === 0)) break;
     moveAlong(points, at, controls);
     moveAlong(points, at, controls);
     const fit = fitOf(points, at, controls);
-    // what is good enough is made as good as it gets: the same curve in another unit is to be the same
+    // a fit within tolerance is refined further, so that it does not depend on the unit
     if (fit.off <= tolerance) more = Math.min(more, round + 1 + polish);
     if (fit.off < best.off) best = fit;
     if (round >= hopeless.after && best.off > hopeless.times * tolerance) break;
@@ -114,7 +120,7 @@ function oneCurve(points: Columns, tolerance: number): Fit {
   return best;
 }
 
-/** How far along each point lies, as a share of the whole way. */
+/** The position of each point as a share of the whole length. */
 function shares({xs, ys}: Columns): Float64Array {
   const at = new Float64Array(xs.length);
   for (let k = 1; k < at.length; k++) {
@@ -164,7 +170,7 @@ function fitOf(points: Columns, at: Float64Array, controls: Float64Array): Fit {
   return {cubic, off, at: number};
 }
 
-/** How far the curve swings out of the line that leads to a point, beyond what it may. */
+/** Distance by which the curve exceeds its allowed bow from the line to a point. */
 function swingTo(
   {xs, ys, bows}: Columns,
   at: Float64Array,
@@ -180,7 +186,7 @@ function swingTo(
   return distance(p, between(from, to, nearestShare(from, to, p))) - (bows[k] ?? 0);
 }
 
-/** A step of Newton's method for each point towards the parameter at which the curve is nearest to it. */
+/** One Newton step for each point towards the parameter nearest to it. */
 function moveAlong({xs, ys}: Columns, at: Float64Array, controls: Float64Array): void {
   for (let k = 1; k + 1 < at.length; k++) {
     const t = at[k] ?? 0;
@@ -193,14 +199,17 @@ function moveAlong({xs, ys}: Columns, at: Float64Array, controls: Float64Array):
   }
 }
 
-/** Least squares in the four coordinates of both inner controls. @returns whether there was something to gain */
+/**
+ * Least squares for the four coordinates of both inner control points.
+ * @returns whether the system could be solved
+ */
 function improve(
   {xs, ys}: Columns,
   at: Float64Array,
   controls: Float64Array,
   isByPoints: boolean,
 ): boolean {
-  const rows = new Float64Array(20); // of the normal equations, four, each with its right side
+  const rows = new Float64Array(20); // four rows of the normal equations, each with its right side
   const add = (row: readonly [number, number, number, number], side: number): void => {
     row.forEach((value, i) => {
       row.forEach((other, j) => (rows[5 * i + j] = (rows[5 * i + j] ?? 0) + value * other));
@@ -228,10 +237,13 @@ function improve(
   return step !== undefined;
 }
 
-/** How much of the diagonal is added to it: along a straight line controls may lie anywhere. */
+/**
+ * Share of the trace added to the diagonal: along a straight line, the control points are
+ * undetermined.
+ */
 const damping = 1e-7;
 
-/** Gauss's elimination, of a matrix that is positive once it is damped. */
+/** Gaussian elimination for a matrix that damping makes positive definite. */
 function solved(rows: Float64Array): number[] | undefined {
   const get = (i: number, j: number): number => rows[5 * i + j] ?? 0;
   const trace = get(0, 0) + get(1, 1) + get(2, 2) + get(3, 3);

@@ -1,4 +1,4 @@
-/** The text of a file in the encoding that its first bytes give, and UTF-8 without. */
+/** Decodes a text by its byte order mark, or as UTF-8 without one. */
 export function decoded(bytes: Uint8Array): string {
   const [first, second] = bytes;
   const encoding =

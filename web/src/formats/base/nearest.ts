@@ -1,10 +1,10 @@
-/** Where a line comes nearest to a point. */
+/** The point of a line that is nearest to a given point. */
 import {between, distance, nearestShare, type Point} from '../../model/geometry.js';
 
 export interface Near {
   readonly at: Point;
   readonly off: number;
-  /** The number of the step. */
+  /** Index of the segment. */
   readonly step: number;
 }
 

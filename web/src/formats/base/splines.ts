@@ -1,8 +1,8 @@
-/** Curves through key points, as programs that cut draw them. */
+/** Splines through key points, as in CAD programs. */
 import {distance, minus, plus, type Point} from '../../model/geometry.js';
 import type {CubicFrom} from './bezier.js';
 
-/** Of the curve through points, what each program takes. */
+/** The kind of spline through key points; it depends on the program. */
 export type SplineRule = 'catmull-rom' | 'natural';
 
 export const splineThrough = (points: readonly Point[], rule: SplineRule): CubicFrom[] =>
@@ -10,7 +10,7 @@ export const splineThrough = (points: readonly Point[], rule: SplineRule): Cubic
 
 const scaled = ([x, y]: Point, by: number): Point => [by * x, by * y];
 
-/** A curve for each step, by the velocities at its ends and the time that it takes. */
+/** A cubic for one segment, from the velocities at its ends and its duration. */
 const hermite = (
   from: Point,
   to: Point,
@@ -19,7 +19,10 @@ const hermite = (
   time: number,
 ): CubicFrom => [plus(from, leaving, time / 3), plus(to, arriving, -time / 3), to];
 
-/** Each point's velocity is that of the parabola through it and its neighbours, at the square roots of distances. */
+/**
+ * Catmull-Rom spline: each velocity is that of the parabola through a point and its neighbours,
+ * parametrised by square roots of distances.
+ */
 function catmullRom(points: readonly Point[]): CubicFrom[] {
   const times = points.slice(1).map((to, k) => Math.sqrt(distance(points[k] ?? to, to)) || 1);
   const speeds = points
@@ -53,13 +56,17 @@ const steps = (
       ),
     );
 
-/** Twice continuously differentiable by length of chords, without curvature at the ends. */
+/**
+ * Natural cubic spline: twice continuously differentiable in chord length, without curvature at its
+ * ends.
+ */
 function natural(points: readonly Point[]): CubicFrom[] {
   const times = points.slice(1).map((to, k) => distance(points[k] ?? to, to) || 1);
   const speeds = points
     .slice(1)
     .map((to, k) => scaled(minus(to, points[k] ?? to), 1 / (times[k] ?? 1)));
-  // velocities v: v[k-1]/h[k-1] + 2 (1/h[k-1] + 1/h[k]) v[k] + v[k+1]/h[k] = 3 (s[k-1]/h[k-1] + s[k]/h[k])
+  // velocities v: v[k-1]/h[k-1] + 2 (1/h[k-1] + 1/h[k]) v[k] + v[k+1]/h[k] = 3 (s[k-1]/h[k-1] +
+  // s[k]/h[k])
   const factors: number[] = [];
   const sides: Point[] = [];
   points.forEach((_, k) => {

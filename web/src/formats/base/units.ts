@@ -1,11 +1,14 @@
-/** In which unit a drawing is: what it says, if somebody could wear that, else what somebody could. */
+/**
+ * Determines the unit of a drawing: the stated one if the size is wearable, otherwise one that
+ * makes it wearable.
+ */
 import type {UnitGuess} from '../../model/drawing.js';
 import {unitsInMetre, type FileUnit} from '../../model/garment-document.js';
 
-/** How long the largest piece of a garment is. [cm] */
+/** Usual size of a garment's largest piece. [cm] */
 const usual = {low: 25, high: 220};
 
-/** Nobody wears what has no piece of this size, be it a doll or a giant. [cm] */
+/** Possible size of the largest piece, even for a doll or a giant. [cm] */
 const possible = {low: 3, high: 500};
 
 const inCm = (unit: FileUnit): number => 100 / unitsInMetre[unit];
@@ -17,7 +20,7 @@ const isWithin = (
   {low, high}: {readonly low: number; readonly high: number},
 ): boolean => largest >= low && largest <= high;
 
-/** Units that patterns are drawn in, the likeliest first. */
+/** Units of patterns, the most likely first. */
 const drawnIn: readonly FileUnit[] = ['mm', 'cm', 'inch', 'm'];
 
 const likely = (largest: number, units: readonly FileUnit[]): FileUnit[] =>
@@ -26,13 +29,13 @@ const likely = (largest: number, units: readonly FileUnit[]): FileUnit[] =>
 interface UnitHints {
   /** The longer side of the largest piece, in the unit of the file. */
   readonly largest: number;
-  /** Units that the file's words allow, the likeliest first; "metric" is either of two. */
+  /** Units that the file's text allows, the most likely first; "metric" allows two. */
   readonly stated?: readonly FileUnit[];
-  /** By what they are stated. Default 'stated'. */
+  /** The source of the stated units. Default 'stated'. */
   readonly because?: UnitGuess['because'];
 }
 
-/** The unit of a drawing, and whether it needs to be asked. */
+/** The unit of a drawing, and whether it is certain. */
 export function guessedUnit({largest, stated = [], because = 'stated'}: UnitHints): UnitGuess {
   const anything = likely(largest, drawnIn);
   const [said] = stated;
@@ -56,5 +59,5 @@ function nearest(largest: number): FileUnit {
   return [...drawnIn].sort((a, b) => off(a) - off(b))[0] ?? 'mm';
 }
 
-/** Whether a garment could have a piece of this size at all. [cm] */
+/** Returns whether a garment can have a piece of this size. [cm] */
 export const isPossible = (largestCm: number): boolean => isWithin(largestCm, possible);

@@ -1,6 +1,6 @@
-/** What people write on pieces, in the five languages and in those of programs that draw patterns. */
+/** Recognises text on pieces in the five languages, and in those of pattern programs. */
 
-/** How many of a piece are cut. */
+/** Number of pieces to cut. */
 export interface Count {
   readonly asDrawn: number;
   readonly mirrored: number;
@@ -14,7 +14,7 @@ const pairWords =
   /mirror|\bpairs?\b|\bpaire?\b|\bpaare?\b|gegengleich|gespiegelt|coppi[ae]|specular|sym[eé]tri|sim[eé]tric|espejo|\bl ?(?:\+|&|and) ?r\b|left and right/i;
 
 const word = `(?:${cutWords})`;
-/** `Cut 2`, `cut: 1 pair`, `2 x zuschneiden`, `4x`. */
+/** Matches "Cut 2", "cut: 1 pair", "2 x zuschneiden" and "4x". */
 const counts = [
   new RegExp(`\\b${word}\\b[^\\d\\n]{0,12}?(\\d{1,2})(?!\\d|[.,]\\d| ?(?:mm|cm|in\\b|"|%))`, 'i'),
   new RegExp(`(?<![\\d.,])(\\d{1,2})\\s*(?:x|×|mal|fois|volte|veces)?\\s*${word}\\b`, 'i'),
@@ -25,8 +25,8 @@ const pairsOf = /\d\s*(?:x\s*)?(?:pairs?|paare?|paires?|coppi[ae]|par(?:es)?)\b/
 const sameWords = /identi[ck]|gleich(?!gewicht)|same|ugual|igual/i;
 
 /**
- * As words say it; undefined where they say nothing. Two are cut of folded cloth, and mirror each other, unless they
- * lie at the fold themselves or are said to be alike.
+ * The number of pieces in a text; undefined if there is none. An even number is cut from folded
+ * fabric in mirrored pairs, unless the piece is on the fold or the text calls the pieces identical.
  */
 export function countOf(words: readonly string[]): Count | undefined {
   for (const text of words) {
@@ -36,7 +36,7 @@ export function countOf(words: readonly string[]): Count | undefined {
     if (Number.isNaN(said) && !(isPair && new RegExp(`\\b${word}\\b`, 'i').test(text))) continue;
     const all = Number.isNaN(said) ? 1 : said;
     if (all < 1) continue;
-    // one pair are two
+    // one pair is two pieces
     if (isPair && (all === 1 || pairsOf.test(text))) return {asDrawn: all, mirrored: all};
     const isAlike = !isPair && (sameWords.test(text) || saysFold([text]) || all % 2 === 1);
     return isAlike
@@ -46,11 +46,11 @@ export function countOf(words: readonly string[]): Count | undefined {
   return undefined;
 }
 
-/** Whether words say that the piece is half, and lies at a fold of the cloth. */
+/** Returns whether the text describes a half piece on the fold. */
 export const saysFold = (words: readonly string[]): boolean =>
   words.some((one) => foldWords.test(one));
 
-/** Whether words name the grain line. */
+/** Returns whether the text names the grain line. */
 export const saysGrain = (words: readonly string[]): boolean =>
   words.some((one) =>
     /grain|fadenlauf|droit[- ]fil|dritto ?filo|filo|hilo|draadrichting/i.test(one),

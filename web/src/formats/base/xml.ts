@@ -1,21 +1,24 @@
-/** XML as a tree, read by hand: Node has no parser, and none of them is asked to fetch or expand what a file declares. */
+/**
+ * A small XML parser, since Node has none. It neither fetches nor expands anything that a file
+ * declares.
+ */
 import {FileError} from '../../model/versioned-file.js';
 
 export interface XmlElement {
-  /** Without its prefix. */
+  /** Local name without the prefix. */
   readonly name: string;
-  /** By their names as written, prefix and all. */
+  /** Keyed by qualified name, with the prefix. */
   readonly attributes: ReadonlyMap<string, string>;
   readonly children: readonly (XmlElement | string)[];
 }
 
 export interface XmlDocument {
   readonly root: XmlElement;
-  /** Before the root and in it: programs name themselves there. */
+  /** Comments before and inside the root; programs write their names there. */
   readonly comments: readonly string[];
 }
 
-/** No drawing comes near them; whoever walks the tree recurses. */
+/** Limits far above those of drawings, since walking the tree is recursive. */
 const deepest = 64;
 const mostElements = 60_000;
 
@@ -23,7 +26,10 @@ const entities: Readonly<Record<string, string>> = {
   ...{amp: '&', lt: '<', gt: '>', quot: '"', apos: "'"},
 };
 
-/** @throws {FileError} where it is not sound, too deep or too large, or uses entities of its own */
+/**
+ * Parses a document.
+ * @throws {FileError} if it is malformed, too deep or too large, or uses its own entities
+ */
 export function readXml(text: string, file: string): XmlDocument {
   return new Reader(text, file).read();
 }
@@ -83,7 +89,7 @@ class Reader {
     }
   }
 
-  /** What lies between two marks; reading goes on behind the second. */
+  /** The text between two markers; reading continues after the second. */
   #upTo(from: string, to: string): string {
     const start = this.#at + from.length;
     const end = this.#text.indexOf(to, start);
@@ -92,7 +98,7 @@ class Reader {
     return this.#text.slice(start, end);
   }
 
-  /** A document type is skipped, and what it declares stays unknown. */
+  /** Skips a document type without its declarations. */
   #declaration(): void {
     const whole = /<!(?:[^<>"'[]|"[^"]*"|'[^']*')*(?:\[(?:[^\]"']|"[^"]*"|'[^']*')*\]\s*)?>/y;
     whole.lastIndex = this.#at;
@@ -143,7 +149,7 @@ class Reader {
     for (one.lastIndex = from; ; this.#at = one.lastIndex) {
       const [found, name = '', double, single] = one.exec(this.#text) ?? [];
       if (found === undefined) return attributes;
-      // Illustrator declares entities for the names of its namespaces alone
+      // skips namespaces, for whose names Illustrator declares entities
       if (!name.startsWith('xmlns')) attributes.set(name, this.#decoded(double ?? single ?? ''));
     }
   }

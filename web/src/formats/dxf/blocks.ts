@@ -1,22 +1,22 @@
-/** Blocks with what is inserted in them, and where they are inserted themselves. */
+/** Expands the insertions in blocks, and places the blocks. */
 import {minus, plus, radians, rotated, type Point} from '../../model/geometry.js';
 import {FileError} from '../../model/versioned-file.js';
 import type {Block, DxfDocument} from './document.js';
 import type {Entity, InsertEntity} from './entities.js';
 
-/** How deep blocks are inserted in blocks; what lies deeper is left out. */
+/** Greatest depth of blocks within blocks; deeper ones are skipped. */
 const deepest = 4;
 
-/** More lines, points and insertions no pattern has. */
+/** Greatest number of entities, above that of any pattern. */
 const mostEntities = 200_000;
 
-/** Whatever but an insertion. */
+/** Any entity except an insertion. */
 export type Drawn = Exclude<Entity, InsertEntity>;
 
 export interface PlacedBlock {
   readonly name: string;
   readonly entities: readonly Drawn[];
-  /** How often it is inserted, as first or as its mirror image. */
+  /** Number of insertions with the orientation of the first, and of mirrored ones. */
   readonly inserted: {readonly asDrawn: number; readonly mirrored: number};
 }
 
@@ -35,7 +35,10 @@ const placeOf =
     return plus(at, rotated([scale[0] * x, scale[1] * y], radians(angle)));
   };
 
-/** Blocks by the insertions that mean them: of several of one name, each insertion means the next. */
+/**
+ * Assigns insertions to blocks. If several blocks share a name, consecutive insertions refer to
+ * consecutive blocks.
+ */
 export class Blocks {
   readonly missing = new Set<string>();
   isTooDeep = false;
@@ -44,7 +47,7 @@ export class Blocks {
   readonly #name: string;
   #count = 0;
 
-  /** @param name the file's, for messages */
+  /** @param name file name for messages */
   constructor(document: DxfDocument, name: string) {
     this.#document = document;
     this.#name = name;
@@ -56,7 +59,10 @@ export class Blocks {
     }
   }
 
-  /** Blocks that are no parts of others, in their order. @throws {FileError} */
+  /**
+   * Blocks that are no part of others, in file order.
+   * @throws {FileError} for recursive or too many insertions
+   */
   placed(): PlacedBlock[] {
     const inserts = new Map<Block, InsertEntity[]>();
     for (const [insert, block] of this.#meant(this.#document.entities)) {
@@ -70,7 +76,10 @@ export class Blocks {
       .map((block) => this.#placed(block, inserts.get(block) ?? []));
   }
 
-  /** All that is drawn, insertions too. @throws {FileError} */
+  /**
+   * All drawn entities with expanded insertions.
+   * @throws {FileError} for recursive or too many insertions
+   */
   flat(): Drawn[] {
     return this.#expanded(this.#document.entities, []);
   }

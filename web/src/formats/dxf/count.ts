@@ -1,9 +1,12 @@
-/** How many pieces a garment has at most. */
+/** Greatest number of pieces in a garment. */
 import {FileError} from '../../model/versioned-file.js';
 
 const mostPieces = 500;
 
-/** @throws {FileError} beyond it */
+/**
+ * Checks the number of pieces.
+ * @throws {FileError} if there are more pieces
+ */
 export function checkCount(count: number, file: string): void {
   if (count <= mostPieces) return;
   throw new FileError(

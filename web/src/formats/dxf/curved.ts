@@ -1,4 +1,4 @@
-/** Arcs and splines as points, so dense that the lines between them are the curve. */
+/** Converts arcs and splines to dense points. */
 import {
   between,
   distance,
@@ -13,22 +13,30 @@ import {
 } from '../../model/geometry.js';
 import type {Vertex} from './tags.js';
 
-/** Of a circle, between two points. [rad] */
+/** Angle between two points of an arc. [rad] */
 const arcStep = Math.PI / 90;
 
-/** Of a spline, between two knots. */
+/** Points per knot span of a spline. */
 const splineSteps = 16;
 
 const range = (count: number): number[] => Array.from({length: count}, (_, k) => k);
 
-/** Both ends included. @param sweep counter-clockwise if positive [rad] */
+/**
+ * Points of an arc, including both ends.
+ * @param sweep counter-clockwise if positive [rad]
+ */
 function arcPoints(centre: Point, from: Point, sweep: number): Point[] {
   const count = Math.max(8, Math.ceil(Math.abs(sweep) / arcStep));
   const radius = minus(from, centre);
   return range(count + 1).map((k) => plus(centre, rotated(radius, (k / count) * sweep)));
 }
 
-/** @param axis of half its length @param ratio of the other axis to it @param span parameters of both ends [rad] */
+/**
+ * Points of an elliptical arc.
+ * @param axis vector of the major semi-axis
+ * @param ratio of the minor axis to the major axis
+ * @param span parameters of both ends [rad]
+ */
 export function ellipsePoints(
   centre: Point,
   axis: Point,
@@ -43,7 +51,7 @@ export function ellipsePoints(
   });
 }
 
-/** The points of a polyline whose steps may be arcs: bulge is the tangent of a quarter of what they turn by. */
+/** Points of a polyline with arcs. A bulge is the tangent of a quarter of the arc's angle. */
 export function bulgePoints(vertices: readonly Vertex[], isClosed: boolean): Point[] {
   return vertices.flatMap(({at, bulge}, k) => {
     const next = vertices[k + 1] ?? (isClosed ? vertices[0] : undefined);
@@ -55,10 +63,10 @@ export function bulgePoints(vertices: readonly Vertex[], isClosed: boolean): Poi
   });
 }
 
-/** What a spline is besides its control points. */
+/** Properties of a spline in addition to its control points. */
 interface Spline {
   readonly degree: number;
-  /** One more than control points and degree together. */
+  /** Number of control points + degree + 1 knots. */
   readonly knots: readonly number[];
   readonly weights: readonly number[];
 }
@@ -83,7 +91,7 @@ export function splinePoints(
 
 type Weighted = readonly [x: number, y: number, weight: number];
 
-/** De Boor's algorithm, in coordinates times weights. */
+/** De Boor's algorithm in homogeneous coordinates. */
 function deBoor(
   controls: readonly Point[],
   {degree, knots, weights}: Spline,
@@ -113,7 +121,10 @@ function deBoor(
 export const circlePoints = (centre: Point, radius: number): Point[] =>
   arcPoints(centre, plus(centre, [radius, 0]), 2 * Math.PI);
 
-/** @param angles of both ends, counter-clockwise [degrees] */
+/**
+ * Points of a circular arc.
+ * @param angles of both ends, counter-clockwise [degrees]
+ */
 export function circularPoints(
   centre: Point,
   radius: number,

@@ -1,10 +1,10 @@
-/** A DXF file: what its header says, its blocks in their order, and what is drawn outside of them. */
+/** The parts of a DXF file: header, blocks in order, and entities outside of blocks. */
 import type {Point} from '../../model/geometry.js';
 import {FileError} from '../../model/versioned-file.js';
 import {entityOf, mostVertices, type Entity} from './entities.js';
 import {groupsOf, type Group} from './tags.js';
 
-/** Names may be equal: programs are known to call every block alike. */
+/** A block. Names need not be unique: some programs give all blocks the same name. */
 export interface Block {
   readonly name: string;
   readonly base: Point;
@@ -12,16 +12,19 @@ export interface Block {
 }
 
 export interface DxfDocument {
-  /** Numbers of the header, by the names of its variables. */
+  /** Integer values of the header, by variable name. */
   readonly header: ReadonlyMap<string, number>;
   readonly blocks: readonly Block[];
   readonly entities: readonly Entity[];
 }
 
-/** Garments have thousands of lines. */
+/** Greatest number of entities; garments have thousands. */
 const mostEntities = 200_000;
 
-/** @throws {FileError} naming the file */
+/**
+ * Parses a file.
+ * @throws {FileError} if it is damaged or too large
+ */
 export function documentOf(text: string, name: string): DxfDocument {
   const header = new Map<string, number>();
   const blocks: Block[] = [];

@@ -1,4 +1,4 @@
-/** One piece of a DXF file as drawn: its outline as curves, and its marks. */
+/** Reads one piece of a DXF file: its outline as curves, and its marks. */
 import type {DrawnNotch, DrawnPiece, NotchKind} from '../../model/drawing.js';
 import {distance, middle, type Point} from '../../model/geometry.js';
 import {isInside} from '../../model/polyline.js';
@@ -10,13 +10,13 @@ import {outlineOf, type Outline} from './outline.js';
 import {linesOn, pointsOn, type DxfPiece} from './pieces.js';
 import type {Vendor} from './vendors.js';
 
-/** How far apart ends of lines may be that follow each other. [cm] */
+/** Greatest gap between the ends of consecutive lines. [cm] */
 const reach = 0.02;
 
 interface DrawnWith {
   readonly cmPerUnit: number;
   readonly vendor: Vendor;
-  /** Of the file, for messages. */
+  /** File name for messages. */
   readonly file: string;
 }
 
@@ -25,12 +25,15 @@ interface DrawnDxfPiece {
   readonly isInterpolated: boolean;
 }
 
-/** @throws {FileError} where its outline is open */
+/**
+ * The drawn piece of a DXF piece.
+ * @throws {FileError} if the outline is open
+ */
 export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
   const {entities, text} = piece;
   const {cmPerUnit, vendor} = how;
   const turnPoints = pointsOn(entities, layers.turnPoint).map(({at}) => at);
-  // who neither names himself nor marks points draws lines as they are
+  // without a program name and marked points, lines are taken as drawn
   const hasKeyPoints =
     vendor.program !== undefined ||
     pointsOn(entities, layers.turnPoint, layers.curvePoint).length > 0;
@@ -75,7 +78,10 @@ const loopsOn = ({entities}: DxfPiece, layer: string, {cmPerUnit}: DrawnWith): L
 
 const bySize = (loops: readonly Loop[]): Loop[] => [...loops].sort((a, b) => areaOf(b) - areaOf(a));
 
-/** The closed lines of a layer, or of the one that validates it, whichever has more points; the largest first. */
+/**
+ * Closed lines of a layer, the largest first. Each is replaced by its validation copy if that has
+ * more points.
+ */
 function densest(piece: DxfPiece, layer: string, how: DrawnWith): Loop[] {
   const own = bySize(loopsOn(piece, layer, how).closed);
   const check = bySize(loopsOn(piece, layers.validation[layer] ?? '', how).closed);
@@ -87,8 +93,8 @@ function densest(piece: DxfPiece, layer: string, how: DrawnWith): Loop[] {
 }
 
 /**
- * Where a piece is sewn, if it is cut elsewhere: as layer 14 has it, or around inside the outline. Valentina draws that
- * line among internal ones in AAMA files.
+ * Sewn lines that differ from the cut line: from layer 14, otherwise closed lines inside the
+ * outline. Valentina draws them among the internal lines of AAMA files.
  */
 function sewLoops(
   piece: DxfPiece,
@@ -116,7 +122,7 @@ function axisOn({entities}: DxfPiece, layer: string): readonly [Point, Point] | 
   return line;
 }
 
-/** More marks no outline has. */
+/** Greatest number of notches, above that of any outline. */
 const mostNotches = 1000;
 
 /** @throws {FileError} for more notches than any outline has */
@@ -136,7 +142,10 @@ function notchesOf({name, entities}: DxfPiece, {file}: DrawnWith): DrawnNotch[] 
   );
 }
 
-/** Of a slit as a line, its end at the outline is either; of a V as three points, the middle of its mouth. */
+/**
+ * A notch from a line. Either end of a slit can be on the outline; a V of three points is at the
+ * middle of its mouth.
+ */
 const drawnNotch = (points: readonly Point[], kind: NotchKind): DrawnNotch => ({
   at:
     points.length > 2
@@ -145,7 +154,7 @@ const drawnNotch = (points: readonly Point[], kind: NotchKind): DrawnNotch => ({
   kind: kind === 'v' && points.length === 2 ? 'slit' : kind,
 });
 
-/** @returns what is said of a piece without a closed line on the boundary's layer */
+/** @returns the error for a piece without a closed line on the boundary layer */
 function openOutline(piece: DxfPiece, how: DrawnWith): FileError {
   const {open} = loopsOn(piece, layers.boundary, how);
   const ends = open.flatMap((line, k) => [
@@ -158,7 +167,7 @@ function openOutline(piece: DxfPiece, how: DrawnWith): FileError {
       .filter((other) => other.k !== one.k || open.length === 1)
       .map((other) => ({from: one.at, to: other.at, width: distance(one.at, other.at)})),
   );
-  // the widest of those that have to be closed is the one to see
+  // report the widest of the gaps that have to be closed
   const gap = gaps.sort((a, b) => a.width - b.width)[Math.max(0, open.length - 1)] ?? gaps.at(-1);
   const cm = ([x, y]: Point): string =>
     `(${(x * how.cmPerUnit).toFixed(1)}, ${(y * how.cmPerUnit).toFixed(1)})`;

@@ -1,4 +1,7 @@
-/** What is drawn in a DXF file, as far as patterns are: lines, points, words and blocks. Lengths in its unit, y up. */
+/**
+ * Reads the entities of a DXF file that patterns use: lines, points, text and blocks. Lengths in
+ * the file's unit, y up.
+ */
 import type {Point} from '../../model/geometry.js';
 import {splineThrough} from '../base/splines.js';
 import {tracedRun} from '../base/bezier.js';
@@ -14,14 +17,16 @@ export interface LineEntity extends OnLayer {
   readonly kind: 'line';
   readonly points: readonly Point[];
   readonly isClosed: boolean;
-  /** Straight, as a LINE: curves are drawn by many of them, too, so that its ends say nothing about corners. */
+  /**
+   * True for a LINE. Curves are drawn with many of them, too, so their ends need not be corners.
+   */
   readonly isSegment?: boolean;
 }
 
 export interface PointEntity extends OnLayer {
   readonly kind: 'point';
   readonly at: Point;
-  /** Of a notch. */
+  /** Depth of a notch. */
   readonly depth?: number;
   readonly width?: number;
 }
@@ -43,13 +48,16 @@ export interface InsertEntity extends OnLayer {
 
 export type Entity = LineEntity | PointEntity | TextEntity | InsertEntity;
 
-/** Beyond it an arc is all but a circle with a gap: a bulge is the tangent of a quarter of what it turns by. */
+/**
+ * Greatest bulge: beyond it, an arc is a circle with a gap. A bulge is the tangent of a quarter of
+ * the arc's angle.
+ */
 const greatestBulge = 100;
 
-/** Outlines have hundreds. */
+/** Greatest number of vertices; outlines have hundreds. */
 export const mostVertices = 20_000;
 
-/** A knot vector or a polygon beyond it is no line of a pattern. */
+/** Greatest degree of a spline in a pattern. */
 const greatestDegree = 10;
 
 const line = (layer: string, points: readonly Point[], isClosed = false): LineEntity => ({
@@ -61,7 +69,7 @@ const line = (layer: string, points: readonly Point[], isClosed = false): LineEn
 
 const layerOf = (group: Group): string => group.text(8).trim();
 
-/** Axes of what was drawn on a plane that is seen from below run the other way. */
+/** Coordinates of entities with a downward extrusion direction have the x axis reversed. */
 const frameOf = (group: Group): ((point: Point) => Point) =>
   group.number(230, 1) < 0 ? ([x, y]) => [0 - x, y] : (point) => point;
 
@@ -108,7 +116,11 @@ const readers: Readonly<Record<string, Reader>> = {
   }),
 };
 
-/** @throws {FileError} for what cannot be drawn */
+/**
+ * The entity of a group; undefined if patterns do not use it.
+ * @param vertices records of a polyline's vertices
+ * @throws {FileError} for invalid entities
+ */
 export function entityOf(group: Group, vertices: readonly Group[]): Entity | undefined {
   if (group.type === 'POLYLINE') return oldPolyline(group, vertices);
   return Object.hasOwn(readers, group.type) ? readers[group.type]?.(group) : undefined;
@@ -119,7 +131,7 @@ const words = (group: Group, text: string): TextEntity => ({
   at: [group.number(10, 0), group.number(20, 0)],
 });
 
-/** With a record for every vertex, some of which only frame a spline. */
+/** A polyline with one record per vertex; vertices that control a spline frame are skipped. */
 function oldPolyline(group: Group, vertices: readonly Group[]): Entity | undefined {
   const isMesh = (group.number(70, 0) & (16 | 64)) > 0;
   if (isMesh) return undefined;

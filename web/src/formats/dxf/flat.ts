@@ -1,4 +1,4 @@
-/** DXF without blocks: every closed line is a piece, and what lies in it belongs to it. */
+/** Reads DXF without blocks: every closed line is a piece and owns everything inside. */
 import {distance, type Point} from '../../model/geometry.js';
 import {boxOf, isInside, type Box} from '../../model/polyline.js';
 import {nearestOn} from '../base/nearest.js';
@@ -9,13 +9,13 @@ import {areaOf, isAllowance, loopsOf, type Loop} from './loops.js';
 import {linesOn, pieceOf, type DxfPiece} from './pieces.js';
 import {sizeOf} from './units.js';
 
-/** What goes round less is a mark. [cm2] */
+/** Smallest area of a piece; smaller closed lines are marks. [cm2] */
 const smallest = 25;
 
-/** How far apart ends of lines may be that follow each other, as a share of the size of the whole. */
+/** Greatest gap between the ends of consecutive lines, as a share of the drawing's size. */
 const reach = 2e-5;
 
-/** How far outside of its piece a mark may lie. [cm] */
+/** Greatest distance of a mark outside its piece. [cm] */
 const markReach = 1;
 
 interface FlatPiece {
@@ -26,8 +26,9 @@ interface FlatPiece {
 }
 
 /**
- * @param file its name, for messages
- * @param scaleOf the length of a unit, by that of the largest piece [cm]
+ * Pieces of a flat drawing.
+ * @param file file name for messages
+ * @param scaleOf returns the length of a unit in cm, given the largest piece's size in units
  * @throws {FileError} for more pieces than a garment has
  */
 export function flatPieces(
@@ -55,14 +56,17 @@ export function flatPieces(
         ...open.map((points) => inner(points, false)),
       ];
   for (const mark of marks) ownerOf(pieces, mark, markReach / scale)?.marks.push(mark);
-  // in the order of the file
+  // in file order
   const order = new Map(closed.map((loop, k) => [loop, k]));
   return pieces
     .sort((a, b) => (order.get(a.loop) ?? 0) - (order.get(b.loop) ?? 0))
     .map((one, k) => pieceOf(asBlock(one, `piece ${String(k + 1)}`)));
 }
 
-/** Whether the largest is a sheet of paper around all others. The largest come first. */
+/**
+ * Returns whether the largest line is a page frame around all others.
+ * @param loops the largest first
+ */
 function isFrame([largest, ...others]: readonly Loop[]): boolean {
   return (
     largest?.points.length === 4 &&
@@ -80,7 +84,10 @@ const inner = (points: readonly Point[], isClosed: boolean): Drawn => ({
 
 const piece = (loop: Loop): FlatPiece => ({loop, box: boxOf(loop.points), marks: []});
 
-/** Of two lines that run around in each other no allowance apart, the inner one is sewn. The largest come first. */
+/**
+ * Pairs outlines with sewn lines: of two nested lines an allowance apart, the inner one is sewn.
+ * @param loops the largest first
+ */
 function withAllowances(loops: readonly Loop[], scale: number): FlatPiece[] {
   const sewn = new Set<Loop>();
   return loops.flatMap((outer, k) => {
@@ -93,7 +100,7 @@ function withAllowances(loops: readonly Loop[], scale: number): FlatPiece[] {
   });
 }
 
-/** The smallest piece that a mark lies in, else the nearest that is near. */
+/** The smallest piece that contains a mark, otherwise a nearby piece. */
 function ownerOf(
   pieces: readonly FlatPiece[],
   mark: Drawn,
@@ -112,7 +119,7 @@ function ownerOf(
   return near.find(({loop}) => distance(nearestOn(loop.points, at, true).at, at) <= reachable);
 }
 
-/** As a file with blocks would have it. */
+/** Converts a piece to the structure of a file with blocks. */
 function asBlock({loop, sewn, marks}: FlatPiece, name: string): Parameters<typeof pieceOf>[0] {
   const line = ({points, joints}: Loop, layer: string): Drawn[] =>
     joints.length < 2

@@ -11,9 +11,9 @@ export const internalLine = '8';
 export const cutOut = '11';
 export const drillHole = '13';
 export const sewLine = '14';
-/** Where Valentina writes what a piece is called. */
+/** Layers on which Valentina writes piece names. */
 export const annotations: readonly string[] = ['15', '19'];
-/** Of the boundary and of the sew line, as points that lie dense. */
+/** Validation layers with dense points, by the layer they copy. */
 export const validation: Readonly<Record<string, string>> = {1: '84', 8: '85', 11: '86', 14: '87'};
 
 export const notches: Readonly<Record<string, NotchKind>> = {

@@ -1,29 +1,32 @@
-/** Closed lines: those that are drawn as such, and open ones that follow each other head to tail. */
+/** Finds closed lines, whether drawn closed or as consecutive open lines. */
 import {distance, minus, radians, turnBetween, type Point} from '../../model/geometry.js';
 import {isInside, signedArea} from '../../model/polyline.js';
 import {nearestOn} from '../base/nearest.js';
 import type {LineEntity} from './entities.js';
 
 export interface Loop {
-  /** None of them twice. */
+  /** Points without repeating the first. */
   readonly points: readonly Point[];
-  /** Numbers of the points at which one drawn line ends and the next begins. */
+  /** Indices of the points where one drawn line ends and the next begins. */
   readonly joints: readonly number[];
 }
 
 export interface Loops {
   readonly closed: readonly Loop[];
-  /** Lines that lead nowhere. */
+  /** Open lines that close nowhere. */
   readonly open: readonly (readonly Point[])[];
 }
 
-/** What a closed line goes round. */
+/** The enclosed area. */
 export const areaOf = ({points}: Loop): number => Math.abs(signedArea(points));
 
-/** Between two segments a lesser turn is part of a curve that is drawn by them. */
+/** Least turn of a corner between two segments; smaller turns belong to curves. */
 const cornerTurn = radians(20);
 
-/** @param reach how far apart ends may be that meet */
+/**
+ * Closed and open lines.
+ * @param reach greatest gap between ends that meet
+ */
 export function loopsOf(lines: readonly LineEntity[], reach: number): Loops {
   const closed: Loop[] = [];
   const open: (readonly Point[])[] = [];
@@ -43,7 +46,7 @@ export function loopsOf(lines: readonly LineEntity[], reach: number): Loops {
   return {closed: closed.filter(({points}) => points.length > 2), open};
 }
 
-/** A line with all that follow it, and the numbers of the points at which they do. */
+/** A chain of consecutive lines, and the indices of its joints. */
 function chained(
   first: OpenLine,
   ends: Ends,
@@ -69,17 +72,20 @@ function chained(
   return {line, joints: isJoint(before, first) ? [0, ...joints] : joints};
 }
 
-/** No allowance is wider. [cm] */
+/** Greatest width of an allowance. [cm] */
 const widest = 5;
 
-/** Points of a sewn line that lie at one distance from the cut one, to within 1 mm: those of hems lie elsewhere. */
+/**
+ * Least share of a sewn line's points at a constant distance from the cut line, within 0.1 cm; hems
+ * have other distances.
+ */
 const alike = {share: 0.6, cm: 0.1};
 
-/** Whether a line runs around inside another as the sewn one does in the cut one. */
+/** Returns whether a line is a sewn line inside a cut line. */
 export function isAllowance(inner: Loop, outer: Loop, cmPerUnit: number): boolean {
   const ratio = areaOf(inner) / areaOf(outer);
   if (ratio < 0.4 || ratio >= 1) return false;
-  const every = Math.ceil(inner.points.length / 200); // enough to tell
+  const every = Math.ceil(inner.points.length / 200); // a sample suffices
   const some = inner.points.filter((_, k) => k % every === 0);
   if (!some.every((point) => isInside(outer.points, point))) return false;
   const away = some.map((point) => nearestOn(outer.points, point, true).off * cmPerUnit);
@@ -99,7 +105,7 @@ interface OpenLine {
   readonly isSegment: boolean;
 }
 
-/** Open lines by where they end. */
+/** Open lines indexed by their ends. */
 class Ends {
   readonly reach: number;
   readonly #cells = new Map<string, Set<OpenLine>>();
@@ -118,14 +124,17 @@ class Ends {
     }
   }
 
-  /** The first that is left. */
+  /** Removes and returns the first remaining line. */
   any(): OpenLine | undefined {
     const [line] = this.#lines;
     if (line) this.#remove(line);
     return line;
   }
 
-  /** The one with the end that is nearest to a point, turned so that it begins there. */
+  /**
+   * Removes and returns the line with the end nearest to a point, reversed if needed to start
+   * there.
+   */
   from(point: Point): OpenLine | undefined {
     let best:
       {readonly line: OpenLine; readonly off: number; readonly isTurned: boolean} | undefined;

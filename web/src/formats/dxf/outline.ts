@@ -1,4 +1,4 @@
-/** A closed line of points as runs of curves between its corners. */
+/** Divides a closed line of points into runs of curves between its corners. */
 import type {Run} from '../../model/drawing.js';
 import {distance, minus, turnBetween, radians, type Point} from '../../model/geometry.js';
 import {cubicsOf, halved} from '../base/bezier.js';
@@ -6,33 +6,36 @@ import {pathThrough} from '../base/curve-fit.js';
 import {splineThrough, type SplineRule} from '../base/splines.js';
 import type {Loop} from './loops.js';
 
-/** What a drawn line may be missed by. [cm] */
+/** Greatest deviation of curves from a drawn line. [cm] */
 const missed = 0.002;
 
-/** Lines between points are the curve itself where it strays no further from them. [cm] */
+/** Polylines within this distance of their curve are taken as the curve. [cm] */
 const sagitta = 0.005;
 
-/** How far a turn point may lie from the point of the outline that it marks. [cm] */
+/** Greatest distance of a turn point from the point it marks. [cm] */
 const turnReach = 0.03;
 
-/** Where nothing is marked, a line that turns by more has a corner; no curve turns by so much between key points. */
+/** Least turn of an unmarked corner; curves turn less between key points. */
 const cornerTurn = {fine: radians(20), coarse: radians(50)};
 
 interface OutlineRules {
   readonly cmPerUnit: number;
-  /** Marked as corners; none where a file does not mark them. */
+  /** Marked corners; empty if the file does not mark them. */
   readonly turnPoints: readonly Point[];
-  /** Of the curve through key points; without, lines are meant as drawn. */
+  /** The kind of spline through key points; undefined if lines are taken as drawn. */
   readonly rule?: SplineRule | undefined;
 }
 
 export interface Outline {
   readonly runs: readonly Run[];
-  /** Whether curves were put through key points. */
+  /** True if curves were interpolated through key points. */
   readonly isInterpolated: boolean;
 }
 
-/** @param loop its points, of which none is twice */
+/**
+ * Divides a line.
+ * @param loop points without repeating the first
+ */
 export function outlineOf(loop: Loop, {cmPerUnit, turnPoints, rule}: OutlineRules): Outline {
   const {points} = loop;
   const isFine = (line: readonly Point[]): boolean => strays(line) * cmPerUnit <= sagitta;
@@ -69,12 +72,14 @@ export function outlineOf(loop: Loop, {cmPerUnit, turnPoints, rule}: OutlineRule
   return {runs: runs.length === 1 ? runs.flatMap(halves) : runs, isInterpolated};
 }
 
-/** Points that a curve without corners has been through, and goes on to. */
+/**
+ * Number of points added before and after a part of a smooth closed curve, so that its ends fit.
+ */
 const runUp = 6;
 
 interface Stretch {
   readonly line: readonly Point[];
-  /** With what comes before and after, and where in it the stretch begins. */
+  /** The part with points before and after it, and the index where it begins. */
   readonly lead: {readonly line: readonly Point[]; readonly from: number};
 }
 
@@ -95,12 +100,12 @@ function stretchesOf(
 
 const thirds = (count: number): number[] => [0, Math.floor(count / 3), Math.floor((2 * count) / 3)];
 
-/** Of turn points. */
+/** Limits of the number of turn points. */
 const [few, many] = [40, 1000];
 
-/** By what the points say: those that are marked, and ends of drawn lines. */
+/** Corners: marked points and ends of drawn lines. */
 function cornersOf({points, joints}: Loop, turnPoints: readonly Point[], reach: number): number[] {
-  // who marks all points marks no corners
+  // a file that marks all points marks no corners
   const isTelling =
     turnPoints.length < few || turnPoints.length < Math.min(many, points.length / 2);
   const marked = new Set(joints.length > 1 ? joints : []);
@@ -115,11 +120,11 @@ function cornersOf({points, joints}: Loop, turnPoints: readonly Point[], reach: 
   return [...marked].sort((a, b) => a - b);
 }
 
-/** The angle between two steps. [rad] */
+/** The angle between two segments. [rad] */
 const turnAt = (before: Point, at: Point, after: Point): number =>
   Math.abs(turnBetween(minus(at, before), minus(after, at)));
 
-/** Numbers of the inner points at which a line has a corner; the last two may be its first again. */
+/** Indices of the inner corners of a line; the last two points may repeat the first two. */
 function turnsOf(line: readonly Point[], least: number): number[] {
   const turns: number[] = [];
   for (let k = 1; k + 1 < line.length; k++) {
@@ -139,7 +144,7 @@ const splineRun = (line: readonly Point[], rule: SplineRule): Run => ({
   cubics: splineThrough(line, rule),
 });
 
-/** How far most lines between points stray from the curve that they stand for, as arcs would. */
+/** The median distance of segments from the curve that they represent, assuming arcs. */
 function strays(line: readonly Point[]): number {
   const strayed: number[] = [];
   for (let k = 1; k + 1 < line.length; k++) {

@@ -1,4 +1,4 @@
-/** Pieces as a DXF file holds them: all sizes of all of them, each a block, as far as its words tell. */
+/** Reads the pieces of a DXF file in all sizes, one block each, from their system text. */
 import {boundary, annotations} from './layers.js';
 import type {Blocks, Drawn, PlacedBlock} from './blocks.js';
 import type {LineEntity, PointEntity, TextEntity} from './entities.js';
@@ -21,7 +21,7 @@ export const pointsOn = (entities: readonly Drawn[], ...layers: readonly string[
 const textsIn = (entities: readonly Drawn[]): TextEntity[] =>
   entities.filter((one): one is TextEntity => one.kind === 'text');
 
-/** Blocks that have a boundary. */
+/** Blocks with a boundary. */
 export const blockPieces = (blocks: Blocks): DxfPiece[] =>
   blocks
     .placed()

@@ -1,4 +1,4 @@
-/** DXF files of pattern programs, AAMA and ASTM, as drawings. */
+/** Reads DXF files of pattern programs, AAMA and ASTM, as drawings. */
 import type {Drawing, DrawingOptions} from '../../model/drawing.js';
 import {drawingTitle} from '../../model/project-name.js';
 import {FileError} from '../../model/versioned-file.js';
@@ -15,7 +15,10 @@ import {textOf} from './text.js';
 import {largestOf, unitOf} from './units.js';
 import {vendorOf} from './vendors.js';
 
-/** @throws {FileError} naming the file, what is wrong and what to do */
+/**
+ * Reads a DXF file.
+ * @throws {FileError} with the file, the error and a remedy
+ */
 export function readDxf(bytes: Uint8Array, file: string, options: DrawingOptions): Drawing {
   const document = documentOf(textOf(bytes), file);
   const blocks = new Blocks(document, file);

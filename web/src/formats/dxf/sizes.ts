@@ -1,4 +1,4 @@
-/** Which size of every piece is taken. */
+/** Selects the size of every piece. */
 import {FileError} from '../../model/versioned-file.js';
 import type {DxfPiece} from './pieces.js';
 
@@ -13,9 +13,10 @@ const same = (one: string | undefined, other: string | undefined): boolean =>
   one?.trim().toUpperCase() === other?.trim().toUpperCase();
 
 /**
- * @param stated the size that the others were graded from, as the file says
- * @param wanted another one that is asked for
- * @throws {FileError} where there is no such size
+ * Selects a size.
+ * @param stated sample size in the file, from which other sizes were graded
+ * @param wanted the size requested by the user
+ * @throws {FileError} if the size does not exist
  */
 export function chooseSize(
   all: readonly DxfPiece[],
@@ -48,7 +49,7 @@ export function chooseSize(
   };
 }
 
-/** The size of a nest that alone says how many are cut, else the one in the middle. */
+/** The only size of a nest with a quantity, otherwise the middle size. */
 function markedSize(all: readonly DxfPiece[]): string | undefined {
   const marked = all.find(
     ({size, text}) => size !== undefined && text.value('quantity') !== undefined,
@@ -57,7 +58,7 @@ function markedSize(all: readonly DxfPiece[]): string | undefined {
   return (marked ?? sized[Math.floor((sized.length - 1) / 2)])?.size;
 }
 
-/** Pieces of one name are sizes of one piece, unless two have the same. */
+/** Pieces of one name are sizes of one piece, unless two have the same size. */
 function piecesIn(
   all: readonly DxfPiece[],
   size: string | undefined,
@@ -73,6 +74,6 @@ function piecesIn(
   });
 }
 
-/** Nests say how many are cut in the sample size alone. */
+/** Copies the quantity of the sample size, the only one in a nest that states it. */
 const withWordsOf = (piece: DxfPiece, base: DxfPiece | undefined): DxfPiece =>
   base && piece.text.value('quantity') === undefined ? {...piece, quantity: base.quantity} : piece;

@@ -1,12 +1,12 @@
-/** The words that AAMA and ASTM files say of a style and of its pieces: "Identifier: value". */
+/** Parses the system text "Identifier: value" of styles and pieces in AAMA and ASTM files. */
 import type {TextEntity} from './entities.js';
 
 export interface SystemText {
-  /** The value of an identifier, whatever its case; undefined where it is missing or empty. */
+  /** The value of an identifier, regardless of case; undefined if missing or empty. */
   readonly value: (identifier: string) => string | undefined;
-  /** Every value of an identifier. */
+  /** All values of an identifier. */
   readonly all: (identifier: string) => readonly string[];
-  /** Words that are no system text. */
+  /** Text that is no system text. */
   readonly others: readonly TextEntity[];
 }
 
@@ -27,7 +27,10 @@ export function systemText(texts: readonly TextEntity[]): SystemText {
   return {value: (identifier) => all(identifier)[0], all, others};
 }
 
-/** "1,1": as drawn and mirrored; "2": as drawn. Decimals are of programs that write numbers so. */
+/**
+ * Parses a quantity: "1,1" means as drawn and mirrored, "2" as drawn. Decimals are ignored, since
+ * some programs write integers with them.
+ */
 export function quantityOf(text: string | undefined): {asDrawn: number; mirrored: number} {
   const [, first = '1', second = '0'] =
     /^\s*(\d{1,4})(?:\s*[,;/]\s*(\d{1,4}))?/.exec(text ?? '') ?? [];

@@ -1,11 +1,11 @@
-/** DXF as text: pairs of a group code and a value, a line each; code 0 begins what a thing consists of. */
+/** DXF as text: pairs of a group code and a value, one line each. Code 0 begins a group. */
 import type {Point} from '../../model/geometry.js';
 import {FileError} from '../../model/versioned-file.js';
 
-/** Lengths beyond it are no pattern's, in any unit. */
+/** Greatest coordinate of a pattern, in any unit. */
 const greatest = 1e7;
 
-/** Whatever consists of more is no line of a pattern. */
+/** Greatest number of tags in a group. */
 const mostTags = 200_000;
 
 interface Tag {
@@ -14,7 +14,7 @@ interface Tag {
   readonly line: number;
 }
 
-/** What begins with a code 0, up to the next. */
+/** The tags from one code 0 to the next. */
 export class Group {
   readonly type: string;
   readonly tags: Tag[] = [];
@@ -27,12 +27,15 @@ export class Group {
     this.type = begin.value.trim().toUpperCase();
   }
 
-  /** The last text of a code; '' where there is none. */
+  /** The last text of a code; '' if there is none. */
   text(code: number): string {
     return this.tags.findLast((tag) => tag.code === code)?.value ?? '';
   }
 
-  /** @throws {FileError} for what is no number, or too large */
+  /**
+   * The first number of a code, or a default.
+   * @throws {FileError} if the value is no number or too large
+   */
   number(code: number, otherwise?: number): number {
     const tag = this.tags.find((one) => one.code === code);
     if (tag) return this.#numberIn(tag);
@@ -61,7 +64,10 @@ export class Group {
     return vertices;
   }
 
-  /** @param complaint of this group, without its full stop */
+  /**
+   * An error at this group.
+   * @param complaint predicate of the error sentence, without its full stop
+   */
   error(complaint: string): FileError {
     return damaged(this.#name, this.#begin.line, `, where a ${this.type} ${complaint}`);
   }
@@ -80,12 +86,12 @@ export interface Vertex {
 }
 
 /**
- * The groups of a file, one after the other; what stands before the first is left out.
- * @param name the file's, for messages
- * @throws {FileError} for what is no pair
+ * The groups of a file; tags before the first are skipped.
+ * @param name file name for messages
+ * @throws {FileError} for invalid pairs
  */
 export function* groupsOf(text: string, name: string): Generator<Group> {
-  // programs of old Macintoshes end lines by CR alone
+  // programs on old Macintoshes end lines with CR only
   const lines = linesOf(text.includes('\n') ? text : text.replaceAll('\r', '\n'));
   let group: Group | undefined;
   let number = 0;

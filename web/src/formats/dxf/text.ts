@@ -1,7 +1,7 @@
-/** The characters of a DXF file, whichever encoding wrote them. */
+/** Decodes the characters of a DXF file. */
 import {decoded} from '../base/decoded.js';
 
-/** Of `$DWGCODEPAGE`, and of programs that write their own. */
+/** Code pages of `$DWGCODEPAGE`, and of programs with their own encoding. */
 const codePages: readonly (readonly [RegExp, string])[] = [
   [/ANSI_936\b|RICHPEACE/i, 'gb18030'],
   [/ANSI_950\b/i, 'big5'],
@@ -12,7 +12,7 @@ const codePages: readonly (readonly [RegExp, string])[] = [
   [/ANSI_1254\b/i, 'windows-1254'],
 ];
 
-/** UTF-8 or UTF-16 where it is such, else what the file says of itself, else Latin-1. */
+/** Decodes UTF-8 or UTF-16 if valid, otherwise by the file's code page, otherwise Latin-1. */
 export function textOf(bytes: Uint8Array): string {
   if (bytes[0] === 0xff || bytes[0] === 0xfe) return decoded(bytes);
   try {
@@ -24,7 +24,7 @@ export function textOf(bytes: Uint8Array): string {
   }
 }
 
-/** What stands in a text, without the marks that lay it out. */
+/** The text without formatting codes. */
 export const plainText = (text: string): string =>
   text
     .replaceAll(/\\U\+([0-9a-f]{4})/gi, (_, digits: string) =>

@@ -1,4 +1,4 @@
-/** In which unit a DXF file is. */
+/** Determines the unit of a DXF file. */
 import type {UnitGuess} from '../../model/drawing.js';
 import type {FileUnit} from '../../model/garment-document.js';
 import type {Point} from '../../model/geometry.js';
@@ -7,19 +7,20 @@ import {boundary} from './layers.js';
 import {linesOn, type DxfPiece} from './pieces.js';
 import type {SystemText} from './system-text.js';
 
-/** Of the header's `$INSUNITS`. */
+/** Units of `$INSUNITS` in the header. */
 const insertUnits: Readonly<Record<number, FileUnit>> = {1: 'inch', 4: 'mm', 5: 'cm', 6: 'm'};
 
 interface UnitWords {
   readonly style: SystemText;
   readonly header: ReadonlyMap<string, number>;
-  /** By whoever opens the file. */
+  /** The unit chosen by the user. */
   readonly chosen: FileUnit | undefined;
 }
 
 /**
- * Stated ENGLISH is inches. METRIC are millimetres to the standard, but CLO is known to write centimetres; the header's
- * unit counts where no words do, as Optitex writes metres there, whatever it draws in.
+ * The unit of a file. ENGLISH means inches. METRIC means millimetres in the standard, but CLO
+ * writes centimetres. The header's unit is used only without such text, since Optitex writes metres
+ * there in any case.
  * @param largest the longer side of the largest piece, in the unit of the file
  */
 export function unitOf(largest: number, {style, header, chosen}: UnitWords): UnitGuess {
@@ -33,11 +34,11 @@ export function unitOf(largest: number, {style, header, chosen}: UnitWords): Uni
     : guessedUnit({largest});
 }
 
-/** The longer side of the box around the largest piece. */
+/** The longer side of the largest piece's bounding box. */
 export const largestOf = (pieces: readonly DxfPiece[]): number =>
   Math.max(...pieces.map(({entities}) => sizeOf(linesOn(entities, boundary))));
 
-/** The longer side of the box around lines. */
+/** The longer side of the bounding box of lines. */
 export function sizeOf(lines: readonly {readonly points: readonly Point[]}[]): number {
   const low = [Infinity, Infinity] as [number, number];
   const high = [-Infinity, -Infinity] as [number, number];

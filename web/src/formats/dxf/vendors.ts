@@ -1,17 +1,21 @@
-/** What programs that write DXF are known to do beyond the standard. */
+/** Deviations of DXF programs from the standard. */
 import type {SplineRule} from '../base/splines.js';
 
 export interface Vendor {
-  /** As files name it. */
+  /** Program name in the file. */
   readonly program?: string;
   /**
-   * The curve through key points. Measured against the dense curves that files hold as well: Gerber's is met by a
-   * Catmull-Rom spline to 0.27-0.43 mm in nine of ten places, Richpeace's and CLO's by a natural one to 0.57 and 0.00.
+   * The spline through key points, compared with the dense curves of the same files. A Catmull-Rom
+   * spline fits Gerber's to 0.27-0.43 mm in nine of ten places. A natural spline fits Richpeace's
+   * and CLO's to 0.57 and 0.00 mm.
    */
   readonly rule: SplineRule;
 }
 
-/** @param author as the file's system text says */
+/**
+ * The program of a file.
+ * @param author author in the file's system text
+ */
 export function vendorOf(author: string | undefined): Vendor {
   const rule = /gerber|accumark/i.test(author ?? '') ? 'catmull-rom' : 'natural';
   return {...(author !== undefined && {program: author.split(';')[0]?.trim() ?? author}), rule};

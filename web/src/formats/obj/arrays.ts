@@ -1,4 +1,4 @@
-/** Lists of numbers that grow, and tables of them: plain lists take four times the memory. */
+/** Growing typed arrays and hash tables, which take a quarter of the memory of plain lists. */
 
 abstract class Growing<T extends Float64Array | Int32Array> {
   protected items: T;
@@ -62,22 +62,22 @@ export class Integers extends Growing<Int32Array> {
   }
 }
 
-/** A number that mixes two, to look them up by. */
+/** A hash of two numbers. */
 export const hashOf = (a: number, b: number): number => {
   const mixed = Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca6b);
   return Math.imul(mixed ^ (mixed >>> 15), 0xc2b2ae35) >>> 0;
 };
 
-/** A power of two, twice as large as what is to be looked up. */
+/** A power of two of at least twice the number of entries. */
 export const tableSize = (count: number): number =>
   1 << Math.max(4, Math.ceil(Math.log2(2 * count)));
 
-/** Points closer than this share of the extent of all are one. */
+/** Points closer than this share of the whole extent are merged. */
 const welding = 1e-6;
 
 /**
- * For every point the number of the first one at its place.
- * @param size coordinates of a point
+ * For every point, the index of the first one at its place.
+ * @param size coordinates per point
  */
 export function welded(coordinates: Float64Array, size: number): Int32Array {
   const count = coordinates.length / size;

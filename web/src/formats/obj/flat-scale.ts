@@ -1,23 +1,25 @@
-/** How much larger a garment is than its pieces in the texture. */
+/** Determines the scale of a garment relative to its pieces in the texture. */
 import type {ObjMesh} from './parse.js';
 import {nextSide} from './panels.js';
 
-/** By what texture coordinates are to be multiplied, to be in the unit of the vertices. */
+/** Factors from texture coordinates to the unit of the vertices. */
 export interface FlatScale {
   readonly across: number;
   readonly up: number;
 }
 
-/** Sides that are measured; more change nothing. */
+/** Greatest number of sampled sides. */
 const measuredSides = 60_000;
 
-/** Cloth stretches on a body; a ratio this near to that of two units is theirs. */
+/**
+ * Greatest stretch of fabric on a body; a ratio this close to a ratio of units is taken as that.
+ */
 const stretch = 1.3;
 
-/** Ratios of units in which a texture may hold true sizes: the same, or millimetres, centimetres and metres. */
+/** Unit ratios of textures in true size: equal units, or millimetres, centimetres and metres. */
 const unitRatios = [1, 10, 100, 1000, 0.1, 0.01, 0.001];
 
-/** Textures that were squeezed to fit have another scale across than up. */
+/** Least anisotropy of a texture that was squeezed to fit. */
 const squeezed = 1.05;
 
 export function flatScale(mesh: ObjMesh): FlatScale {
@@ -32,7 +34,7 @@ export function flatScale(mesh: ObjMesh): FlatScale {
 const median = (values: number[]): number =>
   values.sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? 1;
 
-/** Whether the texture fills the square from 0 to 1, as those do that were packed, and says nothing of sizes. */
+/** Returns whether the texture fills the unit square, as packed textures without true sizes do. */
 function isUnitSquare({flat}: ObjMesh): boolean {
   let [low, high] = [Infinity, -Infinity];
   for (const value of flat) [low, high] = [Math.min(low, value), Math.max(high, value)];
@@ -45,7 +47,10 @@ interface Ratios {
   readonly up: number[];
 }
 
-/** Of sides in space to sides in the texture: of all, and of those that run across and up. */
+/**
+ * Ratios of lengths in space to lengths in the texture: of all sides, and of horizontal and
+ * vertical ones.
+ */
 function ratios({vertices, flat, corners, flatCorners}: ObjMesh): Ratios {
   const found: Ratios = {all: [], across: [], up: []};
   const step = Math.max(1, Math.floor(corners.length / measuredSides));

@@ -1,23 +1,25 @@
-/** Panels of a garment's mesh: what hangs together where it is flat, and the edges at which it ends. */
+/**
+ * Finds the panels of a garment mesh, which are connected in the texture, and their boundary edges.
+ */
 import {hashOf, tableSize} from './arrays.js';
 
-/** Triangles by their corners; side h of a triangle runs from corner h to the next one of that triangle. */
+/** Triangles by their corners. Side h of a triangle runs from corner h to its next corner. */
 interface Sides {
-  /** Of every corner its vertex, and its place where the cloth is flat; both welded. */
+  /** The vertex and the texture coordinate of every corner, both welded. */
   readonly vertices: Int32Array;
   readonly flat: Int32Array;
 }
 
 export interface Panels {
-  /** Of every side the other one at the same edge of its panel; -1 at its rim. */
+  /** For every side, the opposite side at the same edge of its panel; -1 at the boundary. */
   readonly mates: Int32Array;
-  /** Of every side at a rim the one that it is sewn to; -1 where it is free. */
+  /** For every boundary side, the side it is sewn to; -1 if it is free. */
   readonly sewnTo: Int32Array;
-  /** Of every triangle a triangle that stands for its panel. */
+  /** For every triangle, a triangle that identifies its panel. */
   readonly panelOf: Int32Array;
-  /** Edges of one panel at which more than two triangles meet, or two that do not turn the same way. */
+  /** Number of edges in a panel with more than two triangles, or two of opposite orientation. */
   readonly broken: number;
-  /** Edges at which more than two panels meet; they stay unsewn. */
+  /** Number of edges where more than two panels meet; these stay unsewn. */
   readonly crowded: number;
 }
 
@@ -30,12 +32,12 @@ export function panelsOf(sides: Sides): Panels {
   return {mates, broken, ...sewn, panelOf: joinedTriangles(mates)};
 }
 
-/** Sides by the edges of the mesh on which they lie. Millions are walked through: nothing is made on the way. */
+/** Sides by edge of the mesh. Loops allocate nothing, since there are millions of sides. */
 class Edges {
   readonly #sides: Sides;
-  /** Of every side the one before it at the same edge; -1 for the first. */
+  /** For every side, the previous one at the same edge; -1 for the first. */
   readonly #before: Int32Array;
-  /** The last side of every edge, and -1 in between. */
+  /** Hash table of the last side of every edge; -1 in empty slots. */
   readonly #last: Int32Array;
 
   constructor(sides: Sides) {
@@ -118,7 +120,7 @@ function joinedTriangles(mates: Int32Array): Int32Array {
   return parents.map((_, triangle) => rootOf(triangle));
 }
 
-/** The rims of all panels, each as the sides that follow each other around it. */
+/** The boundaries of all panels, each as consecutive sides. */
 export function rimsOf({mates}: Panels): number[][] {
   const rims: number[][] = [];
   const seen = new Uint8Array(mates.length);
@@ -134,7 +136,7 @@ export function rimsOf({mates}: Panels): number[][] {
   return rims;
 }
 
-/** The side of a rim that begins where one ends: around the corner between them lie triangles of the panel. */
+/** The next side of a boundary, found by walking through the triangles around the corner. */
 function following(side: number, mates: Int32Array): number {
   let next = nextSide(side);
   for (let mate = mates[next] ?? -1; mate >= 0; mate = mates[next] ?? -1) next = nextSide(mate);

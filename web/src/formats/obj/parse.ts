@@ -1,21 +1,21 @@
-/** The text of an OBJ file as a mesh of triangles, read byte by byte: files have millions of lines. */
+/** Parses an OBJ file to a triangle mesh, byte by byte, since files have millions of lines. */
 import {FileError} from '../../model/versioned-file.js';
 import {Floats, Integers} from './arrays.js';
 
-/** Corners by number; three a triangle. */
+/** A triangle mesh; corners are indexed, three per triangle. */
 export interface ObjMesh {
-  /** x, y, z of every vertex. */
+  /** x, y, z per vertex. */
   readonly vertices: Float64Array;
-  /** u, v of every texture coordinate. */
+  /** u, v per texture coordinate. */
   readonly flat: Float64Array;
-  /** Of every corner, its vertex. */
+  /** Vertex index per corner. */
   readonly corners: Int32Array;
-  /** Of every corner, its texture coordinate. */
+  /** Index of the texture coordinate per corner. */
   readonly flatCorners: Int32Array;
-  /** Of every triangle, its group. */
+  /** Group index per triangle. */
   readonly groups: Int32Array;
   readonly groupNames: readonly string[];
-  /** Whether there are texture coordinates that faces may name. */
+  /** True if there are texture coordinates. */
   readonly hasFlat: boolean;
 }
 
@@ -25,10 +25,13 @@ const [newline, carriage, space, tab, slash, minusSign, plusSign, dot, zero, nin
   ...['/', '-', '+', '.', '0', '9'].map(code),
 ] as [number, number, number, number, number, number, number, number, number, number];
 
-/** Garments of simulators have a fifth of it. */
+/** Greatest number of triangles, five times that of simulators' garments. */
 const mostTriangles = 500_000;
 
-/** @throws {FileError} where a number is none, or a face names what is not there */
+/**
+ * Parses an OBJ file.
+ * @throws {FileError} for an invalid number, or a face with an unknown index
+ */
 export const readMesh = (bytes: Uint8Array, file: string): ObjMesh =>
   new Parser(bytes, file).read();
 
@@ -120,7 +123,7 @@ class Parser {
     return first === minusSign ? -1 : 1;
   }
 
-  /** A face of many corners becomes a fan of triangles. */
+  /** Converts a polygon to a fan of triangles. */
   #face(): void {
     this.#at++;
     const group = this.#group;
@@ -156,11 +159,11 @@ class Parser {
       isDigit(next) || next === minusSign
         ? this.#index(this.#flat.length / 2, 'texture coordinate')
         : -1;
-    while (!this.#isAtEnd()) this.#at++; // a normal
+    while (!this.#isAtEnd()) this.#at++; // skips the normal
     return index;
   }
 
-  /** From 1 on, or counted back from what was read last. */
+  /** Reads an index: counted from 1, or backwards from the latest element if negative. */
   #index(count: number, what: string): number {
     const start = this.#at;
     const sign = this.#sign();

@@ -1,4 +1,7 @@
-/** OBJ with texture coordinates as a drawing: garments of simulators, whose pieces lie flat in the texture. */
+/**
+ * Reads OBJ with texture coordinates as a drawing: garments of simulators, with their pieces flat
+ * in the texture.
+ */
 import type {Drawing, DrawnPiece, DrawnSeam, Run} from '../../model/drawing.js';
 import type {FileUnit} from '../../model/garment-document.js';
 import type {Point} from '../../model/geometry.js';
@@ -12,16 +15,19 @@ import {readMesh, type ObjMesh} from './parse.js';
 import {runsOfRims, type Rim, type RimRuns} from './seams.js';
 import {flatScale, type FlatScale} from './flat-scale.js';
 
-/** By how much a curve may miss the points of a rim, as a share of the largest piece: 0.1 mm of a metre. */
+/**
+ * Greatest deviation of curves from a boundary, as a share of the largest piece: 0.1 mm per metre.
+ */
 const fitting = 1e-4;
 
-/** Pieces that no garment has. */
+/** Greatest number of panels, above that of any garment. */
 const mostPanels = 1000;
 
 /**
- * @param file its name, for messages
- * @param units of its vertices, where its owner knows them
- * @throws {FileError} where it has no flat pieces that can be read
+ * Reads an OBJ file.
+ * @param file file name for messages
+ * @param units unit of the vertices, if known
+ * @throws {FileError} without flat pieces
  */
 export function readObj(bytes: Uint8Array, file: string, units?: FileUnit): Drawing {
   const mesh = flatPart(readMesh(bytes, file), file);
@@ -68,7 +74,7 @@ export function readObj(bytes: Uint8Array, file: string, units?: FileUnit): Draw
   };
 }
 
-/** The triangles that lie in the texture. */
+/** The triangles with texture coordinates. */
 function flatPart(mesh: ObjMesh, file: string): ObjMesh {
   const {corners, flatCorners, groups, hasFlat} = mesh;
   const isFlat = (triangle: number): boolean =>
@@ -109,13 +115,16 @@ const longerSide = (points: readonly Point[]): number => {
 };
 
 interface TrueRims {
-  /** Panel by panel, the outer rim of each first. */
+  /** Ordered by panel, with the outer boundary of each first. */
   readonly rims: readonly Rim[];
-  /** Pieces that lay on their faces. */
+  /** Number of mirrored pieces. */
   readonly turned: number;
 }
 
-/** Pieces lie face up: those that lie the other way round than most were mirrored to fit the texture. */
+/**
+ * Boundaries in true size, with all pieces face up: pieces with the opposite orientation of most
+ * were mirrored to fit the texture.
+ */
 function rimsInTrueSize(mesh: ObjMesh, panels: Panels, {across, up}: FlatScale): TrueRims {
   const byPanel = new Map<
     number,
@@ -185,7 +194,7 @@ function piecesOf(
   };
 }
 
-/** By the groups that their triangles are in, where pieces have one each. */
+/** Piece names, from the group of their triangles if each piece has its own. */
 function namesOf(mesh: ObjMesh, rims: readonly Rim[]): string[] {
   const outer = rims.filter(({panel}, k) => rims[k - 1]?.panel !== panel);
   const groups = outer.map(({sides}) => mesh.groups[Math.floor((sides[0] ?? 0) / 3)] ?? 0);

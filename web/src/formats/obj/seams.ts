@@ -1,34 +1,34 @@
-/** Rims of panels as edges, parted where what they are sewn to changes. */
+/** Divides panel boundaries into edges where their seam partner changes. */
 import {minus, radians, turnBetween, type Point} from '../../model/geometry.js';
 
-/** A turn of a free rim that parts two edges; steps of meshes around a curve turn by less. [rad] */
+/** Least turn of a free boundary between two edges; mesh segments along a curve turn less. [rad] */
 const corner = radians(35);
 
-/** A closed rim. */
+/** A closed boundary. */
 export interface Rim {
-  /** The panel that it bounds, by number. */
+  /** Panel index. */
   readonly panel: number;
   readonly sides: readonly number[];
-  /** Where each side begins, in true size. */
+  /** Start of each side, in true size. */
   readonly points: readonly Point[];
 }
 
-/** Part of a rim. */
+/** A part of a boundary. */
 interface RimRun {
   readonly rim: number;
-  /** The place of its first side in the rim, and how many it has. */
+  /** Index of the first side in the boundary, and number of sides. */
   readonly from: number;
   readonly count: number;
 }
 
 interface RimSeam {
-  /** Numbers of runs. */
+  /** Indices of runs. */
   readonly a: number;
   readonly b: number;
   readonly sameDirection: boolean;
 }
 
-/** Where a side lies. */
+/** The position of a side. */
 interface Place {
   readonly rim: number;
   readonly at: number;
@@ -39,7 +39,11 @@ export interface RimRuns {
   readonly seams: readonly RimSeam[];
 }
 
-/** @param sewnTo of every side, the one that it is sewn to, or -1 @param begins of every side the vertex at which it begins */
+/**
+ * Divides boundaries.
+ * @param sewnTo for each side, the side it is sewn to, or -1
+ * @param begins for each side, its start vertex
+ */
 export function runsOfRims(rims: readonly Rim[], sewnTo: Int32Array, begins: Int32Array): RimRuns {
   const places = new Map<number, Place>();
   rims.forEach(({sides}, rim) => {
@@ -59,7 +63,7 @@ class Joins {
   readonly #sewnTo: Int32Array;
   readonly #begins: Int32Array;
   readonly #places: ReadonlyMap<number, Place>;
-  /** Sides that begin an edge. */
+  /** Sides at which an edge begins. */
   readonly #cuts = new Set<number>();
 
   constructor(
@@ -74,11 +78,11 @@ class Joins {
     this.#places = places;
     const own = rims.flatMap((rim) => rim.sides.filter((_, at) => this.#isCut(rim, at)));
     for (const side of own) this.#cuts.add(side);
-    // what parts one side of a seam parts the other
+    // a division of one side of a seam also divides the other
     for (const side of own) this.#cutAcross(side);
   }
 
-  /** The side that one is sewn to, and where that lies. */
+  /** The side that a side is sewn to, with its position. */
   across(side: number | undefined): (Place & {readonly side: number}) | undefined {
     const other = side === undefined ? -1 : (this.#sewnTo[side] ?? -1);
     const place = this.#places.get(other);
@@ -89,7 +93,7 @@ class Joins {
     return sides.flatMap((side, at) => (this.#cuts.has(side) ? [at] : []));
   }
 
-  /** Whether two sides begin at one vertex. */
+  /** Returns whether two sides begin at the same vertex. */
   beginTogether(a: number, b: number): boolean {
     return this.#begins[a] === this.#begins[b];
   }
@@ -111,7 +115,7 @@ class Joins {
     return turning(a.at - 1, count) === b.at || turning(a.at + 1, count) === b.at;
   }
 
-  /** Parts the other side of a seam, or of two, at the vertex at which a side begins. */
+  /** Divides the other side of one or two seams at the start vertex of a side. */
   #cutAcross(side: number): void {
     const place = this.#places.get(side);
     const sides = place && this.#rims[place.rim]?.sides;
@@ -127,7 +131,10 @@ class Joins {
   }
 }
 
-/** From cut to cut; a rim without two of them is parted in the middle, since an edge has two ends. */
+/**
+ * Runs from cut to cut. A boundary with fewer than two cuts is also cut in the middle, since an
+ * edge has two ends.
+ */
 function runsBetween(rim: number, cuts: readonly number[], count: number): RimRun[] {
   const [first = 0, second] = cuts;
   const all = second === undefined ? [first, first + Math.floor(count / 2)] : cuts;

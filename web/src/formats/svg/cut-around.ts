@@ -1,4 +1,4 @@
-/** The line that is cut, where a file draws it in pieces or only along the edges that have an allowance. [mm] */
+/** Constructs the cut line from parts that are drawn only along edges with an allowance. [mm] */
 import {distance, type Point} from '../../model/geometry.js';
 import {signedArea} from '../../model/polyline.js';
 import {endOf, straight} from '../base/bezier.js';
@@ -6,10 +6,10 @@ import {nearestOn, type Near} from '../base/nearest.js';
 import {meeting, type Line} from './lines.js';
 import {areaOf, chained, pointsOf, rimOf} from './outlines.js';
 
-/** The widest allowance that is made good where a cut line ends off the outline. [mm] */
+/** Greatest distance between the end of a cut line and the outline. [mm] */
 const widest = 80;
 
-/** The closed line that is cut around a sewn one, of lines that are drawn for it; undefined where they make none. */
+/** The closed cut line around a sewn line; undefined if the drawn lines do not form one. */
 export function cutAround(sewn: Line, drawn: readonly Line[]): Line | undefined {
   const chains = chained(drawn).map(({line}) => line);
   const area = areaOf(sewn);
@@ -27,7 +27,10 @@ export function cutAround(sewn: Line, drawn: readonly Line[]): Line | undefined 
   return {start, cubics, isClosed: true};
 }
 
-/** A closed line with one of its stretches replaced by a line from end to end of it: that which leaves more within. */
+/**
+ * Replaces a part of a closed line by a line between the same ends, so that the enclosed area is
+ * larger.
+ */
 function replaced(rim: readonly Point[], chain: Line): readonly Point[] {
   const along = pointsOf(chain);
   const [leaves, returns] = [nearestOn(rim, chain.start, true), nearestOn(rim, endOf(chain), true)];
@@ -45,7 +48,7 @@ function replaced(rim: readonly Point[], chain: Line): readonly Point[] {
   return ways[a >= b ? 0 : 1] ?? rim;
 }
 
-/** The corners of a closed line from one of its points on to another, without both. */
+/** The corners of a closed line between two of its points, excluding both. */
 function stretch(rim: readonly Point[], from: Near, to: Near): Point[] {
   const n = rim.length;
   const along = (one: Near): number => distance(rim[one.step] ?? one.at, one.at);

@@ -1,4 +1,4 @@
-/** Pieces as FreeSewing draws them: a group each, and a class for what a line means. [mm] */
+/** Reads the pieces of FreeSewing files: one group per piece, with line types as classes. [mm] */
 import type {DrawnNotch, DrawnPiece} from '../../model/drawing.js';
 import type {Point} from '../../model/geometry.js';
 import {atShare, isInside, lengthOf} from '../../model/polyline.js';
@@ -12,14 +12,14 @@ import {classesOf} from './styles.js';
 import type {Drawn, DrawnText, Sheet} from './walk.js';
 import type {XmlElement} from '../base/xml.js';
 
-/** Of what a piece is cut, by the class of its outline. */
+/** Materials, which are classes of outlines. */
 const materials = ['fabric', 'lining', 'interfacing', 'canvas', 'contrast', 'various'];
-/** Lines that are no outline, whatever else they are. */
+/** Classes of lines that are never outlines. */
 const marks = ['sa', 'help', 'note', 'mark', 'hidden', 'dashed', 'dotted', 'lashed', 'scalebox'];
 
 const idOf = (element: XmlElement): string => element.attributes.get('id') ?? '';
 
-/** The part that something belongs to; stacks of several parts are drawn on top of each other. */
+/** The group of the part that contains an element; a stack draws several parts over each other. */
 function partOf(groups: readonly XmlElement[]): XmlElement | undefined {
   const stacks = groups.filter((group) => /(?:^|-)stack-/.test(idOf(group)));
   return stacks.find((group) => idOf(group).includes('-part-')) ?? stacks[0];
@@ -28,7 +28,7 @@ function partOf(groups: readonly XmlElement[]): XmlElement | undefined {
 const hasClass = (element: XmlElement, ...names: readonly string[]): boolean =>
   classesOf(element).some((name) => names.includes(name));
 
-/** None where the file has no groups as FreeSewing writes them. */
+/** The pieces; empty if the file has no FreeSewing groups. */
 export function freesewingPieces(sheet: Sheet): DrawnPiece[] {
   const parts = new Set<XmlElement>();
   for (const {groups} of sheet.drawn) {
@@ -85,7 +85,7 @@ function pieceOf(
   const sa = drawn.filter(({element}) => hasClass(element, 'sa')).flatMap(({lines}) => lines);
   const cut = cutAround(line, sa);
   const ends = (one: Line): [Point, Point] => [one.start, endOf(one)];
-  const grainLine = grain ?? fold; // the mark of a fold says that it is the grain, too
+  const grainLine = grain ?? fold; // the fold mark also marks the grain
   return {
     name: nameOf(part, texts),
     quantity: quantityOf(words),
@@ -102,7 +102,9 @@ function pieceOf(
   };
 }
 
-/** A piece that is cut twice of one material in different ways has a line for each. */
+/**
+ * The quantity of a piece. A piece cut in different ways from one material has one line for each.
+ */
 function quantityOf(words: readonly string[]): Count {
   const bare = (line: string): string => line.replaceAll(/^\W+|\d/g, '');
   const lines = words.flatMap((line) => {
@@ -118,7 +120,7 @@ function quantityOf(words: readonly string[]): Count {
   };
 }
 
-/** A notch lies on its outline; what lies elsewhere is another mark. [mm] */
+/** Greatest distance of a notch from its outline; other symbols are no notches. [mm] */
 const onOutline = 1;
 
 function notchAt(of: string, at: Point, rim: readonly Point[]): DrawnNotch[] {
@@ -131,16 +133,16 @@ function nameOf(part: XmlElement, texts: readonly DrawnText[]): string {
     ({element}) => hasClass(element, 'text-lg') && hasClass(element, 'font-bold'),
   );
   const [titled = ''] = title?.lines ?? [];
-  // a title that nobody translated is a key
+  // a title without a translation is a key
   const isKey = titled === '' || /^[a-z]+[A-Z]/.test(titled) || titled.includes(':');
   const named = isKey ? idOf(part).replace(/^.*[-.]/, '') : titled;
   return /\s/.test(named) ? named : named.replaceAll(/(?<=[a-z])(?=[A-Z])/g, ' ').toLowerCase();
 }
 
-/** Lines shorter than this are no more than ticks. [mm] */
+/** Length below which lines are ticks. [mm] */
 const shortest = 10;
 
-/** What else is drawn within a piece: darts, folds, places of buttons. */
+/** Other lines inside a piece: darts, folds and button positions. */
 function internalLines(
   drawn: readonly Drawn[],
   outline: Line,

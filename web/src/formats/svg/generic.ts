@@ -1,4 +1,7 @@
-/** Pieces of an SVG that no known program drew: closed lines, and what is written and drawn in them. [mm] */
+/**
+ * Reads pieces of SVG files from unknown programs: closed lines, with the text and marks inside.
+ * [mm]
+ */
 import type {DrawnPiece} from '../../model/drawing.js';
 import {distance, middle, minus, type Point} from '../../model/geometry.js';
 import {isInside, type Box} from '../../model/polyline.js';
@@ -37,7 +40,7 @@ export interface Found {
   readonly notes: readonly string[];
 }
 
-/** Lines that hang together, with what drew them. */
+/** Connected lines with the elements that draw them. */
 function strokesOf({drawn}: Sheet): Stroke[] {
   const drawers = drawn.flatMap((one) => one.lines.map(() => one));
   return chained(drawn.flatMap(({lines}) => lines)).map(({line, parts}) => ({
@@ -46,17 +49,17 @@ function strokesOf({drawn}: Sheet): Stroke[] {
   }));
 }
 
-/** The longer side of the largest closed line that frames no others. [mm] */
+/** The longer side of the largest closed line that is no frame. [mm] */
 export function largestClosed(sheet: Sheet): number {
-  const loops = loopsOf(strokesOf(sheet)).slice(0, 100); // the largest
+  const loops = loopsOf(strokesOf(sheet)).slice(0, 100); // only the largest
   const shown = loops.filter((loop) => !isFrame(loop, loops, sheet));
   return Math.max(0, ...shown.map(({box}) => longerSide(box)));
 }
 
-/** GarmentCode fills its panels so, and lays them over each other. */
+/** GarmentCode fills its panels with this colour, and overlaps them. */
 const garmentCodeFill = 'rgb(227,175,186)';
 
-/** Outlines that a pattern of many pieces, each drawn twice, stays far below. */
+/** Greatest number of outlines, far above that of many pieces drawn twice. */
 const mostOutlines = 1000;
 
 const tooMany = (count: number): string =>
@@ -96,7 +99,7 @@ export function genericPieces(sheet: Sheet): Found {
   };
 }
 
-/** What people called a line or the groups around it, but for groups that hold other pieces, too. */
+/** Labels of a line and of the groups around it, except groups that contain other pieces. */
 function labelsOf({drawers: [drawer]}: Loop, others: readonly Loop[]): string | undefined {
   const around = drawer ? [drawer.element, ...drawer.groups.toReversed()] : [];
   const isOwn = (element: XmlElement): boolean =>
@@ -104,13 +107,16 @@ function labelsOf({drawers: [drawer]}: Loop, others: readonly Loop[]): string | 
   return around.filter(isOwn).flatMap((element) => labelOf(element) ?? [])[0];
 }
 
-/** The piece that words stand in: of several, the one whose middle is nearest. */
+/** The piece that contains a text; of several, the one with the nearest middle. */
 function ownerOf({at}: DrawnText, outer: readonly Loop[]): Loop | undefined {
   const off = ({box}: Loop): number => distance(middle(box.low, box.high), at);
   return outer.filter(({rim}) => isInside(rim, at)).sort((a, b) => off(a) - off(b))[0];
 }
 
-/** A rectangle as large as the page, or one that holds several others and no word of its own. */
+/**
+ * Returns whether a rectangle has the page's size, or encloses several others without any text of
+ * its own.
+ */
 function isFrame(loop: Loop, large: readonly Loop[], {page, texts}: Sheet): boolean {
   if (!isRectangle(loop.line)) return false;
   const size = minus(loop.box.high, loop.box.low);
@@ -123,7 +129,7 @@ function isFrame(loop: Loop, large: readonly Loop[], {page, texts}: Sheet): bool
   return inner.filter(isApart).length > 1 && !texts.some(isOwn);
 }
 
-/** Open lines as long as an outline whose ends nearly meet, in none of the pieces. */
+/** Notes on open lines as long as an outline whose ends nearly meet, outside of all pieces. */
 function openNotes(marks: readonly Mark[], outer: readonly Loop[]): string[] {
   return marks.flatMap(({line, length, at}) => {
     const gap = distance(line.start, endOf(line));
@@ -165,7 +171,7 @@ function pieceOf(
   };
 }
 
-/** Notches may lie on an outline, and a little outside. [mm] */
+/** Distance outside an outline at which notches are accepted. [mm] */
 const outside = 20;
 
 const isAround = ({low, high}: Box, [x, y]: Point): boolean =>

@@ -1,25 +1,28 @@
-/** How long a unit of an SVG is. */
+/** Determines the length of an SVG unit. */
 import type {UnitGuess} from '../../model/drawing.js';
 import {FileError} from '../../model/versioned-file.js';
 import type {XmlDocument} from '../base/xml.js';
 import {numbersOf} from './matrix.js';
 
-/** Millimetres of the units that stand for a length on paper. */
+/** Millimetres per absolute unit. */
 const paperUnits: Readonly<Record<string, number>> = {
   ...{mm: 1, cm: 10, m: 1000, in: 25.4, pt: 25.4 / 72, pc: 25.4 / 6, q: 0.25},
 };
 
 interface SvgProgram {
-  /** With its version, where the file says it. */
+  /** Name and version, if the file states them. */
   readonly name?: string;
-  /** Its pixels in an inch: most mean 96, as the standard has it. */
+  /** Pixels per inch; usually 96, as in the standard. */
   readonly perInch: number;
 }
 
-/** Qt draws for both, and names neither. Words of a piece come in order: its letter, its name, then the pattern's. */
+/**
+ * Name of two programs that Qt makes indistinguishable. Their text is ordered: letter and name of
+ * the piece, then of the pattern.
+ */
 export const valentina = 'Valentina or Seamly';
 
-/** Which program wrote a file, by what it leaves in it. */
+/** The program that wrote a file, from its traces in the file. */
 export function programOf({root, comments}: XmlDocument): SvgProgram {
   const {attributes} = root;
   const said = comments.join(' ');
@@ -56,16 +59,19 @@ const titlesOf = (root: XmlDocument['root']): string[] =>
   );
 
 interface SvgScale {
-  /** Of a unit of what lies in the root; undefined where the file leaves it open. */
+  /** Millimetres per user unit of the root; undefined if the file does not define it. */
   readonly millimetres?: number;
   readonly because: UnitGuess['because'];
-  /** Whether width or height are lengths on paper. */
+  /** True if width or height are absolute lengths. */
   readonly isStated: boolean;
-  /** What was assumed. */
+  /** The assumption made. */
   readonly note?: string;
 }
 
-/** From the outermost element. A side in percent says nothing, as one that is left out. @throws {FileError} for a size of 0 */
+/**
+ * The scale from the outermost element. Percentages count as missing.
+ * @throws {FileError} for a size of 0
+ */
 export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
   const {perInch, name} = programOf({root, comments});
   const [, , across, down] = numbersOf(root.attributes.get('viewBox'));
@@ -87,14 +93,14 @@ export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
       );
     }
     if (!(length > 0)) return [];
-    // without a view box a unit is a pixel, however large the paper
+    // without a view box a unit is a pixel, regardless of the size
     const scale = units !== undefined && units > 0 ? length / units : pixel;
     return [{scale, isStated: paper !== undefined}];
   });
   const isStated = scales.some((one) => one.isStated);
   const found = scales.filter((one) => one.isStated === isStated).map((one) => one.scale);
   if (isStated) return {millimetres: Math.min(...found), because: 'stated', isStated};
-  // Illustrator leaves out the size of what is meant for pages, and keeps its points
+  // Illustrator omits the size of files for web pages, and writes points
   const isKnown = name?.startsWith('Adobe Illustrator') ?? false;
   if (found.length === 0 && !isKnown) {
     return {

@@ -1,4 +1,4 @@
-/** Shapes of SVG as chains of cubics. */
+/** Converts SVG shapes to chains of cubics. */
 import svgpath from 'svgpath';
 
 import type {Run} from '../../model/drawing.js';
@@ -8,12 +8,12 @@ import type {XmlElement} from '../base/xml.js';
 import {endOf, straight, type CubicFrom} from '../base/bezier.js';
 import {mapped, numbersOf, type Matrix} from './matrix.js';
 
-/** One stroke of the pen. */
+/** A subpath. */
 export interface Line extends Run {
   readonly isClosed: boolean;
 }
 
-/** The `d` of a path that draws an element; undefined for what is no shape. */
+/** The path data of an element; undefined if it is no shape. */
 function pathOf({name, attributes}: XmlElement): string | undefined {
   const at = (...names: string[]): number[] =>
     names.map((one) => numbersOf(attributes.get(one))[0] ?? 0);
@@ -58,10 +58,13 @@ function rectangle(
   return `M${x + a} ${y}h${width - 2 * a}${corner(a, b)}v${height - 2 * b}${corner(-a, b)}h${2 * a - width}${corner(-a, -b)}v${2 * b - height}${corner(a, -b)}z`;
 }
 
-/** Ends that lie no further apart meet. [mm] */
+/** Greatest distance between ends that meet. [mm] */
 export const meeting = 0.1;
 
-/** The lines of a shape, mapped; undefined for what is none. A damaged path is read as far as it goes, as browsers do. */
+/**
+ * The transformed lines of a shape; undefined if it is none. Reads the valid prefix of an invalid
+ * path, as browsers do.
+ */
 export function linesOf(
   element: XmlElement,
   matrix: Matrix,
@@ -105,7 +108,7 @@ function closedIfMet(start: Point, cubics: CubicFrom[], closes: boolean): Line {
   return {...line, isClosed: true};
 }
 
-/** A segment as a cubic; undefined for one that draws nothing. */
+/** A segment as a cubic; undefined if it draws nothing. */
 function cubicOf(
   segment: readonly (string | number)[],
   from: Point,

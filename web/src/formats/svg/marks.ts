@@ -1,4 +1,4 @@
-/** What is drawn in pieces and at their outlines: grain, folds, notches, holes to drill. [mm] */
+/** Recognises marks in pieces and at their outlines: grain, folds, notches and drill holes. [mm] */
 import type {DrawnNotch, Run} from '../../model/drawing.js';
 import {cross, distance, middle, minus, unit, type Point} from '../../model/geometry.js';
 import {atShare, boxOf, lengthOf} from '../../model/polyline.js';
@@ -9,20 +9,20 @@ import {longerSide, type Loop, type Stroke} from './nesting.js';
 import {pointsOf} from './outlines.js';
 import type {DrawnText} from './walk.js';
 
-/** A line that is no outline, measured. */
+/** A line that is no outline, with its measures. */
 export interface Mark extends Stroke {
   readonly points: readonly Point[];
   readonly length: number;
-  /** The middle of its length. */
+  /** Point at half of its length. */
   readonly at: Point;
 }
 
-/** Lines shorter than this are ticks. [mm] */
+/** Length below which lines are ticks. [mm] */
 const shortest = 15;
 
 export const isLong = ({length}: Mark): boolean => length >= shortest;
 
-/** All but letters, which are filled and have no stroke. */
+/** The marks among strokes. Excludes letters, which are filled and have no stroke. */
 export const marksOf = (strokes: readonly Stroke[]): Mark[] =>
   strokes.flatMap((stroke) => {
     const points = pointsOf(stroke.line);
@@ -34,7 +34,7 @@ export const marksOf = (strokes: readonly Stroke[]): Mark[] =>
     return [{...stroke, points, length: lengthOf(points), at: atShare(points, 0.5).at}];
   });
 
-/** The point of a line that lies farthest from its start: heads of arrows may follow it. */
+/** The point of a line farthest from its start; arrowheads may follow it. */
 const farthest = ({start, cubics}: Run): Point =>
   cubics.reduce(
     (far, [, , end]) => (distance(end, start) > distance(far, start) ? end : far),
@@ -43,7 +43,7 @@ const farthest = ({start, cubics}: Run): Point =>
 
 export const grainEnds = ({line}: Mark): [Point, Point] => [line.start, farthest(line)];
 
-/** Round marks as wide as this are holes to drill. [mm] */
+/** Diameters of round marks that are drill holes. [mm] */
 const drill = {least: 1.5, most: 12};
 
 export function isDrill(mark: Mark): boolean {
@@ -55,13 +55,15 @@ export function isDrill(mark: Mark): boolean {
   return 2 * low >= drill.least && 2 * high <= drill.most && high - low <= 0.1 * high;
 }
 
-/** Of a round mark. */
+/** The centre of a round mark. */
 export function middleOf({points}: Mark): Point {
   const {low, high} = boxOf(points);
   return middle(low, high);
 }
 
-/** A straight line that is called so, has its word beside it, or has the heads of an arrow. */
+/**
+ * The grain line: a straight line with that label, with that text beside it, or with arrowheads.
+ */
 export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): Mark | undefined {
   const straight = within.filter(({line}) => {
     const length = distance(line.start, farthest(line));
@@ -84,7 +86,10 @@ export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): M
   return straight.find(isCalled) ?? beside[0] ?? straight.find(isArrow);
 }
 
-/** The straight edge that lies at the fold of the cloth: without allowance, or nearest to the word, or the longest. */
+/**
+ * The straight edge on the fold: one without allowance, otherwise the nearest to the text,
+ * otherwise the longest.
+ */
 export function foldOf(
   runs: readonly Run[],
   outer: Loop,
@@ -104,9 +109,9 @@ export function foldOf(
   return bare[0] ?? near[0] ?? long[0];
 }
 
-/** Marks that begin or end at an outline, from it or across it. [mm] */
+/** Greatest distance between a notch and its outline. [mm] */
 const notchReach = 0.5;
-/** Of allowances that a notch at the cut line is for. [mm] */
+/** Greatest allowance between a notch at the cut line and the sewn line. [mm] */
 const widest = 40;
 
 export function notchesOf(near: readonly Mark[], sewn: Loop, outer: Loop): DrawnNotch[] {

@@ -1,4 +1,4 @@
-/** Affine maps of the plane, as SVG writes them: x' = a x + c y + e, y' = b x + d y + f. */
+/** Affine maps in SVG notation: x' = a x + c y + e, y' = b x + d y + f. */
 import {radians, type Point} from '../../model/geometry.js';
 
 export type Matrix = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
@@ -8,7 +8,7 @@ export const mapped = ([a, b, c, d, e, f]: Matrix, [x, y]: Point): Point => [
   b * x + d * y + f,
 ];
 
-/** First `inner`, then `outer`. */
+/** The composition: first `inner`, then `outer`. */
 export const composed = (outer: Matrix, inner: Matrix): Matrix => {
   const [a, b, c, d, e, f] = inner;
   const [x, y] = mapped(outer, [e, f]);
@@ -22,10 +22,10 @@ export const composed = (outer: Matrix, inner: Matrix): Matrix => {
 export const shift = (x: number, y: number): Matrix => [1, 0, 0, 1, x, y];
 export const scaling = (x: number, y = x): Matrix => [x, 0, 0, y, 0, 0];
 
-/** By how much lengths grow, on average. */
+/** The mean scale factor of lengths. */
 export const growth = ([a, b, c, d]: Matrix): number => Math.sqrt(Math.abs(a * d - b * c));
 
-/** Whether a map leaves of a plane no more than a line. */
+/** Returns whether a map collapses the plane to a line or a point. */
 export const isFlat = (m: Matrix): boolean =>
   !(growth(m) ** 2 > 1e-6 * Math.hypot(m[0], m[1], m[2], m[3]) ** 2);
 
@@ -36,7 +36,7 @@ function turn(degrees: number, x = 0, y = 0): Matrix {
 
 const tan = (degrees: number): number => Math.tan(radians(degrees));
 
-/** One word of a `transform`; undefined where its numbers are too few or too many. */
+/** One function of a `transform`; undefined for a wrong number of arguments. */
 function step(name: string, n: readonly number[]): Matrix | undefined {
   const [p = 0, q] = n;
   if (name === 'matrix' && n.length === 6) return n as unknown as Matrix;
@@ -47,11 +47,11 @@ function step(name: string, n: readonly number[]): Matrix | undefined {
   return name === 'skewY' && n.length === 1 ? [1, tan(p), 0, 1, 0, 0] : undefined;
 }
 
-/** Numbers of a list that parts them by blanks or commas. */
+/** Numbers of a list separated by spaces or commas. */
 export const numbersOf = (list: string | undefined): number[] =>
   (list ?? '').match(/[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi)?.map(Number) ?? [];
 
-/** The map of an attribute `transform`; undefined where that cannot be read. */
+/** The map of a `transform` attribute; undefined if it is invalid. */
 export function matrixOf(transform: string | undefined): Matrix | undefined {
   let whole: Matrix = scaling(1);
   const rest = (transform ?? '').replaceAll(

@@ -1,4 +1,4 @@
-/** Which of closed lines are pieces, which lie in others, and which frame a page. [mm] */
+/** Classifies closed lines: pieces, lines inside others, and page frames. [mm] */
 import type {Run} from '../../model/drawing.js';
 import {distance, type Point} from '../../model/geometry.js';
 import {boxOf, isInside, signedArea, type Box} from '../../model/polyline.js';
@@ -7,13 +7,13 @@ import type {Line} from './lines.js';
 import {rimOf, runsOf} from './outlines.js';
 import type {Drawn} from './walk.js';
 
-/** Lines that hang together, and what drew them. */
+/** Connected lines with the elements that draw them. */
 export interface Stroke {
   readonly line: Line;
   readonly drawers: readonly Drawn[];
 }
 
-/** A closed line, measured. */
+/** A closed line with its measures. */
 export interface Loop extends Stroke {
   readonly rim: readonly Point[];
   readonly box: Box;
@@ -21,13 +21,13 @@ export interface Loop extends Stroke {
   readonly area: number;
 }
 
-/** What a piece has at least; smaller ones are marks. [mm2] */
+/** Least area of a piece; smaller lines are marks. [mm2] */
 export const leastPiece = 2500;
 
 export const longerSide = ({low, high}: Box): number =>
   Math.max(high[0] - low[0], high[1] - low[1]);
 
-/** All closed lines, the largest first; what is drawn twice counts once. */
+/** All closed lines, the largest first, without duplicates. */
 export function loopsOf(strokes: readonly Stroke[]): Loop[] {
   const loops = strokes
     .filter(({line}) => line.isClosed)
@@ -47,10 +47,13 @@ const isTheSame = (a: Loop | undefined, b: Loop): boolean =>
   distance(a.box.low, b.box.low) <= same &&
   distance(a.box.high, b.box.high) <= same;
 
-/** Folds of sewn and of cut lines lie on each other, to within what programs round. [mm] */
+/** Rounding tolerance of folds, where sewn and cut line coincide. [mm] */
 const touching = 0.5;
 
-/** Whether one lies in the other: by its box, and by most of its points, since edges may lie on each other. */
+/**
+ * Returns whether a line is inside another, by its bounding box and most of its points, since edges
+ * may coincide.
+ */
 export function liesIn(inner: Loop, outer: Loop): boolean {
   const {low, high} = outer.box;
   const isWithin =
@@ -68,12 +71,12 @@ export function liesIn(inner: Loop, outer: Loop): boolean {
 const sampled = (rim: readonly Point[], count: number): readonly Point[] =>
   rim.filter((_, k) => k % Math.max(1, Math.floor(rim.length / count)) === 0);
 
-/** Wider allowances than people leave at hems. [mm] */
+/** Greatest allowance, wider than any hem. [mm] */
 const widest = 60;
 
 /**
- * Whether a line runs around another one as a cut line around a sewn one: nowhere far from it, and at a distance that hardly
- * changes but at corners. Hems have a wider allowance, and folds have none.
+ * Returns whether a line is the cut line around a sewn line. It is close everywhere, and its
+ * distance changes little except at corners: hems have a wider allowance and folds have none.
  */
 export function isCutAround(outer: Loop, inner: Loop): boolean {
   if (inner.area < 0.4 * outer.area) return false;
@@ -83,10 +86,10 @@ export function isCutAround(outer: Loop, inner: Loop): boolean {
   return Math.max(...gaps) <= widest && usual > 1 && steady.length >= 0.7 * gaps.length;
 }
 
-/** By how much an allowance may change from one hundredth of an outline to the next. [mm] */
+/** Greatest change of the allowance from one hundredth of an outline to the next. [mm] */
 const unsteady = 0.5;
 
-/** Points of a closed line at even steps. */
+/** Points of a closed line at even distances. */
 function alongEvenly(rim: readonly Point[], count: number): Point[] {
   const lengths = rim.map((from, k) => distance(from, rim[(k + 1) % rim.length] ?? from));
   const step = lengths.reduce((sum, one) => sum + one, 0) / count;
@@ -103,7 +106,7 @@ function alongEvenly(rim: readonly Point[], count: number): Point[] {
   });
 }
 
-/** Whether a line is a rectangle, whichever way it lies. */
+/** Returns whether a line is a rectangle, in any rotation. */
 export function isRectangle(line: Line): boolean {
   const runs: readonly Run[] = runsOf(line);
   const corners = runs.map(({start}) => start);

@@ -1,4 +1,4 @@
-/** Closed lines: how large they are, where they have corners, and lines that close only together. [mm] */
+/** Closed lines: area, corners, and chaining of lines. [mm] */
 import type {Run} from '../../model/drawing.js';
 import {distance, minus, radians, turnBetween, type Point} from '../../model/geometry.js';
 import {lengthOf, signedArea} from '../../model/polyline.js';
@@ -14,25 +14,25 @@ import {
 import {pathThrough} from '../base/curve-fit.js';
 import {meeting, type Line} from './lines.js';
 
-/** A turn that parts two edges; the seams of patterns hardly ever end at less. [rad] */
+/** Least turn between two edges; seams of patterns hardly ever end at a smaller one. [rad] */
 const corner = radians(20);
-/** Steps no longer than this lead nowhere: files are rounded to 0.01 mm. [mm] */
+/** Length up to which segments are ignored, since files are rounded to 0.01 mm. [mm] */
 const shortestStep = 0.03;
-/** By how much points may miss a curve. [mm] */
+/** Greatest deviation of traced points from a curve. [mm] */
 const traceTolerance = 0.02;
-/** By how much a curve may miss points that stand for one. [mm] */
+/** Greatest deviation of a fitted curve from its points. [mm] */
 const fitTolerance = 0.02;
 
-/** Points along a line, its ends among them. */
+/** Points along a line, including its ends. */
 export const pointsOf = (line: Run): Point[] => tracedRun(line, traceTolerance);
 
-/** Of a closed line, none twice. */
+/** Points of a closed line without repeating the first. */
 export const rimOf = (loop: Run): Point[] => pointsOf(loop).slice(0, -1);
 
-/** [mm2] */
+/** Enclosed area. [mm2] */
 export const areaOf = (loop: Run): number => Math.abs(signedArea(rimOf(loop)));
 
-/** Without steps that lead nowhere. */
+/** The line without degenerate segments. */
 function withoutDots(loop: Line): Line {
   let from = loop.start;
   const cubics = loop.cubics.filter((cubic) => {
@@ -44,7 +44,7 @@ function withoutDots(loop: Line): Line {
   return {...loop, cubics: last ? [...cubics, [last[0], last[1], loop.start]] : cubics};
 }
 
-/** The directions in which a curve leaves its start and comes to its end. */
+/** The directions of a curve at its start and end. */
 function directions([from, a, b, to]: Cubic): {readonly out: Point; readonly into: Point} {
   const isApart = (p: Point, q: Point): boolean => distance(p, q) > 1e-4;
   const ahead = [a, b, to].find((p) => isApart(p, from)) ?? to;
@@ -53,8 +53,8 @@ function directions([from, a, b, to]: Cubic): {readonly out: Point; readonly int
 }
 
 /**
- * A closed line from corner to corner. One with fewer than two corners is parted where it has gone half of its curves, too:
- * an edge has two ends.
+ * Runs of a closed line from corner to corner. A line with fewer than two corners is also divided
+ * after half of its curves, since an edge has two ends.
  */
 export function runsOf(loop: Line): Run[] {
   const drawn = cubicsOf(withoutDots(loop));
@@ -72,7 +72,7 @@ export function runsOf(loop: Line): Run[] {
   });
 }
 
-/** Many short straight steps that turn a little stand for a curve. */
+/** A run; many short straight segments with small turns are converted to a curve. */
 function runThrough(cubics: readonly Cubic[]): Run {
   const start = cubics[0]?.[0] ?? [0, 0];
   const drawn: Run = {start, cubics: cubics.map(([, a, b, to]) => [a, b, to])};
@@ -84,10 +84,13 @@ function runThrough(cubics: readonly Cubic[]): Run {
   return swings ? drawn : curve;
 }
 
-/** A curve that is longer by this share than the steps it goes through swings between them. */
+/** A curve longer than its segments by this share swings between them. */
 const swing = 0.002;
 
-/** By how much most steps stray from the curve that they stand for, as arcs would; and any of them. [mm] */
+/**
+ * Greatest distance of segments from the curve they represent, assuming arcs: the median and the
+ * maximum. [mm]
+ */
 const strays = {usual: 0.1, most: 0.5};
 
 function isFine(points: readonly Point[]): boolean {
@@ -101,18 +104,18 @@ function isFine(points: readonly Point[]): boolean {
   return usual <= strays.usual && (sorted.at(-1) ?? 0) <= strays.most;
 }
 
-/** Lines that hang together. */
+/** Connected lines. */
 interface Chain {
   readonly line: Line;
-  /** Numbers of those that it is made of. */
+  /** Indices of the original lines. */
   readonly parts: readonly number[];
 }
 
 const backwards = (line: Line): Line => ({...reversed(line), isClosed: line.isClosed});
 
 /**
- * Lines as they hang together by their ends, to within 0.1 mm: many programs draw an outline edge by edge. Where more
- * than two ends meet, a line goes on along the one that the file draws first.
+ * Chains of lines whose ends meet within 0.1 mm, since many programs draw an outline edge by edge.
+ * If more than two ends meet, the chain continues with the first line in the file.
  */
 export function chained(lines: readonly Line[]): Chain[] {
   const ends = new Ends(lines);
@@ -143,7 +146,7 @@ function joined(a: Line, b: Line): Line {
   return {start: a.start, cubics, isClosed};
 }
 
-/** Open lines by where they end. */
+/** Open lines indexed by their ends. */
 class Ends {
   readonly #lines: readonly Line[];
   readonly #left: Set<number>;
@@ -163,12 +166,12 @@ class Ends {
     });
   }
 
-  /** Whether it was still there. */
+  /** Removes a line, and returns whether it was still there. */
   take(number: number): boolean {
     return this.#left.delete(number);
   }
 
-  /** A line that goes on from a point, turned so that it begins there. */
+  /** Removes and returns a line that continues at a point, reversed if needed to start there. */
   from(end: Point): {readonly line: Line; readonly number: number} | undefined {
     const near = keysAround(end, [-1, 0, 1])
       .flatMap((key) => this.#cells.get(key) ?? [])

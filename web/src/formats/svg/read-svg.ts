@@ -1,4 +1,4 @@
-/** SVG as a drawing of pieces. */
+/** Reads SVG as a drawing of pieces. */
 import type {Drawing, DrawnPiece, Run, UnitGuess} from '../../model/drawing.js';
 import type {FileUnit} from '../../model/garment-document.js';
 import type {Point} from '../../model/geometry.js';
@@ -16,10 +16,11 @@ import {classesOf} from './styles.js';
 import {walked, type Sheet} from './walk.js';
 
 /**
- * @param text of an SVG file
- * @param file its name, for messages
- * @param units of what the file draws, where its owner knows them
- * @throws {FileError} where it holds no pieces that can be read
+ * Reads an SVG file.
+ * @param text content of the file
+ * @param file file name for messages
+ * @param units unit of the drawing, if known
+ * @throws {FileError} without readable pieces
  */
 export function readSvg(text: string, file: string, units?: FileUnit): Drawing {
   const document = svgOf(text, file);
@@ -40,7 +41,10 @@ export function readSvg(text: string, file: string, units?: FileUnit): Drawing {
   };
 }
 
-/** What an SVG may be meant as: a pattern, which draws outlines of pieces at a size on paper; others are pictures. */
+/**
+ * The purpose of an SVG file. A pattern draws outlines of pieces in an absolute size; other files
+ * are images.
+ */
 export type SvgUse = 'pattern' | 'picture' | 'damaged';
 
 export function useOfSvg(text: string): SvgUse {
@@ -78,12 +82,12 @@ function svgOf(text: string, file: string): XmlDocument {
 /** A drawing in millimetres. */
 interface Scaled {
   readonly sheet: Sheet;
-  /** In which it is handed on. */
+  /** The unit of the output. */
   readonly unit: UnitGuess;
   readonly notes: readonly string[];
 }
 
-/** A test square that is off by no more is right: files are rounded. */
+/** Tolerance of a test square for the rounding of files. */
 const rounding = 0.003;
 
 function scaled(document: XmlDocument, file: string, units?: FileUnit): Scaled {
@@ -125,7 +129,7 @@ function foundIn(sheet: Sheet): Found {
   return pieces.length > 0 ? {pieces, notes: []} : genericPieces(sheet);
 }
 
-/** Whether somebody could wear pieces of this size. [mm] */
+/** Returns whether pieces have a wearable size. [mm] */
 function isUsual(pieces: readonly DrawnPiece[]): boolean {
   const sides = pieces.map(({sewn}) => {
     const {low, high} = boxOf(sewn.flatMap(({start, cubics}) => [start, ...cubics.flat()]));
@@ -151,7 +155,7 @@ function titleOf({texts}: Sheet): string | undefined {
   return lines.flatMap((line) => /^FreeSewing (.+?) v\d/.exec(line)?.[1] ?? [])[0];
 }
 
-/** From millimetres. */
+/** Converts a piece from millimetres. */
 function inUnit(piece: DrawnPiece, unit: FileUnit): DrawnPiece {
   const factor = 0.1 / cmPer(unit);
   if (factor === 1) return piece;

@@ -1,4 +1,6 @@
-/** Test squares: rectangles of a size that is written in them, by which whoever prints a pattern checks its scale. */
+/**
+ * Test squares: rectangles labelled with their size, which verify the scale of a printed pattern.
+ */
 import {distance} from '../../model/geometry.js';
 import {boxOf, type Box} from '../../model/polyline.js';
 import type {Line} from './lines.js';
@@ -12,7 +14,7 @@ const squareWords =
 
 const millimetres: Readonly<Record<string, number>> = {mm: 1, cm: 10, in: 25.4};
 
-/** The lengths that words name. [mm] */
+/** The lengths in a text. [mm] */
 function lengthsIn(text: string): number[] {
   const found = text.matchAll(/(\d+(?:[.,]\d+)?)\s*(mm|cm|in(?:ch(?:es)?)?\b|"|″|”|“|'')/gi);
   return [...found].map(([, number = '', unit = '']) => {
@@ -23,7 +25,7 @@ function lengthsIn(text: string): number[] {
 
 interface Rectangle {
   readonly line: Line;
-  /** The longer one first. [mm] */
+  /** The longer side first. [mm] */
   readonly sides: readonly [number, number];
   readonly box: Box;
   readonly classes: readonly string[];
@@ -47,13 +49,13 @@ function rectanglesIn({drawn}: Sheet): Rectangle[] {
   );
 }
 
-/** How far beside a square its words may stand, as a share of its longer side. */
+/** Greatest distance of text beside a square, as a share of its longer side. */
 const beside = 0.25;
 
 const isNear = ({low, high}: Box, [x, y]: readonly [number, number], reach: number): boolean =>
   x >= low[0] - reach && x <= high[0] + reach && y >= low[1] - reach && y <= high[1] + reach;
 
-/** Sizes that words in and beside a rectangle say it has, the longer side first. [mm] */
+/** Sizes stated by the text in and beside a rectangle, the longer side first. [mm] */
 function saidOf({sides: [long, short], box, classes}: Rectangle, {texts}: Sheet): number[][] {
   if (classes.includes('scalebox')) return [classes.includes('metric') ? [100, 50] : [101.6, 50.8]];
   const near = texts.filter(({at}) => isNear(box, at, beside * long)).flatMap(({lines}) => lines);
@@ -64,7 +66,7 @@ function saidOf({sides: [long, short], box, classes}: Rectangle, {texts}: Sheet)
       const next = lengths[k + 1];
       return next === undefined ? [] : [[Math.max(one, next), Math.min(one, next)]];
     });
-    // of a square one side is enough
+    // one side suffices for a square
     const isSquare = long < 1.01 * short && (isSaid || lengths.length > 1);
     return [...pairs, ...(isSquare ? lengths.map((one) => [one, one]) : [])];
   });
@@ -72,10 +74,10 @@ function saidOf({sides: [long, short], box, classes}: Rectangle, {texts}: Sheet)
 
 const alike = 0.003;
 
-/** A rectangle that has the shape that its words say. */
+/** A rectangle with the proportions stated by its text. */
 interface Square {
   readonly line: Line;
-  /** By how much it is smaller than it says. */
+  /** Stated size divided by drawn size. */
   readonly ratio: number;
 }
 
@@ -94,8 +96,8 @@ export const testSquares = (sheet: Sheet): ReadonlySet<Line> =>
   new Set(squaresIn(sheet).map(({line}) => line));
 
 /**
- * By how much a drawing is smaller than it says by its test squares; undefined where it has none. Of several that differ,
- * what most say, then what is nearest to 1.
+ * Stated size divided by drawn size from the test squares; undefined without any. If they differ,
+ * the most frequent ratio is used, then the nearest to 1.
  */
 export function measuredScale(sheet: Sheet): number | undefined {
   const ratios = squaresIn(sheet).map(({ratio}) => ratio);

@@ -1,12 +1,12 @@
-/** What of SVG's styles says whether and how a line is drawn. */
+/** The SVG styles that determine the drawing of a line. */
 import type {XmlElement} from '../base/xml.js';
 
-/** As an element has them, from its own and from its groups. */
+/** The style of an element, including inherited properties. */
 export interface Style {
   readonly stroke: string;
   readonly fill: string;
   readonly isHidden: boolean;
-  /** In units around the text. */
+  /** Size in user units of the text's surroundings. */
   readonly fontSize: number;
 }
 
@@ -14,7 +14,7 @@ export const initialStyle: Style = {stroke: 'none', fill: 'black', isHidden: fal
 
 type Properties = Readonly<Record<string, string>>;
 
-/** By the name of the class. Other selectors are not looked at: programs that draw patterns write classes. */
+/** Properties by class name. Other selectors are ignored, since pattern programs write classes. */
 export type StyleSheet = ReadonlyMap<string, Properties>;
 
 function propertiesOf(declarations: string): Properties {
@@ -27,7 +27,7 @@ function propertiesOf(declarations: string): Properties {
   return Object.fromEntries(pairs);
 }
 
-/** All rules for classes alone of the texts of `style` elements. */
+/** The class rules of `style` elements. */
 export function sheetOf(texts: readonly string[]): StyleSheet {
   const sheet = new Map<string, Properties>();
   for (const text of texts) {
@@ -53,7 +53,7 @@ function fontSizeOf(value: string | undefined, around: number): number {
   return size > 0 && unit !== '%' ? size : around;
 }
 
-/** Of an element in a group of this style; undefined where it is not drawn at all. */
+/** The style of an element in a group with style `around`; undefined if it is not drawn. */
 export function styleOf(element: XmlElement, around: Style, sheet: StyleSheet): Style | undefined {
   const {attributes} = element;
   const own = propertiesOf(attributes.get('style') ?? '');

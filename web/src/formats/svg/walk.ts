@@ -1,4 +1,4 @@
-/** All that an SVG draws, in true place and size: groups, transforms, uses and styles resolved. */
+/** Walks an SVG, and resolves groups, transforms, uses and styles to final positions and sizes. */
 import type {Point} from '../../model/geometry.js';
 import {FileError} from '../../model/versioned-file.js';
 import type {XmlElement} from '../base/xml.js';
@@ -16,44 +16,44 @@ import {
 } from './matrix.js';
 import {initialStyle, sheetOf, styleOf, type Style, type StyleSheet} from './styles.js';
 
-/** What an element draws. */
+/** The lines of an element. */
 export interface Drawn {
   readonly element: XmlElement;
-  /** From the root inwards. */
+  /** The enclosing groups, from the root inwards. */
   readonly groups: readonly XmlElement[];
   readonly style: Style;
   readonly lines: readonly Line[];
-  /** Whether it is drawn by way of a `use`. */
+  /** True if it is drawn through a `use`. */
   readonly isUsed: boolean;
 }
 
 export interface DrawnText {
   readonly element: XmlElement;
   readonly groups: readonly XmlElement[];
-  /** Line by line. */
+  /** One entry per line. */
   readonly lines: readonly string[];
   readonly at: Point;
-  /** Height of its letters. [mm] */
+  /** Letter height. [mm] */
   readonly size: number;
 }
 
-/** A symbol that is put somewhere. */
+/** A placed symbol. */
 interface DrawnSymbol {
-  /** The id of what is used. */
+  /** The id of the symbol. */
   readonly of: string;
   readonly groups: readonly XmlElement[];
   readonly at: Point;
 }
 
-/** [mm], y up. */
+/** A walked SVG in mm, y up. */
 export interface Sheet {
   readonly drawn: readonly Drawn[];
   readonly texts: readonly DrawnText[];
   readonly symbols: readonly DrawnSymbol[];
   readonly notes: readonly string[];
-  /** What is shown of it: width and height; 0 where that is not said. */
+  /** Width and height of the view box; 0 if missing. */
   readonly page: Point;
-  /** What drew it, where the file says so. */
+  /** The program that wrote the file, if stated. */
   readonly program?: string;
 }
 
@@ -73,16 +73,16 @@ const unseen = new Set([
   ],
 ]);
 
-/** What a pattern of many sizes stays far below. */
+/** Greatest number of shapes, far above a pattern of many sizes. */
 const mostDrawn = 60_000;
-/** Characters of a path, some ten thousand points. */
+/** Greatest length of path data, about ten thousand points. [characters] */
 const longestPath = 300_000;
-/** Further than cloth is long. [mm] */
+/** Greatest coordinate, larger than any length of fabric. [mm] */
 const furthest = 1e5;
-/** Uses of uses. */
+/** Greatest nesting depth of uses. */
 const mostUses = 16;
 
-/** Of a group, for what lies in it. */
+/** The context of a group's children. */
 interface Place {
   readonly matrix: Matrix;
   readonly style: Style;
@@ -93,7 +93,11 @@ interface Place {
 const hrefOf = ({attributes}: XmlElement): string =>
   (attributes.get('href') ?? attributes.get('xlink:href') ?? '').trim();
 
-/** @param matrix from the units of the root's content to millimetres, y up @throws {FileError} */
+/**
+ * Walks the file.
+ * @param matrix map from root units to millimetres, y up
+ * @throws {FileError} if it is invalid or too large
+ */
 export function walked(root: XmlElement, matrix: Matrix, file: string): Contents {
   const walk = new Walk(root, file);
   const style = styleOf(root, initialStyle, walk.sheet) ?? initialStyle;
@@ -193,7 +197,7 @@ class Walk {
   }
 
   #check(lines: readonly Line[], id: string): void {
-    const isSane = (value: number): boolean => Math.abs(value) <= furthest; // NaN is not, either
+    const isSane = (value: number): boolean => Math.abs(value) <= furthest; // false for NaN, too
     for (const {start, cubics} of lines) {
       if ([start, ...cubics.flat()].every(([x, y]) => isSane(x) && isSane(y))) continue;
       throw new FileError(
@@ -247,7 +251,7 @@ class Walk {
   }
 }
 
-/** From the view box of a nested `svg` or a `symbol` to what lies around it. */
+/** The map from the view box of a nested `svg` or `symbol` to its parent. */
 function viewOf({attributes}: XmlElement): Matrix {
   const at = (name: string): number | undefined => numbersOf(attributes.get(name))[0];
   const box = numbersOf(attributes.get('viewBox'));
@@ -260,11 +264,11 @@ function viewOf({attributes}: XmlElement): Matrix {
   return composed(composed(place, middle), composed(scaling(scale), shift(-left, -top)));
 }
 
-/** All text of an element, as it is written. */
+/** The whole text of an element, unchanged. */
 const textOf = (element: XmlElement): string =>
   element.children.map((child) => (typeof child === 'string' ? child : textOf(child))).join('');
 
-/** Of parts of a text those that begin a line of their own. */
+/** The lines of a text, which begin at parts with their own vertical position. */
 function linesOfText(element: XmlElement): string[] {
   const lines: string[] = [''];
   let height: string | undefined = element.attributes.get('y');

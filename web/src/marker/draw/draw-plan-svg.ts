@@ -1,4 +1,4 @@
-/** A lay plan as SVG, a tenth of its true size. */
+/** Draws a layout as SVG at a tenth of its true size. */
 import {drawnMarks} from '../../cutting/draw-sheet-svg.js';
 import {plus, type Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
@@ -11,7 +11,7 @@ import {veils} from './veils.js';
 const scale = 10;
 /** [cm on paper] */
 const margin = 1;
-/** A millimetre of the cloth. */
+/** SVG units per cm of fabric, which make one unit a millimetre of fabric. */
 const unit = 10;
 
 type Page = (p: Point) => Point;
@@ -45,7 +45,10 @@ function drawnCloth(
   };
 }
 
-/** @param print whose picture lies faintly below the pieces */
+/**
+ * Draws a layout.
+ * @param print its tile is drawn faintly below the pieces
+ */
 export function drawPlanSvg(
   plan: LayPlan,
   {print, ...options}: PlanOptions & {readonly print: PrintWithTile},

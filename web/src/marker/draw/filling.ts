@@ -1,4 +1,7 @@
-/** Sheets of a lay plan as they are filled from their tops. Lengths in cm at the scale of the cloth, but where mm on paper are said. */
+/**
+ * Fills the sheets of a layout from the top down. Lengths are in cm at the fabric's scale, unless
+ * given in mm on paper.
+ */
 import type {CutMark} from '../../cutting/cut-sheet.js';
 import type {Point} from '../../model/geometry.js';
 import {cm, sizeAt, type Size} from './plan-style.js';
@@ -6,32 +9,32 @@ import {cm, sizeAt, type Size} from './plan-style.js';
 export interface PlanSheet {
   readonly widthCm: number;
   readonly heightCm: number;
-  /** The cloth between two cuts across. */
+  /** The fabric between two cuts across. */
   readonly cloth?: {
-    /** Where on the sheet the start of the cloth lies, at its left edge. */
+    /** Position of the fabric's start at its left edge, on the sheet. */
     readonly at: Point;
     readonly from: number;
     readonly to: number;
-    /** On the cloth, from its start; they end where it is cut. */
+    /** Marks relative to the start of the fabric, clipped to the part shown. */
     readonly marks: readonly CutMark[];
   };
   readonly marks: readonly CutMark[];
 }
 
-/** How sheets are made of a plan. */
+/** Sheet size and scale. */
 export interface SheetFormat {
-  /** At 1 : scale. */
+  /** The denominator of the scale 1 : n. */
   readonly scale: number;
   readonly widthCm: number;
-  /** One that is as high as needed has at most this. */
+  /** Sheet height; the greatest height if sheets are as high as needed. */
   readonly heightCm: number;
   readonly isAsHighAsNeeded: boolean;
-  /** Around everything; none of a roll, which is as wide as the cloth and has its rulers on it. */
+  /** Margin on all sides. A roll has none: it is as wide as the fabric and includes the rulers. */
   readonly marginCm: number;
   readonly isRoll: boolean;
 }
 
-/** Words keep away from the edges of a roll. [mm on paper] */
+/** Distance of text from the edges of a roll. [mm on paper] */
 const rollInset = 8;
 
 export const moved = (marks: readonly CutMark[], [dx, dy]: Point): readonly CutMark[] =>
@@ -42,14 +45,14 @@ export const moved = (marks: readonly CutMark[], [dx, dy]: Point): readonly CutM
       : {...mark, points: mark.points.map(by)};
   });
 
-/** Each is drawn from its upper edge down, until it is turned. */
+/** Fills each sheet from its upper edge down and then starts the next one. */
 export class Filling {
   readonly done: PlanSheet[] = [];
   readonly size: Size;
   readonly #format: SheetFormat;
   #marks: CutMark[] = [];
   #cloth: PlanSheet['cloth'];
-  /** From the top, with the margin. */
+  /** Height used from the top, margin included. */
   #used: number;
 
   constructor(format: SheetFormat) {
@@ -58,7 +61,7 @@ export class Filling {
     this.#used = format.marginCm;
   }
 
-  /** What is left of the sheet above its margin. */
+  /** Free height of the current sheet above its lower margin. */
   get left(): number {
     return this.#format.heightCm - this.#format.marginCm - this.#used;
   }
@@ -67,7 +70,7 @@ export class Filling {
     return this.#marks.length === 0 && !this.#cloth;
   }
 
-  /** The next sheet. */
+  /** Finishes the current sheet and starts the next one. */
   turn(): void {
     const {marginCm, heightCm: most, widthCm, isAsHighAsNeeded} = this.#format;
     const heightCm = isAsHighAsNeeded ? this.#used + marginCm : most;
@@ -81,16 +84,19 @@ export class Filling {
     this.#used = marginCm;
   }
 
-  /** @param draw from the left end of its upper edge on */
+  /**
+   * Adds a block.
+   * @param draw receives the left end of the block's upper edge
+   */
   add(height: number, draw: (at: Point) => readonly CutMark[] = () => []): void {
     const inset = this.#format.isRoll ? cm(this.size, rollInset) : 0;
     this.#put(height, ([x, y]) => draw([x + inset, y]));
   }
 
   /**
-   * A part of the cloth, for which there has to be room.
-   * @param room of rulers, left of it and below
-   * @param rulers from the start of the cloth on, at its left edge
+   * Adds a part of the fabric, which has to fit the sheet.
+   * @param room space for rulers to the left and below
+   * @param rulers relative to the start of the fabric at its left edge
    */
   addCloth(
     [from, to]: Point,

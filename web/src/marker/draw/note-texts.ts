@@ -1,14 +1,16 @@
-/** What is noted of a lay plan, in English, and how a note is said in any language. Lengths in cm. */
+/**
+ * English texts of a layout's notes, and the formatting of a note in any language. Lengths in cm.
+ */
 import type {LayNote, LayNoteCode} from '../../model/lay-note.js';
 
-/** Values of a note as words, the lengths with their unit. */
+/** Values of a note as text; lengths include their unit. */
 export interface NoteWords {
   readonly pieces: string;
-  /** Each to a tenth of a millimetre, or as its unit has it. */
+  /** Lengths rounded to a tenth of a millimetre, or as usual for the unit. */
   readonly lengths: readonly string[];
-  /** The same to a millimetre, or as its unit has it. */
+  /** Lengths rounded to a millimetre, or as usual for the unit. */
   readonly rounded: readonly string[];
-  /** "120", "136 cm", where there are two: whole centimetres that both lie between. */
+  /** Enclosing whole centimetres of two lengths, for example "120" and "136 cm". */
   readonly range: readonly [least: string, most: string];
   readonly counts: readonly string[];
 }
@@ -33,24 +35,27 @@ export const noteTexts: NoteTexts = {
     `At ${nowhere} of ${all} places where the print may start at the selvedge, not all pieces fit on the cloth.`,
 };
 
-/** How values become words. */
+/** Formatting of a note's values. */
 export interface NoteFormat {
   readonly length: (cm: number) => string;
   readonly rounded: (cm: number) => string;
   readonly range: (least: number, most: number) => readonly [string, string];
   readonly count: (count: number) => string;
-  /** What people call a piece. */
+  /** The displayed name of a piece. */
   readonly name: (piece: string) => string;
 }
 
-/** The whole centimetres that lengths lie between; what is off one by no more than `slack` is that one. */
+/**
+ * The whole centimetres that enclose two lengths. A length within `slack` of a whole number counts
+ * as whole.
+ */
 export const wholeRange = (
   least: number,
   most: number,
   slack: number,
 ): readonly [least: number, most: number] => [Math.floor(least + slack), Math.ceil(most - slack)];
 
-/** What is written to a millimetre is whole where that says so. [cm] */
+/** Rounding error of lengths written to a millimetre. [cm] */
 const halfMillimetre = 0.05;
 
 function plainRange(least: number, most: number): readonly [string, string] {
@@ -58,7 +63,7 @@ function plainRange(least: number, most: number): readonly [string, string] {
   return [`${from}`, `${to} cm`];
 }
 
-/** As files have it. */
+/** The format of notes in files. */
 const plain: NoteFormat = {
   length: (cm) => `${cm.toFixed(2)} cm`,
   rounded: (cm) => `${cm.toFixed(1)} cm`,

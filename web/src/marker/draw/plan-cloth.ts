@@ -1,4 +1,7 @@
-/** The cloth of a lay plan with its pieces, between two cuts across. Lengths in cm, on the cloth. */
+/**
+ * Draws the fabric of a layout and its pieces, between two cuts across. Lengths in cm on the
+ * fabric.
+ */
 import type {CutMark} from '../../cutting/cut-sheet.js';
 import {plus, towards, type Point} from '../../model/geometry.js';
 import {boxOf, distanceTo, isInside, type Box} from '../../model/polyline.js';
@@ -8,7 +11,7 @@ import {placeIn} from '../../paper/words-on-page.js';
 import {inmost, type PlanPiece} from './plan-pieces.js';
 import {cm, lineOf, textOf, type Size} from './plan-style.js';
 
-/** What of a plan's cloth is drawn. */
+/** Layout data that the drawing uses. */
 export interface DrawnCloth {
   readonly widthCm: number;
   readonly lengthCm: number;
@@ -18,12 +21,12 @@ export interface DrawnCloth {
   readonly ring: Point | undefined;
 }
 
-/** Heights of letters, one after the other as there is room. [mm on paper] */
+/** Letter heights of labels, largest first. [mm on paper] */
 const labelSizes = [3.4, 2.8, 2.3, 1.9];
 const numberSize = 1.9;
-/** Of the width of words in one font to that in another. */
+/** Width allowance for fonts with wider letters, as a factor. */
 const fontRoom = 1.25;
-/** Half of a cross, and from its middle to that of its number. */
+/** Half the size of a cross, and the distance of its number from its centre. [mm on paper] */
 const crossReach = 1.3;
 const numberAside = 3.1;
 const ringRadius = 1.6;
@@ -41,7 +44,7 @@ const cross = ([x, y]: Point, reach: number): readonly (readonly Point[])[] => [
   ],
 ];
 
-/** Beside a cross, where the piece has most room. */
+/** The position beside a cross with the greatest clearance inside the piece. */
 function besideCross(at: Point, cut: readonly Point[], aside: number): Point {
   const places = [45, -45, 135, -135].map((turn) =>
     plus(at, towards((turn * Math.PI) / 180), aside),
@@ -62,7 +65,10 @@ function crossMarks(size: Size, {cut, crosses}: PlanPiece): readonly CutMark[] {
   return [...numbers, ...lines];
 }
 
-/** Number and name where they fit within the piece and the window: large or small, level or upright; else the number. */
+/**
+ * The number and name of a piece, in the largest size that fits the piece and the window,
+ * horizontal or vertical; otherwise the number alone.
+ */
 function labelOf(
   size: Size,
   {number, name, cut, crosses}: PlanPiece,
@@ -81,18 +87,18 @@ function labelOf(
   const alone = {lines: [String(number)], mm: numberSize, angle: 0};
   for (const {lines, mm, angle} of [...variants, alone]) {
     const label = textOf(size, at, lines, mm, {hasPlate: true, angle});
-    // letters of other fonts are wider
+    // other fonts have wider letters
     const wider = {...label, sizeMm: label.sizeMm * fontRoom};
     const place = placeIn(frame, wider, {sewn: [cut]}, others);
     if (place) return [{...label, at: place}];
   }
-  // too narrow for any: over the lines
+  // nothing fits: the number covers the lines
   return isInside(cornersOf(window), at)
     ? [textOf(size, at, [String(number)], numberSize, {hasPlate: true})]
     : [];
 }
 
-/** What lies on the cloth from `from` to `to`: to be cut off there. */
+/** Marks on the fabric from `from` to `to`; the caller clips them. */
 export function clothMarks(
   size: Size,
   {widthCm, lengthCm, selvedgeCm, pieces, ring}: DrawnCloth,
@@ -146,17 +152,20 @@ export function clothMarks(
 }
 
 interface RulerStyle {
-  /** Of ticks, in the ruler's own unit; every so many are longer, and have a number. */
+  /** Distance of ticks in the ruler's unit. Every `long`-th tick is longer and has a number. */
   readonly step: number;
   readonly long: number;
-  /** Of the unit. [cm] */
+  /** Length of the ruler's unit. [cm] */
   readonly unitCm: number;
-  /** On which side of the line, to the left of its direction as positive. */
+  /** Side of the ticks; 1 is left of the ruler's direction. */
   readonly side: 1 | -1;
   readonly hasPlate: boolean;
 }
 
-/** Ticks and numbers along an edge of the cloth. @param axis 0 across, 1 along */
+/**
+ * Ticks and numbers along an edge of the fabric.
+ * @param axis 0 across the fabric, 1 along it
+ */
 export function ruler(
   size: Size,
   axis: 0 | 1,

@@ -1,4 +1,7 @@
-/** A lay plan as DXF for CAD programs and cutters: a block for each piece, where it lies on the cloth. */
+/**
+ * Writes a layout as DXF for CAD programs and cutters, one block per piece in its place on the
+ * fabric.
+ */
 import {blockName, crosses, layers, namesOf} from '../../cutting/out/sheet-dxf.js';
 import {block, dxfFile, insert, line, polyline, text} from '../../cutting/out/dxf-records.js';
 import type {Point} from '../../model/geometry.js';
@@ -10,7 +13,9 @@ interface PlanDxfOptions extends KnownPieces {
   readonly texts?: PlanTexts;
 }
 
-/** Of 7 bits, in millimetres; the cloth's left selvedge is at x = 0, its start at y = 0. */
+/**
+ * DXF text in 7-bit ASCII and millimetres. The fabric's left edge is at x = 0, its start at y = 0.
+ */
 export function planDxf(plan: LayPlan, {texts = planTexts, ...known}: PlanDxfOptions = {}): string {
   const pieces = planPieces(plan, known, namesIn(plan, known, texts.garment));
   const names = namesOf(pieces);

@@ -1,4 +1,4 @@
-/** A lay plan as PDF: small, on pages of paper, or at true scale for a plotter. */
+/** Writes a layout as PDF: reduced on pages of paper, or at true scale for a plotter. */
 import {cornersOf, boxAt} from '../../paper/boxes.js';
 import {clothUnder, type Cell} from '../../paper/cell.js';
 import {clothCell, type CellPixels} from '../../paper/cloth-cell.js';
@@ -19,13 +19,16 @@ import {planTexts} from './plan-texts.js';
 import {veils} from './veils.js';
 
 interface PlanPdfOptions extends PlanOptions {
-  /** Whose picture lies faintly below the pieces. */
+  /** Print whose tile is drawn faintly below the pieces. */
   readonly print: PrintWithTile;
-  /** 1: as wide as the cloth, for a plotter. Else small, on paper; smaller still where the cloth is too wide for it. */
+  /**
+   * 1 for a plotter, on a page as wide as the fabric; 10 for paper, reduced further if the fabric
+   * is too wide.
+   */
   readonly scale: 10 | 1;
-  /** Of a small plan. Default A4. */
+  /** Paper of a reduced layout. Default A4. */
   readonly paper?: Paper;
-  /** Without it the same plan gives the same bytes. */
+  /** Creation date. Without it, the same layout gives the same bytes. */
   readonly date?: Date;
   readonly pixels?: CellPixels;
 }
@@ -33,7 +36,7 @@ interface PlanPdfOptions extends PlanOptions {
 export interface PlanPdf {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly pages: number;
-  /** A sentence each. */
+  /** One sentence each. */
   readonly notes: readonly string[];
 }
 
@@ -42,7 +45,7 @@ const a4: Paper = {name: 'A4', widthCm: 21, heightCm: 29.7};
 const margin = 1;
 const footSize = 0.26;
 const footRise = 0.5;
-/** All that readers show. [cm] */
+/** Greatest page height that PDF viewers display. [cm] */
 const longest = 500;
 
 const layerNames = {
@@ -51,12 +54,12 @@ const layerNames = {
 
 type Layers = Readonly<Record<keyof typeof layerNames | 'sew', string>>;
 
-/** Upright if the cloth fits, else on its side, else smaller. */
+/** Portrait if the fabric fits, otherwise landscape, otherwise a smaller scale. */
 function formatOn({widthCm, heightCm = longest}: Paper, plan: LayPlan, scale: number): SheetFormat {
   const needed = leastWidth(plan, scale) + 2 * margin;
   const [narrow, wide] = [Math.min(widthCm, heightCm), Math.max(widthCm, heightCm)];
   const width = needed <= narrow + 1e-9 ? narrow : wide;
-  // words need so much at any scale, and what is made smaller fits at last
+  // text has the same size at any scale, so the recursion ends once only the text is too wide
   if (needed > wide && leastWidth(plan, 2 * scale) < leastWidth(plan, scale)) {
     return formatOn({name: '', widthCm, heightCm}, plan, 2 * scale);
   }
@@ -80,7 +83,7 @@ function drawnCloth(
   {layers, cell}: {readonly layers: Layers; readonly cell: Cell | undefined},
 ): string {
   const window = boxAt([0, from], plan.widthCm, to - from);
-  // lines along the edges of the cloth are wide; elsewhere it is cut off
+  // edge lines of the fabric extend beyond it, so the clip box is wider there
   const [first, last] = [from > 0 ? from : -1, to < plan.lengthCm ? to : to + 1];
   const clip = boxAt([-1, first], plan.widthCm + 2, last - first);
   const {around, outside, inside} = veils(plan, {from, to});
@@ -111,7 +114,10 @@ function drawnCloth(
   );
 }
 
-/** @throws {FileError} where the print's picture can be drawn by nobody */
+/**
+ * Writes the layout.
+ * @throws {FileError} if the print's tile cannot be drawn
+ */
 export async function planPdf(
   plan: LayPlan,
   {print, scale, paper = a4, date, pixels, ...options}: PlanPdfOptions,

@@ -1,4 +1,7 @@
-/** Pieces of a lay plan as they are drawn: numbered, called by a name, with crosses to lay them by. Lengths in cm, on the cloth. */
+/**
+ * The pieces of a layout, prepared for drawing: number, name, and crosses that align them with the
+ * print. Lengths in cm on the fabric.
+ */
 import {finer} from '../../cutting/cut-piece.js';
 import {matchMarks} from '../../cutting/match-marks.js';
 import {
@@ -18,29 +21,32 @@ import {carried} from '../../model/triangles.js';
 import {lineAt} from '../../scene/grain-line.js';
 import {innermost, pick} from '../../scene/marks.js';
 
-/** What is known of the pieces that are laid, beside the plan. */
+/** Data about the pieces in addition to the layout. */
 export interface KnownPieces {
-  /** What people call a piece. Default: its name, made readable. */
+  /** Returns the displayed name of a piece. Default: its own name, made readable. */
   readonly names?: (result: number, piece: string) => string;
-  /** With them, crosses are those of the pieces to cut, by the same numbers, and the grain is known. */
+  /** Results that supply the grain, and the same numbered crosses as on the cutting sheets. */
   readonly results?: readonly Pick<SolveResult, 'pieces'>[];
 }
 
 export interface PlanPiece {
-  /** From 1, in the order of the plan. */
+  /** Counted from 1 in the order of the layout. */
   readonly number: number;
   readonly name: string;
   readonly cut: readonly Point[];
-  /** Up to three; none where the print does not matter. */
+  /** Up to three points; none if the layout ignores the print. */
   readonly crosses: readonly Point[];
-  /** Along the cloth where nobody says how it runs. */
+  /** The grain line; parallel to the selvedge if the grain is unknown. */
   readonly grain: readonly [Point, Point];
 }
 
-/** The print as it lies on the cloth. */
+/** The alignment of the print on the fabric. */
 export const printOnCloth = (origin: Point): Alignment => ({angle: 0, translation: origin});
 
-/** Of the greatest circle in a piece, half of a grain line where nobody knows of it. */
+/**
+ * Half the length of a default grain line, as a share of the radius of the piece's largest
+ * inscribed circle.
+ */
 const grainShare = 0.8;
 
 function crossesOf(
@@ -54,7 +60,7 @@ function crossesOf(
   return matchMarks(print, known.alignment, loops).map((p) => onPiece(place, p));
 }
 
-/** The point of a piece that lies furthest from its cut line and from other points, and how far. */
+/** The point of a piece farthest from its cut line and from other points, with that distance. */
 export const inmost = (
   cut: readonly Point[],
   others: readonly Point[] = [],
@@ -72,7 +78,7 @@ function grainOf(place: LaidPlacement, known: ResultPiece | undefined): readonly
   return [onCloth(foot), onCloth(head)];
 }
 
-/** How pieces are called: with their garment where there are several. */
+/** Names of pieces, with the garment's number if there are several garments. */
 export function namesIn(
   {placements, unplaced}: LayPlan,
   {names = (_, piece) => readable(piece)}: KnownPieces,
@@ -102,7 +108,10 @@ export function planPieces(
   });
 }
 
-/** A corner of the print's repeat near the lower left corner of the cloth, on it. */
+/**
+ * The corner of the print's repeat that is nearest to the fabric's lower left corner and on the
+ * fabric.
+ */
 export function repeatCorner({
   print: {w1, w2},
   printOrigin,

@@ -1,6 +1,7 @@
 /**
- * A lay plan on sheets: figures above, the cloth with its pieces and rulers, tables below; neither SVG nor PDF, which are
- * drawn from it. Lengths in cm at the scale of the cloth, y up, from a sheet's lower left corner.
+ * Lays a layout out on sheets: figures above, then the fabric with pieces and rulers, then tables.
+ * SVG and PDF are drawn from these sheets. Lengths in cm at the fabric's scale, y up, from a
+ * sheet's lower left corner.
  */
 import type {CutMark} from '../../cutting/cut-sheet.js';
 import {nameLines} from '../../layout/name-lines.js';
@@ -23,13 +24,13 @@ import {
 
 export interface PlanOptions extends KnownPieces {
   readonly words: PlanWordsOptions;
-  /** Of the garment. */
+  /** The garment's title. */
   readonly title?: string;
 }
 
 export type {PlanSheet} from './filling.js';
 
-/** What is above a length by less is rounding. [cm] */
+/** Tolerance of lengths for rounding. [cm] */
 const rounding = 1e-9;
 /** All in mm on paper. */
 const tableWidth = 188;
@@ -45,7 +46,7 @@ const leastCloth = 40;
 
 const heightOf = (rows: readonly Row[]): number => rows.reduce((sum, row) => sum + row.height, 0);
 
-/** A figure in a column of its own. */
+/** A figure in its own column. */
 const figureMarks = (size: Size, {caption, value, note}: Figure, [x, y]: Point): CutMark[] => [
   textOf(size, [x, y - cm(size, 2)], caption, 2.5, {align: 'left'}),
   textOf(size, [x, y - cm(size, 7.2)], value, 5.2, {align: 'left', weight: 'bold'}),
@@ -80,7 +81,7 @@ function addTable(filling: Filling, {head, rows}: Table): void {
     filling.add(cm(size, row.height), (at) => rowMarks(size, row, at, tableWidth));
   };
   const space = cm(size, gapBetween);
-  // a head has two rows below it at least
+  // keeps a table's head together with at least two rows
   const needed = space + cm(size, heightOf([...head, ...rows.slice(0, 2)]));
   if (needed > filling.left) filling.turn();
   else if (!filling.isFresh) filling.add(space);
@@ -94,7 +95,7 @@ function addTable(filling: Filling, {head, rows}: Table): void {
   }
 }
 
-/** Of centimetres, or of inches. */
+/** Ruler steps in centimetres and inches. */
 const rulerSteps = {cm: {step: 5, long: 2, unitCm: 1}, inch: {step: 1, long: 6, unitCm: 2.54}};
 const fineSteps = {cm: {step: 1, long: 10, unitCm: 1}, inch: {step: 1, long: 6, unitCm: 2.54}};
 
@@ -162,12 +163,15 @@ export function planSheets(
   ];
   if (isRoll) filling.add(cm(filling.size, aboveCloth));
   addHeading(filling, heading, figuresOf(plan, words), facts);
-  // what is rolled off first says what follows
+  // on a roll, the heading unrolls first, so the tables come before the fabric
   for (const step of isRoll ? steps.toReversed() : steps) step();
   filling.turn();
   return filling.done;
 }
 
-/** Of a sheet at 1 : scale that holds all of a plan side by side. [cm on paper, without margins] */
+/**
+ * Least width of a sheet at 1 : scale that shows the whole width of a layout. [cm on paper, without
+ * margins]
+ */
 export const leastWidth = ({widthCm}: LayPlan, scale: number): number =>
   Math.max(tableWidth / 10, widthCm / scale + rulerRoom / 10 + 0.2);

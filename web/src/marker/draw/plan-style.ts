@@ -1,14 +1,17 @@
-/** Sizes of what is drawn of a lay plan, and small marks: everything in parts of one size. */
+/** Sizes and small marks of a drawn layout, all in proportion to one size. */
 import type {CutLayer, CutLine, CutText} from '../../cutting/cut-sheet.js';
 import type {Point} from '../../model/geometry.js';
 
-/** Millimetres on the cloth for one on paper: of lines, letters and distances. */
+/** Millimetres on the fabric per millimetre on paper, for lines, letters and distances. */
 export type Size = number;
 
-/** Of a plan at 1 : scale; at true scale it is read from farther away. */
+/**
+ * The size of a layout at 1 : scale. At true scale it is larger, since people read it from farther
+ * away.
+ */
 export const sizeAt = (scale: number): Size => (scale === 1 ? 2.5 : scale);
 
-/** Centimetres on the cloth, or on a sheet at its scale, for millimetres on paper. */
+/** Converts millimetres on paper to centimetres on the fabric, or on a sheet at its scale. */
 export const cm = (size: Size, mm: number): number => (size * mm) / 10;
 
 interface LineStyle {
@@ -32,7 +35,10 @@ export const lineOf = (
   ...(isFaint && {isFaint}),
 });
 
-/** @param mm height of its letters on paper */
+/**
+ * A text mark.
+ * @param mm letter height on paper
+ */
 export const textOf = (
   size: Size,
   at: Point,

@@ -1,4 +1,7 @@
-/** Tables of a lay plan, row by row from the top. Lengths in cm, y up, from the left end of the upper edge. */
+/**
+ * Tables of a layout, row by row from the top. Lengths in cm, y up, from the left end of the upper
+ * edge.
+ */
 import type {CutMark} from '../../cutting/cut-sheet.js';
 import type {Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
@@ -8,13 +11,13 @@ import type {PlanWords} from './plan-words.js';
 
 interface Cell {
   readonly words: string;
-  /** Where its text begins or ends, from the left. [mm on paper] */
+  /** Position of the text's aligned end, from the left. [mm on paper] */
   readonly x: number;
   readonly align: 'left' | 'right';
   readonly isBold?: boolean;
 }
 
-/** A line of a table, or what stands above it. */
+/** A row of a table, or its title. */
 export interface Row {
   /** [mm on paper] */
   readonly height: number;
@@ -23,7 +26,10 @@ export interface Row {
   readonly rule?: 'below' | 'faint';
 }
 
-/** Rows that stay together with what follows: heads are repeated where a table goes on. */
+/**
+ * A table. Its head stays with the first rows, and is repeated if the table continues on another
+ * sheet.
+ */
 export interface Table {
   readonly head: readonly Row[];
   readonly rows: readonly Row[];
@@ -40,7 +46,7 @@ const title = (words: string): Row => ({
   cells: [{words, x: left, align: 'left', isBold: true}],
 });
 
-/** Where each piece is laid. */
+/** The table of each piece's crosses on the fabric. */
 export function crossesTable(pieces: readonly PlanPiece[], words: PlanWords): Table {
   const {texts, place, unit} = words;
   const columns = [94, 140, 186];
@@ -73,12 +79,12 @@ export function crossesTable(pieces: readonly PlanPiece[], words: PlanWords): Ta
   };
 }
 
-/** More columns are hard to read, and fit no page. */
+/** Most columns that are legible and fit a page. */
 const mostColumns = 10;
 const firstColumn = 46;
 const columnWidth = 14;
 
-/** Two rows of figures, each figure below another. */
+/** Two rows of figures in pairs, one below the other. */
 function pairedTable(
   heading: string,
   [upper, lower]: readonly [string, string],
@@ -112,7 +118,7 @@ function pairedTable(
   };
 }
 
-/** What the plan would take elsewhere on the print, and on other cloth. */
+/** Lengths of the layout for other starts of the print and other fabric widths. */
 export function otherwiseTables(
   {phases, widths, widthCm: own, lengthCm, printOrigin}: LayPlan,
   {texts, short, unit}: PlanWords,
@@ -152,7 +158,11 @@ export function otherwiseTables(
   ];
 }
 
-/** @param at the left end of its upper edge; width in mm on paper */
+/**
+ * Draws a row.
+ * @param at the left end of its upper edge
+ * @param width in mm on paper
+ */
 export function rowMarks(
   size: Size,
   {height, size: letters, cells, rule}: Row,

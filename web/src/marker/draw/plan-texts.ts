@@ -1,8 +1,8 @@
-/** In English: what stands on a lay plan. Lengths come as words, with their units. */
+/** English texts of a layout. Lengths are passed as text with their unit. */
 import type {LayNoteCode} from '../../model/lay-note.js';
 import {noteTexts, type NoteWords} from './note-texts.js';
 
-/** Per code of a note its sentence. */
+/** The sentence of each note, by code. */
 const notes: Readonly<Record<LayNoteCode, (words: NoteWords) => string>> = noteTexts;
 
 export const planTexts = {

@@ -1,4 +1,4 @@
-/** Figures of a lay plan as people read them. */
+/** Figures of a layout as text. */
 import type {Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import {readable} from '../../model/piece-names.js';
@@ -9,37 +9,39 @@ import {planTexts, type PlanTexts} from './plan-texts.js';
 
 export interface PlanWordsOptions {
   readonly units: Units;
-  /** How numbers are written. Default 'en'. */
+  /** Locale of numbers. Default 'en'. */
   readonly locale?: string;
-  /** In another language. Default English. */
+  /** Texts in another language. Default English. */
   readonly texts?: PlanTexts;
 }
 
 export interface PlanWords {
   readonly texts: PlanTexts;
   readonly units: Units;
-  /** "12.3 cm", "4 7/8 in" */
+  /** A length with its unit, for example "12.3 cm" or "4 7/8 in". */
   readonly length: (cm: number) => string;
-  /** For tables, without the unit: to a tenth of a millimetre, or a hundredth of an inch. */
+  /**
+   * A length for tables, without its unit, to a tenth of a millimetre or a hundredth of an inch.
+   */
   readonly place: (cm: number) => string;
-  /** For tables, without the unit: to a millimetre, or a hundredth of an inch. */
+  /** A length for tables, without its unit, to a millimetre or a hundredth of an inch. */
   readonly short: (cm: number) => string;
   readonly unit: string;
   readonly share: (share: number) => string;
-  /** Of cloth, rounded up to what shops cut; and to what that is. */
+  /** A length of fabric rounded up to the step that shops cut, and that step. */
   readonly bought: (cm: number) => {readonly length: string; readonly step: string};
 }
 
 const cmPerInch = 2.54;
-/** Shops cut to this. [cm] */
+/** Step of lengths that shops cut. [cm] */
 const shopStep = 5;
-/** The same in yards, of which there are so many to a yard. */
+/** Steps per yard that shops cut. */
 const yardParts = 8;
 const cmPerYard = 36 * cmPerInch;
-/** What is above a step by less is on it: lengths are sums. */
+/** Tolerance, in steps, for the rounding of summed lengths. */
 const rounding = 1e-6;
 
-/** A length of cloth that is no shorter, in whole steps. */
+/** Number of steps that reach at least a length. */
 const roundedUp = (cm: number, step: number): number => Math.ceil(cm / step - rounding);
 
 export function planWords({units, locale = 'en', texts = planTexts}: PlanWordsOptions): PlanWords {
@@ -66,14 +68,14 @@ export function planWords({units, locale = 'en', texts = planTexts}: PlanWordsOp
   };
 }
 
-/** A figure with what it is called above, and what is to be known of it below. */
+/** A figure with its caption above and its note below. */
 export interface Figure {
   readonly caption: string;
   readonly value: string;
   readonly note: string;
 }
 
-/** What is no length of all pieces is none to buy. */
+/** The main figures of a layout. An incomplete layout has no length to buy. */
 export function figuresOf(plan: LayPlan, words: PlanWords): readonly Figure[] {
   const {lengthCm, boundCm, proven, useShare, widthCm, unplaced} = plan;
   const {texts, length, share, bought} = words;
@@ -97,7 +99,10 @@ function costOf(plan: LayPlan, {texts, length}: PlanWords): readonly Figure[] {
   return [{caption: texts.cost, value: length(printCm), note}];
 }
 
-/** A sentence each. @param ring a corner of the print's repeat; none where the print does not matter */
+/**
+ * Facts about the layout, one sentence each.
+ * @param ring a corner of the print's repeat; undefined if the layout ignores the print
+ */
 export function factsOf(
   plan: LayPlan,
   {texts, length}: PlanWords,

@@ -1,4 +1,7 @@
-/** White over the print of a lay plan, so that pieces and words stand out. Lengths in cm, on the cloth. */
+/**
+ * White veils over the print of a layout, which make pieces and text legible. Lengths in cm on the
+ * fabric.
+ */
 import type {Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import {boxAt, cornersOf} from '../../paper/boxes.js';
@@ -10,7 +13,7 @@ interface Veil {
 }
 
 interface Veils {
-  /** The cloth. */
+  /** The outline of the fabric. */
   readonly around: readonly Point[];
   readonly outside: Veil;
   readonly inside: Veil;

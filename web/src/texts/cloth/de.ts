@@ -1,4 +1,4 @@
-/** Auf Deutsch: die Teile, auf den Stoff gelegt. */
+/** German texts of the fabric layout. */
 import type {ClothTexts} from './en.js';
 
 export const cloth: ClothTexts = {

@@ -1,6 +1,6 @@
-/** In English: the pieces laid on the cloth. */
+/** English texts of the fabric layout. */
 
-/** 1st, 2nd, 3rd, 4th, 11th, 21st */
+/** An ordinal number: 1st, 2nd, 3rd, 4th, 11th, 21st. */
 function ordinal(n: number): string {
   const teens = n % 100 > 10 && n % 100 < 14;
   const ending = teens ? 'th' : (['th', 'st', 'nd', 'rd'][n % 10] ?? 'th');
@@ -12,9 +12,9 @@ export const cloth = {
   description:
     'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all. Shift X adds a flaw in the middle, which the arrow keys then move.',
   panel: 'Cloth',
-  /** What there is to buy. */
+  /** The length to buy. */
   buy: (length: string) => `Buy ${length}`,
-  /** Instead of what there is to buy. */
+  /** Replaces the length to buy while pieces are unplaced. */
   notLying: (count: number) =>
     count === 1 ? '1 piece does not lie yet' : `${count} pieces do not lie yet`,
   notWell: (count: number) =>
@@ -38,7 +38,7 @@ export const cloth = {
     `${least} to ${most}, depending on where the print starts: measure it.`,
   rangeNowhere: (nowhere: number, all: number) =>
     `At ${nowhere} of ${all} places where the print may start, not all pieces fit.`,
-  /** What would take less cloth. */
+  /** Suggestions that save fabric. */
   less: {
     phase: (saving: string, start: string) =>
       `${saving} less if the print starts ${start} from the left edge`,
@@ -71,7 +71,7 @@ export const cloth = {
   phases: {unknown: 'Unknown', known: 'Measured'},
   phaseIn: (unit: string) => `From the left edge to a corner of the repeat (${unit})`,
   widths: 'On other widths',
-  /** Where pieces lie otherwise. */
+  /** Notes on the table of widths for layouts with moved or pinned pieces. */
   widthsOf: {
     packed: 'Lengths of all pieces, packed anew',
     unpinned: 'Lengths of all pieces, packed anew with none pinned',

@@ -1,4 +1,4 @@
-/** En español: las piezas puestas sobre la tela. */
+/** Spanish texts of the fabric layout. */
 import type {ClothTexts} from './en.js';
 
 export const cloth: ClothTexts = {

@@ -1,4 +1,4 @@
-/** En français : les pièces posées sur le tissu. */
+/** French texts of the fabric layout. */
 import type {ClothTexts} from './en.js';
 
 const ordinal = (n: number): string => (n === 1 ? '1er' : `${n}e`);

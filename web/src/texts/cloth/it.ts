@@ -1,4 +1,4 @@
-/** In italiano: i pezzi posati sul tessuto. */
+/** Italian texts of the fabric layout. */
 import type {ClothTexts} from './en.js';
 
 export const cloth: ClothTexts = {

@@ -1,4 +1,4 @@
-/** Auf Deutsch: was vor dem Zuschneiden gefragt wird. */
+/** German texts of the cutting dialog. */
 import {cloth} from '../cloth/de.js';
 import type {CutTexts} from './en.js';
 

@@ -1,4 +1,4 @@
-/** In English: what is asked before pieces are cut. */
+/** English texts of the cutting dialog. */
 import {cloth} from '../cloth/en.js';
 
 export const cutting = {

@@ -1,4 +1,4 @@
-/** En español: lo que se pregunta antes de cortar. */
+/** Spanish texts of the cutting dialog. */
 import {cloth} from '../cloth/es.js';
 import type {CutTexts} from './en.js';
 

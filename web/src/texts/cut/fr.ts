@@ -1,4 +1,4 @@
-/** En français : ce qui est demandé avant la coupe. */
+/** French texts of the cutting dialog. */
 import {cloth} from '../cloth/fr.js';
 import type {CutTexts} from './en.js';
 

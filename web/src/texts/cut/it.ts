@@ -1,4 +1,4 @@
-/** In italiano: ciò che si chiede prima del taglio. */
+/** Italian texts of the cutting dialog. */
 import {cloth} from '../cloth/it.js';
 import type {CutTexts} from './en.js';
 

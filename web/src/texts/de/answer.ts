@@ -1,4 +1,4 @@
-/** In German: the answer: figures, notes, failures, remedies, lists, and what the tag says. */
+/** German texts of the result: figures, notes, failures, remedies, lists and the element. */
 import type {AnswerTexts} from '../en/answer.js';
 
 export const answer: AnswerTexts = {

@@ -1,4 +1,4 @@
-/** In English: the answer: figures, notes, failures, remedies, lists, and what the tag says. */
+/** English texts of the result: figures, notes, failures, remedies, lists and the element. */
 
 export const answer = {
   headline: {
@@ -18,7 +18,7 @@ export const answer = {
     withoutSymmetry: 'Without',
     notes: 'Notes',
   },
-  /** What the core notes with a result, by its codes. */
+  /** Notes of the core on a result, by code. */
   notes: {
     noSeams: 'The file has no seams, so there is nothing to match.',
     noMatchedSeams: 'No seam is to be matched: each is switched off or joins a plain piece.',
@@ -54,7 +54,9 @@ export const answer = {
       symmetrySewn: 'its edges are sewn to edges that do not mirror',
     },
   },
-  /** What goes wrong with files. The core's sentences, which name the place in the file, are English. */
+  /**
+   * Failures of files. The core's sentences, which name the place in the file, are in English only.
+   */
   failures: {
     garment: (message: string) => message,
     noGarment: (message: string) => message,

@@ -1,4 +1,4 @@
-/** In English: the page: what can be asked of it, projects, links, hints. */
+/** English texts of the page: commands, projects, links and hints. */
 
 export const page = {
   app: {
@@ -96,7 +96,7 @@ export const page = {
   introduction: {
     label: (number: number, count: number) => `Hint ${number} of ${count}`,
     print: 'Choose another print: the pieces adapt to it.',
-    /** After the button's picture. */
+    /** Follows an image of the button. */
     compare: 'shows before and after.',
     seam: 'Press a seam to see both its sides from near.',
   },

@@ -1,4 +1,4 @@
-/** In English: the pattern: its tools, symmetries, grain, keys. */
+/** English texts of the pattern: tools, symmetries, grain and keys. */
 
 export const pattern = {
   pattern: {
@@ -129,7 +129,7 @@ export const pattern = {
     wouldCarry: (group: string, groups: string) =>
       `A print of the group ${group} cannot keep all of these; one of ${groups} could.`,
   },
-  /** Said otherwise to who has a finger and neither mouse nor keys. */
+  /** Variants for touch input. */
   touch: {
     symmetry: {
       moving: 'Drag the print inside a piece. Tap a piece twice to free it.',
@@ -164,7 +164,7 @@ export const pattern = {
     column: 'Keep',
     openEdges: 'Hems and open edges keep their line',
   },
-  /** Of what only a key can ask for. */
+  /** Commands that are available only as keys. */
   keys: [
     ['←  →  ↑  ↓', 'From piece to piece, or along the seams of one'],
     ['Enter', 'Into the seams of a piece; accept'],
@@ -189,7 +189,7 @@ export const pattern = {
     worst: 'To the worst seam',
     paper: 'Print the pattern on paper',
     needs: {answer: 'once it is aligned', piece: 'select a piece first'},
-    /** What else people call them. */
+    /** Synonyms for the search of commands. */
     also: {
       sew: 'seam stitch join edges',
       garment: 'sample pattern clothes',

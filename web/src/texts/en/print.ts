@@ -1,4 +1,4 @@
-/** In English: print and fit. */
+/** English texts of the print and the match. */
 
 export const print = {
   controls: {
@@ -194,7 +194,6 @@ export const print = {
         `In ${name}, w1 and w2 do not span a lattice of ${group}.`,
     },
   },
-  /** By style, name and colour; where there is none, samples.json has it. */
 };
 
 export type PrintTexts = typeof print;

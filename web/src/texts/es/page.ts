@@ -1,4 +1,4 @@
-/** In Spanish: the page: what can be asked of it, projects, links, hints. */
+/** Spanish texts of the page: commands, projects, links and hints. */
 import type {PageTexts} from '../en/page.js';
 
 export const page: PageTexts = {

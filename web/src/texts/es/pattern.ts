@@ -1,4 +1,4 @@
-/** In Spanish: the pattern: its tools, symmetries, grain, keys. */
+/** Spanish texts of the pattern: tools, symmetries, grain and keys. */
 import type {PatternTexts} from '../en/pattern.js';
 
 export const pattern: PatternTexts = {

@@ -1,4 +1,4 @@
-/** In Spanish: print and fit. */
+/** Spanish texts of the print and the match. */
 import type {PrintTexts} from '../en/print.js';
 
 export const print: PrintTexts = {

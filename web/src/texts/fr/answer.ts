@@ -1,5 +1,5 @@
 /* eslint-disable no-irregular-whitespace -- French parts : ; ? and quotes from words by spaces that do not break */
-/** In French: the answer: figures, notes, failures, remedies, lists, and what the tag says. */
+/** French texts of the result: figures, notes, failures, remedies, lists and the element. */
 import type {AnswerTexts} from '../en/answer.js';
 
 export const answer: AnswerTexts = {

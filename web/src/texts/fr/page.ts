@@ -1,5 +1,5 @@
 /* eslint-disable no-irregular-whitespace -- French parts : ; ? and quotes from words by spaces that do not break */
-/** In French: the page: what can be asked of it, projects, links, hints. */
+/** French texts of the page: commands, projects, links and hints. */
 import type {PageTexts} from '../en/page.js';
 
 export const page: PageTexts = {

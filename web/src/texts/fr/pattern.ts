@@ -1,5 +1,5 @@
 /* eslint-disable no-irregular-whitespace -- French parts : ; ? and quotes from words by spaces that do not break */
-/** In French: the pattern: its tools, symmetries, grain, keys. */
+/** French texts of the pattern: tools, symmetries, grain and keys. */
 import type {PatternTexts} from '../en/pattern.js';
 
 export const pattern: PatternTexts = {

@@ -1,5 +1,5 @@
 /* eslint-disable no-irregular-whitespace -- French parts : ; ? and quotes from words by spaces that do not break */
-/** In French: print and fit. */
+/** French texts of the print and the match. */
 import type {PrintTexts} from '../en/print.js';
 
 export const print: PrintTexts = {

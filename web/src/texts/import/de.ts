@@ -1,4 +1,4 @@
-/** Auf Deutsch: was gefragt wird, wenn die Zeichnung eines anderen Programms geöffnet wird. */
+/** German texts of the import dialog. */
 import type {ImportTexts} from './en.js';
 
 export const importing: ImportTexts = {

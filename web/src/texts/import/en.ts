@@ -1,4 +1,4 @@
-/** In English: what is asked when a drawing of another program is opened. */
+/** English texts of the import dialog. */
 
 export const importing = {
   title: (file: string) => `Open ${file}`,

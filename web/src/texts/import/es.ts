@@ -1,4 +1,4 @@
-/** En español: lo que se pregunta al abrir el dibujo de otro programa. */
+/** Spanish texts of the import dialog. */
 import type {ImportTexts} from './en.js';
 
 export const importing: ImportTexts = {

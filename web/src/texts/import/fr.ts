@@ -1,4 +1,4 @@
-/** En français : ce qui est demandé à l’ouverture du dessin d’un autre logiciel. */
+/** French texts of the import dialog. */
 import type {ImportTexts} from './en.js';
 
 export const importing: ImportTexts = {

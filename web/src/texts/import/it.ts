@@ -1,4 +1,4 @@
-/** In italiano: ciò che si chiede quando si apre il disegno di un altro programma. */
+/** Italian texts of the import dialog. */
 import type {ImportTexts} from './en.js';
 
 export const importing: ImportTexts = {

@@ -1,4 +1,4 @@
-/** In Italian: the answer: figures, notes, failures, remedies, lists, and what the tag says. */
+/** Italian texts of the result: figures, notes, failures, remedies, lists and the element. */
 import type {AnswerTexts} from '../en/answer.js';
 
 export const answer: AnswerTexts = {

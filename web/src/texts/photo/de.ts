@@ -1,4 +1,4 @@
-/** Auf Deutsch: ein Druck, von einem Foto abgelesen. */
+/** German texts of the photo dialog. */
 import type {PhotoTexts} from './en.js';
 
 export const photo: PhotoTexts = {

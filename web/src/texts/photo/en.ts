@@ -1,4 +1,4 @@
-/** In English: a print read off a photograph. */
+/** English texts of the photo dialog. */
 import type {
   KnownObject,
   PhotoFault,

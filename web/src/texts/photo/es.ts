@@ -1,4 +1,4 @@
-/** En español: un estampado leído de una foto. */
+/** Spanish texts of the photo dialog. */
 import type {PhotoTexts} from './en.js';
 
 export const photo: PhotoTexts = {

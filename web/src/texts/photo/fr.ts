@@ -1,4 +1,4 @@
-/** En français : un imprimé lu sur une photo. */
+/** French texts of the photo dialog. */
 import type {PhotoTexts} from './en.js';
 
 export const photo: PhotoTexts = {

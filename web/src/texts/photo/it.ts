@@ -1,4 +1,4 @@
-/** In italiano: una stampa letta da una foto. */
+/** Italian texts of the photo dialog. */
 import type {PhotoTexts} from './en.js';
 
 export const photo: PhotoTexts = {

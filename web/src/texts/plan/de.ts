@@ -1,4 +1,4 @@
-/** Auf Deutsch: was auf einem Legeplan steht. */
+/** German texts of a drawn layout. */
 import type {PlanTexts} from '../../marker/draw/plan-texts.js';
 
 export const plan: PlanTexts = {

@@ -1,4 +1,4 @@
-/** En español: lo que figura en un plan de corte. */
+/** Spanish texts of a drawn layout. */
 import type {PlanTexts} from '../../marker/draw/plan-texts.js';
 
 export const plan: PlanTexts = {

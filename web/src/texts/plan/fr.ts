@@ -1,4 +1,4 @@
-/** En français : ce qui figure sur un plan de coupe. */
+/** French texts of a drawn layout. */
 import type {PlanTexts} from '../../marker/draw/plan-texts.js';
 
 export const plan: PlanTexts = {

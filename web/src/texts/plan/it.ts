@@ -1,4 +1,4 @@
-/** In italiano: ciò che sta su un piano di taglio. */
+/** Italian texts of a drawn layout. */
 import type {PlanTexts} from '../../marker/draw/plan-texts.js';
 
 export const plan: PlanTexts = {

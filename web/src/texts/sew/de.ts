@@ -1,4 +1,4 @@
-/** Auf Deutsch: das Werkzeug, das Kanten aneinandernäht. */
+/** German texts of the sewing tool. */
 import type {SewTexts} from './en.js';
 
 export const sew: SewTexts = {

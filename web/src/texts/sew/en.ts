@@ -1,4 +1,4 @@
-/** In English: the tool that sews edges to each other. */
+/** English texts of the sewing tool. */
 
 export const sew = {
   begin: 'Choose an edge: click it, or press Tab. N goes to the longest that is not sewn.',
@@ -45,7 +45,7 @@ export const sew = {
     noCandidate: 'There is no match of that number.',
     finished: 'Every edge is sewn or stays open.',
   },
-  /** Said otherwise to who has a finger and neither mouse nor keys. */
+  /** Variants for touch input. */
   touch: {
     begin: 'Tap an edge that is sewn to another one.',
     best: (edge: string, length: string) =>

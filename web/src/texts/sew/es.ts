@@ -1,4 +1,4 @@
-/** En español: la herramienta que cose bordes entre sí. */
+/** Spanish texts of the sewing tool. */
 import type {SewTexts} from './en.js';
 
 export const sew: SewTexts = {

@@ -1,4 +1,4 @@
-/** En français : l’outil qui coud les bords entre eux. */
+/** French texts of the sewing tool. */
 import type {SewTexts} from './en.js';
 
 export const sew: SewTexts = {

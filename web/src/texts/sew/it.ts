@@ -1,4 +1,4 @@
-/** In italiano: lo strumento che cuce i bordi tra loro. */
+/** Italian texts of the sewing tool. */
 import type {SewTexts} from './en.js';
 
 export const sew: SewTexts = {

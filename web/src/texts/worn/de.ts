@@ -1,4 +1,4 @@
-/** Auf Deutsch: das Kleidungsstück, wie es getragen wird. */
+/** German texts of the drape. */
 import type {WornTexts} from './en.js';
 
 export const worn: WornTexts = {

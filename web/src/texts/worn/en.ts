@@ -1,4 +1,4 @@
-/** In English: the garment as it is worn. */
+/** English texts of the drape. */
 
 export const worn = {
   label: 'Garment, worn',

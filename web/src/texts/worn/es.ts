@@ -1,4 +1,4 @@
-/** En español: la prenda puesta. */
+/** Spanish texts of the drape. */
 import type {WornTexts} from './en.js';
 
 export const worn: WornTexts = {

@@ -1,4 +1,4 @@
-/** En français : le vêtement porté. */
+/** French texts of the drape. */
 import type {WornTexts} from './en.js';
 
 export const worn: WornTexts = {

@@ -1,4 +1,4 @@
-/** In italiano: il capo indossato. */
+/** Italian texts of the drape. */
 import type {WornTexts} from './en.js';
 
 export const worn: WornTexts = {
