@@ -9,7 +9,7 @@ import {collected, main, say, SetupError} from './shell.mjs';
 import {ensureSystem} from './system.mjs';
 
 /** Work that a run may do, counted; more of it makes a run slow on every machine. */
-const budgets = {'browser start': 1, 'page build': 3, 'page solve': 1400};
+const budgets = {'browser start': 1, 'page build': 3, 'page solve': 450};
 
 /** Runs a check, and tells how it ended. */
 async function outcome(name, level) {

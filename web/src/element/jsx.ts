@@ -1,5 +1,10 @@
 /** Types of the element in framework templates: its attributes and event handlers. */
-import type {GarmentLoading, GarmentMode, GarmentView} from './garment/attributes.js';
+import type {
+  GarmentCamera,
+  GarmentLoading,
+  GarmentMode,
+  GarmentView,
+} from './garment/attributes.js';
 import type {GarmentEvents, SeamwiseGarment, SeamwiseGarmentEventMap} from './seamwise-garment.js';
 
 /**
@@ -14,6 +19,10 @@ export interface SeamwiseGarmentAttributes {
   /** Greatest movement of an outline. [mm] */
   'max-change-mm'?: number | string;
   view?: GarmentView;
+  dummy?: SeamwiseGarment['dummy'];
+  fabric?: SeamwiseGarment['fabric'];
+  camera?: GarmentCamera;
+  turntable?: boolean;
   /** Fabric width of the layout, and the unusable strip along each edge. [cm] */
   'cloth-width'?: number | string;
   selvedge?: number | string;

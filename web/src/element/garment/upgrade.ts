@@ -1,21 +1,12 @@
+import {attributes} from './attributes.js';
+
 /** Properties that a page may have set before the element was defined. */
 const properties = [
-  ...['garment', 'size', 'print', 'colourway', 'symmetry', 'maxChangeMm', 'view', 'mode'],
-  ...[
-    'clothWidth',
-    'selvedge',
-    'loading',
-    'units',
-    'locale',
-    'alt',
-    'workerUrl',
-    'wasmUrl',
-    'messages',
-    'prints',
-    'name',
-  ],
-  ...['required', 'disabled', 'value'],
-] as const;
+  ...attributes.map((name) =>
+    name.replaceAll(/-(.)/g, (_, letter: string) => letter.toUpperCase()),
+  ),
+  ...['messages', 'prints', 'value'],
+];
 
 /**
  * Passes properties that were set before the definition to the element's setters, which they would
