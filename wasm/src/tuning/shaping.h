@@ -86,7 +86,8 @@ struct ShapingTuning {
   /// always end with less mismatch. [cm] Chosen.
   static constexpr double kUsualChange = 1.0;
   /// Mismatch, over the greatest change, that a seam can remove if its neighbours pull otherwise.
-  /// Measured on 12 garments in 3 prints: 1.4 led to mismatches 1 to 2 % below those of 1.0 and 2.0.
+  /// Measured on 12 garments in 3 prints: mismatches at 1.4 were 1 to 2 % below those at 1.0
+  /// and 2.0.
   static constexpr double kTakenUp = 1.4;
   /// Greatest number of rounds from one start, each with other pulling seams. Chosen.
   static constexpr int kMostRounds = 4;
