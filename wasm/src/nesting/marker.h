@@ -43,10 +43,8 @@ class Marker {
   /// Lower bound on the length of layouts with the same start of the print. [cm]
   double bound() const { return roundedUp(bound_); }
   bool isProven() const { return is_proven_; }
-  double freeLength() const {
-    return free_length_;
-  }  ///< length without the print; 0 if not
-     ///< requested. [cm]
+  /// Length of the layout without the print; 0 if not requested. [cm]
+  double freeLength() const { return free_length_; }
   /// Lengths per phase, and per width of the problem; NaN if a piece does not fit. [cm]
   std::vector<double> phaseLengths() const;
   const std::vector<double>& widthLengths() const { return width_lengths_; }

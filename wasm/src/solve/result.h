@@ -64,8 +64,7 @@ struct Result : PrintedPattern {
   std::vector<Alignment> search;  ///< end of the alignment search, before any deformation
   double search_bound = 0;        ///< no alignment of the pieces as drafted costs less than this
                                   ///< share of the cost at `search`
-  double search_cost =
-      0;  ///< cost of the pieces as drafted at `search`, by the seams' weights. [cm2]
+  double search_cost = 0;         ///< cost of drafted pieces at `search`, by seam weights. [cm2]
   std::optional<std::vector<OtherAlignment>> others;  ///< set if requested
   double max_moved_cm = 0;
   int iterations = 0;      ///< number of iterations of the deformation
