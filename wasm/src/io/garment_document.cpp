@@ -13,10 +13,10 @@
 namespace seamwise {
 namespace {
 
-/// Points of the file in the frame of the document.
+/// Maps points of the file to the frame of the document.
 struct Frame {
-  double cm = 1;          ///< per unit
-  bool mirrored = false;  ///< the file shows the back: x is negated
+  double cm = 1;          ///< centimetres per unit
+  bool mirrored = false;  ///< the file shows the back, so x is negated
 
   Vec2 operator()(const JsonValue& point) const {
     const double x = cm * point[0].number();
@@ -30,7 +30,7 @@ void putLine(JsonWriter& out, const JsonValue& line, const Frame& frame) {
   out.close();
 }
 
-/// Whether a name is one of a list, which spaces divide.
+/// True if a space-separated list contains a name.
 bool isOneOf(std::string_view list, std::string_view name) {
   while (!list.empty()) {
     const std::size_t end = std::min(list.find(' '), list.size());
@@ -40,11 +40,11 @@ bool isOneOf(std::string_view list, std::string_view name) {
   return false;
 }
 
-/// Which of the listed members are copied: what is for people is no reason to refuse a file that
-/// holds something else there.
+/// Selects the listed members to copy. kTexts skips other values: a label of the wrong type is no
+/// reason to reject a file.
 enum class Copied : std::uint8_t { kAll, kTexts };
 
-/// The listed members that `object` has.
+/// Copies the listed members of `object`.
 void copyMembers(JsonWriter& out, const JsonValue& object, std::string_view listed,
                  Copied copied = Copied::kAll) {
   for (const auto& [name, value] : object.members())
@@ -52,7 +52,7 @@ void copyMembers(JsonWriter& out, const JsonValue& object, std::string_view list
       out.field(name, value);
 }
 
-/// All members but the listed ones, where there are any, as an object called `as`.
+/// Copies all other members, if any, into an object called `as`.
 void copyOthers(JsonWriter& out, const JsonValue& object, std::string_view listed,
                 std::string_view as = "more") {
   bool any = false;
@@ -67,7 +67,7 @@ void copyOthers(JsonWriter& out, const JsonValue& object, std::string_view liste
   if (any) out.close();
 }
 
-/// @param cm   per unit of the file
+/// @param cm   centimetres per unit of the file
 void writeAllowance(JsonWriter& out, const JsonValue& allowance, double cm) {
   if (!allowance) return;
   out.key("allowance");
@@ -109,7 +109,8 @@ void writeGrain(JsonWriter& out, const JsonValue& grain, const Frame& frame) {
   out.close();
 }
 
-/// The turn of a panel whose x axis has been negated: R(rotation) = R(this) F on the panel's plane.
+/// Rotation of a panel after its x axis is negated, in degrees: R(rotation) = R(returned value) F
+/// on the panel's plane.
 Vec3 turnedOver(const Vec3& rotation) {
   return {0 - rotation.x(), rotation.y() + 180, rotation.z()};
 }
@@ -226,7 +227,7 @@ class DocumentWriter {
     out_.close();
   }
 
-  /// Of points in centimetres, whatever the unit of the file.
+  /// Frame for points that are in centimetres regardless of the file's unit.
   Frame frameOf(const std::string& piece) const {
     const int found = file_.garment.find(piece);
     return {1, found >= 0 && file_.garment.panels[found].mirrored_from_input};
@@ -257,7 +258,7 @@ class DocumentWriter {
     out_.close();
   }
 
-  /// Whether its unit can be right: as it is taken, nobody could wear it.
+  /// Adds a question about the unit of length if it gives the garment an unwearable size.
   void writeQuestions() {
     out_.key("questions");
     out_.openList();

@@ -6,11 +6,11 @@
 
 namespace seamwise {
 
-/// A garment of any readable format as a document for people and programs that look at it or change
-/// it, of which web/src/model/garment-document.ts says what it holds: centimetres, pieces face side
-/// up and their outlines counter-clockwise, edges with their own points, seams by number, and
-/// members unknown to this program as they are. Questions that its file leaves open come with it.
-/// Errors: as for readGarment().
+/// Converts a garment of any readable format into a document for viewing and editing.
+/// web/src/model/garment-document.ts specifies its members: lengths in centimetres, pieces face
+/// side up with counter-clockwise outlines, edges with their own points, and numbered seams.
+/// Members unknown to this program are copied unchanged. The document lists the open questions of
+/// its file. Errors: as for readGarment().
 Outcome<std::string> garmentDocument(std::string_view text, const std::string& file);
 
 }  // namespace seamwise

@@ -70,8 +70,8 @@ Extent largestExtent(const JsonValue& panels, double cm) {
   return largest;
 }
 
-/// Wrong units are the likeliest cause of a garment for ants or giants. Judged before the panels
-/// are read, whose own limits would report it less plainly.
+/// Wrong units are the likeliest cause of a far too small or too large garment. This check precedes
+/// the reading of panels, whose limits would cause a less clear message.
 void checkSize(const JsonValue& panels, const Units& units, const Place& place) {
   const auto [extent, panel] = largestExtent(panels, units.panel.cm);
   if (extent <= 0 || (extent >= kSmallestPieceCm && extent <= kLargestPieceCm)) return;
@@ -107,7 +107,7 @@ void noteAssumptions(const JsonValue& document, const Units& units, const JsonVa
                              "assumed."});
 }
 
-/// Whom the garment is drafted for. Of no matter for a solve, so nothing is wrong with it here.
+/// Reads the size and the body measurements. A solve does not use them, so they cause no error.
 void readWearer(const JsonValue& document, Garment* garment) {
   garment->size = document.find("size").text();
   for (const auto& [name, value] : document.find("body").members())
@@ -146,7 +146,7 @@ std::vector<LengthUnit> likelyUnits(double extent_cm, double per_metre) {
 }
 
 bool isWearable(double height_cm) {
-  constexpr double kBib = 14, kTrain = 260;  // of a baby, of a bride
+  constexpr double kBib = 14, kTrain = 260;  // cm: a baby's bib, a bridal train
   return height_cm >= kBib && height_cm <= kTrain;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 100;  // real files nest 7 deep
 
-/// @param within   what the defect is in, as ", in 'vertices' of 'front'"
+/// @param within   the members around the defect, as ", in 'vertices' of 'front'"
 Nothing failFor(const JsonDocument& document, const std::string& within, const Place& place) {
   const std::string where =
       "line " + decimal(document.line) + ", column " + decimal(document.column);
@@ -41,7 +41,7 @@ Nothing failFor(const JsonDocument& document, const std::string& within, const P
                     "is not JSON: unexpected characters at " + where + "; correct it there");
 }
 
-/// Checks depth, size and names that occur twice, in the order of the text, up to a defect.
+/// Checks depth, size and duplicate names in the order of the text, up to the first defect.
 class Check {
  public:
   Check(const JsonDocument& document, const Place& place) : document_(document), place_(place) {}
@@ -57,14 +57,14 @@ class Check {
     leaveEnded();
   }
 
-  /// ", in 'vertices' of 'front'", for the members that the document has not ended.
+  /// The members that the document has not closed, as ", in 'vertices' of 'front'".
   std::string within() const {
     std::string words;
     for (auto open = open_.rbegin(); open != open_.rend(); ++open) {
       if (!open->is_object || open->name == 0) continue;
       const bool is_second = !words.empty();
       words += (is_second ? " of " : ", in ") + nameOf(*open);
-      if (is_second) break;  // two tell which panel, and what of it
+      if (is_second) break;  // two names identify the panel and its member
     }
     return words;
   }
@@ -73,7 +73,7 @@ class Check {
   struct Open {
     std::size_t at = 0;
     bool is_object = false, expects_name = false;
-    std::size_t name = 0;  ///< node of the last one
+    std::size_t name = 0;  ///< node of the last name
     std::set<std::string_view> names = {};
   };
 
@@ -108,13 +108,13 @@ class Check {
     open_.push_back({at_, is_object, is_object});
   }
 
-  /// " in 'panels'", for the object that is open.
+  /// The parent of the open object, as " in 'panels'".
   std::string inParent() const {
     if (open_.size() < 2 || !open_[open_.size() - 2].is_object) return "";
     return " in " + nameOf(open_[open_.size() - 2]);
   }
 
-  /// Of the member that was begun last.
+  /// The quoted name of the object's last member.
   std::string nameOf(const Open& object) const {
     return inQuotes(std::string(document_.text(document_.nodes[object.name])));
   }

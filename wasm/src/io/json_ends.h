@@ -6,19 +6,19 @@
 
 namespace seamwise {
 
-/// How documents come in and go out, which differs from program to program, so that each links an
-/// end of its own. Native programs read and write JSON text (`json_text.cpp`). The WebAssembly
-/// module leaves that to JavaScript, which has JSON built in, and hands documents over as they lie
-/// in memory (`bindings/json_bytes.cpp`): "text" is then what JavaScript has made of one.
+/// Input and output of documents. Each program links one implementation. Native programs read and
+/// write JSON text (`json_text.cpp`). The WebAssembly module leaves JSON to JavaScript, which has a
+/// built-in parser, and exchanges documents in their memory layout (`bindings/json_bytes.cpp`): its
+/// "text" contains the bytes that JavaScript has made from a document.
 
 inline constexpr std::size_t kMaxFileBytes = 20'000'000;
 inline constexpr std::size_t kMaxValues = 3'000'000;  ///< 20 MB of "[]" would need gigabytes
 
-/// The document, as far as it goes: nesting and names are not checked yet, and it may end after the
-/// first `kMaxValues`. Its defect says what ended it too early.
+/// Parses a document without checking nesting depth and duplicate names. For an invalid text,
+/// returns the valid prefix with its defect. The document may end after the first `kMaxValues`.
 JsonDocument documentOf(std::string_view text);
 
-/// The document as it leaves the program. Numbers are as short as reading them back exactly allows.
+/// Serializes a document. Numbers have the fewest digits that restore them exactly.
 std::string textOf(const JsonDocument& document);
 
 }  // namespace seamwise

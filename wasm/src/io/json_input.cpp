@@ -124,7 +124,7 @@ Vec2 point(const JsonValue& json, const Place& place, const std::string& what, d
     place.fail(place.number,
                "has " + (json.isList() ? "a list of " + decimal(json.size()) : described(json)) +
                    " as " + what + "; write two numbers [x, y]");
-  // Numbers that are merely too large are judged in centimetres, where the limit has a meaning.
+  // The limit applies to centimetres, so the raw number has only a bound that keeps it finite.
   const Vec2 p(scale * number(json[0], place, "x of " + what, 1e300),
                scale * number(json[1], place, "y of " + what, 1e300));
   if (p.cwiseAbs().maxCoeff() <= limit) return p;

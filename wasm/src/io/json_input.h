@@ -10,13 +10,14 @@
 
 namespace seamwise {
 
-/// Reading JSON files: parsing with limits, and typed access whose errors say where and what to do.
-/// A defect is kept, the first of a file only, and reading goes on with zeros and nothing in place
-/// of what is missing until somebody looks whether there is one; the public readers return it.
+/// Reading of JSON files: parsing with limits, and typed access whose errors contain the place and
+/// a remedy. Only the first defect of a file is kept. Reading continues with zeros and empty values
+/// in place of missing ones until a caller checks for a defect. The public readers return it.
 
 inline constexpr double kMaxCoordinateCm = 1e4;
 
-/// The default value of any type but Eigen's, whose default is not initialised.
+/// Converts to the default value of any type. Eigen's types are unsuitable: their default is not
+/// initialised.
 struct Nothing {
   template <class T>
   operator T() const {  // NOLINT(google-explicit-constructor)
@@ -24,45 +25,45 @@ struct Nothing {
   }
 };
 
-/// What is being read, as the subject of a sentence ("tee.json: panel 'front', edge 3"), and the
-/// codes under which its defects are reported.
+/// A part of a file as the subject of a message ("tee.json: panel 'front', edge 3"), and the codes
+/// of its defects.
 struct Place {
   std::string name;
   Failure shape = Failure::kNotAGarment;  ///< wrong structure
-  Failure number = Failure::kNumber;      ///< something that is not a usable number
+  Failure number = Failure::kNumber;      ///< not a usable number
   int piece = -1;
   int seam = -1;
-  bool keeps_unknown = false;              ///< unknown fields are left alone, not refused
-  std::optional<Error>* defect = nullptr;  ///< of the file, where fail() keeps it
+  bool keeps_unknown = false;              ///< unknown fields are accepted
+  std::optional<Error>* defect = nullptr;  ///< first defect of the file, set by fail()
 
   Place in(const std::string& part) const;
   /// "<name> <text>."
   Error error(Failure code, const std::string& text) const;
-  /// Keeps error(), unless it is not the first.
+  /// Stores error() if it is the file's first one.
   Nothing fail(Failure code, const std::string& text) const;
   bool failed() const { return defect->has_value(); }
 };
 
-/// `place`, numbered: "panel 'front', edge 3".
+/// A numbered part of `place`: "panel 'front', edge 3".
 Place numbered(const Place& place, const char* what, std::size_t number);
 
-/// A number as people write it: at most 6 significant digits.
+/// A number for messages, with at most 6 significant digits.
 std::string shown(double value);
 /// A point in centimetres: "(12.4, 3.1) cm".
 std::string shown(const Vec2& point);
 
-/// The document, of no use after a defect. Defects: kTooLarge; kNotJson with line and column;
-/// `place.shape` for a name that occurs twice in one object.
+/// Parses and checks a document, which is unusable after a defect. Defects: kTooLarge; kNotJson
+/// with line and column; `place.shape` for a name that occurs twice in one object.
 JsonDocument parseDocument(std::string_view text, const Place& place);
 
-/// `json`, which must be an object.
+/// Returns `json`, which must be an object.
 JsonValue object(const JsonValue& json, const Place& place, const std::string& what);
-/// The items of `json`, which must be a list.
+/// Returns the items of `json`, which must be a list.
 std::vector<JsonValue> array(const JsonValue& json, const Place& place, const std::string& what);
-/// The member, which must not be missing or null.
+/// Returns the member `key`, which must not be missing or null.
 JsonValue need(const JsonValue& object, const char* key, const Place& place);
 
-/// The number that at most `most` digits make; -1 for any other text.
+/// Parses one to `most` decimal digits; -1 for any other text.
 int countOf(std::string_view digits, std::size_t most);
 
 /// A finite number of magnitude at most `limit`.
@@ -78,20 +79,20 @@ Vec2 point(const JsonValue& json, const Place& place, const std::string& what, d
 Polyline polyline(const JsonValue& json, const Place& place, const std::string& what,
                   double scale = 1);
 
-/// Fails when `object` has a member that is not among `known`, naming it, unless the place keeps
-/// such.
+/// Fails for a member of `object` outside `known`, which the message names, unless the place
+/// accepts unknown fields.
 void onlyKnown(const JsonValue& object, const Place& place,
                std::initializer_list<const char*> known);
 
-/// Checks a `format` member, if there is one: `name`/`version`. Returns the version found, or
-/// `version` when the file names none.
+/// Checks the optional `format` member, which is "<name>/<version>" with `version` at most. Returns
+/// its version, or `version` for a file without the member.
 int checkFormat(const JsonValue& document, const Place& place, const std::string& name,
                 int version);
 
 /// The error of another layer, as one sentence that starts with the file's name.
 Error inFile(Error error, const std::string& file);
 
-/// What `read` makes of a document and its place, unless there is a defect.
+/// Parses a document and returns `read(document, place)`, or the first defect.
 template <class T, class Read>
 Outcome<T> readDocument(std::string_view text, Place place, Read read) {
   std::optional<Error> defect;

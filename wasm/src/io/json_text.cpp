@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Takes what the parser finds.
+/// Builds a document from the parser's events.
 class Builder {
  public:
   using number_integer_t = Json::number_integer_t;
@@ -23,7 +23,7 @@ class Builder {
 
   explicit Builder(std::string_view text) : text_(text) {}
 
-  // NOLINTBEGIN(readability-identifier-naming): so the parser calls them
+  // NOLINTBEGIN(readability-identifier-naming): names required by the parser
   bool null() { return add(JsonKind::kNull); }
   bool boolean(bool value) { return add(value ? JsonKind::kTrue : JsonKind::kFalse); }
   bool number_integer(number_integer_t value) { return number(static_cast<double>(value)); }
@@ -39,7 +39,7 @@ class Builder {
 
   bool parse_error(std::size_t position, const std::string&, const Json::exception& error) {
     constexpr int kNumberOverflow = 406;
-    // The token starts up to a letter or two before the place at which the parser gave up.
+    // The token starts up to a letter or two before the position at which the parser failed.
     const std::string_view near = text_.substr(position > 9 ? position - 9 : 0, 18);
     const auto holds = [&](const char* word) { return near.find(word) != near.npos; };
     end(error.id == kNumberOverflow                                    ? JsonDefect::kOverflow
@@ -51,7 +51,7 @@ class Builder {
   }
   // NOLINTEND(readability-identifier-naming)
 
-  /// @param position   counted from 1, of the last byte that was read [bytes]
+  /// @param position   of the last byte that was read, counted from 1 [bytes]
   void end(JsonDefect defect, std::size_t position) {
     const std::string_view before = text_.substr(0, std::min(position, text_.size()));
     const std::size_t newline = before.rfind('\n');
@@ -64,7 +64,7 @@ class Builder {
   JsonDocument take() { return std::move(document_); }
 
  private:
-  /// Whether there may be another value.
+  /// Counts a value. Returns false beyond kMaxValues, which ends parsing.
   bool isOneMore() { return ++values_ <= kMaxValues; }
 
   bool add(JsonKind kind) { return document_.add(kind), isOneMore(); }
@@ -111,7 +111,7 @@ void writeText(std::string_view text, std::string& out) {
 }
 
 void writeNumber(double value, std::string& out) {
-  constexpr double kWhole = 1e15;  // below it, whole numbers are written as such
+  constexpr double kWhole = 1e15;  // smaller whole numbers are written without a fraction
   if (value == std::floor(value) && std::abs(value) < kWhole) {
     out += decimal(static_cast<long long>(value));
     return;
@@ -167,7 +167,7 @@ JsonDocument documentOf(std::string_view text) {
   nothing.defect = JsonDefect::kEmpty;
   if (content.find_first_not_of(" \t\r\n") == content.npos) return nothing;
   Builder builder(content);
-  // the parser would take it for the end and leave out the rest
+  // The parser would treat a zero byte as the end of the text.
   if (const std::size_t zero = content.find('\0'); zero != content.npos)
     builder.end(JsonDefect::kZeroByte, zero + 1);
   else

@@ -9,29 +9,29 @@ namespace seamwise {
 
 enum class JsonKind : std::uint32_t { kNull, kFalse, kTrue, kNumber, kText, kList, kObject };
 
-/// Of a list or an object that the text does not end.
+/// JsonNode::after of a list or an object that the text does not close.
 inline constexpr std::uint32_t kOpen = 0xFFFFFFFF;
 
-/// Where a text stands among those of its document. [bytes]
+/// Range of a text in JsonDocument::texts. [bytes]
 struct JsonText {
   std::uint32_t start, length;
 };
 
-/// One value of a document, or the name of a member. JavaScript reads and writes them, too, so
-/// their layout is part of the boundary to it.
+/// One value of a document, or the name of a member. JavaScript reads and writes nodes, too, so
+/// their memory layout is part of the interface to it.
 struct JsonNode {
   JsonKind kind = JsonKind::kNull;
   std::uint32_t after = 0;  ///< the node after this one and everything in it; kOpen
   union {
-    double number;  ///< of a number
+    double number;
     JsonText text;
-    std::uint32_t size;  ///< of a list or an object: its values
+    std::uint32_t size;  ///< number of values in a list or an object
   };
   JsonNode() : number(0) {}
 };
 static_assert(sizeof(JsonNode) == 16);
 
-/// Why there is no document, or only the beginning of one.
+/// The reason why a document is missing or incomplete.
 enum class JsonDefect : std::uint32_t {
   kNone,
   kTooLarge,
@@ -39,35 +39,37 @@ enum class JsonDefect : std::uint32_t {
   kZeroByte,
   kUnexpected,
   kNoNumber,   ///< NaN or Infinity
-  kOverflow,   ///< a number beyond all numbers
+  kOverflow,   ///< a number too large for a double
   kIncomplete  ///< the text ends too early
 };
 
-/// A JSON document: its values in the order of the text, the first of them the whole; in an object,
-/// every value follows the text that names it. So a document takes 16 bytes a value and its texts.
+/// A JSON document: its values in the order of the text. The first value is the whole document. In
+/// an object, the node of its name precedes every value. A document takes 16 bytes a node, plus its
+/// texts.
 struct JsonDocument {
   std::vector<JsonNode> nodes;
   std::string texts;
-  JsonDefect defect = JsonDefect::kNone;  ///< what ends `nodes` too early
-  std::uint32_t line = 0, column = 0;     ///< where, counted from 1, columns in bytes
+  JsonDefect defect = JsonDefect::kNone;  ///< the reason why `nodes` end too early
+  std::uint32_t line = 0, column = 0;     ///< position of the defect, counted from 1, columns in
+                                          ///< bytes
 
   std::string_view text(const JsonNode& node) const {
     return std::string_view(texts).substr(node.text.start, node.text.length);
   }
 
-  /// Appends a value that is no list, object or text.
+  /// Appends a value other than a list, an object or a text.
   JsonNode& add(JsonKind kind);
   /// Appends a text, or the name of the value that follows.
   void addText(std::string_view text);
-  /// Appends a list or an object, in which everything goes until that node is closed.
+  /// Appends a list or an object and returns its node, which contains all values up to its close().
   std::size_t open(JsonKind kind);
   void close(std::size_t at);
 };
 
 struct JsonMember;
 
-/// A value of a document, which must outlive it; or none, which is false. Of another kind than is
-/// asked for, it is 0, or empty, or none.
+/// A value of a document, which must outlive it, or no value, which converts to false. Accessors
+/// for another kind than the value's return 0, an empty result or no value.
 class JsonValue {
  public:
   JsonValue() = default;
@@ -87,15 +89,15 @@ class JsonValue {
   double number() const { return isNumber() ? node().number : 0; }
   std::string text() const { return isText() ? std::string(document_->text(node())) : ""; }
 
-  /// How many values a list or an object has.
+  /// Number of values in a list or an object.
   std::size_t size() const { return isList() || isObject() ? node().size : 0; }
-  /// Of a list.
+  /// The values of a list.
   std::vector<JsonValue> items() const;
-  /// Of a list, none beyond its end; takes as long as it is far.
+  /// A value of a list; no value beyond its end. Takes time proportional to `index`.
   JsonValue operator[](std::size_t index) const;
-  /// Of an object, in the order of the text.
+  /// The members of an object, in the order of the text.
   std::vector<JsonMember> members() const;
-  /// The member of an object; none when it is missing or null, or this is no object.
+  /// A member of an object; no value if it is missing or null, or if this is no object.
   JsonValue find(std::string_view name) const;
 
  private:

@@ -11,16 +11,16 @@
 
 namespace seamwise {
 
-/// Writes a JSON document value by value. What is no finite number becomes null.
+/// Writes a JSON document value by value. Infinity and NaN become null.
 class JsonWriter {
  public:
-  /// The document; the writer is empty afterwards.
+  /// Returns the document; the writer is empty afterwards.
   JsonDocument take() { return std::move(document_); }
 
   void openList() { open_.push_back(document_.open(JsonKind::kList)); }
   void openObject() { open_.push_back(document_.open(JsonKind::kObject)); }
   void close();
-  /// The name of the value that comes next.
+  /// Writes the name of the next value.
   void key(std::string_view name) { document_.addText(name); }
 
   void put(double value);
@@ -33,9 +33,10 @@ class JsonWriter {
   void put(const Vec2& point);
   void put(const Vec3& point);
   void put(const Alignment& alignment) { putPose(alignment.angle, alignment.translation); }
-  /// As an alignment is, {angle, translation}; whether it mirrors goes without saying.
+  /// Writes {angle, translation}, the form of an alignment. It omits `mirrored`, which readers of
+  /// the document know.
   void put(const RigidMotion& motion) { putPose(motion.angle, motion.shift); }
-  /// A value of another document, as it is.
+  /// Copies a value of another document.
   void put(const JsonValue& value);
   template <std::size_t n>
   void put(const std::array<int, n>& list) {
@@ -52,7 +53,7 @@ class JsonWriter {
     put(value);
   }
 
-  /// A list with what `write` writes for every item.
+  /// Writes a list by calling `write` for every item.
   template <class List, class Write>
   void list(std::string_view name, const List& items, Write write) {
     key(name);

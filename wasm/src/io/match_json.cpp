@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSpacingCm = 1.0;
 constexpr double kShortestLineCm = 0.1;
-constexpr double kOutsideCm = 1.0;  ///< a line may be drawn a little beside its piece
+constexpr double kOutsideCm = 1.0;  ///< tolerance for lines drawn slightly outside their piece
 
 struct Side {
   int piece;
@@ -25,7 +25,7 @@ double lengthOf(const Polyline& line) {
   return length;
 }
 
-/// How far a line leaves its piece. [cm]
+/// Greatest distance of a line's points outside its piece. [cm]
 double outside(const Polyline& line, const Panel& panel) {
   const Polyline closed = asPolygon(panel.edges);
   Polyline outline = closed;
@@ -60,7 +60,7 @@ Side readSide(const JsonValue& match, const char* key, const Place& outer, const
   return side;
 }
 
-/// `line` at `count` points evenly spaced by arc length; first and last are its ends.
+/// `count` points of `line`, evenly spaced by arc length; the first and the last are its ends.
 Polyline resampled(const Polyline& line, double length, std::size_t count) {
   Polyline points{line.front()};
   std::size_t i = 1;

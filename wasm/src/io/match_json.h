@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// Marked lines: [{"a": {"piece": "left_front", "line": [[x, y], ...]}, "b": {...}, "weight": 1}],
-/// in input panel coordinates, cm. Both lines come back with the same number of points, evenly
+/// Reads marked lines: [{"a": {"piece": "left_front", "line": [[x, y], ...]}, "b": {...}, "weight":
+/// 1}], in input panel coordinates, cm. Both returned lines have the same number of points, evenly
 /// spaced by arc length at most 1 cm apart, face side up. Defects: place.shape, place.number.
 std::vector<MatchLine> readMatches(const JsonValue& json, const Place& place,
                                    const Garment& garment);

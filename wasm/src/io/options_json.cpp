@@ -10,7 +10,7 @@
 namespace seamwise {
 namespace {
 
-/// The piece; after a defect the first one, of which nothing comes.
+/// Index of the named piece. An unknown name is a defect and returns 0, which has no effect.
 int pieceNamed(const std::string& name, const Garment& garment, const Place& place,
                const std::string& field) {
   const int piece = garment.find(name);
@@ -60,7 +60,7 @@ void readGrain(const JsonValue& json, const Garment& garment, const Place& place
     if (const JsonValue degrees = rule_json.find("angleDeg"))
       own.line = number(degrees, here, "'angleDeg'", 360) * kPi / 180;
     const JsonValue degrees = rule_json.find("toleranceDeg");
-    // where the line runs may be said without a word on how it lies
+    // A piece may have an angle without a lock.
     if (!own.line || degrees || rule_json.find("lock")) locked(need(rule_json, "lock", here));
     if (degrees) own.rule->tolerance = readGrainTolerance(degrees, here);
   }

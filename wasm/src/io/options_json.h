@@ -8,9 +8,9 @@
 
 namespace seamwise {
 
-/// Reads an options file; pieces by name, seams by their number in the garment file. Fields that
-/// are left out keep their default. Errors: kOptions naming the file and the field (unknown fields
-/// and pieces too), kNotJson, kTooLarge.
+/// Reads an options file, which names pieces and numbers seams as the garment file does. Missing
+/// fields keep their default. Errors: kOptions naming the file and the field (unknown fields and
+/// pieces too), kNotJson, kTooLarge.
 Outcome<SolveOptions> readOptions(std::string_view text, const std::string& file,
                                   const Garment& garment);
 

@@ -13,10 +13,10 @@ constexpr double kFlatCm = 1e-3;
 constexpr double kSmallestAreaCm2 = 1e-3;
 constexpr std::size_t kMaxPoints = 400'000;
 
-/// A loop of curves as a polygon that remembers its edges.
+/// A loop of curves as a polygon with references to its edges.
 struct Flat {
   Polyline points;
-  std::vector<std::size_t> edge;  ///< of the side that starts at each point
+  std::vector<std::size_t> edge;  ///< index of the curve that contains the side after each point
 };
 
 Flat flattened(const std::vector<Curve>& loop, const Place& place) {

@@ -5,25 +5,28 @@
 
 namespace seamwise {
 
-/// What seamwise-garment/1 adds to a panel: grain, holes; cut and sew lines and marks are checked
-/// and stay in the document. `vertices` in cm as in the file; `panel` has its outline, whose paths
-/// are of so many `cubics`.
+/// Reads the additions of seamwise-garment/1 to a panel: grain and holes. Cut and sew lines and
+/// marks are only checked; they stay in the document.
+/// @param vertices   those of the file, in cm
+/// @param panel      has its outline already
+/// @param cubics     number of cubics in the paths of the outline
 void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
                 const Place& place, Panel* panel, std::size_t cubics);
 
-/// Checks what seamwise-garment/1 adds to an edge: its allowance, and whether it stays open. Both
-/// stay in the document.
+/// Checks the additions of seamwise-garment/1 to an edge, `allowance` and `open`. Both stay in the
+/// document.
 void checkEdgeExtras(const JsonValue& edge, const PanelUnits& units, const Place& place);
 
-/// A closed loop of edges in the file's frame; empty after a defect, which names the edge. [cm]
-/// @param cubics   those of the panel's paths so far, to which its own are added
+/// Reads a closed loop of edges in the file's frame; empty after a defect, which names the edge.
+/// [cm]
+/// @param cubics   number of cubics in the panel's paths so far; this loop's are added
 std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vertices,
                             const PanelUnits& units, const Place& place, std::size_t* cubics);
 
-/// "free", "on", "bias".
+/// Reads "free", "on", "across" or "bias".
 GrainLock readGrainLock(const JsonValue& json, const Place& place);
 
-/// Degrees between 0 and 90, as radians.
+/// Reads degrees between 0 and 90 and returns radians.
 double readGrainTolerance(const JsonValue& json, const Place& place);
 
 }  // namespace seamwise

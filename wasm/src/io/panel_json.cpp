@@ -45,7 +45,7 @@ Vec2 readControl(const JsonValue& json, const Place& place, const PanelUnits& un
   return a;
 }
 
-/// Radius in units of the file, never of the chord; flags as true/false or 0/1.
+/// Reads an arc. Its radius is in units of the file, not of the chord; flags are true/false or 0/1.
 Curve readArc(const JsonValue& params, const Place& place, const PanelUnits& units, const Vec2& a,
               const Vec2& b) {
   Place here = place;
@@ -60,7 +60,7 @@ Curve readArc(const JsonValue& params, const Place& place, const PanelUnits& uni
   return Curve::arc(a, b, radius, flag(params[1], "'large arc'"), flag(params[2], "'right'"));
 }
 
-/// Cubics of two control points and the point where they end, which the last one has not.
+/// Reads a path: cubics of two control points and an end point, which the last cubic omits.
 template <class Control>
 Curve readPath(const JsonValue& params, const Place& place, const Vec2& a, const Vec2& b,
                const Control& control) {
@@ -153,7 +153,7 @@ std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vert
     const std::size_t next = (k + 1) % edges.size();
     const Vec2 a = vertex(ends[k][0]), b = vertex(ends[next][0]);
     const double gap = (vertex(ends[k][1]) - b).norm();
-    if (gap >= kShortestEdgeCm)  // corners that are stored twice, but at the same point, are fine
+    if (gap >= kShortestEdgeCm)  // a corner may be stored as two vertices at the same point
       return place.fail(Failure::kOutlineOpen, "has an open outline: edge " + decimal(next) +
                                                    " starts " + shown(gap) +
                                                    " cm from where edge " + decimal(k) +

@@ -7,14 +7,15 @@
 
 namespace seamwise {
 
-/// How a garment file writes lengths and control points.
+/// The form of lengths and control points in a garment file.
 struct PanelUnits {
   double cm = 1;  ///< centimetres per unit of the file
   bool absolute_controls =
-      false;  ///< control points in panel coordinates, else relative to the edge
+      false;  ///< control points in panel coordinates; false: relative to the edge
 };
 
-/// The panel, face side up and in centimetres; of no use after a defect. `place` names it.
+/// Reads a panel, face side up and in centimetres. The returned value is unusable after a defect.
+/// @param place   the panel
 Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits& units,
                 const Place& place);
 

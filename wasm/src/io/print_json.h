@@ -7,8 +7,8 @@
 
 namespace seamwise {
 
-/// Reads a print, seamwise-print/1 (`format` may be left out): group, w1 and w2 in cm, oneWay. The
-/// image, its cell and the fabric are for the viewer; they are checked for type only.
+/// Reads a print, seamwise-print/1 (`format` is optional): group, w1 and w2 in cm, oneWay. The
+/// image, its cell and the fabric are for the viewer; only their types are checked.
 /// Errors: kNotAPrint, kGroupUnknown, kLattice, kNotJson, kTooLarge; each names the file and the
 /// field.
 Outcome<Print> readPrint(std::string_view text, const std::string& file);

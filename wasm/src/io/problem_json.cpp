@@ -25,7 +25,7 @@ bool concerns(const BodySymmetry& symmetry, const BodySymmetry& other) {
   return false;
 }
 
-/// `first` and those of `more` that concern none of its pieces.
+/// `first` plus those of `more` that concern none of its pieces.
 Symmetries joined(Symmetries first, const Symmetries& more) {
   const std::size_t treated = first.size();
   for (const BodySymmetry& symmetry : more) {
@@ -37,7 +37,8 @@ Symmetries joined(Symmetries first, const Symmetries& more) {
   return first;
 }
 
-/// Drops what the group cannot carry and says so, once for single pieces and once for pairs.
+/// Drops the symmetries that the group cannot carry, with one note for single pieces and one for
+/// pairs.
 Symmetries carried(const Symmetries& wanted, const Garment& garment, const WallpaperGroup& group,
                    std::vector<Note>* notes) {
   Symmetries kept;
@@ -70,7 +71,7 @@ Symmetries carried(const Symmetries& wanted, const Garment& garment, const Wallp
   return kept;
 }
 
-/// Registered on the garment; errors name the file.
+/// Registers requests on the garment; errors name the file.
 Outcome<Symmetries> registered(const Garment& garment, const std::vector<SymmetryRequest>& requests,
                                const std::string& file) {
   Outcome<Symmetries> found = registerSymmetries(garment, requests);
@@ -78,7 +79,7 @@ Outcome<Symmetries> registered(const Garment& garment, const std::vector<Symmetr
   return found;
 }
 
-/// What is wrong with the first of them that the group cannot carry.
+/// The error of the first symmetry that the group cannot carry.
 std::optional<Error> notCarried(const Symmetries& wanted, const Garment& garment,
                                 const WallpaperGroup& group, const std::string& file) {
   for (const BodySymmetry& symmetry : wanted) {

@@ -13,7 +13,7 @@
 
 namespace seamwise {
 
-/// The files of a problem as text, with the names by which messages call them.
+/// The files of a problem as text, with their names for messages.
 struct ProblemTexts {
   std::string garment, garment_name;
   std::string print, print_name;
@@ -27,11 +27,11 @@ struct ProblemTexts {
 
 /// Reads and checks everything a solve needs.
 ///
-/// Symmetry "auto" imposes those of the garment file, or else those found, as far as the print's
-/// group carries them; what is dropped is noted. Explicit ones must all be carried. Method ws19
-/// imposes none. Matched lines of the garment file come after those of the options, in
-/// `options.matches`. Errors: those of the readers; kSymmetryGroup naming the piece and the groups
-/// that could.
+/// Symmetry "auto" imposes the symmetries of the garment file, or the detected ones if the file has
+/// none. Those that the print's group cannot carry are dropped with a note. The group must carry
+/// all explicit symmetries. Method ws19 imposes none. `options.matches` contains the matched lines
+/// of the options, then those of the garment file. Errors: those of the readers; kSymmetryGroup
+/// naming the piece and the groups that could carry its symmetry.
 Outcome<Problem> makeProblem(const ProblemTexts& texts);
 
 /// makeProblem() in steps.
@@ -39,19 +39,19 @@ class ProblemReader {
  public:
   explicit ProblemReader(ProblemTexts texts) : texts_(std::move(texts)) {}
 
-  /// Reads the files, then looks for symmetries: some milliseconds of work. False when there is
-  /// none left.
+  /// Works for some milliseconds: reads the files, then looks for symmetries. Returns false when
+  /// finished.
   bool advance();
   double fraction() const { return detection_ ? detection_->fraction() : 0; }  ///< 0..1, monotone
-  /// Once it has ended.
+  /// Returns the problem; requires that advance() has returned false.
   Outcome<Problem> take();
 
  private:
-  /// The files, but for symmetries.
+  /// Reads the files, but not their symmetries.
   std::optional<Error> read();
 
   ProblemTexts texts_;
-  std::unique_ptr<Problem> problem_;  ///< stays where it is: the detection looks at its garment
+  std::unique_ptr<Problem> problem_;  ///< at a fixed address: the detection refers to its garment
   std::vector<SymmetryRequest> of_garment_;
   std::unique_ptr<SymmetryDetection> detection_;
   std::optional<Error> error_;

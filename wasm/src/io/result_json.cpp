@@ -6,7 +6,7 @@
 namespace seamwise {
 namespace {
 
-/// The panel's edge that each outline edge is part of; edges follow each other along the outline.
+/// The panel's edge that contains each outline edge; edges follow each other along the outline.
 std::vector<int> edgesOf(const Piece& piece) {
   std::vector<int> edges(piece.outline.size());
   const auto& start = piece.edge_start;
@@ -48,7 +48,7 @@ void writePiece(JsonWriter& out, const PrintedPattern& printed, std::size_t p) {
   out.close();
 }
 
-/// Who wears the garment, and what lies on each other without being sewn.
+/// Writes the size, the body measurements and the matched lines of unsewn pieces.
 void writeWearing(JsonWriter& out, const Garment& garment) {
   if (!garment.size.empty()) out.field("size", garment.size);
   if (!garment.body.empty()) {
@@ -105,7 +105,7 @@ void writeFigures(JsonWriter& out, const SeamFigures& of) {
   if (of.reason != SeamReason::kNone) out.field("why", reasonName(of.reason));
 }
 
-/// @param figures   of the seam; null before a solve
+/// @param figures   figures of the seam; null before a solve
 void writeSeam(JsonWriter& out, const PrintedPattern& printed, std::size_t s,
                const SeamFigures* figures) {
   const Seam& seam = printed.pattern.seams[s];
@@ -143,8 +143,8 @@ void writeMirror(JsonWriter& out, const Pattern& pattern, const Mirror& m) {
   out.close();
 }
 
-/// @param result   null before a solve: then every piece says which edges of the panel its outline
-///                 consists of
+/// @param result   null before a solve: then every piece contains the panel's edge of each outline
+///                 edge
 void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* result) {
   const Pattern& pattern = printed.pattern;
   out.key("print");
@@ -173,7 +173,7 @@ void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* 
   writeWearing(out, printed.garment);
 }
 
-/// The sentences, and beside each what it says for who writes it in another language.
+/// Writes the sentences of notes, and their codes and values for translation.
 void writeNotes(JsonWriter& out, const std::vector<Note>& notes) {
   out.list("notes", notes, [&](const Note& note) { out.put(note.text); });
   out.list("noteDetails", notes, [&](const Note& note) {

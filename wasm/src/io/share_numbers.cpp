@@ -7,8 +7,8 @@
 namespace seamwise {
 namespace {
 
-/// Numbers that are written one after the other, or read so: one function for each type says what
-/// it is made of, and serves for both.
+/// A sequence of numbers that is either written or read. One exchange() function per type lists its
+/// members and serves both directions.
 class Numbers {
  public:
   Numbers() = default;
@@ -18,7 +18,7 @@ class Numbers {
   void operator()(Ts&... values) {
     (one(values), ...);
   }
-  /// No list has more items than numbers are left.
+  /// Exchanges a list's size. A read size above the count of remaining numbers is invalid.
   template <class T>
   void resize(std::vector<T>& list) {
     double size = static_cast<double>(list.size());
@@ -97,7 +97,7 @@ void exchange(Numbers& with, const GroupData*& group) {
   if (index >= 0 && index < count) group = &wallpaperGroups()[static_cast<std::size_t>(index)];
 }
 
-/// Too large for one number.
+/// A double cannot represent 64 bits, so two numbers are exchanged.
 void exchange(Numbers& with, std::uint64_t& bits) {
   double high = static_cast<double>(bits >> 32), low = static_cast<double>(bits & 0xffffffffu);
   with(high, low);
@@ -126,7 +126,7 @@ void exchange(Numbers& with, ShareOrder& order) {
   with(task.budget, task.seed, task.slack, task.watched, task.at, task.known);
 }
 
-/// Any group; it is overwritten.
+/// A placeholder; reading overwrites it.
 WallpaperGroup plainGroup() { return WallpaperGroup::make("p1", {1, 0}, {0, 1}).value(); }
 
 }  // namespace

@@ -6,19 +6,19 @@
 
 namespace seamwise {
 
-/// A share of a search and its answers as plain numbers, to be handed to where no memory is in
-/// common and back. What is read equals what was written to the last bit; it is read by the same
-/// build that wrote it.
+/// A share of a search. It and its answers are exchanged as plain numbers with workers that share
+/// no memory. The values read equal the values written to the last bit. The same build must read
+/// and write them.
 struct ShareOrder {
-  MatchProblem problem;  ///< without its pieces, of which a search knows nothing
+  MatchProblem problem;  ///< lacks its pieces, which a search does not use
   ShareTask task;
 };
 std::vector<double> writeShare(const MatchProblem& problem, const ShareTask& task);
-/// Empty when it is none.
+/// Empty for numbers that are no share.
 std::optional<ShareOrder> readShare(const std::vector<double>& numbers);
 
 std::vector<double> writeAnswers(const std::vector<Answers>& answers);
-/// Empty when they are none, or not of these components.
+/// Empty for numbers that are no answers or belong to other components.
 std::optional<std::vector<Answers>> readAnswers(const std::vector<double>& numbers,
                                                 const std::vector<Component>& components);
 

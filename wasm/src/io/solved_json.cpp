@@ -21,7 +21,7 @@ std::vector<Vec2> readPoints(const JsonValue& json, const Place& place, const st
   return points;
 }
 
-/// Whole numbers from 0 to below `count`.
+/// Reads whole numbers from 0 to `count` - 1.
 std::vector<int> readIndices(const JsonValue& json, const Place& place, const std::string& what,
                              std::size_t count) {
   std::vector<int> indices;
@@ -62,7 +62,7 @@ Vec3 readTriple(const JsonValue& json, const Place& place, const std::string& wh
   return triple;
 }
 
-/// The piece at `place.piece`.
+/// Reads the piece with index `place.piece`.
 void readPiece(const JsonValue& json, const Place& place, SolvedGarment* solved) {
   Piece piece;
   Panel panel;
@@ -97,7 +97,7 @@ void readPiece(const JsonValue& json, const Place& place, SolvedGarment* solved)
   if (const JsonValue grain = json.find("grainAngle"))
     panel.grain_angle = number(grain, place, "'grainAngle'", kMaxAngle);
   const JsonValue placement = json.find("placement");
-  if (!placement)  // a result from before garments could be worn
+  if (!placement)  // a result written before the drape existed
     place.fail(place.shape, "does not say where it hangs; align the garment again");
   panel.placement_shift =
       readTriple(placement.find("translation"), place, "'translation'", kMaxCoordinateCm);
@@ -182,7 +182,7 @@ MatchLine readMatch(const JsonValue& json, const Place& place, const SolvedGarme
   return match;
 }
 
-/// Members of the document, one by one until there is a defect.
+/// Reads the items of a member of the document up to the first defect.
 template <class Read>
 void readList(const JsonValue& document, const char* name, const char* what, const Place& place,
               Read read) {

@@ -8,11 +8,11 @@
 
 namespace seamwise {
 
-/// GarmentCode's `stitches` into garment->stitches. Defects name the stitch.
+/// Reads GarmentCode's `stitches` into garment->stitches. Defects name the stitch.
 void readStitches(const JsonValue& stitches, const Place& place, Garment* garment);
 
-/// The top-level `seams` of seamwise-garment/1: weight, matched, direction and length ratio of
-/// stitches.
+/// Reads the top-level `seams` of seamwise-garment/1: weight, matched, direction and length ratio
+/// of stitches.
 void readSeams(const JsonValue& seams, const Place& place, Garment* garment,
                std::vector<Note>* notes);
 

@@ -46,13 +46,13 @@ SymmetryRequest readSingle(const JsonValue& json, const Place& place) {
   return PieceRequest{piece};
 }
 
-/// To 1e-6 cm, far finer than the tolerance of a mirror; never "-0".
+/// Rounds to 1e-6 cm, far finer than the tolerance of a mirror; never "-0".
 double shortened(double cm) { return std::round(cm * 1e6) / 1e6 + 0.0; }
 
-/// Where the axis of the panel's own reflection enters and leaves the panel, in input coordinates.
-/// [cm]
+/// The points where the axis of the panel's own reflection enters and leaves the panel, in input
+/// coordinates. [cm]
 std::array<Vec2, 2> axisThrough(const Panel& panel, const RigidMotion& map) {
-  // R(2 psi + pi) F reflects across the direction psi; p and its image have their middle on the
+  // R(2 psi + pi) F reflects across the direction psi. The midpoint of p and its image is on the
   // axis.
   const Vec2 along = unit((map.angle - kPi) / 2);
   const Vec2 start = panel.edges.front().start();

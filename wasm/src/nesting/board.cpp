@@ -9,10 +9,10 @@
 namespace seamwise {
 namespace {
 
-constexpr int kMostMultiple = 24;       ///< of basis vectors in an axis-parallel lattice vector
+constexpr int kMostMultiple = 24;       ///< greatest multiple of a basis vector along an axis
 constexpr double kLongestPeriod = 400;  // cm
 
-/// The shortest primitive lattice vector along an axis, as whole multiples.
+/// The shortest primitive lattice vector along an axis, as multiples of the basis.
 std::optional<Dot> axisVector(const Vec2& a, const Vec2& b, int axis) {
   std::optional<Dot> best;
   double shortest = kLongestPeriod;
@@ -28,9 +28,10 @@ std::optional<Dot> axisVector(const Vec2& a, const Vec2& b, int axis) {
   return best;
 }
 
-/// A vector that makes a basis with the primitive vector m.
+/// A vector that forms a basis with the primitive vector m.
 Dot partnerOf(Dot m) {
-  // extended Euclid: x i + y j = gcd = 1, so that (i, j) and (-y, x) have determinant 1
+  // The extended Euclidean algorithm gives x i + y j = gcd = 1, so (i, j) and (-y, x) have
+  // determinant 1.
   int r0 = m.i, r1 = m.j, x0 = 1, x1 = 0, y0 = 0, y1 = 1;
   while (r1 != 0) {
     const int q = r0 / r1;
@@ -48,7 +49,7 @@ Board Board::ofLattice(const Vec2& w1, const Vec2& w2, double least) {
   Vec2 along, up;
   if (const auto across = axisVector(a, b, 0)) {
     const Dot other = partnerOf(*across);
-    along = {(across->i * a + across->j * b).x(), 0};  // level but for rounding
+    along = {(across->i * a + across->j * b).x(), 0};  // removes rounding from a level vector
     up = other.i * a + other.j * b;
   } else {
     const bool first = std::abs(a.x()) * b.norm() >= std::abs(b.x()) * a.norm();

@@ -33,7 +33,8 @@ const CompleteSearch::BitTable& CompleteSearch::bitsOf(int first, int second) {
   return bits;
 }
 
-/// All dots of a piece. @param order   of the pieces that lie side by side, as it is already
+/// Sets the values of a level to all dots of a piece.
+/// @param order   set of the pieces already placed side by side
 void CompleteSearch::setValues(Level* level, int item, unsigned order) const {
   level->values.clear();
   level->next = 0;
@@ -48,10 +49,10 @@ void CompleteSearch::setValues(Level* level, int item, unsigned order) const {
   }
 }
 
-/// Chooses what is tried at a level. False when pieces that lie side by side find no room.
-/// @param last   placed of these; nothing at their beginning
+/// Sets the values of a level. Returns false if the pieces side by side do not fit.
+/// @param last   the last placed one of these; null before the first
 bool CompleteSearch::setNext(Level* level, const SlotDot* last) {
-  // where the cut is not fixed, the tallest is placed before the order is asked for
+  // If the cut is not fixed, the tallest piece is placed before the others side by side.
   const unsigned laid = cloth_.is_fixed ? 0 : 1;
   const unsigned order = last == nullptr ? 0 : last->order;
   if (tall_->empty() || (order | laid) == tall_->all()) {
@@ -66,7 +67,7 @@ bool CompleteSearch::setNext(Level* level, const SlotDot* last) {
   return true;
 }
 
-/// The item to be placed next: that with the fewest dots by how often it ran out of them.
+/// The next item to place: the one with the fewest dots per number of its failures.
 int CompleteSearch::nextItem(const Level& level) const {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -78,7 +79,8 @@ int CompleteSearch::nextItem(const Level& level) const {
   return best;
 }
 
-/// Every layout with the item there has been looked at, and so with an equal item.
+/// Removes a dot from an item and its equals, because every layout with the item there has been
+/// visited.
 void CompleteSearch::removeLike(Level* level, const SlotDot& value) const {
   const SearchSlot& at = slots_.slots[value.slot];
   const int like = pieces_.items()[at.item].like;
@@ -88,15 +90,15 @@ void CompleteSearch::removeLike(Level* level, const SlotDot& value) const {
       level->left.bits[slot.row0 + value.dot.j] &= ~bit;
 }
 
-/// Whether both may lie so, by which way pieces of one garment have to point.
+/// True if both ways are compatible with the same direction for all pieces of one garment.
 bool CompleteSearch::mayPoint(const SearchSlot& slot, const SearchSlot& other) const {
   const LayItem &a = pieces_.items()[slot.item], &b = pieces_.items()[other.item];
   return !cloth_.is_by_garment || a.garment != b.garment ||
          a.ways[slot.way].is_up == b.ways[other.way].is_up;
 }
 
-/// Takes from an item the dots that a placed piece covers, or that lie too far from it; false when
-/// none is left.
+/// Removes from an item the dots that a placed piece covers and those too far from it. Returns
+/// false if none is left.
 bool CompleteSearch::leaves(Level* level, const SlotDot& value, int item) {
   const SearchSlot& at = slots_.slots[value.slot];
   int count = 0;
@@ -121,7 +123,7 @@ bool CompleteSearch::leaves(Level* level, const SlotDot& value, int item) {
   return count > 0;
 }
 
-/// Goes one level down, unless that leaves some piece without a dot.
+/// Places a piece and goes one level down, unless that leaves some piece without a dot.
 void CompleteSearch::place(const SlotDot& value) {
   const SearchSlot& at = slots_.slots[value.slot];
   places_[at.item] = {at.way, value.dot};

@@ -8,40 +8,41 @@
 
 namespace seamwise {
 
-/// Looks through all layouts of at most a given length, step by step: one piece after the other,
-/// with the dots that each leaves to the others as bits. Pieces that have to lie side by side come
-/// first, from left to right, as long as all find room; then that with the fewest dots left, where
-/// pieces that ran out of dots before count more. Layouts that differ by whole repeats, or by
-/// which of two equal pieces lies where, are looked at once.
+/// Searches all layouts of at most a given length, step by step. It places one piece after the
+/// other and stores the remaining dots of the other pieces as bits. Pieces that must be side by
+/// side come first, from left to right, as long as all of them fit. The next piece is then the one
+/// with the fewest remaining dots; pieces that ran out of dots before get priority. Layouts that
+/// differ by whole repeats, or by an exchange of equal pieces, are visited only once.
 class CompleteSearch {
  public:
-  /// @param length   that no layout sought exceeds. [cm]
+  /// @param length   greatest length of a layout. [cm]
   CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& cloth, double length);
 
-  /// Whether its end proves anything: the board has all dots, rows are level, they repeat or the
-  /// cut is fixed, and none has more than 64 dots. Otherwise `step` must not be called.
+  /// True if the end of the search is a proof: the board has all dots, rows are level, they repeat
+  /// or the cut is fixed, and none has more than 64 dots. Otherwise `step` must not be called.
   bool canProve() const { return can_prove_; }
-  /// Goes on until about so many rows are looked at; false when it has ended.
+  /// Visits about `reads` more rows. Returns false when the search has ended.
   bool step(double reads);
-  /// Once it has ended: the layout it has found; nothing when there is none of that length.
+  /// The layout found; empty if there is none of that length. Valid after the end of the search.
   const std::optional<LaidPieces>& found() const { return found_; }
-  /// Rows of dots looked at so far.
+  /// Number of rows of dots visited so far.
   double reads() const { return reads_; }
 
  private:
-  static constexpr int kBits = 64;  ///< of a word, one a dot
+  static constexpr int kBits = 64;  ///< bits of a word, one per dot
 
   struct BitTable {
     DotRun rows;
-    int column = 0;  ///< of bit 0
-    int words = 0;   ///< of a row, the first and the last of them empty
+    int column = 0;  ///< column of bit 0
+    int words = 0;   ///< words per row; the first and the last are empty
     std::vector<std::uint64_t> bits;
     std::uint64_t window(int row, int start) const;
   };
-  /// A piece has been chosen, or the next of those side by side is to be: dots tried one by one.
+  /// A level of the search. It tries the dots of one piece, or of all candidates for the next piece
+  /// side by side.
   struct Level {
     DotsLeft left;
-    std::vector<int> counts;  ///< per item of its dots, where it is not placed
+    std::vector<int> counts;  ///< per unplaced item, the number of its dots
     std::vector<SlotDot> values;
     std::size_t next = 0;
     bool is_of_one = true;  ///< all values are of one piece
@@ -64,15 +65,15 @@ class CompleteSearch {
   double length_;
   bool can_prove_ = false;
   SearchSlots slots_;
-  std::vector<std::uint64_t> dots_;  ///< all
+  std::vector<std::uint64_t> dots_;  ///< all dots
   std::vector<int> order_;           ///< items, the tallest first
   std::optional<TallPieces> tall_;
   std::vector<BitTable> bits_;
   std::vector<Level> levels_;  ///< per piece
-  std::size_t depth_ = 0;      ///< of these, in use
+  std::size_t depth_ = 0;      ///< number of levels in use
   std::vector<LayPlace> places_;
-  std::vector<double> failures_;  ///< per item, how often it ran out of dots, and 1
-  std::vector<int> likely_;       ///< items, that which ran out of dots last first
+  std::vector<double> failures_;  ///< per item, 1 plus the number of times it ran out of dots
+  std::vector<int> likely_;       ///< items, the last one that ran out of dots first
   std::optional<LaidPieces> found_;
   double reads_ = 0;
 };

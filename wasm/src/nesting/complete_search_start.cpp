@@ -1,4 +1,4 @@
-// How a search begins, apart from its steps: it takes little time, and so may be compiled for size.
+// Setup of a complete search. It takes little time, so it may be compiled for size.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -19,7 +19,7 @@ CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& clot
   const bool is_level = pieces.board().along.y() == 0;
   if (pieces.isFine() || !pieces.isWhole() || !is_level || !(pieces.period() || cloth.is_fixed))
     return;
-  // the tallest piece begins within one repeat; where it lies limits the others by pairs alone
+  // The tallest piece starts within one repeat. Its position limits the others through pairs.
   const double repeat = cloth.is_fixed ? 0 : *pieces.period();
   const double below = cloth.is_fixed ? 0 : length;
   can_prove_ = setSlots({cloth.left, cloth.right, -below, repeat + length});
@@ -32,7 +32,8 @@ CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& clot
   begin();
 }
 
-/// The ways of all items in a window; false when a row of dots does not go into a word.
+/// Collects the ways of all items in a window. Returns false if a row of dots does not fit into a
+/// word.
 bool CompleteSearch::setSlots(const Window& window) {
   const double up = pieces_.board().up.y();
   const auto ways = allowedWays(pieces_, cloth_);

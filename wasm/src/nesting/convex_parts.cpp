@@ -53,7 +53,7 @@ std::vector<Indices> triangles(const Polyline& ring) {
   return found;
 }
 
-/// Part `b` with what follows its edge to -> from put in place of the edge from -> to of `a`.
+/// Joins two parts: the rest of `b` after its edge to -> from replaces the edge from -> to of `a`.
 Indices joined(const Indices& a, const Indices& b, int from, int to) {
   const auto of_a = std::find(a.begin(), a.end(), to);
   const auto of_b = std::find(b.begin(), b.end(), from);
@@ -62,7 +62,7 @@ Indices joined(const Indices& a, const Indices& b, int from, int to) {
   Indices all;
   for (std::size_t k = 0; k < a.size(); ++k) all.push_back(a[(first + k) % a.size()]);
   for (std::size_t k = 1; k + 1 < b.size(); ++k) all.push_back(b[(second + k) % b.size()]);
-  return all;  // to ... from ... to
+  return all;  // vertices to ... from ... to
 }
 
 bool isConvex(const Polyline& ring, const Indices& part) {
@@ -100,7 +100,7 @@ std::vector<Indices> merged(const Polyline& ring, std::vector<Indices> parts) {
   return parts;
 }
 
-/// Where the lines p + s u and q + t v meet; q when they do not.
+/// Intersection of the lines p + s u and q + t v; q if there is none.
 Vec2 meeting(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v) {
   const double across = cross(u, v);
   return std::abs(across) < 1e-9 ? q : Vec2(p + u * (cross(q - p, v) / across));
@@ -123,13 +123,13 @@ Polyline grown(const Polyline& ring, const Indices& part, double overlap) {
     const Line &before = lines[(k + n - 1) % n], &after = lines[k];
     const Vec2& corner = ring[part[k]];
     const Vec2 at = meeting(before.at, before.along, after.at, after.along);
-    // nearly straight corners and slivers would run far off
+    // The lines at nearly straight corners and slivers meet too far away.
     out.push_back((at - corner).norm() > 4 * overlap ? corner : at);
   }
   return out;
 }
 
-/// From the lowest vertex, of several the leftmost.
+/// Rotates the vertices to start at the lowest one, at the leftmost of several.
 Polyline fromLowest(const Polyline& convex) {
   const auto lowest = std::min_element(
       convex.begin(), convex.end(),

@@ -5,14 +5,14 @@
 
 namespace seamwise {
 
-/// Convex polygons, counter-clockwise, whose union is the simple counter-clockwise polygon: ears
-/// are clipped, then triangles joined across every diagonal that convexity does not need [Hertel
-/// and Mehlhorn 1983]. Each reaches over its diagonals by `overlap`, so that what lies inside of
-/// the polygon lies that deep inside of a part, on diagonals too. [cm]
+/// Splits a simple counter-clockwise polygon into convex counter-clockwise ones. Ears are clipped,
+/// then triangles are joined across every diagonal that convexity does not need [Hertel and
+/// Mehlhorn 1983]. Each part extends over its diagonals by `overlap`, so that points on diagonals
+/// are that deep inside a part, too. [cm]
 std::vector<Polyline> convexParts(const Polyline& polygon, double overlap);
 
-/// The Minkowski sum of a convex polygon and the other one turned by 180 degrees: where the origin
-/// of `b` may not lie against that of `a`. Both and the sum are counter-clockwise.
+/// The Minkowski sum of a convex polygon and the other one rotated by 180 degrees: the forbidden
+/// positions of the origin of `b` relative to that of `a`. Both and the sum are counter-clockwise.
 Polyline convexDifference(const Polyline& a, const Polyline& b);
 
 }  // namespace seamwise

@@ -11,18 +11,18 @@
 namespace seamwise {
 namespace {
 
-constexpr double kUnit = 0.01;  ///< of a depth. [cm]
-/// Depths below which rough parts and full outlines may disagree: both outlines grow. [cm]
+constexpr double kUnit = 0.01;  ///< unit of depths. [cm]
+/// Depth below which rough parts and full outlines may disagree, because both outlines grow. [cm]
 constexpr double kDoubtful = 0.5;
-/// Overlaps up to this are none where pieces need keep no gap: ten times what rounding makes of
-/// lines that touch. Long edges would share some square millimetres otherwise. [cm]
+/// Greatest overlap that counts as touching if pieces need no gap: ten times the rounding error of
+/// touching lines. With a greater one, long edges would share some square millimetres. [cm]
 constexpr double kCommon = 1e-5;
-/// How near rough parts have to come for such overlaps to be looked for. [cm]
+/// Distance of rough parts below which full outlines are checked for such overlaps. [cm]
 constexpr double kHidden = 1e-3;
 
 struct HalfPlane {
   Vec2 normal;  ///< outward, of length 1
-  double at;    ///< along it
+  double at;    ///< coordinate along the normal
 };
 
 std::vector<HalfPlane> halfPlanes(const Polyline& convex) {
@@ -56,12 +56,12 @@ bool edgesCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return cross(u, c - a) * cross(u, d - a) < 0 && cross(v, a - c) * cross(v, b - c) < 0;
 }
 
-/// Whether p lies deeper in the polygon than touching allows.
+/// True if p is deeper inside the polygon than touching allows.
 bool isDeepIn(const Polyline& ring, const Vec2& p) {
   return contains(ring, p) && outlineDistance(ring, p) > kCommon;
 }
 
-/// Whether a corner or the middle of an edge of `points` + shift lies deep in the polygon.
+/// True if a corner or the middle of an edge of `points` + shift is deep inside the polygon.
 bool reachesInto(const Polyline& ring, const Vec2& low, const Vec2& high, const Polyline& points,
                  const Vec2& shift) {
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -74,7 +74,7 @@ bool reachesInto(const Polyline& ring, const Vec2& low, const Vec2& high, const 
   return false;
 }
 
-/// Whether two full outlines, the second shifted, keep a distance. Overlaps of kCommon do.
+/// True if two full outlines, the second shifted, keep the gap. Overlaps up to kCommon are allowed.
 bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double gap) {
   const double room = std::max(gap - kTouching, 0.0);
   const Polyline &p = first.ring, &q = second.ring;
@@ -93,9 +93,9 @@ bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double
       if (edgesCross(a, b, c, d) ? distance > kCommon || room > 0 : distance < room) return false;
     }
   }
-  // lines that keep a distance do not cross: one outline holds the other, or neither does
+  // Outlines at a distance do not cross, so one contains the other or they are apart.
   if (room > 0) return !contains(p, q.front() + shift) && !contains(q, p.front() - shift);
-  // narrow equal outlines that coincide have no other point within each other
+  // Narrow equal outlines that coincide may have no other point deep inside each other.
   const auto is_common = [&](const Vec2& at) { return isDeepIn(p, at) && isDeepIn(q, at - shift); };
   return !is_common(first.inner) && !is_common(second.inner + shift) &&
          !reachesInto(p, first.low, first.high, q, shift) &&
@@ -106,9 +106,9 @@ struct Extent {
   Vec2 low, high;  ///< cm
 };
 
-/// Of the differences at which the boxes of two shapes may meet.
+/// Bounds of the differences at which the boxes of two shapes may meet.
 Extent extentOf(const Shape& a, const Shape& b, double gap) {
-  const Vec2 more = Vec2::Constant(gap + 0.2);  // parts reach over the ring
+  const Vec2 more = Vec2::Constant(gap + 0.2);  // parts extend beyond the ring
   return {a.low - b.high - more, a.high - b.low + more};
 }
 
@@ -123,17 +123,18 @@ Extent extentOf(const Polyline& ring, double more) {
   return extent;
 }
 
-/// Of a line, in its steps.
+/// A part of a line, in steps along it.
 struct Stretch {
   float from, to;
 };
 
-/// Calls add(k, stretch) for each of the lines start + k * next + s * step: its part that lies
-/// within all half planes, each moved outwards.
+/// Calls add(k, stretch) for each of the lines start + k * next + s * step with its part inside all
+/// half planes, each moved outwards.
 template <class Add>
 void stretchesIn(const std::vector<HalfPlane>& sides, double outwards, const Vec2& start,
                  const Vec2& step, const Vec2& next, const DotRun& lines, Add add) {
-  // per side: the s at which the line k = 0 crosses it, and what that grows by from line to line
+  // Store two numbers per side: the s at which the line k = 0 crosses it, and the increment of s
+  // from line to line.
   std::vector<double> lower, upper, level;
   for (const HalfPlane& side : sides) {
     const double by = side.normal.dot(step), room = side.at + outwards - side.normal.dot(start);
@@ -173,7 +174,7 @@ Cells cellsOf(const Extent& extent, const Vec2& offset, const Board& board) {
   return cells;
 }
 
-/// Stretches on parallel lines of dots, merged where they overlap: how far each dot lies inside.
+/// Union of overlapping stretches on parallel lines of dots, for the depth of each dot inside.
 class Unions {
  public:
   Unions(int lines, int dots)
@@ -184,7 +185,7 @@ class Unions {
     const int hi = std::min(dots_ - 1, static_cast<int>(std::floor(stretch.to)));
     if (hi < lo) return;
     Stretch* ends = lineAt(line);
-    // noted at its first dot, and carried on by merge()
+    // Store the stretch at its first dot; merge() extends it to the others.
     ends[lo].from = std::min(ends[lo].from, stretch.from);
     ends[lo].to = std::max(ends[lo].to, stretch.to);
   }
@@ -201,12 +202,12 @@ class Unions {
         }
         ends[k] = static_cast<float>(k) <= at.to ? at : Stretch{1e9f, -1e9f};
       }
-      for (int k = dots_ - 2; k >= 0; --k)  // of one union, the last dot has the end
+      for (int k = dots_ - 2; k >= 0; --k)  // the last dot of a union has its end
         if (ends[k].from == ends[k + 1].from) ends[k].to = ends[k + 1].to;
     }
   }
 
-  /// To the nearer end, in steps; negative outside.
+  /// Distance to the nearer end, in steps; negative outside.
   float inside(int line, int dot) const {
     const Stretch& ends = ends_[static_cast<std::size_t>(line) * dots_ + dot];
     return std::min(static_cast<float>(dot) - ends.from, ends.to - static_cast<float>(dot));
@@ -227,7 +228,7 @@ double tableCells(const Shape& first, const Shape& second, const Board& board, d
 
 DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const Vec2& offset,
                                  const Board& board, const Spacing& spacing) {
-  // how far apart pieces lie is told by their middles
+  // The distance of pieces is that of their middles.
   const Vec2 between = second.middle() - first.middle();
   const Vec2 far = (first.high - first.low) + (second.high - second.low);
   const double most_gap = spacing.gap + spacing.repeat_tolerance * far.norm();
@@ -243,7 +244,7 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
              up = static_cast<float>(board.up.norm());
   Unions across(rows_, columns_), upwards(columns_, rows_);
   const double room = most_gap - kTouching;
-  // without a gap, rough parts that are a hair smaller hide overlaps that long edges show
+  // If no gap is required, rough parts are smaller by kTouching and hide overlaps along long edges.
   const bool is_tight = spacing.is_exact && room <= 0;
   Unions near(is_tight ? rows_ : 0, columns_);
   for (const Polyline& a : first.parts) {

@@ -7,22 +7,22 @@
 
 namespace seamwise {
 
-/// How far apart pieces lie. [cm]
+/// Required distances of pieces. [cm]
 struct Spacing {
   double gap = 0;
-  double repeat_tolerance = 0;  ///< pieces d apart may come nearer by this share of d
+  double repeat_tolerance = 0;  ///< pieces at distance d may approach by this share of d
   bool is_exact = false;  ///< near-touching differences are decided on full outlines, not on parts
 };
 
-/// For two shapes on a board: how deep they overlap by the difference n of their places (the
-/// second's less the first's), in hundredths of a centimetre, 1 at least; 0 where they are apart.
+/// Depth of the overlap of two shapes on a board by the difference n of their positions (the
+/// second's minus the first's), in hundredths of a centimetre, at least 1; 0 if they are apart.
 class DifferenceTable {
  public:
   DifferenceTable() = default;
-  /// @param offset   of the second shape's place 0 from the first's. [cm]
+  /// @param offset   position of the second shape's dot 0 relative to the first's. [cm]
   DifferenceTable(const Shape& first, const Shape& second, const Vec2& offset, const Board& board,
                   const Spacing& spacing);
-  /// The same of the second shape and the first.
+  /// The table with both shapes exchanged.
   DifferenceTable reversed() const;
 
   bool empty() const { return depths_.empty(); }
@@ -32,7 +32,7 @@ class DifferenceTable {
     const int j = n.j - row0_, i = n.i - column0_;
     return j >= 0 && j < rows_ && i >= 0 && i < columns_ ? depths_[place(j, i)] : 0;
   }
-  /// Depths of a row's dots, from (i, j) on, which must be in the table.
+  /// Depths of a row's dots, starting at n, which must be in the table.
   const std::uint16_t* from(Dot n) const {
     return depths_.data() + place(n.j - row0_, n.i - column0_);
   }
@@ -44,7 +44,7 @@ class DifferenceTable {
   std::vector<std::uint16_t> depths_;
 };
 
-/// How many dots a table of two shapes would have.
+/// Number of dots in a table of two shapes.
 double tableCells(const Shape& first, const Shape& second, const Board& board, double gap);
 
 }  // namespace seamwise

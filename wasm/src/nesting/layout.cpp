@@ -36,7 +36,7 @@ std::vector<double> beginnings(const PiecesOnBoard& pieces, const LayCloth& clot
                                std::size_t most) {
   if (cloth.is_fixed) return {0};
   if (pieces.isFine()) return {cloth.origin.y()};
-  // rows repeat after the period; on boards without one every row is another
+  // Rows repeat after the period. On boards without one, all rows differ.
   const Board& board = pieces.board();
   constexpr int kRows = 8;
   const double range = pieces.period().value_or(kRows * board.up.y());

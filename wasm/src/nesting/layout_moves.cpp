@@ -1,4 +1,4 @@
-// Where a piece of a layout overlaps the others the least, and where it lies the lowest.
+// The position with the least overlap of a piece with the others, and its lowest free position.
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
@@ -12,8 +12,8 @@
 namespace seamwise {
 namespace {
 
-constexpr float kFlawWeight = 1000;  ///< nothing is worth lying on a flaw
-constexpr int kRowReads = 30;        ///< what beginning a row takes, in reads; measured
+constexpr float kFlawWeight = 1000;  ///< prevents pieces on flaws
+constexpr int kRowReads = 30;        ///< cost of starting a row, in reads; measured
 
 using Floats = Lanes<float>::Vector;
 
@@ -55,7 +55,7 @@ std::vector<LayoutSearch::Other> LayoutSearch::othersOf(int item, int placed, bo
   return others;
 }
 
-/// Scores of a row's dots.
+/// Computes the scores of a row's dots.
 void LayoutSearch::scoreRow(const std::vector<Other>& others, int j, const DotRun& run) {
   scores_.assign(run.size(), 0);
   for (const Other& other : others) {

@@ -1,4 +1,4 @@
-// What is tried where overlaps do not become less.
+// Restarts of a layout search if overlaps do not decrease.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,20 +9,20 @@
 namespace seamwise {
 namespace {
 
-constexpr int kMostTaken = 4;  ///< pieces that are laid again at once
+constexpr int kMostTaken = 4;  ///< greatest number of pieces that are replaced at once
 
-/// Before something else is tried.
+/// Limits before the next strategy is tried.
 struct Patience {
-  int sweeps;    ///< without less overlap
-  int returns;   ///< to where the least overlapped, with the weights of where it led
-  int restarts;  ///< before a target less far
+  int sweeps;    ///< sweeps without less overlap
+  int returns;   ///< returns to the least overlap, with the current weights
+  int restarts;  ///< restarts before a less ambitious target
 };
-/// On fine boards a move is cheap, and sees a few dots only; measured on published packings.
+/// A move on a fine board is cheap and visits only a few dots. Measured on published packings.
 constexpr Patience kFew{40, 0, 6}, kFine{100, 2, 3};
 
 }  // namespace
 
-/// Moves all that lies above some piece's lower end down, so that pieces overlap only there.
+/// Moves all pieces above the lower end of a random piece down, so that pieces overlap only there.
 void LayoutSearch::closeUp(double by) {
   const int down = static_cast<int>(std::ceil(by / pieces_.board().up.y()));
   const auto bottomOf = [&](int item) {
@@ -34,7 +34,7 @@ void LayoutSearch::closeUp(double by) {
     if (bottomOf(item) > cut && !pieces_.items()[item].is_pinned) places_[item].dot.j -= down;
 }
 
-/// Goes on from there; what lies beyond the window is brought back.
+/// Continues from given positions; pieces outside the window are moved back into it.
 void LayoutSearch::takeUp(const std::vector<LayPlace>& places) {
   places_ = places;
   for (int item = 0; item < count_; ++item) place(item, places_[item]);
@@ -44,8 +44,8 @@ void LayoutSearch::takeUp(const std::vector<LayPlace>& places) {
   }
 }
 
-/// Once overlaps have not become less for long: goes on from elsewhere, or says that all of that
-/// is tried.
+/// Continues from other positions if overlaps have not decreased for long. Returns true when all
+/// such restarts are used up.
 bool LayoutSearch::isGivenUp() {
   const Patience& patience = pieces_.isFine() ? kFine : kFew;
   if (idle_ < patience.sweeps) return false;
@@ -61,7 +61,7 @@ bool LayoutSearch::isGivenUp() {
   return false;
 }
 
-/// Some pieces are taken off and laid again.
+/// Removes some pieces and places them again.
 void LayoutSearch::restart() {
   std::fill(weights_.begin(), weights_.end(), 1.0f);
   const int few = 2 + random_.below(std::clamp(count_ / 3, 1, kMostTaken));
@@ -76,7 +76,7 @@ void LayoutSearch::restart() {
   for (const int item : taken) place(item, leastOverlap(item).place);
 }
 
-/// From where the least overlapped, just now or at all, two large pieces change places.
+/// Exchanges two large pieces at the positions with the least overlap, either recent or overall.
 void LayoutSearch::swapTwo() {
   if (least_total_ < least_of_target_) {
     least_of_target_ = least_total_;

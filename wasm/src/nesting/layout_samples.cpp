@@ -1,5 +1,5 @@
-// Where a piece overlaps the others little, on boards of many dots: some dots are looked at, the
-// best of them are followed downhill [Gardeyn and Wauters 2025, Algorithms 5 to 7].
+// Search for a position with little overlap on boards of many dots: some dots are sampled, and
+// descents start from the best of them [Gardeyn and Wauters 2025, Algorithms 5 to 7].
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,18 +11,19 @@
 namespace seamwise {
 namespace {
 
-constexpr int kAnywhere = 50, kNear = 25;  ///< dots that are looked at
-constexpr double kNearby = 0.25;           ///< of the piece's size: how far off the latter are
-constexpr std::size_t kDescents = 3;       ///< from the best of them
-constexpr int kFirstStep = 16, kStep = 2;  ///< of a descent in dots, until one is the best, and its
+constexpr int kAnywhere = 50, kNear = 25;  ///< numbers of samples: on the whole board, and nearby
+constexpr double kNearby = 0.25;           ///< distance of the latter over the piece's size
+constexpr std::size_t kDescents = 3;       ///< descents from the best samples
+constexpr int kFirstStep = 16, kStep = 2;  ///< first steps in dots: of all descents, and of the
+                                           ///< refinement of the best one
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-constexpr double kEvaluationReads = 40;  ///< what looking at a dot takes, in reads; measured
-constexpr double kLookupReads = 80;      ///< and what reading a table there takes
+constexpr double kEvaluationReads = 40;  ///< cost of evaluating a dot, in reads; measured
+constexpr double kLookupReads = 80;      ///< cost of reading a table there
 
 constexpr std::size_t kLanes = 4, kBox = 4 * kLanes;
 using Ints __attribute__((vector_size(16))) = int;
-constexpr int kFar = 1 << 30;  ///< where nothing lies
+constexpr int kFar = 1 << 30;  ///< coordinate of unused boxes, beyond all dots
 
 Ints intsFrom(const int* numbers) {
   Ints ints;
@@ -48,7 +49,7 @@ LayoutSearch::Neighbours LayoutSearch::neighboursOf(int item, int placed) const 
   return neighbours;
 }
 
-/// The weighted sum of overlaps at a dot, or some of it that is `most` at least.
+/// The weighted sum of overlaps at a dot, or a partial sum of at least `most`.
 float LayoutSearch::scoreAt(const Neighbours& neighbours, Dot dot, float most) {
   float sum = 0;
   const Ints i = {dot.i, dot.i, dot.i, dot.i}, j = {dot.j, dot.j, dot.j, dot.j};
@@ -72,8 +73,8 @@ float LayoutSearch::scoreAt(const Neighbours& neighbours, Dot dot, float most) {
   return sum;
 }
 
-/// Downhill, along rows, columns and diagonals, in steps that become half as long down to kStep
-/// or, from there, to one.
+/// Descends along rows, columns and diagonals. Steps are halved down to 2 kStep, or from kStep down
+/// to 1.
 void LayoutSearch::descend(const Neighbours& neighbours, const Domain& domain, int step,
                            Found* found) {
   constexpr int kAxes = 4;
@@ -100,7 +101,7 @@ void LayoutSearch::descend(const Neighbours& neighbours, const Domain& domain, i
   }
 }
 
-/// A dot of a domain that is not empty, by chance.
+/// A random dot of a non-empty domain.
 Dot LayoutSearch::dotOf(const Domain& domain) {
   const int rows = static_cast<int>(domain.runs.size());
   int row = random_.below(rows);
@@ -114,7 +115,7 @@ LayoutSearch::Found LayoutSearch::leastOfSome(int item) {
   const std::vector<int>& ways = ways_[item];
   const int count = static_cast<int>(ways.size());
   std::vector<Neighbours> neighbours(ways.size());
-  std::array<Found, kDescents + 1> chosen;  // ascending
+  std::array<Found, kDescents + 1> chosen;  // sorted by score
   chosen.fill({{}, kNowhere});
   std::array<int, kDescents + 1> turns{};
   for (int n = 0; n < count; ++n) {

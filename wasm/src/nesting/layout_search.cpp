@@ -12,17 +12,17 @@ namespace seamwise {
 namespace {
 
 constexpr std::size_t kMostBeginnings = 24;
-constexpr std::size_t kSortedOrders = 3;  ///< by area, height and width
-constexpr double kShorter = 0.01;         ///< cm by which a shorter layout is shorter at least
+constexpr std::size_t kSortedOrders = 3;  ///< orders by area, height and width
+constexpr double kShorter = 0.01;         ///< least improvement by a shorter layout, cm
 constexpr double kFirstShrink = 0.01, kMostShrink = 0.03, kLeastShrink = 2e-3;
-/// On fine boards pieces are laid one by one in some other orders, too, while that has taken fewer
-/// reads: the search afterwards seldom changes how few pieces lie by and large. A tee of four
-/// pieces that takes 114.4 cm in any of the first orders takes 93.9 cm by these.
-constexpr std::size_t kRoundsOfOrders = 9;  ///< the first of them sorted
+/// Fine boards also get first layouts in random orders, within kShuffledReads, because the later
+/// search seldom changes the arrangement of few pieces. A tee of four pieces needs 114.4 cm in each
+/// sorted order and 93.9 cm with these.
+constexpr std::size_t kRoundsOfOrders = 9;  ///< rounds of orders, of which the first is sorted
 constexpr double kShuffledReads = 1e8;
-constexpr int kDoublings = 8;       ///< of the height in which pieces are laid one by one
-constexpr float kMostWeight = 1e9;  ///< sums of weighted depths stay finite
-constexpr double kMuchLess = 0.98;  ///< of the least overlap so far
+constexpr int kDoublings = 8;       ///< greatest number of doublings of the window's height
+constexpr float kMostWeight = 1e9;  ///< keeps sums of weighted depths finite
+constexpr double kMuchLess = 0.98;  ///< share of the least overlap so far
 
 }  // namespace
 
@@ -50,7 +50,7 @@ LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uin
     return by == 0 ? shape.area : by == 1 ? box.y() : box.x();
   };
   for (std::size_t by = 0; by < kSortedOrders; ++by) {
-    // largest first; what is pinned is there already
+    // Pinned pieces come first, then the largest.
     sortBy(order,
            [&](int item) { return pieces.items()[item].is_pinned ? -1e9 : -size(item, by); });
     orders_.push_back(order);
@@ -70,7 +70,7 @@ bool LayoutSearch::construct() {
   std::vector<int>& order = is_shuffled ? orders_.back() : orders_[next_ % orders_.size()];
   if (laid_ == 0) {
     if (is_shuffled) {
-      // what is pinned has to be there first
+      // Pinned pieces must be placed first.
       if (reads_ > kShuffledReads || pieces_.items()[order.front()].is_pinned) return false;
       shuffle(&order);
     }
@@ -87,7 +87,7 @@ bool LayoutSearch::construct() {
     offer(layout);
   } else {
     laid_ = 0;
-    // taller windows have rows like those of this one, if they repeat; a pin may lie beyond
+    // If rows repeat, taller windows have the same rows as this one, but may contain a pin.
     const bool is_hopeless =
         !hasPlace(item) && !pieces_.items()[item].is_pinned && (doublings_ > 0 || pieces_.period());
     height_ *= 2;
@@ -101,7 +101,7 @@ bool LayoutSearch::construct() {
   return true;
 }
 
-/// Tall enough for a loose layout; one that needs more is given more. [cm]
+/// Window height for a loose layout; construct() doubles it if necessary. [cm]
 double LayoutSearch::firstHeight() const {
   double tallest = 0;
   for (int placed = 0; placed < pieces_.placedCount(); ++placed)
@@ -113,7 +113,7 @@ double LayoutSearch::firstHeight() const {
 }
 
 void LayoutSearch::offer(const LaidPieces& layout) {
-  if (best_ && layout.length() > best_->length() - kShorter / 2) return;  // rounding
+  if (best_ && layout.length() > best_->length() - kShorter / 2) return;  // tolerates rounding
   best_ = layout;
   beginning_ = cloth_.is_fixed ? 0 : layout.bottom;
   is_under_way_ = false;
@@ -155,14 +155,14 @@ void LayoutSearch::place(int item, const LayPlace& place) {
   flaw_overlaps_[item] = on_flaws;
 }
 
-/// Cuts the cloth shorter and brings what lies beyond it back; false when no height to begin at
-/// leaves every piece a place.
+/// Shortens the fabric and moves pieces outside back into it. Returns false if at every start
+/// height some piece does not fit.
 bool LayoutSearch::begin() {
   const double most = std::max(best_->length() - kShorter, 0.0);
   const double target = std::min(most, best_->length() * (1 - shrink_));
   const std::size_t count = beginnings_.size();
   const std::size_t first = random_.below(static_cast<int>(count));
-  // before all others, half the time, the one that is the best's
+  // Try the start height of the best layout first with a probability of one half.
   const std::size_t before = random_.uniform() < 0.5 ? 1 : 0;
   for (std::size_t k = 0; k < count + before; ++k) {
     const double bottom = k < before ? beginning_ : beginnings_[(first + k - before) % count];
@@ -204,8 +204,8 @@ void LayoutSearch::sweep() {
     if (meets(item)) place(item, leastOverlap(item).place);
 }
 
-/// Pairs that overlap most weigh more the next time, those that do not a little less [Gardeyn and
-/// Wauters 2025, Algorithm 8].
+/// Increases the weights of overlapping pairs by their depth and slightly decreases the others
+/// [Gardeyn and Wauters 2025, Algorithm 8].
 void LayoutSearch::reweigh() {
   const float most = *std::max_element(overlaps_.begin(), overlaps_.end());
   if (most <= 0) return;
@@ -216,7 +216,7 @@ void LayoutSearch::reweigh() {
   }
 }
 
-/// The next target is half as far; at last it is whatever is shorter.
+/// Halves the reduction of the next target; the last target is any shorter length.
 void LayoutSearch::shrinkLess() { shrink_ = shrink_ > kLeastShrink ? shrink_ / 2 : 0; }
 
 bool LayoutSearch::improve() {
@@ -246,7 +246,7 @@ bool LayoutSearch::improve() {
     least_places_ = places_;
   }
   if (!isGivenUp()) return true;
-  is_under_way_ = false;  // another height to begin at, and a target less far
+  is_under_way_ = false;  // continue with another start height and a less ambitious target
   shrinkLess();
   return true;
 }

@@ -8,39 +8,38 @@
 
 namespace seamwise {
 
-/// Seeks short layouts on a cloth: pieces are first laid one by one, each as low as it can lie;
-/// then the cloth is cut shorter, and pieces that overlap move, one at a time, to where the
-/// weighted sum of their overlaps with all others is the least of all their places. Weights of
-/// pairs that overlap grow, as in guided local search [Umetani et al. 2009; Gardeyn and Wauters
-/// 2025].
+/// Searches for short layouts on a fabric. Pieces are first placed one by one, each as low as
+/// possible. Then the fabric is shortened, and overlapping pieces move, one at a time, to the
+/// position with the least weighted sum of overlaps with all others. Weights of overlapping pairs
+/// grow, as in guided local search [Umetani et al. 2009; Gardeyn and Wauters 2025].
 class LayoutSearch {
  public:
   LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uint64_t seed);
 
   const LayCloth& cloth() const { return cloth_; }
-  /// Lays one more piece of a layout in the next of some orders, from the next of some heights.
-  /// False when there are no more orders, or a piece finds no place.
+  /// Places one more piece of a layout, in a sequence of orders and start heights. Returns false if
+  /// there are no more orders or a piece does not fit.
   bool construct();
-  /// One sweep of moves; false when no shorter layout can be, by the domains alone.
+  /// Makes one sweep of moves. Returns false if the domains alone exclude a shorter layout.
   bool improve();
-  /// A layout found elsewhere, which may be shorter than the best.
+  /// Replaces the best layout by one found elsewhere if that is shorter.
   void offer(const LaidPieces& layout);
 
   const std::optional<LaidPieces>& best() const { return best_; }
-  /// An item for which no window has a place, however long; -1 when all have.
+  /// An item that does not fit into a window of any length; -1 if there is none.
   int homeless() const { return homeless_; }
-  /// Table reads so far.
+  /// Number of table reads so far.
   double reads() const { return reads_; }
 
  private:
-  /// What a piece must not lie on, and how much that weighs.
+  /// An obstacle for a piece, and its weight.
   struct Other {
     const DifferenceTable* table;
     Dot dot;
     float weight;
   };
-  /// All that a piece must not lie on, for looking up single dots: where the table of each ends on
-  /// the board, four at a time, first columns, first rows, last columns, last rows.
+  /// All obstacles for a piece, for lookups of single dots. `boxes` contains the bounds of their
+  /// tables on the board in groups of four: first columns, first rows, last columns, last rows.
   struct Neighbours {
     std::vector<Other> others;
     std::vector<int> boxes;
@@ -80,26 +79,26 @@ class LayoutSearch {
   LayCloth cloth_;
   Random random_;
   int count_;
-  std::vector<std::vector<int>> ways_;               ///< per item, those allowed
+  std::vector<std::vector<int>> ways_;               ///< allowed ways per item
   std::vector<std::vector<DifferenceTable>> flaws_;  ///< per placed shape
   std::vector<double> beginnings_;
   std::vector<std::vector<int>> orders_;
-  std::size_t next_ = 0;  ///< pair of an order and a beginning
-  std::size_t laid_ = 0;  ///< pieces, in that order
-  double height_ = 0;     ///< of the window
-  int doublings_ = 0;     ///< of it
+  std::size_t next_ = 0;  ///< number of the pair of an order and a start height
+  std::size_t laid_ = 0;  ///< number of placed pieces, in that order
+  double height_ = 0;     ///< height of the window
+  int doublings_ = 0;     ///< number of doublings of the height
   int homeless_ = -1;
 
   Window window_;
   std::vector<Domain> domains_;  ///< per placed shape
   std::vector<LayPlace> places_;
-  std::vector<float> weights_, overlaps_;  ///< of pairs, both ways
+  std::vector<float> weights_, overlaps_;  ///< per ordered pair
   std::vector<float> flaw_overlaps_;       ///< per item
-  std::vector<float> scores_;              ///< of a row
+  std::vector<float> scores_;              ///< scores of a row
 
   std::optional<LaidPieces> best_;
-  double beginning_ = 0;  ///< of the best
-  double shrink_;         ///< of the next target, as a share
+  double beginning_ = 0;  ///< start height of the best layout
+  double shrink_;         ///< reduction of the next target, as a share
   bool is_under_way_ = false;
   int idle_ = 0, returns_ = 0, restarts_ = 0;
   double least_total_ = 0, least_of_target_ = 0;

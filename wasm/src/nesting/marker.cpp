@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Of the budget for laying: what all variants share before a proof is tried.
+/// Share of the layout budget that all variants use before a proof is tried.
 constexpr double kFirstShare = 0.3;
-constexpr std::size_t kSecondRound = 2;  ///< variants that get the rest
+constexpr std::size_t kSecondRound = 2;  ///< number of variants that get the rest
 
 double lengthOf(const LayoutSearch& search) {
   return search.best() ? search.best()->length() : std::numeric_limits<double>::infinity();
@@ -36,13 +36,13 @@ LayCloth Marker::clothOf(double width, double phase) const {
   return cloth;
 }
 
-/// Which garments may point down, where all pieces of one point the same way.
+/// Combinations of garments that point down if all pieces of a garment point the same way.
 std::vector<std::vector<int>> Marker::naps() const {
   if (problem_.nap != Nap::kGarment) return {{}};
   int garments = 0;
   for (const NestingPiece& piece : problem_.pieces)
     garments = std::max(garments, piece.garment + 1);
-  constexpr int kAll = 3;  // of more garments, every second one lies as the first
+  constexpr int kAll = 3;  // if there are more garments, every second one points as the first
   const int free = garments <= kAll ? garments : 2;
   std::vector<std::vector<int>> naps;
   for (int bits = 0; bits < 1 << free; ++bits) {
@@ -102,7 +102,8 @@ bool Marker::goOn(LayoutSearch& search, double most) {
   return more;
 }
 
-/// One step of one variant, in turn: all of them have a share, then the best of them the rest.
+/// Makes one step of the next variant. All variants have a share of the budget, then the best ones
+/// get the rest.
 void Marker::lay() {
   if (spent() < kFirstShare * budget() || !best_) {
     const double share = kFirstShare * budget() / static_cast<double>(variants_.size());
@@ -114,7 +115,7 @@ void Marker::lay() {
     }
   }
   if (!best_) return fail();
-  // one variant is soon proven, perhaps; the best of several is not known before
+  // A single variant may be proven soon. The best of several is unknown before this search.
   if ((proofs_ > 0 || variants_.size() > 1) && spent() < budget()) {
     sortBy(variants_, [](const Variant& variant) { return lengthOf(*variant.search); });
     for (std::size_t k = 0; k < std::min(kSecondRound, variants_.size()); ++k) {

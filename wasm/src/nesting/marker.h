@@ -12,44 +12,45 @@
 
 namespace seamwise {
 
-/// Lays pieces on printed cloth, step by step: first somehow, then shorter and shorter, then it
-/// tries to prove that no layout is shorter, then without the print, then on cloth of other widths.
-/// Work is counted in table reads, so that the same problem has the same answer everywhere.
+/// Places pieces on printed fabric, step by step. It makes a first layout and shortens it, tries to
+/// prove that no layout is shorter, and then computes layouts without the print and on fabrics of
+/// other widths. Work is counted in table reads, so that the result does not depend on the machine.
 class Marker {
  public:
   enum class Stage : std::uint8_t { kTables, kLay, kProve, kFree, kWidths, kDone };
 
-  /// Errors: kOptions, a sentence that names the piece that finds no place, and what would help.
+  /// Errors: kOptions, a sentence that names the piece that does not fit, and a remedy.
   static Outcome<std::unique_ptr<Marker>> make(NestingProblem problem);
 
-  /// Goes on until about so many million table reads are spent; false when nothing is left to do.
+  /// Works for about `work` million table reads. Returns false when finished.
   bool advance(double work);
-  /// Why there is no layout; after that `advance` does nothing.
+  /// The reason why there is no layout; `advance` does nothing after an error.
   const std::optional<Error>& error() const { return error_; }
 
   Stage stage() const { return stage_; }
   double fraction() const;  ///< 0 to 1
-  /// Of the layouts that were the best so far.
+  /// Number of successive best layouts so far.
   int count() const { return count_; }
 
-  /// Of the best layout, once there is one. [cm]
+  /// Length of the best layout; requires count() > 0. [cm]
   double length() const { return roundedUp(best_->length()); }
-  const Vec2& origin() const { return origin_; }  ///< of the print, from left edge and cut
-  /// Per piece its coordinates -> cloth.
+  const Vec2& origin() const { return origin_; }  ///< origin of the print, from left edge and cut
+  /// Per piece, the map from its coordinates to the fabric.
   const std::vector<RigidMotion>& places() const { return places_; }
-  /// Where a piece may lie with all others where they are, beside where it is.
+  /// Free positions of a piece while all others keep theirs, including its current one.
   std::vector<RigidMotion> freePlaces(int piece) const;
 
-  /// No layout with the print starting where it does is shorter. [cm]
+  /// Lower bound on the length of layouts with the same start of the print. [cm]
   double bound() const { return roundedUp(bound_); }
   bool isProven() const { return is_proven_; }
-  double freeLength() const { return free_length_; }  ///< 0 where nobody asked. [cm]
-  /// Per phase and per width of the problem; not a number where a piece finds no place. [cm]
+  /// Length of the layout without the print; 0 if not requested. [cm]
+  double freeLength() const { return free_length_; }
+  /// Lengths per phase, and per width of the problem; NaN if a piece does not fit. [cm]
   std::vector<double> phaseLengths() const;
   const std::vector<double>& widthLengths() const { return width_lengths_; }
 
  private:
-  /// A way that the print and the nap may lie, among which the best is chosen.
+  /// A combination of a phase of the print and directions of garments; the best is chosen.
   struct Variant {
     std::size_t phase = 0;
     std::unique_ptr<LayoutSearch> search;
@@ -62,7 +63,7 @@ class Marker {
   void makeTables();
   void makeVariants();
   void lay();
-  /// One step of a search that may read so many entries. False when there is nothing left to do.
+  /// Makes one step of a search with a budget of `most` reads. Returns false when it is finished.
   bool goOn(LayoutSearch& search, double most);
   void keepBest();
   void beginProof();
@@ -82,20 +83,20 @@ class Marker {
   Stage stage_ = Stage::kTables;
   std::optional<Error> error_;
   std::vector<Variant> variants_;
-  std::size_t turn_ = 0;  ///< whose variant it is
+  std::size_t turn_ = 0;  ///< counter that selects the next variant
   int count_ = 0;
-  bool is_searched_ = false;  ///< nothing shorter than the best is left to be tried
+  bool is_searched_ = false;  ///< no variant can find a layout shorter than the best
   const LayoutSearch* best_search_ = nullptr;
   std::optional<LaidPieces> best_;
   Vec2 origin_ = Vec2::Zero();
   std::vector<RigidMotion> places_;
 
   std::unique_ptr<CompleteSearch> proof_;
-  int proofs_ = 0;           ///< begun
-  double proof_target_ = 0;  ///< that no layout is as short as. [cm]
-  double proof_work_ = 0;    ///< it may take. [rows]
-  bool is_of_best_ = false;  ///< that nothing is shorter than the best
-  double tried_length_ = 0;  ///< of the last of these. [cm]
+  int proofs_ = 0;           ///< number of started proofs
+  double proof_target_ = 0;  ///< length that the proof excludes. [cm]
+  double proof_work_ = 0;    ///< budget of the proof. [rows]
+  bool is_of_best_ = false;  ///< the proof excludes any layout shorter than the best
+  double tried_length_ = 0;  ///< best length at the last such proof. [cm]
   double bound_ = 0;
   bool is_proven_ = false;
 
@@ -103,9 +104,10 @@ class Marker {
   std::unique_ptr<LayoutSearch> free_search_;
   double free_length_ = 0;
   std::size_t width_ = 0;
-  std::unique_ptr<LayoutSearch> width_search_, narrower_;  ///< the latter of the width before
+  std::unique_ptr<LayoutSearch> width_search_, narrower_;  ///< searches of this width and of the
+                                                           ///< previous one
   std::vector<double> width_lengths_;
-  double reads_ = 0;  ///< of this call of advance
+  double reads_ = 0;  ///< reads during the current call of advance
 };
 
 }  // namespace seamwise

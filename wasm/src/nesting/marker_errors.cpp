@@ -10,11 +10,11 @@
 namespace seamwise {
 namespace {
 
-/// How much wider cloth is looked at for a piece that finds no place. [cm]
+/// Greatest additional width that is tried for a piece that does not fit, and its steps. [cm]
 constexpr double kMostWider = 200, kWider = 0.5;
 
 std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
-/// Rounded up, so that cloth of that width is wide enough.
+/// A length rounded up, so that fabric of that width is wide enough.
 std::string atLeast(double length) { return centimetres(std::ceil(10 * length - 1e-4) / 10); }
 std::string widthNeeded(double width) {
   return "; the cloth has to be at least " + atLeast(width) + " wide.";

@@ -1,4 +1,4 @@
-// The same pieces without regard to the print, and on cloth of other widths.
+// Layouts of the same pieces without the print, and on fabrics of other widths.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -31,7 +31,7 @@ void Marker::layFree() {
     free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, cloth, problem_.seed);
   }
   if (goOn(*free_search_, budget())) return;
-  // a layout on the print is one without it
+  // A layout on the print is also one without it.
   free_length_ = free_search_->best() ? std::min(free_search_->best()->length(), best_->length())
                                       : best_->length();
   stage_ = Stage::kWidths;
@@ -47,7 +47,7 @@ void Marker::layWidths() {
     LayCloth cloth = best_search_->cloth();
     cloth.right = width - problem_.selvedge;
     width_search_ = std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed);
-    // what goes onto narrower cloth goes onto this, too
+    // A layout on narrower fabric also fits on this one.
     if (width >= problem_.width) width_search_->offer(*best_);
     if (narrower_ && narrower_->best() && width >= problem_.widths[width_ - 1])
       width_search_->offer(*narrower_->best());

@@ -9,15 +9,15 @@
 namespace seamwise {
 namespace {
 
-/// Of the budget for proofs, what one gets that nothing is shorter than the best, and what others.
+/// Shares of the proof budget: for a proof that no layout is shorter than the best, and for others.
 constexpr double kProofOfBest = 0.5, kOtherProof = 0.1;
 constexpr int kMostProofs = 6;
-constexpr double kWorthProving = 0.5;  ///< cm between bound and best
+constexpr double kWorthProving = 0.5;  ///< least difference of bound and best, cm
 constexpr double kLessLength = 0.01;   ///< cm
 
 }  // namespace
 
-/// As it is, but for garments that may be turned.
+/// The fabric of the best layout, but with free directions of garments.
 LayCloth Marker::clothOfProof() const {
   LayCloth cloth = best_search_->cloth();
   cloth.is_by_garment = problem_.nap == Nap::kGarment;
@@ -45,9 +45,9 @@ void Marker::beginProof() {
   stage_ = is_proven_ ? Stage::kFree : Stage::kProve;
 }
 
-/// What the next proof is to be of, if one is worth its work: that nothing is shorter than the
-/// best, as long as that has not been tried in vain; then, that nothing is shorter than what lies
-/// between the bound and the best.
+/// Starts the next proof if it is worth the work. The first one is that no layout is shorter than
+/// the best, unless that has failed for this length. The others are that none is shorter than the
+/// mean of bound and best.
 bool Marker::beginNextProof() {
   const double all = NestingTuning::kProofRows * problem_.effort;
   const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
@@ -65,7 +65,7 @@ bool Marker::beginNextProof() {
   return proof_->canProve();
 }
 
-/// Takes a shorter layout for the best, to go on from by the garments' turns that it has.
+/// Adopts a shorter layout as the best; the variant with its garment directions continues from it.
 void Marker::take(const LaidPieces& found) {
   LayCloth cloth = best_search_->cloth();
   for (std::size_t k = 0; k < found.places.size() && !cloth.turned_down.empty(); ++k) {
@@ -105,7 +105,7 @@ void Marker::prove() {
   if (const auto& found = proof_->found()) {
     take(*found);
     is_searched_ = false;
-    if (is_of_best_) --proofs_;  // begins anew, below the shorter one
+    if (is_of_best_) --proofs_;  // restarts the proof with the shorter layout
   } else if (!is_open) {
     bound_ = std::max(bound_, is_of_best_ ? best_->length() : proof_target_);
     is_proven_ = is_of_best_;
@@ -114,7 +114,7 @@ void Marker::prove() {
   if (is_proven_)
     stage_ = Stage::kFree;
   else if (is_of_best_ && is_open && spent() < budget() && !is_searched_)
-    stage_ = Stage::kLay;  // there may be something shorter
+    stage_ = Stage::kLay;  // there may be a shorter layout
 }
 
 }  // namespace seamwise

@@ -8,17 +8,18 @@
 namespace seamwise {
 namespace {
 
-/// Steps of places where the print does not matter, or repeats less often: as short as leaves
-/// tables this many dots, 2 bytes each, and within bounds. Measured on garments and on published
-/// packings: steps of a thirtieth of a piece's size cost 3 % of length, of a hundredth none that
-/// shows.
+/// Steps of positions if the print does not matter or repeats at shorter distances. They are as
+/// short as kCells dots in all tables, 2 bytes each, allow, within bounds. Measured on garments and
+/// on published packings: steps of a thirtieth of a piece's size cost 3 % of length; the cost of a
+/// hundredth is not noticeable.
 constexpr double kShortestStep = 0.15, kUsualStep = 0.5;  // cm
 constexpr double kCells = 16e6;
 constexpr double kLeastShare = 0.1,
-                 kMostShare = 4;  ///< of these, by the effort there is to use them
-/// Boards of more columns are searched, not proven, and too near to touching is not looked into.
+                 kMostShare = 4;  ///< shares of kCells at the least and greatest effort
+/// Boards of more columns are searched without proofs and without exact checks of near-touching
+/// pieces.
 constexpr int kFineColumns = 64;
-constexpr double kOnEdge = 1e-5;  ///< cm by which pieces may reach beyond a window
+constexpr double kOnEdge = 1e-5;  ///< cm by which pieces may extend beyond a window
 
 bool isMultiple(double angle, double of) {
   return std::abs(angle - of * std::nearbyint(angle / of)) < 1e-6;
@@ -31,7 +32,7 @@ struct Turn {
   int element;
 };
 
-/// How the print may be turned under a piece, as a motion of the print.
+/// The allowed rotations of the print under a piece, as motions of the print.
 std::vector<Turn> turnsOf(const NestingProblem& problem, bool ignores_print, LayTurns allowed) {
   if (ignores_print) {
     const Mat2 half = -Mat2::Identity();
@@ -72,7 +73,7 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
     const NestingPiece& piece = problem.pieces[k];
     LayItem& item = items_[k];
     item.garment = piece.garment;
-    // what the print costs does not depend on pins
+    // Pins do not affect the length without the print, with which the print's cost is measured.
     if (piece.pin && ignores_print == problem.ignores_print)
       addPin(piece, problem, &item);
     else
@@ -134,7 +135,7 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
   if (!ignores_print_)
     for (const Vec2& shift : piece.shifts) shifts.push_back(shift);
   std::vector<Turn> turns = turnsOf(problem, ignores_print_, piece.turns);
-  if (ignores_print_) {  // upright first, however the print turns it: the search is the same
+  if (ignores_print_) {  // upright first, so that the search does not depend on the alignment
     const Vec2 head = turns.front().linear * back * piece.up;
     if (head.y() < -1e-6 || (head.y() < 1e-6 && head.x() < 0)) std::swap(turns[0], turns[1]);
   }
@@ -156,7 +157,7 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
       } else {
         const Vec2 offset = turn.shift - way.linear * piece.alignment.shift + turn.linear * shift;
         const Vec2 steps = board_.steps(offset);
-        // near the origin, so that dots are small; a hair over, so that rounding does not decide
+        // Reduce the offset to the cell at the origin for small dots; 1e-6 absorbs rounding.
         const Dot cell{static_cast<int>(std::floor(steps.x() + 1e-6)),
                        static_cast<int>(std::floor(steps.y() + 1e-6))};
         way.offset = offset - board_.shift(cell);
@@ -186,7 +187,7 @@ double PiecesOnBoard::makeTable() {
   if (next_ == tables_.size()) return 0;
   const std::size_t n = placed_.size(), first = next_ / n, second = next_ % n;
   const PlacedShape &a = placed_[first], &b = placed_[second];
-  if (a.item >= 0 && a.item == b.item) {  // a piece does not lie in two ways at once
+  if (a.item >= 0 && a.item == b.item) {  // a piece has only one way at a time
     ++next_;
     return 1;
   }
@@ -224,7 +225,7 @@ Domain PiecesOnBoard::domain(int placed, const Window& window, const Vec2& origi
     return domain;
   }
   const Vec2 &along = board_.along, &up = board_.up;
-  // rows of the parallelogram that could meet the box
+  // Find the rows of dots that may intersect the box.
   double lo = 1e9, hi = -1e9;
   for (const double x : {left, right}) {
     for (const double y : {bottom, top}) {

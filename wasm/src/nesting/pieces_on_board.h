@@ -9,15 +9,15 @@
 
 namespace seamwise {
 
-/// The part of the cloth on which pieces may lie. [cm]
+/// The part of the fabric that pieces may cover. [cm]
 struct Window {
   double left = 0, right = 0, bottom = 0, top = 0;
 };
 
-/// Dots at which a shape lies within a window, row by row.
+/// Dots at which a shape is inside a window, row by row.
 struct Domain {
   int first = 0;             ///< row of runs[0]
-  std::vector<DotRun> runs;  ///< per row its columns
+  std::vector<DotRun> runs;  ///< columns per row
   DotRun rows() const { return {first, first + static_cast<int>(runs.size()) - 1}; }
   const DotRun& row(int j) const { return runs[j - first]; }
   bool empty() const;  ///< no row has a dot
@@ -26,22 +26,23 @@ struct Domain {
   }
 };
 
-/// A shape with the place of its dot (0, 0): pieces and turns that share both share tables.
+/// A shape with the position of its dot (0, 0). Pieces and rotations with the same shape and
+/// position share tables.
 struct PlacedShape {
   int shape = 0;
   Vec2 offset = Vec2::Zero();  ///< cm, from the origin of the print
-  int item = -1;               ///< the only one that may lie so; -1: several may
-  bool is_pinned = false;      ///< lies at no other dot, and is no other piece's
+  int item = -1;               ///< the only item with this shape and position; -1: several
+  bool is_pinned = false;      ///< has only this dot and belongs to only one piece
 };
 
-/// One of the turns of the print by which a piece may be laid: p -> linear p + offset + dot.
+/// One of the allowed rotations of a piece on the print: p -> linear p + offset + dot.
 struct LayWay {
   int placed = 0;  ///< index of its PlacedShape
   Mat2 linear = Mat2::Identity();
   double angle = 0;
   Vec2 offset = Vec2::Zero();  ///< cm, from the origin of the print, in full precision
-  bool is_up = true;           ///< the piece's grain line points up the cloth
-  int element = 0;             ///< of the group; they are numbered as the group's elements()
+  bool is_up = true;           ///< the piece's grain line points up the fabric
+  int element = 0;             ///< index in the group's elements()
 };
 
 struct LayItem {
@@ -51,7 +52,8 @@ struct LayItem {
   bool is_pinned = false;
 };
 
-/// All pieces of a problem on a board, with what keeps them apart. Tables are made one by one.
+/// All pieces of a problem on a board, and the tables of their overlaps, which are computed one by
+/// one.
 class PiecesOnBoard {
  public:
   PiecesOnBoard(const NestingProblem& problem, bool ignores_print);
@@ -64,23 +66,23 @@ class PiecesOnBoard {
   /// The smallest repeat along the warp; none on a board without one. [cm]
   const std::optional<double>& period() const { return period_; }
   double area() const { return area_; }
-  /// It has so many columns that layouts on it are sought, not proven.
+  /// True if the board has too many columns for proofs.
   bool isFine() const { return is_fine_; }
-  /// It has all dots that the print allows.
+  /// True if the board has all dots that the print allows.
   bool isWhole() const { return is_whole_; }
 
-  /// Makes the next table. @returns its dots; 0 when there is none left to make
+  /// Computes the next table. @returns its number of dots; 0 if all tables are computed
   double makeTable();
-  double made() const;  ///< share of tables, 0 to 1
+  double made() const;  ///< share of computed tables, 0 to 1
 
-  /// The dots of the second placed shape, less those of the first, at which they overlap.
+  /// Overlaps by the dot of the second placed shape minus that of the first.
   const DifferenceTable& table(int first, int second) const {
     return tables_[static_cast<std::size_t>(first) * placed_.size() + second];
   }
-  /// The dots of a placed shape at which it lies over a flaw, one table for each flaw.
+  /// Overlaps of a placed shape with flaws by its dot, one table for each flaw.
   std::vector<DifferenceTable> flawTables(int placed, const Vec2& origin) const;
 
-  /// Where the placed shape's origin lies at a dot, with the print's origin there. [cm]
+  /// Position of the placed shape's origin at a dot for a given origin of the print. [cm]
   Vec2 at(int placed, Dot dot, const Vec2& origin) const {
     return origin + placed_[placed].offset + board_.shift(dot);
   }
@@ -91,7 +93,7 @@ class PiecesOnBoard {
     return at(placed, dot, origin).y() + shape(placed).high.y();
   }
   Domain domain(int placed, const Window& window, const Vec2& origin) const;
-  /// The piece's own coordinates -> cloth, in full precision.
+  /// The map from the piece's coordinates to the fabric, in full precision.
   RigidMotion place(int item, int way, Dot dot, const Vec2& origin) const;
 
  private:
@@ -110,7 +112,7 @@ class PiecesOnBoard {
   std::vector<PlacedShape> placed_;
   std::vector<LayItem> items_;
   std::vector<DifferenceTable> tables_;
-  std::size_t next_ = 0;  ///< table to be made
+  std::size_t next_ = 0;  ///< index of the next table to compute
 };
 
 }  // namespace seamwise

@@ -12,15 +12,15 @@
 namespace seamwise {
 namespace {
 
-/// How far outlines may grow: differences this close to touching are looked into exactly on boards
-/// of few dots, and cost length on boards of many. Half of it makes twice the convex parts.
+/// Greatest growth of outlines. Differences this close to touching are checked exactly on boards of
+/// few dots and cost length on boards of many. Half of it doubles the number of convex parts.
 constexpr double kGrowth = 0.02;  // cm
-/// The same where outlines curve inwards: every corner there makes a convex part.
+/// The same where outlines curve inwards, because every corner there adds a convex part.
 constexpr double kInwardGrowth = 0.05;  // cm
 
 struct Corner {
   Vec2 at;
-  double off = 0;  ///< how far the polygon may have left the given one along the edge that follows
+  double off = 0;  ///< bound on the distance from the given polygon along the next edge
 };
 
 double heightAbove(const Vec2& from, const Vec2& to, const Vec2& p) {
@@ -28,8 +28,8 @@ double heightAbove(const Vec2& from, const Vec2& to, const Vec2& p) {
   return std::abs(cross(along, p - from)) / std::max(along.norm(), 1e-12);
 }
 
-/// Whether two edges that are no neighbours meet. (`findCrossing` is for outlines of any length,
-/// and takes more room in a module than all of this file.)
+/// True if two non-adjacent edges meet. (`findCrossing` is for outlines of any length and needs
+/// more space in a module than all of this file.)
 bool meetsItself(const Polyline& ring) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -63,7 +63,7 @@ Polyline simplifiedOutwards(const Polyline& polygon, double most, double most_in
       const std::size_t n = left.size();
       const std::size_t before = (k + n - 1) % n, after = (k + 1) % n, next = (k + 2) % n;
       const Vec2 &a = left[before].at, &b = left[k].at, &c = left[after].at, &d = left[next].at;
-      if (cross(b - a, c - b) <= 0) {  // points inwards, or lies on the line
+      if (cross(b - a, c - b) <= 0) {  // points inwards, or is on the line
         const double off = heightAbove(a, c, b) + std::max(left[before].off, left[k].off);
         if (off <= most_inwards) {
           left[before].off = off;
@@ -104,7 +104,7 @@ Shape shapeOf(const Polyline& outline, const Mat2& turn) {
     shape.high = shape.high.cwiseMax(p);
   }
   shape.area = signedArea(shape.ring);
-  if (shape.area < 0) {  // flaws are given either way round
+  if (shape.area < 0) {  // flaws may have either orientation
     std::reverse(shape.ring.begin(), shape.ring.end());
     shape.area = -shape.area;
   }

@@ -7,11 +7,11 @@
 namespace seamwise {
 namespace {
 
-constexpr std::size_t kMostTall = 8, kFewestTall = 3;  ///< pieces; sets are many
-constexpr double kAbove = 1e-3;        ///< cm by which no two go above each other at least
+constexpr std::size_t kMostTall = 8, kFewestTall = 3;  ///< pieces; the number of sets is large
+constexpr double kAbove = 1e-3;        ///< least excess of two heights over the length, cm
 constexpr double kSameMiddle = 1e-6;   // cm
-constexpr int kNoColumn = -(1 << 28);  ///< as a column
-constexpr double kReadsOfRun = 2;      ///< a run of rows takes as long as this many
+constexpr int kNoColumn = -(1 << 28);  ///< marks a missing column
+constexpr double kReadsOfRun = 2;      ///< cost of a run of rows, in reads
 
 }  // namespace
 
@@ -27,7 +27,7 @@ TallPieces::TallPieces(const PiecesOnBoard& pieces, const SearchSlots& slots,
   for (const int item : order) {
     const bool is_tall = items_.empty() || height(items_.back()) + height(item) > length + kAbove;
     if (!is_tall || items_.size() == kMostTall) break;
-    // of equal pieces the first lies left of the others
+    // The first of equal pieces is to the left of the others.
     unsigned before = 0;
     for (std::size_t k = 0; k < items_.size(); ++k)
       if (pieces.items()[items_[k]].like == pieces.items()[item].like) before |= 1U << k;
@@ -50,8 +50,8 @@ TallPieces::TallPieces(const PiecesOnBoard& pieces, const SearchSlots& slots,
   }
 }
 
-/// Between the columns of two slots whose rows differ so, where the second's middle lies right of
-/// the first's.
+/// Least column distance of two slots with the given difference of rows if the second's middle is
+/// to the right of the first's.
 int TallPieces::leastColumns(int from, int to, int row) const {
   const SearchSlot &a = slots_.slots[from], &b = slots_.slots[to];
   const Board& board = pieces_.board();
@@ -62,7 +62,7 @@ int TallPieces::leastColumns(int from, int to, int row) const {
   return dot.i;
 }
 
-/// Of the dots in a row, up to a limit.
+/// Last column with a dot in a row, up to a limit.
 int TallPieces::lastColumn(const DotsLeft& left, int slot, int row, int limit) const {
   const SearchSlot& at = slots_.slots[slot];
   std::uint64_t bits = left.bits[at.row0 + row];

@@ -7,61 +7,62 @@
 
 namespace seamwise {
 
-/// A way of an item, as searches have it that look at all dots.
+/// A way of an item in a search that visits all dots.
 struct SearchSlot {
   int item, way, placed;
-  double low, high;     ///< of the piece in row 0. [cm]
-  double middle;        ///< of the piece at dot (0, 0), across the cloth. [cm]
+  double low, high;     ///< ends of the piece in row 0. [cm]
+  double middle;        ///< middle of the piece at dot (0, 0), across the fabric. [cm]
   Domain domain;        ///< all dots
-  std::ptrdiff_t row0;  ///< of row 0 among the rows of all slots
-  int column(int j) const { return domain.row(j).lo; }  ///< of bit 0
+  std::ptrdiff_t row0;  ///< index of row 0 among the rows of all slots
+  int column(int j) const { return domain.row(j).lo; }  ///< column of bit 0
 };
 
-/// The slots of a search for layouts of at most some length.
+/// The slots of a search for layouts of at most a given length.
 struct SearchSlots {
   std::vector<SearchSlot> slots;
-  std::vector<std::vector<int>> of;  ///< per item
+  std::vector<std::vector<int>> of;  ///< slots per item
   std::vector<DotRun> reaches;       ///< per pair of slots
   std::size_t pair(int from, int to) const { return from * slots.size() + to; }
-  /// The rows at which the second lies, less that of the first, with both in that length.
+  /// Rows of the second slot minus the row of the first at which both fit within that length.
   const DotRun& reach(int from, int to) const { return reaches[pair(from, to)]; }
 };
 
-/// The dots that are left to pieces.
+/// The remaining dots of pieces.
 struct DotsLeft {
-  std::vector<std::uint64_t> bits;  ///< per slot its rows
-  std::vector<DotRun> rows;         ///< per slot those that may have dots
+  std::vector<std::uint64_t> bits;  ///< rows of all slots
+  std::vector<DotRun> rows;         ///< per slot, the rows that may have dots
 };
 
-/// A dot of a slot, and which tall pieces lie up to there from the left, once that is known.
+/// A dot of a slot, and the set of tall pieces from the left up to it, if that is known.
 struct SlotDot {
   int slot = -1;
   Dot dot;
   unsigned order = 0;
 };
 
-/// Pieces of which no two go above each other within a length: they lie side by side, in an order
-/// of the middles of their boxes. Two neighbours in it keep a distance that depends on their rows,
-/// for which tables are asked once. What that leaves to the right of a piece for any set of the
-/// others, in the best order, ways and rows, is found by dynamic programming over sets.
+/// Pieces of which no two fit above each other within a length. They are side by side, in the order
+/// of the middles of their boxes. The distance of two neighbours depends on their rows and is read
+/// from the tables only once. Dynamic programming over sets computes the room to the right of a
+/// piece for any set of the others, in the best order, ways and rows.
 class TallPieces {
  public:
   /// @param order   items, the tallest first
-  /// @param slots   must stay
+  /// @param slots   must outlive this object
   TallPieces(const PiecesOnBoard& pieces, const SearchSlots& slots, const std::vector<int>& order,
              double length);
 
-  /// Fewer than three are not worth it.
+  /// True if there are fewer than three tall pieces, which are not worth the work.
   bool empty() const { return items_.empty(); }
   unsigned all() const {
     return (1U << items_.size()) - 1;
-  }  ///< as a set; the tallest is its bit 0
-  /// The last column of each slot's rows at which others find room to the right, with these dots;
-  /// false when there is no order in which all find room. @param reads  counted on
+  }  ///< set of all tall pieces; the tallest is its bit 0
+  /// Computes, for each slot's rows and any set of the others, the last column that leaves these
+  /// room to the right. Returns false if no order of all pieces fits.
+  /// @param reads   increased by the number of reads
   bool setLimits(const DotsLeft& left, double* reads);
-  /// Adds all dots at which another piece may lie next in the order.
-  /// @param last   of the order; nothing at its beginning
-  /// @param laid   pieces that have one dot, wherever in the order; they are passed by
+  /// Adds all dots of pieces that may be next in the order.
+  /// @param last   last dot of the order; null before the first
+  /// @param laid   pieces that already have one dot, anywhere in the order; they are skipped
   void addNext(const DotsLeft& left, const SlotDot* last, unsigned laid,
                std::vector<SlotDot>* next) const;
 
@@ -73,8 +74,9 @@ class TallPieces {
   const PiecesOnBoard& pieces_;
   const SearchSlots& slots_;
   std::vector<int> items_;
-  std::vector<unsigned> before_;         ///< per tall piece equal ones that lie left of it
-  std::vector<std::vector<int>> least_;  ///< per pair of slots and row of its reach, columns apart
+  std::vector<unsigned> before_;         ///< per tall piece, the equal ones to the left of it
+  std::vector<std::vector<int>> least_;  ///< least column distance per pair of slots and row of its
+                                         ///< reach
   std::vector<int> limits_;              ///< per set and row
 };
 

@@ -10,9 +10,8 @@ namespace {
 
 int placed(int i, const std::vector<int>& position) { return position.empty() ? i : position[i]; }
 
-/// A symmetric matrix of zeros, or its upper triangle: its diagonal and the entries of `pairs`, in
-/// the order of `position`. By way of Eigen's triplets and views it would take 2 kB more of a
-/// module.
+/// A symmetric matrix of zeros, or its upper triangle: the diagonal and the entries of `pairs`, in
+/// the order of `position`. Eigen's triplets and views would enlarge a module by 2 kB.
 Eigen::SparseMatrix<double> zeroMatrix(int size, const std::vector<std::pair<int, int>>& pairs,
                                        const std::vector<int>& position, bool upper_only) {
   std::vector<std::pair<int, int>> entries;  // column, row

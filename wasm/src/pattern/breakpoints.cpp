@@ -46,7 +46,8 @@ Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::siz
       result.conflicting_panel = outlines.loops[a.loop].panel;
       return result;
     }
-    // The k-th interval of a side starts at its k-th node, or ends there when it runs backwards.
+    // The k-th interval of a side starts at its k-th node, or ends there if the side runs
+    // backwards.
     const auto interval = [&](const Tie::Side& s, int size, int k) {
       const int at = s.sense > 0 ? rank[s.first] + k : rank[s.first] - k - 1;
       return result.first_interval[s.loop] + ((at % size) + size) % size;

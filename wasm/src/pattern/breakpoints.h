@@ -21,7 +21,7 @@ struct LoopTie {
   Correspondence map;
 };
 
-/// What sampling depends on: loops, the stitches between their edges, and their mirror ties.
+/// The input of sampling: loops, the stitches between their edges, and their mirror ties.
 struct Outlines {
   std::vector<PanelLoop> loops;  ///< the panels' outlines and cut-outs, in order
   std::vector<int> first;        ///< index of each panel's outline in `loops`
@@ -29,7 +29,7 @@ struct Outlines {
   std::vector<LoopTie> ties;
 };
 
-/// All places where outlines must have a vertex, and which stretches between them belong together.
+/// All positions where outlines must have a vertex, and the groups of tied intervals between them.
 struct Breakpoints {
   std::vector<std::vector<double>> nodes;  ///< per loop, ascending positions; corners included
   std::vector<int> first_interval;         ///< per loop: number of the interval after node 0
@@ -37,20 +37,20 @@ struct Breakpoints {
   /// Per tie: the node of loop `to` that is the image of node 0 of loop `from`; node i goes to
   /// image_of_first - i, cyclically.
   std::vector<int> image_of_first;
-  std::string conflict;  ///< why the outlines cannot be tied one-to-one; empty when they can
+  std::string conflict;  ///< reason why the outlines cannot be tied one-to-one; empty if they can
   int conflicting_panel = -1;
 
-  /// Number of the node of a loop at a position that is one, e.g. a corner.
+  /// Number of a loop's node at the position of a node, e.g. of a corner.
   int nodeAt(int loop, double position) const;
 };
 
 /// Carries corners and axis crossings along seams and mirrors until nothing new arises. A
-/// breakpoint that arrives within `tolerance` cm of one that has no counterpart yet is taken for
-/// it, so seams and symmetries that disagree a little do not chase each other round the garment;
-/// the difference is then spread over the neighbouring intervals.
-/// More than `most` breakpoints are a conflict.
-/// @param settled   whether they move to where tied intervals have like proportions, which no
-///                  conflict depends on
+/// breakpoint that arrives within `tolerance` cm of one without a counterpart is identified with
+/// it. Otherwise seams and symmetries that disagree slightly would add breakpoints round the
+/// garment without end. The difference is then spread over the neighbouring intervals. More than
+/// `most` breakpoints are a conflict.
+/// @param settled   true: moves breakpoints so that tied intervals have equal proportions, which
+///                  affects no conflict
 Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most,
                             bool settled = true);
 

@@ -11,7 +11,7 @@ namespace {
 
 using Anchor = Correspondence::Anchor;
 
-constexpr double kLeastTolerance = 1e-3;  // cm: closer corners are one
+constexpr double kLeastTolerance = 1e-3;  // cm; closer corners are identical
 constexpr double kGreatestTolerance = 0.3;
 
 /// Corners strictly between two positions, ascending, not wrapped.
@@ -26,7 +26,7 @@ std::vector<double> cornersBetween(const Loop& loop, double from, double to) {
   return found;
 }
 
-/// Greatest distance from corners and edge middles of `a`, mapped, to loop `b`.
+/// Greatest distance from mapped corners and edge middles of `a` to loop `b`. [cm]
 double deviation(const Loop& a, const Loop& b, const RigidMotion& map) {
   double worst = 0;
   const auto measure = [&](double p) {
@@ -38,7 +38,7 @@ double deviation(const Loop& a, const Loop& b, const RigidMotion& map) {
   return worst;
 }
 
-/// A sharp corner moves by more than the outline does: hence the factor.
+/// The factor exists because a sharp corner moves by more than its outline.
 double toleranceFor(double worst) {
   return std::clamp(3 * worst, kLeastTolerance, kGreatestTolerance);
 }
@@ -84,8 +84,8 @@ std::vector<Anchor> matchStretch(const Loop& a, double u0, double u1, const Loop
   matchCorners(a, us, b, vs, map, tolerance, &anchors);
   anchors.push_back({u1, v1, true});
 
-  // A corner without partner takes the nearest point between its neighbours' images. The margin
-  // keeps different corners apart.
+  // A corner without a partner is matched to the nearest point between its neighbours' images. The
+  // margin keeps different corners apart.
   const auto free_range = [](double low, double high) {
     const double margin = std::min(0.05 * (high - low), 2 * kLeastTolerance);
     return std::pair{low + margin, high - margin};
@@ -109,12 +109,12 @@ std::vector<Anchor> matchStretch(const Loop& a, double u0, double u1, const Loop
   return anchors;
 }
 
-/// Where the axis of a reflection crosses a loop: positions in [0, length).
+/// Positions in [0, length) where the axis of a reflection crosses a loop.
 std::vector<double> axisCrossings(const Loop& a, const RigidMotion& map, double tolerance) {
   const Vec2 normal = perp(unit((map.angle - kPi) / 2));
   const auto side = [&](const Vec2& p) { return normal.dot(p - map(p)) / 2; };
   std::vector<double> found;
-  // Corners that are their own image.
+  // Find corners that are their own image.
   for (const double corner : a.corners()) {
     const Vec2 image = map(a.at(corner));
     const double own = (image - a.at(corner)).norm();
@@ -131,7 +131,7 @@ std::vector<double> axisCrossings(const Loop& a, const RigidMotion& map, double 
                          return std::min(gap, a.length() - gap) <= tolerance;
                        });
   };
-  // Changes of side in between.
+  // Find changes of side between these corners.
   const auto& samples = a.samples();
   const auto sign = [&](std::size_t i) {
     const double d = side(samples[i % (samples.size() - 1)].point);
@@ -147,7 +147,7 @@ std::vector<double> axisCrossings(const Loop& a, const RigidMotion& map, double 
         return samples[k % n].position + (k >= n ? a.length() : 0);
       };
       double low = position(last), high = position(i);
-      if (i - last > 1) {  // points on the axis lie between: take the middle one
+      if (i - last > 1) {  // use the middle one of the points on the axis
         low = high = position((i + last) / 2);
       }
       while (high - low > 1e-12 * a.length()) {
@@ -179,7 +179,7 @@ std::optional<Correspondence> correspond(const Loop& a, const Loop& b, const Rig
     }
   if (least > c.tolerance) v = b.nearest(map(a.at(u)), 0, b.length());
   c.anchors = matchStretch(a, u, u + a.length(), b, v, v - b.length(), map, c.tolerance);
-  c.anchors.pop_back();  // the first one again
+  c.anchors.pop_back();  // repeats the first anchor
   return c;
 }
 
@@ -191,8 +191,8 @@ std::optional<Correspondence> correspondToItself(const Loop& a, const RigidMotio
   c.tolerance = toleranceFor(worst);
   std::vector<double> fixed = axisCrossings(a, map, c.tolerance);
   if (fixed.size() < 2) return {};
-  // A reflection has two fixed points on a simple loop. Where noise near the axis makes more, the
-  // two that halve the loop are meant.
+  // A reflection has two fixed points on a simple loop. If noise near the axis causes more, use the
+  // two that halve the loop.
   sortNumbers(fixed);
   double p = 0, q = 0, least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < fixed.size(); ++i)

@@ -12,7 +12,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kLongestEdge = 1.05;       // cm; coarser sampling of a seam would hide mismatch
-constexpr double kGreatestDeviation = 0.5;  // cm; beyond it outlines are not mirror images at all
+constexpr double kGreatestDeviation = 0.5;  // cm; limit for outlines that are mirror images
 constexpr double kCornerTolerance = 1e-3;   // cm
 constexpr std::size_t kFewPerCorner = 6;
 
@@ -43,7 +43,7 @@ bool samePieces(const BodySymmetry& a, const BodySymmetry& b) {
          (a.pieces[0] == b.pieces[1] && a.pieces[1] == b.pieces[0]);
 }
 
-/// The ties of one symmetry's outline and cut-outs; empty when some loop has no image.
+/// The ties of one symmetry's outline and cut-outs; empty if some loop has no image.
 std::optional<std::vector<LoopTie>> tiesOf(const Outlines& outlines, const BodySymmetry& symmetry,
                                            int number) {
   const int a = outlines.first[symmetry.pieces[0]], b = outlines.first[symmetry.pieces[1]];
@@ -58,7 +58,7 @@ std::optional<std::vector<LoopTie>> tiesOf(const Outlines& outlines, const BodyS
   std::vector<LoopTie> ties;
   std::vector<char> taken(end(b) - b, false);
   for (int l = a; l < end(a); ++l) {
-    // The outline goes to the outline, a cut-out to the nearest one that is free.
+    // The outline maps to the outline, a cut-out to the nearest free one.
     int image = b;
     if (l > a) {
       const Vec2 middle = symmetry.map(outlines.loops[l].loop.middle());
@@ -115,7 +115,7 @@ Pattern assembled(const Garment& garment, const Outlines& outlines, const Breakp
                   const std::vector<BodySymmetry>& imposed) {
   Pattern pattern;
   pattern.pieces.resize(garment.panels.size());
-  std::vector<int> base;  // per loop: its first vertex in the piece
+  std::vector<int> base;  // first vertex of each loop in its piece
   for (std::size_t l = 0; l < sampled.size(); ++l) {
     Piece& piece = pattern.pieces[outlines.loops[l].panel];
     base.push_back(static_cast<int>(piece.rest.size()));
@@ -173,7 +173,7 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
           {static_cast<int>(p), static_cast<int>(h) + 1, Loop(&panel.holes[h])});
   }
 
-  // Imposed symmetries come first and must work; the others only make the sampling nicer.
+  // Imposed symmetries come first and must work; the others only improve the sampling.
   for (std::size_t s = 0; s < imposed.size(); ++s) {
     auto ties = tiesOf(outlines, imposed[s], static_cast<int>(s));
     if (!ties)
@@ -193,8 +193,9 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
       std::move(ties->begin(), ties->end(), std::back_inserter(demands.ties));
   }
 
-  // Exact patterns need no tolerance. Where symmetries and seams disagree, the least that ends the
-  // chase is best; if none does with few vertices, many are better than failing.
+  // Exact patterns need no tolerance. If symmetries and seams disagree, the least tolerance at
+  // which propagation ends is best. If it does not end with few vertices, many are better than
+  // failing.
   edge_length = std::min(edge_length, kLongestEdge);
   std::size_t corners = 0;
   double length = 0;
@@ -213,7 +214,7 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
   Breakpoints breakpoints;
   for (const Outlines* attempt : attempts) {
     for (const std::size_t most : limits) {
-      // where the most tolerant chase does not end, the others do not either
+      // If propagation does not end at the greatest tolerance, it does not end at any other.
       breakpoints = findBreakpoints(*attempt, 0.5 * edge_length, most, false);
       if (!breakpoints.conflict.empty()) continue;
       for (const double tolerance : {kCornerTolerance, measured, 0.03 * edge_length,

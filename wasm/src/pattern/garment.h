@@ -8,22 +8,22 @@
 
 namespace seamwise {
 
-/// How the grain line lies on the cloth: along its length, across it, at 45 degrees, or anyhow.
+/// Direction of the grain line on the fabric: free, along its length, across it, or at 45 degrees.
 enum class GrainLock : std::uint8_t { kFree, kOn, kAcross, kBias };
 
-/// A cut piece as drafted: its outline as exact curves. Face side up (the printed side towards the
-/// viewer), counter-clockwise, cm. `edges` keep the numbering of the file; edge k ends where edge
-/// k + 1 starts.
+/// A cut piece as drafted: its outline as exact curves, face side up (the printed side towards the
+/// viewer), counter-clockwise, in cm. `edges` keep the numbering of the file; edge k ends where
+/// edge k + 1 starts.
 struct Panel {
   std::string name;
   std::vector<Curve> edges;
   std::vector<std::vector<Curve>> holes;  ///< cut-outs, each a closed clockwise loop; never sewn
-  bool mirrored_from_input = false;       ///< the file showed the back: x was negated
+  bool mirrored_from_input = false;       ///< the file shows the back, so x is negated
   double grain_angle = kPi / 2;           ///< direction of the grain line in this (face-up) frame
-  bool grain_stated = false;              ///< false: the file has no grain line, up is assumed
+  bool grain_stated = false;              ///< false: the file has no grain line, so it is upwards
   std::optional<GrainLock> grain_lock;    ///< set by the file; options may override
   double grain_tolerance = 0;             ///< rad
-  Vec3 placement_shift = Vec3::Zero();    ///< cm, of the input panel
+  Vec3 placement_shift = Vec3::Zero();    ///< 3D translation of the input panel, cm
   Vec3 placement_turn = Vec3::Zero();     ///< XYZ Euler angles, rad
   bool operator==(const Panel&) const = default;
 };
@@ -34,7 +34,8 @@ struct EdgeRef {
   bool operator==(const EdgeRef&) const = default;
 };
 
-/// Two edges sewn to each other. The start of `a` meets the end of `b`, unless `same_direction`.
+/// Two edges sewn to each other. The start of `a` meets the end of `b`, unless `same_direction` is
+/// true.
 struct Stitch {
   EdgeRef a, b;
   bool same_direction = false;  ///< "right_wrong" in GarmentCode
@@ -43,8 +44,9 @@ struct Stitch {
   bool operator==(const Stitch&) const = default;
 };
 
-/// Two lines drawn on pieces that lie on each other without being sewn (a button front, a patch
-/// pocket). Each is a polyline of the same point count, in face-up piece coordinates, in order.
+/// Two lines on pieces that overlap without being sewn along them (a button front, a patch pocket).
+/// Both are polylines with the same number of points in corresponding order, in face-up piece
+/// coordinates.
 struct MatchLine {
   int piece_a = -1, piece_b = -1;
   Polyline a, b;
@@ -74,8 +76,8 @@ struct Garment {
   std::vector<Panel> panels;
   std::vector<Stitch> stitches;
   std::vector<MatchLine> matches;
-  std::string size;               ///< as the file calls it ("M"), or empty
-  std::vector<BodyMeasure> body;  ///< where the file has it
+  std::string size;               ///< the file's name of the size ("M"), or empty
+  std::vector<BodyMeasure> body;  ///< empty if the file has none
   bool operator==(const Garment&) const = default;
 
   int find(const std::string& name) const {

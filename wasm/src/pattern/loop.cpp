@@ -26,7 +26,8 @@ Loop::Loop(const std::vector<Curve>* edges) : edges_(edges), corner_{0} {
   samples_.push_back({length(), samples_.front().point});
 }
 
-/// wrapped() of what lies outside; only what is turns away takes a division.
+/// Wraps a position outside [0, length()). Only positions further than one turn away need a
+/// division.
 double Loop::turned(double position) const {
   const double turn = length();
   double p = position;
@@ -57,7 +58,7 @@ Vec2 Loop::at(double position) const {
 
 double Loop::nearest(const Vec2& p, double from, double to) const {
   double best = from, least = std::numeric_limits<double>::infinity();
-  double low = from, high = from;  // where a better place than `best` may lie: on a curve
+  double low = from, high = from;  // interval that may contain a better position, on a curve
   const auto consider = [&](double position, const Vec2& q, double a, double b) {
     const double distance = (q - p).squaredNorm();
     if (distance >= least) return;
@@ -78,13 +79,13 @@ double Loop::nearest(const Vec2& p, double from, double to) const {
       const double along = square > 0 ? (p - samples_[i].point).dot(d) / square : 0;
       const double x =
           std::clamp(along, (std::max(a, from) - a) / (b - a), (std::min(b, to) - a) / (b - a));
-      // On a curve the true foot may lie one chord further.
+      // The nearest point of a curve may be one chord further.
       const bool straight = edge(edgeAt((a + b) / 2)).straight();
       consider(a + x * (b - a), samples_[i].point + x * d, straight ? a : 2 * a - b,
                straight ? a : 2 * b - a);
     }
   }
-  // Golden section on the squared distance.
+  // Minimize the squared distance by golden-section search.
   const double ratio = (std::sqrt(5.0) - 1) / 2;
   const auto cost = [&](double position) { return (at(position) - p).squaredNorm(); };
   double x1 = high - ratio * (high - low), x2 = low + ratio * (high - low);

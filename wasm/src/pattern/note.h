@@ -4,15 +4,14 @@
 
 namespace seamwise {
 
-/// What was dropped or assumed: one sentence for people, and the same as a code with its values,
-/// from which a page makes the sentence of another language. The codes are listed in
-/// docs/formats.md.
+/// A note about something dropped or assumed: an English sentence, and a code with values, from
+/// which a page makes the sentence in another language. docs/formats.md lists the codes.
 struct Note {
-  const char* code;  ///< part of the result file: never renamed
+  const char* code;  ///< part of the result file: never rename it
   std::string text;
-  std::vector<int> pieces = {};      ///< that it is about; indices in the garment
-  std::vector<int> seams = {};       ///< stitch numbers in the garment file
-  std::vector<double> numbers = {};  ///< lengths in cm, ratios as they are
+  std::vector<int> pieces = {};      ///< pieces concerned; indices in the garment
+  std::vector<int> seams = {};       ///< seams concerned; stitch numbers in the garment file
+  std::vector<double> numbers = {};  ///< lengths in cm; ratios without unit
 };
 
 }  // namespace seamwise

@@ -9,7 +9,7 @@
 
 namespace seamwise {
 
-/// A piece as the solver sees it: the sampled outline and, once meshed, its triangles. [cm]
+/// A piece in the solver: the sampled outline and, once meshed, its triangles. [cm]
 struct Piece {
   std::string name;
   std::vector<Vec2> rest;               ///< outline vertices, then hole vertices, then interior
@@ -33,7 +33,7 @@ inline std::vector<std::vector<int>> loopsOf(const Piece& piece) {
   return loops;
 }
 
-/// Vertices along one edge of a piece, in the seam's sewing order.
+/// Vertices along one edge of a piece, in sewing order of the seam.
 struct SeamSide {
   int piece = -1;
   std::vector<int> vertices;
@@ -45,12 +45,12 @@ struct Seam {
   double weight = 1.0;
   bool matched = true;        ///< false: sewn, but its mismatch does not count
   double length_ratio = 1.0;  ///< rho: rest length of a / rest length of b
-  bool twin = false;  ///< joins a piece to its own mirror twin along corresponding points: any
+  bool twin = false;  ///< joins a piece to its own mirror image along corresponding points: any
                       ///< symmetric alignment matches it, so it never counts
 };
 
-/// Sides of so different a length that the print cannot match all along them, however they lie:
-/// over 30 cm they run apart by 3 cm, a good part of most repeats.
+/// True if the sides differ too much in length for the print to match along all of the seam at any
+/// alignment: at the limit they run apart by 3 cm over 30 cm, a large part of most repeats.
 inline bool isGathered(const Seam& seam) {
   return seam.length_ratio > 1.1 || seam.length_ratio < 1 / 1.1;
 }
@@ -71,8 +71,8 @@ struct Pattern {
   std::vector<Mirror> mirrors;
 };
 
-/// Calls use(piece, k, other) for each sewn edge: it starts at the outline position k of a piece
-/// and is sewn to one of `other`, which may be the same piece.
+/// Calls use(piece, k, other) for each sewn edge. The edge starts at outline position k of `piece`
+/// and is sewn to an edge of `other`, which may be the same piece.
 template <class Use>
 void forSewnEdges(const Pattern& pattern, const Use& use) {
   for (const Seam& seam : pattern.seams)
@@ -83,7 +83,7 @@ void forSewnEdges(const Pattern& pattern, const Use& use) {
             other->piece);
 }
 
-/// Per piece and outline position k, whether the edge that starts there is sewn.
+/// Per piece and outline position k: true if the edge that starts there is sewn.
 inline std::vector<std::vector<char>> sewnEdges(const Pattern& pattern) {
   std::vector<std::vector<char>> sewn;
   for (const Piece& piece : pattern.pieces) sewn.emplace_back(piece.outline.size(), 0);
@@ -91,7 +91,7 @@ inline std::vector<std::vector<char>> sewnEdges(const Pattern& pattern) {
   return sewn;
 }
 
-/// Where the vertices of the pieces are: per piece, per vertex, cm.
+/// Vertex positions per piece and vertex, cm.
 using Shapes = std::vector<std::vector<Vec2>>;
 
 inline Shapes restShapes(const Pattern& pattern) {

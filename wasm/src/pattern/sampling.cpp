@@ -10,8 +10,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kChordTurn = kPi / 10;
-constexpr double kShortestChord =
-    0.02;  // cm: a cusp is a corner, not a reason for ever more vertices
+constexpr double kShortestChord = 0.02;  // cm; ends refinement at a cusp, which is a corner
 constexpr int kRefinements = 40;
 
 /// A stretch of one edge between neighbouring breakpoints.
@@ -29,15 +28,15 @@ bool bendsTooMuch(const Interval& i, int count) {
   return false;
 }
 
-/// Vertices an interval needs by itself.
+/// Number of chords for an interval, apart from its ties.
 int countFor(const Interval& i, double edge_length) {
   const int straight = std::max(1, static_cast<int>(std::ceil(i.length() / edge_length - 1e-9)));
   if (i.curve->straight()) return straight;
   const int finest = std::max(straight, static_cast<int>(i.length() / kShortestChord));
   const double turning = i.curve->turning(i.from, i.to);
   int count = std::max(straight, static_cast<int>(std::ceil(turning / kChordTurn - 1e-9)));
-  // Where the bend sits in one spot, even spacing needs more; beyond twice as many the spot is
-  // taken for a corner.
+  // A bend in one spot needs a finer even spacing. If twice the count is not enough, the spot is
+  // treated as a corner.
   const int most = std::min(finest, 2 * count);
   count = std::min(count, finest);
   while (count < most && bendsTooMuch(i, count)) count = std::min(most, count + 1 + count / 4);
@@ -100,7 +99,7 @@ class Sampler {
     return count_[breakpoints_.group[breakpoints_.first_interval[l] + interval]];
   }
 
-  /// At least a triangle, though the loop may have one or two edges only.
+  /// Gives a loop of one or two edges at least three vertices.
   void giveArea(int l) {
     const std::size_t n = breakpoints_.nodes[l].size();
     const auto total = [&] {
@@ -109,7 +108,7 @@ class Sampler {
       return sum;
     };
     while (total() < 3) {
-      // A straight interval cannot bulge: split a curved one, the longest first.
+      // Splitting a straight interval adds no area, so split a curved one, the longest first.
       std::size_t best = 0;
       const auto rank = [&](std::size_t i) {
         const Interval& it = intervals_[breakpoints_.first_interval[l] + i];
@@ -143,7 +142,7 @@ class Sampler {
     return findCrossing(loops);
   }
 
-  /// A chord that crosses another one, and how far it leaves its curve.
+  /// A chord that crosses another one, and its distance from its curve. [cm]
   struct Offender {
     int loop;
     std::size_t interval;
@@ -161,8 +160,8 @@ class Sampler {
     return {l, i, ((at(2 * k) + at(2 * k + 2)) / 2 - at(2 * k + 1)).norm()};
   }
 
-  /// Refines the chord that leaves its curve further; where arcs meet without an angle, refining
-  /// both alike would let them cross for ever. False when both are straight or short.
+  /// Refines the chord that is further from its curve. Refining both equally would never end for
+  /// arcs that meet without an angle. Returns false if both are straight or short.
   bool refine(int panel, const Crossing& crossing) {
     const int base = outlines_.first[panel];
     const Offender a = offender(base + crossing.first_loop, crossing.first_edge);
@@ -177,7 +176,7 @@ class Sampler {
   const Outlines& outlines_;
   const Breakpoints& breakpoints_;
   std::vector<Interval> intervals_;
-  std::vector<int> count_;  // per group, at its least interval
+  std::vector<int> count_;  // per group, at the index of its least interval
   std::vector<SampledLoop> sampled_;
 };
 

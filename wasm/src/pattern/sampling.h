@@ -6,17 +6,16 @@
 
 namespace seamwise {
 
-/// One sampled loop.
 struct SampledLoop {
-  Polyline points;               ///< starts at edge 0's start
+  Polyline points;               ///< start at the start of edge 0
   std::vector<int> node_vertex;  ///< vertex at each node of the loop's breakpoints
   std::vector<int> edge_start;   ///< vertex at which each edge starts
 };
 
 /// Samples all loops between their breakpoints, evenly by arc length. Tied intervals share one
-/// count: what the longest needs at `edge_length` cm, and enough that no chord turns by more than
-/// 18 degrees (then it is at most 0.4 % shorter than its arc) and that no outline crosses itself.
-/// Errors: kMesh when an outline crosses itself however finely it is sampled.
+/// count. It is the count of the longest at `edge_length` cm, or more, so that no chord turns by
+/// more than 18 degrees (then it is at most 0.4 % shorter than its arc) and no outline crosses
+/// itself. Errors: kMesh if an outline crosses itself at any sampling.
 Outcome<std::vector<SampledLoop>> sampleLoops(const Outlines& outlines,
                                               const Breakpoints& breakpoints, double edge_length);
 

@@ -11,7 +11,7 @@ struct VertexRef {
   bool operator==(const VertexRef&) const = default;
 };
 
-/// The mirror image of every vertex, in both directions; piece -1 where there is none.
+/// The mirror image of every vertex, in both directions; piece -1 for a vertex without image.
 std::vector<std::vector<VertexRef>> mirrorImages(const Pattern& pattern) {
   std::vector<std::vector<VertexRef>> images;
   for (const Piece& p : pattern.pieces) images.emplace_back(p.rest.size());

@@ -7,10 +7,10 @@ namespace seamwise {
 namespace {
 
 constexpr double kSame = 1e-9;     // cm
-constexpr double kApart = 1e-3;    // cm; different nodes keep this distance where they can
+constexpr double kApart = 1e-3;    // cm; distance that different nodes keep if possible
 constexpr double kSettled = 1e-6;  // cm
-constexpr double kWithin = 0.25;   // cm; corners within paths are one in spite of so much ease
-constexpr int kMostSweeps = 150;   // where symmetries contradict each other, nodes creep for ever
+constexpr double kWithin = 0.25;   // cm; corners within paths match in spite of this much ease
+constexpr int kMostSweeps = 150;   // contradictory symmetries would move nodes without end
 
 }  // namespace
 
@@ -97,7 +97,7 @@ void TiedNodes::addMirror(const LoopTie& mirror) {
   ties_.push_back(std::move(tie));
 }
 
-/// Index in a loop's order of the first node that does not lie before a position.
+/// Index in a loop's order of the first node at or after a position.
 std::size_t TiedNodes::indexAt(int loop, double position) const {
   const auto& order = order_[loop];
   const auto found =
@@ -112,7 +112,7 @@ TiedNodes::Bracket TiedNodes::bracketOf(const Tie& tie, int side, int node) cons
   const std::size_t n = order.size(), start = indexAt(own.loop, nodes_[node].position);
   const double at = coordinate(own, node);
   Bracket b{at, 0, own.length, 0, other.length};
-  // away from the node in either sense, to the first that is matched
+  // Search in both directions for the first matched node.
   for (const bool up : {false, true}) {
     const std::size_t step = up == (own.sense > 0) ? 1 : n - 1;
     for (std::size_t k = 1, i = start; k < n; ++k) {
@@ -130,8 +130,8 @@ TiedNodes::Bracket TiedNodes::bracketOf(const Tie& tie, int side, int node) cons
   return b;
 }
 
-/// The node of a tie's side between the bracket's ends that lies nearest to a coordinate, at most
-/// `reach` away; -1 when there is none.
+/// The node of a tie's side, between the bracket's ends, nearest to a coordinate and at most
+/// `reach` away; -1 if there is none.
 int TiedNodes::nearestTo(const Tie::Side& side, double x, double reach, const Bracket& b) const {
   const auto& order = order_[side.loop];
   const std::size_t n = order.size();
@@ -146,7 +146,7 @@ int TiedNodes::nearestTo(const Tie::Side& side, double x, double reach, const Br
       const double y = coordinate(side, order[i]), gap = std::abs(y - x);
       if (gap > nearest) break;
       if (y <= b.other_low || y >= b.other_high || !holds(side, order[i])) continue;
-      if (found >= 0 && gap == nearest && i < found_at) continue;  // of two the later one
+      if (found >= 0 && gap == nearest && i < found_at) continue;  // prefer the later node
       nearest = gap;
       found = order[i];
       found_at = i;
@@ -162,7 +162,8 @@ void TiedNodes::place(Tie& tie, int side, int node, double tolerance, const doub
   double x = b.other_low + gap * (b.at - b.low) / (b.high - b.low);
   if (wanted) x = loopOf(other.loop).wrapped(other.sense * (*wanted - other.origin));
   x = std::clamp(x, b.other_low + margin, b.other_high - margin);
-  // The same fraction of a seam on both sides, so that what is one here is one there.
+  // The tolerance is the same fraction of a seam on both sides, so that both identify the same
+  // nodes.
   const double reach =
       tolerance * (tie.mirror ? 1 : other.length / std::max(own.length, other.length));
   int found = nearestTo(other, x, reach, b);
@@ -184,7 +185,7 @@ void TiedNodes::anchor(Tie& tie, const Correspondence& map, double tolerance) {
     const int node = add(a, x.from, same(x));
     if (counterpart(tie, 0, node) < 0) match(tie, 0, node, same(x) ? node : add(b, x.to, false));
   }
-  // A corner without partner finds its place between those.
+  // Place the corners without a partner between those.
   for (const Correspondence::Anchor& x : map.anchors) {
     if (x.certain) continue;
     const bool corner = loopOf(a).isCorner(x.from);
@@ -213,7 +214,8 @@ TiedNodes::Demand TiedNodes::demandOf(const Tie& tie, int side, int before, int 
                                       int after) const {
   const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
   const bool ahead = own.sense > 0;
-  // Seen along the loop, `before` can only be the low end of a side that runs ahead, and so on.
+  // Along the loop, `before` can only be the low end of a side that runs ahead, or the high end of
+  // one that runs back; `after` vice versa.
   const auto image = [&](int n, bool low) {
     if (low && n == own.first) return other.first;
     if (!low && n == own.last) return other.last;
@@ -252,7 +254,7 @@ void TiedNodes::settle() {
       for (const Demand& w : f.demands) {
         const double part = distance(*w.loop, w.before, w.at, w.sense);
         const double whole = part + distance(*w.loop, w.at, w.after, w.sense);
-        sum += whole > 0 ? part / whole : 0.5;  // neighbours that meet say nothing
+        sum += whole > 0 ? part / whole : 0.5;  // coincident neighbours define no proportion
       }
       const double share = sum / static_cast<double>(f.demands.size());
       const double position =

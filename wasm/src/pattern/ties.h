@@ -7,17 +7,18 @@
 
 namespace seamwise {
 
-/// A place on a loop where there must be a vertex.
+/// A position on a loop that requires a vertex.
 struct Node {
   int loop = 0;
   double position = 0;  ///< cm, in [0, length)
-  bool pinned = false;  ///< a corner or an axis crossing: it stays where it is
+  bool pinned = false;  ///< a corner or an axis crossing, which does not move
   bool within = false;  ///< a corner within a path
 };
 
-/// A seam, or a mirror's tie between two loops (or of one with itself), as a matching of nodes that
-/// keeps their order. Both sides are stretches of loops with a coordinate that runs from 0 to
-/// `length` in corresponding sense; the ends correspond. Once round a loop, both ends are one node.
+/// A seam, or a mirror's tie between two loops (or of one with itself), as an order-preserving
+/// matching of nodes. Both sides are stretches of loops with a coordinate that runs from 0 to
+/// `length` in corresponding sense; the ends correspond. If a side is a whole loop, both its ends
+/// are the same node.
 struct Tie {
   struct Side {
     int loop = 0;
@@ -35,10 +36,10 @@ class TiedNodes {
  public:
   explicit TiedNodes(const Outlines& outlines);
 
-  /// Adds counterparts until every node has one in every tie; false when that needs more than
+  /// Adds counterparts until every node has one in every tie. Returns false if that needs more than
   /// `most` nodes.
   bool close(double tolerance, std::size_t most);
-  /// Moves free nodes so that tied intervals have like proportions.
+  /// Moves free nodes so that tied intervals have equal proportions.
   void settle();
 
   const std::vector<Node>& nodes() const { return nodes_; }
@@ -46,16 +47,18 @@ class TiedNodes {
   const std::vector<Tie>& ties() const { return ties_; }
 
  private:
-  /// Neighbouring matched pairs around a place: coordinates on the place's side and on the other.
+  /// The matched pairs before and after a node: their coordinates on the node's side and on the
+  /// other side.
   struct Bracket {
     double at = 0, low = 0, high = 0, other_low = 0, other_high = 0;
   };
 
-  /// Where a tie demands a node between its neighbours: as the counterparts lie, seen in `sense`.
+  /// The position between its neighbours that a tie demands of a node: that of its counterpart
+  /// between theirs, in direction `sense`.
   struct Demand {
     int before, at, after;
     double sense;
-    const Loop* loop;  ///< of all three
+    const Loop* loop;  ///< loop of all three
   };
 
   const Loop& loopOf(int loop) const { return outlines_->loops[loop].loop; }
@@ -75,7 +78,7 @@ class TiedNodes {
 
   const Outlines* outlines_;
   std::vector<Node> nodes_;
-  std::vector<std::vector<int>> order_;                    // per loop: nodes by position
+  std::vector<std::vector<int>> order_;                    // nodes per loop, by position
   std::vector<Tie> ties_;                                  // seams, then mirrors
   std::vector<std::vector<std::pair<int, int>>> ties_of_;  // per loop: (tie, side)
   std::deque<int> open_;                                   // nodes that may lack counterparts

@@ -2,13 +2,14 @@
 
 namespace seamwise {
 
-/// From least to most, both allowed.
+/// A closed interval.
 struct Range {
   double least = 0, most = 0;
   constexpr bool holds(double value) const { return value >= least && value <= most; }  ///< not NaN
 };
 
-// What options may be. The scripts have the same numbers from here: web/src/model/core-tables.ts.
+// Ranges of the options. web/src/model/core-tables.ts contains the same numbers, generated from
+// here.
 inline constexpr Range kMaxChangeCm{0, 50};
 inline constexpr Range kEdgeLengthCm{0.1, 1.05};  ///< coarser edges hide mismatch
 inline constexpr Range kAlpha{1e-9, 1e9};

@@ -12,9 +12,9 @@ namespace seamwise {
 
 enum class Method : std::uint8_t { kBest, kPaper, kWs19 };
 
-/// What shaping may do to edges that are sewn to nothing: hems, necklines, fronts.
+/// Treatment of unsewn edges by shaping: hems, necklines, fronts.
 enum class OpenEdges : std::uint8_t {
-  kKept,  ///< they keep their line: their vertices move along it only
+  kKept,  ///< they keep their line: their vertices move only along it
   kFree
 };
 
@@ -23,13 +23,13 @@ struct GrainRule {
   double tolerance = 0;  ///< rad
 };
 
-/// What is said about one piece; unset: as for all, and as in the file.
+/// Grain options of one piece; unset members use the rule for all pieces and the file's line.
 struct PieceGrain {
   std::optional<GrainRule> rule;
   std::optional<double> line;  ///< direction of the grain line of the face-up piece. [rad]
 };
 
-/// Everything about a solve that is neither garment nor print. Names follow the options file.
+/// All settings of a solve apart from garment and print. Names follow the options file.
 struct SolveOptions {
   Method method = Method::kBest;
   std::uint32_t seed = 1;
@@ -39,27 +39,27 @@ struct SolveOptions {
   bool continuous_only = false;  ///< forbid mirrored seams
   std::optional<bool>
       average_seam_shapes;    ///< Wolff et al. 2019, 3.3; unset: the method's own choice
-  int starts = 1;             ///< of the sweeps of paper and ws19
-  bool clip_targets = false;  ///< of paper and ws19: within the greatest change
+  int starts = 1;             ///< number of starts of the sweeps of paper and ws19
+  bool clip_targets = false;  ///< limits targets of paper and ws19 to the greatest change
   GrainRule grain;            ///< for pieces without a rule of their own
-  std::map<int, PieceGrain> piece_grain;  ///< by piece index
-  std::map<int, Alignment> pins;          ///< by piece index
-  std::map<int, double> weights;          ///< by stitch number
+  std::map<int, PieceGrain> piece_grain;  ///< keys are piece indices
+  std::map<int, Alignment> pins;          ///< keys are piece indices
+  std::map<int, double> weights;          ///< keys are stitch numbers
   std::vector<int> unmatched;             ///< stitch numbers
   std::vector<int> plain;                 ///< piece indices
   std::vector<MatchLine> matches;
   std::vector<EdgeRef> locked;  ///< edges that stay as drafted
   OpenEdges open_edges = OpenEdges::kKept;
-  /// How long to search, as a multiple of what is usual; more never ends worse.
+  /// Search effort as a multiple of the usual one; a greater effort never gives a worse result.
   double effort = 1;
-  /// Work for a proof of the alignment, as a multiple of the search's; unset: a little, where that
-  /// may be enough.
+  /// Work for a proof of the alignment, as a multiple of the search's; unset: a little, if that may
+  /// be enough.
   std::optional<double> proof;
 
-  /// Whether the result tells of other alignments that fit about as well.
+  /// Adds other alignments that fit about as well to the result.
   bool other_alignments = false;
 
-  /// Empty when usable, else one sentence that names the field.
+  /// Returns one sentence that names an invalid field; empty if all are valid.
   std::string problem() const;
 };
 

@@ -9,12 +9,13 @@
 namespace seamwise {
 namespace {
 
-constexpr double kObeyed = 1e-6;  ///< cm: as exact as a result has to be
-/// How far a print with an upside may lie from upright where the grain is free. [rad]
+constexpr double kObeyed = 1e-6;  ///< cm, the required accuracy of a result
+/// Greatest angle between a one-way print and upright on a piece of free grain. [rad]
 constexpr double kMostOffUpright = kPi / 3;
 constexpr std::size_t kMostAssumed = 4;
 
-/// Whether some mirrored element of the print carries `first`'s print to `second`'s, over the map.
+/// True if some mirrored element of the print carries the print of `first` to that of `second`
+/// under the map.
 bool mirrors(const WallpaperGroup& group, const Alignment& first, const Alignment& second,
              const RigidMotion& map) {
   const Vec2 probes[3] = {Vec2(0, 0), Vec2(10, 0), Vec2(0, 10)};
@@ -51,13 +52,13 @@ std::vector<PieceRule> pieceRules(const Problem& problem) {
     const GrainRule grain = grainRule(problem, index);
     const auto pin = problem.options.pins.find(index);
     const bool pinned = pin != problem.options.pins.end();
-    // the grain line runs along +y of the print, the warp
+    // The grain line runs along the warp, +y of the print.
     const double straight = grainLine(problem, index) - kPi / 2;
     std::vector<double>& angles = rules[p].angles;
     rules[p].tolerance = grain.tolerance;
     switch (grain.lock) {
       case GrainLock::kFree:
-        if (!one_way || pinned) break;  // who pins a piece at any angle means it
+        if (!one_way || pinned) break;  // a pin may have any angle
         angles = {straight};
         rules[p].tolerance = kMostOffUpright;
         break;

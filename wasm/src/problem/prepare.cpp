@@ -18,27 +18,28 @@
 namespace seamwise {
 namespace {
 
-constexpr double kEvenedAlready = 5e-7;  ///< cm that are no movement at all
+constexpr double kEvenedAlready = 5e-7;  ///< cm; less counts as no movement
 constexpr double kEvenedSeam = SymmetryTuning::kEvenedSeamShare * kSeamTolerance;  ///< cm
 
-/// Why a symmetry cannot hold, as "<symmetry>: <why>", and what to do about it.
+/// The reason why a symmetry cannot hold, as "<symmetry>: <why>", and a remedy.
 struct Obstacle {
   std::size_t symmetry = 0;  ///< index among the imposed ones
-  const char* code;          ///< of the note
+  const char* code;          ///< code of the note
   std::string why, remedy;
   std::vector<double> numbers = {};
 };
 
-/// Whether edges of a seam miss their ratio on pieces that may not move enough to restore it: one
-/// side bends more than the other, or several seams and symmetries share its vertices out. The
-/// error shrinks with the edges.
+/// True if edges of a seam deviate from their length ratio and the pieces may not move far enough
+/// to restore it. Either one side bends more than the other, or several seams and symmetries
+/// determine the spacing of its vertices. The error shrinks with the edge length.
 bool isStiff(const Pattern& pattern, const Shapes& evened, double max_change) {
   return max_change < SymmetryTuning::kSettlingReach &&
          std::any_of(pattern.seams.begin(), pattern.seams.end(),
                      [&](const Seam& seam) { return seamError(seam, evened) > kEvenedSeam; });
 }
 
-/// Shapes start from the evened pattern, and fall back to it: it must keep every limit by itself.
+/// Finds a limit that the evened pattern exceeds because of a symmetry. Shaping starts from the
+/// evened pattern and falls back to it, so it must keep every limit.
 std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, const Shapes& evened,
                                  double max_change) {
   const Mirror& m = pattern.mirrors[symmetry];
@@ -78,8 +79,8 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
   return {};
 }
 
-/// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
-/// sentence.
+/// Drops a detected symmetry, with a note. A requested one causes an error that ends with the
+/// remedy.
 std::optional<Error> dropOrRefuse(const Garment& garment, const Obstacle& obstacle, Failure code,
                                   GarmentSymmetries& symmetries, std::vector<Note>& notes) {
   const auto at = symmetries.imposed.begin() + static_cast<std::ptrdiff_t>(obstacle.symmetry);
@@ -106,8 +107,7 @@ Preparation::Preparation(const Problem& problem, GarmentSymmetries symmetries, M
   made_.plans = std::make_shared<MeshPlans>();
 }
 
-/// Keeps no symmetry that pins or grain contradict. Errors: kSymmetryConflict when it was asked
-/// for.
+/// Drops symmetries that pins or grain contradict. Errors: kSymmetryConflict for a requested one.
 std::optional<Error> Preparation::enforceRules() {
   const struct {
     std::optional<std::size_t> (*against)(const Problem&, const std::vector<BodySymmetry>&);
@@ -169,7 +169,7 @@ bool Preparation::sample() {
   return true;
 }
 
-/// Whether to go on with a finer sampling, or without a symmetry that cannot hold.
+/// Checks the mesh. Returns true to continue with a finer sampling or fewer symmetries.
 bool Preparation::judge(Outcome<Pattern> ready) {
   std::optional<Obstacle> found;
   if (ready.ok()) {
@@ -185,7 +185,7 @@ bool Preparation::judge(Outcome<Pattern> ready) {
     }
     if (!found) return end(std::move(ready));
   } else {
-    // what cannot be meshed as its own mirror image may do without it
+    // A piece that cannot be meshed as its own mirror image is meshed without that symmetry.
     const std::vector<BodySymmetry>& imposed = made_.symmetries.imposed;
     for (std::size_t m = 0; m < imposed.size() && !found; ++m)
       if (imposed[m].pieces[0] == ready.error().piece)

@@ -12,25 +12,25 @@
 
 namespace seamwise {
 
-/// What the pattern of a mesh, and the same with fewer mirrors, was deformed by last; null until
-/// then.
+/// Plans of the latest deformation of a meshed pattern, and of the same pattern with fewer mirrors
+/// (`freed`); null before the first deformation.
 struct MeshPlans {
   std::shared_ptr<FittingPlans> plans, freed;
 };
 
-/// A garment sampled and meshed, with what became of its symmetries.
+/// A garment sampled and meshed, and its remaining symmetries.
 struct Prepared {
   Pattern pattern;
   GarmentSymmetries symmetries;  ///< those that hold
-  std::vector<Note> notes;       ///< which ones were dropped, and why
-  /// Of the pattern, to be kept for as long as it.
+  std::vector<Note> notes;       ///< dropped symmetries, with reasons
+  /// Plans of the pattern; must live as long as it.
   std::shared_ptr<MeshPlans> plans;
 };
 
-/// The mesh that was made last, for whoever solves the same garment again and again: where weights,
-/// pins, grain or the print change, it stays. With it or without, results are the same.
+/// The latest mesh, for repeated solves of the same garment. It stays valid if weights, pins, grain
+/// or the print change. Reusing it does not change the result.
 struct MeshMemo {
-  /// All that meshing depends on.
+  /// All inputs of meshing.
   struct Inputs {
     Garment garment;
     GarmentSymmetries symmetries;
@@ -44,21 +44,22 @@ struct MeshMemo {
   std::optional<Mesh> last;
 };
 
-/// Samples and meshes the garment of a problem, in steps. Symmetries whose demands on edge lengths
-/// contradict each other (mirrored edges sewn to edges that do not mirror) cannot all hold: of
-/// detected ones the fewest are dropped, with a note; of asked-for ones this is an error. The
-/// sampling follows the same symmetries whether they are imposed or not, so that figures compare.
+/// Samples and meshes the garment of a problem, in steps. Symmetries with contradictory demands on
+/// edge lengths (mirrored edges sewn to edges that do not mirror) cannot all hold. As few detected
+/// ones as possible are dropped, with a note; requested ones cause an error. The sampling follows
+/// the same symmetries whether they are imposed or not, so that figures are comparable.
 class Preparation {
  public:
-  /// @param problem      outlives it
-  /// @param symmetries   instead of the problem's
+  /// @param problem      must outlive this object
+  /// @param symmetries   replace the problem's
   /// @param memo         may be null
   Preparation(const Problem& problem, GarmentSymmetries symmetries, MeshMemo* memo = nullptr);
 
-  /// Some milliseconds of work. False when there is none left.
+  /// Works for some milliseconds. Returns false when finished.
   bool advance();
   double fraction() const { return fraction_; }  ///< 0..1, monotone
-  /// Once it has ended. Errors: kMesh, kSymmetryConflict.
+  /// Returns the mesh; requires that advance() has returned false. Errors: kMesh,
+  /// kSymmetryConflict.
   Outcome<Prepared> take();
 
  private:
@@ -70,18 +71,18 @@ class Preparation {
 
   const Problem& problem_;
   MeshMemo* memo_;
-  std::optional<MeshMemo::Inputs> from_;  ///< what to remember the mesh by
-  Prepared made_;                         ///< what meshing makes, and so depends on `from_` alone
+  std::optional<MeshMemo::Inputs> from_;  ///< key of the mesh in the memo
+  Prepared made_;                         ///< result of meshing, which depends only on `from_`
   std::vector<Note> rule_notes_;          ///< symmetries that pins or grain contradict
-  double edge_length_;                    ///< cm, the present
-  std::optional<Pattern> sampled_;        ///< by the symmetries, at the edge length
+  double edge_length_;                    ///< current edge length, cm
+  std::optional<Pattern> sampled_;        ///< garment sampled at the current edge length
   std::optional<Meshing> meshing_;
   std::optional<Error> error_;
   bool begun_ = false, ended_ = false;
   double fraction_ = 0;
 };
 
-/// All steps of a preparation with the problem's symmetries.
+/// Runs all steps of a preparation with the problem's symmetries.
 Outcome<Prepared> prepared(const Problem& problem, MeshMemo* memo = nullptr);
 
 }  // namespace seamwise

@@ -12,7 +12,7 @@ namespace {
 
 using Symmetries = std::vector<BodySymmetry>;
 
-/// Those that are imposed, then the known ones that the print's group carries besides.
+/// The imposed symmetries, then the other known ones that the print's group carries.
 Symmetries carriedSymmetries(const GarmentSymmetries& symmetries, const WallpaperGroup& group) {
   Symmetries carried = symmetries.imposed;
   for (const BodySymmetry& s : symmetries.known)
@@ -21,8 +21,8 @@ Symmetries carriedSymmetries(const GarmentSymmetries& symmetries, const Wallpape
   return carried;
 }
 
-/// The symmetric pattern with only those of its mirrors that are asked for.
-/// @param imposed   of the symmetric pattern, in the order of its mirrors
+/// Reduces the mirrors of a symmetric pattern to the requested ones.
+/// @param imposed   symmetries of the pattern, in the order of its mirrors
 Pattern freedPattern(Pattern pattern, const Symmetries& imposed, const Symmetries& asked) {
   std::vector<Mirror> kept;
   for (std::size_t m = 0; m < imposed.size(); ++m)
@@ -53,7 +53,8 @@ bool SymmetricPreparation::advance() {
   return more || (has_more_ && judge());
 }
 
-/// Whether to begin anew, without more symmetries than are asked for.
+/// Accepts the mesh if more symmetries than the requested ones hold. Otherwise restarts with the
+/// requested ones and returns true.
 bool SymmetricPreparation::judge() {
   Outcome<Prepared> made = preparation_->take();
   if (made.ok()) {

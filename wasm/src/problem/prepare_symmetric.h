@@ -6,29 +6,31 @@
 
 namespace seamwise {
 
-/// What a problem is made into before it is solved.
+/// A problem prepared for solving.
 struct PreparedProblem {
   Prepared asked;
-  /// With all known symmetries imposed that the print's group carries, where these are more than
-  /// are asked for. Its vertices are those of `asked`, so its shapes are shapes of that.
+  /// The pattern with all known symmetries that the print's group carries, if these are more than
+  /// the requested ones. Both patterns have the same vertices, so shapes of one are shapes of the
+  /// other.
   std::optional<Pattern> symmetric;
-  /// Mirrors to begin a search with: of `symmetric`, or those that could not be meshed.
+  /// Mirrors at the start of a search: those of `symmetric`, or those that could not be meshed.
   std::vector<Mirror> known;
 };
 
-/// A preparation of the problem with all known symmetries that the print's group carries; where
-/// they cannot hold, of the problem as it is. Only the default method is offered more symmetry than
-/// it is asked for.
+/// Prepares a problem with all known symmetries that the print's group carries, or with the
+/// requested ones if those cannot hold. Only the default method uses more symmetries than
+/// requested.
 class SymmetricPreparation {
  public:
-  /// @param problem   outlives it
+  /// @param problem   must outlive this object
   /// @param memo      may be null
   explicit SymmetricPreparation(const Problem& problem, MeshMemo* memo = nullptr);
 
-  /// Some milliseconds of work. False when there is none left.
+  /// Works for some milliseconds. Returns false when finished.
   bool advance();
   double fraction() const { return fraction_; }  ///< 0..1, monotone
-  /// Once it has ended. Errors: as Preparation::take().
+  /// Returns the prepared problem; requires that advance() has returned false. Errors: as for
+  /// Preparation::take().
   Outcome<PreparedProblem> take();
 
  private:
@@ -36,7 +38,7 @@ class SymmetricPreparation {
 
   const Problem& problem_;
   MeshMemo* memo_;
-  bool has_more_ = false;  ///< more symmetries than are asked for are tried
+  bool has_more_ = false;  ///< more symmetries than the requested ones are tried
   std::optional<Preparation> preparation_;
   std::optional<PreparedProblem> symmetric_;
   double fraction_ = 0;

@@ -9,22 +9,22 @@
 
 namespace seamwise {
 
-/// The symmetries of a garment, as a solve treats them.
+/// The symmetries of a garment in a solve.
 struct GarmentSymmetries {
   std::vector<BodySymmetry> imposed;  ///< obeyed by print and shape
   std::vector<BodySymmetry> known;    ///< all that the sampling follows; contains `imposed`
-  bool optional = false;  ///< found by the program: an imposed one that cannot hold may be dropped
+  bool optional = false;  ///< not explicitly requested: one that cannot hold may be dropped
   bool operator==(const GarmentSymmetries&) const = default;
 };
 
-/// Everything a solve needs, checked: numbers are finite, references resolve, the print's group
-/// carries the imposed symmetries. Solving changes nothing of it.
+/// The checked input of a solve: numbers are finite, references resolve, the print's group carries
+/// the imposed symmetries. Solving does not modify it.
 struct Problem {
   Garment garment;
   Print print;
   GarmentSymmetries symmetries;
   SolveOptions options;
-  std::vector<Note> notes;  ///< what reading dropped or assumed
+  std::vector<Note> notes;  ///< items dropped or assumed by reading
 };
 
 }  // namespace seamwise

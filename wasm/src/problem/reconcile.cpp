@@ -15,7 +15,7 @@ namespace {
 
 using Symmetries = std::vector<BodySymmetry>;
 
-/// How badly a sampled pattern's symmetries contradict each other: below 1 they can all hold.
+/// Degree to which a sampled pattern's symmetries contradict each other; below 1 they can all hold.
 double conflict(const Pattern& pattern) {
   const auto kept = keptLengths(pattern);
   double worst = 0;
@@ -49,7 +49,7 @@ double conflict(const Pattern& pattern) {
   return worst;
 }
 
-/// The sampled pattern, where the symmetries can hold together.
+/// The sampled pattern, if the symmetries can hold together.
 std::optional<Pattern> heldTogether(const Problem& problem, const Symmetries& symmetries) {
   auto sampled = discretise(problem.garment, symmetries, symmetries, problem.options.edge_length_cm,
                             Effort::kTrial);
@@ -59,7 +59,7 @@ std::optional<Pattern> heldTogether(const Problem& problem, const Symmetries& sy
 
 /// Length of the seams at a symmetry's pieces that the known symmetries do not map to seams. [cm]
 double unmappedSeams(const Garment& garment, const Symmetries& known, const BodySymmetry& s) {
-  // the edge onto which an edge falls, by its ends
+  // The edge whose ends are the images of an edge's ends.
   auto image = [&](const EdgeRef& e) -> EdgeRef {
     for (const BodySymmetry& k : known) {
       for (int from : {0, 1}) {
@@ -90,9 +90,9 @@ double unmappedSeams(const Garment& garment, const Symmetries& known, const Body
   return unmapped;
 }
 
-/// As many of the known symmetries as hold together: the fixed ones, then those first that fit the
-/// seams best.
-/// @param sampled   by the fixed ones; in the end by all
+/// The fixed symmetries plus known ones that hold together with them. Those that fit the seams best
+/// are tried first.
+/// @param sampled   the garment sampled with the fixed symmetries; on return with all
 Symmetries consistent(const Problem& problem, const Symmetries& known, const Symmetries& fixed,
                       std::optional<Pattern>* sampled) {
   Symmetries rest;
@@ -112,8 +112,8 @@ Symmetries consistent(const Problem& problem, const Symmetries& known, const Sym
   return kept;
 }
 
-/// What was sampled by the known symmetries, with the mirrors of the imposed ones, if the sampling
-/// is the same by these.
+/// Converts a pattern sampled with the known symmetries to the mirrors of the imposed ones. Empty
+/// if sampling with the imposed ones would differ.
 std::optional<Pattern> asImposed(const GarmentSymmetries& symmetries,
                                  std::optional<Pattern> sampled) {
   if (!sampled || symmetries.imposed == symmetries.known) return sampled;

@@ -12,17 +12,17 @@ namespace seamwise {
 /// Symmetries that can hold together.
 struct Reconciled {
   GarmentSymmetries symmetries;
-  std::vector<Note> notes;  ///< which ones were dropped, and why
-  /// The garment as discretise() samples it by the symmetries, where that is known by then.
+  std::vector<Note> notes;  ///< dropped symmetries, with reasons
+  /// The garment sampled with the symmetries by discretise(), if it is known already.
   std::optional<Pattern> sampled;
 };
 
-/// Drops detected symmetries that contradict each other. Errors: kSymmetryConflict when those asked
-/// for do.
-/// @param symmetries   of the problem, or fewer
+/// Drops detected symmetries that contradict each other. Errors: kSymmetryConflict for
+/// contradictory requested ones.
+/// @param symmetries   those of the problem, or fewer
 Outcome<Reconciled> reconcile(const Problem& problem, const GarmentSymmetries& symmetries);
 
-/// Whether one of the list is of the same pieces.
+/// True if the list has a symmetry of the same pieces.
 bool contains(const std::vector<BodySymmetry>& list, const BodySymmetry& s);
 
 /// "piece 'front'" or "the pair 'a' and 'b'".

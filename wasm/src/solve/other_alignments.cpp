@@ -11,14 +11,15 @@
 namespace seamwise {
 namespace {
 
-/// Print that a piece shows elsewhere by less is the same to whoever looks at it. [cm]
+/// A viewer does not notice a smaller shift of the print on a piece. [cm]
 constexpr double kSamePrint = 0.5;
-/// What shaping is expected to leave may be more than of the best by this share, or by so much:
-/// twice what fits as well once it is shaped, since it is a guess. [cm]
+/// Tolerances of the mismatch expected after shaping, compared with the best: a share plus a length
+/// in cm. They are twice the difference that counts as equal after shaping, because the expectation
+/// is a guess.
 constexpr double kAsGood = 0.2, kAsGoodCm = 0.02;
 
-/// How far the print of a piece lies elsewhere at most, under the turn of the print that suits
-/// best. [cm]
+/// Greatest shift of the print on a piece between two alignments, under the rotation of the print
+/// that minimizes it. [cm]
 double printApart(const WallpaperGroup& group, const Piece& piece, const Alignment& one,
                   const Alignment& other) {
   double least = std::numeric_limits<double>::infinity();

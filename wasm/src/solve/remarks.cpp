@@ -11,7 +11,7 @@ namespace seamwise {
 namespace {
 
 constexpr std::size_t kMostNamed = 4;
-constexpr double kOff = 0.1;  ///< cm of mismatch that one sees
+constexpr double kOff = 0.1;  ///< least visible mismatch, cm
 
 std::string called(const Pattern& pattern, std::size_t seam) {
   const Seam& s = pattern.seams[seam];

@@ -7,12 +7,12 @@
 
 namespace seamwise {
 
-/// One note for each reason why the print cannot meet, however the pieces lie: no seams to
-/// match, or seams whose sides differ so much in length that only a stretch of them can match.
+/// One note for each reason why the print cannot match at any alignment: no seams to match, or
+/// seams whose sides differ so much in length that only a part of them can match.
 std::vector<Note> remarksOn(const Pattern& pattern);
 
-/// Whether no piece was shaped though seams stay off: nobody shall have to guess.
-/// @param worst   mean mismatch of the seam that misses by most. [cm]
+/// A note if no piece was shaped although seams still mismatch.
+/// @param worst   greatest mean mismatch of a seam. [cm]
 std::optional<Note> remarkOnRest(const Pattern& pattern, const Shapes& shapes, double worst);
 
 }  // namespace seamwise

@@ -15,59 +15,60 @@ namespace seamwise {
 
 /// Mean mismatch along a seam. [cm]
 struct SeamFigures {
-  /// Point by point, modulo the print's group: of the drafted layout, of placing alone, of the
-  /// result.
+  /// Point by point, modulo the print's group: for the drafted layout, after placing alone, and for
+  /// the result.
   double drafted = 0, placed = 0, final = 0;
-  double whole = 0;     ///< of the result, through the one join of the whole seam
-  bool shaped = false;  ///< its line has left the drafted one by more than 1 mm
+  double whole = 0;     ///< mismatch of the result under one join for the whole seam
+  bool shaped = false;  ///< its line differs from the drafted one by more than 1 mm
   SeamReason reason = SeamReason::kNone;
 };
 
-/// The same over all seams that count, by length. [cm]
+/// Means over all seams that count, weighted by length. [cm]
 struct LocalMeans {
   double drafted = 0, placed = 0, final = 0;
   double worst = 0;  ///< greatest mean of a seam in the result
-  double p90 = 0;    ///< what nine tenths of the result's seams, by length, do not miss by
-  double off = 0;    ///< cm of seam that miss by more than 5 mm
+  double p90 = 0;    ///< mismatch that 90 % of the result's seams, by length, do not exceed
+  double off = 0;    ///< length of seams with a mismatch above 5 mm
 };
 
-/// Pieces on a print: what there is to draw, of a result or of a garment that is not solved yet,
-/// which has the first two of the totals only.
+/// Pieces on a print: the data for drawing a result or a garment that is not solved yet. The latter
+/// has only the first two of the totals.
 struct PrintedPattern : MismatchTotals {
-  Pattern pattern;  ///< rest, meshed, with the imposed mirrors
-  Shapes shapes;    ///< the pieces as they are now, cm
-  Garment garment;  ///< as read: how the pieces are worn
+  Pattern pattern;  ///< rest shapes, meshed, with the imposed mirrors
+  Shapes shapes;    ///< current shapes of the pieces, cm
+  Garment garment;  ///< garment as read, for the drape
   std::vector<Alignment> alignment;
   std::vector<Join> joins;  ///< per seam
   std::vector<std::vector<double>>
-      mismatch;  ///< per seam and edge, through its join, cm; none before a solve
+      mismatch;  ///< per seam and edge, under its join, cm; empty before a solve
   std::string group;
   Vec2 w1, w2;
-  /// Where mirrored seams are forbidden: the totals without mirrors and glides. The other ones
-  /// count whatever the print has, as for every result.
+  /// Totals without mirrors and glides; set if mirrored seams are forbidden. The inherited totals
+  /// use all symmetries of the print, as for every result.
   std::optional<MismatchTotals> continuous;
   std::vector<Note> notes;
 };
 
-/// Where all pieces may lie instead, with about as good a fit.
+/// Alternative alignments of all pieces with a similar mismatch.
 struct OtherAlignment {
   std::vector<Alignment> pieces;
   double placed = 0;    ///< mean mismatch of the pieces as drafted. [cm]
-  double expected = 0;  ///< the same once they are shaped, as a guess. [cm]
+  double expected = 0;  ///< estimate of the same after shaping. [cm]
 };
 
-/// What a solve found; written as seamwise-result/1.
+/// The result of a solve; written as seamwise-result/1.
 struct Result : PrintedPattern {
-  std::vector<Alignment> drafted;    ///< how a cutter lays the pieces as drafted
+  std::vector<Alignment> drafted;    ///< a cutter's layout of the pieces as drafted
   std::vector<SeamFigures> figures;  ///< per seam
   LocalMeans local;
-  std::vector<Alignment> search;  ///< where the alignment search ended, before anything deformed
-  double search_bound = 0;        ///< no alignment at rest costs less than this share of `search`
-  double search_cost = 0;  ///< of the pieces as drafted at `search`, by the seams' weights. [cm2]
-  std::optional<std::vector<OtherAlignment>> others;  ///< where they were asked for
+  std::vector<Alignment> search;  ///< end of the alignment search, before any deformation
+  double search_bound = 0;        ///< no alignment of the pieces as drafted costs less than this
+                                  ///< share of the cost at `search`
+  double search_cost = 0;         ///< cost of drafted pieces at `search`, by seam weights. [cm2]
+  std::optional<std::vector<OtherAlignment>> others;  ///< set if requested
   double max_moved_cm = 0;
-  int iterations = 0;      ///< of the deformation
-  int factorisations = 0;  ///< sparse LDLT factorisations
+  int iterations = 0;      ///< number of iterations of the deformation
+  int factorisations = 0;  ///< number of sparse LDLT factorisations
   Method method = Method::kBest;
   std::uint32_t seed = 1;
 };

@@ -10,7 +10,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kFarOff = 0.5;  ///< cm
-constexpr double kMost = 0.9;    ///< of all seams, by length
+constexpr double kMost = 0.9;    ///< share of all seams, by length
 
 }  // namespace
 

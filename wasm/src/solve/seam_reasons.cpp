@@ -9,8 +9,8 @@
 namespace seamwise {
 namespace {
 
-/// How far apart two seam lines lie on average, when one is mapped by `linear` and then shifted to
-/// lie best on the other. [cm]
+/// Mean distance of two seam lines after one is mapped by `linear` and shifted to the best fit with
+/// the other. [cm]
 double apart(const SeamMidpoints& m, const Mat2& linear) {
   double length = 0, total = 0;
   Vec2 mean = Vec2::Zero();
@@ -24,7 +24,7 @@ double apart(const SeamMidpoints& m, const Mat2& linear) {
   return total / length;
 }
 
-/// The rotation, or with `mirrored` the reflection, that lays y best on x.
+/// The rotation, or with `mirrored` the reflection, that best fits y to x.
 Mat2 bestLinear(const SeamMidpoints& m, bool mirrored) {
   double length = 0;
   Vec2 mx = Vec2::Zero(), my = Vec2::Zero();
@@ -44,7 +44,7 @@ Mat2 bestLinear(const SeamMidpoints& m, bool mirrored) {
   return linear;
 }
 
-/// Angles at which a piece may lie; empty: any.
+/// Allowed angles of a piece; empty: any.
 std::vector<double> anglesOf(const MatchProblem& match, int piece) {
   const MatchProblem::Follow& follow = match.pieces[piece];
   if (follow.mirrored) return follow.angles;

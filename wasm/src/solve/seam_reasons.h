@@ -7,22 +7,23 @@
 
 namespace seamwise {
 
-/// Why the print does not meet at a seam. Values are part of the result file: append only.
+/// The reason why the print does not match at a seam. Values are part of the result file: append
+/// only.
 enum class SeamReason : std::uint8_t {
-  kNone,    ///< it does
-  kGrain,   ///< its sides would have to lie at another angle to each other than their grain allows
+  kNone,    ///< it matches
+  kGrain,   ///< its sides need an angle to each other that their grain does not allow
   kGather,  ///< its sides differ too much in length
-  kGroup,   ///< the print has no mirrors, with which it could
+  kGroup,   ///< it needs mirrors, which the print lacks
   kSize,    ///< its sides curve too differently for a repeat of this size
-  kOthers,  ///< by itself it would, but other seams pull its pieces elsewhere
-  kLocked   ///< it is to stay as drafted
+  kOthers,  ///< its pieces follow other seams; alone it would match
+  kLocked   ///< one of its edges is locked to the drafted line
 };
 
-/// A seam whose mean mismatch is at most this meets, to the eye. [cm]
+/// Greatest mean mismatch of a seam that matches visually. [cm]
 inline constexpr double kSeenMismatch = 0.3;
 
-/// The first reason that holds of a seam that does not meet.
-/// @param match   of the pieces as drafted
+/// The first reason that applies to a seam with a mismatch.
+/// @param match   match problem of the pieces as drafted
 SeamReason reasonOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
                     const std::vector<EdgeRef>& locked);
 

@@ -41,20 +41,20 @@ Error unsewable(int seam) {
 
 struct Solver::State {
   explicit State(Problem p) : problem(std::move(p)) {
-    // it knows no symmetry of the body
+    // Method ws19 uses no symmetry of the body.
     if (problem.options.method == Method::kWs19) problem.symmetries.imposed.clear();
   }
-  Problem problem;  ///< as it was asked
+  Problem problem;
   Pattern pattern;
-  std::optional<Pattern> symmetric;  ///< with more symmetries than are asked for
+  std::optional<Pattern> symmetric;  ///< pattern with more symmetries than requested
   std::shared_ptr<MeshPlans> plans;
-  std::vector<Note> notes;  ///< what was dropped or assumed
+  std::vector<Note> notes;  ///< items dropped or assumed
   MatchRules rules;
   std::optional<MatchProblem> match;  ///< the pieces as drafted
   Alignments drafted;
-  SolveMemo own;  ///< where the caller has none
+  SolveMemo own;  ///< used if the caller has none
   SolveMemo* memo = &own;
-  std::vector<Mirror> known;  ///< to begin a search with
+  std::vector<Mirror> known;  ///< mirrors at the start of a search
   std::unique_ptr<Run> run;
   std::unique_ptr<ProofRun> proof;
   double reported = ProgressTuning::kPrepared;

@@ -11,51 +11,52 @@
 
 namespace seamwise {
 
-/// What a solve leaves for the next one, which mostly differs in one thing. With it or without,
-/// results are the same.
+/// Intermediate results of a solve for reuse by the next one, which mostly differs in one setting.
+/// Reusing them does not change the result.
 struct SolveMemo {
   MeshMemo mesh;
   SearchMemo searches;
 };
 
-/// How good alignments of the pieces as drafted can be.
+/// Proven bound on the cost of alignments of the pieces as drafted.
 struct Proven {
-  double bound = 0;        ///< none costs less than this share of the best one found
-  double search_cost = 0;  ///< Result::search_cost of that one, once the search has ended. [cm2]
+  double bound = 0;        ///< no alignment costs less than this share of the best one found
+  double search_cost = 0;  ///< Result::search_cost of the best one, after the search. [cm2]
 };
 
-/// A solve in small steps, so that progress is honest and cancelling needs no threads.
+/// A solve in small steps, so that progress is accurate and cancelling needs no threads.
 class Solver {
  public:
   /// Samples and meshes the garment. Errors: kMesh, kSymmetryConflict.
-  /// @param memo   of the solves before; null: all is made anew. Outlives the solver.
+  /// @param memo   memo of earlier solves, which must outlive the solver; null: nothing is reused
   static Outcome<Solver> make(Problem problem, SolveMemo* memo = nullptr);
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
   ~Solver();
 
-  /// At most `steps` steps of a few milliseconds. False when finished.
+  /// Makes at most `steps` steps of a few milliseconds. Returns false when finished.
   bool advance(int steps);
   Phase phase() const;
   double fraction() const;  ///< 0..1, monotone
-  /// Grows when the deformation starts over; the time of earlier attempts does not count.
+  /// Number of the attempt, which grows when the deformation restarts. The time of earlier attempts
+  /// does not count.
   int attempt() const;
   const Alignments& partial() const;  ///< best alignment so far, of every piece
-  /// The search at work between two steps, to lend shares of it; null when there is none.
+  /// The active search between two steps, which can lend shares to workers; null if there is none.
   AlignmentSearch* searching();
   const std::vector<Note>& notes() const;
   const Pattern& pattern() const;
 
-  /// The pieces as drafted, each lying on the print as it does in the file.
+  /// The pieces as drafted, in the drafted layout on the print.
   PrintedPattern unsolved() const;
 
-  /// The finished result; finishes first when steps are left.
+  /// Makes all remaining steps and returns the result.
   Outcome<Result> finish();
 
-  /// Proves how good alignments can be, instead of a solve or after it: at most `steps` steps of
-  /// some milliseconds. False when no more can be proven. Only for the default method.
+  /// Improves the proven bound, instead of a solve or after it, in at most `steps` steps of some
+  /// milliseconds. Returns false when no more can be proven. Only for the default method.
   bool prove(int steps);
-  /// What is proven by then.
+  /// The bound proven so far.
   Proven proven() const;
 
  private:
@@ -65,17 +66,18 @@ class Solver {
   std::unique_ptr<State> state_;
 };
 
-/// A solver in the making, in steps: samples and meshes the garment.
+/// Creates a solver in steps: samples and meshes the garment.
 class SolverSetup {
  public:
   /// @param memo   as for Solver::make
   explicit SolverSetup(Problem problem, SolveMemo* memo = nullptr);
   ~SolverSetup();
 
-  /// Some milliseconds of work. False when there is none left.
+  /// Works for some milliseconds. Returns false when finished.
   bool advance();
   double fraction() const;  ///< 0..1, monotone
-  /// Once it has ended. Errors: kMesh, kSymmetryConflict.
+  /// Returns the solver; requires that advance() has returned false. Errors: kMesh,
+  /// kSymmetryConflict.
   Outcome<Solver> take();
 
  private:
@@ -84,7 +86,7 @@ class SolverSetup {
   SymmetricPreparation preparation_;
 };
 
-/// One-off: tests, batch jobs.
+/// Solves a problem in one call, for tests and batch jobs.
 Outcome<Result> solve(Problem problem);
 
 }  // namespace seamwise

@@ -14,8 +14,8 @@ struct Solution {
   Coverage coverage;
 };
 
-// Grows involutions along seams: one map settles its neighbours, their neighbours, and so on, so
-// that the choices left are few: one per region that no seam ties to what is already settled.
+// Grows involutions along seams. One map determines those of its neighbours, of their neighbours,
+// and so on. This leaves few choices: one per region that no seam connects to a determined one.
 class Search {
  public:
   explicit Search(const SeamMaps& maps) : maps_(maps) {}
@@ -41,7 +41,8 @@ class Search {
     return best;
   }
 
-  // The solution with one more map and all that it entails; every outcome once.
+  // Adds one map and all maps that follow from it to a solution; returns every distinct outcome
+  // once.
   std::vector<Solution> extensions(const Solution& base, const std::vector<int>& seeds) const {
     std::vector<Solution> found;
     std::vector<char> seen(maps_.maps().size(), 0);
@@ -67,8 +68,8 @@ class Search {
     }
   }
 
-  // Simple shapes mirror by chance. A mirror of sewn pieces counts when a seam or the
-  // placement supports it.
+  // Simple shapes mirror by chance. A mirror of sewn pieces counts only if a seam or the placement
+  // supports it.
   bool supported(const Assignment& assignment, const std::vector<int>& added,
                  const Coverage& gain) const {
     if (gain.seams > 0) return true;
@@ -82,8 +83,8 @@ class Search {
   const SeamMaps& maps_;
 };
 
-// Solves every seam-connected part by itself, then lets parts be mirror images of each other where
-// that explains more (two trouser legs that are sewn to nothing else).
+// Solves every seam-connected part alone, then pairs parts as mirror images of each other if that
+// explains more (two trouser legs that are sewn to nothing else).
 Assignment solveGarment(const SeamMaps& maps) {
   const Search search(maps);
   const std::vector<int> label = maps.components();

@@ -5,26 +5,26 @@
 
 namespace seamwise {
 
-/// detectSymmetries() in steps. The garment outlives it.
+/// Runs detectSymmetries() in steps. The garment must outlive this object.
 class SymmetryDetection {
  public:
   explicit SymmetryDetection(const Garment& garment) : maps_(garment) {}
 
-  /// A few milliseconds of work. False when there is none left.
+  /// Works for a few milliseconds. Returns false when finished.
   bool advance() { return maps_.advance(); }
   double fraction() const { return maps_.fraction(); }  ///< 0..1
-  /// Once it has ended.
+  /// Returns the symmetries; requires that advance() has returned false.
   std::vector<BodySymmetry> found() const;
 
  private:
   SeamMaps maps_;
 };
 
-/// Of several maps, the index (into SeamMaps::maps()) of the one that carries most seams to seams,
-/// then agrees best with the 3D placement; -1 when there are none.
+/// Index (into SeamMaps::maps()) of the candidate that carries most seams to seams, then agrees
+/// best with the 3D placement; -1 if there are no candidates.
 int likeliestMap(const SeamMaps& maps, const std::vector<int>& candidates);
 
-/// The symmetry that a map describes, its residual measured on the exact curves where possible.
+/// Converts a map to a symmetry and measures its residual on the exact curves if possible.
 BodySymmetry bodySymmetry(const Garment& garment, int from, int to,
                           const MirrorRegistration& registration);
 

@@ -16,7 +16,7 @@ Polyline sampled(const Curve& curve, int steps) {
   return points;
 }
 
-/// Steps that see the shape of both.
+/// Number of steps that resolves the shape of both curves.
 int stepsAlong(const Curve& first, const Curve& second, int least) {
   return std::max(first.stepsAlong(least), second.stepsAlong(least));
 }
@@ -36,7 +36,7 @@ Vec2 nearestOn(const Polyline& line, const Vec2& p) {
 }  // namespace
 
 RigidMotion registerEdges(const Curve& first, const Curve& second) {
-  // The shorter edge goes onto the longer; a reflection is its own inverse.
+  // The shorter edge is mapped onto the longer. A reflection is its own inverse.
   const bool swapped = first.length() > second.length();
   const int steps = stepsAlong(first, second, SymmetryTuning::kEdgeSamples);
   const Polyline from = sampled(swapped ? second : first, steps);

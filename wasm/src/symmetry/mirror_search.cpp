@@ -13,7 +13,7 @@ namespace {
 
 using EvenPoints = std::array<Vec2, Outline::kEven>;
 
-// Moves the outline's even points to their centre, which is returned.
+// Computes the outline's even points relative to their centre, which is returned.
 Vec2 centred(const Outline& outline, EvenPoints& points) {
   Vec2 centre = Vec2::Zero();
   for (const Vec2& p : outline.even()) centre += p / Outline::kEven;
@@ -21,8 +21,8 @@ Vec2 centred(const Outline& outline, EvenPoints& points) {
   return centre;
 }
 
-// Every cyclic shift of the reversed arc-length correspondence, solved in closed form; the local
-// minima.
+// Solves every cyclic shift of the reversed arc-length correspondence in closed form and returns
+// the local minima.
 std::vector<MirrorStart> startMaps(const Outline& a, const Outline& b) {
   constexpr int n = Outline::kEven;
   EvenPoints p, q;
@@ -31,7 +31,7 @@ std::vector<MirrorStart> startMaps(const Outline& a, const Outline& b) {
   for (int k = 0; k < n; ++k) energy += p[k].squaredNorm() + q[k].squaredNorm();
   EvenPoints product;
   std::array<double, n> square;
-  std::array<Vec2, 2 * n> backwards;  // twice round, so that every shift is a stretch of it
+  std::array<Vec2, 2 * n> backwards;  // twice round, so that every shift is contiguous
   for (int k = 0; k < 2 * n; ++k) backwards[k] = q[(2 * n - 1 - k) % n];
   for (int shift = 0; shift < n; ++shift) {
     double re = 0, im = 0;

@@ -7,34 +7,35 @@
 
 namespace seamwise {
 
-/// Where a point lies on an outline.
+/// A point of an outline.
 struct OutlinePoint {
   Vec2 point = Vec2::Zero();
-  double distance = 0;  ///< of the query point, cm
+  double distance = 0;  ///< distance from the query point, cm
   int edge = -1;        ///< panel edge; -1 on the rim of a hole
-  double fraction = 0;  ///< of the edge's arc length, in [0, 1]
+  double fraction = 0;  ///< fraction of the edge's arc length, in [0, 1]
 };
 
 /// A panel's outline and holes, flattened and indexed for registration. [cm]
 class Outline {
  public:
-  static constexpr int kEven = 64;  ///< points of `even()`
+  static constexpr int kEven = 64;  ///< number of points of `even()`
 
   explicit Outline(const Panel& panel);
 
-  /// Corners of the outline and of the holes: the starts of all curves, and what corners they have.
+  /// Corners of the outline and of the holes: the starts of all curves, and corners within them.
   const Polyline& corners() const { return corners_; }
   /// Points on all loops, at most 2 cm apart, corners included.
   const Polyline& samples() const { return samples_; }
   /// kEven points on the outer loop, evenly spaced by arc length.
   const std::array<Vec2, kEven>& even() const { return even_; }
-  double length() const { return length_; }  ///< of the outer loop
-  double area() const { return area_; }      ///< of the outer loop, cm2
+  double length() const { return length_; }  ///< length of the outer loop
+  double area() const { return area_; }      ///< area of the outer loop, cm2
   double edgeLength(int edge) const { return edges_[edge].length; }
   Vec2 at(int edge, double fraction) const;
-  /// Nearest point of the flattened outline (off the true one by at most kFlatness).
+  /// Nearest point of the flattened outline, which deviates from the exact one by at most
+  /// kFlatness.
   OutlinePoint nearest(const Vec2& p) const;
-  /// The corner nearest to p; of several the first.
+  /// Index of the corner nearest to p, the first of equally near ones.
   int nearestCorner(const Vec2& p) const;
 
   static constexpr double kFlatness = 0.002;

@@ -3,8 +3,8 @@
 namespace seamwise {
 namespace {
 
-// Turns about the fixed axes x, then y, then z (Maya's "XYZ"), of the input panel: a panel that was
-// mirrored on import is turned back first.
+// Rotation about the fixed axes x, then y, then z (Maya's "XYZ") of the input panel. A panel that
+// was mirrored on import is first mirrored back.
 Eigen::Matrix3d placementTurn(const Panel& panel) {
   const Vec3 c = panel.placement_turn.array().cos(), s = panel.placement_turn.array().sin();
   Eigen::Matrix3d x, y, z;

@@ -5,15 +5,15 @@
 
 namespace seamwise {
 
-/// How well piece maps agree with the body's mirror plane x = 0, by where the pieces hang in 3D.
+/// Compares piece maps with the body's mirror plane x = 0, using the 3D placement of the pieces.
 class Placement {
  public:
   explicit Placement(const Garment& garment);
 
-  /// False when every piece has the same placement, as in files that carry none.
+  /// False if every piece has the same placement, as in files without placements.
   bool known() const { return known_; }
   /// Root mean square distance between the 3D mirror image of piece `from` and its image on piece
-  /// `to`. Zero when not known. [cm]
+  /// `to`. Zero if no placement is known. [cm]
   double disagreement(int from, int to, const RigidMotion& map, const Outline& outline) const;
 
  private:

@@ -13,8 +13,7 @@ constexpr double kIcpSettled = 1e-9;   // cm; ICP stops when no point moves furt
 constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
 
-// Every so manieth of `count` things is looked at: all, unless they are twice those that are
-// wanted.
+// Stride for subsampling `count` items. It is 1 below twice the wanted number.
 std::size_t strideFor(std::size_t count) {
   return std::max<std::size_t>(1, count / SymmetryTuning::kSettlingSamples);
 }
@@ -24,7 +23,8 @@ struct CornerPairs {
   std::vector<double> distance;
 };
 
-// Corners that are each other's nearest under the map; of very many, every so manieth is looked at.
+// Pairs of corners that are nearest to each other under the map. Large numbers of corners are
+// subsampled.
 CornerPairs pairCorners(const Outline& a, const Outline& b, const RigidMotion& map, double gate) {
   const RigidMotion back = map.inverse();
   CornerPairs pairs;
@@ -40,7 +40,7 @@ CornerPairs pairCorners(const Outline& a, const Outline& b, const RigidMotion& m
   return pairs;
 }
 
-// The closed form is only as good as its lever arm.
+// True if the points are far enough apart to determine the angle of the closed form.
 bool spread(const std::vector<Vec2>& points) {
   Vec2 low = points.front(), high = points.front();
   for (const Vec2& p : points) {
@@ -50,9 +50,9 @@ bool spread(const std::vector<Vec2>& points) {
   return (high - low).norm() > 1.0;
 }
 
-// Closed form on corresponding corners, the gate closing in. A corner that exists on one side only
+// Solves the closed form on corresponding corners with a shrinking gate. A corner on one side only
 // (an edge split on the left, whole on the right) must not spoil a map that is exact everywhere
-// else, so pairs far beyond the median are dropped when what remains agrees exactly.
+// else. So pairs far beyond the median are dropped if the others agree exactly.
 RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map, double gate) {
   const bool single = &a == &b;
   for (; gate > kMirrorTolerance; gate /= 3) {
@@ -77,13 +77,14 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
     const RigidMotion next = leastSquaresMirror(from, to, single);
     if (limit == kExactCorner)
       return 2 * from.size() * strideFor(a.corners().size()) >= a.corners().size() ? next : map;
-    if (next == trimmed) break;  // and will be for ever
+    if (next == trimmed) break;  // further rounds would not change it
     trimmed = next;
   }
   return map;
 }
 
-/// @param stride   every so manieth sample
+/// Iterates closest points from `map`.
+/// @param stride   distance of the samples used, as a number of samples
 /// @return the map, and the root mean square of the distances before its last step
 std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b, RigidMotion map,
                                              std::size_t stride) {
@@ -100,7 +101,7 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
       to[i] = foot.point;
       sum += foot.distance * foot.distance;
     }
-    // The mean only falls; where it stalls above the limit, the greatest distance stays above it
+    // The mean never increases. If it stalls above the limit, the greatest distance stays above it,
     // too.
     const double rms = std::sqrt(sum / static_cast<double>(to.size()));
     const bool stalled = rms > kMirrorTolerance && rms > SymmetryTuning::kStalled * before;
@@ -126,7 +127,7 @@ RigidMotion leastSquaresMirror(const std::vector<Vec2>& p, const std::vector<Vec
   }
   from /= static_cast<double>(p.size());
   to /= static_cast<double>(p.size());
-  // A reflection is the least-squares answer once every pair is also taken the other way round.
+  // Adding every pair in reverse makes the least-squares solution a reflection.
   if (single) from = to = (from + to) / 2;
   double re = 0, im = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -143,7 +144,7 @@ RigidMotion leastSquaresMirror(const std::vector<Vec2>& p, const std::vector<Vec
 }
 
 RigidMotion withoutGlide(RigidMotion motion) {
-  // R(a) F leaves the direction (a - pi) / 2 alone and reverses the one at a / 2.
+  // R(a) F preserves the direction (a - pi) / 2 and reverses the one at a / 2.
   const Vec2 normal = unit(motion.angle / 2);
   motion.shift = normal * normal.dot(motion.shift);
   return motion;
@@ -181,7 +182,7 @@ MirrorRegistration registerMirror(const Outline& a, const Outline& b, const Rigi
     return direct;
   MirrorRegistration settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
   MirrorRegistration polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
-  // Corners win when their residual is as small as flattening can tell.
+  // Prefer corners if their residual is not larger by more than the flattening error.
   if (polished.residual <= settled.residual + Outline::kFlatness &&
       polished.residual <= direct.residual)
     return polished;

@@ -12,7 +12,7 @@ namespace {
 
 std::string centimetres(double value) { return fixed(value, 2); }
 
-/// What a request comes to, and what there is to say when it does not mirror.
+/// The result of a request, and the parts of the message if it does not mirror.
 struct Registered {
   MeasuredSymmetry measured;
   std::string complaint, remedy;
@@ -31,7 +31,7 @@ Error malformed(const std::string& message, int piece) {
   return {Failure::kSymmetryMalformed, message, piece};
 }
 
-// The direction of a reflection's axis differs by half the angle between the motions.
+// Angle between the axes of two reflections: half the angle between the motions.
 double axisTurn(const RigidMotion& x, const RigidMotion& y) {
   return std::abs(wrapAngle(x.angle - y.angle)) / 2;
 }
@@ -55,8 +55,9 @@ class Registrar {
     const Outline outline(panel);
     const RigidMotion clicked = RigidMotion::reflection(from, to);
     const Vec2 middle = (from + to) / 2;
-    // ICP from the click first: a round piece has mirrors everywhere, and the click means just one.
-    // The piece's own mirrors help where ICP was led astray, the bare click where it ran away.
+    // ICP from the click comes first, because a round piece has mirrors everywhere and the click
+    // selects one. The piece's own mirrors help if ICP finds another axis, the bare click if ICP
+    // diverges.
     std::vector<MirrorRegistration> candidates = findMirrors(outline, outline);
     candidates.insert(candidates.begin(), registerMirror(outline, outline, clicked));
     candidates.push_back({clicked, mirrorResidual(outline, outline, clicked, 1e3)});
@@ -90,8 +91,8 @@ class Registrar {
     const Outline outline(panel);
     const MirrorRegistration registered =
         registerMirror(outline, outline, registerEdges(first, second));
-    // Where the two edges alone leave a admissible (straight edges of unequal length slide along
-    // each other), the piece's own mirrors are asked which of them carries one edge to the other.
+    // Two edges alone may not determine the mirror (straight edges of unequal length slide along
+    // each other). In this case use the piece's own mirror that carries one edge to the other.
     std::vector<MirrorRegistration> candidates = findMirrors(outline, outline);
     candidates.insert(candidates.begin(), registered);
     const MirrorRegistration* best = nullptr;
@@ -152,7 +153,7 @@ class Registrar {
   }
 
   const Garment& garment_;
-  std::optional<SeamMaps> maps_;  // costs a comparison of all pieces, so only when asked
+  std::optional<SeamMaps> maps_;  // computed on demand, because it compares all pieces
 };
 
 struct PieceNames {

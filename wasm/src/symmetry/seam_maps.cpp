@@ -11,7 +11,7 @@ namespace {
 
 double probeFraction(int k) { return (2 * k + 1) / (2.0 * PieceMap::kProbes); }
 
-// 0 when the map carries the grain line of one piece to that of the other, 2 when it reverses it.
+// 0 if the map carries the grain line of one piece to that of the other, 2 if it reverses it.
 double grainTurn(const Panel& from, const Panel& to, const RigidMotion& map) {
   return 1 - (map.linear() * unit(from.grain_angle)).dot(unit(to.grain_angle));
 }
@@ -119,8 +119,8 @@ Probe SeamMaps::probed(int piece, const OutlinePoint& image) const {
   return probe;
 }
 
-// At how many probes the image of the seam is a seam, when the near side (b if swapped) is mapped
-// by `near` and the far side by `far`.
+// Number of probes at which the image of the seam is a seam if `near` maps the near side (b if
+// swapped) and `far` the far side.
 int SeamMaps::agreeing(const Stitch& stitch, bool swapped, const PieceMap& near,
                        const PieceMap& far) const {
   const EdgeRef &a = swapped ? stitch.b : stitch.a, &b = swapped ? stitch.a : stitch.b;
@@ -138,7 +138,7 @@ int SeamMaps::agreeing(const Stitch& stitch, bool swapped, const PieceMap& near,
   return count;
 }
 
-// The map of the far side's piece that carries this seam to a seam; -1 when there is none.
+// Index of the far side piece's map that carries this seam to a seam; -1 if there is none.
 int SeamMaps::forced(const Stitch& stitch, bool swapped, const PieceMap& near) const {
   int best = -1, most = PieceMap::kProbes / 2 - 1;
   for (const int m : from_[swapped ? stitch.a.piece : stitch.b.piece])

@@ -11,47 +11,47 @@ namespace seamwise {
 
 /// The image of a point on a sewn edge.
 struct Probe {
-  Vec2 image = Vec2::Zero();  ///< on the outline of the piece mapped to
+  Vec2 image = Vec2::Zero();  ///< point on the outline of the target piece
   int sewn_piece = -1;        ///< piece that is sewn to the image; -1: none
-  Vec2 sewn = Vec2::Zero();   ///< the point of that piece
+  Vec2 sewn = Vec2::Zero();   ///< the corresponding point of that piece
 };
 
 /// A mirror map of a piece onto a piece, with the images of probe points on its edges.
 struct PieceMap {
-  static constexpr int kProbes = 4;  ///< at 1/8, 3/8, 5/8, 7/8 of the arc length
+  static constexpr int kProbes = 4;  ///< probes at 1/8, 3/8, 5/8, 7/8 of the arc length
 
   int from = -1, to = -1;
-  int inverse = -1;  ///< index of the map back; its own for a reflection
+  int inverse = -1;  ///< index of the inverse map; its own for a reflection
   MirrorRegistration registration;
-  double disagreement = 0;  ///< with the 3D placement, then with the grain. [cm]
+  double disagreement = 0;  ///< deviation from the 3D placement, then from the grain. [cm]
   std::vector<std::array<Probe, kProbes>> probes;  ///< per edge of `from`
 };
 
-/// Which piece maps to which: an index into SeamMaps::maps() per piece, -1 while free.
+/// The map of each piece: an index into SeamMaps::maps() per piece, -1 while free.
 using Assignment = std::vector<int>;
 
-/// How much of a garment an assignment maps onto itself.
+/// The part of a garment that an assignment maps onto itself.
 struct Coverage {
   double seams = 0;         ///< length of the seams that map to seams. [cm]
   double outline = 0;       ///< length of the outlines that map to outlines. [cm]
-  double disagreement = 0;  ///< with the placement, weighted by outline. [cm2]
+  double disagreement = 0;  ///< deviation from the placement, weighted by outline. [cm2]
   int paired = 0;           ///< pieces whose image is another piece
 
   Coverage operator+(const Coverage& other) const;
-  /// More seams, then more outline (either by more than one per cent), then closer to the
+  /// Compares by more seams, then more outline (either by more than one per cent), then closer
   /// placement, then fewer pairs.
   bool betterThan(const Coverage& other) const;
 };
 
-/// All mirror maps between the pieces of a garment and what they do to its seams. They are found in
-/// steps; the garment outlives them.
+/// All mirror maps between the pieces of a garment, and the images of its seams. The maps are
+/// computed in steps. The garment must outlive this object.
 class SeamMaps {
  public:
   explicit SeamMaps(const Garment& garment);
 
-  /// One step of the search for maps between two pieces. False when all are found.
+  /// Makes one step of the search for maps between two pieces. Returns false when all are found.
   bool advance();
-  double fraction() const;  ///< of the pairs of pieces, 0..1
+  double fraction() const;  ///< share of the pairs of pieces, 0..1
 
   const std::vector<PieceMap>& maps() const { return maps_; }
   const std::vector<int>& mapsFrom(int piece) const { return from_[piece]; }
@@ -60,13 +60,13 @@ class SeamMaps {
   const Garment& garment() const { return garment_; }
   int pieces() const { return static_cast<int>(outlines_.size()); }
 
-  /// Takes a map, and every map that the seams of mapped pieces leave no choice about: where a
-  /// seam's image is a seam, the neighbour across it must go to the neighbour across its image.
-  /// Returns the pieces that were newly mapped; none when an end of `map` is taken.
+  /// Assigns a map, and every map that the seams of mapped pieces determine: if a seam's image is a
+  /// seam, the neighbour across it must map to the neighbour across its image. Returns the newly
+  /// mapped pieces; none if an end of `map` is assigned already.
   std::vector<int> propagate(int map, Assignment& assignment) const;
-  /// What the given newly mapped pieces add.
+  /// Coverage that the given newly mapped pieces add.
   Coverage coverage(const Assignment& assignment, const std::vector<int>& added) const;
-  /// Pieces joined by seams carry the same number. [per piece]
+  /// Component number per piece; pieces joined by seams have the same number.
   std::vector<int> components() const;
   bool sewn(int piece) const { return !seams_[piece].empty(); }
 
@@ -88,11 +88,11 @@ class SeamMaps {
   Placement placement_;
   std::vector<Outline> outlines_;
   std::vector<PieceMap> maps_;
-  std::vector<std::vector<int>> from_;          ///< maps by piece
-  std::vector<std::vector<int>> seams_;         ///< stitches by piece, longest first
-  std::vector<std::vector<Partner>> partners_;  ///< by piece and edge; edge.piece -1 when unsewn
-  std::vector<double> lengths_;                 ///< of stitches, mean of both sides
-  int searched_from_ = 0, searched_to_ = 0;     ///< the pieces of the present search
+  std::vector<std::vector<int>> from_;          ///< maps per piece
+  std::vector<std::vector<int>> seams_;         ///< stitches per piece, longest first
+  std::vector<std::vector<Partner>> partners_;  ///< per piece and edge; edge.piece -1 if unsewn
+  std::vector<double> lengths_;                 ///< mean length of both sides per stitch
+  int searched_from_ = 0, searched_to_ = 0;     ///< the pieces of the current search
   std::optional<MirrorSearch> search_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace seamwise {
 
-/// What a user asked for, before it is registered. Points are in the coordinates of the *input*
-/// panel, cm (so x is negated first when the panel was mirrored on import).
+/// A user's request before its registration. Points are in the coordinates of the *input* panel, cm
+/// (so x is negated first if the panel was mirrored on import).
 struct AxisRequest {
   std::string piece;
   Vec2 from, to;
@@ -21,7 +21,7 @@ struct EdgesRequest {
 };  ///< two outline edges that mirror
 struct PieceRequest {
   std::string piece;
-};  ///< axis to be detected
+};  ///< its axis is detected
 struct PairRequest {
   std::string first, second;
 };
@@ -29,28 +29,27 @@ using SymmetryRequest = std::variant<AxisRequest, EdgesRequest, PieceRequest, Pa
 
 /// Registers requests on the garment (reflect, then ICP on the outlines [Besl & McKay 1992]).
 /// Errors: kSymmetryUnknownPiece; kSymmetryDoesNotMirror with the residual in cm and the limit;
-/// kSymmetryConflict when a piece is asked for twice.
+/// kSymmetryConflict for a piece that is named twice.
 Outcome<std::vector<BodySymmetry>> registerSymmetries(const Garment& garment,
                                                       const std::vector<SymmetryRequest>& requests);
 
-/// The symmetry that comes nearest to a request.
+/// The symmetry that best fits a request.
 struct MeasuredSymmetry {
   BodySymmetry symmetry;
-  bool mirrors = false;  ///< near enough to be imposed
+  bool mirrors = false;  ///< its residual is small enough for imposing it
 };
 
-/// Registers every request by itself, whether or not the garment mirrors so. Errors:
-/// kSymmetryUnknownPiece; kSymmetryMalformed for what names no axis or no two edges.
+/// Registers every request separately, even if the garment does not mirror in this way. Errors:
+/// kSymmetryUnknownPiece; kSymmetryMalformed for a request without an axis or two edges.
 Outcome<std::vector<MeasuredSymmetry>> measureSymmetries(
     const Garment& garment, const std::vector<SymmetryRequest>& requests);
 
-/// Finds the symmetric pieces and pairs: an involution on the pieces that maps every seam to a seam
-/// (or, failing that, most seams); of several, the one that agrees with x -> -x of the 3D
-/// placement. A piece that has a partner is not also made symmetric in itself; what has no mirror
-/// stays free.
+/// Finds the symmetric pieces and pairs: an involution on the pieces that maps all seams, or as
+/// many as possible, to seams. If there are several, x -> -x of the 3D placement decides. A piece
+/// with a partner is not also made symmetric in itself; a piece without a mirror stays free.
 std::vector<BodySymmetry> detectSymmetries(const Garment& garment);
 
-/// The pieces of a symmetry as messages name them: "'front'", or "'left' and 'right'".
+/// The pieces of a symmetry for messages: "'front'", or "'left' and 'right'".
 std::string namesOf(const Garment& garment, const BodySymmetry& symmetry);
 /// The pieces of a symmetry, one or two: indices in the garment.
 std::vector<int> piecesOf(const BodySymmetry& symmetry);

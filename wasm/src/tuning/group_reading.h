@@ -2,28 +2,28 @@
 
 namespace seamwise {
 
-/// Constants by which a cell's wallpaper group is read. Shares are of the pattern's energy, its
-/// mean and noise taken away.
+/// Constants of the recognition of a cell's wallpaper group. Shares refer to the pattern's energy
+/// without mean and noise.
 struct GroupReadingTuning {
-  // --- what is compared
+  // --- comparison
 
-  /// Width of the Gaussian that cells are softened by, as a share of the root of the cell's area:
-  /// two samples of 128 hide what differs between one kind of blur and another.
+  /// Width of the Gaussian that softens cells, as a share of the root of the cell's area. Two
+  /// samples of 128 hide the difference between kinds of blur.
   static constexpr double kSoftening = 0.009;
-  /// Displacement that creases leave in a cell, as a share of the root of its area.
+  /// Displacement of a cell by creases, as a share of the root of its area.
   static constexpr double kDisplacement = 0.004;
-  /// Part of it that is left once each place is registered.
+  /// Remaining displacement after the registration of each position.
   static constexpr double kLeftDisplacement = 0.0015;
-  /// Amplitude that light, colour and sampling leave, as a share of the pattern's.
+  /// Remaining amplitude of light, colour and sampling, as a share of the pattern's.
   static constexpr double kLeftAmplitude = 0.02;
-  /// Places along a side at which breaks are looked for.
+  /// Number of positions along a side that are searched for breaks.
   static constexpr int kPlaces = 24;
 
-  // --- what a group may miss by
+  // --- tolerances of a group
 
-  /// Share of energy, and share at the worst place, up to which a symmetry is there.
+  /// Greatest share of energy, and greatest share at the worst position, of a present symmetry.
   static constexpr double kHasShare = 0.015, kHasWorst = 0.45;
-  /// The same from which it is not.
+  /// Least shares of an absent symmetry.
   static constexpr double kHasNotShare = 0.06, kHasNotWorst = 0.8;
   /// Share of energy that may vary along a stripe.
   static constexpr double kStripeShare = 0.01;

@@ -2,34 +2,33 @@
 
 namespace seamwise {
 
-/// How a print is read off a picture as a whole.
+/// Constants of the recognition of a print in a photo as a whole.
 struct PhotoTuning {
-  /// Of a cell's side, for its symmetries: no prime factor above 5.
+  /// Samples along a cell's side for its symmetries; no prime factor is above 5.
   static constexpr int kSamples = 120;
-  /// Samples of the picture at once, for steps of some milliseconds.
+  /// Samples of the image per step of some milliseconds.
   static constexpr int kSamplesAtOnce = 200000;
-  /// Of the shift of the copies, as a share of the repeat: beyond it the mean loses its detail.
+  /// Greatest shift of the copies, as a share of the repeat; a greater one blurs their mean.
   static constexpr double kUneven = 0.025;
-  /// Of the lattice's shape when it is compared with those that groups have: standard errors, and
-  /// at least so much. [share, rad]
+  /// Tolerance of the comparison of a lattice's shape with those of groups: number of standard
+  /// errors, and least tolerance. [share, rad]
   static constexpr double kErrors = 3, kLeastTolerance = 0.01;
-  /// The same once both vectors were measured on the cloth, as web/src/model/repeat.ts has it.
+  /// Least tolerance if both vectors were measured on the fabric, as in web/src/model/repeat.ts.
   static constexpr double kMeasured = 0.005;
-  /// A share of the proportions that a maker would see on cloth.
+  /// Error of the proportions that is visible on fabric. [share]
   static constexpr double kWorthSaying = 0.005;
-  /// Of |w2| / |w1|: by which a photograph of creased cloth errs, and if its camera is unknown.
-  /// [share]
+  /// Error of |w2| / |w1| in a photo of creased fabric, and in one of an unknown camera. [share]
   static constexpr double kCreased = 0.03, kAnyCamera = 0.15;
-  /// Of a stripe, which is any length along itself, as prints have it [cm]; as a share of its
-  /// width where nobody knows that.
+  /// Arbitrary repeat along a stripe: in cm for prints with a known scale; otherwise as a share of
+  /// the stripe's width.
   static constexpr double kAlongStripe = 0.5, kStripeSide = 0.5;
-  /// Of a tile. [px]
+  /// Greatest side of a tile. [px]
   static constexpr int kLongestTile = 2048;
-  /// Samples of it per pixel of the picture, along a line, while all copies take no more than so
-  /// many: beyond, time counts more. Twice as many leave 1.1 to 1.7 dB less error of drawn scans,
-  /// and are enough where the next sampling, on screen, is bilinear.
+  /// Samples of a tile per pixel of the image, along a line, and number of samples of all copies
+  /// above which this density decreases for speed. A density of 2 reduces the error of drawn scans
+  /// by 1.1 to 1.7 dB and suffices if the next sampling, on screen, is bilinear.
   static constexpr double kDenser = 2, kDenseSamples = 4e6;
-  /// Shares of the time that a picture of 12 million pixels takes.
+  /// Shares of the time for an image of 12 million pixels.
   static constexpr double kSearchShare = 0.6, kFieldsShare = 0.25, kMeanShare = 0.1,
                           kGroupsShare = 0.05;
 };

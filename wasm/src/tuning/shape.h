@@ -3,29 +3,29 @@
 
 namespace seamwise {
 
-// Limits of a shape that can be cut and sewn. All methods keep them; they are what results state,
-// and chosen, not measured.
+// Limits of a shape that can be cut and sewn. All methods keep them and results guarantee them.
+// They are chosen, not measured.
 
-/// What a finished shape keeps of the piece that was drafted; the defaults are those of results.
+/// Limits on the changes of a finished shape from the drafted piece; the defaults apply to results.
 struct ShapeLimits {
-  double moved = 1;              ///< cm that an outline vertex may move, as it lies
-  double kink = 15 * kPi / 180;  ///< rad by which a smooth outline may bend further at a vertex
+  double moved = 1;              ///< greatest movement of an outline vertex, cm
+  double kink = 15 * kPi / 180;  ///< greatest additional bend of a smooth outline at a vertex, rad
   double stretch = 0.15;         ///< change of an outline edge, as a share of its length
-  double area = 0.3;             ///< least area of a triangle, as a share of what it was
+  double area = 0.3;             ///< least area of a triangle, as a share of its drafted area
 };
 
-/// Limits that settling aims at: a little inside those of results, for what later steps still
-/// change. How far outlines may move is limited by itself.
+/// Limits for settling, stricter than those of results to allow for changes by later steps. A
+/// separate limit applies to the movement of outlines.
 inline constexpr ShapeLimits kSettledLimits{.kink = 12.5 * kPi / 180, .stretch = 0.12};
 
-/// Limits of what a pattern may be changed by before anything fits, so that its symmetries are
-/// exact; the rest is left to fitting.
+/// Limits on changes of a pattern that make its symmetries exact before fitting; fitting may use
+/// the rest.
 inline constexpr ShapeLimits kEvenedLimits{.kink = 12 * kPi / 180, .stretch = 0.12, .area = 0.5};
 
-/// Turn of an outline from which on it is a corner, which may bend freely. [rad]
+/// Least turn of an outline at a corner, which may bend freely. [rad]
 inline constexpr double kSmooth = 30 * kPi / 180;
 
-/// How far two sides of a seam may miss their length ratio, edge by edge and as a whole. [cm]
+/// Greatest deviation of two sides of a seam from their length ratio, per edge and in total. [cm]
 inline constexpr double kSeamTolerance = 0.01;
 
 /// Greatest change below which there is nothing to deform. [cm]

@@ -8,66 +8,67 @@ namespace seamwise {
 /// Greatest residual at which pieces count as mirror images. [cm] Chosen, not measured.
 inline constexpr double kMirrorTolerance = 0.1;
 
-/// Constants by which symmetries are found, registered and made exact; chosen, not measured.
+/// Constants of detecting, registering and enforcing symmetries; chosen, not measured.
 struct SymmetryTuning {
   // --- mirror maps of two outlines, by iterative closest points [Besl & McKay 1992]
 
-  /// Distance of an outline's samples on straight runs, at most; curves have more. [cm]
+  /// Greatest distance of an outline's samples on straight parts; curves have more samples. [cm]
   static constexpr double kSampleSpacing = 2.0;
-  /// Starts of one search, at most: a circle has a mirror in every direction.
+  /// Greatest number of starts of one search; a circle has a mirror in every direction.
   static constexpr std::size_t kMostStarts = 8;
-  /// Iterations at most, of outlines and of single edges.
+  /// Greatest number of iterations for outlines and for single edges.
   static constexpr int kMostIterations = 60, kMostEdgeIterations = 50;
-  /// Ratio of the root mean squares of two iterations, above the tolerance, that ends them.
+  /// Ratio of the root mean squares of two iterations that ends them above the tolerance.
   static constexpr double kStalled = 0.99;
-  /// A start is judged by every fourth sample, or by so many, and is hopeless where their root mean
-  /// square is more than so many times the residual that is wanted.
+  /// A trial of a start uses every fourth sample, or about kTrialSamples of very many. The start is
+  /// dropped if their root mean square is more than kPruned times the wanted residual.
   static constexpr std::size_t kTrialStride = 4, kTrialSamples = 500;
   static constexpr double kPruned = 5;
-  /// Samples, and corners, that a map is settled on where there are twice as many and more.
+  /// Number of samples, and of corners, for settling a map if there are at least twice as many.
   static constexpr std::size_t kSettlingSamples = 500;
-  /// Points that an edge is registered by; points of each of a piece's curves that tell how far two
-  /// of them are from mirror images.
+  /// Number of points for registering an edge, and of points per curve for measuring the deviation
+  /// of two curves from mirror images.
   static constexpr int kEdgeSamples = 32, kCurveSamples = 8;
 
-  // --- what a click means
+  // --- tolerances of clicks
 
-  /// How far a clicked axis may be off: its direction, and its middle. [rad, cm]
+  /// Greatest error of a clicked axis: of its direction, and of its middle. [rad, cm]
   static constexpr double kClickTurn = 5 * kPi / 180, kClickShift = 1.0;
-  /// How far two clicked edges may be from each other's images. [cm]
+  /// Greatest distance of two clicked edges from each other's images. [cm]
   static constexpr double kEdgesMeet = 2 * kMirrorTolerance;
 
   // --- symmetries of a whole garment
 
-  /// Maps that a solution may begin with.
+  /// Number of maps tried as the start of a solution.
   static constexpr int kFirstChoices = 12;
-  /// How far pieces may be from symmetric places around the body, where they hang by eye. [cm]
+  /// Greatest distance of pieces from symmetric positions around the body, which are placed by eye.
+  /// [cm]
   static constexpr double kPlacementSlack = 5.0;
-  /// How far the image of a seam may miss the other seam: at most, and as a share of its length;
-  /// one that runs the other way misses by a quarter. [cm, share]
+  /// Greatest distance between the image of a seam and the other seam, absolute and as a share of
+  /// its length. The distance of a reversed seam is a quarter of its length. [cm, share]
   static constexpr double kSeamSlack = 0.5, kSeamSlackShare = 0.2;
-  /// Disagreement of grain lines at right angles, which decides only where places do not. [cm]
+  /// Disagreement of perpendicular grain lines, which decides only between equal placements. [cm]
   static constexpr double kGrainWeight = 0.01;
-  /// Difference of mapped lengths, as a share, that counts.
+  /// Least relative difference of mapped lengths that counts.
   static constexpr double kNoticeable = 0.01;
 
-  // --- what symmetries may ask of the drafted outlines, well inside what a finished shape may
-  // change
+  // --- limits on changes of the drafted outlines by symmetries, well inside those of a finished
+  // shape
 
-  /// How far the sides of a whole seam may miss their length ratio. [cm]
+  /// Greatest deviation of the sides of a whole seam from their length ratio. [cm]
   static constexpr double kRatioError = 4e-3;
   /// Change of a sewn edge, as a share of its length; of a seam's side, as a share of its length or
   /// of 10 cm.
   static constexpr double kEdgeChange = 0.08, kSeamChange = 0.01;
   /// Distance of a vertex from its image. [cm]
   static constexpr double kImageOffset = 0.3;
-  /// Share of the greatest change that making outlines exactly symmetric may take.
+  /// Share of the greatest change that exactly symmetric outlines may need.
   static constexpr double kEvenedShare = 0.98;
-  /// Share of kSeamTolerance that lengths may be off by then.
+  /// Greatest error of lengths in exactly symmetric outlines, as a share of kSeamTolerance.
   static constexpr double kEvenedSeamShare = 0.9;
-  /// Movement that has to be left for lengths to settle. [cm]
+  /// Movement that must remain for settling lengths. [cm]
   static constexpr double kSettlingReach = 0.1;
-  /// Edge length, as a share of what was asked for, below which sampling gets no finer.
+  /// Least edge length of a finer sampling, as a share of the requested one.
   static constexpr double kFinestShare = 0.3;
 };
 

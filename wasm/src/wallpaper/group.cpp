@@ -13,7 +13,8 @@ Mat2 integerMatrix(const std::array<int, 4>& m) {
   return (Mat2() << m[0], m[1], m[2], m[3]).finished();
 }
 
-/// The element in centimetres for the basis B = [w1 w2], its linear part orthogonal to rounding.
+/// The element in centimetres for the basis B = [w1 w2]. Its linear part is orthogonal up to
+/// rounding.
 Element inCentimetres(const LatticeElement& e, const Mat2& basis) {
   const Mat2 A = basis * integerMatrix(e.m) * basis.inverse();
   Element out;
@@ -67,7 +68,7 @@ Outcome<WallpaperGroup> WallpaperGroup::make(std::string_view name, const Vec2& 
   group.gram12_ = r1.dot(r2);
   group.gram22_ = r2.squaredNorm();
 
-  // The change of basis is a unimodular integer matrix: rounding makes it exact.
+  // The change of basis is a unimodular integer matrix, so rounding makes it exact.
   const Mat2 to_basis = (basis.inverse() * reduced).array().rint().matrix();
   const Mat2 from_basis = (group.to_reduced_ * basis).array().rint().matrix();
   for (const LatticeElement& e : all) {
@@ -81,7 +82,7 @@ Outcome<WallpaperGroup> WallpaperGroup::make(std::string_view name, const Vec2& 
 
 WallpaperGroup WallpaperGroup::joining(bool continuous_only) const {
   if (!continuous_only) return *this;
-  // every group that has rotations has its origin at a centre of them, as these five have
+  // Every group with rotations has its origin at a rotation centre, as the five result groups do.
   const auto turns = std::count_if(elements_.begin(), elements_.end(),
                                    [](const Element& e) { return !e.mirrored; });
   return make("p" + decimal(turns), w1(), w2()).value();

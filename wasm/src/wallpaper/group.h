@@ -17,10 +17,10 @@ namespace seamwise {
 
 enum class LatticeType : std::uint8_t { kOblique, kRectangular, kRhombic, kSquare, kHexagonal };
 
-/// Lengths that w1, w2 and the shortest repeat of a lattice may have. [cm]
+/// Limits on the lengths of w1, w2 and the shortest repeat of a lattice. [cm]
 inline constexpr double kShortestRepeat = 0.05, kLongestRepeat = 1000;
 
-/// A list short enough to be held in place, so that tables of such lists are data and no code.
+/// A short list with inline storage, so that tables of such lists are data and no code.
 template <class T, std::size_t n>
 class Few {
  public:
@@ -58,7 +58,7 @@ using MirrorFamilies = Few<MirrorFamily, 6>;
 struct GroupData {
   std::string_view name;
   LatticeType lattice;
-  int order;  ///< of the point group: cosets of the translations
+  int order;  ///< order of the point group: number of cosets of the translations
   Few<LatticeElement, 2> generators;
   MirrorFamilies mirrors;
   MirrorFamilies glides;  ///< axes of glide reflections that are not also mirrors
@@ -82,16 +82,15 @@ struct Element {
 /// A wallpaper group on a given lattice: closure, distances modulo the group, mirror lines. [cm]
 class WallpaperGroup {
  public:
-  /// Errors: kGroupUnknown, kLattice (one sentence that says what the group needs). A lattice
-  /// within 1e-6 (relative) of its type is accepted and corrected to it: read w1() and w2()
-  /// afterwards.
+  /// Creates a group. A lattice within 1e-6 (relative) of its type is accepted and corrected: use
+  /// w1() and w2() afterwards. Errors: kGroupUnknown, kLattice (one sentence with the requirement
+  /// of the group).
   static Outcome<WallpaperGroup> make(std::string_view name, const Vec2& w1, const Vec2& w2);
 
   bool operator==(const WallpaperGroup&) const = default;
 
-  /// The symmetries by which the print may meet across a seam.
-  /// @param continuous_only   leaves out mirrors and glides: p1, p2, p3, p4 or p6 on the same
-  /// lattice
+  /// The symmetries that may join the print across a seam.
+  /// @param continuous_only   excludes mirrors and glides: p1, p2, p3, p4 or p6 on the same lattice
   WallpaperGroup joining(bool continuous_only) const;
 
   const GroupData& data() const { return *data_; }
@@ -99,8 +98,8 @@ class WallpaperGroup {
   const Vec2& w2() const { return w_[1]; }
   /// One element per coset of the translations; elements()[0] is the identity.
   const std::vector<Element>& elements() const { return elements_; }
-  /// A Lagrange-reduced basis of the lattice, shorter vector first, at 60 to 90 degrees, of either
-  /// hand.
+  /// A Lagrange-reduced basis of the lattice, shorter vector first, at 60 to 90 degrees, left- or
+  /// right-handed.
   const std::array<Vec2, 2>& reducedBasis() const { return reduced_; }
 
   /// The shortest vector of v + lattice.
@@ -108,12 +107,13 @@ class WallpaperGroup {
   /// Print mismatch: min over elements and lattice vectors of |x - (A y + a) - T|.
   double distance(const Vec2& x, const Vec2& y) const;
 
-  /// Whether one piece can be symmetric in itself (a true mirror), or two pieces to each other (a
-  /// mirror or a glide).
+  /// True if a piece can be symmetric in itself, which needs a true mirror.
   bool carriesSingle() const { return !data_->mirrors.empty(); }
+  /// True if two pieces can be symmetric to each other, which needs a mirror or a glide.
   bool carriesPair() const { return carriesSingle() || !data_->glides.empty(); }
 
-  /// Hands all fields to `each`: made again of w1() and w2(), a group may differ in the last digit.
+  /// Passes all fields to `each`, for exact copies: a group recreated from w1() and w2() may differ
+  /// in the last digit.
   template <class Each>
   void fields(Each&& each) {
     each(data_, w_, reduced_, to_reduced_, gram11_, gram12_, gram22_, elements_, reduced_elements_);
@@ -139,7 +139,7 @@ class WallpaperGroup {
   std::vector<ReducedElement> reduced_elements_;
 };
 
-/// Names of the groups that carry a piece symmetric in itself / a mirrored pair, "pm, cm, ...".
+/// Names of the groups that carry a piece symmetric in itself, or a mirrored pair: "pm, cm, ...".
 std::string groupsForSingle();
 std::string groupsForPair();
 
@@ -147,10 +147,10 @@ namespace internal {
 #ifdef __FAST_MATH__
 #error "roundNear needs IEEE addition: build without -ffast-math"
 #endif
-/// The nearest whole number, for |x| < 2^51. Adding 1.5 * 2^52 drops the fraction; it needs no
-/// library call where the target has no rounding instruction.
+/// The nearest whole number, for |x| < 2^51. Adding 1.5 * 2^52 drops the fraction. This needs no
+/// library call on targets without a rounding instruction.
 inline double roundNear(double x) { return (x + 6755399441055744.0) - 6755399441055744.0; }
-/// The same for several at once; in single precision for |x| < 2^22.
+/// The same for a vector; in single precision for |x| < 2^22.
 inline Lanes<double>::Vector roundNear(const Lanes<double>::Vector& x) {
   return (x + 6755399441055744.0) - 6755399441055744.0;
 }
@@ -159,9 +159,9 @@ inline Lanes<float>::Vector roundNear(const Lanes<float>::Vector& x) {
 }
 }  // namespace internal
 
-// After rounding in a reduced basis r1, r2 (at 60 to 90 degrees) a point lies in |x|, |y| <= 1/2,
-// where the nearest lattice point is 0, +-r1 or +-r2: the bisectors of +-(r1 - r2) and of all other
-// lattice vectors pass outside the part of that cell which 0, +-r1 and +-r2 leave. So two
+// Rounding in a reduced basis r1, r2 (at 60 to 90 degrees) moves a point to |x|, |y| <= 1/2. Its
+// nearest lattice point is then 0, +-r1 or +-r2: the bisectors of +-(r1 - r2) and of all other
+// lattice vectors pass outside the part of that cell which is nearest to 0 among these five. So two
 // comparisons, 2 |v . r_k| > |r_k|^2, are exact and replace a search of 3 x 3 neighbours.
 
 inline Vec2 WallpaperGroup::reduce(const Vec2& v) const {

@@ -128,7 +128,7 @@ std::string groupsForPair() {
 std::vector<LatticeElement> cosets(const GroupData& group) {
   const auto fraction = [](double x) { return x - std::floor(x); };
   std::vector<LatticeElement> all{LatticeElement{}};
-  // The orders are at most 12, so every product with a generator is tried until none is new.
+  // Try every product with a generator until none is new; orders are at most 12.
   for (std::size_t k = 0; k < all.size(); ++k) {
     for (const LatticeElement& g : group.generators) {
       const LatticeElement e = all[k];

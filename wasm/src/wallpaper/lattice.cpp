@@ -9,10 +9,10 @@ constexpr double kTypeTolerance = 1e-6;  // relative
 const double kSin60 = std::sqrt(3.0) / 2;
 
 std::string number(double x, int digits = 6) {
-  return significant(x + 0.0, digits);  // + 0.0: no "-0"
+  return significant(x + 0.0, digits);  // + 0.0 prevents "-0"
 }
 
-/// With all digits: the reader is meant to copy it.
+/// A vector with all digits, because users copy it from the message.
 std::string vector(const Vec2& v) {
   const auto exact = [](double x) { return number(std::abs(x) < 1e-12 ? 0 : x, 15); };
   return "(" + exact(v.x()) + ", " + exact(v.y()) + ")";
@@ -20,8 +20,7 @@ std::string vector(const Vec2& v) {
 
 Error latticeError(std::string message) { return {Failure::kLattice, std::move(message), -1, -1}; }
 
-/// What a remedy must add where two conventions are about and the lattice cannot tell which was
-/// meant.
+/// An addition to a remedy for a group with two conventions that the lattice does not distinguish.
 std::string convention(const GroupData& group) {
   if (group.name != "pmg") return "";
   return " (the mirrors of pmg run along w1 here, its glides along w2; in the International Tables "
@@ -46,7 +45,8 @@ std::string lengths(const Vec2& w1, const Vec2& w2) {
   return "w1 is " + number(w1.norm(), 8) + " cm and w2 is " + number(w2.norm(), 8) + " cm long";
 }
 
-/// `exact`, or `given` itself where they differ by rounding alone: a file keeps its own digits.
+/// Returns `given` if it differs from `exact` only by rounding, so that a file keeps its digits;
+/// otherwise `exact`.
 Vec2 keepDigits(const Vec2& given, const Vec2& exact) {
   return (given - exact).norm() <= 1e-15 * exact.norm() ? given : exact;
 }
@@ -99,8 +99,8 @@ Outcome<std::array<Vec2, 2>> hexagonal(const GroupData& group, const Vec2& w1, c
                    "take w2 = " + vector(wanted) + " or choose p1 or p2, which take any lattice");
 }
 
-/// How to make a left-handed lattice right-handed without moving the mirrors: where w1 and w2 play
-/// different parts (rectangular), w2 is turned round; where w1 + w2 is an axis, they are swapped.
+/// The remedy that makes a left-handed lattice right-handed without moving the mirrors. If w1 and
+/// w2 have different roles (rectangular), w2 is reversed. If w1 + w2 is an axis, they are swapped.
 std::string rightHandedRemedy(const GroupData& group, const Vec2& w1, const Vec2& w2) {
   if (group.lattice == LatticeType::kRectangular) return "take w2 = " + vector(-w2);
   return "swap them: w1 = " + vector(w2) + ", w2 = " + vector(w1);
@@ -111,8 +111,8 @@ std::string rightHandedRemedy(const GroupData& group, const Vec2& w1, const Vec2
 std::array<Vec2, 2> lagrangeReduced(const Vec2& w1, const Vec2& w2) {
   Vec2 a = w1, b = w2;
   if (a.squaredNorm() > b.squaredNorm()) std::swap(a, b);
-  // Each step shortens b or ends; rounding could make the last two steps alternate, hence the
-  // margin.
+  // Each step shortens b or ends. The margin exists because rounding could make the last two steps
+  // alternate.
   while (a.squaredNorm() > 0) {
     b -= std::round(a.dot(b) / a.squaredNorm()) * a;
     if (b.squaredNorm() >= a.squaredNorm() * (1 - 1e-12)) break;
@@ -130,7 +130,7 @@ Outcome<std::array<Vec2, 2>> checkedLattice(const GroupData& group, const Vec2& 
       return latticeError(std::string("print lattice: ") + name +
                           " is not finite: give two numbers in cm");
     }
-    // A little slack, so that a vector of just that length passes in any direction.
+    // The tolerance accepts a vector of exactly the limit's length in any direction.
     const double length = w.norm();
     if (length < kShortestRepeat * (1 - 1e-9) || length > kLongestRepeat * (1 + 1e-9)) {
       return latticeError(std::string("print lattice: ") + name + " is " + number(length) +

@@ -6,11 +6,12 @@
 
 namespace seamwise {
 
-/// A repeating print: its group, lattice and how it may lie on the cloth. +y is the warp.
+/// A repeating print: its group, its lattice and its allowed directions on the fabric. +y is the
+/// warp.
 struct Print {
   WallpaperGroup group;
   bool one_way =
-      false;  ///< the print has an upside: a piece on grain may not be turned by 180 degrees
+      false;  ///< the print has an upside, so a piece on grain may not be turned by 180 degrees
 };
 
 }  // namespace seamwise
