@@ -10,7 +10,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kTallest = 15;   ///< cm, maximum end length of a band
+constexpr double kTallest = 15;   ///< cm, maximum height of a band
 constexpr double kAsLong = 0.02;  ///< maximum relative difference between the two end lengths
 constexpr double kCorner = 0.7;   ///< cosine of the turn at which an end stops
 

@@ -70,7 +70,7 @@ class Drape {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  /// @param from   start positions of sewing or settling, m
+  /// @param from   positions at the start of sewing or settling, m
   void begin(Stage stage, const Positions& from = {});
   void put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from);
   void step();

@@ -28,12 +28,8 @@ class HungGarment {
   bool hasLegs() const { return crotch_.has_value(); }
   double crotch() const { return *crotch_; }  ///< height of the lowest point between two legs, cm
   bool hasShoulders() const { return shoulder_ > 0; }
-  double neck() const {
-    return neck_;
-  }  ///< distance from the middle to the start of the shoulder seams, cm
-  double shoulder() const {
-    return shoulder_;
-  }  ///< distance from the middle to the end of the shoulder seams, cm
+  double neck() const { return neck_; }          ///< shoulder seams' start, cm from the middle
+  double shoulder() const { return shoulder_; }  ///< shoulder seams' end, cm from the middle
   bool hasCollar() const;
   bool hasSleeves() const { return !girths(BodyPart::kLeftArm).empty(); }
 

@@ -8,14 +8,14 @@ namespace seamwise {
 struct Measures {
   // Girths, measured level; girths of limbs around their axis.
   double bust, waist, hip, neck, head, upper_arm, wrist, thigh, knee, ankle;
-  double shoulder_width;  ///< between the two shoulder points, across the back
-  double bust_span;       ///< between the two bust points
-  double back_length;     ///< from the nape down to the waist
-  double hip_depth;       ///< from the waist down to the fullest part of the hip
-  double body_rise;       ///< from the waist down to the crotch
-  double arm_length;      ///< from the shoulder point down to the wrist
-  double waist_height;    ///< from the floor up to the waist
-  double knee_depth;      ///< from the waist down to the knee
+  double shoulder_width;  ///< distance between the shoulder points, across the back
+  double bust_span;       ///< distance between the bust points
+  double back_length;     ///< length from the nape down to the waist
+  double hip_depth;       ///< depth of the fullest part of the hip below the waist
+  double body_rise;       ///< depth of the crotch below the waist
+  double arm_length;      ///< length from the shoulder point down to the wrist
+  double waist_height;    ///< height of the waist over the floor
+  double knee_depth;      ///< depth of the knee below the waist
 };
 
 /// Measurement with its names in files and in messages.
