@@ -26,8 +26,8 @@ constexpr double kAroundTorso = 5;
 // legs. [1, cm, 1]
 constexpr double kAroundLegs = 1.61, kApart = 3.2, kOfLegs = 0.6;
 constexpr double kLeastRise = 18;  ///< cm, minimum body rise
-constexpr double kBesideNeck = 4,
-                 kUnderHips = 12;    ///< cm, neckline from neck; skirts below the torso tube
+// Distance of a neckline from the neck, and of the lowest skirt rings below the torso tube. [cm]
+constexpr double kBesideNeck = 4, kUnderHips = 12;
 constexpr double kTightEnough = 12;  ///< cm, missing girth over all levels that ends the search
 constexpr double kOfRise = 6;        ///< weight of 1 cm of missing body rise in that sum
 constexpr int kSteps = 4;            ///< steps between neighbouring sizes

@@ -13,10 +13,9 @@ constexpr double kPlaneStiffness = 8;
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostPairs = 6;
-constexpr double kLonger = 1.4,
-                 kShorter = 0.5;           ///< factors on h_ after full and shortened steps
-constexpr double kShortest = 0.2;          ///< minimum h_, as a share of the first step
-constexpr double kChangedContacts = 0.01;  ///< share that requires a new factorisation
+constexpr double kLonger = 1.4, kShorter = 0.5;  ///< factors on h_ after full and shortened steps
+constexpr double kShortest = 0.2;                ///< minimum h_, as a share of the first step
+constexpr double kChangedContacts = 0.01;        ///< share that requires a new factorisation
 
 // Multiplications, counted in the code of the terms.
 constexpr double kPerTriangle = 60, kPerTriangleBlocks = 250, kPerHinge = 35, kPerDistance = 80;

@@ -13,10 +13,9 @@ struct ClothOptions {
   double friction_threshold = 1e-3;  ///< m, slip within which friction is elastic
   bool friction = true;
   double first_step = 0.05, longest_step = 0.3;  ///< s, time step of the proximal term
-  double farthest = 0.02,
-         farthest_near = 0.01;  ///< m, maximum movement in a step; near a body
-  double near = 0.03;           ///< m, distance that counts as near: no vertex can pass a wrist
-  double accuracy = 0.05;       ///< residual that ends a Newton step, relative to its first one
+  double farthest = 0.02, farthest_near = 0.01;  ///< m, maximum movement in a step; near a body
+  double near = 0.03;      ///< m, distance that counts as near: no vertex can pass a wrist
+  double accuracy = 0.05;  ///< residual that ends a Newton step, relative to its first one
   int least_iterations = 1, most_iterations = 40;  ///< conjugate gradient iterations in a step
   std::vector<char> held;                          ///< per vertex: fixed; empty: none
   /// Per vertex: minimum x or, if negative, maximum x, m. 0: no bound; kInPlane: fixed at x = 0.

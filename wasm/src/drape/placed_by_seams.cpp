@@ -151,8 +151,8 @@ class SeamPlacer {
     double side = 0;    ///< x on the torso: left is positive
     double level = 0;   ///< position on the torso along the arm: y - |x|
     double height = 0;  ///< height in the layout
-    double ahead[2] = {0, 0},
-           number[2] = {0, 0};  ///< across the layout, and counts; behind, in front
+    /// Positions across the layout, and vertex counts: behind, in front.
+    double ahead[2] = {0, 0}, number[2] = {0, 0};
     double girth = 0;
   };
 

@@ -36,8 +36,7 @@ class Ring {
     double width = 0;          ///< width of the pieces if they close the ring, else 0, cm
     bool spiral = false;       ///< the longest piece goes around more than once
     std::vector<double> turn;  ///< per piece: angle of its middle, degrees
-    std::vector<double> middle,
-        stretch;              ///< per piece: across at the middle, cm; arc per width
+    std::vector<double> middle, stretch;  ///< per piece: across at the middle, cm; arc per width
     std::vector<Vec2> line;   ///< polygon of the ring in the tube's frame, from the front
     std::vector<double> arc;  ///< arc lengths along the line, one more than corners, cm
   };

@@ -72,8 +72,7 @@ class Tube {
 
   Axis axis_;
   std::vector<double> levels_;
-  std::array<std::vector<double>, kShapes> values_,
-      bends_;  ///< values, second derivatives
+  std::array<std::vector<double>, kShapes> values_, bends_;  ///< values, second derivatives
   TubeEnd bottom_, top_;
   Vec3 low_, high_;  ///< bounding box in the tube's frame, cm
 };
