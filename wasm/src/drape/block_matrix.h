@@ -9,12 +9,12 @@
 
 namespace seamwise {
 
-/// A symmetric matrix of 3x3 blocks, one for each pair of vertices that act on each other. For
-/// products only; both triangles in effect, the upper one stored.
+/// Symmetric matrix of 3x3 blocks, one block per pair of interacting vertices, for products only.
+/// It stores the upper triangle.
 class BlockMatrix {
  public:
-  /// @param pairs   blocks that may be non-zero; in either order, diagonal added, duplicates
-  ///                allowed
+  /// @param pairs   blocks that may be non-zero, in either order, duplicates allowed; the
+  ///                constructor adds the diagonal
   BlockMatrix(int size, const std::vector<std::pair<int, int>>& pairs) : start_(size + 1, 0) {
     std::vector<std::pair<int, int>> all;
     all.reserve(pairs.size() + size);
@@ -29,7 +29,7 @@ class BlockMatrix {
   std::size_t blocks() const { return blocks_.size(); }
   void setZero() { std::fill(blocks_.begin(), blocks_.end(), Block{}); }
 
-  /// Adds a block at (i, j) and, in effect, its transpose at (j, i): of a pair pass one of the two.
+  /// Adds a block at (i, j) and its transpose at (j, i); call it for only one of the two.
   void add(int i, int j, const Mat3& block) {
     const bool swapped = i > j;
     if (swapped) std::swap(i, j);
@@ -59,7 +59,7 @@ class BlockMatrix {
 
  private:
   using Block = std::array<double, 9>;
-  std::vector<int> start_, column_;  ///< of the rows
+  std::vector<int> start_, column_;  ///< index ranges of the rows
   std::vector<Block> blocks_;
 };
 

@@ -10,15 +10,15 @@
 namespace seamwise {
 namespace {
 
-constexpr double kTallest = 15;   ///< cm, of a band
-constexpr double kAsLong = 0.02;  ///< of their length, by which the ends may differ
-constexpr double kCorner = 0.7;   ///< cosine of the turn by which an end is over
+constexpr double kTallest = 15;   ///< cm, maximum height of a band
+constexpr double kAsLong = 0.02;  ///< maximum relative difference between the two end lengths
+constexpr double kCorner = 0.7;   ///< cosine of the turn at which an end stops
 
-/// Of an edge that is sewn to nothing.
+/// Marks an outline edge without a seam.
 constexpr int kOpen = -1;
 
-/// The end of a band that begins at an outline position, as far as its next corner.
-/// @param sewn_to   per outline position: the piece that the edge from there is sewn to, or kOpen
+/// Returns the outline vertices from `from` along open edges to the next corner.
+/// @param sewn_to   per outline position: piece sewn to the edge that starts there, or kOpen
 /// @param step      1 or -1, along the outline
 std::vector<int> endFrom(const Piece& piece, const std::vector<int>& sewn_to, int from, int step) {
   const int count = static_cast<int>(piece.outline.size());
@@ -56,7 +56,7 @@ void closeBands(Pattern* pattern) {
     const std::vector<int>& sewn = sewn_to[p];
     const int count = static_cast<int>(piece.outline.size());
     for (int from = 0; from < count; ++from) {
-      // Sewn to others from here to `to`.
+      // The edges from here to `to` are sewn.
       if (sewn[from] == kOpen || sewn[(from + count - 1) % count] != kOpen) continue;
       int to = from;
       bool to_others = true;

@@ -3,9 +3,9 @@
 
 namespace seamwise {
 
-/// Sews bands that are buttoned edge to edge, such as cuffs, along their ends: pieces whose free
-/// ends, as long as each other, begin at one point of what the band in between is sewn to. These
-/// seams are no stitches of the file; they come after all that are.
+/// Adds seams that close bands buttoned edge to edge, such as cuffs.
+/// The seams join two free ends of a piece that have equal length and start at the same point of
+/// the pieces that the band is sewn to. They follow the file's stitches in `pattern->seams`.
 void closeBands(Pattern* pattern);
 
 }  // namespace seamwise

@@ -8,11 +8,11 @@
 namespace seamwise {
 namespace {
 
-constexpr double kButtons = 8, kStitches = 1.5;  ///< cm from one to the next
-/// A band across the end of a buttoned line is buttoned itself: so near the line ends at its seam,
-/// and from so far to so far into the band. [cm]
+constexpr double kButtons = 8, kStitches = 1.5;  ///< spacing, cm
+/// Buttons of a band at the end of a button line: maximum distance of the line's end from the
+/// band's seam, then the start and end of the buttons inside the band. [cm]
 constexpr double kAtSeam = 1, kIntoBand = 0.7, kAcrossBand = 2.2;
-constexpr double kLap = 6;  ///< cm from a buttoned line, within which layers lap at most
+constexpr double kLap = 6;  ///< cm, maximum distance of overlapping layers from their button line
 
 ClothPoint pointOf(const SewnLevel& level, int piece, const MeshPlaces& places, const Vec2& at) {
   const MeshPlace place = places.at(at);
@@ -22,7 +22,7 @@ ClothPoint pointOf(const SewnLevel& level, int piece, const MeshPlaces& places, 
   return point;
 }
 
-/// A point of a polyline: in segment `segment`, that share along it.
+/// Point at parameter `share` of segment `segment` of a polyline.
 struct Along {
   std::size_t segment;
   double share;
@@ -31,7 +31,7 @@ struct Along {
   }
 };
 
-/// Evenly from end to end, about `spacing` apart.
+/// Returns points at even distances of about `spacing` from end to end.
 std::vector<Along> evenly(const Polyline& line, double spacing) {
   std::vector<double> lengths;
   double whole = 0;
@@ -53,7 +53,7 @@ std::vector<Along> evenly(const Polyline& line, double spacing) {
   return out;
 }
 
-/// The point of a polyline that is nearest to another one.
+/// Closest point of a polyline to a given point.
 struct Nearest {
   Along at;
   double far;  ///< cm
@@ -72,7 +72,7 @@ Nearest nearestOn(const Polyline& line, const Vec2& point) {
   return nearest;
 }
 
-/// A line across a band, from the point of its seam with another piece that is nearest to a point.
+/// Line across a band, starting at the point of its seam that is closest to a given point.
 struct BandLine {
   int band = -1;
   Polyline line;
@@ -91,7 +91,7 @@ std::vector<BandLine> bandLines(const Pattern& pattern, int piece, const Vec2& a
       const int u = other->vertices[nearest.at.segment],
                 v = other->vertices[nearest.at.segment + 1];
       const Vec2 edge = band.rest[v] - band.rest[u];
-      // The inside lies to the left of the outline.
+      // The interior is to the left of the outline.
       const double side = (outlineEdge(band, u, v) == u ? 1 : -1) / planarLength(edge);
       const Vec2 inwards = side * Vec2(-edge.y(), edge.x());
       const Vec2 foot = band.rest[u] + nearest.at.share * edge;
@@ -100,8 +100,8 @@ std::vector<BandLine> bandLines(const Pattern& pattern, int piece, const Vec2& a
   return lines;
 }
 
-/// Lines of bands that are buttoned with the pieces of a match that they are sewn to: a stand with
-/// the fronts below it.
+/// Returns the button lines of bands that are sewn to both pieces of a match, such as a collar band
+/// above the fronts.
 std::vector<MatchLine> bandsOf(const Pattern& pattern, const MatchLine& match) {
   std::vector<MatchLine> bands;
   for (const bool first : {true, false})

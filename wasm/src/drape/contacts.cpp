@@ -9,13 +9,13 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSeen = 0.008;        ///< m, at which a vertex is given its side of a triangle
-constexpr double kLaid = 0.016;        ///< m, at which one is kept on the side that layers say
-constexpr double kParallel = 0.7;      ///< cosine between them, at least
-constexpr double kStiffness = 5e5;     ///< N/m3, of what keeps layers apart
-constexpr double kTieStiffness = 400;  ///< N/m, of a held point
-constexpr double kBeside = 0.05;       ///< share of a triangle that a vertex may be beside it
-constexpr double kCell = 0.02;         ///< m, of the grid
+constexpr double kSeen = 0.008;        ///< m, range in which positions decide a vertex's side
+constexpr double kLaid = 0.016;        ///< m, range in which layers decide it
+constexpr double kParallel = 0.7;      ///< minimum cosine between the normals of parallel layers
+constexpr double kStiffness = 5e5;     ///< N/m3, repulsion between layers
+constexpr double kTieStiffness = 400;  ///< N/m, of a tie
+constexpr double kBeside = 0.05;       ///< tolerated negative weight of a foot beside the triangle
+constexpr double kCell = 0.02;         ///< m, cell size of the search grid
 constexpr double kPerItem = 200, kPerPair = 60;  ///< multiplications, of a search
 
 void insertOnce(std::vector<int>& ascending, int item) {
@@ -50,7 +50,8 @@ ClothContacts::ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps
   if (!laid.empty()) lay(laid);
 }
 
-/// Calls meet(vertex, triangle, from the triangle to the vertex) where they are near.
+/// Calls meet(vertex, triangle, vector from the triangle to the vertex) for each pair within `near`
+/// metres.
 template <class Meet>
 void ClothContacts::forNear(const Positions& x, double near, const Meet& meet) const {
   std::vector<SpaceBox> points, boxes;
@@ -67,7 +68,8 @@ void ClothContacts::forNear(const Positions& x, double near, const Meet& meet) c
   });
 }
 
-/// Layers lie along each other, a little apart; what else is near, as at armholes, does not.
+/// Records layers: cloth that is parallel and at least a gap apart. Other cloth nearby, such as at
+/// armholes, is not parallel.
 void ClothContacts::lay(const Positions& x) {
   std::vector<Vec3> normals(x.size(), Vec3::Zero());
   for (const SewnMesh::Triangle& t : mesh_->triangles)
@@ -95,7 +97,7 @@ bool ClothContacts::neighbours(int vertex, const std::array<int, 3>& triangle) c
   return false;
 }
 
-/// 0 where they are not of layers that are buttoned.
+/// Returns 0 outside buttoned overlaps.
 double ClothContacts::sideByLaps(int vertex, int triangle) const {
   if (laps_.empty()) return 0;
   for (const int v : mesh_->triangles[triangle].vertices)
@@ -103,7 +105,7 @@ double ClothContacts::sideByLaps(int vertex, int triangle) const {
   return laps_[vertex];
 }
 
-/// 0 where nothing is said of their pieces.
+/// Returns 0 for pieces without a known overlap.
 double ClothContacts::sideByOverlaps(int vertex, int triangle) const {
   const int other = mesh_->triangles[triangle].piece;
   for (const int piece : pieces_[vertex]) {
@@ -113,7 +115,8 @@ double ClothContacts::sideByOverlaps(int vertex, int triangle) const {
   return 0;
 }
 
-/// As a pair of the vertex with this triangle or one beside it has it, or 0.
+/// Returns the side of a recorded pair of the vertex with this triangle or with one that shares a
+/// corner, or 0.
 double ClothContacts::sideAmong(const std::vector<Pair>& pairs, const SewnMesh& mesh, int vertex,
                                 int triangle) {
   const auto& corners = mesh.triangles[triangle].vertices;
@@ -128,7 +131,8 @@ double ClothContacts::sideAmong(const std::vector<Pair>& pairs, const SewnMesh& 
   return beside;
 }
 
-/// Layers slide on each other by an edge of their triangles or so.
+/// Layers slide on each other by about one edge length, so the search includes neighbours of the
+/// vertex.
 double ClothContacts::sideAsLaid(int vertex, int triangle) const {
   double side = sideAmong(laid_, *mesh_, vertex, triangle);
   for (std::size_t k = 0; side == 0 && k < ring_[vertex].size(); ++k)
@@ -136,8 +140,8 @@ double ClothContacts::sideAsLaid(int vertex, int triangle) const {
   return side;
 }
 
-/// 0 where they are of no layers; nor are neighbours, which meet where cloth is folded sharply, as
-/// below arms.
+/// Returns 0 for cloth that is not layered and for neighbours, which meet in sharp folds such as
+/// under the arms.
 double ClothContacts::sideByLayers(int vertex, int triangle) const {
   if (neighbours(vertex, mesh_->triangles[triangle].vertices)) return 0;
   double side = sideByOverlaps(vertex, triangle);
@@ -145,7 +149,7 @@ double ClothContacts::sideByLayers(int vertex, int triangle) const {
   return side == 0 ? sideAsLaid(vertex, triangle) : side;
 }
 
-/// As an earlier pair had it, else where the vertex is now.
+/// Returns the side of an earlier pair, or else the current side of the vertex.
 double ClothContacts::sideBySight(int vertex, int triangle, const Positions& x) const {
   const auto& corners = mesh_->triangles[triangle].vertices;
   const double earlier = sideAmong(pairs_, *mesh_, vertex, triangle);
@@ -173,8 +177,9 @@ bool ClothContacts::isOf(int piece, int vertex) const {
   return std::binary_search(pieces_[vertex].begin(), pieces_[vertex].end(), piece);
 }
 
-/// What draws crossings apart, and where they are. Pieces that are layers know on which side of
-/// each other they belong; ends of a stand that lap are drawn apart all the same.
+/// Updates the forces that separate crossings, and the crossed vertices. Layered pieces are
+/// excluded, because their sides are known. Overlapping ends of a collar band are separated
+/// nevertheless.
 void ClothContacts::findCrossed(const Positions& x) {
   pulls_ = untangling_->pulls(x);
   const auto in_layers = [&](const CrossingPull& pull) {
@@ -194,7 +199,7 @@ void ClothContacts::findCrossed(const Positions& x) {
       }
 }
 
-/// Whether nobody can see on which side the vertex of a pair belongs.
+/// Returns whether the side of a pair is undefined because of a crossing.
 bool ClothContacts::isCrossed(const Pair& pair) const {
   if (!pair.seen || crossed_.empty()) return false;
   for (const int v : mesh_->triangles[pair.triangle].vertices)

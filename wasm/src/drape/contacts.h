@@ -10,14 +10,14 @@
 
 namespace seamwise {
 
-/// Two points of a cloth that are held together, as by a button or a line of stitches through
-/// layers: `b` lies on the face of the cloth at `a`, so far from it.
+/// Two points of a cloth held together by a button or by stitches through layers: `b` is at
+/// distance `gap` from `a` on the face side of the cloth.
 struct ClothTie {
   ClothPoint a, b;
   double gap = 0;  ///< m
 };
 
-/// A piece that lies on the face of another one.
+/// Piece `upper` covers the face of piece `lower`.
 struct Overlap {
   int upper, lower;
   bool operator<(const Overlap& o) const {
@@ -26,50 +26,54 @@ struct Overlap {
 };
 void sortOverlaps(std::vector<Overlap>& overlaps);
 
-/// What keeps layers of cloth apart, and holds them together: a vertex stays on its side of each
-/// triangle nearby, and tied points stay together. Energies of linear springs along directions that
-/// a step keeps, so that their Hessian is a sum of products of vectors: in products only, never in
-/// a factor. What has crossed can be drawn apart, by constant forces. Keeps a pointer to the mesh.
+/// Separates layers of cloth and holds tied points together.
+/// Every vertex stays on its side of each triangle nearby. The energies are linear springs along
+/// directions that are fixed within a step. Their Hessian is therefore a sum of products of
+/// vectors, for products only, never for factorisation. Constant forces can separate layers that
+/// have crossed. The object keeps a pointer to the mesh.
 class ClothContacts {
  public:
-  /// @param overlaps   pieces of which the first lies on the face of the second; all others stay
-  ///                   on the side of each other that they were first seen on
-  /// @param laps       per vertex 1: of a buttoned layer above those of -1; or empty
-  /// @param laid       where the cloth was laid to begin with: layers that are one on the other
-  ///                   there stay so, m; or empty
-  /// @param gap        between layers, m
+  /// @param overlaps   pairs in which the first piece covers the face of the second; all other
+  ///                   pieces keep the side of each other on which they were first detected
+  /// @param laps       per vertex 1 in the upper layer of a buttoned overlap, -1 in the lower one,
+  ///                   else 0; or empty
+  /// @param laid       initial positions of the cloth, m; layers that overlap there keep their
+  ///                   order; or empty
+  /// @param gap        distance between layers, m
   ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps, std::vector<ClothTie> ties,
                 std::vector<signed char> laps, const Positions& laid, double gap);
 
-  /// Looks for what is near, once in kSearchEach calls, and sets all directions anew.
+  /// Updates all contact directions; repeats the proximity search once in kSearchEach calls.
   void look(const Positions& x);
-  /// From now on; ties are always on.
+  /// Switches contacts of the cloth with itself on or off and discards the current ones; ties are
+  /// always active.
   void setTouching(bool on);
   bool touching() const { return touching_; }
-  /// Whether any part of the cloth was laid on another one.
+  /// Returns whether any part of the cloth was placed on another one.
   bool hasLayers() const { return !overlaps_.empty() || !laid_.empty(); }
-  /// While it touches, what crosses is drawn apart from now on, and has no side until it is.
+  /// Makes later calls of look() separate crossed cloth while contacts are on. Crossed cloth has no
+  /// contact side until it is separated.
   void untangle() { untangling_.emplace(*mesh_); }
 
   double energy(const Positions& x, Positions* gradient) const;
-  /// y += Hessian at x times p
+  /// Computes y += H(x) p for the Hessian H.
   void addProduct(const Positions& x, const Positions& p, Positions& y) const;
-  /// Numbers that a product multiplies, about.
+  /// Estimated multiplications of one product.
   double cost() const { return 36.0 * static_cast<double>(touches_.size() + tied_.size()); }
-  /// What the last search took, in multiplications, about.
+  /// Estimated multiplications of the last search.
   double searchCost() const { return search_cost_; }
 
  private:
   static constexpr int kSearchEach = 3;
   struct Pair {
     int vertex, triangle;
-    double side;        ///< 1: the vertex belongs on the triangle's face, -1: behind it
-    bool seen = false;  ///< there, and nothing else says so
+    double side;        ///< 1: the vertex belongs on the face of the triangle, -1: behind it
+    bool seen = false;  ///< the side comes from positions, not from layers
     bool operator<(const Pair& o) const {
       return std::pair(vertex, triangle) < std::pair(o.vertex, o.triangle);
     }
   };
-  /// A spring that pushes while normal . (x of vertex - point) < gap.
+  /// Spring that pushes while normal . (x of vertex - point) < gap.
   struct Touch {
     int vertex;
     ClothPoint point;
@@ -100,21 +104,21 @@ class ClothContacts {
 
   const SewnMesh* mesh_;
   std::vector<Overlap> overlaps_;         ///< sorted
-  std::vector<std::vector<int>> pieces_;  ///< per vertex, those that it is of
+  std::vector<std::vector<int>> pieces_;  ///< per vertex: pieces that contain it, sorted
   std::vector<ClothTie> ties_;
   std::vector<signed char> laps_;
   double gap_;
-  std::vector<std::vector<int>> ring_;  ///< per vertex those that share an edge with it, sorted
+  std::vector<std::vector<int>> ring_;  ///< per vertex: neighbours along edges, sorted
   bool touching_ = false;
   int looks_ = 0;
   double search_cost_ = 0;
-  std::vector<Pair> laid_;   ///< sorted: of layers, as the cloth was laid
+  std::vector<Pair> laid_;   ///< layers in the initial positions, sorted
   std::vector<Pair> pairs_;  ///< sorted
   std::vector<Touch> touches_;
-  std::vector<Tied> tied_;  ///< by ties_
+  std::vector<Tied> tied_;  ///< parallel to ties_
   std::optional<Untangling> untangling_;
   std::vector<CrossingPull> pulls_;
-  std::vector<char> crossed_;  ///< per vertex: of a crossing or beside one; empty: none
+  std::vector<char> crossed_;  ///< per vertex: part of a crossing or next to one; empty: none
 };
 
 }  // namespace seamwise

@@ -3,12 +3,13 @@
 
 namespace seamwise {
 
-/// How far a point is outside a body that cloth lies on. y points up. [m]
+/// Signed distance of points from the body under the cloth. y points up. [m]
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
-  /// Negative inside.
-  /// @param gradient   where not null, is set to the derivative: about a unit vector, outwards
+  /// Returns the distance, negative inside.
+  /// @param gradient   receives the derivative unless null: a vector of about unit length, pointing
+  ///                   outwards
   virtual double distance(const Vec3& p, Vec3* gradient) const = 0;
 };
 

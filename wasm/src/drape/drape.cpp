@@ -12,17 +12,17 @@ namespace {
 
 constexpr int kMostMended = 3, kMendingSteps = 12;
 constexpr int kQuasiNewtonSteps = 24;
-constexpr int kSewingSteps = 5, kHangingSteps = 40, kSettlingSteps = 60;  ///< Newton, at most
-/// A garment is at rest when so many steps together move its vertices by so little, root mean
-/// square [m], and lower its energy by less than that share of what lifts it by a metre: what they
-/// still do nobody sees.
+constexpr int kSewingSteps = 5, kHangingSteps = 40, kSettlingSteps = 60;  ///< maximum Newton steps
+/// A garment is at rest once kRestSteps steps together move its vertices by less than kRestMoved
+/// (root mean square, m) and lower its energy by less than kRestFall of the energy that lifts it by
+/// a metre. Smaller movements are invisible.
 constexpr int kRestSteps = 5;
 constexpr double kRestMoved = 5e-4, kRestFall = 1e-4;
 
-/// Free edges that begin nearer to the plane x = 0 than this may meet others there. [m]
+/// Free edges that start closer than this to the plane x = 0 may meet others there. [m]
 constexpr double kBesidePlane = 0.03;
 
-/// Edges that one triangle has, as it goes around them.
+/// Returns the edges of exactly one triangle, in its direction of rotation.
 std::vector<std::pair<int, int>> freeEdges(const SewnMesh& mesh) {
   std::vector<std::pair<int, int>> sides, free;
   for (const SewnMesh::Triangle& t : mesh.triangles)
@@ -71,15 +71,16 @@ int Drape::mostSteps(Stage stage) const {
 
 double Drape::fraction() const {
   if (stage_ == Stage::kDone) return 1;
-  constexpr std::array<double, 3> kBefore{0, 0.1, 0.3}, kShare{0.1, 0.2, 0.7};  // of the work
+  constexpr std::array<double, 3> kBefore{0, 0.1, 0.3}, kShare{0.1, 0.2, 0.7};  // work shares
   const auto k = static_cast<std::size_t>(stage_);
   const double within = static_cast<double>(stages_.back().steps) / mostSteps(stage_);
-  // Steps that undo crossings come on top.
+  // Steps that separate crossings are not included, so `within` may exceed 1.
   return std::min(1.0, std::max(kBefore[k] + kShare[k] * within, work() / problem_.budget));
 }
 
-/// Per vertex on which side of x = 0 it stays: ClothOptions::least_x. Trouser legs do, and free
-/// edges beside the plane and along it: fronts that meet unbuttoned, and ends of collars.
+/// Returns per vertex the side of x = 0 that it keeps: ClothOptions::least_x. It binds trouser legs
+/// and free edges that run along the plane close to it, such as fronts that meet unbuttoned and
+/// ends of collars.
 std::vector<double> Drape::besideEachOther(const SewnLevel& level, const SewnMesh& mesh,
                                            const HeldLayers& held, const Positions& x) const {
   const double apart = problem_.fabric.offset / 2;
@@ -101,7 +102,7 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
   if (cloth_) spent_ += cloth_->work();
   LevelCloth::Layers layers{problem_.overlaps, {}, {}, problem_.fabric.offset};
   layers.held = heldLayers(level, problem_.matches, problem_.overlaps, layers.gap);
-  // Where no pieces overlap there are no layers: cloth that lies in waves only looks like them.
+  // A garment without overlapping pieces has no layers; waves of its cloth only resemble them.
   if (!problem_.overlaps.empty()) {
     if (stage_ == Stage::kSew)
       layers.laid = problem_.start;
@@ -138,7 +139,8 @@ void Drape::begin(Stage stage, const Positions& from) {
 void Drape::step() {
   StageReport& report = stages_.back();
   const bool first = stage_ == Stage::kSew && report.steps < kQuasiNewtonSteps;
-  // It comes to lie on the body before it weighs: a band that fell meanwhile would stay too low.
+  // The garment first settles on the body without weight: a band that fell meanwhile would stay too
+  // low.
   cloth_->setWeight(!first);
   if (since_.steps == 0) since_.from = positions();
   const ClothSolver::Step step = first ? cloth_->quasiNewtonStep() : cloth_->newtonStep();
@@ -149,7 +151,7 @@ void Drape::step() {
   if (!first) watch(step.fall);
 }
 
-/// Whether it still moves, once in kRestSteps steps.
+/// Updates at_rest_ once in kRestSteps steps.
 void Drape::watch(double fall) {
   since_.fall += fall;
   if (++since_.steps < kRestSteps) return;
@@ -172,8 +174,8 @@ void Drape::finish() {
   begin(Stage::kDone);
 }
 
-/// Whether crossings are left that more steps may undo, or the cloth has to come to rest after
-/// that.
+/// Starts another round of steps if crossings are left, or if the cloth has to come to rest after
+/// such rounds. Returns whether it did.
 bool Drape::mend() {
   if (mended_ >= kMostMended || work() >= problem_.budget) return false;
   if (cloth_->crossings() > 0)

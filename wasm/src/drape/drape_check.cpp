@@ -11,9 +11,9 @@
 namespace seamwise {
 namespace {
 
-constexpr double kOverstretched = 0.1;    ///< 99th percentile, beyond Fabric::stiff_from
+constexpr double kOverstretched = 0.1;    ///< 99th percentile of tension beyond Fabric::stiff_from
 constexpr double kVisiblyInside = 0.005;  ///< m
-constexpr int kFewCrossings = 20;         ///< as folds of sound garments have
+constexpr int kFewCrossings = 20;         ///< folds of sound garments have a few as well
 
 DrapeCheck::Spread spreadOf(std::vector<double> values) {
   if (values.empty()) return {};
@@ -72,7 +72,7 @@ DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceFi
         weft[c] += t.weft[k] * at, warp[c] += t.warp[k] * at, middle[c] += at / 3;
       }
     check.depth = std::max(check.depth, -body.distance(middle, nullptr));
-    // roots of the eigenvalues of [weft warp]^T [weft warp]
+    // Principal stretches: roots of the eigenvalues of [weft warp]^T [weft warp].
     const double a = dot(weft, weft), b = dot(weft, warp), c = dot(warp, warp);
     const double mean = (a + c) / 2, spread = std::sqrt((a - c) * (a - c) / 4 + b * b);
     tensions.push_back(std::max(0.0, std::sqrt(mean + spread) - 1));

@@ -9,24 +9,26 @@
 
 namespace seamwise {
 
-/// What can be measured of a draped garment. Seams meet, as both sides are one vertex.
+/// Quality measures of a draped garment. Seams are closed by construction, because both sides share
+/// their vertices.
 struct DrapeCheck {
-  /// Of a quantity over all triangles.
+  /// Distribution of a quantity over all triangles.
   struct Spread {
     double median = 0, p99 = 0, most = 0;
   };
-  double depth = 0;    ///< m that a vertex or a triangle's middle is inside the body, at most
-  Spread tension;      ///< largest principal stretch less 1, where it is above 0
-  Spread compression;  ///< 1 less the smallest, likewise
-  int crossings = 0;   ///< pairs of an edge and a triangle that it passes through
+  double depth = 0;    ///< m, greatest penetration of a vertex or triangle centre into the body
+  Spread tension;      ///< largest principal stretch minus 1, clamped at 0
+  Spread compression;  ///< 1 minus the smallest principal stretch, clamped at 0
+  int crossings = 0;   ///< pairs of an edge and a triangle that it pierces
 };
 
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body);
 
-/// What people should know of a drape that no cloth could have, in a sentence; empty of others.
+/// Returns a sentence for the user about a drape that no real cloth could have, else an empty
+/// string.
 std::string doubtAbout(const DrapeCheck& check, const Fabric& fabric);
 
-/// An edge that passes through a triangle without a common vertex.
+/// Edge that pierces a triangle without sharing a vertex with it.
 struct ClothCrossing {
   std::array<int, 2> edge;  ///< vertices
   int triangle;

@@ -9,29 +9,31 @@
 namespace seamwise {
 namespace {
 
-// Of girths: cloth lies a little off the form. [cm]
+// Ease of girths, because cloth is at a small distance from the form. [cm]
 constexpr double kEaseCm = 2, kEaseOfHeld = 1, kEaseOfLimbs = 1.5, kEaseAtCrotch = 8;
-// What files hang on bodies has its waist so high over the floor: GarmentCode's and, lifted onto
-// the floor, Garment-Pattern-Generator's. [cm]
+// Height of the waist over the floor in files that place pieces on a body: GarmentCode's and, after
+// the lift onto the floor, Garment-Pattern-Generator's. [cm]
 constexpr double kWaistOfFiles = 108.8;
-// No body is thinner than this share of a size M. [1]
+// Minimum girths as a share of size M. [1]
 constexpr double kThinnest = 0.6;
-// Waist edges lie so far over the waist, crotches so far below the body's. [cm]
+// Height of waist edges over the waist, and depth of crotch seams below the body's crotch. [cm]
 constexpr double kOverWaist = 2, kUnderCrotch = 3;
-// From the shoulders down to the crotch cloth takes so much more than the difference of heights.
-constexpr double kAroundTorso = 5;  ///< cm
+// Cloth from the shoulders to the crotch is this much longer than the difference in height. [cm]
+constexpr double kAroundTorso = 5;
 
-// Both legs' girth where they part, of one's and beside it, and from where on they count: of the
-// depth of the hips. form_shape.cpp says how far apart they are. [1, cm, 1]
+// The girth around both legs at the crotch is kAroundLegs times the thigh girth plus kApart. It
+// counts below the share kOfLegs of the hip depth. form_shape.cpp defines the distance between the
+// legs. [1, cm, 1]
 constexpr double kAroundLegs = 1.61, kApart = 3.2, kOfLegs = 0.6;
-constexpr double kLeastRise = 18;                   ///< cm
-constexpr double kBesideNeck = 4, kUnderHips = 12;  ///< cm
-constexpr double kTightEnough = 12;  ///< cm of girth over all levels that sizes may lack
-constexpr double kOfRise = 6;        ///< of that, a missing cm of the body's rise
-constexpr int kSteps = 4;            ///< between neighbouring sizes
+constexpr double kLeastRise = 18;  ///< cm, minimum body rise
+// Distance of a neckline from the neck, and of the lowest skirt rings below the torso tube. [cm]
+constexpr double kBesideNeck = 4, kUnderHips = 12;
+constexpr double kTightEnough = 12;  ///< cm, missing girth over all levels that ends the search
+constexpr double kOfRise = 6;        ///< weight of 1 cm of missing body rise in that sum
+constexpr int kSteps = 4;            ///< steps between neighbouring sizes
 constexpr int kRounds = 8;
 
-/// A body between two sizes, or beyond them by the same steps. 0 is XS, 4 XL.
+/// Interpolates between two sizes, or extrapolates by the same steps. 0 is XS, 4 is XL.
 Measures measuresAt(double size) {
   const int last = static_cast<int>(kSizes.size()) - 2;
   const int below = std::clamp(static_cast<int>(std::floor(size)), 0, last);
@@ -43,7 +45,7 @@ Measures measuresAt(double size) {
   return between;
 }
 
-/// The size that has a measure, between two below XS and XL.
+/// Finds the size with a given measurement by bisection, from two sizes below XS to XL.
 double sizeWith(double Measures::*measure, double cm) {
   double low = -2, high = 4;
   for (int step = 0; step < 20; ++step) {
@@ -53,7 +55,7 @@ double sizeWith(double Measures::*measure, double cm) {
   return low;
 }
 
-/// The height of the form's shoulders at so far from the middle. [cm]
+/// Returns the height of the form's shoulders at a distance `side` from its middle plane. [cm]
 double shoulderHeight(const Form& form, double side) {
   const Vec3 tip = form.shoulderPoint();
   double low = tip.y() - 20, high = form.napeHeight() + 10;
@@ -65,7 +67,7 @@ double shoulderHeight(const Form& form, double side) {
   return low;
 }
 
-/// A search for the body that a garment fits on.
+/// Search for a body that fits a garment.
 class Fitting {
  public:
   explicit Fitting(const HungGarment& garment) : garment_(garment) {}
@@ -83,11 +85,11 @@ class Fitting {
  private:
   struct Candidate {
     FittingForm body;
-    double tightness;  ///< cm of girth that rings lacked before its girths were made smaller
+    double tightness;  ///< cm, girth that rings lacked before the body's girths were reduced
   };
 
-  /// By how much what lies on the shoulders lies too low, in the mean; none where nothing does.
-  /// [cm]
+  /// Returns the mean depth of the garment's shoulders below those of the form; empty if the
+  /// garment has none. [cm]
   std::optional<double> missingAtShoulders(const Form& form) const {
     if (!garment_.hasShoulders()) return std::nullopt;
     const double neck = form.measures().neck / (2 * kPi) + 2, tip = form.shoulderPoint().x() - 3;
@@ -108,14 +110,15 @@ class Fitting {
     return sum / count;
   }
 
-  /// How wide shoulders are that a garment lies on: as its own are, or wider, and so flatter, where
-  /// those are flatter than a body's, or it would hang on the sides of the neck. [cm]
+  /// Returns the width of the body's shoulders. It follows the garment, but a garment with flatter
+  /// shoulders than a body's gets wider and flatter ones. Otherwise it would hang on the sides of
+  /// the neck. [cm]
   double shoulderWidth(const Measures& m) const {
-    constexpr double kRise = 0.125;  // of the back's length, from the tips to the neck
+    constexpr double kRise = 0.125;  // rise from tip to neck, share of the back length
     constexpr double kWider = 9;     // cm
     constexpr double kUsualSlope = 0.33;
     const double own = std::min(2 * garment_.shoulder() + 1, m.shoulder_width);
-    // Without sleeves it would slip off them.
+    // A sleeveless garment would slip off wider shoulders.
     if (!garment_.hasSleeves() || garment_.hasCollar() || garment_.shoulder() < garment_.neck() + 3)
       return own;
     const double fall = garment_.topOver(garment_.neck(), true).value_or(0) -
@@ -126,7 +129,8 @@ class Fitting {
     return std::clamp(2 * tip, own, own + kWider);
   }
 
-  /// The widest ring over the waist, of what has no shoulders. [cm]
+  /// Returns the widest ring above the waist of a garment without shoulders, or the bust of `m`.
+  /// [cm]
   double girthAtBust(double lift, const Measures& m) const {
     double most = 0;
     for (const WornGirth& ring : garment_.girths(BodyPart::kTorso))
@@ -135,7 +139,8 @@ class Fitting {
     return most > 0 ? most : m.bust;
   }
 
-  /// The body of a size made smaller until the garment has ease on it; none when it is no body.
+  /// Reduces the body of a size until the garment has ease on it; returns nothing if the
+  /// measurements no longer make a body.
   std::optional<Candidate> fitted(double size) const {
     Measures m = measuresAt(size);
     const Outcome<Form> usual = Form::make(m);
@@ -158,7 +163,7 @@ class Fitting {
             &Measures::wrist, &Measures::thigh, &Measures::knee, &Measures::ankle})
         m.*girth = wide.*girth;
     } else if (garment_.girths(BodyPart::kTorso).empty()) {
-      // Open down to the hem: as wide as its shoulders.
+      // No ring closes around the torso, so the shoulder width limits the size.
       m = measuresAt(
           std::min(size, sizeWith(&Measures::shoulder_width, 2 * garment_.shoulder() + 1)));
     }
@@ -166,8 +171,8 @@ class Fitting {
     if (missing) {
       m.shoulder_width =
           std::clamp(shoulderWidth(m), 0.75 * m.shoulder_width, 1.15 * m.shoulder_width);
-      // A neckline lies around the neck's base, or goes straight over it from shoulder to shoulder;
-      // a collar closes around the neck itself.
+      // A neckline runs around the neck's base or straight over it from shoulder to shoulder. Only
+      // a collar closes around the neck.
       if (!garment_.hasCollar())
         m.neck = std::clamp(2 * kPi * (garment_.neck() - kBesideNeck), 0.7 * m.neck, m.neck);
       m.neck = std::min(m.neck, kPi * (m.shoulder_width - 7));
@@ -178,7 +183,8 @@ class Fitting {
         tightness += kOfRise * std::max(0.0, garment_.crotch() + lift + m.body_rise + kUnderCrotch -
                                                  m.waist_height);
     } else if (garment_.hasLegs()) {
-      // Low-rise trousers hang lower; what else lies too high makes the body's rise shorter.
+      // Low-rise trousers hang up to 8 cm lower; the remaining excess height shortens the body
+      // rise.
       const double low = m.waist_height - m.body_rise - kUnderCrotch - garment_.crotch();
       if (lift > low) lift = std::max(low, lift - 8);
     }
@@ -194,8 +200,9 @@ class Fitting {
     return Candidate{{m, lift}, tightness};
   }
 
-  // Makes girths smaller where rings lack some: that of a level is about linear in the girths that
-  // its tube's sections are made of. The waist comes after those beside it.
+  // Reduces girths at rings that are too narrow. The girth of a level is about linear in the girths
+  // of its tube's sections. The first rounds leave the waist unchanged, because its neighbours come
+  // first.
   bool lessen(Measures* m, double lift, bool before_waist) const {
     const Outcome<Form> made = Form::make(*m);
     if (!made.ok()) return false;
@@ -211,7 +218,7 @@ class Fitting {
       forRings(form, part, lift, ease, use);
     };
     const bool trousers = garment_.hasLegs();
-    // What hangs on no shoulders is held by being hardly wider than the body.
+    // Only a close fit holds a garment without shoulders.
     each(BodyPart::kTorso, garment_.hasShoulders() ? kEaseCm : kEaseOfHeld,
          [&](double level, double missing) {
            const double up = level / m->back_length, down = -level / m->hip_depth;
@@ -246,7 +253,7 @@ class Fitting {
     return true;
   }
 
-  /// How much girth rings of the torso lack on a body, summed over levels 1 cm apart. [cm]
+  /// Returns the girth that rings of the torso lack on a body, summed over levels 1 cm apart. [cm]
   double tightnessOn(const Measures& m, double lift) const {
     const Outcome<Form> form = Form::make(m);
     double sum = 0;
@@ -256,18 +263,18 @@ class Fitting {
     return sum;
   }
 
-  // Calls use(level, missing girth) for every ring about a part of the form.
+  // Calls use(level, missing girth) for each ring around a part of the form.
   template <class Use>
   void forRings(const Form& form, BodyPart part, double lift, double ease, const Use& use) const {
     const Tube& tube = form.tube(part);
     const bool arm = only(part) & kArms, torso = part == BodyPart::kTorso;
     for (const WornGirth& ring : garment_.girths(part)) {
       double level = arm ? ring.height : ring.height + lift - tube.axis().origin.y();
-      // Skirts go around both legs.
+      // Skirts enclose both legs, so rings just below the torso tube count at its bottom.
       if (torso && !garment_.hasLegs() && level > tube.bottom() - kUnderHips)
         level = std::max(level, tube.bottom());
       if (level < tube.bottom() || level > tube.top()) continue;
-      // What ends at the waist lies at several heights there.
+      // The top edge of a garment without shoulders covers several heights.
       if (torso && !garment_.hasShoulders() && ring.height > garment_.topLow() - 1) continue;
       use(level, tube.section(level).girth() + ease - ring.girth);
     }
@@ -286,7 +293,7 @@ Outcome<FittingForm> fittingForm(const Garment& garment, const Pattern& pattern)
   const HungGarment hung(garment, pattern, usual.value(), hanging.value());
   FittingForm fitting = Fitting(hung).run();
   if (!hanging.value().by_seams) return fitting;
-  // Seams hang it by the heights of whatever form it is on.
+  // Seams hang a garment by heights of the given form, so the lift depends on the form.
   const Outcome<Form> own = Form::make(fitting.measures);
   if (!own.ok()) return own.error();
   const Outcome<Hanging> on_own = hang(garment, pattern, own.value());

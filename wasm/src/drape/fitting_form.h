@@ -6,15 +6,16 @@
 
 namespace seamwise {
 
-/// A body for a garment that says nothing about whom it is drafted for.
+/// Body for a garment that states neither a size nor body measurements.
 struct FittingForm {
   Measures measures;
-  double lift = 0;  ///< that brings the garment's placement to the height of this body, cm
+  double lift = 0;  ///< cm, raises the garment's placement to the height of this body
 };
 
-/// The body on which the garment has ease at every height: a size M whose girths are made smaller
-/// where rings of pieces are. What has no shoulders is held where it ends: its body is as wide
-/// there as it is itself. Errors: those of hang().
+/// Finds the body on which the garment has ease at every height.
+/// The body is a size M or smaller, with girths reduced at rings of pieces. A garment without
+/// shoulders is held by its top edge, so its body has the same width there.
+/// Errors: those of hang().
 Outcome<FittingForm> fittingForm(const Garment& garment, const Pattern& pattern);
 
 }  // namespace seamwise

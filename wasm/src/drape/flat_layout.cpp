@@ -10,7 +10,7 @@
 namespace seamwise {
 namespace {
 
-// Collars are sewn on within this of the highest piece. [cm]
+// Maximum depth of collar seams below the top of the shoulder pieces. [cm]
 constexpr double kNeckline = 18;
 
 }  // namespace
@@ -59,8 +59,8 @@ void FlatLayout::forSides(const Use& use) const {
     if (join.a.piece != join.b.piece) use(join.a, join.b, join), use(join.b, join.a, join);
 }
 
-// A grain line has no head, and some files draw sleeves along the arm: they are sewn on at their
-// top, and where they are is the torso's.
+// Turns a piece so that its seams between sleeve and torso are at its top. A grain line has no
+// direction, and some files draw sleeves along the arm.
 void FlatLayout::hold(int i) {
   Vec2 top = Vec2::Zero();
   forSides([&](const UprightSide& one, const UprightSide& other, const UprightJoin& join) {
@@ -73,7 +73,7 @@ void FlatLayout::hold(int i) {
     upright_.turn(i, 2);
 }
 
-// A strap from one end of a top edge to the other goes around the neck, its ends to the sides.
+// A strap between the two ends of a top edge goes around the neck, with its ends at the sides.
 void FlatLayout::holdStrap(int i) {
   const UprightSide* ends[2] = {nullptr, nullptr};
   int count = 0;
@@ -97,9 +97,9 @@ double FlatLayout::lengthOf(int i) const {
   return std::max(across.width(), along.width());
 }
 
-// Lays the pieces of one arm, or of none, flat side by side from the largest on: along the
-// longest upright seams first, then along any that lie flat, in the end along shoulder seams,
-// where the other piece lies on the body's other side.
+// Arranges the pieces of one arm, or of the torso for -1, side by side, starting from the piece of
+// highest rank. It follows the longest upright seams first, then other flat seams. Shoulder seams
+// come last, because their other piece is on the opposite side of the body.
 void FlatLayout::spread(int arm) {
   int root = -1;
   for (int i = 0; i < count_; ++i)
@@ -130,7 +130,7 @@ double FlatLayout::rank(int i) const {
 void FlatLayout::lay(int k) {
   const bool forwards = reached_[joins()[k].a.piece];
   const int next = (forwards ? joins()[k].b : joins()[k].a).piece;
-  // A shoulder's seam turns nothing: it runs the other way on the body's other side.
+  // A shoulder seam does not turn a piece: it runs in the other direction on the body's other side.
   const bool flat = joins()[k].isFlat();
   if (flat && !neck_[next])
     upright_.turn(next, forwards ? joins()[k].quarters() : 4 - joins()[k].quarters());
@@ -142,7 +142,7 @@ void FlatLayout::lay(int k) {
   reached_[next] = true;
 }
 
-// Pockets and the like, which lie on a piece.
+// Places a piece, such as a pocket, that a match joins to a placed one. Returns whether it did.
 bool FlatLayout::layMatched(int arm) {
   for (const MatchLine& match : garment_.matches) {
     const int a = match.piece_a, b = match.piece_b;
@@ -162,8 +162,8 @@ double FlatLayout::topOf(int i) const {
   return top;
 }
 
-// Collars and hoods: above the shoulders, or sewn to nothing beside them, and what is laid on
-// those.
+// Finds collars and hoods: pieces above the shoulders, pieces with no shoulder piece at their side,
+// and pieces attached to these.
 void FlatLayout::findNeck() {
   double top = -1e9;
   std::vector<char> beside(count_, false);
@@ -185,7 +185,8 @@ void FlatLayout::findNeck() {
                      (!beside[piece] && seam[piece] > top - kNeckline);
 }
 
-// What is gathered onto a band, or a band sewn to several pieces, has its middle over theirs.
+// Centres a piece over the larger pieces sewn to its top or bottom edge, such as a band over
+// gathered panels.
 void FlatLayout::centreRows() {
   const double around = ring([&](int i) { return isTorso(i); }).girth;
   for (const std::pair<int, int>& pair : laid_) {
@@ -198,7 +199,7 @@ void FlatLayout::centreRows() {
         return;
       double across = at_[other.piece].x() + other.middle.x() - one.middle.x();
       if (weight == 0) first = across;
-      // The layout is cut open somewhere; what is sewn across lies on.
+      // The layout is cut open somewhere, so a seam across the cut continues one girth further.
       across -= around * std::nearbyint((across - first) / around);
       sum += join.length * across, weight += join.length;
     });

@@ -9,7 +9,7 @@
 
 namespace seamwise {
 
-/// What numbers lie between.
+/// Range of numbers.
 struct Breadth {
   double low = 1e9, high = -1e9;
   void add(double x) { low = std::min(low, x), high = std::max(high, x); }
@@ -17,36 +17,36 @@ struct Breadth {
   double middle() const { return (low + high) / 2; }
 };
 
-/// The pieces of a garment laid flat side by side as they are sewn, upright along their grain:
-/// those of the torso, and by themselves those of each arm.
+/// Pieces of a garment arranged flat and side by side in sewing order, upright along their grain.
+/// The torso has one layout and each arm has another.
 class FlatLayout {
  public:
   FlatLayout(const Garment& garment, const Pattern& pattern);
 
   int count() const { return count_; }
-  /// A piece that no seam and no match joins to the others, or -1.
+  /// Returns a piece that no seam or match joins to the others, or -1.
   int unjoined() const;
   const UprightPieces& upright() const { return upright_; }
-  /// Per piece: a piece by which its arm is known, or -1.
+  /// Per piece: representative piece of its arm, or -1.
   const std::vector<int>& arm() const { return arm_; }
-  /// Whether a piece is of a collar, a hood, or a strap around the neck.
+  /// Returns whether a piece belongs to a collar, a hood or a neck strap.
   bool isNeck(int i) const { return neck_[i]; }
   bool isTorso(int i) const { return arm_[i] < 0 && !neck_[i]; }
-  /// Whether the garment hangs from the neck: it has sleeves or shoulder seams.
+  /// Returns whether the garment hangs from the neck, because it has sleeves or shoulder seams.
   bool hasShoulders() const;
   const std::string& name(int i) const { return pattern_.pieces[i].name; }
   const std::vector<int>& outline(int i) const { return pattern_.pieces[i].outline; }
 
-  /// Where the origin of a piece, upright, lies; a vertex; the middle of the outline. [cm]
+  /// Layout positions of an upright piece's origin, of a vertex, and of the outline's middle. [cm]
   const Vec2& at(int i) const { return at_[i]; }
   Vec2 laid(int i, int v) const { return at_[i] + upright_(i, pattern_.pieces[i].rest[v]); }
   Vec2 middle(int i) const { return at_[i] + upright_(i, middleOf(i)); }
   double topOf(int i) const;
-  /// Of the outline, in the piece's own coordinates. [cm]
+  /// Middle of the outline in piece coordinates. [cm]
   Vec2 middleOf(int i) const;
 
-  /// The pieces of which belongs(i) holds, as a ring: where they lie across the layout, and how far
-  /// around it goes, by the seams that close it. [cm]
+  /// Ring of the pieces for which belongs(i) holds: extent across the layout, and girth given by
+  /// the seams that close the ring. [cm]
   struct Ring {
     Breadth across;
     double girth = 0;
@@ -60,7 +60,7 @@ class FlatLayout {
     for (const UprightJoin& join : joins())
       if (belongs(join.a.piece) && belongs(join.b.piece) && join.isUpright() && join.isFlat())
         ring.girth = std::max(ring.girth, apart(join));
-    // Those that close it lie apart by much of the layout.
+    // Seams that close a ring join pieces at least half the layout's width apart.
     if (ring.girth < ring.across.width() / 2) ring.girth = ring.across.width();
     return ring;
   }
@@ -88,7 +88,7 @@ class FlatLayout {
   std::vector<char> reached_;
   std::vector<Vec2> at_;
   std::vector<std::pair<int, int>>
-      laid_;  ///< pieces beside others, in the order in which they were
+      laid_;  ///< pairs of a piece and its earlier neighbour, in order of placement
   std::vector<char> neck_, shoulder_;
 };
 

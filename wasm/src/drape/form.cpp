@@ -3,9 +3,9 @@
 namespace seamwise {
 namespace {
 
-// Tubes meet in a fillet of this size. [cm]
+// Fillet size between tubes. [cm]
 constexpr double kFillet = 2.5;
-// Legs meet at the crotch in a smaller one: trousers fit between them. [cm]
+// Fillet size between the legs at the crotch, smaller so that trousers fit between them. [cm]
 constexpr double kBetweenLegs = 0.9;
 
 }  // namespace
@@ -32,15 +32,15 @@ double Form::distance(const Vec3& p, BodyParts parts, Vec3* gradient) const {
     return found;
   };
   Near all = near(BodyPart::kTorso);
-  // Of no influence on the union: twice as far away as it would take, since tubes' distances are
-  // only about right.
+  // Returns whether a tube has no influence on the union. The margin is twice the required
+  // distance, because distances of tubes are approximate.
   const auto isFar = [&](BodyPart part) {
     return all.any && tube(part).leastDistance(p) / 2 > all.distance + 1.25 * kFillet;
   };
   for (const BodyPart part : {BodyPart::kNeck, BodyPart::kHead})
     if (!isFar(part)) join(&all, near(part));
-  // Smooth unions depend on their order: left and right come together first, so that neither comes
-  // before the other.
+  // Smooth unions depend on their order. Left and right are united first, so that neither takes
+  // precedence.
   const auto joinBoth = [&](BodyPart left, BodyPart right, double fillet) {
     if (isFar(left) && isFar(right)) return;
     Near both = near(left);

@@ -8,7 +8,7 @@
 
 namespace seamwise {
 
-/// The parts of the body that a garment hangs on. Left and right are the wearer's: left is +x.
+/// Body parts that a garment can hang on. Left and right are the wearer's: left is +x.
 enum class BodyPart : std::uint8_t {
   kTorso,
   kNeck,
@@ -20,7 +20,7 @@ enum class BodyPart : std::uint8_t {
 };
 inline constexpr int kBodyParts = 7;
 
-/// Some of them, bit by bit.
+/// Set of body parts, one bit each.
 using BodyParts = unsigned;
 constexpr BodyParts only(BodyPart part) { return 1u << static_cast<int>(part); }
 inline constexpr BodyParts kTorsoAndNeck = only(BodyPart::kTorso) | only(BodyPart::kNeck);
@@ -28,16 +28,18 @@ inline constexpr BodyParts kArms = only(BodyPart::kLeftArm) | only(BodyPart::kRi
 inline constexpr BodyParts kLegs = only(BodyPart::kLeftLeg) | only(BodyPart::kRightLeg);
 inline constexpr BodyParts kWholeBody = (1u << kBodyParts) - 1;
 
-/// A tailor's dummy of given measurements, in cm: it stands on the floor y = 0, faces +z, its left
-/// is +x, its arms hang at 45 degrees. One tube per part of the body, in smooth union.
+/// Dress form with given measurements, in cm. The floor is y = 0, the form faces +z, its left is
+/// +x, and its arms point down at 45 degrees. It is a smooth union of one tube per body part.
 class Form {
  public:
-  /// Errors: kNumber when a measurement is no number between 5 and 400 cm, or they contradict each
-  /// other, naming it.
+  /// Makes a form from measurements in cm.
+  /// Errors: kNumber, naming a measurement outside 5 to 400 cm or a contradiction between
+  /// measurements.
   static Outcome<Form> make(const Measures& measures);
 
-  /// About the distance to the surface of these parts, negative inside, and its gradient: once
-  /// continuously differentiable, the gradient of about unit length near the surface. [cm]
+  /// Returns the approximate distance to the surface of `parts`, negative inside, and its gradient.
+  /// The distance is once continuously differentiable; the gradient has about unit length near the
+  /// surface. [cm]
   double distance(const Vec3& p, BodyParts parts, Vec3* gradient) const;
   double distance(const Vec3& p, Vec3* gradient) const { return distance(p, kWholeBody, gradient); }
 
@@ -45,13 +47,13 @@ class Form {
   const Measures& measures() const { return measures_; }
   double crotchHeight() const { return measures_.waist_height - measures_.body_rise; }  ///< cm
   double napeHeight() const { return measures_.waist_height + measures_.back_length; }  ///< cm
-  Vec3 shoulderPoint() const;  ///< the left one, cm
+  Vec3 shoulderPoint() const;  ///< left shoulder point, cm
 
  private:
   explicit Form(const Measures& measures);
 
   Measures measures_;
-  std::vector<Tube> tubes_;  ///< by BodyPart
+  std::vector<Tube> tubes_;  ///< indexed by BodyPart
 };
 
 }  // namespace seamwise

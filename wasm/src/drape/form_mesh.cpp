@@ -6,7 +6,8 @@
 namespace seamwise {
 namespace {
 
-// The left half x >= 0 of the surface; cells are cut into six tetrahedra around one diagonal.
+// Meshes the left half x >= 0 of the surface; each cell is split into six tetrahedra around one
+// diagonal.
 class MarchingTetrahedra {
  public:
   MarchingTetrahedra(const Form& form, BodyParts parts, double spacing)
@@ -71,7 +72,7 @@ class MarchingTetrahedra {
   void add(int a, int b, int c, const std::vector<int>& in, const std::vector<int>& out) {
     const std::vector<Vec3>& x = surface_.vertices;
     const Vec3 normal = crossProduct(x[b] - x[a], x[c] - x[a]);
-    // From the corners within to those without.
+    // Vector from the inner corners to the outer ones.
     Vec3 outward = Vec3::Zero();
     for (int v : out) outward += place(v) * static_cast<double>(in.size());
     for (int v : in) outward -= place(v) * static_cast<double>(out.size());
@@ -79,7 +80,8 @@ class MarchingTetrahedra {
     surface_.triangles.push_back({a, b, c});
   }
 
-  // The vertex of the surface on the edge between two grid points on either side of it.
+  // Returns the surface vertex on the edge between two grid points on opposite sides of the
+  // surface.
   int cut(int a, int b) {
     if (a > b) std::swap(a, b);
     for (int vertex = last_cut_[a]; vertex >= 0; vertex = cuts_[vertex].before)
@@ -101,11 +103,11 @@ class MarchingTetrahedra {
   std::array<int, 3> count_;
   std::vector<double> values_;
   struct Cut {
-    int to;      ///< the grid point at the edge's other end
-    int before;  ///< another vertex on an edge from the same grid point, or -1
+    int to;      ///< grid point at the other end of the edge
+    int before;  ///< previous vertex on an edge from the same grid point, or -1
   };
   std::vector<Cut> cuts_;      ///< per vertex of the surface
-  std::vector<int> last_cut_;  ///< per grid point: the vertex made last on an edge from it, or -1
+  std::vector<int> last_cut_;  ///< per grid point: latest vertex on an edge from it, or -1
   Surface surface_;
 };
 

@@ -1,4 +1,4 @@
-// How a form is made of its measurements; form.cpp says how far it is.
+// Construction of a form from its measurements; form.cpp computes distances from it.
 #include <cmath>
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace seamwise {
 namespace {
 
-// The shoulder point lies so far below the nape, as a share of the back's length. [1]
+// Height of the nape over the shoulder point, as a share of the back length. [1]
 constexpr double kShoulderDrop = 0.09;
 
 double between(double share, double from, double to) { return from + share * (to - from); }
@@ -16,7 +16,7 @@ double between(double share, double from, double to) { return from + share * (to
 Axis upright(const Vec3& origin) { return {origin, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()}; }
 
 // Half widths, half depths and middles follow a scanned average body (GarmentCode's mean_all),
-// smoothed and with a woman's waist; girths are the measurements'.
+// smoothed and with a woman's waist. Girths come from the measurements.
 Tube torso(const Measures& m) {
   const double up = m.back_length, down = m.hip_depth;
   const Section chest{0.45 * up, 16.8, 12.6, 0.1, 0.2};
@@ -56,7 +56,7 @@ Tube neck(const Measures& m) {
           {6.5, 0, 3}};
 }
 
-// From the shoulder down to the hand, 45 degrees from the upright; level 0 is the joint.
+// Arm from the shoulder down to the hand, 45 degrees from the vertical; level 0 is the joint.
 Tube arm(const Measures& m, const Vec3& shoulder, double side) {
   const double r = m.upper_arm / (2 * kPi);
   const Turn turn = turnOfDegrees(45);
@@ -78,7 +78,7 @@ Tube arm(const Measures& m, const Vec3& shoulder, double side) {
       {1.1 * r, 0, 1.4 * r}};
 }
 
-// From the hip joint to the ankle; level 0 is the crotch's.
+// Leg from the hip joint to the ankle; level 0 is the crotch.
 Tube leg(const Measures& m, double side) {
   const double crotch = m.waist_height - m.body_rise, knee = m.waist_height - m.knee_depth;
   const double apart = 0.152 * m.thigh + 1;
@@ -93,7 +93,7 @@ Tube leg(const Measures& m, double side) {
           {8, 0, 5}};
 }
 
-// An egg, for hoods.
+// Egg-shaped head, for hoods.
 Tube head(const Measures& m) {
   const double nape = m.waist_height + m.back_length;
   const auto ring = [&](double level, double middle, double share) {

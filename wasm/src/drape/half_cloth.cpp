@@ -9,7 +9,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSameCut = 1e-6;    ///< relative, of triangles' areas and derivatives
+constexpr double kSameCut = 1e-6;    ///< relative, of triangle areas and derivatives
 constexpr double kSamePlace = 1e-6;  ///< m
 
 using Corners = std::array<int, 3>;
@@ -20,7 +20,7 @@ Corners sorted(Corners corners) {
   return corners;
 }
 
-/// Per triangle its image, or empty where one has none or more than one.
+/// Returns per triangle its mirror image; empty if a triangle has none or more than one.
 std::vector<int> imagesOf(const SewnMesh& mesh, const std::vector<int>& image) {
   std::vector<std::pair<Corners, int>> by_corners;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -40,11 +40,11 @@ std::vector<int> imagesOf(const SewnMesh& mesh, const std::vector<int>& image) {
   return images;
 }
 
-/// Of the same area, and with the grain of the other's image: threads have no sense of direction.
+/// Returns whether two triangles have equal areas and mirrored grains. Threads have no direction.
 bool cutAlike(const SewnMesh::Triangle& a, const SewnMesh::Triangle& b,
               const std::vector<int>& image) {
   if (std::abs(a.area - b.area) > kSameCut * a.area) return false;
-  const double most = kSameCut / std::sqrt(a.area);  // of the derivatives
+  const double most = kSameCut / std::sqrt(a.area);  // maximum difference of derivatives
   const auto alike = [&](double along) {
     for (int k = 0; k < 3; ++k)
       for (int l = 0; l < 3; ++l)
@@ -57,7 +57,8 @@ bool cutAlike(const SewnMesh::Triangle& a, const SewnMesh::Triangle& b,
   return alike(1) || alike(-1);
 }
 
-/// Per triangle a number that is the same for all that hang together without crossing the plane.
+/// Returns per triangle an index shared by all triangles that are connected without crossing the
+/// plane.
 std::vector<int> sidesOf(const SewnMesh& mesh, const std::vector<int>& image) {
   struct Edge {
     std::array<int, 2> ends;
@@ -80,8 +81,9 @@ std::vector<int> sidesOf(const SewnMesh& mesh, const std::vector<int>& image) {
   return sides;
 }
 
-/// A hinge across the plane: its other triangle is the image of this one, so that what it resists
-/// is twice what this one does, and half of it is this one's. Sideways the two cancel.
+/// Converts a hinge across the plane. Its other triangle is the mirror image of this one, so the
+/// opposite corner counts for both, and half of the energy belongs to this half. The sideways
+/// components cancel.
 SewnMesh::Hinge acrossPlane(SewnMesh::Hinge hinge, int own) {
   hinge.vertices[2] = hinge.vertices[3] = hinge.vertices[own];
   hinge.weights[2] += hinge.weights[3], hinge.weights[3] = 0;
@@ -118,7 +120,7 @@ std::optional<HalfCloth> halved(const SewnMesh& mesh, const std::vector<int>& im
   const std::vector<int> images = imagesOf(mesh, image);
   if (images.empty()) return std::nullopt;
   const std::vector<int> sides = sidesOf(mesh, image);
-  std::vector<double> to_left(sides.size(), 0.0);  // of all triangles of a side
+  std::vector<double> to_left(sides.size(), 0.0);  // sum of x over the triangles of a side
   for (std::size_t t = 0; t < sides.size(); ++t) {
     if (sides[t] == sides[images[t]]) return std::nullopt;
     if (!cutAlike(mesh.triangles[t], mesh.triangles[images[t]], image)) return std::nullopt;

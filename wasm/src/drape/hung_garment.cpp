@@ -8,8 +8,8 @@
 namespace seamwise {
 namespace {
 
-constexpr double kFarthestShoulder = 23;   ///< cm from the middle
-constexpr double kUnderShoulders = 128.8;  ///< no shoulder seam of a file is lower, cm
+constexpr double kFarthestShoulder = 23;   ///< cm, from the middle
+constexpr double kUnderShoulders = 128.8;  ///< cm, minimum height of shoulder seams in files
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Vec3 HungGarment::at(int piece, int vertex) const {
   return hanging_.placed[piece](pattern_.pieces[piece].rest[vertex]);
 }
 
-// Where the seams on the shoulders begin and end, from the middle.
+// Finds where the shoulder seams start and end, measured from the middle.
 void HungGarment::findShoulders() {
   double highest = -1e9;
   std::vector<std::pair<double, double>> seams;
@@ -43,13 +43,13 @@ void HungGarment::findShoulders() {
     for (const double side : {x, -x})
       if (const std::optional<double> top = topOver(side, true); top && *top > kUnderShoulders)
         seams.emplace_back(x, *top), highest = std::max(highest, *top);
-  constexpr double kSlope = 12;  // cm that shoulders fall
+  constexpr double kSlope = 12;  // cm, maximum fall of shoulders
   for (const auto& [x, top] : seams)
     if (top > highest - kSlope) neck_ = std::min(neck_, x), shoulder_ = std::max(shoulder_, x);
 }
 
-// The edge that a garment ends in at its top, around what it hangs on: edges that are sewn to
-// nothing, one after the other, across seams.
+// Finds the top edge of a garment around its body part: a chain of open edges that continues across
+// seams.
 void HungGarment::findTop() {
   std::vector<int> first;
   int count = 0;

@@ -8,14 +8,14 @@
 namespace seamwise {
 namespace {
 
-/// Pieces that a seam joins to anything.
+/// Returns per piece whether it has a seam.
 std::vector<char> sewnPieces(const Pattern& pattern) {
   std::vector<char> sewn(pattern.pieces.size(), 0);
   for (const Seam& seam : pattern.seams) sewn[seam.a.piece] = sewn[seam.b.piece] = 1;
   return sewn;
 }
 
-/// Points of a piece to those of the one below it: p -> turn p + shift, turn = [c -s; s c].
+/// Maps points of a piece to the piece below it: p -> turn p + shift, turn = [c -s; s c].
 struct Laying {
   double c = 1, s = 0;
   Vec2 shift = Vec2::Zero();
@@ -23,7 +23,7 @@ struct Laying {
   Vec2 operator()(const Vec2& p) const { return turned(p) + shift; }
 };
 
-/// The rigid motion that brings points the nearest to others (Kabsch).
+/// Returns the rigid motion that minimises the squared distances between paired points (Kabsch).
 Laying fitted(const std::vector<std::pair<Vec2, Vec2>>& points) {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
   for (const auto& [a, b] : points) from += a, to += b;

@@ -7,14 +7,14 @@
 
 namespace seamwise {
 
-/// Which pieces lie on which: what is sewn to nothing lies on what it is matched with; of two
-/// fronts that overlap, the right one lies on the left one.
+/// Returns which pieces cover which. A piece without seams covers the piece that it is matched
+/// with. The right one of two overlapping fronts covers the left one.
 std::vector<Overlap> overlapsOf(const Garment& garment, const Pattern& pattern,
                                 const Hanging& hanging);
 
-/// Lays pieces that are sewn to nothing on those that they are matched with, so that their lines
-/// meet, the least squares of what is between them.
-/// @param gap   from one to the other, cm
+/// Places pieces without seams on the pieces that they are matched with. Their match lines coincide
+/// in the least-squares sense.
+/// @param gap   distance between the two pieces, cm
 void layOnOthers(const Garment& garment, const Pattern& pattern,
                  const std::vector<Overlap>& overlaps, double gap, PiecePositions* positions);
 

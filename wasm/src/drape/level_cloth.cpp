@@ -18,7 +18,7 @@ LevelCloth::LevelCloth(const SewnMesh& mesh, const std::vector<int>& image, cons
                                     std::move(options), contacts_.get());
 }
 
-/// Those of this half.
+/// Returns the layers of this half.
 HeldLayers LevelCloth::heldOfHalf(const HeldLayers& held) const {
   HeldLayers own;
   for (const int v : half_->vertex) own.laps.push_back(held.laps[v]);
@@ -34,7 +34,8 @@ HeldLayers LevelCloth::heldOfHalf(const HeldLayers& held) const {
   return own;
 }
 
-/// Half a gap from the plane; where the cloth goes on to the other side, next to none.
+/// Returns the minimum x per vertex: half a gap, but a quarter within two edges of where the cloth
+/// continues on the other side.
 std::vector<double> LevelCloth::leastX(double gap) const {
   std::vector<double> least(solved().size, gap / 2);
   for (int i = 0; i < solved().size; ++i)
@@ -58,7 +59,8 @@ ClothSolver::Step LevelCloth::taken(ClothSolver::Step step) {
 int LevelCloth::crossings() const {
   const Positions& x = solver_->positions();
   std::size_t count = crossingsOf(solved(), x).size();
-  for (std::size_t i = 0; half_ && i < x.size(); ++i) count += x[i].x() < 0;  // into its image
+  // A vertex beyond the plane crosses its mirror image.
+  for (std::size_t i = 0; half_ && i < x.size(); ++i) count += x[i].x() < 0;
   return static_cast<int>(count);
 }
 

@@ -10,26 +10,26 @@
 
 namespace seamwise {
 
-/// One level of a garment on its way to rest: the whole cloth, or one half of a symmetric one.
+/// Cloth of one mesh level during a drape: the whole cloth, or one half of a symmetric one.
 class LevelCloth {
  public:
   struct Layers {
     std::vector<Overlap> overlaps;
     HeldLayers held;
-    Positions laid;  ///< where all vertices were laid to begin with, m
+    Positions laid;  ///< initial positions of all vertices, m
     double gap = 0;  ///< m, between layers
   };
 
-  /// @param mesh, layers   of the whole cloth
-  /// @param image          per vertex its image in x = 0, or empty
-  /// @param start          of all vertices, m
+  /// @param mesh, layers   mesh and layers of the whole cloth
+  /// @param image          per vertex: mirror image in x = 0; or empty
+  /// @param start          initial positions of all vertices, m
   LevelCloth(const SewnMesh& mesh, const std::vector<int>& image, const Layers& layers,
              const Fabric& fabric, const DistanceField& body, const Positions& start,
              ClothOptions options);
   LevelCloth(const LevelCloth&) = delete;
   LevelCloth& operator=(const LevelCloth&) = delete;
 
-  /// Energies are those of the whole cloth.
+  /// Steps return energies of the whole cloth.
   ClothSolver::Step newtonStep() { return taken(solver_->newtonStep()); }
   ClothSolver::Step quasiNewtonStep() { return taken(solver_->quasiNewtonStep()); }
   void setFriction(bool on) { solver_->setFriction(on); }
@@ -39,7 +39,7 @@ class LevelCloth {
   void untangle() { contacts_->untangle(); }
   int crossings() const;
 
-  /// Of all vertices, m.
+  /// Positions of all vertices, m.
   const Positions& positions() const { return x_; }
   double energy() const { return sides() * solver_->energy(); }
   double weight() const { return sides() * solver_->weight(); }

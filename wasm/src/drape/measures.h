@@ -4,21 +4,21 @@
 
 namespace seamwise {
 
-/// The measurements of a body that stands upright on the floor at y = 0 and faces +z, all in cm.
+/// Measurements of an upright body on the floor y = 0 that faces +z, all in cm.
 struct Measures {
-  // Girths, taken level, those of limbs around their axis.
+  // Girths, measured level; girths of limbs around their axis.
   double bust, waist, hip, neck, head, upper_arm, wrist, thigh, knee, ankle;
-  double shoulder_width;  ///< between the two shoulder points, across the back
-  double bust_span;       ///< between the two bust points
-  double back_length;     ///< from the nape down to the waist
-  double hip_depth;       ///< from the waist down to the fullest part of the hip
-  double body_rise;       ///< from the waist down to the crotch
-  double arm_length;      ///< from the shoulder point down to the wrist
-  double waist_height;    ///< from the floor up to the waist
-  double knee_depth;      ///< from the waist down to the knee
+  double shoulder_width;  ///< distance between the shoulder points, across the back
+  double bust_span;       ///< distance between the bust points
+  double back_length;     ///< length from the nape down to the waist
+  double hip_depth;       ///< depth of the fullest part of the hip below the waist
+  double body_rise;       ///< depth of the crotch below the waist
+  double arm_length;      ///< length from the shoulder point down to the wrist
+  double waist_height;    ///< height of the waist over the floor
+  double knee_depth;      ///< depth of the knee below the waist
 };
 
-/// A measurement by its name in files and in sentences.
+/// Measurement with its names in files and in messages.
 struct MeasureName {
   std::string_view name, spoken;
   double Measures::*value;
@@ -49,7 +49,7 @@ struct Size {
   Measures measures;
 };
 
-/// The sizes that the samples are drafted for; web/samples/drafting/body.ts says where from.
+/// Sizes of the sample patterns; web/samples/drafting/body.ts gives their source.
 inline constexpr std::array<Size, 5> kSizes = {{
     {"xs",
      {80, 64, 88, 29.4, 53.8, 23.4, 15.4, 53.5, 34.7, 21.2, 37.9, 14.9, 36, 22.8, 24.6, 56.6, 99.3,
@@ -68,7 +68,7 @@ inline constexpr std::array<Size, 5> kSizes = {{
       115.7, 69.9}},
 }};
 
-/// The measurements of a size, or null: "xs", "s", "m", "l", "xl", in capitals or not.
+/// Returns the measurements of size "xs", "s", "m", "l" or "xl" in either case, or null.
 inline const Measures* measuresOf(std::string_view size) {
   const auto same = [&](std::string_view name) {
     if (name.size() != size.size()) return false;

@@ -6,9 +6,9 @@
 namespace seamwise {
 namespace {
 
-constexpr double kInside = -1e-9;   ///< cm, that rounding may put a point on an edge outside
+constexpr double kInside = -1e-9;   ///< cm, rounding tolerance of points on an edge
 constexpr double kLeastCell = 1.0;  ///< cm
-constexpr int kMostCells = 200;     ///< a side
+constexpr int kMostCells = 200;     ///< per side
 
 }  // namespace
 

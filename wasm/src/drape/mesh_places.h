@@ -5,25 +5,26 @@
 
 namespace seamwise {
 
-/// Finds points in the mesh of one piece; keeps a pointer to it. The triangles are binned by a
-/// square grid, so that a search looks at a few of them.
+/// Locates points in the mesh of one piece and keeps a pointer to the piece. A square grid bins the
+/// triangles, so that a search examines only a few of them.
 class MeshPlaces {
  public:
   explicit MeshPlaces(const Piece& piece);
-  /// The triangle that p lies in, or else the one it is beside.
+  /// Returns the triangle that contains p, or else the closest one.
   MeshPlace at(const Vec2& p) const;
 
  private:
   int columnOf(double x) const;
   int rowOf(double y) const;
-  /// Least distance of p from the lines of the edges, negative outside; with the weights. [cm]
+  /// Returns the least signed distance of p from the edge lines, negative outside, and the
+  /// barycentric weights. [cm]
   double depthIn(int triangle, const Vec2& p, std::array<double, 3>& weights) const;
 
   const Piece* piece_;
   Vec2 low_ = Vec2::Zero();
   double cell_ = 1;  ///< cm
   int columns_ = 1, rows_ = 1;
-  std::vector<std::vector<int>> cells_;  ///< triangles whose boxes reach into a cell
+  std::vector<std::vector<int>> cells_;  ///< triangles whose bounding boxes touch a cell
 };
 
 }  // namespace seamwise

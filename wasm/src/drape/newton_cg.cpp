@@ -7,16 +7,17 @@
 namespace seamwise {
 namespace {
 
-/// The plane x = 0 is so many times as stiff as a body: cloth that passes it crosses its image.
+/// Stiffness of the plane x = 0 relative to a body: cloth that passes the plane crosses its mirror
+/// image.
 constexpr double kPlaneStiffness = 8;
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostPairs = 6;
-constexpr double kLonger = 1.4, kShorter = 0.5;  ///< the next step, after a full and a cut one
-constexpr double kShortest = 0.2;                ///< of the first proximal step
-constexpr double kChangedContacts = 0.01;        ///< share beyond which to factorise anew
+constexpr double kLonger = 1.4, kShorter = 0.5;  ///< factors on h_ after full and shortened steps
+constexpr double kShortest = 0.2;                ///< minimum h_, as a share of the first step
+constexpr double kChangedContacts = 0.01;        ///< share that requires a new factorisation
 
-// multiplications, counted in the code of the terms
+// Multiplications, counted in the code of the terms.
 constexpr double kPerTriangle = 60, kPerTriangleBlocks = 250, kPerHinge = 35, kPerDistance = 80;
 
 }  // namespace
@@ -56,7 +57,7 @@ double ClothSolver::weight() const {
   return gravityEnergy(*mesh_, *fabric_, metre_up, nullptr);
 }
 
-/// What keeps half a cloth and trouser legs on their side of the plane x = 0.
+/// Energy that keeps half a cloth and trouser legs on their side of the plane x = 0.
 double ClothSolver::planeEnergy(const Positions& x, Positions* gradient,
                                 BlockMatrix* hessian) const {
   double energy = 0;
@@ -74,7 +75,7 @@ double ClothSolver::planeEnergy(const Positions& x, Positions* gradient,
   return energy;
 }
 
-/// What a step lowers: the energy, friction, and proximity to where it began.
+/// Function that a step minimises: energy, friction, and proximity to the start of the step.
 double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* hessian) {
   operations_ += kPerTriangle * static_cast<double>(mesh_->triangles.size()) +
                  kPerHinge * static_cast<double>(mesh_->hinges.size());
@@ -95,8 +96,8 @@ double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* 
   return sum + proximalEnergy(*mesh_, *fabric_, h_, from_, x, gradient, hessian);
 }
 
-/// What lies near: which vertices may touch in this step and which do, how they rub and how far
-/// each may move.
+/// Prepares a step: finds vertices near or in contact with the body, their friction, and the
+/// maximum movement of each vertex.
 void ClothSolver::lookAround() {
   from_ = x_;
   if (contacts_) {
@@ -108,7 +109,7 @@ void ClothSolver::lookAround() {
   if (measured_.empty()) measured_ = x_, distance_.assign(mesh_->size, -1e9);
   frictions_.clear();
   for (int i = 0; i < mesh_->size; ++i) {
-    // Distances are only about right: they change by no more than twice the way.
+    // Distances are approximate: they change by at most twice the distance moved.
     const double least = distance_[i] - 2 * length(Vec3(x_[i] - measured_[i]));
     const double of_interest = std::max(options_.near, kNearBody + 2 * options_.farthest);
     if (least > of_interest) {
@@ -134,7 +135,7 @@ void ClothSolver::lookAround() {
   }
 }
 
-/// A vertex that slipped takes its anchor along.
+/// A slipping vertex drags its anchor along.
 void ClothSolver::dragAnchors() {
   for (const Friction& f : frictions_) {
     const Vec3 moved = x_[f.vertex] - f.anchor;
@@ -145,7 +146,8 @@ void ClothSolver::dragAnchors() {
   }
 }
 
-/// Factorises the preconditioner where that of an earlier step will not do.
+/// Factorises the preconditioner unless an earlier factorisation is close enough. Returns false on
+/// failure.
 bool ClothSolver::prepare() {
   int changed = 0, all = 0;
   for (std::size_t i = 0; i < touching_.size(); ++i) {
@@ -161,7 +163,7 @@ bool ClothSolver::prepare() {
   factorised_h_ = h_, factorised_touching_ = touching_;
   if (!preconditioner_.factorise()) return false;
   const auto entries = static_cast<double>(preconditioner_.factorNonZeros());
-  operations_ += entries * entries / mesh_->size;  // columns of about their mean length
+  operations_ += entries * entries / mesh_->size;  // assumes columns of about equal length
   return true;
 }
 
@@ -209,7 +211,7 @@ Positions ClothSolver::conjugateGradients(const Positions& gradient, int* iterat
   return p;
 }
 
-/// Goes along a direction as far as vertices may and the merit falls.
+/// Moves along a direction as far as vertices may move and the merit decreases.
 ClothSolver::Step ClothSolver::search(double before, const Positions& gradient,
                                       const Positions& direction) {
   Step step;
@@ -284,7 +286,7 @@ ClothSolver::Step ClothSolver::quasiNewtonStep() {
   operations_ += 12.0 * mesh_->size * static_cast<double>(pairs_.size());
   const double h = h_;
   Step step = search(before, gradient, direction);
-  h_ = h;  // one matrix for all of these steps
+  h_ = h;  // these steps share one matrix
   if (step.failed) {
     pairs_.clear();
     return step;

@@ -14,18 +14,19 @@
 namespace seamwise {
 namespace {
 
-// Above the waist, as a share of the back's length, ends no garment that hangs from the waist. [1]
+// Maximum height over the waist of a garment that hangs from the waist, as a share of the back
+// length. [1]
 constexpr double kBelowChest = 0.4;
 
-// Garment-Pattern-Generator's bodies stand so far below the origin. [cm]
+// Height of the origin over the floor in Garment-Pattern-Generator's files. [cm]
 constexpr double kMiddleOverFloor = 112.07;
-// No garment that stands on the floor reaches so far below it. [cm]
+// Minimum height of garments placed over the floor. [cm]
 constexpr double kBelowFloor = -20;
-// Nothing that is worn hangs further from the floor's middle. [cm]
+// Maximum distance of worn pieces from the floor's middle. [cm]
 constexpr double kFarthest = 400;
 
-// Turns about the fixed axes x, then y, then z, as symmetry/placement.h has them, but to the same
-// bits everywhere.
+// Returns the placement of a panel: turns about the fixed axes x, then y, then z, as in
+// symmetry/placement.h, but with the same bits on all platforms.
 PlacedPiece placedPiece(const Panel& panel) {
   const auto turned = [&](Vec3 v) {
     const Turn x = turnOfDegrees(degreesOf(panel.placement_turn.x()));
@@ -39,7 +40,7 @@ PlacedPiece placedPiece(const Panel& panel) {
   return {right, turned(Vec3::UnitY()), panel.placement_shift};
 }
 
-// How far a point is from the axis of a tube, between its ends. [cm]
+// Returns the distance of a point from the axis of a tube between its ends. [cm]
 double distanceToAxis(const Tube& tube, const Vec3& p) {
   const Vec3 q = tube.axis().local(p);
   const double beyond = q.z() - std::clamp(q.z(), tube.bottom(), tube.top());
@@ -62,7 +63,7 @@ class Hanger {
     }
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
       hanging_.order.push_back(static_cast<int>(i));
-    // In the end by height, then depth, then side.
+    // The last sort decides: order by height, then depth, then side.
     for (const int axis : {0, 2, 1})
       sortBy(hanging_.order, [&](int piece) { return hanging_.middles[piece][axis]; });
     return std::move(hanging_);
@@ -94,7 +95,8 @@ class Hanger {
       hanging_.held = found.value().held;
       hanging_.placed = std::move(found.value().placed);
       of_seams_ = std::move(found.value().parts);
-      // What fits a form to the garment moves it to the form's height by all of its placements.
+      // measuresFor() in worn_garment.cpp moves the garment to the form's height by adding a lift
+      // to all placements.
       const double lift = garment_.panels.front().placement_shift.y();
       for (PlacedPiece& placed : hanging_.placed) placed.shift.y() += lift;
       lowest = 0;
@@ -119,9 +121,10 @@ class Hanger {
     return hanging_.placed[piece](pattern_.pieces[piece].rest[vertex]).y();
   }
 
-  // Pieces whose seams below the crotch lead to pieces of the same side only.
+  // Returns per piece whether its seams below the crotch lead only to pieces of the same side.
   std::vector<char> ofLegs() const {
-    // Files hang trousers low, too: then pieces on a side are sewn to each other twice, in and out.
+    // Some files hang trousers lower. Pieces of one side are then sewn to each other twice, at the
+    // inseam and the outseam.
     std::vector<char> legs = ofLegsBelow(8, 1);
     for (double drop = 16; drop < 36; drop += 8)
       if (std::count(legs.begin(), legs.end(), true) == 0) legs = ofLegsBelow(drop, 2);
@@ -144,7 +147,7 @@ class Hanger {
         }
       if (joined) ++joins[seam.a.piece], ++joins[seam.b.piece];
     }
-    // Per set: how many of its pieces are on the right, in the middle, on the left.
+    // Per set: number of its pieces on the right, in the middle and on the left.
     std::vector<std::array<int, 3>> sides(count, {0, 0, 0});
     const auto sideOf = [&](int i) {
       const double x = hanging_.middles[i].x();
@@ -177,19 +180,21 @@ class Hanger {
       to_arm += distanceToAxis(form_.tube(arm), p);
       to_torso += distanceToAxis(form_.tube(BodyPart::kTorso), p);
     }
-    // Tall or low, what lies above the shoulders; hoods reach down to the front of the neck.
+    // Pieces above the shoulders belong to the neck or, if tall, to the head. Hoods reach down to
+    // the front of the neck.
     const double over_shoulder = lowest - form_.shoulderPoint().y();
     const double over_nape = highest - form_.napeHeight();
     if (over_shoulder > 3) return over_nape > 26 ? BodyPart::kHead : BodyPart::kNeck;
     if (over_shoulder > -12 && over_nape > 20) return BodyPart::kHead;
-    // A piece for an arm is tilted like it; others may lie as near to it. [cm]
+    // A piece of an arm is tilted like the arm; other pieces may be equally close to it. [cm]
     const double tilt = std::abs(hanging_.placed[i].up.y());
     const double bias = tilt < 0.95 ? -15 : 15;
     const double nearer = (to_arm - to_torso) / static_cast<double>(piece.outline.size());
     return nearer + bias < 0 ? arm : BodyPart::kTorso;
   }
 
-  // Sleeves reach up to the chest, and so does what is sewn to them; other tilted pieces are gores.
+  // Moves arm pieces below the chest to the torso. Sleeves reach up to the chest, together with the
+  // arm pieces sewn to them; other tilted pieces are gores.
   void lowerArms() {
     const int count = static_cast<int>(hanging_.parts.size());
     DisjointSets sewn(count);
@@ -205,7 +210,7 @@ class Hanger {
       if (isArm(i) && top[sewn.find(i)] < chest) hanging_.parts[i] = BodyPart::kTorso;
   }
 
-  // What is sewn to a piece of the head, above the shoulders, is the head's.
+  // Assigns neck pieces to the head if they are sewn to a piece of the head.
   void raiseHood() {
     for (std::size_t round = 0; round < hanging_.parts.size(); ++round) {
       bool changed = false;
@@ -222,7 +227,7 @@ class Hanger {
   const Pattern& pattern_;
   const Form& form_;
   Hanging hanging_;
-  std::vector<BodyPart> of_seams_;  ///< per piece, where seams place them
+  std::vector<BodyPart> of_seams_;  ///< per piece: part given by seams
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-// What pieces are called in the languages of the page, in small letters, where accents are left
-// out.
+// Words in piece names, in the languages of the page, in lower case and cut off at accented
+// letters.
 inline constexpr std::array<std::string_view, 5> kSleeveWords = {"sleeve", "rmel", "manche",
                                                                  "manga", "manica"};
 inline constexpr std::array<std::string_view, 5> kFrontWords = {"front", "vorder", "devant",
@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 5> kBackWords = {"back", "cken", "
 inline constexpr std::array<std::string_view, 5> kBandWords = {"waistband", "bund", "ceinture",
                                                                "pretina", "cintur"};
 
-/// Whether a piece is called one of these words.
+/// Returns whether a piece name contains one of these words, ignoring ASCII case.
 inline bool isCalled(std::string name, const std::array<std::string_view, 5>& words) {
   for (char& c : name)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));

@@ -13,13 +13,14 @@
 namespace seamwise {
 namespace {
 
-// Pieces stand so far from the middle of the body or the arm until they are wound about it. [cm]
+// Distance of pieces from the middle of the body or the arm before they are wound around it. [cm]
 constexpr double kAway = 23, kAwayFromArm = 10;
-// A collar hangs so far above the shoulders. [cm]
+// Height of a collar over the shoulders. [cm]
 constexpr double kCollar = 4;
-// The ends of shoulders at the neck lie so far above the nape. [cm]
+// Height of the shoulders' neck ends over the nape. [cm]
 constexpr double kOverNape = 2.5;
-// Bands end so far above the waist, what has none so far: as the samples are drafted. [cm]
+// Height over the waist of a waistband's top edge, and of a top edge without waistband, as in the
+// sample patterns. [cm]
 constexpr double kBandOverWaist = 3.5, kTopOverWaist = 2.2;
 
 class SeamPlacer {
@@ -50,7 +51,7 @@ class SeamPlacer {
   const std::vector<UprightJoin>& joins() const { return layout_.upright().joins(); }
   int armOf(int i) const { return layout_.arm()[i]; }
 
-  // Finds how far around the torso is, where the front's axis lies, and how high the layout hangs.
+  // Finds the torso's girth, the position of the front's axis, and the height of the layout.
   void wind() {
     const auto [across, girth] = layout_.ring([&](int i) { return layout_.isTorso(i); });
     girth_ = girth;
@@ -69,8 +70,8 @@ class SeamPlacer {
     around_neck_ = layout_.ring([&](int i) { return layout_.isNeck(i); }).across;
   }
 
-  // Where the middle of the front lies in the layout: on an axis of the garment, or across from
-  // one; on which side names tell, else the top edge, which is lowest in front or open there.
+  // Returns the middle of the front in the layout. It is on an axis of the garment or opposite one.
+  // Piece names decide between the two, otherwise the top edge, which is lowest or open in front.
   double frontAxis(double otherwise) const {
     std::vector<Vec2> axes;
     for (const Mirror& mirror : pattern_.mirrors) {
@@ -92,7 +93,7 @@ class SeamPlacer {
                                                                         : 0;
           if (layout_.isTorso(i) && facing != 0) score += facing * facingAt(i, axis.x() + far);
         }
-        // Less than any name.
+        // The top edge counts less than any name.
         score -= 1e-6 * (far == 0 ? axis.y() - axes.front().y() : -1);
         if (score > most + 1e-9) most = score, best = axis.x() + far;
       }
@@ -103,7 +104,7 @@ class SeamPlacer {
     return turnOfDegrees(360 * (layout_.middle(i).x() - axis) / girth_).cosine;
   }
 
-  // The highest point of a piece's outline near its own axis, in the layout.
+  // Returns the upper end of a piece's own axis, in layout coordinates.
   Vec2 topOfAxis(const Mirror& mirror) const {
     const int i = mirror.pieces[0];
     double across = 0, nearest = 1e9;
@@ -120,7 +121,8 @@ class SeamPlacer {
     return found;
   }
 
-  // A piece whose middle lies at a place, its across and its up pointing along two unit vectors.
+  // Places a piece with its middle at `place` and its across and up directions along two unit
+  // vectors.
   PlacedPiece placedAt(int i, const Vec3& place, const Vec3& right, const Vec3& up) const {
     const Vec2& u = layout_.upright().up(i);
     PlacedPiece placed{right * u.y() + up * u.x(), up * u.y() - right * u.x(), Vec3::Zero()};
@@ -132,7 +134,7 @@ class SeamPlacer {
     const Vec2 middle = layout_.middle(i);
     double height = middle.y() + lift_, degrees = 360 * (middle.x() - axis_) / girth_;
     if (layout_.isNeck(i)) {
-      // The middle of a collar and of a hood is behind.
+      // The middle of a collar or hood is at the back.
       degrees = 180 + 300 * (middle.x() - around_neck_.middle()) / around_neck_.width();
       Breadth own;
       for (const int v : layout_.outline(i)) own.add(layout_.laid(i, v).y());
@@ -143,13 +145,14 @@ class SeamPlacer {
                     {turn.cosine, 0, -turn.sine}, Vec3::UnitY());
   }
 
-  // Where and how an arm's layout is sewn to the torso; of vertices there.
+  // Sums over the vertices that join an arm's layout to the torso.
   struct Armhole {
     double count = 0;
-    double side = 0;                               ///< of the torso: left is positive
-    double level = 0;                              ///< of the torso along the arm, sums of y - |x|
-    double height = 0;                             ///< in the layout
-    double ahead[2] = {0, 0}, number[2] = {0, 0};  ///< across the layout; behind, in front
+    double side = 0;    ///< x on the torso: left is positive
+    double level = 0;   ///< position on the torso along the arm: y - |x|
+    double height = 0;  ///< height in the layout
+    /// Positions across the layout, and vertex counts: behind, in front.
+    double ahead[2] = {0, 0}, number[2] = {0, 0};
     double girth = 0;
   };
 
@@ -171,8 +174,8 @@ class SeamPlacer {
     return hole;
   }
 
-  // Hangs a sleeve's piece along the arm on whose side it is sewn to the torso: as far down, on the
-  // mean, as the torso is where it is sewn there, what is sewn to the front ahead.
+  // Hangs a sleeve's piece along the arm on whose side it is sewn to the torso. Its mean height
+  // along the arm at the armhole is that of the torso, and its seam with the front points ahead.
   BodyPart hangArm(int i, std::vector<PlacedPiece>* placed) const {
     const Armhole hole = armholeOf(armOf(i), *placed);
     const bool left = hole.side > 0;
@@ -185,7 +188,7 @@ class SeamPlacer {
     double outermost = middle.x();
     if (hole.number[0] > 0 && hole.number[1] > 0) {
       const double behind = hole.ahead[0] / hole.number[0], ahead = hole.ahead[1] / hole.number[1];
-      // Of the left sleeve, outside up, the front lies to the left.
+      // The front is on the left of a left sleeve seen from outside.
       outermost = (behind + ahead) / 2 + (sign * (behind - ahead) < 0 ? hole.girth / 2 : 0);
     }
     const Turn turn = turnOfDegrees(-sign * 360 * (middle.x() - outermost) / hole.girth);

@@ -10,29 +10,30 @@
 namespace seamwise {
 namespace {
 
-// A ring lies so much further out than the body at least, and in waves from there on. [1]
+// Girths relative to the body: minimum of a ring, threshold for waves, base of waves. The girth of
+// a spiral is relative to that minimum. [1]
 constexpr double kEase = 1.06, kWavesFrom = 1.06, kWaveBase = 1, kSpiral = 1.05;
-// Rings follow each other smoothly over so many levels to either side. [cm]
+// Number of levels on either side over which rings are smoothed. [cm]
 constexpr int kSmoothing = 3;
-// What is long above a hem: other rings are bands or tiers. [cm]
+// Minimum length above a hem; shorter rings are bands or tiers. [cm]
 constexpr int kAboveHem = 8;
-// So much lower than another a piece hangs where it matters. [cm]
+// Minimum difference in height between uneven hems. [cm]
 constexpr int kUneven = 2;
-// A band that goes around once lies on itself for the rest of its length. [1]
+// Share of its length that a band uses to go around once; the rest overlaps. [1]
 constexpr double kLapped = 0.93;
-// A band that goes around more than once lies on itself by so much. [cm]
+// Distance between layers of a band that overlaps itself. [cm]
 constexpr double kTurnOffset = 0.6;
-// By so many layers more with each turn. [1]
+// Additional layers per turn of a spiral. [1]
 constexpr double kSpiralLayers = 4;
-// An end that is folded down lies on the band so far behind the fold. [cm]
+// Drop behind the fold over which a folded end moves one layer outwards. [cm]
 constexpr double kFoldOver = 1;
 
 double nearTurn(double degrees, double to) {
   return degrees - 360 * std::nearbyint((degrees - to) / 360);
 }
 
-// The mean of what is left without the two sevenths that are least and that are greatest: levels at
-// which tiers meet have too many pieces or too few.
+// Returns the mean without the smallest two sevenths and the largest two sevenths of the values.
+// Levels where tiers meet have too many or too few pieces.
 double middleMean(std::vector<double> values) {
   sortNumbers(values);
   const std::size_t drop = values.size() * 2 / 7;
@@ -99,7 +100,8 @@ Ring::Level Ring::levelAt(double level) const {
         widest_open = std::max(widest_open, here.y() - here.x());
       continue;
     }
-    // Past the seam a side goes straight on; an open side does where the other one does.
+    // A side continues vertically past the ends of its seam; an open side ends where the other one
+    // does.
     const auto side = [&](const RingPiece::Flank& own, const RingPiece::Flank& other, int which) {
       const RingPiece::Flank& flank = own.sewn() ? own : other;
       return piece.extent(std::clamp(level, flank.low, flank.high))[which];
@@ -115,7 +117,7 @@ Ring::Level Ring::levelAt(double level) const {
   }
   const double body = tube_.section(level).girth() * kEase;
   if (!any) {
-    // Bands that are longer than 1.6 sections go around in a spiral.
+    // Bands longer than 1.6 sections go around in a spiral.
     out.spiral = widest_open >= 1.6 * body;
     out.girth = out.spiral ? kSpiral * body : std::max({body, around, kLapped * widest_open});
     for (std::size_t i = 0; i < count; ++i) out.turn[i] = pieces_[i].angle;
@@ -124,9 +126,9 @@ Ring::Level Ring::levelAt(double level) const {
   out.girth = std::max(body, closed ? width : std::min(width, actual));
   if (closed) out.width = width;
   const double whole = closed ? width : std::max(width, std::min(out.girth, actual));
-  const double stretch = out.girth / whole;  // so that sides that are sewn meet
+  const double stretch = out.girth / whole;  // makes sewn sides meet
   const double open_stretch = closed ? stretch : std::min(1.0, out.girth / actual);
-  // Turned so that pieces lie where they were placed, in the mean.
+  // Turns the ring so that its pieces have their given angles in the mean.
   double sum = 0, first = 0;
   int voters = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -147,8 +149,8 @@ Ring::Level Ring::levelAt(double level) const {
   return out;
 }
 
-// Below the hem of its shortest piece a ring goes on as it is there: of fronts and a back that
-// hangs lower, the back alone is no ring.
+// Continues a ring unchanged below the hem of its shortest piece. A back that is longer than the
+// fronts is no ring there.
 void Ring::levelHem() {
   const int count = static_cast<int>(levels_.size());
   const auto reach = [&](int from, int to) {
@@ -165,7 +167,7 @@ void Ring::levelHem() {
   int lowest = 0, hem = 0;
   for (int i = 1; i + kAboveHem < count && reach(i - 1, i); ++i)
     if (begins(i)) hem = i, lowest = lowest > 0 ? lowest : i;
-  // Of tiers, the lowest ones end soon.
+  // This excludes tiers, because their lowest pieces end soon above the hem.
   if (hem - lowest >= kUneven && reach(hem, hem + kAboveHem))
     std::fill_n(levels_.begin(), hem, levels_[hem]);
 }
@@ -181,7 +183,7 @@ void Ring::smooth() {
       girths.push_back(rough[k].girth), widths.push_back(rough[k].width);
     level.girth = middleMean(girths), level.width = middleMean(widths);
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      // Only over levels that the piece has.
+      // Only levels that the piece reaches count.
       std::vector<double> turns, stretches;
       for (int k = from; k <= to; ++k)
         if (pieces_[p].reaches(levelOf(k)))
@@ -192,7 +194,8 @@ void Ring::smooth() {
   }
 }
 
-// What cloth hangs around at a level: the widest that it passes on the way down to there. [cm]
+// Returns the girth that cloth hangs around at a level: the largest section that it passes on the
+// way down. [cm]
 double Ring::hungGirth(double level) const {
   constexpr double kAbove = 30;
   double most = tube_.section(level).girth();
@@ -206,8 +209,8 @@ std::vector<std::pair<double, double>> Ring::closedWidths(int without) const {
   std::vector<double> widths;
   for (std::size_t i = 0; i < levels_.size(); ++i)
     widths.push_back(levelAt(levelOf(static_cast<int>(i))).width);
-  // Where tiers meet, pieces are missing at up to three levels: the widest of four neighbours, and
-  // of those the narrowest.
+  // Pieces are missing at up to three levels where tiers meet. The result is the narrowest of the
+  // maxima over four neighbours.
   const int count = static_cast<int>(widths.size());
   const auto widest = [&](int from) {
     if (from < 0 || from + 3 >= count) return 1e9;
@@ -282,7 +285,8 @@ Vec3 Ring::position(int index, int vertex, double outward) const {
       return onLine(level, front + arc) * (1 + further * 2 * kPi / whole);
     };
     if (piece.tied > 0) {
-      // As wide as it is beside the knot; before that, as long as the ring is.
+      // The end keeps its width beside the knot; the part before it takes the remaining length of
+      // the ring.
       const double width = piece.top - piece.bottom, before = piece.tied - width;
       const double out =
           p.x() > before ? whole / 2 - (piece.tied - p.x()) : p.x() * (whole / 2 - width) / before;
@@ -291,10 +295,10 @@ Vec3 Ring::position(int index, int vertex, double outward) const {
     const double ahead = (p.x() - level.middle[index]) * level.stretch[index];
     if (piece.inRing()) return at(ahead, 0);
     const double turns = std::abs(ahead) / whole - 0.5;
-    // Of a band that goes around once the right end lies on the left one.
+    // The right end of a band that goes around once overlaps the left one.
     const double lap = ahead > 0 ? std::clamp(turns * 20 + 1, 0.0, 1.0) : 0;
     const double more = std::max(0.0, turns), next = std::min(more * 20, 1.0);
-    // Both ends of a spiral cross each other twice a turn, at other layers each time.
+    // The two ends of a spiral cross each other twice a turn, in other layers each time.
     return at(ahead, level.spiral ? lap + next + kSpiralLayers * more
                                   : std::max(lap, std::min(more * 20, 1.0 + more)));
   };

@@ -29,7 +29,7 @@ void findFlanks(const Pattern& pattern, std::vector<RingPiece>* pieces) {
   const auto mark = [&](RingPiece& piece, const Vec2& a, const Vec2& b) {
     const Vec2 middle = (a + b) / 2, extent = piece.extent(middle.y());
     const bool left = middle.x() - extent.x() < extent.y() - middle.x();
-    // A dart lies within the piece.
+    // A dart is inside the piece.
     if (std::min(middle.x() - extent.x(), extent.y() - middle.x()) > 0.6) return;
     RingPiece::Flank& flank = left ? piece.left : piece.right;
     flank.low = std::min({flank.low, a.y(), b.y()});

@@ -5,41 +5,41 @@
 
 namespace seamwise {
 
-/// A piece laid out for a ring: its vertices by (across, level), across to the right as seen from
-/// outside, both in cm, levels along the tube's axis.
+/// Flattened piece of a ring: its vertices are (across, level) in cm, across to the right as seen
+/// from outside, level along the tube's axis.
 struct RingPiece {
   int piece = -1;
-  double angle = 0;        ///< of its middle about the axis, degrees from the front, to the left
+  double angle = 0;        ///< degrees from the front towards the left, at its middle
   std::vector<Vec2> flat;  ///< per vertex
   const Piece* outline = nullptr;
 
-  /// Where the ring's seams run down a side: sewn to its neighbour between these levels.
+  /// Side of a piece along the ring's seams: sewn to its neighbour between these levels.
   struct Flank {
     double low = 1e9, high = -1e9;
     bool sewn() const { return low <= high; }
-    /// Below a slit or a curved hem the ring goes on; above an armhole it does not.
+    /// The ring continues below a slit or a curved hem, but not above an armhole.
     bool covers(double level) const { return level <= high + 0.5; }
   };
   Flank left, right;
   double bottom = 0, top = 0;  ///< cm
-  bool hem = false;            ///< what hangs lowest of it is an edge that is sewn to nothing
-  /// So far from its middle both ends of a band that is tied are folded down, cm; or 0.
+  bool hem = false;            ///< an edge at its lowest point has no seam
+  /// Distance from the middle at which both ends of a tied band are folded down, cm; 0: not tied.
   double tied = 0;
 
-  /// Least and greatest `across` at a level, clamped to the piece's own.
+  /// Minimum and maximum `across` at a level, which is clamped to the piece.
   Vec2 extent(double level) const;
   bool isSewnAt(double level) const {
     return (left.sewn() && level > left.low && level < left.high) ||
            (right.sewn() && level > right.low && level < right.high);
   }
   bool inRing() const { return left.sewn() || right.sewn(); }
-  /// A point as it lies once the ends are folded down: how far out from the middle, and its level.
+  /// Returns a point after the ends are folded down: distance from the middle, and level.
   Vec2 folded(const Vec2& p, double middle) const;
-  /// Ends that meet other pieces' ends do not count: tiers lie below each other.
+  /// The margin excludes ends that only meet the ends of other pieces, as in tiers.
   bool reaches(double level) const { return bottom + 0.3 < level && level < top - 0.3; }
 };
 
-/// Finds the flanks and hems of the pieces of a ring, by their seams.
+/// Find the flanks and the hems of a ring's pieces by their seams.
 void findFlanks(const Pattern& pattern, std::vector<RingPiece>* pieces);
 void findHems(const Pattern& pattern, std::vector<RingPiece>* pieces);
 

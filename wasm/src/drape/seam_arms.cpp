@@ -9,9 +9,9 @@
 namespace seamwise {
 namespace {
 
-// Both of a pair are as large to this share. [1]
+// Maximum relative difference in area between twin tubes. [1]
 constexpr double kTwin = 0.02;
-// A tube narrower than this share of all other pieces may be a sleeve. [1]
+// Maximum width of a sleeve relative to all other pieces. [1]
 constexpr double kNarrow = 0.75;
 
 class ArmFinder {
@@ -29,7 +29,7 @@ class ArmFinder {
       if (isCalled(pattern_.pieces[i].name, kSleeveWords)) is_sleeve_[i] = true;
     followSleeves();
     std::vector<int> arms(count_, -1);
-    // Where nothing else is left, there is no torso for arms.
+    // Arms need a torso, so pieces that are not sleeves have to exist.
     if (std::all_of(is_sleeve_.begin(), is_sleeve_.end(), [](char is) { return is; })) return arms;
     DisjointSets sets(count_);
     for (const UprightJoin& join : upright_.joins())
@@ -68,7 +68,7 @@ class ArmFinder {
         if (isTwin(tubes_.find(i), other)) is_sleeve_[i] = true;
   }
 
-  // Whether two seams join the same two pieces at the left and at the right.
+  // Returns whether two seams join the same two pieces on opposite sides.
   static bool areOpposite(const UprightJoin& join, const UprightJoin& other) {
     if (!join.isUpright() || !other.isUpright() || join.a.piece == join.b.piece) return false;
     const bool same = join.a.piece == other.a.piece && join.b.piece == other.b.piece;
@@ -77,7 +77,7 @@ class ArmFinder {
     return join.a.out.x() * (same ? other.a : other.b).out.x() < -0.3;
   }
 
-  // Whether a seam closes a piece to a tube; those of darts do not.
+  // Returns whether a seam closes a piece to a tube; a dart's seam does not.
   bool isAround(const UprightJoin& join) const {
     return std::abs(join.a.middle.x() - join.b.middle.x()) > 0.5 * upright_.width(join.a.piece);
   }
@@ -90,7 +90,7 @@ class ArmFinder {
     return false;
   }
 
-  // Cuffs, which nothing but sleeves are sewn to.
+  // Adds cuffs, which are sewn only to sleeves.
   void followSleeves() {
     for (bool changed = true; changed;) {
       changed = false;

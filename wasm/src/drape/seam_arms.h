@@ -5,9 +5,9 @@
 
 namespace seamwise {
 
-/// Which pieces are sleeves and cuffs, by seams and names: closed tubes that have a twin they are
-/// not sewn to, what is called a sleeve, and what is sewn to nothing but these. Per piece, a piece
-/// by which its arm is known, or -1.
+/// Identifies pieces of sleeves and cuffs by seams and names: closed tubes with a twin that they
+/// are not sewn to, pieces named as sleeves, and pieces sewn only to these. Returns per piece a
+/// representative piece of its arm, or -1.
 std::vector<int> armsBySeams(const Pattern& pattern, const UprightPieces& upright);
 
 }  // namespace seamwise

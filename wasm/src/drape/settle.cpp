@@ -10,12 +10,12 @@
 namespace seamwise {
 namespace {
 
-// A garment that hangs less symmetric than this is not meant to. [cm]
+// Maximum asymmetry of a garment that is meant to be symmetric. [cm]
 constexpr double kSymmetric = 6;
 
-// How much an edge that is too short takes part in a round; one that is too long has 1/2. [1]
+// Weight of an edge that is too short in a round; one that is too long has 1/2. [1]
 constexpr double kShortening = 0.1;
-// Trouser legs keep so far from the middle. [cm]
+// Minimum distance of trouser legs from the middle. [cm]
 constexpr double kLegsApart = 0.2;
 
 class Settling {
@@ -53,7 +53,7 @@ class Settling {
     symmetric_ = !weld_.image.empty() && layered_alike_ && asymmetry() < kSymmetric;
     push();
     for (int round = 0; round < settings_.rounds; ++round) {
-      // Not at once: an armhole has to find its side of the arm first.
+      // Upper arms come later, because an armhole first has to find its side of the arm.
       if (round == settings_.rounds / 2) meetUpperArms();
       drawEdges();
       push();
@@ -64,7 +64,8 @@ class Settling {
   }
 
  private:
-  // Which parts of the form keep a piece out: skirts hang past arms, bodices past forearms.
+  // Returns the parts of the form that push a piece out. Skirts hang past arms, and bodices past
+  // forearms.
   BodyParts touching(BodyPart part) const {
     const BodyParts own = only(part) | kTorsoAndNeck;
     if (part == BodyPart::kTorso) return own | (covered_ & kLegs);
@@ -72,7 +73,7 @@ class Settling {
     return part == BodyPart::kNeck ? own | (covered_ & only(BodyPart::kHead)) : own;
   }
 
-  // Shoulders and upper arms keep bodices out as well; forearms don't.
+  // Makes shoulders and upper arms push bodices out as well; forearms do not.
   void meetUpperArms() {
     parts_ = sewn_to_;
     const double chest = form_.measures().waist_height + 0.4 * form_.measures().back_length;
@@ -99,7 +100,7 @@ class Settling {
     }
   }
 
-  // One round of Jacobi on the lengths of all edges.
+  // Runs one Jacobi round on the lengths of all edges.
   void drawEdges() {
     std::vector<Vec3> move(x_.size(), Vec3::Zero());
     std::vector<int> count(x_.size(), 0);
@@ -114,7 +115,7 @@ class Settling {
           const double now = length(edge);
           ++count[a], ++count[b];
           if (now < 1e-9) continue;
-          // Cloth may be gathered, it may not be stretched.
+          // Cloth may be gathered but not stretched.
           const double share = now > rest ? 0.5 : kShortening;
           const Vec3 half = edge * ((now - rest) / now * share);
           move[a] += half, move[b] -= half;
@@ -127,7 +128,7 @@ class Settling {
     for (std::size_t k = 0; k < x_.size(); ++k) {
       if (legs_[k] == only(BodyPart::kLeftLeg)) x_[k].x() = std::max(x_[k].x(), kLegsApart);
       if (legs_[k] == only(BodyPart::kRightLeg)) x_[k].x() = std::min(x_[k].x(), -kLegsApart);
-      // Distances are right to first order only, so what is deep inside takes a few steps.
+      // Distances are exact only to first order, so deep vertices take a few steps.
       for (int step = 0; step < 8; ++step) {
         Vec3 slope;
         const double missing = clearance_[k] - form_.distance(x_[k], parts_[k], &slope);
@@ -146,12 +147,12 @@ class Settling {
   const WrapSettings& settings_;
   BodyParts covered_;
   const Weld weld_;
-  std::vector<BodyParts> parts_;    ///< per sewn vertex
+  std::vector<BodyParts> parts_;    ///< per sewn vertex: parts that push it out
   std::vector<BodyParts> sewn_to_;  ///< per sewn vertex: the same, with the sleeves' arms
-  std::vector<BodyParts> legs_;     ///< per sewn vertex: whose trouser legs it is of
+  std::vector<BodyParts> legs_;     ///< per sewn vertex: trouser legs that contain it
   std::vector<double> clearance_;   ///< per sewn vertex, cm
   std::vector<Vec3> x_;             ///< per sewn vertex, cm
-  bool layered_alike_ = true;       ///< mirror twins lie on as many layers
+  bool layered_alike_ = true;       ///< mirror twins have equally many layers below them
   bool symmetric_ = false;
 };
 

@@ -5,9 +5,9 @@
 
 namespace seamwise {
 
-/// Welds what is sewn together, at the mean of where it lies, draws all edges towards their lengths
-/// and pushes everything out of the form.
-/// @param on_top   per piece: lies on another one, so it keeps one layer more of distance
+/// Closes seams at the mean of their vertices, pulls all edges towards their rest lengths, and
+/// pushes all vertices out of the form.
+/// @param on_top   per piece: covers another one, so it keeps one layer more of distance
 void settle(const Pattern& pattern, const Form& form, const Hanging& hanging,
             const std::vector<char>& on_top, const WrapSettings& settings,
             PiecePositions* positions);

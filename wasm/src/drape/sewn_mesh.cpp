@@ -12,10 +12,10 @@
 namespace seamwise {
 namespace {
 
-/// So far from a seam cloth lies in gathers that are smaller than its triangles. [cm]
+/// Width of the strip along a seam in which gathers are smaller than triangles. [cm]
 constexpr double kGathers = 3;
 
-/// A pattern with its outlines and cut-outs only, and per piece where its vertices were before.
+/// Pattern with outlines and cut-outs only, and the original vertices per piece.
 struct Outlines {
   Pattern pattern;
   std::vector<std::vector<int>> vertices;
@@ -49,7 +49,7 @@ Outlines outlinesOf(const Pattern& pattern, double longest) {
   return outlines;
 }
 
-/// Where every vertex of `mesh` lies in the pieces of `in`.
+/// Returns the location of every vertex of `mesh` in the pieces of `in`.
 std::vector<std::vector<MeshPlace>> placesIn(const Pattern& in, const Pattern& mesh) {
   std::vector<std::vector<MeshPlace>> places;
   for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {
@@ -60,7 +60,7 @@ std::vector<std::vector<MeshPlace>> placesIn(const Pattern& in, const Pattern& m
   return places;
 }
 
-/// A vertex kept from the pattern is there exactly, whatever a search for it says.
+/// Sets the exact locations of vertices kept from the pattern, whatever the search found.
 void keep(const Piece& piece, const std::vector<int>& vertices, std::vector<MeshPlace>& places) {
   std::vector<std::pair<int, int>> corner(piece.rest.size(), {-1, -1});
   for (std::size_t t = 0; t < piece.triangles.size(); ++t)
@@ -150,16 +150,17 @@ std::vector<std::pair<int, int>> SewnMesh::pairs() const {
 
 namespace {
 
-/// One side of an edge: the triangle it belongs to.
+/// Triangle at one side of an edge.
 struct EdgeSide {
-  int from, to;  ///< sewn, from < to
+  int from, to;  ///< cloth vertices, from < to
   int opposite;
   double area;
-  double cot_from, cot_to;  ///< of the triangle's angles at the ends
-  double warp;              ///< cos2 of the angle between the edge's normal and the warp
+  double cot_from, cot_to;  ///< cotangents of the triangle's angles at the ends
+  double warp;              ///< squared cosine of the angle between the edge's normal and the warp
 };
 
-/// The edge opposite corner k; p: the corners in the grain's frame, m.
+/// Returns the side of the edge opposite corner k.
+/// @param p   corners in the grain's frame, m
 EdgeSide sideOf(const SewnMesh::Triangle& t, const std::array<Vec2, 3>& p, int k) {
   int a = (k + 1) % 3, b = (k + 2) % 3;
   if (t.vertices[a] > t.vertices[b]) std::swap(a, b);
@@ -184,7 +185,7 @@ SewnMesh::Hinge hingeOf(const EdgeSide& s, const EdgeSide& t) {
           (s.warp + t.warp) / 2};
 }
 
-/// Whether a seam's side runs along the warp rather than across it.
+/// Returns whether a seam's side runs along the warp rather than across it.
 bool isAlong(const Vec2& warp, const std::vector<Vec2>& rest, const SeamSide& side) {
   double along = 0, across = 0;
   for (std::size_t i = 0; i + 1 < side.vertices.size(); ++i) {
@@ -197,7 +198,7 @@ bool isAlong(const Vec2& warp, const std::vector<Vec2>& rest, const SeamSide& si
 
 constexpr char kWeft = 1, kWarp = 2;
 
-/// Per piece, per vertex: which threads are gathered where it lies, beside the longer side of a
+/// Returns per piece and vertex the threads that are gathered there, beside the longer side of a
 /// gathered seam.
 std::vector<std::vector<char>> gatheredVertices(const Pattern& pattern,
                                                 const std::vector<Vec2>& warp) {
@@ -232,7 +233,7 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
       const int threads =
           gathered[p][corners[0]] | gathered[p][corners[1]] | gathered[p][corners[2]];
       t.gathered_weft = threads & kWeft, t.gathered_warp = threads & kWarp;
-      std::array<Vec2, 3> q;  // weft, warp
+      std::array<Vec2, 3> q;  // (weft, warp), m
       for (int k = 0; k < 3; ++k) {
         const Vec2& at = shapes[p][corners[k]];
         t.vertices[k] = level.sewn[p][corners[k]];

@@ -8,9 +8,9 @@
 namespace seamwise {
 namespace {
 
-/// For each cell of a grid in space that an item's box reaches into, a number and the item; sorted.
-/// Cells more than 2^16 from the origin may share their numbers with others, to no harm but time. A
-/// box without a place, as of a vertex that is no number, reaches into none.
+/// Returns (cell number, item) for each grid cell that an item's box touches, sorted. Cells more
+/// than 2^16 from the origin may share numbers with others, which costs only time. A box without a
+/// valid position, such as that of a vertex that is not a number, touches no cell.
 std::vector<std::pair<double, std::size_t>> cellsOf(const std::vector<SpaceBox>& boxes,
                                                     double size) {
   constexpr double kCells = 1 << 17, kFar = 1 << 30;

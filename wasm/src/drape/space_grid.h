@@ -7,7 +7,7 @@
 
 namespace seamwise {
 
-/// Low and high corner of what holds some points.
+/// Axis-aligned bounding box of points.
 struct SpaceBox {
   Vec3 low, high;
 };
@@ -27,12 +27,13 @@ inline bool overlap(const SpaceBox& a, const SpaceBox& b) {
   return true;
 }
 
-/// The items of two lists whose boxes overlap, each pair once, by the first, then the second.
-/// @param size   of the cells that items are looked for in, of about their own size
+/// Returns the index pairs of overlapping boxes from two lists, without duplicates, sorted by the
+/// first index, then the second.
+/// @param size   cell size of the search grid, about the size of the boxes
 std::vector<std::pair<int, int>> overlappingPairs(const std::vector<SpaceBox>& as,
                                                   const std::vector<SpaceBox>& bs, double size);
 
-/// Calls meet(a, b) for each of them.
+/// Calls meet(a, b) for each overlapping pair.
 template <class Meet>
 void forOverlaps(const std::vector<SpaceBox>& as, const std::vector<SpaceBox>& bs, double size,
                  const Meet& meet) {

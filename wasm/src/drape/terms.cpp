@@ -6,12 +6,12 @@
 namespace seamwise {
 namespace {
 
-constexpr double kMiddleOffset = 0.5;  ///< of the offset: only where a triangle cuts a curve short
+constexpr double kMiddleOffset = 0.5;  ///< share of the offset, where a triangle cuts a curve short
 
-/// Gathers give way to compression by folds that no triangle has: so much of the stiffness is left.
+/// Share of the stiffness that remains under compression of gathers, whose folds no triangle has.
 constexpr double kGatheredStiffness = 0.002;
 
-/// Value, slope and curvature of k/2 e^2, stiffer beyond a tension.
+/// Value, slope and curvature of k/2 e^2, stiffer beyond Fabric::stiff_from.
 struct Spring {
   double value, slope, curvature;
 };
@@ -25,10 +25,10 @@ Spring spring(const Fabric& fabric, double k, double e, bool gathered) {
   return s;
 }
 
-/// The image of a direction whose derivatives of the hat functions are given.
+/// Image of a direction given by its derivatives of the hat functions.
 struct Thread {
   Vec3 image;
-  double stretch;  ///< its length
+  double stretch;  ///< length of the image
   Vec3 along;      ///< unit
 };
 Thread threadOf(const SewnMesh::Triangle& t, const std::array<double, 3>& hats,
@@ -41,7 +41,7 @@ Thread threadOf(const SewnMesh::Triangle& t, const std::array<double, 3>& hats,
   return thread;
 }
 
-/// The second derivative of a spring in the thread's image, without what is negative.
+/// Second derivative of a spring in the thread's image, without negative parts.
 Mat3 stiffnessOf(const Thread& thread, const Spring& s) {
   const double across = thread.stretch > 0 ? std::max(0.0, s.slope / thread.stretch) : 0;
   return scalar(across) + outer(s.curvature - across, thread.along, thread.along);
@@ -174,7 +174,7 @@ double frictionEnergy(const std::vector<Friction>& contacts, double threshold, c
     const Vec3 slip = moved - dot(moved, f.normal) * f.normal;
     const double s = length(slip), t = std::min(s / threshold, 1.0);
     energy += f.limit * (s > threshold ? s : threshold * (t * t * (1 - t / 3) + 1.0 / 3));
-    // both of the Hessian's: slope over slip, and curvature
+    // Both eigenvalues of the Hessian: slope over slip, and curvature.
     const double across = f.limit * (s > threshold ? 1 / s : (2 - t) / threshold);
     const double along = f.limit * (s > threshold ? 0 : 2 * (1 - t) / threshold);
     if (gradient)

@@ -11,13 +11,13 @@
 namespace seamwise {
 namespace {
 
-constexpr double kTallestTied = 15;  ///< cm, of a band
-constexpr double kLeastEnd = 10;     ///< cm beyond the knot, for an end that hangs
-constexpr double kKnot = 4;          ///< cm, along both edges
-constexpr double kLevel = 0.3;       ///< cm, by which a straight edge may leave its level
-constexpr double kAlike = 0.3;       ///< cm, by which both ends may differ
+constexpr double kTallestTied = 15;  ///< cm, maximum height of a band
+constexpr double kLeastEnd = 10;     ///< cm, minimum length of an end beyond the knot
+constexpr double kKnot = 4;          ///< cm, length along both edges
+constexpr double kLevel = 0.3;       ///< cm, tolerance of a level straight edge
+constexpr double kAlike = 0.3;       ///< cm, maximum difference between both ends
 
-/// Vertices of the lower edge that are sewn in the knot, outwards from where it begins.
+/// Returns the vertices of the lower edge that are sewn in the knot, outwards from its start.
 std::vector<int> knotted(const Piece& piece, const std::vector<Vec2>& flat, double bottom,
                          double middle, double from, int side) {
   std::vector<std::pair<double, int>> at;

@@ -5,14 +5,14 @@
 
 namespace seamwise {
 
-/// Ties bands whose ends go on beyond where they meet behind the body, as those of aprons do: there
-/// each end is folded down, and the edges that then hang beside each other are sewn together for
-/// the length of a knot. Adds those seams to the pattern; Ring lays what is tied so.
-/// @param hanging   of the pieces of the pattern
+/// Ties bands whose ends extend beyond their meeting point behind the body, such as apron ties.
+/// Each end is folded down there. The edges that then hang side by side are sewn together for the
+/// length of a knot. The seams are added to the pattern; Ring places tied bands.
+/// @param hanging   placement of the pattern's pieces
 void tieBands(const Hanging& hanging, const Form& form, Pattern* pattern);
 
-/// Where the band that a seam ties is folded down: so far from its middle, along it, in lengths of
-/// `flat`; 0 where the seam ties none.
+/// Returns the distance from a band's middle at which a seam's band is folded down, in units of
+/// `flat`; 0 if the seam ties no band.
 /// @param flat   (across, level) per vertex of the piece
 double tiedAt(const Seam& seam, const std::vector<Vec2>& flat);
 

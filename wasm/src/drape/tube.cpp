@@ -14,7 +14,7 @@ double smoothLeast(double a, double b, double radius, double* weight_b) {
 
 Tube::Cubics Tube::at(double level) const {
   Cubics all;
-  // Beyond its first and last section a tube stays as wide as there.
+  // A tube keeps its size beyond its first and last section.
   if (level <= levels_.front() || level >= levels_.back()) {
     const std::size_t end = level <= levels_.front() ? 0 : levels_.size() - 1;
     for (int shape = 0; shape < kShapes; ++shape) all[shape] = {values_[shape][end], 0, 0};
@@ -40,12 +40,12 @@ double Tube::wallDistance(const Vec3& local, Vec3* gradient) const {
   const auto& [d, dd, ddd] = all[kDepth];
   const auto& [m, dm, ddm] = all[kMiddle];
   const auto& [s, ds, dds] = all[kSquare];
-  // q = u^2 + v^2 + s u^2 v^2 with u w = x and v d = y - m, whose derivatives follow from these;
-  // x, y, l: across, ahead, along.
+  // q = u^2 + v^2 + s u^2 v^2 with u w = x and v d = y - m; x, y, l: across, ahead, along.
+  // Subscripts mark derivatives.
   const double u = local.x() / w, v = (local.y() - m) / d, uu = u * u, vv = v * v;
   const double u_x = 1 / w, u_l = -u * dw / w;
   const double v_y = 1 / d, v_l = -(dm + v * dd) / d;
-  const double q = uu + vv + s * (uu * vv) + 1e-12;  // that of the axis itself
+  const double q = uu + vv + s * (uu * vv) + 1e-12;  // keeps r above 0 on the axis
   const double q_u = 2 * u * (1 + s * vv), q_v = 2 * v * (1 + s * uu), q_s = uu * vv;
   const double q_x = q_u * u_x, q_y = q_v * v_y, q_l = q_u * u_l + q_v * v_l + q_s * ds;
   const double r = std::sqrt(q), half = 0.5 / r;
@@ -56,13 +56,13 @@ double Tube::wallDistance(const Vec3& local, Vec3* gradient) const {
   const double v_yl = -dd / (d * d), v_ll = -(2 * v_l * dd + v * ddd + ddm) / d;
   const double q_uu = 2 * (1 + s * vv), q_vv = 2 * (1 + s * uu), q_uv = 4 * s * u * v;
   const double q_us = 2 * u * vv, q_vs = 2 * v * uu;
-  const double along_u = q_uu * u_l + q_uv * v_l + q_us * ds;  // of q_u
-  const double along_v = q_uv * u_l + q_vv * v_l + q_vs * ds;  // of q_v
+  const double along_u = q_uu * u_l + q_uv * v_l + q_us * ds;  // derivative of q_u along the axis
+  const double along_v = q_uv * u_l + q_vv * v_l + q_vs * ds;  // derivative of q_v along the axis
   const double q_xx = q_uu * u_x * u_x, q_xy = q_uv * u_x * v_y, q_yy = q_vv * v_y * v_y;
   const double q_xl = along_u * u_x + q_u * u_xl, q_yl = along_v * v_y + q_v * v_yl;
   const double q_ll = along_u * u_l + along_v * v_l + (q_us * u_l + q_vs * v_l) * ds + q_u * u_ll +
                       q_v * v_ll + q_s * dds;
-  // r = sqrt(q), and the distance is (r - 1) / |grad r|
+  // The distance is (r - 1) / |grad r| with r = sqrt(q).
   const double g[3] = {half * q_x, half * q_y, half * q_l};
   const double turned[3] = {q_xx * g[0] + q_xy * g[1] + q_xl * g[2],
                             q_xy * g[0] + q_yy * g[1] + q_yl * g[2],
@@ -87,7 +87,7 @@ double Tube::leastDistance(const Vec3& p) const {
 }
 
 double Tube::distance(const Vec3& p, Vec3* gradient) const {
-  // How far a ridge reaches to the sides before it has its slope. [cm]
+  // Distance to the sides at which a ridge reaches its slope. [cm]
   constexpr double kRidge = 4;
   const Vec3 local = axis_.local(p);
   Vec3 slope;

@@ -1,4 +1,4 @@
-// How a tube is made of its sections; tube.cpp says how far it is.
+// Construction of a tube from its sections; tube.cpp computes distances from it.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,9 +10,10 @@ namespace seamwise {
 namespace {
 
 constexpr int kCorners = 96;
-constexpr double kBetweenSections = 1;  ///< cm that a tube may be wider than its sections
+constexpr double kBetweenSections = 1;  ///< cm, margin for splines wider than sections
 
-// Second derivatives of the natural cubic spline through the values: tridiagonal elimination.
+// Returns the second derivatives of the natural cubic spline through the values, by tridiagonal
+// elimination.
 std::vector<double> splineBends(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = x.size();
   std::vector<double> bend(n, 0.0), upper(n, 0.0);
@@ -73,7 +74,7 @@ Tube::Tube(Axis axis, const std::vector<Section>& sections, TubeEnd bottom, Tube
     low_[1] = std::min(low_[1], s.middle - s.depth),
     high_[1] = std::max(high_[1], s.middle + s.depth);
   }
-  // Splines swing out a little between their sections, and squares with less than nothing do.
+  // Splines overshoot slightly between their sections, and so do sections with a negative square.
   low_[0] = -high_[0];
   for (int c = 0; c < 2; ++c) low_[c] -= kBetweenSections, high_[c] += kBetweenSections;
 }

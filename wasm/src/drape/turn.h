@@ -5,17 +5,18 @@
 
 namespace seamwise {
 
-/// Sine and cosine of an angle by polynomials of our own: the C library's differ from platform to
-/// platform in the last bit, and a drape makes millimetres of that.
+/// Sine and cosine of an angle. Our own polynomials compute them, because the C library's differ
+/// between platforms in the last bit, and a drape amplifies that to millimetres.
 struct Turn {
   double sine, cosine;
 };
 
-/// Sine and cosine to 2e-16; exact at multiples of 90 degrees, and of mirrored angles mirrored.
+/// Returns sine and cosine to 2e-16, exact at multiples of 90 degrees, and mirrored for mirrored
+/// angles.
 inline Turn turnOfDegrees(double degrees) {
   const double quarters = std::nearbyint(degrees / 90);
   const double x = (degrees - 90 * quarters) * (kPi / 180), y = x * x;
-  // Taylor; at 45 degrees the first term left out is 1e-17 of the whole.
+  // Taylor series; the first omitted term at 45 degrees is 1e-17 of the whole.
   const double s =
       x *
       (1 + y * (-1.0 / 6 +
@@ -40,20 +41,21 @@ inline Turn turnOfDegrees(double degrees) {
   }
 }
 
-/// An angle that a file states in degrees, to 1e-9 of one: what it had before it became radians.
+/// Returns an angle in degrees, rounded to 1e-9 degrees: its value in the file before the
+/// conversion to radians.
 inline double degreesOf(double radians) {
   return std::nearbyint(radians * (180 / kPi) * 1e9) / 1e9;
 }
 
-/// The angle from the direction `ahead` towards `aside`, in (-180, 180], to 1e-12 degrees; 0 for
-/// the null vector. By bisection: for pieces, not for vertices.
+/// Returns the angle from the direction `ahead` towards `aside`, in (-180, 180], to 1e-12 degrees;
+/// 0 for the null vector. It uses bisection, which is fast enough for pieces but not for vertices.
 inline double degreesBetween(double ahead, double aside) {
   double low = 0, high = 180;
   const double side = std::abs(aside);
   for (int step = 0; step < 48; ++step) {
     const double middle = (low + high) / 2;
     const Turn turn = turnOfDegrees(middle);
-    // Positive while the direction lies beyond `middle`.
+    // The value is positive while the direction is beyond `middle`.
     (side * turn.cosine - ahead * turn.sine > 0 ? low : high) = middle;
   }
   const double angle = (low + high) / 2;

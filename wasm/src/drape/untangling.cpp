@@ -8,10 +8,10 @@
 namespace seamwise {
 namespace {
 
-/// N/m3: what has crossed is pushed like a layer that lies too near by 0.4 of an edge.
+/// Stiffness, N/m3. The force equals that on a layer that is too close by 0.4 of an edge.
 constexpr double kPull = 2e5;
-constexpr double kFlattest = 0.2;  ///< cosine of edge and normal, below which it counts as this
-constexpr double kSlight = 0.5;    ///< a slope that is pulled along with nearly half of the force
+constexpr double kFlattest = 0.2;  ///< minimum absolute cosine between edge and normal
+constexpr double kSlight = 0.5;    ///< slope at which the pull has 1 / sqrt(2) of its full force
 
 }  // namespace
 
@@ -24,8 +24,9 @@ Untangling::Untangling(const SewnMesh& mesh) : mesh_(&mesh) {
   sortBy(wings_, [&](const Wing& wing) { return double(wing.from) * mesh.size + wing.to; });
 }
 
-/// Where to move an edge, against a triangle of that normal, so that the line along which its own
-/// triangles cross that one grows shorter; by how much per way.
+/// Returns the direction in which to move an edge against a triangle of the given normal, so that
+/// the line along which the edge's triangles cross it gets shorter. The length of the result is the
+/// shortening per distance moved.
 Vec3 Untangling::shortening(int from, int to, const Vec3& normal, const Positions& x) const {
   const Vec3 edge = x[to] - x[from], along = edge / length(edge);
   double steep = dot(along, normal);

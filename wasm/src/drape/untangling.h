@@ -8,27 +8,27 @@
 
 namespace seamwise {
 
-/// A force on an edge, and its opposite on the triangle that the edge passes through.
+/// Force on an edge; the triangle that the edge pierces gets the opposite force.
 struct CrossingPull {
   ClothPoint on_edge, on_triangle;
   Vec3 force;              ///< N, on the edge
-  ClothCrossing crossing;  ///< what it draws apart
+  ClothCrossing crossing;  ///< crossing that the force separates
 };
 
-/// Draws sheets of a cloth that cross apart, whichever sides they came from: the line along which
-/// they cross is made shorter until there is none (P. Volino, N. Magnenat-Thalmann, "Resolving
-/// Surface Collisions through Intersection Contour Minimization", SIGGRAPH 2006). Keeps a pointer
-/// to the mesh.
+/// Separates sheets of a cloth that cross, regardless of their original sides. It shortens the line
+/// along which they cross until none is left (P. Volino, N. Magnenat-Thalmann, "Resolving Surface
+/// Collisions through Intersection Contour Minimization", SIGGRAPH 2006). The object keeps a
+/// pointer to the mesh.
 class Untangling {
  public:
   explicit Untangling(const SewnMesh& mesh);
-  /// One for each crossing of the cloth as it lies.
+  /// Returns one pull for each crossing of the cloth at x.
   std::vector<CrossingPull> pulls(const Positions& x) const;
 
  private:
-  /// A triangle beside an edge.
+  /// Triangle beside an edge.
   struct Wing {
-    int from, to;  ///< from < to
+    int from, to;  ///< vertices, from < to
     int opposite;
     bool operator<(const Wing& o) const { return std::pair(from, to) < std::pair(o.from, o.to); }
   };

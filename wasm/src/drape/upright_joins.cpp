@@ -8,7 +8,7 @@
 namespace seamwise {
 namespace {
 
-// A seam whose ends lie within this of upright, as a cosine, runs up and down.
+// Minimum cosine between the vertical and the line through the ends of an upright seam.
 constexpr double kUpright = 0.7;
 
 Vec2 turned(const Vec2& v, int quarters) {
@@ -47,7 +47,7 @@ UprightPieces::UprightPieces(const Garment& garment, const Pattern& pattern) : p
   for (const Panel& panel : garment.panels) {
     const Turn turn = turnOfDegrees(degreesOf(panel.grain_angle));
     Vec2 up(turn.cosine, turn.sine);
-    // A grain line has no head: of both ways the one that is drawn upwards.
+    // A grain line has no direction; the end that is drawn higher counts as up.
     if (up.y() < -1e-9 || (up.y() < 1e-9 && up.x() < 0)) up = -up;
     ups_.push_back(up);
   }
@@ -77,7 +77,7 @@ UprightSide UprightPieces::side(const SeamSide& side) const {
   const auto count = static_cast<int>(piece.outline.size());
   for (std::size_t i = 0; i + 1 < side.vertices.size(); ++i) {
     const int k = outlineEdge(piece, side.vertices[i], side.vertices[i + 1]);
-    if (k >= count) continue;  // along a hole
+    if (k >= count) continue;  // edge of a hole
     const Vec2 step = at(piece.outline[(k + 1) % count]) - at(piece.outline[k]);
     upright.out += Vec2(step.y(), -step.x());
   }
@@ -87,7 +87,7 @@ UprightSide UprightPieces::side(const SeamSide& side) const {
 }
 
 void UprightPieces::turn(int piece, int quarters) {
-  // What turns one way in front of us is seen from the piece to turn the other.
+  // A turn as seen by the viewer is the opposite turn in the piece's frame.
   ups_[piece] = turned(ups_[piece], 4 - quarters);
   join();
 }

@@ -6,44 +6,46 @@
 
 namespace seamwise {
 
-/// One side of a seam, its piece held upright: (across, up), cm.
+/// One side of a seam with its piece held upright: (across, up), cm.
 struct UprightSide {
   int piece;
-  Vec2 middle;         ///< of its vertices
-  Vec2 way;            ///< from its first vertex to its last
-  Vec2 out;            ///< unit vector out of the piece, on the mean
+  Vec2 middle;         ///< mean of its vertices
+  Vec2 way;            ///< vector from its first vertex to its last
+  Vec2 out;            ///< mean unit vector out of the piece
   double top, bottom;  ///< heights of its highest and lowest vertex
 };
 
-/// A seam between two pieces, or of one with itself.
+/// Seam between two pieces, or of one with itself.
 struct UprightJoin {
   UprightSide a, b;
-  double length;  ///< of the shorter way from end to end, cm
-  /// Quarter turns, counter-clockwise, by which b lies along a: bands are often cut across.
+  double length;  ///< distance between the ends of the shorter side, cm
+  /// Returns the counter-clockwise quarter turns that align b with a, because bands are often cut
+  /// across the grain.
   int quarters() const;
-  /// Whether it joins the tops of both pieces, as shoulder seams do.
+  /// Returns whether the seam joins the tops of both pieces, as shoulder seams do.
   bool isShoulder() const {
     return a.piece != b.piece && a.out.y() > 0.3 && b.out.y() > 0.3 && a.out.dot(b.out) > 0.3;
   }
-  /// Whether both pieces can lie side by side there in one plane, b turned by these quarters.
+  /// Returns whether both pieces can be side by side in one plane there, with b turned by
+  /// quarters().
   bool isFlat() const;
-  /// Whether it runs up and down on both sides.
+  /// Returns whether the seam runs up and down on both sides.
   bool isUpright() const;
 };
 
-/// The pieces of a pattern held upright, their grain up and outside towards us.
+/// Pieces of a pattern held upright: grain up, outside towards the viewer.
 class UprightPieces {
  public:
   UprightPieces(const Garment& garment, const Pattern& pattern);
 
-  /// A point of a piece: (across, up), cm.
+  /// Converts a point of a piece to (across, up), cm.
   Vec2 operator()(int piece, const Vec2& p) const {
     const Vec2& up = ups_[piece];
     return {up.y() * p.x() - up.x() * p.y(), up.x() * p.x() + up.y() * p.y()};
   }
-  /// Where up is in a piece: a unit vector.
+  /// Unit vector of the up direction in a piece.
   const Vec2& up(int piece) const { return ups_[piece]; }
-  /// Turns a piece by quarters, counter-clockwise, and its joins with it.
+  /// Turns a piece and its joins counter-clockwise by quarter turns.
   void turn(int piece, int quarters);
   const std::vector<UprightJoin>& joins() const { return joins_; }
   double width(int piece) const;

@@ -8,11 +8,11 @@ namespace seamwise {
 
 inline constexpr double kCentimetre = 0.01;  ///< m
 
-/// Where the vertices of a cloth are, or a force or a step for each. [m, unless said]
+/// Vertex positions of a cloth, or one force or step per vertex. [m unless stated otherwise]
 using Positions = std::vector<Vec3>;
 
-// Products are written out, since Eigen adds in another order where it vectorises, and a difference
-// of the last digit ends as a fold elsewhere.
+// Products are written out, because Eigen adds in another order where it vectorises. A difference
+// in the last digit ends as a fold elsewhere.
 
 inline double dot(const Vec3& a, const Vec3& b) {
   return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
@@ -25,7 +25,7 @@ inline Vec3 crossProduct(const Vec3& a, const Vec3& b) {
           a.x() * b.y() - a.y() * b.x()};
 }
 
-/// The image in the body's middle plane x = 0.
+/// Mirror image in the body's middle plane x = 0.
 inline Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 inline double dot(const Positions& a, const Positions& b) {
@@ -34,13 +34,13 @@ inline double dot(const Positions& a, const Positions& b) {
   return sum;
 }
 
-/// y += factor x
+/// Computes y += factor x.
 inline void addScaled(Positions& y, double factor, const Positions& x) {
   for (std::size_t i = 0; i < y.size(); ++i)
     for (int c = 0; c < 3; ++c) y[i][c] += factor * x[i][c];
 }
 
-/// factor a b^T
+/// Returns factor a b^T.
 inline Mat3 outer(double factor, const Vec3& a, const Vec3& b) {
   Mat3 m;
   for (int r = 0; r < 3; ++r)
@@ -48,7 +48,7 @@ inline Mat3 outer(double factor, const Vec3& a, const Vec3& b) {
   return m;
 }
 
-/// factor times the identity
+/// Returns factor times the identity.
 inline Mat3 scalar(double factor) {
   Mat3 m = Mat3::Zero();
   for (int c = 0; c < 3; ++c) m(c, c) = factor;

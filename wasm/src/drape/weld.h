@@ -5,21 +5,22 @@
 
 namespace seamwise {
 
-/// The vertices of a garment with those that are sewn together as one.
+/// Vertices of a garment, with sewn ones merged into one.
 struct Weld {
   struct Member {
     int piece, vertex;
   };
-  std::vector<std::vector<int>> knot;        ///< per piece, per vertex: which of `members` it is in
-  std::vector<std::vector<Member>> members;  ///< per sewn vertex, in the order of the pieces
-  /// Per sewn vertex its image by the pattern's mirrors; empty unless they cover every piece and
-  /// map what is sewn together to what is sewn together.
+  std::vector<std::vector<int>> knot;        ///< per piece, per vertex: index in `members`
+  std::vector<std::vector<Member>> members;  ///< per sewn vertex, in piece order
+  /// Per sewn vertex: its image by the pattern's mirrors. It is empty unless the mirrors cover
+  /// every piece and map sewn vertices to sewn vertices.
   std::vector<int> image;
 };
 
-/// @param order   of the pieces, in which sewn vertices are numbered
+/// Merges the sewn vertices of a pattern.
+/// @param order   piece order in which sewn vertices are numbered
 Weld welded(const Pattern& pattern, const std::vector<int>& order);
-/// In the order of the pattern.
+/// Merges the sewn vertices in the piece order of the pattern.
 Weld welded(const Pattern& pattern);
 
 }  // namespace seamwise

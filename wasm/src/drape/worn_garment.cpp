@@ -14,18 +14,20 @@
 namespace seamwise {
 namespace {
 
-constexpr double kUsualBudget = 100;  ///< of work, in factorisations of a 90 x 90 grid
-/// More than the widest gown has; beyond it one step alone takes much of the budget. [m2]
+constexpr double kUsualBudget = 100;  ///< work, in factorisations of a 90 x 90 grid
+/// Maximum area of cloth, more than the widest gown has. A larger garment needs much of the budget
+/// for a single step. [m2]
 constexpr double kMostCloth = 20;
-constexpr double kBelowCrotch = 1;  ///< cm, from where on trouser legs are two
-// Limits beyond what is worn rightly: the samples' tension is 0.05 at most in poplin, their depth
-// 0.0005 m, their crossings 0.05 per triangle.
+constexpr double kBelowCrotch = 1;  ///< cm, depth at which trouser legs are separate
+// Limits of a wearable garment. The samples reach at most 0.05 tension in poplin, 0.0005 m depth,
+// and 0.05 crossings per triangle.
 constexpr double kFarthestFall = 0.25;   ///< m, of the highest vertex
 constexpr double kMostTension = 0.05;    ///< 99th percentile, beyond Fabric::stiff_from
-constexpr double kMostDepth = 0.005;     ///< m within the form
+constexpr double kMostDepth = 0.005;     ///< m, inside the form
 constexpr double kMostCrossings = 0.08;  ///< per triangle
 
-/// Those of settings, file or size; else of a body that fits, to whose height the garment is moved.
+/// Returns the measurements of the settings, the file or its size. Without any, it fits a body and
+/// lifts the garment to that body's height.
 Outcome<Measures> measuresFor(SolvedGarment* solved, const WearSettings& settings) {
   if (settings.measures) return *settings.measures;
   Garment& garment = solved->garment;
@@ -43,7 +45,7 @@ Outcome<Measures> measuresFor(SolvedGarment* solved, const WearSettings& setting
   return measures;
 }
 
-/// Where all pieces are placed alike, the file says nothing of where they hang.
+/// Clears a placement that all pieces share, because it does not place them on a body.
 void forgetCommonPlacement(Garment* garment) {
   const Panel first = garment->panels.front();
   for (const Panel& panel : garment->panels)
@@ -61,7 +63,7 @@ std::vector<T> permuted(std::vector<T> list, const std::vector<int>& order) {
   return result;
 }
 
-/// The garment with its pieces in another order.
+/// Returns the garment with its pieces in another order.
 SolvedGarment ordered(SolvedGarment garment, const std::vector<int>& order) {
   std::vector<int> place(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int>(i);
@@ -77,11 +79,11 @@ SolvedGarment ordered(SolvedGarment garment, const std::vector<int>& order) {
   return garment;
 }
 
-/// Where an earlier drape left the vertices of a level; empty when it was one of another garment,
-/// or on another form. [m]
+/// Returns the vertices of a level from an earlier drape, or nothing if they belong to another
+/// garment or another form. [m]
 Positions settledOf(const SewnLevel& level, const std::vector<double>& flat,
                     const DistanceField& body) {
-  constexpr double kDeepest = 0.005;  // m that a garment of another shape may reach into the form
+  constexpr double kDeepest = 0.005;  // m, tolerated depth of a changed shape in the form
   if (flat.size() != 3 * static_cast<std::size_t>(level.size)) return {};
   Positions settled;
   for (std::size_t k = 0; k < flat.size(); k += 3) {
@@ -92,7 +94,7 @@ Positions settledOf(const SewnLevel& level, const std::vector<double>& flat,
   return settled;
 }
 
-/// Says what is wrong with a garment that is too large to be one.
+/// Returns an error if the garment has too much cloth to be one.
 std::optional<Error> tooMuchCloth(const Pattern& pattern) {
   double area = 0;
   for (const Piece& piece : pattern.pieces)
@@ -111,7 +113,7 @@ double topOf(const Positions& positions) {
   return top;
 }
 
-/// Where the sewn vertices of a level are, from where those of its pieces are.
+/// Returns the start positions of a level's sewn vertices from those of its pieces. [m]
 Positions startOf(const SewnLevel& level, const PiecePositions& wrapped) {
   Positions start(level.size, Vec3::Zero());
   for (std::size_t p = 0; p < wrapped.size(); ++p)

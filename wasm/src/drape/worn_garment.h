@@ -11,26 +11,25 @@
 
 namespace seamwise {
 
-/// A garment as a solve leaves it.
+/// Garment as returned by a solve.
 struct SolvedGarment {
-  Garment garment;  ///< how its pieces are worn; panels without edges
-  Pattern pattern;  ///< as drafted and meshed; mirrors have images of outline vertices
-  Shapes shapes;    ///< as cut, cm
+  Garment garment;  ///< placements of its pieces; panels without edges
+  Pattern pattern;  ///< drafted and meshed pieces; mirrors have images of outline vertices
+  Shapes shapes;    ///< pieces as cut, cm
 };
 
-/// What a garment is worn on, and of what cloth it is.
+/// Form, fabric and effort of a drape.
 struct WearSettings {
   Fabric fabric = kPoplin;
-  std::optional<Measures> measures;  ///< of the form; else the garment's own, or those of its size
+  std::optional<Measures> measures;  ///< default: those of the garment or its size
   double effort = 1;                 ///< DrapeProblem::effort
-  double edge = kFineCloth;          ///< cm, of the fine mesh's triangles; half of the coarse one's
-  /// Where an earlier drape of the garment left its cloth, x, y, z after each other, cm; empty:
-  /// none
+  double edge = kFineCloth;  ///< cm, edge of the fine mesh's triangles, half of the coarse one's
+  /// Vertices from an earlier drape of the garment: x, y, z one after the other, cm; empty: none.
   std::vector<double> settled;
 };
 
-/// A garment on its form. Its pieces are draped in the order in which they hang, so that the order
-/// and names of the file make no difference; everything here has that order.
+/// Garment on its form. Its pieces are draped in the order in which they hang, so the order and
+/// names in the file make no difference. All members use that order.
 class WornGarment {
  public:
   /// Chooses the form and hangs the pieces around it.
@@ -44,16 +43,17 @@ class WornGarment {
   const Hanging& hanging() const { return hanging_; }
   const SolvedGarment& garment() const { return garment_; }
   const SewnLevels& levels() const { return levels_; }
-  /// Which piece of the file a piece is.
+  /// Per piece: its index in the file.
   const std::vector<int>& order() const { return order_; }
   Drape& drape() { return *drape_; }
   const Drape& drape() const { return *drape_; }
-  /// Why what came out so far is not worn by anybody: kNotAGarment when the garment slides off the
-  /// form or, once it is done, is torn on it or lies in a tangle.
+  /// Returns the reason why the current drape is not wearable: kNotAGarment if the garment slides
+  /// off the form. Once the drape is done, this includes a garment that is too small for the form
+  /// or tangled.
   std::optional<Error> refusal() const;
 
  private:
-  /// The form's distance in metres.
+  /// Distance from the form in metres.
   class Body : public DistanceField {
    public:
     Body(const Form& form, BodyParts parts) : form_(&form), parts_(parts) {}
@@ -74,7 +74,7 @@ class WornGarment {
   std::vector<int> order_;
   Body body_;
   std::unique_ptr<Drape> drape_;
-  double top_ = 0;  ///< where the start's highest vertex is, m
+  double top_ = 0;  ///< m, height of the highest vertex at the start
 };
 
 }  // namespace seamwise

@@ -13,17 +13,18 @@
 namespace seamwise {
 namespace {
 
-// Trousers are of the legs' rings below the crotch, of the torso's above, in between of both. [cm]
+// Levels between which trousers blend from the legs' rings to the torso's, relative to the crotch.
+// [cm]
 constexpr double kLegBelow = -3, kTorsoAbove = 8;
-// Heights that seams agree on: so much a piece's own placement counts against them. [1]
+// Weight of a piece's own placement relative to heights that seams agree on. [1]
 constexpr double kOwnHeight = 0.02;
-// A band is wider than the body by so much at least where it starts, and is lifted by no more. [cm]
+// Ease of a band over the body where it starts, and the maximum lift to get it. [cm]
 constexpr double kBandEase = 2.5, kMostLift = 8;
-// A strap lies so much further out than the neck. [1]
+// Girth of a strap relative to the neck. [1]
 constexpr double kStrapEase = 1.06;
-// Cosine of what legs of a body stand apart by at most.
+// Minimum cosine to the vertical of trouser legs drawn for legs apart.
 constexpr double kNearlyUpright = 0.9;
-// Hems of pieces end at different heights. [cm]
+// Height of uneven hems at the ends of pieces. [cm]
 constexpr int kHem = 6, kCuff = 1;
 
 bool isLeg(BodyPart part) { return only(part) & kLegs; }
@@ -80,10 +81,10 @@ class Wrapper {
 
  private:
   const Axis& axisOf(int piece) const { return form_.tube(hanging_.parts[piece]).axis(); }
-  // Of the level 0 of the part's tube; the arms' levels are of their own.
+  // Height of level 0 of the part's tube; levels of arms have their own origin.
   double base(BodyPart part) const { return isArm(part) ? 0 : form_.tube(part).axis().origin.y(); }
 
-  // Pieces by (across, level) along the axis of their part.
+  // Flattens pieces to (across, level) along the axis of their part.
   void layOut() {
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i) {
       const PlacedPiece& placed = hanging_.placed[i];
@@ -95,12 +96,12 @@ class Wrapper {
       Vec2 up(dot(placed.right, axis.up), dot(placed.up, axis.up));
       double level = axis.local(placed(middle)).z();
       if (isArm(hanging_.parts[i]) && std::abs(placed.up.y()) > 0.99) {
-        // Drawn for arms that are held out: along the arm is to the side.
+        // The sleeve is drawn for an arm held out to the side.
         const double side = hanging_.parts[i] == BodyPart::kLeftArm ? 1 : -1;
         up = {-side * placed.right.x(), 0};
         level = form_.shoulderPoint().x() - side * placed(middle).x();
       }
-      // Drawn for legs that stand apart; the form's stand upright.
+      // The trousers are drawn for legs apart, but the form's legs are vertical.
       if (isLeg(hanging_.parts[i]) && up.y() > kNearlyUpright) up = {0, 1};
       const double length_up = planarLength(up);
       up = length_up > 0.5 ? Vec2(up / length_up) : Vec2(0, 1);
@@ -113,7 +114,7 @@ class Wrapper {
     }
   }
 
-  // Straps lie behind the neck, and only their ends are sewn, to what hangs on the torso.
+  // Finds straps: pieces behind the neck of which only the ends are sewn, to pieces on the torso.
   void findStraps() {
     straps_.assign(pattern_.pieces.size(), false);
     std::vector<char> sewn_along(straps_);
@@ -129,12 +130,12 @@ class Wrapper {
     for (std::size_t p = 0; p < straps_.size(); ++p) straps_[p] = straps_[p] && !sewn_along[p];
   }
 
-  // How far from its middle a strap leaves the neck, at its sides. [cm]
+  // Returns the distance from its middle at which a strap leaves the side of the neck. [cm]
   double strapOver() const {
     return kStrapEase * form_.tube(BodyPart::kNeck).section(0).girth() / 4;
   }
 
-  // From the sides of the neck straight to where the ends are sewn.
+  // Runs straps straight from the sides of the neck to their sewn ends.
   void hangStraps(PiecePositions* positions) const {
     for (const Seam& seam : pattern_.seams)
       for (const auto& [own, other] : {std::pair(&seam.a, &seam.b), {&seam.b, &seam.a}}) {
@@ -154,12 +155,12 @@ class Wrapper {
       }
   }
 
-  // Moves pieces along their axes until both sides of seams are about equally high: files hang
-  // bands, collars and cuffs at a distance. Gauss-Seidel.
+  // Moves pieces along their axes until both sides of seams have about equal heights, by
+  // Gauss-Seidel. Files hang bands, collars and cuffs at a distance.
   void agreeOnHeights() {
     struct Tie {
       int other;
-      double lower;  ///< by how much the other lies lower, summed over vertices
+      double lower;  ///< depth of the other piece below this one, summed over vertices
       double count;
     };
     std::vector<std::vector<Tie>> ties(pattern_.pieces.size());
@@ -190,8 +191,8 @@ class Wrapper {
       for (Vec2& p : flat_[i]) p.y() += shift[i];
   }
 
-  // Lifts what hangs from the waist, by so little, to where its band fits: friction would hold it
-  // where it is too tight.
+  // Lifts a garment that hangs from the waist, by at most kMostLift, to where its band fits.
+  // Friction would hold it where it is too tight.
   void liftToWaist() {
     if (!hangsFromWaist(hanging_, pattern_, form_)) return;
     const Tube& torso = form_.tube(BodyPart::kTorso);
@@ -211,7 +212,7 @@ class Wrapper {
       for (Vec2& p : flat_[i]) p.y() += lift;
   }
 
-  // The ring about one part; legs' pieces are in the torso's, too.
+  // Returns the ring around one part; the torso's ring includes the legs' pieces.
   std::optional<Ring> ringOf(BodyPart part) const {
     const Tube& tube = form_.tube(part);
     std::vector<RingPiece> pieces;
@@ -231,7 +232,7 @@ class Wrapper {
       pieces.push_back(std::move(piece));
     }
     if (pieces.empty()) return std::nullopt;
-    // Sleeves and trouser legs are stiffened by being narrow.
+    // Sleeves and trouser legs are too narrow, and therefore too stiff, for waves.
     const double fold = part == BodyPart::kTorso ? settings_.fold : 0;
     return Ring(tube, pattern_, std::move(pieces), fold);
   }
@@ -251,7 +252,7 @@ class Wrapper {
     }
   }
 
-  // The torso's ring comes first, then the legs'.
+  // Blends a leg's ring into the torso's ring, which comes first.
   void blend(Vec3* position, BodyPart part, const RingPiece& piece, int vertex,
              const Vec3& found) const {
     double share = 1;
@@ -266,9 +267,9 @@ class Wrapper {
   const Pattern& pattern_;
   const Form& form_;
   const Hanging& hanging_;
-  const std::vector<char>& on_top_;  ///< per piece: lies on another one
+  const std::vector<char>& on_top_;  ///< per piece: covers another one
   const WrapSettings& settings_;
-  std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: across, level
+  std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: (across, level)
   std::vector<char> straps_;             ///< per piece
 };
 

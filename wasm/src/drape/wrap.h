@@ -6,42 +6,42 @@
 
 namespace seamwise {
 
-/// Where the vertices of the pieces are in space: per piece, per vertex, cm.
+/// Vertex positions in space: per piece, per vertex, cm.
 using PiecePositions = std::vector<std::vector<Vec3>>;
 
 struct WrapSettings {
   /// Length at which the fabric bends under its own weight: (bending stiffness / weight)^(1/3). A
-  /// wave is six of them long. [cm]
+  /// wave is six times as long. [cm]
   double fold = 1.9;
-  /// Every vertex is at least so far outside the form. [cm]
+  /// Minimum distance of every vertex from the form. [cm]
   double clearance = 0.9;
-  /// And so much further per layer of cloth below it. [cm]
+  /// Additional distance per layer of cloth below. [cm]
   double layer = 0.6;
-  /// Rounds in which edges are drawn towards their lengths; at least 2.
+  /// Rounds that pull edges towards their lengths; at least 2.
   int rounds = 40;
 };
 
-/// Wraps a meshed garment around the form, as the start of a drape: what is sewn lies together,
-/// pieces lie side by side in rings about the parts of the body, all at least `clearance` outside
-/// it. Exactly symmetric when the pattern's mirrors cover it and agree with its placement. The same
-/// bytes whatever the order and the names of the pieces.
+/// Wraps a meshed garment around the form, as the start of a drape.
+/// Seams are closed, and pieces are side by side in rings around the parts of the body, at least
+/// `clearance` outside it. The result is exactly symmetric if the pattern's mirrors cover it and
+/// agree with its placement. Its bytes do not depend on the order and names of the pieces.
 /// Errors: those of hang().
 Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
                                 const WrapSettings& settings = {});
 
-/// How wide a closed ring of pieces is at a height.
+/// Girth of a closed ring of pieces at a height.
 struct WornGirth {
-  double height;  ///< over the floor; of arms, along their axis, cm
+  double height;  ///< over the floor, cm; for arms along their axis
   double girth;   ///< cm
 };
 
-/// The rings about a part of the body at heights 1 cm apart, as the file hangs them; without hems,
-/// and where they are open. Empty when hang() refuses the garment.
+/// Returns the rings around a part of the body at heights 1 cm apart, as hung by the file. It omits
+/// hems and heights where rings are open. It is empty if hang() rejects the garment.
 std::vector<WornGirth> wornGirths(const Garment& garment, const Pattern& pattern, const Form& form,
                                   BodyPart part);
 
-/// How far the crotch of trousers lies below the top of the garment, its seams sewn, cm; none
-/// without legs, or when hang() refuses the garment.
+/// Returns the depth of the trousers' crotch below the top of the garment, with closed seams, cm.
+/// It is empty without legs or if hang() rejects the garment.
 std::optional<double> wornRise(const Garment& garment, const Pattern& pattern, const Form& form);
 
 }  // namespace seamwise

@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// Sums of blocks of factor x factor pixels, for one row of blocks: four numbers to a block. What
-/// does not fill a block at the right is left out.
+/// Returns the sums of blocks of factor x factor pixels for one row of blocks, four numbers per
+/// block. Pixels at the right that do not fill a block are omitted.
 std::vector<std::uint32_t> blockSums(const PixelView& pixels, int factor, int row);
 
 }  // namespace seamwise

@@ -8,7 +8,7 @@
 namespace seamwise {
 namespace {
 
-/// Four complex numbers, one of each of four lines.
+/// Four complex numbers, one per line.
 struct ComplexLanes {
   Lanes<float>::Vector re, im;
 };
@@ -23,7 +23,7 @@ ComplexLanes operator*(const ComplexLanes& a, const ComplexFloat& b) {
   return {a.re * b.real() - a.im * b.imag(), a.re * b.imag() + a.im * b.real()};
 }
 
-/// Transforms of one length, by radices in turn, each sorting what it has done [Stockham 1966].
+/// Transforms of one length by successive radices, each of which sorts its results [Stockham 1966].
 class FourierPlan {
  public:
   FourierPlan(int length, bool inverse) : length_(length), turns_(length), other_(length) {
@@ -55,8 +55,8 @@ class FourierPlan {
     return radix;
   }
 
-  /// Numbers u and radix - u share their sums and differences.
-  /// @param turn   of the first number, in parts of a whole one
+  /// Computes one butterfly. Outputs u and radix - u share their sums and differences.
+  /// @param turn   rotation of output 1, in parts 1 / length of a whole turn
   void by(int radix, const ComplexLanes* from, int from_step, int turn, ComplexLanes* to,
           int to_step) {
     const int part = length_ / radix, half = (radix - 1) / 2;

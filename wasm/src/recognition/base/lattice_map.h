@@ -3,9 +3,9 @@
 
 namespace seamwise {
 
-/// Where a flat print's lattice coordinates lie on a picture of it: x = lens(H (u, v, 1)), in
-/// pixels of the whole upright picture, x to the right, y down. The lens, with one term:
-/// lens(y) = c + (1 + k |y - c|^2 / r^2) (y - c), c the picture's middle, r half its longer side.
+/// Maps lattice coordinates of a flat print to an image: x = lens(H (u, v, 1)), in pixels of the
+/// whole upright image, x to the right, y down. The lens has one term: lens(y) = c + (1 + k |y -
+/// c|^2 / r^2) (y - c), with the image's middle c and half its longer side r.
 struct LatticeMap {
   Mat3 homography = Mat3::Identity();
   double lens = 0;             ///< k
@@ -19,7 +19,7 @@ struct LatticeMap {
     return middle + (1 + lens * off.squaredNorm() / (radius * radius)) * off;
   }
 
-  /// The same places for another basis and origin: u = m u' + origin.
+  /// Returns the same map for another basis and origin: u = m u' + origin.
   LatticeMap rebased(const Mat2& m, const Vec2& origin) const {
     LatticeMap map = *this;
     const Mat3& h = homography;

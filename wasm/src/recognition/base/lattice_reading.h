@@ -8,19 +8,19 @@ namespace seamwise {
 
 enum class Confidence : std::uint8_t { kSure, kLikely, kUncertain };
 
-/// The lattice of a print as it was found on a picture: the smallest cell, in a Lagrange-reduced
-/// basis, counter-clockwise as the cloth is looked at, wherever its origin.
+/// Lattice of a print as found on an image: the smallest cell, in a Lagrange-reduced basis that is
+/// counter-clockwise in view, with any origin.
 struct LatticeReading {
   LatticeMap map;
-  /// Share of the picture's variance that its other copies foretell, each left out of their mean.
+  /// Share of the image's variance that the mean of the other copies explains.
   double explained = 0;
-  /// How many cells are seen whole.
+  /// Number of cells that are entirely visible.
   int copies = 0;
-  /// Standard error of the lengths of w1, w2, as a share.
+  /// Standard error of the lengths of w1 and w2, as a share.
   double uncertainty = 0;
   Confidence confidence = Confidence::kUncertain;
-  /// The print is the same all along w2, whose length then says nothing; across, w1 leads from one
-  /// repeat to the next.
+  /// The print is constant along w2, so the length of w2 is arbitrary; w1 leads across to the next
+  /// repeat.
   bool is_stripes = false;
 };
 

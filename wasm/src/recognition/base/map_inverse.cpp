@@ -6,8 +6,8 @@
 namespace seamwise {
 
 namespace {
-constexpr int kLensNewtonSteps = 8;       // Newton's; three are enough for |k| <= 0.1
-constexpr double kDerivativeStep = 1e-3;  // of a cell, to both sides
+constexpr int kLensNewtonSteps = 8;       // three are enough for |k| <= 0.1
+constexpr double kDerivativeStep = 1e-3;  // share of a cell, to both sides
 
 Eigen::RowVector3d rowCross(const Vec3& a, const Vec3& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
@@ -19,7 +19,7 @@ MapInverse::MapInverse(const LatticeMap& map)
     : lens_(map.lens), middle_(map.middle), radius_(map.radius) {
   const Mat3& h = map.homography;
   const Vec3 a = h.col(0), b = h.col(1), c = h.col(2);
-  back_.row(0) = rowCross(b, c);  // up to a factor, as a homography may be
+  back_.row(0) = rowCross(b, c);  // up to a factor, which homographies allow
   back_.row(1) = rowCross(c, a);
   back_.row(2) = rowCross(a, b);
 }
@@ -30,7 +30,7 @@ Vec2 MapInverse::operator()(const Vec2& p) const {
   double flat = seen;
   for (int step = 0; step < kLensNewtonSteps; ++step) {
     const double slope = 1 + 3 * lens_ * flat * flat;
-    if (slope <= 0.1) break;  // beyond where such a lens can show anything
+    if (slope <= 0.1) break;  // outside the range of such a lens
     flat -= (flat + lens_ * flat * flat * flat - seen) / slope;
   }
   const Vec2 q = middle_ + (seen > 0 ? flat / seen : 1.0) * off;

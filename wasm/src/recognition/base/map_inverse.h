@@ -3,11 +3,11 @@
 
 namespace seamwise {
 
-/// The lattice coordinates of places on a picture: the inverse of a LatticeMap.
+/// Inverse of a LatticeMap: converts points of an image to lattice coordinates.
 class MapInverse {
  public:
   explicit MapInverse(const LatticeMap& map);
-  /// @param p   on the whole picture. [px]
+  /// @param p   point of the whole image. [px]
   Vec2 operator()(const Vec2& p) const;
 
  private:
@@ -17,13 +17,13 @@ class MapInverse {
   double radius_;
 };
 
-/// The derivatives of a map by u and by v at lattice coordinates u, as columns. [px]
+/// Returns the derivatives of a map by u and by v at lattice coordinates u, as columns. [px]
 Mat2 derivative(const LatticeMap& map, const Vec2& u);
 
-/// The side of the square as large as the cell at the picture's middle. [px]
+/// Returns the side of a square with the area of the cell at the image's middle. [px]
 double cellSize(const LatticeMap& map);
 
-/// The longer of w1 and w2 at the picture's middle. [px]
+/// Returns the longer of w1 and w2 at the image's middle. [px]
 double longerRepeat(const LatticeMap& map);
 
 }  // namespace seamwise

@@ -3,12 +3,12 @@
 
 namespace seamwise {
 
-/// Of normal equations with as many unknowns as a lattice in perspective has, or fewer.
+/// Maximum number of unknowns, that of a lattice in perspective.
 constexpr int kMostUnknowns = 7;
 using NormalMatrix = std::array<std::array<double, kMostUnknowns>, kMostUnknowns>;
 
-/// The inverse of the first n rows and columns of A, symmetric and positive definite, by
-/// Cholesky's method; false where it is not so.
+/// Computes the inverse of the first n rows and columns of a symmetric matrix A by Cholesky's
+/// method. Returns false unless they are positive definite.
 bool invertNormal(const NormalMatrix& a, int n, NormalMatrix& inverse);
 
 }  // namespace seamwise

@@ -6,16 +6,16 @@
 
 namespace seamwise {
 
-/// Pixels as cameras and files give them: four bytes each (red, green, blue, opacity), gamma-coded
-/// sRGB, row by row from the top. Pixel (x, y) covers the square from (x, y) to (x + 1, y + 1) of
-/// the picture's plane, in which x runs to the right and y down. Somebody else's memory.
+/// Pixels of a camera or file: four bytes each (red, green, blue, opacity), gamma-coded sRGB, row
+/// by row from the top. Pixel (x, y) covers the square from (x, y) to (x + 1, y + 1) of the image
+/// plane, with x to the right and y down. The view does not own its memory.
 struct PixelView {
   int width = 0, height = 0;
   std::span<const std::uint8_t> rgba;
 };
 
-/// A picture as three planes of numbers, row by row from the top, in the plane of `PixelView`
-/// scaled by `scale`: a point p of the whole picture lies at scale * p here.
+/// Image as three planes of numbers, row by row from the top, in the plane of `PixelView` scaled by
+/// `scale`: point p of the whole image is at scale * p here.
 struct Picture {
   int width = 0, height = 0;
   double scale = 1;

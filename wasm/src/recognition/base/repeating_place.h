@@ -5,22 +5,23 @@
 
 namespace seamwise {
 
-/// The shares of four neighbouring samples at a share t between the middle two: cubics that pass
-/// through them [Catmull and Rom 1974].
+/// Returns the weights of four neighbouring samples at t between the middle two, for cubics through
+/// the samples [Catmull and Rom 1974].
 inline std::array<float, 4> cubicShares(float t) {
   return {0.5f * t * (-1 + t * (2 - t)), 1 + 0.5f * t * t * (-5 + 3 * t),
           0.5f * t * (1 + t * (4 - 3 * t)), 0.5f * t * t * (t - 1)};
 }
 
-/// The index of a sample of a line that repeats.
+/// Returns the index of a sample on a periodic line.
 inline int wrappedIndex(int k, int n) {
   const int rest = k % n;
   return rest < 0 ? rest + n : rest;
 }
 
-/// Four samples of a line that repeats, around a place in it, and their shares.
+/// Four samples around a place on a periodic line, and their weights.
 struct RepeatingReach {
-  /// @param place   in samples; what rounding alone keeps from one is that sample
+  /// @param place   position in samples; a position within rounding error of a sample is that
+  ///                sample
   RepeatingReach(double place, int n) {
     constexpr double kOnSample = 1e-6;
     const double whole = std::floor(place + kOnSample);
@@ -33,7 +34,7 @@ struct RepeatingReach {
   bool is_between;
 };
 
-/// A place in a plane of samples that repeats both ways, `columns` to a row.
+/// Place in a doubly periodic plane of samples with `columns` per row.
 struct RepeatingPlace {
   RepeatingReach x, y;
 

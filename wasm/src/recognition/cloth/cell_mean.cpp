@@ -8,19 +8,19 @@
 namespace seamwise {
 
 namespace {
-/// Parts of a row between which places and light are interpolated: fields bend over a third of it.
+/// Parts of a row between knots of place and light: fields bend over a third of a row.
 constexpr int kRowParts = 32;
 constexpr int kShortestPart = 4, kLongestPart = 32;  // samples
 constexpr float kLeastCopyWeight = 1e-3f;
 constexpr double kEqualLengths = 0.01;
-constexpr int kTileMultiple = 12;  // of halves, thirds, quarters and sixths of the cell
+constexpr int kTileMultiple = 12;  // keeps halves, thirds, quarters and sixths of the cell
 
-// sRGB: linear light is ((code + 0.055) / 1.055)^2.4 for codes above the toe, below which it is
-// proportional to them.
+// sRGB: linear light is ((code + 0.055) / 1.055)^2.4 for codes above the toe, and proportional to
+// codes below it.
 constexpr float kSrgbGamma = 2.4f, kSrgbOffset = 0.055f, kSrgbToe = 0.04045f;
 
-/// Coded colours with their linear light multiplied by gains^2.4. Exact above the toe, since there
-/// code + 0.055 is multiplied by `gains`; below, goes on straight to black.
+/// Returns coded colours after their linear light is multiplied by gains^2.4. The result is exact
+/// above the toe, where code + 0.055 is multiplied by `gains`, and linear down to black below it.
 PixelLanes underLight(const PixelLanes& code, const PixelLanes& gains) {
   const PixelLanes lit = (code + kSrgbOffset) * gains - kSrgbOffset;
   const PixelLanes dark =
@@ -35,7 +35,7 @@ CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, 
   const double along = std::sqrt(gram(0, 0)), up = std::sqrt(gram(1, 1));
   const double sine =
       std::sqrt(std::max(gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(1, 0), 0.0)) / (along * up);
-  // The side of the square as large as the cell, in pixels, over that in the gram's lengths.
+  // Side of a square with the cell's area in pixels, relative to its length in the gram's unit.
   const double px = cellSize(map.rebased(basis, origin)) / std::sqrt(along * up * sine);
   const double side = px * std::max(along, up);
   const double factor = std::min(limits.denser, limits.longest / side);

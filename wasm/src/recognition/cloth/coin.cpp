@@ -17,28 +17,28 @@ constexpr KnownObject kKnownObjects[] = {
     {"eur1", 2.325, 2.325, true}, {"eur2", 2.575, 2.575, true}, {"quarter", 2.426, 2.426, true},
     {"gbp1", 2.34, 2.34, true},   {"card", 8.56, 5.398, false}, {"a4", 29.7, 21, false}};
 
-constexpr double kCompareShare = 0.8;   // of the time
-constexpr double kLeastRadius = 6;      // half the longer side, of what is compared. [px]
-constexpr double kMostOfPicture = 0.4;  // half of it, over the picture's longer side
-constexpr double kScaleStep = 1.04;     // 110 of them from the least to the most
-constexpr double kCenterStep = 0.12;    // of half the longer side
-constexpr int kCenterSteps = 3;         // to each side
-constexpr int kTurnSteps = 30;          // of half a turn
-constexpr double kCoarseReach = 0.08;   // to both sides of an outline, of half the longer side
-constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // of the same
-constexpr double kCoverWindow = 0.06;  // wider ones go by what is covered: it has no rings within
-constexpr double kCloseTo = 0.02;      // an outline, of the same: its edge
-constexpr double kClosePixels = 0.5;   // at least, of what is compared. [px]
-constexpr double kLeastWindow = 2;     // the same: what is covered ends up to a pixel outside
-constexpr int kFewestSupports = kOutlineBits / 3;  // of 133 found with that, none is 2 % wrong
-constexpr int kWindowSamples = 12;                 // to each side
-constexpr float kUnclear = 0.3f;      // edge of what is covered: things that have less are none
-constexpr float kFaintCover = 0.12f;  // the same, of one bit while sizes are refined
-constexpr float kFaint = 12;          // of 3 x 255, the same for the difference itself
-constexpr float kAsGood = 0.8f;       // of the best outline: coins have rings within
-constexpr double kPixelError = 0.2;   // of what is compared, by which outlines lie off. [px]
-constexpr double kThickness = 0.007;  // what the height of a coin makes of its size
-constexpr double kCorner = 0.12;      // of a card's side, left out: corners are round
+constexpr double kCompareShare = 0.8;   // share of the time
+constexpr double kLeastRadius = 6;      // minimum half of the longer side, compared image. [px]
+constexpr double kMostOfPicture = 0.4;  // maximum half, relative to the image's longer side
+constexpr double kScaleStep = 1.04;     // 110 steps from the smallest to the largest size
+constexpr double kCenterStep = 0.12;    // relative to half the longer side
+constexpr int kCenterSteps = 3;         // steps to each side
+constexpr int kTurnSteps = 30;          // steps in half a turn
+constexpr double kCoarseReach = 0.08;  // both sides of an outline, relative to half the longer side
+constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // same unit
+constexpr double kCoverWindow = 0.06;  // wider windows use coverage, which has no inner rings
+constexpr double kCloseTo = 0.02;      // maximum distance of an edge from the outline, same unit
+constexpr double kClosePixels = 0.5;   // minimum of that distance, compared image. [px]
+constexpr double kLeastWindow = 2;     // same unit: coverage ends up to a pixel outside
+constexpr int kFewestSupports = kOutlineBits / 3;  // none of 133 finds with it is 2 % wrong
+constexpr int kWindowSamples = 12;                 // samples to each side
+constexpr float kUnclear = 0.3f;                   // minimum edge of the coverage of an object
+constexpr float kFaintCover = 0.12f;  // minimum edge of the coverage of one bit in refinement
+constexpr float kFaint = 12;          // the same for the difference itself, of 3 x 255
+constexpr float kAsGood = 0.8f;  // share of the best outline's clearness: coins have inner rings
+constexpr double kPixelError = 0.2;   // error of outlines in the compared image. [px]
+constexpr double kThickness = 0.007;  // error of the size caused by the height of a coin
+constexpr double kCorner = 0.12;      // share of a card's side omitted at rounded corners
 
 std::array<OutlineBit, kOutlineBits> outlineOf(const KnownObject& object) {
   std::array<OutlineBit, kOutlineBits> bits;
@@ -84,7 +84,7 @@ ObjectSearch::ObjectSearch(const PixelView& pixels, const LatticeMap& map, const
   const Vec2 u = MapInverse(map)(tapped);
   tapped_ = to_cloth_ * u;
   const Mat2 d = derivative(map, u) * to_lattice_;
-  const double px = std::sqrt(std::abs(cross(d.col(0), d.col(1))));  // of a unit of length
+  const double px = std::sqrt(std::abs(cross(d.col(0), d.col(1))));  // px per unit of length
   size_ = kLeastRadius * difference_.factor() / px;
   most_ = kMostOfPicture * std::max(pixels.width, pixels.height) / px;
 }
@@ -140,19 +140,19 @@ Vec2 ObjectSearch::onPicture(const Vec2& bit) const {
   return pictureOf(placing_.center + placing_.size * (rotation(placing_.turn) * bit));
 }
 
-/// Of what is compared, over half the longer side.
+/// Returns the size of a pixel of the compared image, relative to half the longer side.
 double ObjectSearch::pixel() const {
   return 2 * difference_.factor() / (onPicture(Vec2(1, 0)) - onPicture(Vec2(-1, 0))).norm();
 }
 
-/// By how much more the inside differs from the print than the outside; 0 where it does not.
+/// Returns how much more the inside differs from the print than the outside, at least 0.
 float ObjectSearch::edge(const Vec2& inside, const Vec2& outside, Edge of) const {
   const Vec2 in = pictureOf(inside), out = pictureOf(outside);
   return std::max(0.0f, of == Edge::kCovered ? difference_.covered(in) - difference_.covered(out)
                                              : difference_.at(in) - difference_.at(out));
 }
 
-/// The edge that three quarters of the outline exceed, or 0 when that is not more than `least`.
+/// Returns the edge that three quarters of the outline exceed, or 0 if it is not above `least`.
 float ObjectSearch::clearness(const ObjectPlacing& placing, float least) const {
   std::vector<double> edges(kOutlineBits);
   const Mat2 turned = rotation(placing.turn);
@@ -186,11 +186,11 @@ void ObjectSearch::trySize() {
   size_ *= kScaleStep;
 }
 
-/// The largest of the outlines that are nearly as clear as the clearest; false when none is.
+/// Chooses the largest outline that is nearly as clear as the clearest; returns false without any.
 bool ObjectSearch::chooseSize() {
   for (int k = count_; k-- > 0;) {
     if (sizes_[k].first <= kUnclear || sizes_[k].first < kAsGood * best_) continue;
-    // Of neighbouring sizes, the clearest.
+    // The clearest of neighbouring sizes is used.
     while (k > 0 && sizes_[k - 1].first > sizes_[k].first) --k;
     placing_ = sizes_[k].second;
     return true;
@@ -199,7 +199,7 @@ bool ObjectSearch::chooseSize() {
 }
 
 void ObjectSearch::refine(double window, Edge of) {
-  // Unknowns: the center's shift, growth and turn, in sizes; a circle does not turn.
+  // Unknowns: shift of the centre, growth and turn, relative to the size; a circle does not turn.
   constexpr int kUnknowns = 4;
   NormalMatrix normal{}, inverse{};
   double gradient[kUnknowns] = {};

@@ -10,14 +10,14 @@ namespace seamwise {
 
 namespace {
 
-constexpr double kReducedCell = 160;  // px of a cell's side, at least where the picture has them
+constexpr double kReducedCell = 160;  // minimum px of a cell's side, if the image has them
 constexpr int kFewestPerCell = 16, kMostPerCell = 64;  // samples of a cell's side for registration
-constexpr double kMostCopySamples = 500'000;           // of all cells
-constexpr double kPixelsPerSample = 1.2;               // of the picture that is sampled, at least
-constexpr int kCoarsePerCell = 20;         // samples of a cell's side that creases leave alone
-constexpr int kLightPerCell = 16;          // samples of a cell's side for the light
-constexpr double kUsualRepeats = 8;        // seen at most where cloth is judged by its repeat
-constexpr int kPixelsPerStep = 2'000'000;  // read when a picture is made smaller
+constexpr double kMostCopySamples = 500'000;           // samples of all cells
+constexpr double kPixelsPerSample = 1.2;               // minimum pixels of the sampled image
+constexpr int kCoarsePerCell = 20;   // samples of a cell's side that creases do not affect
+constexpr int kLightPerCell = 16;    // samples of a cell's side for the light
+constexpr double kUsualRepeats = 8;  // maximum visible repeats for relating shifts to a repeat
+constexpr int kPixelsPerStep = 2'000'000;  // pixels read per step of a reduction
 
 int reductionFor(double cell_size, double wanted) {
   return std::max(1, static_cast<int>(cell_size / wanted));

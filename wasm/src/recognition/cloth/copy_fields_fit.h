@@ -11,22 +11,22 @@
 
 namespace seamwise {
 
-/// Finds in what the copies of a cell differ on a picture, step by step, each of some milliseconds:
-/// the light, where creases have moved the cloth, and which parts to leave out.
+/// Finds the differences between the copies of a cell in an image: the light, shifts by creases,
+/// and parts to omit. Each step takes some milliseconds.
 class CopyFieldsFit {
  public:
-  /// `pixels` and `curve` have to outlive it.
-  /// @param nodes_across   of the field of light, along the longer side: lamps and lenses vary no
-  ///   faster than ten can follow
+  /// `pixels` and `curve` have to outlive the object.
+  /// @param nodes_across   nodes of the light's field along the longer side; lamps and lenses vary
+  ///                       no faster than ten can follow
   CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, const SrgbCurve& curve,
                 double nodes_across = 10);
-  /// False when nothing is left to do.
+  /// Runs one step; returns false when done.
   bool advance();
   double fraction() const;
 
-  /// Once done.
+  /// Valid once done.
   const CopyFields& fields() const { return fields_; }
-  /// The picture so small that a cell has about 160 pixels a side: enough for a CellPicture.
+  /// Image reduced to about 160 pixels per side of a cell, enough for a CellPicture.
   const ReducedPixels& reduced() const { return reduced_; }
 
  private:
@@ -39,7 +39,7 @@ class CopyFieldsFit {
   LatticeMap map_;
   const SrgbCurve& curve_;
   double cell_size_, nodes_across_;
-  int samples_;  ///< of a cell's side
+  int samples_;  ///< per side of a cell
   Stage stage_ = Stage::kReduce;
   ReducedPixels reduced_;
   std::unique_ptr<ReducedPixels> fine_, coarse_;  ///< for registration and its first steps

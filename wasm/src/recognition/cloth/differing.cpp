@@ -10,14 +10,14 @@ namespace seamwise {
 
 namespace {
 
-/// Mean squared difference from which on a place differs: so many times the picture's median, and
-/// this share of the print's variance more.
+/// Mean squared difference above which a place differs: kTimesMedian times the image's median plus
+/// kShareOfPrint times the print's variance.
 constexpr float kTimesMedian = 4, kShareOfPrint = 0.2f;
-constexpr float kFoldSlope = 0.4f;  // slope of the shift at which cloth is no longer flat
+constexpr float kFoldSlope = 0.4f;  // slope of the shift at which fabric is no longer flat
 constexpr float kLeastSteepness = 0.3f, kMostSteepness = 1.5f;
-constexpr float kFewSamples = 0.1f;  // of a full node's weight, below which nothing is known
+constexpr float kFewSamples = 0.1f;  // share of a full node's weight; nodes below are unknown
 
-/// Sums for each node of the shift's grid.
+/// Sums per node of the shift's grid.
 struct NodeSums {
   explicit NodeSums(std::size_t n) : count(n), squares(n), steep(n), mean_steep(n), area(n) {}
   std::vector<float> count, squares, steep, mean_steep, area;
@@ -37,7 +37,7 @@ struct NodeSums {
   }
 };
 
-/// The print's variance, over all colours.
+/// Returns the print's variance over all colours.
 float printVariance(const CopyRegistration& registration) {
   float sum = 0;
   for (const std::vector<float>& plane : registration.mean()) {
@@ -82,7 +82,7 @@ NodeSums nodeSumsOf(const CopyRegistration& registration) {
   return sums;
 }
 
-/// How much the shift's nodes differ from those to the right and below, over their distance.
+/// Returns the largest slope of the shift from a node to its right and lower neighbours.
 float slopeAt(const SmoothField& shift, int i, int j) {
   const int right = i + 1 < shift.columns ? 2 : 0,
             below = j + 1 < shift.rows ? 2 * shift.columns : 0;
@@ -94,7 +94,7 @@ float slopeAt(const SmoothField& shift, int i, int j) {
   return most / static_cast<float>(shift.step);
 }
 
-/// Rectangles around nodes that touch each other.
+/// Collects rectangles around connected marked nodes.
 void gatherRegions(const SmoothField& field, const std::vector<std::uint8_t>& marked,
                    CopyFields* fields) {
   DisjointSets sets(static_cast<int>(marked.size()));

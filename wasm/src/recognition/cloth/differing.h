@@ -4,11 +4,12 @@
 
 namespace seamwise {
 
-/// Finds what to leave out of a mean of copies, and how much the rest counts: sets `weight`,
-/// `regions` and `differing`. A place counts by how steep the print's edges are there against all
-/// copies', and by how large the picture shows it; not at all where it differs from the other
-/// copies by more than noise and blur make it, or where the shift folds.
-/// @param registration   done
+/// Finds the parts to omit from a mean of copies, and the weights of the others. It sets `weight`,
+/// `regions` and `differing`.
+/// A place has more weight the steeper the print's edges are there relative to those of all copies,
+/// and the larger it is in the image. Its weight is 0 if it differs from the other copies by more
+/// than noise and blur explain, or if the shift folds.
+/// @param registration   finished registration
 /// @param cell_size      see `cellSize`. [px]
 void findDiffering(const CopyRegistration& registration, double cell_size, CopyFields* fields);
 

@@ -8,8 +8,8 @@
 namespace seamwise {
 
 namespace {
-constexpr int kBorderPoints = 16;  // on each side of the picture, for its bounds in cells
-constexpr double kMostCells = 12;  // from the middle: some 500 copies, more only cost time
+constexpr int kBorderPoints = 16;  // points per side of the image, for its bounds in cells
+constexpr double kMostCells = 12;  // cells from the middle: some 500 copies, more only cost time
 }  // namespace
 
 SeenCells::SeenCells(const LatticeMap& map, int width, int height) {
@@ -68,7 +68,7 @@ void sampleCanvas(const PixelView& pixels, int factor, const SmoothField& shift,
     if (!canvas->seen[k]) continue;
     shift.at(canvas->x[k], canvas->y[k], d);
     PixelLanes value = {0, 0, 0, 0};
-    // What the shift moves over the picture's border stays unseen.
+    // Samples that the shift moves beyond the image's border become unseen.
     canvas->seen[k] =
         bilinear(pixels, (canvas->x[k] + d[0]) * scale, (canvas->y[k] + d[1]) * scale, &value);
     for (int c = 0; c < 3; ++c) canvas->planes[c][k] = value[c] * (1 / 255.0f);

@@ -7,11 +7,11 @@ namespace seamwise {
 
 namespace {
 constexpr int kLightRounds = 14;          // later ones change the field by less than 0.1 %
-constexpr int kPlainLightRounds = 3;      // before errors are weighted by their size
-constexpr float kLightStiffness = 0.02f;  // of a node's mean weight
-constexpr float kNoisyLight = 0.02f;      // linear light in which noise is as large as the signal
-constexpr float kGlareCode = 0.98f;       // coded values above are cut off by the camera
-constexpr float kLightTail = 3;           // errors beyond so many mean errors count little
+constexpr int kPlainLightRounds = 3;      // rounds before errors are weighted by their size
+constexpr float kLightStiffness = 0.02f;  // share of a node's mean weight
+constexpr float kNoisyLight = 0.02f;      // linear light at which noise equals the signal
+constexpr float kGlareCode = 0.98f;       // the camera clips coded values above it
+constexpr float kLightTail = 3;           // errors beyond this many mean errors count little
 }  // namespace
 
 LightFit::LightFit(LatticeCanvas canvas, const SrgbCurve& curve, int width, int height,

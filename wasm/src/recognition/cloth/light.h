@@ -8,20 +8,21 @@
 
 namespace seamwise {
 
-/// How light varies over a picture of a print, apart from the print: log I = log T + L, with I the
-/// linear light of a colour, T the print's, the same in all copies of the cell, and L a smooth
-/// field. Both are fitted in turn by robust least squares; as T takes whatever repeats with the
-/// cell, L needs no whole cells and goes on to the borders as far as the picture shows copies.
+/// Fits the variation of light over an image of a print, apart from the print: log I = log T + L.
+/// I is the linear light of a colour, T that of the print, equal in all copies of the cell, and L a
+/// smooth field. Robust least squares fit both in turn. T absorbs everything that repeats with the
+/// cell. L therefore needs no whole cells, and it extends to the borders as far as copies are
+/// visible.
 class LightFit {
  public:
-  /// @param canvas   sampled; a cell of 8 to 16 samples is enough, light being smooth
-  /// @param width, height   of the whole picture. [px]
-  /// @param nodes_across   of the field, along the longer side
+  /// @param canvas   sampled canvas; 8 to 16 samples per cell are enough, because light is smooth
+  /// @param width, height   of the whole image. [px]
+  /// @param nodes_across   nodes of the field along the longer side
   LightFit(LatticeCanvas canvas, const SrgbCurve& curve, int width, int height, double cell_size,
            double nodes_across);
-  /// One round of fitting both; false when that was the last.
+  /// Runs one round of fitting both; returns false after the last one.
   bool advance();
-  /// Red, green, blue: the natural logarithm of light over its mean on what is seen.
+  /// Red, green, blue: natural logarithm of light over its mean on visible parts.
   const SmoothField& field() const { return field_; }
 
  private:

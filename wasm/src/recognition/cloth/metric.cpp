@@ -10,36 +10,38 @@ namespace seamwise {
 namespace {
 
 constexpr double kFilmSide = 36;      // longer side of 35 mm film. [mm]
-constexpr double kUsualFocus = 0.75;  // of phones, over the longer side: 24 to 30 mm
-constexpr double kUsualError = 0.3;   // of that: 24 to 35 mm
-/// Errors of the optical axis, over the longer side: of a whole picture, of one maybe cut out.
+constexpr double kUsualFocus = 0.75;  // usual of phones, relative to the longer side: 24 to 30 mm
+constexpr double kUsualError = 0.3;   // relative error of it: 24 to 35 mm
+/// Errors of the optical axis, relative to the longer side: of a whole image, and of one that may
+/// be cropped.
 constexpr double kFileMiddle = 0.005, kAnyMiddle = 0.1;
-constexpr double kFileError = 0.02;  // of f35, whole mm, as a share
-/// Change of scale from a picture's middle to its border, over the lattice's error, up to which
-/// there is no perspective; and at least as a share: a tilt of half a degree.
+constexpr double kFileError = 0.02;  // relative error of f35, which has whole mm
+/// An image has no perspective up to this change of scale from its middle to its border: kSurely
+/// times the lattice's error, and at least the share kNoPerspective, a tilt of half a degree.
 constexpr double kSurely = 4, kNoPerspective = 0.004;
-constexpr double kPointing = 1;  // error of a point that somebody sets. [px]
-constexpr double kTape = 0.001;  // error of a measured length, as a share
-constexpr double kEqualSides = 0.01, kRightAngle = 0.02;   // shares; a cosine
-constexpr double kShortestFocus = 0.3, kLongestFocus = 6;  // over the longer side
-constexpr double kFocusStep = 1.078;                       // from one that is tried to the next
+constexpr double kPointing = 1;                            // error of a point set by the user. [px]
+constexpr double kTape = 0.001;                            // error of a measured length, as a share
+constexpr double kEqualSides = 0.01, kRightAngle = 0.02;   // a share; a cosine
+constexpr double kShortestFocus = 0.3, kLongestFocus = 6;  // relative to the longer side
+constexpr double kFocusStep = 1.078;                       // factor between tried focal lengths
 
 double gramArea(const Mat2& gram) {
   return std::sqrt(std::max(gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(0, 1), 1e-300));
 }
 
-/// Of the angle between w1 and w2, its cosine and sine.
+/// Returns cosine and sine of the angle between w1 and w2.
 Vec2 gramAngle(const Mat2& gram) { return Vec2(gram(0, 1), gramArea(gram)).normalized(); }
 
 double gramAspect(const Mat2& gram) { return std::sqrt(gram(1, 1) / gram(0, 0)); }
 
-/// How far a cell's sides are from a ratio, as the logarithm; single precision takes less of a
-/// module.
+/// Returns the absolute logarithm of the cell's aspect over `aspect`. Single precision adds less to
+/// a module.
 double aspectOff(const Mat2& gram, double aspect) {
   return std::abs(std::log(static_cast<float>(gramAspect(gram) / aspect)));
 }
 
-/// The Gram matrix with area 1 if the camera's focal length is f, infinity for a scan. [px]
+/// Returns the Gram matrix with area 1 for a camera of focal length f; 0 for a scan drops the third
+/// row. [px]
 Mat2 gramFor(const Mat3& h, const Vec2& middle, double f) {
   Eigen::Matrix<double, 3, 2> ray;
   for (int c = 0; c < 2; ++c) {
@@ -51,8 +53,8 @@ Mat2 gramFor(const Mat3& h, const Vec2& middle, double f) {
   return gram / gramArea(gram);
 }
 
-/// How much scale changes from the middle to the border: the share by which the map's denominator
-/// does, over half the longer side.
+/// Returns the change of scale from the middle to the border: the relative change of the map's
+/// denominator over half the longer side.
 double scaleChange(const LatticeMap& map, int longer) {
   const Vec2 u = MapInverse(map)(map.middle);
   const Mat3& h = map.homography;
@@ -64,7 +66,8 @@ double scaleChange(const LatticeMap& map, int longer) {
   return slope.norm() * longer / 2 / std::abs(depth);
 }
 
-/// The focal length near `likely` for which the cell's sides have the measured ratio, if any does.
+/// Returns the tried focal length whose cell has sides closest to the measured ratio; `likely` if
+/// none is closer.
 double focusFor(const Mat3& h, const Vec2& middle, double longer, double likely, double aspect) {
   double best = likely, least = aspectOff(gramFor(h, middle, likely), aspect);
   for (double f = longer * kShortestFocus; f < longer * kLongestFocus; f *= kFocusStep) {
@@ -116,20 +119,20 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
     metric.source = MetricSource::kTwoLengths;
     if (!scan) f = focusFor(h, middle, longer, f, *second / *first);
   }
-  // What a scan's third row says is noise.
+  // The third row of a scan is noise.
   metric.gram = gramFor(h, middle, scan ? 0 : f);
   double aspect_squares = 2 * reading.uncertainty * reading.uncertainty;
   double angle_squares = reading.uncertainty * reading.uncertainty;
   const auto vary = [&](const Vec2& off, double share) {
     const Mat2 other = gramFor(h, middle + longer * off, f * (1 + share));
     const double aspect = aspectOff(other, gramAspect(metric.gram));
-    const double angle = cross(gramAngle(metric.gram), gramAngle(other));  // small: its sine
+    const double angle = cross(gramAngle(metric.gram), gramAngle(other));  // sine of a small angle
     aspect_squares += aspect * aspect;
     angle_squares += angle * angle;
   };
   if (!scan) {
     vary(Vec2::Zero(), -f_error);
-    // A picture without a focal length may be cut out of one.
+    // An image without a focal length may be cropped.
     const double off = hints.f35 ? kFileMiddle : kAnyMiddle;
     vary(Vec2(off, 0), 0);
     vary(Vec2(0, off), 0);
@@ -164,14 +167,15 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
 
 std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram) {
   const double along = std::sqrt(gram(0, 0)), area = gramArea(gram);
-  Mat2 w;  // w1 along x
+  Mat2 w;  // w1 and w2 as columns, w1 along x
   w << along, gram(0, 1) / along, 0, area / along;
   const Mat2 seen = derivative(map, MapInverse(map)(map.middle));
   const double det = cross(seen.col(0), seen.col(1));
-  // Where the picture's upward edge runs on the cloth: y is down there. It is turned to y.
+  // Direction of the image's upward edge on the fabric, because y points down in the image. It is
+  // rotated to y.
   const Vec2 up = (w * Vec2(seen(0, 1) / det, -seen(0, 0) / det)).normalized();
   const Mat2 upright = (Mat2() << up.y(), -up.x(), up.x(), up.y()).finished() * w;
-  // Of the turn to the nearest axis, its cosine and sine.
+  // Cosine and sine of the rotation to the nearest axis.
   Vec2 snap = Vec2::UnitX();
   double nearest = 1;
   const double longer = std::max(along, std::sqrt(gram(1, 1)));
@@ -180,10 +184,10 @@ std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram) {
   for (const Vec2& u : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1), Vec2(1, -1)}) {
     const bool diagonal = u.prod() != 0;
     if (rhombic && cosine > kRightAngle && std::abs(cosine - 0.5) > kRightAngle) {
-      if (!diagonal) continue;  // the rectangle that is centred
+      if (!diagonal) continue;  // the diagonals are the axes of the centred rectangle
     } else if (diagonal && (w * u).norm() > longer * (1 + kEqualSides) &&
                !(rhombic && cosine <= kRightAngle)) {
-      continue;  // six directions of hexagons, four of squares, two of rectangles
+      continue;  // hexagons have six directions, squares four, rectangles two
     }
     Vec2 direction = (upright * u).normalized();
     if (std::abs(direction.y()) > std::abs(direction.x())) direction = perp(direction);

@@ -63,7 +63,7 @@ bool bicubic(const PixelView& pixels, float x, float y, PixelLanes* value) {
   const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
   const std::uint8_t* p =
       pixels.rgba.data() + stride * (j - 1) + 4 * static_cast<std::size_t>(i - 1);
-  // A lane for each of four pixels, a sum for each colour.
+  // One lane per pixel of four, one sum per colour.
   using Codes __attribute__((vector_size(16))) = std::uint32_t;
   using Numbers __attribute__((vector_size(16))) = std::int32_t;
   PixelLanes red = {0, 0, 0, 0}, green = red, blue = red;

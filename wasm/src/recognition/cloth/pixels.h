@@ -11,15 +11,15 @@ namespace seamwise {
 /// Red, green, blue and opacity as numbers.
 using PixelLanes = Lanes<float>::Vector;
 
-/// Pixels made smaller by a whole factor, by the mean of factor x factor pixels, some rows at a
-/// time; a factor of 1 copies nothing. Rows and columns that do not fill a pixel are left out.
+/// Image reduced by an integer factor: the mean of factor x factor pixels, some rows at a time. A
+/// factor of 1 copies nothing. Rows and columns that do not fill a pixel are omitted.
 class ReducedPixels {
  public:
   ReducedPixels(const PixelView& pixels, int factor);
-  /// Goes on for about that many pixels of the larger picture; false when nothing is left to do.
+  /// Continues for about `pixels` pixels of the larger image; returns false when done.
   bool advance(int pixels);
   double fraction() const { return static_cast<double>(row_) / height_; }
-  /// Once done. A place p of the larger picture lies at p / factor.
+  /// Valid once done. Point p of the larger image is at p / factor.
   PixelView view() const;
   int factor() const { return factor_; }
 
@@ -42,11 +42,12 @@ inline PixelLanes pixelAt(const std::uint8_t* rgba) {
 
 }  // namespace internal
 
-/// The picture at a place, 0 to 255, between the four nearest pixels; false when that is outside.
+/// Interpolates the image at a place between the four nearest pixels, 0 to 255; returns false
+/// outside.
 bool bilinear(const PixelView& pixels, float x, float y, PixelLanes* value);
 
-/// The same between 4 x 4 pixels by cubics that pass through them [Catmull and Rom 1974], which
-/// keeps fine detail, without opacity; at the border, where there are no 4 x 4, between four.
+/// Interpolates between 4 x 4 pixels by cubics through them [Catmull and Rom 1974], which keeps
+/// fine detail, without opacity. It uses four pixels at the border, where 4 x 4 are not available.
 bool bicubic(const PixelView& pixels, float x, float y, PixelLanes* value);
 
 }  // namespace seamwise

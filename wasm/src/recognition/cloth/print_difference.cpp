@@ -11,12 +11,12 @@ namespace seamwise {
 
 namespace {
 
-constexpr int kLongerSide = 1280;  // of what is compared. [px]
+constexpr int kLongerSide = 1280;  // compared image. [px]
 constexpr int kFewestSamples = 16, kMostSamples = 160;
-constexpr int kPixelsAtOnce = 2'000'000;  // read when the picture is made smaller
-constexpr int kComparedAtOnce = 100'000;  // of what is compared
-constexpr double kLightNodesAcross = 2;   // too few to follow the brightness of a card
-constexpr int kNoiseStep = 5;             // from one place to the next where noise is measured
+constexpr int kPixelsAtOnce = 2'000'000;          // pixels read per step of the reduction
+constexpr int kComparedAtOnce = 100'000;          // pixels compared per step
+constexpr double kLightNodesAcross = 2;           // too few to follow the brightness of a card
+constexpr int kNoiseStep = 5;                     // distance between places where noise is measured
 constexpr float kLeastHalf = 4, kTimesNoise = 3;  // see `covered`
 
 float summed(const PixelLanes& off) {
@@ -81,7 +81,7 @@ PixelLanes PrintDifference::flattened(PixelLanes colour, float x, float y) const
   return colour;
 }
 
-/// Of some more rows of the cell.
+/// Averages some more rows of the cell.
 void PrintDifference::average() {
   std::vector<PixelLanes> copies;
   const std::size_t places = static_cast<std::size_t>(n_) * n_;
@@ -116,7 +116,7 @@ PixelLanes PrintDifference::printAt(const Vec2& u) const {
          t * ((1 - s) * mean(0, 1) + s * mean(1, 1));
 }
 
-/// Some more rows of the picture.
+/// Compares some more rows of the image.
 void PrintDifference::compare() {
   const PixelView view = reduced_.view();
   const MapInverse inverse(map_);
@@ -138,7 +138,7 @@ void PrintDifference::compare() {
   if (end == view.height) stage_ = Stage::kNoise;
 }
 
-/// Not at the picture's border.
+/// Returns the mean over 3 x 3 pixels; the pixel must not be on the image's border.
 PixelLanes PrintDifference::averaged(int column, int row) const {
   PixelLanes sum{};
   for (int j = -1; j <= 1; ++j) {
@@ -157,7 +157,7 @@ void PrintDifference::measureNoise() {
   if (!sums.empty()) noise_ = static_cast<float>(sums[sums.size() / 2]);
 }
 
-/// Some more rows of the picture.
+/// Computes the coverage of some more rows of the image.
 void PrintDifference::cover() {
   const float half = kLeastHalf + kTimesNoise * noise_;
   const std::size_t end =

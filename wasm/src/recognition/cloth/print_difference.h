@@ -10,29 +10,29 @@
 
 namespace seamwise {
 
-/// How much a picture differs from what its copies of the cell agree on, light and creases taken
-/// away: what lies on the cloth stands out from its print. Found step by step, each of some
-/// milliseconds.
+/// Difference of an image from the mean of its copies of the cell, corrected for light and creases.
+/// An object on the fabric differs from the print. Each step takes some milliseconds.
 class PrintDifference {
  public:
-  /// `pixels` have to outlive it.
+  /// `pixels` have to outlive the object.
   PrintDifference(const PixelView& pixels, const LatticeMap& map);
 
-  PrintDifference(const PrintDifference&) = delete;  // its parts refer to each other
+  PrintDifference(const PrintDifference&) = delete;  // members refer to each other
   PrintDifference& operator=(const PrintDifference&) = delete;
 
-  /// False when nothing is left to do.
+  /// Runs one step; returns false when done.
   bool advance();
   double fraction() const;
 
-  // Once done:
+  // Results, valid once done:
 
-  /// At a place of the whole picture, red, green and blue of 0 to 255 each summed up; 0 outside.
+  /// Returns the difference at a place of the whole image, summed over red, green and blue of 0 to
+  /// 255 each; 0 outside.
   float at(const Vec2& p) const { return between(difference_, p); }
-  /// How surely something other than the print is seen there, 0 to 1: a half where colours,
-  /// averaged over 3 x 3, differ by some times more than they do in the median of the picture.
+  /// Returns the certainty that something other than the print is visible there, 0 to 1. It is a
+  /// half where colours, averaged over 3 x 3, differ by several times the median of the image.
   float covered(const Vec2& p) const { return between(covered_, p); }
-  /// What it was made from is so many times smaller than the picture.
+  /// Reduction factor of the compared image.
   int factor() const { return factor_; }
 
  private:
@@ -66,9 +66,9 @@ class PrintDifference {
   LatticeCanvas canvas_;
   std::vector<PixelLanes> mean_;
   int columns_ = 0, rows_ = 0;
-  std::vector<PixelLanes> off_;    ///< colours less those of the print
-  std::vector<float> difference_;  ///< of them, summed up without signs
-  float noise_ = 0;                ///< median of such sums, once colours are averaged
+  std::vector<PixelLanes> off_;    ///< colours minus those of the print
+  std::vector<float> difference_;  ///< sums of their absolute values
+  float noise_ = 0;                ///< median of such sums of averaged colours
   std::vector<float> covered_;
 };
 

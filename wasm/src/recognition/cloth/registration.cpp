@@ -8,12 +8,12 @@ namespace seamwise {
 namespace {
 constexpr int kCoarseShiftRounds = 3, kShiftRounds = 8;
 constexpr double kShiftNodesPerCell = 3;
-constexpr double kMostShiftNodesAcross = 72;  // of the longer side
-constexpr float kShiftStiffness = 0.05f;      // of a node's mean curvature
-constexpr float kShiftSize = 0.003f;          // of it; along stripes nothing else holds a node
-constexpr float kShiftTail = 3;               // errors beyond so many mean errors count little
+constexpr double kMostShiftNodesAcross = 72;  // nodes along the longer side
+constexpr float kShiftStiffness = 0.05f;      // share of a node's mean curvature
+constexpr float kShiftSize = 0.003f;  // share of it; nothing else holds a node along stripes
+constexpr float kShiftTail = 3;       // errors beyond this many mean errors count little
 
-/// The derivatives of a function on the picture by x and by y, of those by u and by v at sample k.
+/// Converts derivatives by u and v at a sample to derivatives by x and y on the image.
 struct PictureSlopes {
   PictureSlopes(const LatticeCanvas& canvas, int column, int row) {
     const int left = column > 0 ? 1 : 0, right = column + 1 < canvas.columns() ? 1 : 0;
@@ -62,7 +62,7 @@ bool CopyRegistration::advance() {
     return true;
   }
   average();
-  if (++round_ > kShiftRounds) return false;  // the last round shows what the field has become
+  if (++round_ > kShiftRounds) return false;  // the last round samples the final field
   step();
   center();
   return true;
@@ -116,7 +116,7 @@ void CopyRegistration::step() {
       if (!canvas_.seen[k] || count_[place] < 2) continue;
       const PictureSlopes to(canvas_, a, b);
       const SplineShares shares(shift_, canvas_.x[k], canvas_.y[k]);
-      // Of the others: a copy is not to hold itself back.
+      // The mean of the other copies counts, because a copy must not hold itself back.
       const float others = count_[place] / (count_[place] - 1);
       float difference = 0, error[3];
       for (int c = 0; c < 3; ++c) {

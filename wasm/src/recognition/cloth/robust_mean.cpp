@@ -7,12 +7,12 @@ namespace seamwise {
 
 namespace {
 
-/// Distances from the median up to which colours count, over the mean distance: 4.7 standard
-/// deviations of noise that is normal in three colours.
+/// Maximum distance from the median at which a colour counts, relative to the mean distance: 4.7
+/// standard deviations of noise that is normal in three colours.
 constexpr float kOutlierReach = 4.7f / 1.6f;
-/// Added to the mean distance: a step and a half of 8 bits.
+/// Added to the mean distance: one and a half steps of 8 bits.
 constexpr float kCodeStep = 1.5f / 255;
-/// Colours of which the median is taken; of more, so many at equal steps.
+/// Maximum number of colours for the median; more colours are sampled at equal steps.
 constexpr int kMedianOf = 15;
 
 PixelLanes greatestColour(const PixelLanes* colours, int count) {
@@ -21,12 +21,12 @@ PixelLanes greatestColour(const PixelLanes* colours, int count) {
   return most;
 }
 
-/// The median of each lane.
+/// Returns the median of each lane.
 PixelLanes medianColour(const PixelLanes* colours, int count) {
   PixelLanes sorted[kMedianOf];
   const int n = std::min(count, kMedianOf);
   for (int k = 0; k < n; ++k) sorted[k] = colours[k * count / n];
-  // The greatest go to the end, one after the other, until the middle is known.
+  // The greatest values move to the end, one after the other, until the middle is known.
   for (int end = n - 1; end >= n / 2; --end) {
     PixelLanes most = sorted[0];
     for (int k = 1; k <= end; ++k) {
@@ -40,7 +40,7 @@ PixelLanes medianColour(const PixelLanes* colours, int count) {
 
 float colourSquares(const PixelLanes& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-/// The sum of the squares of the opponent channels of a difference.
+/// Returns the sum of the squares of a difference's opponent channels.
 float opponentSquares(const PixelLanes& d) {
   const float light = (d[0] + d[1] + d[2]) * (1 / 3.0f);
   const float warm = 0.7f * (d[0] - d[2]), green = 0.7f * (d[1] - 0.5f * (d[0] + d[2]));
@@ -75,7 +75,7 @@ AgreedColour agreedColour(PixelLanes* colours, int count) {
     return agreed;
   }
   agreed.colour = sum / total;
-  const float copies = total * total / squares;  // as many equal weights tell as much
+  const float copies = total * total / squares;  // effective number of equal weights
   if (copies < 1.5f) return agreed;
   float spread = 0;
   for (int k = 0; k < count; ++k)

@@ -8,8 +8,8 @@ namespace seamwise {
 namespace {
 
 constexpr int kFieldSolveSteps = 60;   // conjugate gradients; errors fall below 1e-3 of the step
-constexpr float kFieldSolved = 1e-8f;  // of the residual's square
-constexpr float kLeastFieldCurvature = 1e-6f;  // keeps what nothing observes from being singular
+constexpr float kFieldSolved = 1e-8f;  // share of the residual's square
+constexpr float kLeastFieldCurvature = 1e-6f;  // keeps unobserved nodes from being singular
 
 void cubicSplineShares(float t, float* shares) {
   const float s = 1 - t;
@@ -28,7 +28,7 @@ void addSecondDifference(const float* x, float stiffness, std::size_t a, std::si
   out[c] += bend;
 }
 
-/// Adds the derivative of half the thin plate's energy of a grid of values.
+/// Adds the derivative of half the thin-plate energy of a grid of values.
 void addBending(const float* x, int columns, int rows, float stiffness, float* out) {
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
@@ -51,7 +51,7 @@ double dotOf(const std::vector<float>& a, const std::vector<float>& b) {
   return sum;
 }
 
-/// (A + bending + size) x of both channels, one after the other in x.
+/// Computes (A + bending + size) x for both channels, stored one after the other in x.
 void applyNormal(const FieldSums& sums, const FieldCost& cost, int columns, int rows,
                  const std::vector<float>& x, std::vector<float>* out) {
   const std::size_t n = sums.a11.size();

@@ -7,7 +7,7 @@ namespace seamwise {
 namespace {
 constexpr int kLinearSteps = 1024, kCodeSteps = 8192;
 
-/// For x > 0. The library's own power takes 5 kB of a module.
+/// Power for x > 0. The library's own adds 5 kB to a module.
 float powerOf(float x, float exponent) { return std::exp(exponent * std::log(x)); }
 
 float linearOfCode(float code) {

@@ -3,8 +3,8 @@
 
 namespace seamwise {
 
-/// Between sRGB's coded values and linear light, both in [0, 1] (IEC 61966-2-1), by tables whose
-/// errors lie below 1e-4. What lies outside is clamped.
+/// Converts between sRGB codes and linear light, both in [0, 1] (IEC 61966-2-1), by tables with
+/// errors below 1e-4. Other values are clamped.
 class SrgbCurve {
  public:
   SrgbCurve();

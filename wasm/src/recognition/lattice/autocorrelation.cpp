@@ -7,9 +7,9 @@
 namespace seamwise {
 namespace {
 
-constexpr int kWeightBlock = 8;  // weights vary slowly: every eighth pixel tells. [pixels]
+constexpr int kWeightBlock = 8;  // block size for weights, which vary slowly. [pixels]
 
-/// The next length with no other prime factors than 2, 3 and 5, even.
+/// Returns the next even length with no prime factors other than 2, 3 and 5.
 int transformLength(int least) {
   for (int n = least + least % 2;; n += 2) {
     int rest = n;
@@ -19,7 +19,7 @@ int transformLength(int least) {
   }
 }
 
-/// Sum of w(x) w(x + s), from means over blocks.
+/// Sum of w(x) w(x + s), from sums over blocks.
 class WeightOverlap {
  public:
   explicit WeightOverlap(const WeightedPlanes& planes)
@@ -32,7 +32,7 @@ class WeightOverlap {
             planes.weight[y * planes.width + x];
   }
 
-  /// For shifts by whole blocks.
+  /// Returns the sum for a shift by whole blocks.
   double at(int dx, int dy) const {
     float sum = 0;
     const int x0 = std::max(0, -dx), x1 = std::min(columns_, columns_ - dx);
@@ -49,7 +49,7 @@ class WeightOverlap {
   std::vector<float> weights_;
 };
 
-/// The share of overlap at every shift, bilinear between shifts by whole blocks.
+/// Computes the share of overlap at every shift, bilinear between shifts by whole blocks.
 void fillOverlap(const WeightedPlanes& planes, Autocorrelation& result) {
   const WeightOverlap weights(planes);
   const int blocks_x = result.reach_x / kWeightBlock + 1,
@@ -95,8 +95,8 @@ Autocorrelation autocorrelation(const WeightedPlanes& planes, int reach_x, int r
   result.overlap.resize(result.r.size());
   fillOverlap(planes, result);
 
-  // With both planes as real and imaginary part, |F(k)|^2 + |F(-k)|^2 is twice the sum of their
-  // power spectra. That is even, so that its inverse transform is the same but for its scale.
+  // Both planes are the real and imaginary parts, so |F(k)|^2 + |F(-k)|^2 is twice the sum of their
+  // power spectra. This is even, so its inverse transform equals its forward one except for scale.
   const int width = transformLength(planes.width + result.reach_x);
   const int height = transformLength(planes.height + result.reach_y);
   std::vector<ComplexFloat> spectrum(static_cast<std::size_t>(width) * height);
@@ -110,7 +110,7 @@ Autocorrelation autocorrelation(const WeightedPlanes& planes, int reach_x, int r
     }
   }
   const FourierLines columns{width, height, 1, width};
-  transformLines(spectrum, {planes.height, width, width, 1});  // the rows below hold zeros
+  transformLines(spectrum, {planes.height, width, width, 1});  // the rows below are zero
   transformLines(spectrum, columns);
   for (int y = 0; y <= height / 2; ++y) {
     const int other_y = y == 0 ? 0 : height - y;

@@ -11,7 +11,7 @@ namespace {
 
 using Pixel = ChannelImage::Pixel;
 
-constexpr double kLeastSeen = 0.3;  // of a cell that pairs must show before they count; chosen
+constexpr double kLeastSeen = 0.3;  // minimum share of a cell that pairs must show; chosen
 
 float energy(const Pixel& pixel) {
   return pixel[0] * pixel[0] + pixel[1] * pixel[1] + pixel[2] * pixel[2];
@@ -93,7 +93,7 @@ SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& latt
     return differences.at(static_cast<int>(std::lround(shift.x())),
                           static_cast<int>(std::lround(shift.y())));
   };
-  // Copies that the larger cell lays on each other: its two shortest vectors.
+  // Copies that coincide in the larger cell, by its two shortest vectors.
   const Mat2 own = lattice * larger;
   const Mat2 seen = basis * own;
   const auto reduced = lagrangeReduced(seen.col(0), seen.col(1));
@@ -103,14 +103,14 @@ SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& latt
   SplitEvidence evidence;
   if (first == nullptr || second == nullptr) return evidence;
   evidence.within = std::max(first->mean, second->mean);
-  // Those that it does not: per class the shortest, none longer than the longer of the two.
+  // Other copies, by the shortest shift of each class that is no longer than the longer of the two.
   const int index = static_cast<int>(std::lround(std::abs(larger.determinant())));
   const Mat2 own_inverse = own.inverse();
   struct Shortest {
     double key, length;
     const CopyDifferences::Difference* difference;
   };
-  std::vector<Shortest> shortest;  // one of each class
+  std::vector<Shortest> shortest;  // one per class
   for (int j = -CopyDifferences::kReach; j <= CopyDifferences::kReach; ++j) {
     for (int i = -CopyDifferences::kReach; i <= CopyDifferences::kReach; ++i) {
       const Vec2 shift = lattice * Vec2(i, j);

@@ -6,22 +6,22 @@
 
 namespace seamwise {
 
-/// A picture's three channels beside each other, and a zero, so that one instruction handles a
-/// pixel. Places are given in the plane of the whole picture, as `Picture` has them.
+/// Three channels of an image side by side, and a zero, so that one instruction handles a pixel.
+/// Places are in the plane of the whole image, as in `Picture`.
 struct ChannelImage {
   using Pixel = Lanes<float>::Vector;
 
   int width = 0, height = 0;
-  float scale = 1;  ///< of the whole picture's plane
+  float scale = 1;  ///< relative to the whole image
   std::vector<float> samples;
 
   static ChannelImage of(const Picture& picture);
 
-  /// Four pixels around a place, between which values are bilinear.
+  /// Value and slopes at a place, bilinear between four pixels.
   struct Patch {
-    Pixel value, slope_x, slope_y;  ///< slopes per pixel of the whole picture
+    Pixel value, slope_x, slope_y;  ///< slopes per pixel of the whole image
   };
-  /// False where the place lies outside.
+  /// Returns false for a place outside the image.
   bool look(float x, float y, Patch& patch) const {
     const float column = x * scale - 0.5F, row = y * scale - 0.5F;
     if (!(column >= 0 && row >= 0 && column < static_cast<float>(width - 1) &&

@@ -8,10 +8,10 @@
 namespace seamwise {
 namespace {
 
-constexpr int kLightBlock = 8;  // light varies so slowly that every eighth pixel tells. [pixels]
-constexpr float kLeastLight = 0.04F;  // below it noise would be taken for a print; chosen
+constexpr int kLightBlock = 8;        // block size for light, which varies slowly. [pixels]
+constexpr float kLeastLight = 0.04F;  // minimum light, below which noise resembles a print; chosen
 
-/// Means of blocks of a plane; the last ones may be smaller.
+/// Returns the means of blocks of a plane; the last blocks may be smaller.
 std::vector<float> blockMeans(const std::vector<float>& plane, int width, int height, int block) {
   const int columns = (width + block - 1) / block, rows = (height + block - 1) / block;
   std::vector<float> means(static_cast<std::size_t>(columns) * rows);
@@ -29,10 +29,10 @@ std::vector<float> blockMeans(const std::vector<float>& plane, int width, int he
   return means;
 }
 
-/// Where a row or column of pixels lies among the middles of blocks.
+/// Position of a row or column of pixels between the middles of blocks.
 struct BetweenBlocks {
   int first, second;
-  float share;  ///< of the second
+  float share;  ///< weight of the second
 };
 
 BetweenBlocks betweenBlocks(int pixel, int count) {
@@ -42,7 +42,7 @@ BetweenBlocks betweenBlocks(int pixel, int count) {
           std::clamp(at - static_cast<float>(first), 0.0F, 1.0F)};
 }
 
-/// The light around and the channels' own means around, on blocks.
+/// Surrounding light and the channels' own surrounding means, per block.
 struct SlowPart {
   int columns, rows;
   std::vector<float> light;

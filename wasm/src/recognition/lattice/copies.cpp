@@ -16,10 +16,10 @@ float squared(const Pixel& pixel) {
   return pixel[0] * pixel[0] + pixel[1] * pixel[1] + pixel[2] * pixel[2];
 }
 
-/// Half the picture's width and height in units of its radius, half the longer side.
+/// Returns half the image's width and height in units of its radius, half the longer side.
 Vec2 halfExtent(const TiltedLattice& view) { return view.middle / view.radius; }
 
-/// On this side of the horizon, and not where the cloth is seen far too flat.
+/// Returns whether a place is before the horizon and the fabric is not seen too obliquely there.
 bool isBefore(const TiltedLattice& view, const Vec2& q) { return 1 + view.tilt.dot(q) > 0.2; }
 
 bool isInside(const TiltedLattice& view, const Vec2& u) {
@@ -38,7 +38,8 @@ CellList visibleCells(const TiltedLattice& view, double reach) {
   const Vec2 middle = latticeAt(view.middle);
   Vec2 low = middle, high = middle;
   for (int k = 0; k < 16; ++k) {
-    // Along the border; corners alone are not the farthest where the picture is tilted.
+    // These points are along the border, because corners alone are not the farthest if the image is
+    // tilted.
     const double t = (k % 4) / 2.0 - 1;
     const Vec2 half = halfExtent(view);
     const std::array<Vec2, 4> sides{Vec2(t, -1), Vec2(1, t), Vec2(-t, 1), Vec2(-1, -t)};
@@ -63,7 +64,7 @@ CellList visibleCells(const TiltedLattice& view, double reach) {
 }
 
 Vec2 repeatsSeen(const TiltedLattice& view) {
-  constexpr int kSteps = 10;  // to a cell
+  constexpr int kSteps = 10;  // steps per cell
   Vec2 most = Vec2::Zero();
   const CellList cells = visibleCells(view, 12);
   for (int axis = 0; axis < 2; ++axis) {
@@ -157,7 +158,7 @@ CopiesMean meanOf(const Copies& copies) {
 
 Agreement agreementOf(const Copies& copies) {
   const std::size_t samples = copies.samples();
-  Copies all = copies;  // robust weights would hide what does not repeat
+  Copies all = copies;  // robust weights would hide parts that do not repeat
   for (float& weight : all.weights) weight = weight > 0 ? 1.0F : 0.0F;
   const CopiesMean mean = meanOf(all);
   Pixel sum = Pixel{};

@@ -7,11 +7,11 @@ namespace seamwise {
 namespace {
 
 constexpr double kTiltSpread = 0.2;    // tangent of 15 degrees at an f of 24 mm; chosen
-constexpr double kLensSpread = 0.015;  // lenses of telephones; chosen
-constexpr double kPatchSamples = 20;   // that vary together because of blur and folds; measured
-constexpr double kLargestStep = 0.1;   // of the basis, as a share; chosen
+constexpr double kLensSpread = 0.015;  // lenses of phones; chosen
+constexpr double kPatchSamples = 20;   // samples that vary together by blur and folds; measured
+constexpr double kLargestStep = 0.1;   // maximum change of the basis, as a share; chosen
 constexpr int kLeastSamples = 8;       // along a cell
-constexpr int kMostFitted = 40000;     // samples of all copies; more would measure no better
+constexpr int kMostFitted = 40000;     // samples of all copies; more would not be more accurate
 
 }  // namespace
 
@@ -45,7 +45,7 @@ FitStep linearised(const Copies& copies, const TiltedLattice& view) {
         for (int c = 0; c < 3; ++c) {
           const float gx = r * copies.slopes_x[4 * at + c], gy = r * copies.slopes_y[4 * at + c];
           const float along = gx * px + gy * py;
-          // Back through the lens, then through the tilt.
+          // The chain rule goes back through the lens, then through the tilt.
           const float ex = (1 + lens * square) * gx + 2 * lens * along * px;
           const float ey = (1 + lens * square) * gy + 2 * lens * along * py;
           const float inward = (ex * px + ey * py) * z;
@@ -127,7 +127,7 @@ bool LatticeFit::advance() {
   return stage_ < stages_.size();
 }
 
-/// One step; false when the next would not move anything.
+/// Runs one step; returns false if the next one would not move anything.
 bool LatticeFit::step(const FitStage& stage) {
   TiltedLattice& view = fitted_.view;
   CellList cells = visibleCells(view, stage.reach);
@@ -139,7 +139,7 @@ bool LatticeFit::step(const FitStage& stage) {
   Copies copies = sampleCopies(levelFor(levels_, view, n), view, std::move(cells), n, true);
   downweigh(copies);
   FitStep step = linearised(copies, view);
-  // What is known beforehand, so that what a picture does not show stays as it is.
+  // Prior knowledge preserves parameters that the image does not determine.
   const double unit = step.sum / std::max(1.0, step.count) * kPatchSamples;
   if (!(unit > 0)) return false;
   for (int i = 0; i < 4; ++i) step.normal[i][i] += unit / view.basis.squaredNorm();

@@ -13,27 +13,27 @@
 namespace seamwise {
 namespace {
 
-constexpr int kLongest = 1280;          // of the reduced picture, 640 at least. [pixels]
-constexpr int kSmallestLevel = 150;     // longer side that is halved once more. [pixels]
-constexpr int kRowsAtOnce = 64;         // of the reduced picture
-constexpr double kLightSpread = 0.16;   // of the shorter side: light varies more slowly
-constexpr int kHypotheses = 6;          // that are aligned; the right one was never beyond the 4th
-constexpr double kWellExplained = 0.6;  // no other tilt is tried. Prints have 0.9, other things 0.5
-constexpr double kNothing = 0.3;        // explained by chance; no repeat
-constexpr double kAsGood = 0.04;        // explained less, by a smaller cell that is preferred
-// Drawn prints have 0.95 and more; motifs on a lattice, each turned as it came, had up to 0.68.
+constexpr int kLongest = 1280;          // longer side of the reduced image, 640 at least. [pixels]
+constexpr int kSmallestLevel = 150;     // minimum longer side that is halved once more. [pixels]
+constexpr int kRowsAtOnce = 64;         // rows of the reduced image per step
+constexpr double kLightSpread = 0.16;   // share of the shorter side: light varies more slowly
+constexpr int kHypotheses = 6;          // aligned lattices; the right one was never beyond the 4th
+constexpr double kWellExplained = 0.6;  // ends the search over tilts. Prints have 0.9, others 0.5
+constexpr double kNothing = 0.3;        // explained by chance, without a repeat
+constexpr double kAsGood = 0.04;        // loss of explained share accepted for a smaller cell
+// Drawn prints have 0.95 and more. Motifs on a lattice, each turned at random, had up to 0.68.
 constexpr double kSure = 0.85, kLikely = 0.75;
-// A cell so much larger than one that explains nearly as much may only have followed how the cloth
-// is warped: houndstooth on a body got 20 of its cells for 0.1 more. Of 170 drawn photographs none
-// has such a pair, also where one flower in six is another.
+// A cell may only follow the warp of the fabric if it is kMuchLarger times one that explains nearly
+// as much: houndstooth on a body got 20 of its cells for 0.1 more. None of 170 drawn photos has
+// such a pair, even if one flower in six differs.
 constexpr double kMuchLarger = 5.5, kLittleMore = 0.15;
-constexpr double kMostChange = 1.6;    // of the cell's area by alignment; beyond, it ran away
+constexpr double kMostChange = 1.6;    // change of the cell's area beyond which a fit diverged
 constexpr double kReach = 20;          // cells from the middle that are aligned
-constexpr double kAgreementReach = 8;  // and compared
-constexpr int kAgreementSamples = 28;  // along a cell
+constexpr double kAgreementReach = 8;  // cells from the middle that are compared
+constexpr int kAgreementSamples = 28;  // samples along a cell
 constexpr std::size_t kCandidates = 3;
-constexpr double kSameCandidate = 0.03;  // of w1, w2
-// Errors of 124 drawn photographs were 2.5 times what the residuals say: creases displace
+constexpr double kSameCandidate = 0.03;  // share of w1, w2
+// Errors of 124 drawn photos were 2.5 times the estimate from residuals, because creases displace
 // neighbouring copies alike.
 constexpr double kCreasesAlike = 2.5;
 
@@ -97,7 +97,7 @@ bool LatticeSearch::advance() {
 }
 
 double LatticeSearch::fraction() const {
-  // Shares of the time, as measured on pictures of 12 million pixels.
+  // Shares of the time, measured on images of 12 million pixels.
   const double votes = votes_ ? static_cast<double>(part_) / part_end_ : 0;
   const double aligned = static_cast<double>(hypothesis_) / kHypotheses;
   switch (stage_) {
@@ -299,7 +299,7 @@ LatticeReading LatticeSearch::readingOf(const LatticeHypothesis& aligned) const 
       view.basis.col(0) = reduced[0];
       view.basis.col(1) = reduced[1];
     }
-    // Counter-clockwise as it is looked at, where y runs down.
+    // The basis is counter-clockwise in view, where y points down.
     if (view.basis.determinant() > 0) view.basis.col(1) *= -1;
   }
   LatticeReading reading;

@@ -12,33 +12,33 @@
 
 namespace seamwise {
 
-/// What a lattice that somebody gives is: a guess to be aligned, or the answer.
+/// Use of a lattice given by the user: a guess to align, or the answer.
 enum class GivenLattice : std::uint8_t { kAlign, kKeep };
 
-/// Finds the lattice of the print on a picture, step by step: the picture is reduced, its light
-/// taken away; its autocorrelation, as if the cloth were tilted this way and that, votes for
-/// lattices; these are aligned, and the best one is tested for smaller and larger cells.
+/// Finds the lattice of the print in an image, step by step. The image is reduced and its light
+/// removed. Its autocorrelation under various assumed tilts of the fabric votes for lattices. These
+/// are aligned, and the best one is tested for smaller and larger cells.
 class LatticeSearch {
  public:
   explicit LatticeSearch(const PixelView& view);
-  /// Begins at a lattice that the user gave, whose basis and origin the result keeps: it is moved
-  /// by what aligning it says, or by nothing, and refused in no case.
+  /// Starts from a lattice given by the user. The result keeps its basis and origin, except for
+  /// changes by alignment with kAlign, and is never rejected.
   LatticeSearch(const PixelView& view, const LatticeMap& given, GivenLattice use);
 
-  LatticeSearch(const LatticeSearch&) = delete;  // its parts refer to each other
+  LatticeSearch(const LatticeSearch&) = delete;  // members refer to each other
   LatticeSearch& operator=(const LatticeSearch&) = delete;
 
-  /// One step, of some 10 ms; false when nothing is left to do.
+  /// Runs one step of some 10 ms; returns false when done.
   bool advance();
   double fraction() const;  ///< 0 to 1
 
-  // Once all is done:
+  // Results, valid once done:
 
-  /// kPicture, one sentence that says what is wrong with the picture and what would help.
+  /// kPicture, one sentence with the image's fault and a remedy.
   const std::optional<Error>& error() const { return error_; }
   const LatticeReading& result() const { return result_; }
-  /// The best lattices, at most three, the result first: for the user to choose from when the
-  /// result is uncertain or an error.
+  /// The best lattices, at most three, the result first. The user chooses from them if the result
+  /// is uncertain or an error.
   const std::vector<LatticeReading>& candidates() const { return candidates_; }
 
  private:
@@ -80,7 +80,7 @@ class LatticeSearch {
   std::vector<LatticeHypothesis> hypotheses_;
   std::size_t hypothesis_ = 0;
   std::optional<LatticeFit> fit_;
-  std::vector<LatticeHypothesis> aligned_;  ///< the best first once one is chosen
+  std::vector<LatticeHypothesis> aligned_;  ///< best first once one is chosen
   std::optional<Error> error_;
   LatticeReading result_;
   std::vector<LatticeReading> candidates_;

@@ -8,12 +8,12 @@
 namespace seamwise {
 namespace {
 
-// Slopes along stripes, squared, over those across: 0.001 to 0.008 on stripes that were drawn
-// (noise), 0.05 and more on plaids whose weft is faint.
+// Maximum of squared slopes along stripes relative to those across: 0.001 to 0.008 on drawn stripes
+// (noise), 0.05 and more on plaids with a faint weft.
 constexpr double kMostAlong = 0.02;
-constexpr double kLeastPeriod = 0.15;  // of the longer vector: below it a vector leads along
+constexpr double kLeastPeriod = 0.15;  // share of the longer vector; shorter ones run along
 
-/// The greatest length of which both are multiples, within `tolerance`.
+/// Returns the greatest length of which both are multiples, within `tolerance`.
 double commonDivisor(double a, double b, double tolerance) {
   while (b > tolerance) {
     const double rest = std::abs(a - std::round(a / b) * b);
@@ -28,7 +28,7 @@ double commonDivisor(double a, double b, double tolerance) {
 std::optional<TiltedLattice> asStripes(const Copies& copies, const TiltedLattice& view) {
   const CopiesMean mean = meanOf(copies);
   const int n = copies.n;
-  Mat2 slopes = Mat2::Zero();  // in lattice coordinates
+  Mat2 slopes = Mat2::Zero();  // tensor in lattice coordinates
   for (int b = 0; b < n; ++b) {
     for (int a = 0; a < n; ++a) {
       const int here = b * n + a, right = b * n + (a + 1) % n, below = ((b + 1) % n) * n + a;

@@ -5,8 +5,8 @@
 
 namespace seamwise {
 
-/// The view of the same print as stripes, where its mean cell varies in one direction only: w1
-/// across, one period long, w2 along, as long. Nothing where it varies in both.
+/// Returns the view of the same print as stripes: w1 across, one period long, w2 along, equally
+/// long. The result is empty unless the mean cell varies in one direction only.
 std::optional<TiltedLattice> asStripes(const Copies& copies, const TiltedLattice& view);
 
 }  // namespace seamwise

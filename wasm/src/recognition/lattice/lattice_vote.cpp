@@ -11,14 +11,14 @@ namespace seamwise {
 namespace {
 
 constexpr int kMostPeaks = 24;
-constexpr std::size_t kHighest = 400;   // that are compared with each other
-constexpr double kLeastAngle = 0.25;    // |a x b| / |a| |b|; flatter pairs are badly determined
-constexpr double kGoodShare = 0.82;     // of the best score: lattices that are as good; measured
+constexpr std::size_t kHighest = 400;  // peaks that are compared with each other
+constexpr double kLeastAngle = 0.25;   // |a x b| / |a| |b|; flatter pairs are badly determined
+constexpr double kGoodShare = 0.82;  // share of the best score for equally good lattices; measured
 constexpr double kSameLattice = 0.03;   // share of a vector's length
-constexpr double kLeastOverlap = 0.06;  // of a shift at which r means something; chosen
-constexpr double kRidge = 0.85;         // of the highest r: what stripes have along them; measured
+constexpr double kLeastOverlap = 0.06;  // minimum overlap of a shift for a meaningful r; chosen
+constexpr double kRidge = 0.85;  // share of the highest r that stripes have along them; measured
 
-/// Highest r around a shift, within 3 % of its length.
+/// Returns the highest r around a shift, within 3 % of its length.
 CorrelationPeak highestNear(const Autocorrelation& correlation, const Vec2& s) {
   const int reach = std::clamp(static_cast<int>(std::lround(0.03 * s.norm())), 1, 4);
   const Vec2 up = s.y() < 0 ? Vec2(-s) : s;
@@ -34,7 +34,7 @@ CorrelationPeak highestNear(const Autocorrelation& correlation, const Vec2& s) {
   return best;
 }
 
-/// The maximum of the parabola through three values, from the middle one.
+/// Returns the offset of the maximum of the parabola through three values from the middle one.
 double vertex(double before, double here, double after) {
   const double bend = before - 2 * here + after;
   return bend < 0 ? std::clamp((before - after) / (2 * bend), -0.5, 0.5) : 0;
@@ -44,7 +44,7 @@ VotedLattice scored(const Autocorrelation& correlation, const Vec2& a, const Vec
   constexpr std::array<std::array<int, 2>, 10> kPoints{
       {{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}, {2, -1}, {1, -2}}};
   double sum = 0, weight = 0;
-  // Least squares for the basis through the maxima that were found.
+  // Least squares fit the basis to the maxima that were found.
   Mat2 points = Mat2::Zero(), products = Mat2::Zero();
   for (const auto& [m, n] : kPoints) {
     const Vec2 s = m * a + n * b;
@@ -71,7 +71,7 @@ double areaOf(const VotedLattice& lattice) {
   return std::abs(cross(lattice.basis[0], lattice.basis[1]));
 }
 
-/// Whether both bases span the same lattice.
+/// Returns whether both bases span the same lattice.
 bool isSame(const VotedLattice& x, const VotedLattice& y) {
   if (std::abs(areaOf(x) / areaOf(y) - 1) > 3 * kSameLattice) return false;
   Mat2 basis;
@@ -96,7 +96,7 @@ std::vector<CorrelationPeak> dominantPeaks(const Autocorrelation& correlation, d
       const int i = y * columns + x + correlation.reach_x;
       const std::vector<float>& r = correlation.r;
       if (r[i] <= 0) continue;
-      // Above the row of s = 0 lie the values of -s.
+      // The row above s = 0 has the values of -s.
       const auto above = [&](int dx) {
         return y > 0 ? r[i - columns + dx] : correlation.at(Vec2(x + dx, -1));
       };

@@ -5,20 +5,21 @@
 namespace seamwise {
 namespace {
 
-// Variances are those of flattened channels, so in squares of the light around. All measured on 124
-// pictures of prints and 40 of other things, all drawn.
+// Variances are those of flattened channels, in squares of the surrounding light. All limits were
+// measured on 124 images of prints and 40 of other things, all drawn.
 constexpr double kPlain = 0.0012;      // linen has 0.0008, the faintest print 0.022
-constexpr int kContrastLongest = 330;  // of the level at which threads no longer show. [pixels]
-constexpr double kBlurred = 0.04;      // of the variance between 4 and 8 pixels; prints have 0.07
-constexpr double kMoire = 0.45;        // correlation at 3 to 6 pixels; white noise has 0.1
-constexpr double kLocal = 0.75;        // cloth that repeats here and there; random bricks have 0.67
-constexpr double kLeastRepeats = 2.2;  // a repeat and its neighbours' beginnings on both sides
-constexpr double kAgrees = 0.75, kDisagrees = 0.25;  // of a cell's own variance, explained
-constexpr double kManyCells = 0.15;                  // share of all
+constexpr int kContrastLongest = 330;  // longer side of the level that hides threads. [pixels]
+constexpr double kBlurred = 0.04;  // share of the variance between 4 and 8 pixels; prints have 0.07
+constexpr double kMoire = 0.45;    // correlation at 3 to 6 pixels; white noise has 0.1
+constexpr double kLocal = 0.75;    // fabric that repeats in places; random bricks have 0.67
+constexpr double kLeastRepeats = 2.2;  // a repeat and the starts of its neighbours on both sides
+constexpr double kAgrees = 0.75, kDisagrees = 0.25;  // explained share of a cell's own variance
+constexpr double kManyCells = 0.15;                  // share of all cells
 constexpr double kExplained = 0.6;                   // below it, a print's copies differ too much
-constexpr double kNeighboursDiffer = 0.15;  // of their variance, where only far copies differ
+constexpr double kNeighboursDiffer = 0.15;  // share of their variance if only far copies differ
 
-/// @param reason   as web/src/model/photo.ts lists them
+/// Returns an error of the image.
+/// @param reason   one of the reasons listed in web/src/model/photo.ts
 Error fault(const char* reason, const char* sentence) {
   return {Failure::kPicture, sentence, -1, -1, reason};
 }
@@ -29,7 +30,8 @@ double varianceOf(const ChannelImage& image) {
   return sum / (static_cast<double>(image.width) * image.height);
 }
 
-/// Greatest correlation of lightness with itself some pixels away, along rows or columns.
+/// Returns the greatest correlation of the slope of lightness with itself some pixels away, along
+/// rows or columns.
 double finePeriod(const ChannelImage& image) {
   constexpr int kFirst = 3, kLast = 6;
   double greatest = 0;

@@ -8,13 +8,15 @@
 
 namespace seamwise {
 
-/// Why a picture has no lattice to give: plain cloth, moire, blur, folds, or simply no repeat.
-/// @param local   greatest mean correlation that a lattice had on the picture's middle
+/// Returns the reason why an image has no lattice: plain fabric, moire, blur, folds, or simply no
+/// repeat.
+/// @param local   greatest mean correlation of a lattice in the image's middle
 Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local);
 
-/// Why a lattice that explains something is refused all the same: too few repeats, two prints side
-/// by side, a print that changes along the cloth. Nothing where it is not.
-/// @param seen   repeats seen in a row, along w1 or w2, whichever are fewer; of stripes across
+/// Returns the reason to reject a lattice that explains something: too few repeats, two prints side
+/// by side, or a print that changes along the fabric. The result is empty for an acceptable
+/// lattice.
+/// @param seen   visible repeats in a row, the fewer of those along w1 and w2; for stripes across
 std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifferences& differences,
                                 double seen);
 

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kComparedCells = 5;     // cells from the middle whose copies are compared
 constexpr int kCoarse = 16, kFine = 24;  // samples along a cell
-constexpr double kMostLost = 0.15;       // of what a smaller cell explains; the tests decide
-constexpr double kShortestSide = 6;      // of a repeat. [pixels of the first level]
-constexpr double kFlattest = 0.15;       // shorter over longer side of a cell
-constexpr double kClearlyLess = 0.8;     // by which a still larger cell must agree better; chosen
+constexpr double kMostLost = 0.15;       // accepted loss of the explained share; the tests decide
+constexpr double kShortestSide = 6;      // minimum length of a repeat. [pixels of the first level]
+constexpr double kFlattest = 0.15;       // minimum of shorter over longer side of a cell
+constexpr double kClearlyLess = 0.8;     // ratio of differences for a still larger cell; chosen
 constexpr int kMostRounds = 4;
 constexpr int kLargestIndex = 6;
 
@@ -25,7 +25,7 @@ Copies copiesOf(const std::vector<ChannelImage>& levels, const TiltedLattice& vi
                       false);
 }
 
-/// The same lattice in its shortest basis; of stripes as it is.
+/// Returns the same lattice in its shortest basis; stripes stay unchanged.
 CellChoice withShortBasis(CellChoice choice) {
   if (choice.is_stripes) return choice;
   const auto reduced = lagrangeReduced(choice.view.basis.col(0), choice.view.basis.col(1));
@@ -45,13 +45,13 @@ std::optional<CellChoice> smaller(const std::vector<ChannelImage>& levels, const
   for (const int index : {2, 3, 5}) {
     for (const Mat2& m : largerCells(index)) {
       if (choice.is_stripes && m(1, 1) != 1) continue;
-      // Transposed: of the lattices that have this one as a part, not of its parts.
+      // The transpose gives lattices that contain this one, instead of its sublattices.
       const CellChoice finer =
           withShortBasis({choice.view.rebased(m.transpose().inverse()), choice.is_stripes});
       if (!isCell(levels[0], finer)) continue;
       const Copies copies = copiesOf(levels, finer.view, kCoarse);
       if (agreementOf(copies).explained < explained - kMostLost) continue;
-      // The lattice as it was, in the smaller one's basis.
+      // The previous lattice, in the smaller one's basis.
       const Mat2 larger = (finer.view.basis.inverse() * choice.view.basis).array().rint().matrix();
       if (!isSplit(
               splitEvidence(CopyDifferences(copies), Mat2::Identity(), larger, finer.view.basis)))

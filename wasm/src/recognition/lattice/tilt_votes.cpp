@@ -9,16 +9,17 @@
 namespace seamwise {
 namespace {
 
-constexpr int kLongestPart = 330;       // of a part that is autocorrelated. [pixels]
-constexpr double kShortestPixels = 6;   // of a repeat; below it lies the weave. [pixels]
-constexpr double kShiftReach = 0.55;    // of the shifts, in widths and heights of the part
-constexpr double kLeastMeeting = 0.04;  // of the weights at a shift
-constexpr double kMiddle = 0.5;         // of width and height
+constexpr int kLongestPart = 330;       // longer side of an autocorrelated part. [pixels]
+constexpr double kShortestPixels = 6;   // minimum repeat; the weave is shorter. [pixels]
+constexpr double kShiftReach = 0.55;    // maximum shift, in widths and heights of the part
+constexpr double kLeastMeeting = 0.04;  // minimum share of weights that overlap at a shift
+constexpr double kMiddle = 0.5;         // share of width and height
 constexpr int kLatticesOfEach = 3;
-constexpr double kSame = 0.06;  // of w1 and w2, of lattices voted for twice
+constexpr double kSame = 0.06;  // share of w1 and w2 for lattices voted for twice
 
-/// Tangents of tilts times half the longer side over the focal length: 0.13 is 10 degrees at 24 mm
-/// and 20 at 50, 0.36 is 25 at 24 mm. A correlation finds lattices 0.07 away from its own.
+/// Returns all parts. Tilts are tangents times half the longer side over the focal length: 0.13 is
+/// 10 degrees at 24 mm and 20 at 50, 0.36 is 25 at 24 mm. A correlation finds lattices 0.07 away
+/// from its own tilt.
 std::vector<TiltedPart> allParts() {
   std::vector<TiltedPart> parts;
   for (const double share : {1.0, kMiddle, 0.25}) parts.push_back({Vec2::Zero(), share});

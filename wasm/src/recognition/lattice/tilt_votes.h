@@ -8,33 +8,34 @@
 
 namespace seamwise {
 
-/// A lattice that may be the print's.
+/// Candidate for the print's lattice.
 struct LatticeHypothesis {
   TiltedLattice view;
   double score = 0;  ///< mean correlation at its points
   bool is_stripes = false;
-  // Once it is aligned:
-  double explained = 0;             ///< as `LatticeReading` has it
-  Vec2 uncertainty = Vec2::Zero();  ///< as `FittedLattice` has it
+  // Valid once aligned:
+  double explained = 0;             ///< see `LatticeReading`
+  Vec2 uncertainty = Vec2::Zero();  ///< see `FittedLattice`
 };
 
-/// Autocorrelates a picture as if its cloth were tilted this way and that, because perspective
-/// smears the peaks of the whole picture beyond some 8 degrees; and parts about its middle, in
-/// which small repeats are seen larger. Each votes for lattices.
+/// Autocorrelates an image under various assumed tilts of the fabric, because perspective smears
+/// the peaks of the whole image beyond some 8 degrees. It also uses parts around the image's
+/// middle, in which small repeats appear larger. Each of these steps votes for lattices.
 class TiltVotes {
  public:
-  /// How many of the steps below assume a tilt that most photographs keep within.
+  /// Number of the first steps, whose tilts cover most photos.
   static constexpr int kUsual = 9;
 
-  /// @param levels   the picture at falling sizes, each half the one before; outlive this
+  /// @param levels   image at decreasing sizes, each half the previous one; has to outlive the
+  ///                 object
   explicit TiltVotes(const std::vector<ChannelImage>& levels);
 
   int count() const { return static_cast<int>(parts_.size()); }
-  /// The k-th of them.
+  /// Runs step k, below count().
   void vote(int k);
-  /// All lattices so far, each once, those first that more speaks for.
+  /// Returns all distinct lattices so far, the highest score first.
   std::vector<LatticeHypothesis> ranked() const;
-  /// The highest score on the half about the middle.
+  /// Highest score on the half around the middle.
   double bestOfMiddle() const { return best_of_middle_; }
 
  private:
@@ -47,7 +48,7 @@ class TiltVotes {
   double best_of_middle_ = 0;
 };
 
-/// Whether two views show the same lattice at the middle of the picture, within `tolerance` of w1,
+/// Returns whether two views show the same lattice at the image's middle, within `tolerance` of w1,
 /// w2.
 bool isSameLattice(const TiltedLattice& a, const TiltedLattice& b, double tolerance);
 

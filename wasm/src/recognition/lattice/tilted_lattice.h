@@ -5,10 +5,10 @@
 
 namespace seamwise {
 
-/// The numbers by which a `LatticeMap` is fitted. With places p = (x - middle) / radius on the
-/// picture, before the lens: q = basis u + origin, p = q / (1 + tilt q). So `basis` holds w1, w2 as
-/// they are at the picture's middle, and the tilt is that of the cloth: the tangent of the angle
-/// times radius / focal length.
+/// Parameters in which a `LatticeMap` is fitted. Places on the image before the lens are p = (x -
+/// middle) / radius, with q = basis u + origin and p = q / (1 + tilt q). `basis` therefore holds
+/// w1, w2 at the image's middle. The tilt is that of the fabric: the tangent of the angle times
+/// radius / focal length.
 struct TiltedLattice {
   Mat2 basis = Mat2::Identity();
   Vec2 origin = Vec2::Zero();
@@ -17,9 +17,9 @@ struct TiltedLattice {
   Vec2 middle = Vec2::Zero();  ///< [px]
   double radius = 1;           ///< [px]
 
-  /// Nothing for a map that lays the middle of the picture on the horizon.
+  /// Returns the parameters of a map. The horizon must not go through the image's middle.
   static TiltedLattice of(const LatticeMap& map) {
-    Mat3 h = map.homography;  // to units of the radius, from the middle
+    Mat3 h = map.homography;  // units of the radius, from the middle
     h.row(0) = (h.row(0) - map.middle.x() * h.row(2)) / map.radius;
     h.row(1) = (h.row(1) - map.middle.y() * h.row(2)) / map.radius;
     TiltedLattice view;
@@ -50,7 +50,7 @@ struct TiltedLattice {
     return map;
   }
 
-  /// The same places for another basis: w' = w m.
+  /// Returns the same places for another basis: w' = w m.
   TiltedLattice rebased(const Mat2& m) const {
     TiltedLattice view = *this;
     view.basis = basis * m;

@@ -6,9 +6,9 @@
 namespace seamwise {
 namespace {
 
-constexpr int kPowerSteps = 30;         // of power iteration; two equal axes may mix, which is fine
-constexpr double kWidest = 1.7;         // how far the tilted part may reach, in its own half sides
-constexpr double kLeastNearness = 0.2;  // of cloth that is looked at, relative to the middle
+constexpr int kPowerSteps = 30;         // power iterations; two equal axes may mix, which is fine
+constexpr double kWidest = 1.7;         // maximum extent of the tilted part, in its own half sides
+constexpr double kLeastNearness = 0.2;  // minimum nearness of fabric, relative to the middle
 
 }  // namespace
 
@@ -55,7 +55,8 @@ WeightedPlanes tiltedPlanes(const ChannelImage& image,
   const float pixels = static_cast<float>(radius / image.scale);
   const float mx = static_cast<float>(image.width) / (2 * image.scale);
   const float my = static_cast<float>(image.height) / (2 * image.scale);
-  // sin over the part's sides, read from tables: sines would take longer than all else here.
+  // Sines over the part's sides come from tables, because computing them would take longer than
+  // everything else here.
   constexpr int kTable = 512;
   std::array<float, kTable + 1> sines{};
   for (int k = 0; k <= kTable; ++k) sines[k] = static_cast<float>(std::sin(kPi * k / kTable));

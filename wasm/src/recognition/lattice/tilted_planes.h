@@ -6,18 +6,17 @@
 
 namespace seamwise {
 
-/// The two mixtures of the channels in which a picture varies most, as rows.
+/// Returns the two mixtures of the channels with the greatest variance in an image, as rows.
 std::array<std::array<float, 3>, 2> principalAxes(const ChannelImage& image);
 
-/// The part of a picture that is autocorrelated, as a cloth of some tilt would look from straight
-/// above.
+/// Part of an image for an autocorrelation, seen like a fabric of some tilt from straight above.
 struct TiltedPart {
-  Vec2 tilt = Vec2::Zero();  ///< as `TiltedLattice` has it
-  double share = 1;          ///< of the picture's width and height, about the middle
+  Vec2 tilt = Vec2::Zero();  ///< see `TiltedLattice`
+  double share = 1;          ///< share of the image's width and height, around the middle
 };
 
-/// Samples as far apart as the image's pixels are at the middle; weights are the root of Hann's
-/// window over the part.
+/// Samples a part with the spacing of the image's pixels at the middle. Weights are the square root
+/// of Hann's window over the part.
 WeightedPlanes tiltedPlanes(const ChannelImage& image,
                             const std::array<std::array<float, 3>, 2>& axes,
                             const TiltedPart& part);

@@ -14,7 +14,7 @@ bool isEqualSided(LatticeType type) {
   return type != LatticeType::kOblique && type != LatticeType::kRectangular;
 }
 
-/// The nearest cell that a lattice of this type has.
+/// Returns the nearest Gram matrix of a cell of this type.
 Mat2 constrained(LatticeType type, const Mat2& gram) {
   const double both = std::sqrt(gram(0, 0) * gram(1, 1));
   Mat2 exact = gram;
@@ -179,8 +179,8 @@ Outcome<MetricReading> Photo::measured(const LatticeMap& map, const MetricHints&
   return readMetric(reading, pixels_.width, pixels_.height, hints);
 }
 
-/// Measures the best group's w1 and w2. Lengths of both may tell that sides differ which the group
-/// has equal: then groups are read once more, and a smaller one is the best.
+/// Measures the best group's w1 and w2. Two known lengths may show that sides differ which the
+/// group makes equal. Groups are then read once more, and a smaller one becomes the best.
 void Photo::identify() {
   const auto metric = measured(mapOf(best()), settings_.hints);
   if (!metric.ok()) return fail(metric.error());
@@ -205,8 +205,10 @@ void Photo::identify() {
   stage_ = PhotoStage::kSymmetry;
 }
 
-/// The last step, given the Gram matrix of the best group's w1 and w2 as it was measured, and what
-/// a length was measured along, which stays that long whatever the group makes of the sides.
+/// Runs the last step.
+/// @param measured_gram   measured Gram matrix of the best group's w1 and w2
+/// @param along           direction of a measured length, which stays that long whatever the group
+///                        does to the sides
 void Photo::place(const Mat2& measured_gram, const Vec2& along) {
   Mat2 gram = constrained(best().group->lattice, measured_gram);
   const double squared = along.dot(gram * along);
@@ -222,7 +224,7 @@ void Photo::place(const Mat2& measured_gram, const Vec2& along) {
   stage_ = PhotoStage::kDone;
 }
 
-/// How long the sides of the best group's cell are by the picture alone.
+/// Determines the proportions of the best group's cell by the image alone.
 void Photo::see() {
   MetricHints camera;
   camera.f35 = settings_.hints.f35;

@@ -13,63 +13,62 @@
 
 namespace seamwise {
 
-/// What somebody knows of a picture beside its pixels.
+/// Known facts about an image besides its pixels.
 struct PhotoSettings {
-  /// The picture is seamless: one cell of the print, or several.
+  /// The image is seamless: one cell of the print, or several.
   bool is_tile = false;
-  /// A seamless picture is read whether its edges meet or not.
+  /// A seamless image is read even if its edges do not meet.
   bool any_edges = false;
-  /// Lengths are those of the group's w1 and w2.
+  /// Known lengths are those of the group's w1 and w2.
   MetricHints hints;
   std::optional<LatticeMap> lattice;
   GivenLattice use = GivenLattice::kAlign;
-  /// Share of the light's unevenness that is taken away.
+  /// Share of the light's unevenness that is removed.
   double flatten = 1;
 };
 
 enum class PhotoStage : std::uint8_t { kRepeat, kLight, kSymmetry, kDone };
 
-/// What may be said of a picture beside what was read.
+/// Notes on a finished reading.
 enum class PhotoNote : std::uint8_t {
-  kUneven,              ///< creases move the print by more than lies flat
+  kUneven,              ///< creases move the print by more than on flat fabric
   kDiffers,             ///< parts of it differ from all other copies
-  kAssumedFocalLength,  ///< proportions are known no better than a usual camera's
-  kUnequal,             ///< sides that the print's symmetry has equal measure differently
+  kAssumedFocalLength,  ///< proportions are as uncertain as a usual camera
+  kUnequal,             ///< measured sides differ that the print's symmetry makes equal
 };
 
-/// A print read off a picture, step by step: lattice, light and creases, the mean of the copies,
-/// its group, its size.
+/// Reads a print from an image, step by step: lattice, light and creases, mean of the copies,
+/// group, size.
 class Photo {
  public:
-  /// `pixels` have to outlive it.
+  /// `pixels` have to outlive the object.
   Photo(const PixelView& pixels, const PhotoSettings& settings);
 
-  /// One step of some milliseconds; false when nothing is left to do, or once it has failed.
+  /// Runs one step of some milliseconds; returns false when done or after an error.
   bool advance();
   const std::optional<Error>& error() const { return error_; }
   PhotoStage stage() const { return stage_; }
   double fraction() const;
 
-  // Once done:
+  // Results, valid once done:
 
   const LatticeReading& lattice() const { return lattice_; }
   const GroupReading& groups() const { return groups_; }
-  /// Where the cells of a group lie, with its own w1, w2 and origin.
+  /// Returns the map of a group's cells, with its own w1, w2 and origin.
   LatticeMap mapOf(const GroupVerdict& verdict) const;
-  /// w1 and w2 of the best group as prints have them: as exact as its lattice is. [cm], or of any
+  /// w1 and w2 of the best group in a print's orientation, exact for its lattice type. [cm], or any
   /// unit until `isScaled`.
   const std::array<Vec2, 2>& vectors() const { return vectors_; }
   bool isScaled() const { return is_scaled_; }
-  /// |w2| / |w1| as the picture alone shows it, whatever was measured, and the share by which it
-  /// may err.
+  /// |w2| / |w1| by the image alone, whatever was measured, and its error as a share.
   double seenAspect() const { return seen_aspect_; }
   double seenError() const { return seen_error_; }
   Confidence confidence() const;
-  /// Other lattices that it may be.
+  /// Alternative lattices.
   const std::vector<LatticeReading>& others() const { return others_; }
   const std::vector<DifferingRegion>& differing() const { return differing_; }
   const std::vector<PhotoNote>& notes() const { return notes_; }
-  /// Of a seamless picture that was read with any edges.
+  /// Seams of a seamless image that was read with any edges.
   const TileSeams& seams() const { return seams_; }
 
  private:
@@ -90,7 +89,7 @@ class Photo {
   SrgbCurve curve_;
   PhotoStage stage_ = PhotoStage::kRepeat;
   std::optional<Error> error_;
-  std::unique_ptr<TileReader> tile_;  ///< of a seamless picture, in place of all others
+  std::unique_ptr<TileReader> tile_;  ///< replaces all others for a seamless image
   std::unique_ptr<LatticeSearch> search_;
   std::unique_ptr<CopyFieldsFit> fit_;
   std::unique_ptr<CellMean> mean_;
@@ -98,7 +97,7 @@ class Photo {
   LatticeReading lattice_;
   CellPicture cell_;
   GroupReading groups_;
-  std::optional<Mat2> measured_gram_;  ///< of the lattice's basis, once lengths of both are known
+  std::optional<Mat2> measured_gram_;  ///< basis of the lattice, once both lengths are known
   std::array<Vec2, 2> vectors_{Vec2::UnitX(), Vec2::UnitY()};
   bool is_scaled_ = false;
   double seen_aspect_ = 1, seen_error_ = 0;

@@ -8,7 +8,7 @@
 namespace seamwise {
 namespace {
 
-/// Copies lie between each other's pixels: together they show more than one.
+/// Copies fall between each other's pixels, so together they show more than one does.
 GridLimits limitsOf(const PixelView& pixels, bool is_tile) {
   GridLimits limits{PhotoTuning::kLongestTile, 1};
   if (is_tile) return limits;
@@ -51,7 +51,7 @@ bool PhotoTile::advance() {
   return true;
 }
 
-/// Whether there is more to do.
+/// Starts the symmetrisation; returns whether more work is left.
 bool PhotoTile::symmetrise(std::array<std::vector<float>, 3> planes) {
   if (settings_.group == nullptr) {
     planes_ = std::move(planes);

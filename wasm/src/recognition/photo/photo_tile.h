@@ -10,35 +10,35 @@
 
 namespace seamwise {
 
-/// How an image of a print's cell is made.
+/// Settings for an image of a print's cell.
 struct PhotoTileSettings {
-  /// Of the cell: its w1, w2 and origin.
+  /// Map of the cell: its w1, w2 and origin.
   LatticeMap map;
-  /// Of w1, w2, up to a factor.
+  /// Gram matrix of w1, w2, up to a factor.
   Mat2 gram = Mat2::Identity();
-  /// The picture is seamless: one cell of the print, or several.
+  /// The source is seamless: one cell of the print, or several.
   bool is_tile = false;
-  /// Share of the light's unevenness that is taken away.
+  /// Share of the light's unevenness that is removed.
   double flatten = 1;
-  /// Its symmetries are made exact; nothing for as they are.
+  /// Group whose symmetries are made exact, or null.
   const GroupData* group = nullptr;
 };
 
-/// A clean image of a print's cell from all its copies on a picture, step by step.
+/// Makes a clean image of a print's cell from all its copies in a source image, step by step.
 class PhotoTile {
  public:
-  /// `pixels` have to outlive it.
+  /// `pixels` have to outlive the object.
   PhotoTile(const PixelView& pixels, const PhotoTileSettings& settings);
 
-  /// One step of some milliseconds; false when nothing is left to do.
+  /// Runs one step of some milliseconds; returns false when done.
   bool advance();
   double fraction() const;
 
-  // Once done:
+  // Results, valid once done:
 
   int columns() const { return grid_.columns; }
   int rows() const { return grid_.rows; }
-  /// Red, green, blue, opacity, w1 to the right and w2 up, its top row first.
+  /// Returns red, green, blue, opacity, w1 to the right and w2 up, top row first.
   std::vector<std::uint8_t> image() const;
 
  private:
@@ -48,8 +48,8 @@ class PhotoTile {
   PhotoTileSettings settings_;
   CellGrid grid_;
   SrgbCurve curve_;
-  std::unique_ptr<TileCell> cell_;      ///< of a seamless picture, which is one copy
-  std::unique_ptr<CopyFieldsFit> fit_;  ///< of others
+  std::unique_ptr<TileCell> cell_;      ///< for a seamless image, which is one copy
+  std::unique_ptr<CopyFieldsFit> fit_;  ///< for other images
   std::unique_ptr<CellMean> mean_;
   std::unique_ptr<TileSymmetry> symmetry_;
   std::array<std::vector<float>, 3> planes_;

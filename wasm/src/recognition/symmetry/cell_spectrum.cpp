@@ -7,16 +7,16 @@
 namespace seamwise {
 namespace {
 
-/// Both ways.
+/// Transforms the rows, then the columns.
 void squareFourier(std::vector<ComplexFloat>& square, int n, bool inverse) {
   transformLines(square, {n, n, n, 1}, inverse);
   transformLines(square, {n, n, 1, n}, inverse);
 }
 
-/// Index of a frequency in a transform of n numbers.
+/// Returns the index of a frequency in a transform of n numbers.
 int frequencyIndex(int k, int n) { return k < 0 ? k + n : k; }
 
-/// exp(-2 pi I k a / n), for all k of a band.
+/// Returns exp(-2 pi I k a) for all k of a band.
 std::vector<ComplexFloat> phasesOf(double a, int reach) {
   std::vector<ComplexFloat> phases(2 * reach + 1);
   for (int k = -reach; k <= reach; ++k) {
@@ -32,7 +32,7 @@ CellSpectrum::CellSpectrum(const CellPicture& cell, const Mat2& gram)
     : n_(cell.n), reach_((cell.n - 1) / 2), gram_(gram / std::sqrt(gram.determinant())) {
   const std::size_t count = static_cast<std::size_t>(n_) * n_;
   const Mat2 inverse = gram_.inverse();
-  // the greatest ellipse of equal wavelengths that fits into the band: a rotation keeps within it
+  // Greatest ellipse of equal wavelengths inside the band; rotations stay within it.
   const double most =
       reach_ * reach_ / std::max(gram_(0, 0), gram_(1, 1));  // k^T G^-1 k <= most => |k_i| <= reach
   std::vector<float> gain(count, 0.0f);
@@ -48,7 +48,7 @@ CellSpectrum::CellSpectrum(const CellPicture& cell, const Mat2& gram)
       power += static_cast<double>(g) * g;
     }
   }
-  gain[0] = 0;  // the mean
+  gain[0] = 0;  // removes the mean
 
   const auto& [red, green, blue] = cell.planes;
   const float scale = 1.0f / static_cast<float>(count);
@@ -70,7 +70,7 @@ CellSpectrum::CellSpectrum(const CellPicture& cell, const Mat2& gram)
     planes_[channel].resize(count);
     for (std::size_t p = 0; p < count; ++p) planes_[channel][p] = values[p].real();
   }
-  // of noise that is the same at all frequencies
+  // Gain on the variance of noise that is equal at all frequencies.
   const float left = static_cast<float>(power) * scale;
   noise_.resize(count);
   for (std::size_t p = 0; p < count; ++p) {
@@ -106,7 +106,7 @@ std::vector<float> CellSpectrum::correlation(const IntegerMatrix& m) const {
 CellSpectrum::Planes CellSpectrum::image(const IntegerMatrix& m, const Vec2& a) const {
   const std::size_t count = static_cast<std::size_t>(n_) * n_;
   const auto phases1 = phasesOf(a.x(), reach_), phases2 = phasesOf(a.y(), reach_);
-  // two real planes in one transform
+  // Two real planes share one transform.
   std::vector<ComplexFloat> pair(count), last(count);
   for (int k2 = -reach_; k2 <= reach_; ++k2) {
     for (int k1 = -reach_; k1 <= reach_; ++k1) {

@@ -10,7 +10,7 @@ IntegerMatrix integerProduct(const IntegerMatrix& a, const IntegerMatrix& b) {
           a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
 }
 
-/// Of determinant 1.
+/// Returns the inverse for determinant 1.
 IntegerMatrix integerInverse(const IntegerMatrix& m) { return {m[3], -m[1], -m[2], m[0]}; }
 
 Mat2 gramIn(const Mat2& gram, const IntegerMatrix& basis) {
@@ -18,10 +18,10 @@ Mat2 gramIn(const Mat2& gram, const IntegerMatrix& basis) {
   return b.transpose() * gram * b;
 }
 
-/// The change to a basis of shortest vectors (Lagrange), determinant +1.
+/// Returns the change to a basis of shortest vectors (Lagrange), determinant +1.
 IntegerMatrix reducingBasis(const Mat2& gram) {
   IntegerMatrix basis{1, 0, 0, 1};
-  // each step shortens the basis or ends; the limit holds whatever the numbers are
+  // Each step shortens the basis or ends the loop; the limit holds for any numbers.
   for (int step = 0; step < 64; ++step) {
     Mat2 g = gramIn(gram, basis);
     const int times = static_cast<int>(std::round(g(0, 1) / g(0, 0)));
@@ -49,13 +49,13 @@ bool isOfLatticeType(LatticeType type, const Mat2& gram, double tolerance) {
     case LatticeType::kSquare:
       return equal && upright;
     case LatticeType::kHexagonal:
-      // the sine of how far the angle is from 60 degrees
+      // sine of the angle's difference from 60 degrees
       return equal && cosine > 0 && std::abs(sine - std::sqrt(3.0) * cosine) <= 2 * tolerance;
   }
   return false;
 }
 
-/// Elements of the group with basis B, as they are in coordinates of the lattice: B M B^-1, B a.
+/// Converts elements of the group in its basis B to coordinates of the lattice: B M B^-1, B a.
 std::vector<LatticeElement> elementsIn(const std::vector<LatticeElement>& own,
                                        const IntegerMatrix& basis) {
   const IntegerMatrix back = integerInverse(basis);
@@ -73,13 +73,13 @@ std::vector<LatticeElement> elementsIn(const std::vector<LatticeElement>& own,
 bool areSameElements(const std::vector<LatticeElement>& a, const std::vector<LatticeElement>& b) {
   const auto is_in_b = [&](const LatticeElement& e) {
     return std::any_of(b.begin(), b.end(), [&](const LatticeElement& other) {
-      return e.m == other.m && e.a == other.a;  // shifts are whole numbers of halves
+      return e.m == other.m && e.a == other.a;  // shifts are multiples of 1/2
     });
   };
   return std::all_of(a.begin(), a.end(), is_in_b);
 }
 
-/// How far a basis is from the one that is given.
+/// Returns the distance of a basis from the given one.
 int basisChange(const IntegerMatrix& b) {
   return std::abs(b[0] - 1) + std::abs(b[1]) + std::abs(b[2]) + std::abs(b[3] - 1);
 }
@@ -101,7 +101,7 @@ std::vector<GroupEmbedding> embeddingsOf(const GroupData& group, const Mat2& gra
   }
   const IntegerMatrix reducing = reducingBasis(gram);
   const Mat2 reduced = gramIn(gram, reducing);
-  // from a reduced basis the convention's vectors are sums of at most two of each
+  // The convention's vectors are sums of at most two of each vector of a reduced basis.
   constexpr int kMost = 2;
   for (int code = 0; code < 5 * 5 * 5 * 5; ++code) {
     const IntegerMatrix change{code % 5 - kMost, code / 5 % 5 - kMost, code / 25 % 5 - kMost,

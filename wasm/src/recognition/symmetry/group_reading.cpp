@@ -51,8 +51,8 @@ int indexOf(const std::array<GroupVerdict, 17>& groups, std::string_view name) {
   return 0;
 }
 
-/// A stripe has any length along itself, so that a right angle is always to be had: pm holds, and
-/// pmm where a half turn does.
+/// Sets the groups of a stripe. It has any length along itself, so a right angle always exists: pm
+/// holds, and pmm if a half turn does.
 void readStripes(GroupReading& reading, const std::array<int, 2>& along, const Mat2& gram) {
   reading.stripes = true;
   const GroupVerdict half_turn = reading.groups[indexOf(reading.groups, "p2")];
@@ -70,7 +70,7 @@ void readStripes(GroupReading& reading, const std::array<int, 2>& along, const M
   reading.best = indexOf(reading.groups, is_even ? "pmm" : "pm");
 }
 
-/// The largest group that is there; of groups of one order, the one that fits best.
+/// Returns the largest group present; of groups of equal order, the one that fits best.
 int largestOf(const std::array<GroupVerdict, 17>& groups) {
   int best = 0;
   for (std::size_t k = 1; k < groups.size(); ++k) {

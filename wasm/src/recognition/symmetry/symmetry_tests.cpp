@@ -14,7 +14,7 @@ using SymmetryTuning = GroupReadingTuning;
 
 Vec2 fractionOf(const Vec2& v) { return v - v.array().floor().matrix(); }
 
-/// Sums over a place, of the difference d of two pictures and the gradient g = (g1, g2).
+/// Sums over a place: d is the difference of two pictures, g = (g1, g2) the gradient.
 struct PlaceSums {
   double dd = 0, d1 = 0, d2 = 0, g11 = 0, g12 = 0, g22 = 0, noise = 0;
   int samples = 0;
@@ -23,16 +23,16 @@ struct PlaceSums {
     noise += o.noise, samples += o.samples;
   }
   Mat2 gradients() const { return (Mat2() << g11, g12, g12, g22).finished(); }
-  /// Sum of squares of d once the picture is displaced by x samples.
+  /// Returns the sum of squares of d after a displacement of the picture by x samples.
   double displaced(const Vec2& x) const {
     return dd + 2 * (d1 * x.x() + d2 * x.y()) + x.dot(gradients() * x);
   }
 };
 
-/// The displacement of a neighbourhood that explains most of its difference, no further than
-/// creases displace it. [samples]
+/// Returns the displacement of a neighbourhood that explains most of its difference, limited to
+/// displacements by creases. [samples]
 Vec2 displacementOf(const PlaceSums& sums, const Mat2& gram, int n, double variance) {
-  const Mat2 metric = gram / (n * n);  // of a displacement in samples
+  const Mat2 metric = gram / (n * n);  // metric of displacements in samples
   constexpr double kLimit = SymmetryTuning::kDisplacement * SymmetryTuning::kDisplacement;
   const Mat2 system = sums.gradients() + variance / kLimit * metric;
   Vec2 x = -system.inverse() * Vec2(sums.d1, sums.d2);
@@ -41,8 +41,8 @@ Vec2 displacementOf(const PlaceSums& sums, const Mat2& gram, int n, double varia
   return x;
 }
 
-/// The least place of a quadratic through 3 x 3 values, in steps from the middle; directions in
-/// which it hardly bends count as flat.
+/// Returns the minimum of a quadratic through 3 x 3 values, in steps from the middle. Directions
+/// with hardly any curvature count as flat.
 Vec2 leastOf(const double (&v)[3][3]) {
   const Vec2 slope((v[1][2] - v[1][0]) / 2, (v[2][1] - v[0][1]) / 2);
   Mat2 bend;
@@ -118,7 +118,7 @@ Vec2 SymmetryTests::bestOrigin(const GroupEmbedding& embedding) {
     }
   }
   if (others == 0) return Vec2::Zero();
-  // rounding alone must not choose between equal origins
+  // Rounding alone must not choose between equal origins.
   const float margin = static_cast<float>(1e-5 * cell_.energy() * others);
   std::size_t best = 0;
   for (std::size_t k = 1; k < agreement.size(); ++k) {

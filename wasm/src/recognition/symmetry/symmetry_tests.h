@@ -8,12 +8,12 @@
 
 namespace seamwise {
 
-/// How far a cell is from its image under one symmetry, or the furthest of several: shares of the
-/// pattern's energy, noise and small displacements taken away.
+/// Difference of a cell from its image under one symmetry, or the greatest over several symmetries:
+/// shares of the pattern's energy, without noise and small displacements.
 struct SymmetryResidual {
-  double rho = 0;    ///< of the whole cell
-  double worst = 0;  ///< of the worst of the places
-  double raw = 0;    ///< of the whole cell, nothing taken away
+  double rho = 0;    ///< whole cell
+  double worst = 0;  ///< worst place
+  double raw = 0;    ///< whole cell, with noise and displacements
 };
 
 /// Compares a cell with its images under symmetries of its lattice.
@@ -21,15 +21,15 @@ class SymmetryTests {
  public:
   explicit SymmetryTests(const CellSpectrum& cell);
 
-  /// The origin at which the images agree best with the cell, all elements together, in [0, 1);
-  /// of equal ones the first.
+  /// Returns the origin in [0, 1) at which the images of all elements together agree best with the
+  /// cell; the first one of equal origins.
   Vec2 bestOrigin(const GroupEmbedding& embedding);
-  /// Mean share of energy by which elements about an origin on the grid of 2 n x 2 n miss; what
-  /// `bestOrigin` makes least. Nothing is taken away from it.
+  /// Returns the mean share of energy by which elements miss about an origin on the grid of 2 n x 2
+  /// n. `bestOrigin` minimises it. It includes noise and displacements.
   double missedBy(const GroupEmbedding& embedding, const Vec2& origin);
-  /// The furthest of all elements about an origin.
+  /// Returns the greatest residual over all elements about an origin.
   SymmetryResidual residual(const GroupEmbedding& embedding, const Vec2& origin) const;
-  /// Of one symmetry u -> m u + a.
+  /// Returns the residual of one symmetry u -> m u + a.
   SymmetryResidual residual(const IntegerMatrix& m, const Vec2& a) const;
 
  private:
@@ -41,7 +41,7 @@ class SymmetryTests {
   std::forward_list<std::pair<IntegerMatrix, std::vector<float>>> correlations_;
 };
 
-/// The shift of an element when the origin of its group is moved there: (I - M) origin + a.
+/// Returns the shift of an element about the origin of its group: (I - M) origin + a.
 Vec2 shiftAbout(const LatticeElement& element, const Vec2& origin);
 
 }  // namespace seamwise

@@ -8,14 +8,15 @@
 namespace seamwise {
 namespace {
 
-/// Gram matrix of a lattice on a tile whose sides have one.
+/// Returns the Gram matrix of a lattice on a tile, from that of the tile's sides.
 Mat2 gramOn(const SeamlessTile& tile, const Mat2& sides, const LatticeMap& map) {
   const Mat2 shares = Vec2(1.0 / tile.width(), -1.0 / tile.height()).asDiagonal() *
                       map.homography.topLeftCorner<2, 2>();
   return shares.transpose() * sides * shares;
 }
 
-/// Samples along a side: even, so that halves of the cell are samples, and no more than its pixels.
+/// Returns the samples along a side: even, so that half cells are samples, and no more than its
+/// pixels.
 int samplesFor(const LatticeMap& map) {
   const Mat2 w = map.homography.topLeftCorner<2, 2>();
   const double pixels = std::max(w.col(0).norm(), w.col(1).norm());
@@ -52,7 +53,7 @@ bool SeamlessReader::advance() {
   return groups_ != nullptr;
 }
 
-/// Begins with a finer lattice, or the same.
+/// Starts sampling with a finer lattice, or the same one.
 void SeamlessReader::beginCell(const Mat2& finer) {
   LatticeMap& map = reading_.lattice.map;
   map = map.rebased(finer, Vec2::Zero());
@@ -63,7 +64,7 @@ void SeamlessReader::beginCell(const Mat2& finer) {
   sampled_ = std::make_unique<TileCell>(tile_, map, grid);
 }
 
-/// Goes on with the smaller cell, or with the groups of this one.
+/// Continues with the smaller cell, or with the groups of this one.
 void SeamlessReader::keepCell() {
   const FinerLattice smaller = smaller_->lattice();
   missed_ = std::max(missed_, smaller_->missed());
@@ -73,7 +74,7 @@ void SeamlessReader::keepCell() {
     copies = static_cast<int>(std::lround(copies / smaller.matrix().determinant()));
     return beginCell(smaller.matrix());
   }
-  // sides are whole numbers of pixels, whatever the lattice is
+  // Sides are whole numbers of pixels for any lattice.
   const double rounding = TileReadingTuning::kRounding / std::min(tile_.width(), tile_.height());
   reading_.lattice.explained = 1;
   reading_.lattice.uncertainty = rounding;

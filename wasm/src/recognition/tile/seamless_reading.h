@@ -8,33 +8,33 @@
 
 namespace seamwise {
 
-/// The print of a picture that repeats edge to edge.
+/// Print of an image that repeats edge to edge.
 struct SeamlessReading {
-  LatticeReading lattice;  ///< of the smallest cell inside, its origin in the lower left corner
-  CellPicture cell;        ///< of that cell
-  Mat2 gram = Mat2::Identity();  ///< of its w1, w2, in units of the sides' Gram matrix
+  LatticeReading lattice;        ///< smallest cell inside, with its origin in the lower left corner
+  CellPicture cell;              ///< samples of that cell
+  Mat2 gram = Mat2::Identity();  ///< Gram matrix of its w1, w2, in units of the sides' Gram matrix
   GroupReading groups;
 };
 
 /// Reads a tile whose edges meet, step by step: its smallest cell, then that cell's groups.
 class SeamlessReader {
  public:
-  /// `tile`'s pixels have to outlive it.
-  /// @param sides   Gram matrix of the tile's sides to the right and up
+  /// The pixels of `tile` have to outlive the object.
   SeamlessReader(const SeamlessTile& tile, const Mat2& sides);
 
-  /// One step of some milliseconds; false when nothing is left to do.
+  /// Runs one step of some milliseconds; returns false when done.
   bool advance();
-  /// The smallest cell is known, and its groups are read.
+  /// Returns whether the smallest cell is known and its groups are being read.
   bool readsGroups() const { return groups_ != nullptr; }
 
-  // Once done:
+  // Results, valid once done:
 
   const SeamlessReading& reading() const { return reading_; }
-  /// How many symmetries lie in the picture.
+  /// Returns the number of symmetries in the image.
   int symmetries() const { return reading_.lattice.copies * best().group->order; }
   bool isHexagonal() const { return best().group->lattice == LatticeType::kHexagonal; }
-  /// Symmetries fit better on another tile, as one has that was cut by a line.
+  /// Returns whether symmetries fit better on `other`, as they do on a tile to which a missing line
+  /// of pixels was added.
   bool isMendedBy(const SeamlessReader& other) const;
 
  private:
@@ -49,7 +49,7 @@ class SeamlessReader {
   std::unique_ptr<SmallerCellSearch> smaller_;
   std::unique_ptr<GroupReader> groups_;
   SeamlessReading reading_;
-  double missed_ = 0;  ///< greatest share of energy by which its symmetries miss
+  double missed_ = 0;  ///< greatest share of energy by which symmetries miss
 };
 
 }  // namespace seamwise

@@ -17,15 +17,15 @@ std::array<float, 3> onWhite(const PixelView& pixels, int column, int row) {
   return colour;
 }
 
-/// The line of pixels that stands for a place along a side, and the other one where the place is
-/// that of a line which is put in.
+/// Returns the pixel line at a place along a side, twice, or the two lines averaged by an added
+/// line.
 std::array<int, 2> linesAt(int place, int pixels, int more) {
   const int all = pixels + more;
   const int wrapped = ((place % all) + all) % all;
   return wrapped < pixels ? std::array{wrapped, wrapped} : std::array{pixels - 1, 0};
 }
 
-/// A pixel of a tile that repeats edge to edge, on white. [0, 1]
+/// Returns a pixel of a tile that repeats edge to edge, on white. [0, 1]
 std::array<float, 3> tileColour(const SeamlessTile& tile, int x, int y) {
   const auto columns = linesAt(x, tile.pixels.width, tile.more_columns);
   const auto rows = linesAt(y, tile.pixels.height, tile.more_rows);
@@ -35,8 +35,8 @@ std::array<float, 3> tileColour(const SeamlessTile& tile, int x, int y) {
   return {(one[0] + other[0]) / 2, (one[1] + other[1]) / 2, (one[2] + other[2]) / 2};
 }
 
-/// Standard deviation of one colour's noise: what neighbouring pixels differ by beyond a slope, in
-/// the calmer half of places. Motifs with sharp sides and flat areas have none. [0, 1]
+/// Returns the standard deviation of one colour's noise: the difference of neighbouring pixels from
+/// a slope, in the calmer half of places. Motifs with sharp sides and flat areas have none. [0, 1]
 double tileNoise(const SeamlessTile& tile) {
   constexpr int kMost = 40000;
   const std::size_t count = static_cast<std::size_t>(tile.width()) * tile.height();
@@ -49,7 +49,7 @@ double tileNoise(const SeamlessTile& tile) {
     bends.push_back(std::abs(left - 2 * middle + right));
   }
   sortNumbers(bends);
-  // of a normal distribution, whose second differences have 6 times its variance
+  // Second differences of a normal distribution have 6 times its variance.
   return bends[bends.size() / 2] / (0.6745 * std::sqrt(6.0));
 }
 
@@ -95,7 +95,7 @@ void TileCell::sample(int column, int row) {
 }
 
 CellPicture TileCell::picture() const {
-  // squares of the opponent channels' coefficients, and pixels that a sample is the mean of
+  // Squares of the opponent channels' coefficients, and pixels averaged in a sample.
   constexpr double kChannelGain = 1.0 / 3 + 0.49 * 2 + 0.49 * 1.5;
   const auto samples = static_cast<double>(planes_[0].size());
   const double pixels = std::max(1.0, std::abs(cross(w1_, w2_)) / samples);

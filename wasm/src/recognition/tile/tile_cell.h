@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// A picture that repeats edge to edge, with a line of pixels put in at its right or lower edge if
-/// so asked: the mean of the last line and the first.
+/// Image that repeats edge to edge, optionally with a line of pixels added at its right or lower
+/// edge: the mean of the last line and the first.
 struct SeamlessTile {
   PixelView pixels;
   int more_columns = 0, more_rows = 0;
@@ -15,19 +15,20 @@ struct SeamlessTile {
   int height() const { return pixels.height + more_rows; }
 };
 
-/// The cell of a flat lattice on a tile, row by row, each sample from the pixels that lie around
-/// it.
+/// Samples the cell of a flat lattice on a tile, row by row, each sample from the surrounding
+/// pixels.
 class TileCell {
  public:
-  /// `tile`'s pixels have to outlive it. Of `grid`, basis and origin are those of the map.
+  /// The pixels of `tile` have to outlive the object. Basis and origin of `grid` are those of the
+  /// map.
   TileCell(const SeamlessTile& tile, const LatticeMap& map, const CellGrid& grid);
-  /// Looks at about that many places of the tile; false when nothing is left to do.
+  /// Continues for about `places` places of the tile; returns false when done.
   bool advance(int places);
   double fraction() const { return static_cast<double>(row_) / grid_.rows; }
 
   /// Once done: red, green, blue, sample (i, j) at index j * columns + i.
   const std::array<std::vector<float>, 3>& planes() const { return planes_; }
-  /// Once done, of a grid of as many rows as columns.
+  /// Valid once done, for a grid with as many rows as columns.
   CellPicture picture() const;
 
  private:
@@ -35,8 +36,8 @@ class TileCell {
 
   SeamlessTile tile_;
   CellGrid grid_;
-  Vec2 origin_, w1_, w2_;  ///< on the tile. [px]
-  int times_;              ///< places to a sample, along both sides
+  Vec2 origin_, w1_, w2_;  ///< positions on the tile. [px]
+  int times_;              ///< places per sample, along both sides
   int row_ = 0;
   std::array<std::vector<float>, 3> planes_;
 };

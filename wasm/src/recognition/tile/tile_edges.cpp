@@ -11,7 +11,7 @@ namespace {
 
 using EdgeTuning = TileReadingTuning;
 
-/// Columns of pixels, or rows: red, green and blue in turn on white. [0, 255]
+/// Columns or rows of pixels: red, green and blue in turn on white. [0, 255]
 class PixelLines {
  public:
   PixelLines(const PixelView& view, TileSides sides, NextCopy next)
@@ -20,7 +20,7 @@ class PixelLines {
   }
   int count() const { return columns_ ? view_.width : view_.height; }
   int length() const { return columns_ ? view_.height : view_.width; }
-  /// A line of the picture, or of the copy before it or after it.
+  /// Returns a line of the image, or of the copy before or after it.
   std::vector<float> at(int line) const {
     std::vector<float> values(3 * static_cast<std::size_t>(length()));
     const int within = (line + count()) % count();
@@ -35,8 +35,8 @@ class PixelLines {
     }
     return values;
   }
-  /// The luma of JPEG (Rec. 601) alone: files that halve the resolution of colours displace these
-  /// where the picture ends.
+  /// Returns only the luma of JPEG (Rec. 601), because files with half the resolution for colours
+  /// displace colours at the image's border.
   std::vector<float> lumaAt(int line) const {
     const std::vector<float> colours = at(line);
     std::vector<float> luma(length());
@@ -49,10 +49,10 @@ class PixelLines {
  private:
   const PixelView& view_;
   bool columns_;
-  int aside_ = 0;  ///< where the next copy begins, along a line
+  int aside_ = 0;  ///< start of the next copy, along a line
 };
 
-/// Values along a closed line softened by a Gaussian.
+/// Returns the values along a closed line, softened by a Gaussian.
 std::vector<float> softenedLine(const std::vector<float>& values, double width) {
   const int n = static_cast<int>(values.size());
   const int reach = static_cast<int>(std::ceil(3 * width));
@@ -69,8 +69,8 @@ std::vector<float> softenedLine(const std::vector<float>& values, double width) 
   return out;
 }
 
-/// How far what a line shows lies aside on the next one, in pixels at each of its pixels, and how
-/// surely: the sum of squares of the change along the line [255^2].
+/// Displacement aside of a line's content on the next line, in pixels at each of its pixels, and
+/// its certainty: the sum of squares of the change along the line [255^2].
 struct StepAside {
   std::vector<float> by, weight;
 };
@@ -90,12 +90,12 @@ StepAside stepAside(const std::vector<float>& from, const std::vector<float>& to
   return step;
 }
 
-/// By how much what lines show steps aside from one line to the next, against what it does on both
-/// sides of the two: square errors of the same step and of twice that, which a line cut away
-/// between the two would leave.
+/// Errors of the displacement between two lines, relative to that on both sides of the two: square
+/// errors for the same displacement, and for twice that, as left by a line cut away between the
+/// two.
 struct StepErrors {
   double whole = 0, cut = 0;
-  double most_at = 0;  ///< where the first exceeds the other most, as a share of the line
+  double most_at = 0;  ///< greatest excess of the first over the second, as a share of the line
 
   double ratio() const {
     return (whole + EdgeTuning::kUsualErrors) / (cut + EdgeTuning::kUsualErrors);
@@ -107,7 +107,7 @@ struct StepErrors {
   }
 };
 
-/// Of the lines `at` and the next one, round the border.
+/// Returns the errors between line `at` and the next one, across the border if necessary.
 StepErrors stepErrors(const PixelLines& lines, int at) {
   const int n = lines.length();
   const auto line = [&](int k) {
@@ -140,8 +140,8 @@ StepErrors stepErrors(const PixelLines& lines, int at) {
   return errors;
 }
 
-/// Change from one line to another: of all of it, as at the side of a stripe, and what single
-/// pixels change by beyond that, on average. [0, 255]
+/// Change from one line to another: of the whole line, as at the side of a stripe, and the mean
+/// change of single pixels beyond that. [0, 255]
 struct LineStep {
   double whole = 0, beyond = 0;
   int most_at = 0;
@@ -169,15 +169,15 @@ LineStep lineStep(const std::vector<float>& from, const std::vector<float>& to) 
   return step;
 }
 
-/// Steps of what changes from line to line beyond all of it. [0, 255]
+/// Changes from line to line beyond those of whole lines. [0, 255]
 struct InnerSteps {
-  double usual = 0, greatest = 0;  ///< over two lines, since what is sharp may lie between two
-  double greatest_whole = 0;       ///< of all of a line, over two
-  /// By how much one step exceeds both that lie beside it.
+  double usual = 0, greatest = 0;  ///< over two lines, because a sharp edge may be between two
+  double greatest_whole = 0;       ///< change of a whole line, over two lines
+  /// Greatest excess of one step over both its neighbours.
   double greatest_excess = 0;
 };
 
-/// @param one, two   what changes beyond all of a line, over one line and over two, in turn
+/// @param one, two   changes beyond those of whole lines, over one line and over two, in order
 InnerSteps innerSteps(const std::vector<double>& one, std::vector<double>& two,
                       double greatest_whole) {
   InnerSteps steps;
@@ -192,8 +192,8 @@ InnerSteps innerSteps(const std::vector<double>& one, std::vector<double>& two,
   return steps;
 }
 
-/// Whether colours change more across the border than anywhere within, or almost as much and more
-/// abruptly.
+/// Returns whether colours change more across the border than anywhere inside, or almost as much
+/// and more abruptly.
 bool breaksOff(const PixelLines& lines, const InnerSteps& inner, TileEdge& edge) {
   const int count = lines.count();
   const std::vector<float> last = lines.at(count - 1), first = lines.at(count);
@@ -211,7 +211,8 @@ bool breaksOff(const PixelLines& lines, const InnerSteps& inner, TileEdge& edge)
              EdgeTuning::kLeastBeyond + EdgeTuning::kAbrupt * inner.greatest_excess;
 }
 
-/// Neighbouring places of the last line at which colours change most across the border, as one.
+/// Returns the places of the last line at which colours change most across the border; neighbouring
+/// places are merged.
 std::vector<std::array<double, 2>> openStretches(const PixelLines& lines) {
   const int n = lines.length(), places = std::min(EdgeTuning::kPlaces, n);
   const std::vector<float> last = lines.at(lines.count() - 1), first = lines.at(lines.count());
@@ -295,8 +296,8 @@ void EdgeComparison::lookAtBorder() {
   stage_ = border.speakForCut() ? Stage::kCut : Stage::kDone;
 }
 
-/// Whether motifs step aside at one more line within as they do across the border: then nothing is
-/// cut away there.
+/// Compares one more inner line. Nothing is cut away at the border if motifs step aside at that
+/// line as they do there.
 void EdgeComparison::compareCut() {
   const PixelLines lines(tile_, sides_, next_);
   const int parts = EdgeTuning::kLinesWithin + 1;

@@ -7,35 +7,36 @@
 
 namespace seamwise {
 
-/// Whether two opposite edges of a picture go on into each other when it is repeated.
+/// Continuity of two opposite edges of a repeated image.
 struct TileEdge {
   bool meets = true;
-  /// Where they differ most, as a share of the right or lower edge from its upper or left end.
+  /// Place of the greatest difference, as a share of the right or lower edge from its upper or left
+  /// end.
   double differs_at = 0;
-  /// Stretches of that edge at which they differ, as such shares; none where they meet.
+  /// Stretches of that edge with differences, as such shares; empty if the edges meet.
   std::vector<std::array<double, 2>> open;
 };
 
-/// Which edges are compared.
+/// Compared edges.
 enum class TileSides : std::uint8_t { kLeftAndRight, kTopAndBottom };
 
-/// How the copy beyond an edge lies: beside the picture, or half a side further along.
+/// Position of the copy beyond an edge: beside the image, or half a side further along.
 enum class NextCopy : std::uint8_t { kBeside, kHalfAside };
 
-/// Compares two opposite edges, some lines of pixels at a time. Lines of motifs run across a border
-/// as steeply as they do on either side of it: where a row of pixels was cut away, they step aside
-/// by twice as much, and where more was, colours do not go on at all. Bands that are straight along
-/// the border or across it go on wherever a picture begins and ends, so that nothing can be said of
-/// them.
+/// Compares two opposite edges, some lines of pixels at a time.
+/// Lines of motifs run across a border as steeply as they do on either side of it. They step aside
+/// by twice as much if a row of pixels was cut away. Colours are discontinuous if more was cut
+/// away. Straight bands along the border or across it continue wherever an image starts and ends,
+/// so they give no evidence.
 class EdgeComparison {
  public:
-  /// `tile`'s pixels have to outlive it.
+  /// The pixels of `tile` have to outlive the object.
   EdgeComparison(const PixelView& tile, TileSides sides, NextCopy next = NextCopy::kBeside)
       : tile_(tile), sides_(sides), next_(next) {}
-  /// One step of some milliseconds; false when nothing is left to do.
+  /// Runs one step of some milliseconds; returns false when done.
   bool advance();
   double fraction() const;
-  /// Once done.
+  /// Valid once done.
   const TileEdge& edge() const { return edge_; }
 
  private:
@@ -49,10 +50,10 @@ class EdgeComparison {
   TileSides sides_;
   NextCopy next_;
   Stage stage_ = Stage::kWithin;
-  int line_ = 0;  ///< the next one within, of all or of those that a cut is told from
-  std::vector<double> one_, two_;  ///< what changes within, over one line and over two. [0, 255]
-  double greatest_whole_ = 0;      ///< of all of a line, over two
-  double border_ratio_ = 0;        ///< of errors without a cut to those with one, at the border
+  int line_ = 0;  ///< next inner line, of all lines or of those compared with a cut
+  std::vector<double> one_, two_;  ///< changes inside, over one line and over two. [0, 255]
+  double greatest_whole_ = 0;      ///< change of a whole line, over two lines
+  double border_ratio_ = 0;  ///< errors without a cut relative to those with one, at the border
   TileEdge edge_;
 };
 

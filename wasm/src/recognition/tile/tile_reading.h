@@ -9,42 +9,45 @@
 
 namespace seamwise {
 
-/// How a picture meets its copies, repeated straight, in half-drop and as bricks.
+/// Fit of an image to its copies, repeated straight, in half-drop and as bricks.
 struct TileSeams {
-  TileEdge across, up;          ///< its left and right edges, and its upper and lower ones
-  TileEdge half_drop, brick;    ///< left and right where the next copy lies half a side down, ...
-  bool missing_column = false;  ///< only its symmetries show that a line of pixels is missing
+  TileEdge across, up;  ///< left and right edges; upper and lower edges
+  /// Left and right edges if the next copy is half a side down; upper and lower edges if it is half
+  /// a side aside.
+  TileEdge half_drop, brick;
+  bool missing_column = false;  ///< only symmetries show that a line of pixels is missing
   bool missing_row = false;
 };
 
-/// Reads a picture that repeats edge to edge as one cell or several of a print, step by step: its
-/// edges are compared, it is read, and once more as it would be with other sides or one more line.
-/// Pixels are taken to be square, unless the picture is a square whose thirds of a turn show that
-/// its sides are those of a hexagonal cell.
+/// Reads an image that repeats edge to edge as one cell of a print or several, step by step. It
+/// compares the edges, reads the image, and reads it again with other sides or one more line.
+/// Pixels are assumed to be square. The exception is a square image whose rotations by a third of a
+/// turn show that its sides are those of a hexagonal cell.
 class TileReader {
  public:
-  /// `tile`'s pixels have to outlive it.
-  /// @param any_edges   it repeats edge to edge whether these meet or not: `seams` says whether
+  /// The pixels of `tile` have to outlive the object.
+  /// @param any_edges   the image repeats edge to edge even if its edges do not meet; `seams`
+  ///                    contains whether they do
   TileReader(const PixelView& tile, bool any_edges) : tile_(tile), any_edges_(any_edges) {}
 
-  /// One step of some milliseconds; false when nothing is left to do, or once it has failed.
+  /// Runs one step of some milliseconds; returns false when done or after an error.
   bool advance();
   double fraction() const;
-  /// The smallest cell is known, and groups are read.
+  /// Returns whether the smallest cell is known and groups are being read.
   bool readsGroups() const;
-  /// kPicture, one sentence that says which edges do not meet, and where, or that the picture is
-  /// too small.
+  /// kPicture, one sentence with the edges that do not meet and the place, or about an image that
+  /// is too small.
   const std::optional<Error>& error() const { return error_; }
 
-  // Once done:
+  // Results, valid once done:
 
   const SeamlessReading& reading() const { return found_->reading(); }
-  /// Those of half-drop and bricks where any edges may be.
+  /// Half-drop and bricks are compared only if any edges are allowed.
   const TileSeams& seams() const { return seams_; }
 
  private:
   enum class Stage : std::uint8_t { kEdges, kCell, kTrials, kDone };
-  /// Other tiles that the picture may stand for.
+  /// Other tiles that the image may represent.
   enum Trial : std::uint8_t { kSharpHexagon, kBluntHexagon, kOneMoreColumn, kOneMoreRow, kTrials };
   void compareEdges();
   void tryNext();
@@ -58,7 +61,7 @@ class TileReader {
   Stage stage_ = Stage::kEdges;
   std::optional<Error> error_;
   TileSeams seams_;
-  int compared_ = 0;  ///< edges
+  int compared_ = 0;  ///< number of compared edges
   std::unique_ptr<EdgeComparison> comparison_;
   std::unique_ptr<SeamlessReader> found_, other_;
   bool square_pixels_ = true;
