@@ -13,8 +13,9 @@ export interface Unknown {
 }
 
 /**
- * Shape of an allowance at its corners: both lines extended until they meet, the mirror image at
- * the corner, or a right angle.
+ * Shape of an allowance at its corners. `miter`: both lines are extended until they meet; `mirror`:
+ * the adjacent cutting line continues as its mirror image, as for a hem that is turned up;
+ * `square`: a right angle.
  */
 export type AllowanceCorner = 'miter' | 'mirror' | 'square';
 

@@ -4,15 +4,15 @@
 export type LayNoteCode =
   /** `pieces` are cut from other fabric. */
   | 'plainPieces'
-  /** No length lets all plies start at the same place of the print. */
+  /** The print never repeats along the fabric, so no length lets all plies start alike. */
   | 'pliesUnlike'
-  /** Each of `counts` plies is whole repeats long (`lengthsCm`). */
+  /** Each of `counts` plies is a whole number of repeats long; one repeat is `lengthsCm`. */
   | 'pliesWhole'
-  /** The distance from the cut to the start of the print is not given. */
+  /** Flaws are measured from the cut, and the print is assumed to start there. */
   | 'flawsFromCut'
   /** The fabric is folded at `lengthsCm` from the left edge. */
   | 'folded'
-  /** The print is not moved on folded fabric. */
+  /** The print is not shifted under pieces on folded fabric, because the lower ply mirrors it. */
   | 'foldKeepsPrint'
   /** Least and greatest length (`lengthsCm`), depending on the start of the print. */
   | 'phaseRange'

@@ -63,7 +63,7 @@ export interface MarkerProblem {
   readonly flaws: readonly (readonly Point[])[];
   /** Other widths of fabric, on which the pieces are laid out quickly. */
   readonly widthsCm: readonly number[];
-  /** True to lay out the pieces without regard to the print, too. */
+  /** True to search also for a layout that ignores the print. */
   readonly alsoFree: boolean;
   /**
    * Multiplies the work; 1 is meant to take about a second. 0: the first layout only, and no proof.

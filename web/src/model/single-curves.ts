@@ -17,7 +17,7 @@ import type {Point} from './geometry.js';
 const sliver = 0.004;
 /** Cuts on the two sides of a seam coincide within this distance. [cm] */
 const sameCut = 0.0015;
-/** Shares this close to a joint of curves mean the joint. */
+/** A share this close to a joint of curves means the joint. */
 const joint = 1e-9;
 
 /** An edge as single curves, with the shares of its length at which they begin, and 1. */
