@@ -1,8 +1,8 @@
-/** Text made small enough to travel in an address: deflated, in letters that addresses allow. */
+/** Deflated text in URL-safe letters, small enough for a URL. */
 
 import {partsOf} from './fetched.js';
 
-/** What is no such text, or unfolds to more than it may. */
+/** Error for letters that are not a deflated text, or that inflate to more than the limit. */
 export class Inflated extends Error {
   override readonly name = 'Inflated';
 }
@@ -13,8 +13,9 @@ export async function deflated(text: string): Promise<string> {
 }
 
 /**
- * The inverse of `deflated`. A few kilobytes may unfold to gigabytes: that is stopped on the way.
- * @param most [bytes]
+ * The inverse of `deflated`. Inflating stops beyond `most`, because a few kilobytes may expand to
+ * gigabytes.
+ * @param most limit of the inflated text [bytes]
  * @throws {Inflated}
  */
 export async function inflated(letters: string, most: number): Promise<string> {
@@ -36,7 +37,7 @@ function base64url(bytes: Uint8Array): string {
   return btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
-/** @throws {Inflated} for what is no base64url */
+/** Decodes base64url. @throws {Inflated} for letters that are not base64url */
 export function bytesOf(letters: string): Uint8Array<ArrayBuffer> {
   if (!/^[\w-]*$/.test(letters) || letters.length % 4 === 1) throw new Inflated('no base64url');
   const bytes = atob(letters.replaceAll('-', '+').replaceAll('_', '/'));

@@ -1,10 +1,16 @@
-/** What the solver is asked for a design: the same, wherever garment and print come from. */
+/**
+ * Builds the solver's problem from a design. It does not depend on the source of garment and print.
+ */
 import {decisionsOf, printOf, type Decisions, type Design} from './design.js';
 import type {Print} from './print.js';
 import type {Problem} from './problem.js';
 import {changesOf, printOfStored, printTextOf, type FiledDesign} from './stored-design.js';
 
-/** @param garment its file's text @param print as the solver takes it */
+/**
+ * Problem of these decisions.
+ * @param garment text of its file
+ * @param print the print as the solver takes it
+ */
 export const problemFor = (
   {symmetry, method, options, seed}: Decisions,
   garment: string,
@@ -17,18 +23,19 @@ export const problemFor = (
 });
 
 /**
- * The one problem that a design of files stands for, wherever it is solved.
- * @param texts of the two files @throws {FileError} naming the print's file
+ * Problem of a design of files, the same wherever it is solved.
+ * @param texts contents of the two files
+ * @throws {FileError} naming the print's file
  */
 export const problemOfStored = (
   design: FiledDesign,
   texts: {readonly garment: string; readonly print: string},
 ): Problem => problemFor(design, texts.garment, printTextOf(design, texts.print));
 
-/** For what has no place: it can be solved all the same. */
+/** Placeholder for a garment or print without an address; the design can be solved nevertheless. */
 const nowhere = {url: 'print', sha256: ''};
 
-/** The same design by the files that it was made of. @throws {FileError} naming the print's file */
+/** The same design with references to its files. @throws {FileError} naming the print's file */
 export function filedDesign({garment, print, ...decided}: Design): FiledDesign {
   const {text = '', place = nowhere, colourway} = print.file ?? {};
   const worn = {...place, ...(colourway !== undefined && {colourway})};
@@ -40,7 +47,7 @@ export function filedDesign({garment, print, ...decided}: Design): FiledDesign {
   };
 }
 
-/** Of a print that came from a file it is exactly what its stored design stands for. */
+/** Problem of a design. A print from a file gives exactly the problem of its stored design. */
 export const problemOf = (design: Design): Problem => {
   const {garment, print} = design;
   return print.file

@@ -1,4 +1,4 @@
-/** Designs that come from outside: each value is checked, so that the rest of the page may trust it. */
+/** Checks every value of a design from outside, so that the rest of the page can trust it. */
 import {optionLimits} from './core-tables.js';
 import {askingFor, type AskedSymmetry, type Decisions, type Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
@@ -23,7 +23,7 @@ import type {Symmetry} from './symmetries.js';
 import {tileRepeats, type PrintTile} from './print-tile.js';
 import {heldOf} from './written-design.js';
 
-/** What the solver takes for the sides of a repeat, and more than any garment measures. [cm] */
+/** The solver's limits for the sides of a repeat; the limits below exceed any garment. [cm] */
 const repeat = number(...optionLimits.repeatCm);
 const length = number(-10_000, 10_000);
 const point: Read<Point> = pairOf(length);
@@ -41,7 +41,7 @@ const grainRule: Read<GrainRule> = (value, at) =>
     ? locks(value, at)
     : shape({}, {lock: locks, toleranceDeg: degrees, angleDeg: number(-360, 360)})(value, at);
 
-/** Few enough characters to stand on a piece. */
+/** Short enough to be printed on a piece. */
 const pieceName = text(/^\P{Cc}{1,80}$/u, 'a name of at most 80 characters');
 
 const markedLine = shape({piece: text(), line: listOf(point)});
@@ -81,7 +81,7 @@ const symmetry: Read<Symmetry> = (value, at) => {
 
 export const symmetryList = listOf(symmetry);
 
-/** An empty list is `none`. */
+/** Reads an empty list as `none`. */
 export const askedSymmetry: Read<AskedSymmetry> = (value, at) =>
   Array.isArray(value)
     ? askingFor(symmetryList(value, at))
@@ -106,13 +106,13 @@ export const repeatFields = {
   cell: oneOf(printCells),
 };
 
-/** The repeat of a print, without its picture. */
+/** The repeat of a print, without its image. */
 export const printMeasures = shape(repeatFields, {unscaled: flag});
 
-/** Decisions that a file may leave out. */
+/** Decisions that a file may omit. */
 export const optionalFields = {names: recordOf(pieceName), fabric: oneOf(fabricNames)};
 
-/** Those of the decisions that all files write alike. */
+/** Decisions that all files write alike. */
 export const decisionFields = {method: oneOf(methods), options};
 
 const writtenDecisions = shape(
@@ -120,7 +120,7 @@ const writtenDecisions = shape(
   {seed, ...optionalFields},
 );
 
-/** As `written` writes them. */
+/** Reads decisions in the form that `written` gives them. */
 export const decisions: Read<Decisions> = (value, at) => {
   const {symmetries, ...others} = writtenDecisions(value, at);
   return heldOf({...others, ...(symmetries !== 'none' && {symmetries})});
@@ -128,13 +128,16 @@ export const decisions: Read<Decisions> = (value, at) => {
 
 const isOwnPicture = (source: string): boolean => /^data:image\/[\w.+-]+[;,]/.test(source);
 
-/** A picture in the file itself. */
+/** An image embedded in the file. */
 export const ownPicture: Read<string> = (value, at) => {
   const source = text()(value, at);
   return isOwnPicture(source) ? source : fail(at, 'a data: URL of an image');
 };
 
-/** Pictures lie in the file itself or are those of a sample: no file may make the page ask another host. */
+/**
+ * An image is embedded in the file or belongs to a sample: a file must not make the page send
+ * requests to another host.
+ */
 const picture: Read<string> = (value, at) => {
   const source = text()(value, at);
   const isOwn = isOwnPicture(source);
@@ -147,14 +150,14 @@ const quarterTurn: Read<0 | 90> = (value, at) =>
 
 const tileFields = {repeat: oneOf(tileRepeats), turnedDeg: quarterTurn};
 
-/** A picture of one's own as it was opened, in the file itself. */
+/** The user's own image as opened, embedded in the file. */
 export const ownTile: Read<PrintTile> = shape({image: ownPicture, ...tileFields});
 
 const garmentFile = {
   name: text(/^.{1,255}$/su, 'a name'),
   text: text(/\S/, 'the text of a garment file'),
 };
-/** A garment that comes with its text. */
+/** A garment with its text. */
 export const ownGarment = shape(garmentFile);
 const garment = shape(garmentFile, {sample: garmentSample});
 const picturedPrint = shape(

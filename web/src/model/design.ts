@@ -1,4 +1,7 @@
-/** Everything a person decides about a garment and its print: what undo steps through and what a project file holds. */
+/**
+ * All decisions about a garment and its print: the state that undo restores and a project file
+ * stores.
+ */
 import type {FabricName} from './drape.js';
 import type {PanelDecisions} from './garment-marks.js';
 import type {SolveOptions} from './options.js';
@@ -11,20 +14,20 @@ import type {Symmetry} from './symmetries.js';
 import type {PrintTile} from './print-tile.js';
 
 export interface DesignGarment {
-  /** What messages call it: the name of its file. */
+  /** Name of its file, used in messages. */
   readonly name: string;
-  /** The file itself, in any format that the solver reads. */
+  /** Text of the file, in any format that the solver reads. */
   readonly text: string;
-  /** Which of the garments that come with the page, if it is one. */
+  /** Style and size of the bundled garment, if it is one. */
   readonly sample?: {readonly style: string; readonly size: string};
-  /** Where it was read from, if it has a place; `size` is what a shop calls it. */
+  /** Source file, if it has an address; `size` is the shop's name for the size. */
   readonly file?: StoredFile & {readonly size?: string};
 }
 
-/** The print file that a print was made of. */
+/** The print file from which a print was made. */
 export interface DesignPrintFile {
   readonly text: string;
-  /** Where it was read from, if it has a place. */
+  /** Source file, if it has an address. */
   readonly place?: StoredFile;
   readonly colourway?: string;
 }
@@ -33,60 +36,63 @@ export interface DesignPrint {
   readonly title: string;
   readonly group: GroupName;
   readonly size: RepeatSize;
-  /** Counter-clockwise turn of the print on its cloth. [degrees] */
+  /** Counter-clockwise turn of the print on its fabric. [degrees] */
   readonly turnDeg: number;
   readonly oneWay: boolean;
   readonly cell: PrintCell;
-  /** Its size is in proportion only, until somebody measures it. */
+  /** The size is in proportion only, until it is measured. */
   readonly unscaled?: boolean;
-  /** Where the picture of one cell is: a URL, or a `data:` URL when it is the user's own. */
+  /** Image of one cell: a URL, or a `data:` URL for the user's own image. */
   readonly image: string;
-  /** Which of the prints that come with the page, if it is one. */
+  /** Name and colourway of the bundled print, if it is one. */
   readonly sample?: {readonly name: string; readonly colourway: string};
   readonly file?: DesignPrintFile;
-  /** The picture that somebody opened, where `image` was made of it. */
+  /** The opened image from which `image` was made. */
   readonly tile?: PrintTile;
 }
 
-/** A print without a picture shows bare cloth, and the edges of its cell. */
+/** Image of a print that has none: bare fabric and the edges of its cell. */
 export const noPicture = `data:image/svg+xml,${encodeURIComponent(
   '<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100" preserveAspectRatio="none"><rect width="100" height="100" fill="#c9c1ae"/><rect x="1" y="1" width="98" height="98" fill="#f1ede3"/></svg>',
 )}`;
 
-/** `auto`: those that the garment shows by itself; `none`, never an empty list; or those that are listed. */
+/**
+ * `auto`: the symmetries detected on the garment; `none`, instead of an empty list; or the listed
+ * ones.
+ */
 export type AskedSymmetry = 'auto' | 'none' | readonly Symmetry[];
 
-/** What is decided about garment and print together. */
+/** Decisions about garment and print together. */
 export interface Decisions {
   readonly symmetry: AskedSymmetry;
   readonly method: Method;
   readonly options: SolveOptions;
   /** A whole number from 0 to 4294967295. */
   readonly seed: number;
-  /** What pieces are called, where that was chosen. */
+  /** Chosen names of pieces. */
   readonly names?: PieceNames;
-  /** What it is made of when it is worn; as usual, where nothing is said. */
+  /** Fabric of the drape; `usualFabric` when omitted. */
   readonly fabric?: FabricName;
 }
 
 /**
- * Never changed in place: whoever holds one holds a state that undo can come back to. Garment and print are held
- * themselves, or are referred to in another way.
+ * A state that undo can return to, so it must never be changed in place. Garment and print are
+ * contained in it, or referred to in another way.
  */
 export interface Design<Garment = DesignGarment, Print = DesignPrint> extends Decisions {
   readonly garment: Garment;
   readonly print: Print;
 }
 
-/** What a solve has when nobody asks for another. */
+/** Seed of a solve unless another one is chosen. */
 export const usualSeed = 1;
 
-/** What a garment is made of where nobody says otherwise. */
+/** Fabric of a garment unless another one is chosen. */
 export const usualFabric: FabricName = 'poplin';
 
 export const fabricOf = ({fabric = usualFabric}: Pick<Decisions, 'fabric'>): FabricName => fabric;
 
-/** A design's decisions alone. */
+/** Only the decisions of a design. */
 export const decisionsOf = ({
   symmetry,
   method,
@@ -102,15 +108,15 @@ export const decisionsOf = ({
 
 const noSymmetries: readonly Symmetry[] = [];
 
-/** The symmetries that are asked for one by one; the same list for the same design. */
+/** The symmetries listed by a design; the same list object for the same design. */
 export const askedSymmetries = ({symmetry}: Pick<Decisions, 'symmetry'>): readonly Symmetry[] =>
   typeof symmetry === 'string' ? noSymmetries : symmetry;
 
-/** A list of symmetries as a design holds it. */
+/** Symmetries in the form that a design stores. */
 export const askingFor = (symmetries: readonly Symmetry[]): AskedSymmetry =>
   symmetries.length === 0 ? 'none' : symmetries;
 
-/** What is decided about the panels of its garment. */
+/** Decisions about the panels of a design's garment. */
 export const decidedOf = ({
   names,
   options,
@@ -119,7 +125,7 @@ export const decidedOf = ({
   ...(options.grain?.pieces && {grain: options.grain.pieces}),
 });
 
-/** The print as solver and views take it. */
+/** The print in the form that solver and views take. */
 export function printOf(print: DesignPrint): Print {
   const {group, size, turnDeg, oneWay, cell, title, image, unscaled} = print;
   const [w1, w2] = latticeVectors(group, size, turnDeg, cell);

@@ -1,4 +1,4 @@
-/** What work comes to that may be done step by step, done at once. */
+/** Runs stepwise work to its end at once and returns its result. */
 export function drained<Result>(steps: Iterator<unknown, Result>): Result {
   for (;;) {
     const step = steps.next();

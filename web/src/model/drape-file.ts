@@ -1,4 +1,4 @@
-/** A draped garment as a file of its own, from which anybody can measure again what it is said to be. */
+/** A draped garment as a file with everything needed to repeat its measurements. */
 import type {
   BodyPart,
   Drape,
@@ -13,26 +13,26 @@ import type {
 import type {Point} from './geometry.js';
 import type {SolveResult} from './result.js';
 
-/** x, y, z: y up, z to the front, the wearer's left +x. [cm] */
+/** Coordinates x, y, z: y up, z to the front, the wearer's left +x. [cm] */
 export type Place = readonly [x: number, y: number, z: number];
 
 export type Corners = readonly [number, number, number];
 
 export interface DrapeFilePiece {
   readonly name: string;
-  /** Its vertices on the piece as drafted and as cut, in the coordinates of the result. [cm] */
+  /** Vertices on the piece as drafted and as cut, in the coordinates of the result. [cm] */
   readonly rest: readonly Point[];
   readonly shape: readonly Point[];
-  /** Counter-clockwise, seen on the face. */
+  /** Counter-clockwise as seen on the face. */
   readonly triangles: readonly Corners[];
   readonly positions: readonly Place[];
   /** Vertex numbers, counter-clockwise. */
   readonly outline: readonly number[];
-  /** Per vertex of `outline` that of the result's piece at the same place. */
+  /** Per vertex of `outline`, the vertex of the result's piece at the same place. */
   readonly resultVertices: readonly number[];
-  /** How many layers of the garment lie below it. */
+  /** Number of layers of the garment below the piece. */
   readonly layer: number;
-  /** Where the grain line points. [rad] */
+  /** Direction of the grain line. [rad] */
   readonly grainAngle: number;
   readonly part: BodyPart;
 }
@@ -58,44 +58,49 @@ export interface DrapeFileMirror {
 
 export interface DrapeFileForm {
   readonly body: Measurements;
-  /** Sections at levels along an axis; between them the form is smooth. [cm] */
+  /** Sections at levels along an axis; the form is smooth between them. [cm] */
   readonly parts: readonly {
     readonly name: BodyPart;
     readonly origin: Place;
     readonly up: Place;
     readonly sections: readonly FormSection[];
   }[];
-  /** The surface of those parts that the garment covers, closed; counter-clockwise, seen from outside. */
+  /**
+   * Closed surface of the parts that the garment covers, counter-clockwise as seen from outside.
+   */
   readonly vertices: readonly Place[];
   readonly triangles: readonly Corners[];
 }
 
-/** A draped garment as `seamwise-drape/1`. Lengths in cm, to 1e-4; angles in radians; energies in J. */
+/**
+ * A draped garment as `seamwise-drape/1`. Lengths in cm, to 1e-4; angles in radians; energies in J.
+ */
 export interface DrapeFile {
   readonly format: 'seamwise-drape/1';
   readonly units: 'cm';
   readonly pieces: readonly DrapeFilePiece[];
   readonly seams: readonly DrapeFileSeam[];
   readonly mirrors: readonly DrapeFileMirror[];
-  /** Lines that are held on each other unsewn, as a button front is: the matches of the result. */
+  /** Lines held on each other without a seam, such as a button front: the matches of the result. */
   readonly holds: NonNullable<SolveResult['matches']>;
   readonly form: DrapeFileForm;
   /** SI units. */
   readonly fabric: Fabric;
-  /** Between the form and the middle of the cloth. [cm] */
+  /** Distance from the form to the middle of the fabric. [cm] */
   readonly contactOffset: number;
   readonly effort: NonNullable<DrapeSettings['effort']>;
   readonly stages: readonly StageReport[];
   readonly check: DrapeCheck;
-  /** What people should know, one sentence each. */
+  /** Notes for people, one sentence each. */
   readonly notes: readonly string[];
-  /** Time that draping took; 0 where equal drapes are to give equal bytes. */
+  /** Duration of draping; 0 where equal drapes have to give equal bytes. */
   readonly metrics: {readonly milliseconds: number};
 }
 
 /**
- * @param result that the drape is of
- * @param milliseconds what draping took; 0, unless said otherwise, so that equal drapes give equal files
+ * Converts a drape to a file.
+ * @param result the draped result
+ * @param milliseconds duration of draping; 0 by default, so that equal drapes give equal files
  */
 export function drapeFile(
   {matches = []}: Pick<SolveResult, 'matches'>,
@@ -141,7 +146,7 @@ const filed = (piece: DrapedPiece, positions: Float64Array): DrapeFilePiece => (
   ...{layer: piece.layer, grainAngle: piece.grainAngle, part: piece.part},
 });
 
-/** To 1e-4, and what mirrors each other to what does so, too. */
+/** Rounds to 1e-4, symmetrically about 0, so that mirror images stay mirror images. */
 const rounded = (value: number): number =>
   (Math.sign(value) * Math.round(1e4 * Math.abs(value))) / 1e4 + 0; // no -0
 

@@ -1,11 +1,14 @@
 /**
- * What a file of another program shows before anybody chose anything: pieces as drawn, right side up, y up, in the unit
- * of the file. `garmentOf` makes a garment of it.
+ * Content of another program's file before any choice: pieces as drawn, right side up, y up, in the
+ * unit of the file. `garmentOf` converts it to a garment.
  */
 import type {FileUnit} from './garment-document.js';
 import type {Point} from './geometry.js';
 
-/** From corner to corner: a chain of Bezier curves, each by two control points and its end. */
+/**
+ * A line from corner to corner: a chain of Bezier curves, each given by two control points and its
+ * end.
+ */
 export interface Run {
   readonly start: Point;
   readonly cubics: readonly (readonly [Point, Point, Point])[];
@@ -22,24 +25,24 @@ export interface DrawnNotch {
 export interface DrawnPiece {
   readonly name: string;
   readonly size?: string;
-  /** How many are cut as drawn, and how many as the mirror image. */
+  /** Numbers of pieces cut as drawn, and cut as the mirror image. */
   readonly quantity: {readonly asDrawn: number; readonly mirrored: number};
   readonly material?: string;
-  /** The line that is sewn, closed, either way round. Where a file draws only one line, this is it. */
+  /** The sewing line, closed, in either direction. A file with only one line gives this one. */
   readonly sewn: readonly Run[];
-  /** The line that is cut, if the file draws both. */
+  /** The cutting line, if the file draws both. */
   readonly cut?: readonly Run[];
   readonly holes: readonly (readonly Run[])[];
   readonly notches: readonly DrawnNotch[];
   readonly grain?: readonly [Point, Point];
-  /** The axis of a half piece: the cloth is folded along it. */
+  /** Axis of a half piece, along which the fabric is folded. */
   readonly fold?: readonly [Point, Point];
   readonly internalLines: readonly (readonly Point[])[];
   readonly drillHoles: readonly Point[];
   readonly words: readonly string[];
 }
 
-/** Two runs of outlines that the file sews to each other (only meshes tell). */
+/** Two runs of outlines that the file sews to each other; only meshes contain seams. */
 export interface DrawnSeam {
   readonly a: {readonly piece: number; readonly run: number};
   readonly b: {readonly piece: number; readonly run: number};
@@ -48,10 +51,10 @@ export interface DrawnSeam {
 
 export interface UnitGuess {
   readonly unit: FileUnit;
-  /** By what it is known. */
+  /** Evidence for the unit. */
   readonly because: 'stated' | 'measured' | 'size' | 'program';
   readonly isSure: boolean;
-  /** Units in which somebody could wear it, too. */
+  /** Other units in which the garment is wearable. */
   readonly others: readonly FileUnit[];
 }
 
@@ -59,21 +62,25 @@ export interface Drawing {
   readonly kind: 'dxf' | 'svg' | 'obj';
   readonly program?: string;
   readonly title?: string;
-  /** All that the file holds; `pieces` are those of `sampleSize` unless another was asked for. */
+  /**
+   * All sizes in the file; `pieces` are those of `sampleSize` unless another size was requested.
+   */
   readonly sizes: readonly string[];
   readonly sampleSize?: string;
   readonly size?: string;
   readonly unit: UnitGuess;
   readonly pieces: readonly DrawnPiece[];
   readonly seams: readonly DrawnSeam[];
-  /** One sentence each, of what was left out or assumed. */
+  /** Omissions and assumptions, one sentence each. */
   readonly notes: readonly string[];
 }
 
-/** How a file is read. */
+/** Options for reading a file. */
 export interface DrawingOptions {
-  /** Of a nest of sizes, the one to take; by default the size that the others were graded from. */
+  /**
+   * Size to take from a nest of sizes. Default: the base size, from which the others were graded.
+   */
   readonly size?: string;
-  /** In which unit it is drawn, whatever it says. */
+  /** Unit of the drawing; it overrides the unit in the file. */
   readonly units?: FileUnit;
 }

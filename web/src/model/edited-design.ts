@@ -1,4 +1,7 @@
-/** A design after a change of its garment: what it decides by numbers of edges and seams goes on with them. */
+/**
+ * A design after an edit of its garment. Decisions by numbers of edges and seams follow the new
+ * numbers.
+ */
 import type {Design} from './design.js';
 import type {GarmentDocument} from './garment-document.js';
 import {garmentFile} from './garment-file.js';
@@ -6,7 +9,7 @@ import {axisBetween, type Edited} from './garment-edit.js';
 import type {Locks, SolveOptions} from './options.js';
 import type {Symmetry} from './symmetries.js';
 
-/** The edges of a piece by their new numbers. */
+/** Maps an edge of a piece to its new numbers. */
 type Renumbered = (piece: string, edge: number) => readonly number[];
 
 const lockedAfter = (locked: Locks, edges: Renumbered): Locks =>
@@ -37,7 +40,10 @@ function optionsAfter(options: SolveOptions, edited: Edited, edges: Renumbered):
   };
 }
 
-/** By edges while they are whole; from then on by the axis between them, in the coordinates of the file. */
+/**
+ * Keeps a symmetry by edges if both are whole; otherwise uses the axis between them, in the
+ * coordinates of the file.
+ */
 function symmetryAfter(one: Symmetry, {pieces}: GarmentDocument, edges: Renumbered): Symmetry {
   if (one.kind !== 'piece' || !one.seams) return one;
   const [first, second] = one.seams.map((edge) => edges(one.piece, edge));
@@ -60,8 +66,9 @@ function symmetryAfter(one: Symmetry, {pieces}: GarmentDocument, edges: Renumber
 }
 
 /**
- * What of a design is another one after an edit of its garment. The garment is nobody else's file any more.
- * @param before what its file held
+ * The parts of a design that change with an edit of its garment. The edited garment no longer
+ * refers to a sample or a source file.
+ * @param before content of the file before the edit
  */
 export function designAfter(
   {garment, options, symmetry}: Pick<Design, 'garment' | 'options' | 'symmetry'>,

@@ -1,7 +1,10 @@
 import type {SymmetryReason} from './notes.js';
 import type {PhotoFault} from './photo.js';
 
-/** Why a solve could not deliver, as the core counts it. Names and numbers only ever grow: both are part of the API. */
+/**
+ * Reasons of a failed solve, with the numbers that the core uses. Names and numbers are part of the
+ * API: new ones may be added, but none may change.
+ */
 export const failureCodes = {
   cancelled: 1,
   internal: 2,
@@ -33,13 +36,13 @@ export const failureCodes = {
   picture: 90,
 } as const;
 
-/** Codes of failures that a page raises without the core. The names are part of the API, too. */
+/** Codes of failures outside the core. The names are part of the API, too. */
 export const pageFailureCodes = [
-  /** The solver's worker cannot be started; solving goes on in the page itself. */
+  /** The solver's worker cannot be started; solving continues on the page's own thread. */
   'worker-blocked',
   /** WebAssembly, or the solver's .wasm file, is missing or not allowed. */
   'no-wasm',
-  /** A file is not where it was looked for. */
+  /** A file is missing at its address. */
   'not-found',
   'network',
   'timeout',
@@ -47,28 +50,28 @@ export const pageFailureCodes = [
   /** A file is larger than the page reads. */
   'too-large',
   'not-an-image',
-  /** A file is not the one that a design was made with. */
+  /** A file differs from the one that a design was made with. */
   'file-changed',
-  /** Of a print whose size nobody has measured, nothing is cut. */
+  /** A print of unmeasured size cannot be cut. */
   'unscaled',
 ] as const;
 
 export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[number];
 
-/** A failure as plain data, fit to be posted between threads. */
+/** A failure as plain data that can be posted between threads. */
 export interface Failure {
   readonly code: FailureCode;
-  /** One sentence for people: it names the piece or seam and the remedy. */
+  /** One sentence for people, which names the piece or seam and the remedy. */
   readonly message: string;
-  /** Index of the piece in the garment, if one is to blame. */
+  /** Index of the affected piece in the garment; null without one. */
   readonly piece: number | null;
-  /** Number of the seam in the garment, if one is to blame. */
+  /** Number of the affected seam in the garment; null without one. */
   readonly seam: number | null;
-  /** Why a symmetry that was asked for cannot hold, or no print be read off a picture. */
+  /** Reason why a requested symmetry cannot hold, or why no print can be read from an image. */
   readonly reason?: SymmetryReason | PhotoFault;
 }
 
-/** The one error the solver throws for what it was given. */
+/** The only error that the solver throws for its input. */
 export class SolverError extends Error implements Failure {
   override readonly name = 'SolverError';
   readonly code: FailureCode;
@@ -85,13 +88,13 @@ export class SolverError extends Error implements Failure {
   }
 }
 
-/** An error's failure as plain data. */
+/** The failure of an error as plain data. */
 export const failureOf = ({code, message, piece, seam, reason}: SolverError): Failure => ({
   ...{code, message, piece, seam},
   ...(reason && {reason}),
 });
 
-/** The name of a failure number from the core. */
+/** Name of a failure number from the core; `internal` for an unknown number. */
 export function failureCode(number: number): FailureCode {
   for (const [name, value] of Object.entries(failureCodes)) {
     if (value === number) return name as FailureCode;

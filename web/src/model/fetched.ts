@@ -1,6 +1,6 @@
-/** What lies at an address of the web, read within limits of time and size: in browsers and in Node. */
+/** Fetches files from the web within limits of time and size, in browsers and in Node. */
 
-/** What came of it; whoever asked has the words for what went wrong. */
+/** Outcome of a fetch; the caller words the message for a failure. */
 type Fetched =
   | {readonly kind: 'read'; readonly parts: Uint8Array<ArrayBuffer>[]; readonly type: string}
   | {readonly kind: 'refused'; readonly status: number}
@@ -10,12 +10,12 @@ type Fetched =
 
 interface FetchLimits {
   readonly signal?: AbortSignal | undefined;
-  /** For the file as a whole. [ms] */
+  /** Limit for the whole file. [ms] */
   readonly timeoutMs: number;
   readonly mostBytes: number;
 }
 
-/** @throws the signal's reason when that fires */
+/** Fetches a file. @throws the signal's reason when the signal fires */
 export async function fetchedBy(
   request: (signal: AbortSignal) => Promise<Response>,
   {signal, timeoutMs, mostBytes}: FetchLimits,
@@ -44,7 +44,9 @@ export async function fetchedBy(
   }
 }
 
-/** All of a stream; undefined, and the rest of it left unread, when it holds more bytes than that. */
+/**
+ * Reads a whole stream. Returns undefined and leaves the rest unread when it exceeds `mostBytes`.
+ */
 export async function partsOf(
   stream: ReadableStream<Uint8Array<ArrayBuffer>> | null,
   mostBytes: number,

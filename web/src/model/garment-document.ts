@@ -1,22 +1,27 @@
 /**
- * A garment as one document, whatever file it came from: the core reads and checks the file, once, and everybody else
- * looks at this. Lengths are in centimetres, y up; pieces lie face side up and their outlines run counter-clockwise.
+ * A garment as one document, whatever its file format. The core reads and checks the file once; all
+ * other code uses the document. Lengths are in centimetres, y up; pieces lie face up and their
+ * outlines run counter-clockwise.
  */
 import type {Point} from './geometry.js';
 import type {GrainLock} from './options.js';
 import type {Symmetry} from './symmetries.js';
 
-/** Members of the file that this program does not know, as they are. */
+/** Members of the file that this program does not know, unchanged. */
 export interface Unknown {
   readonly more?: Readonly<Record<string, unknown>>;
 }
 
-/** How an allowance ends at its corners: both lines run on until they meet, as its mirror image, or at a right angle. */
+/**
+ * Shape of an allowance at its corners. `miter`: both lines are extended until they meet; `mirror`:
+ * the adjacent cutting line continues as its mirror image, as for a hem that is turned up;
+ * `square`: a right angle.
+ */
 export type AllowanceCorner = 'miter' | 'mirror' | 'square';
 
-/** Cloth beyond the line along which a piece is sewn. */
+/** Fabric beyond the sewing line of a piece. */
 export interface Allowance {
-  /** From 0 to 20. [cm] */
+  /** Width, 0 to 20. [cm] */
   readonly width: number;
   readonly corner?: AllowanceCorner;
 }
@@ -24,54 +29,58 @@ export interface Allowance {
 /** An edge of an outline as drafted; the next one begins where it ends. */
 export interface DraftedEdge extends Unknown {
   /**
-   * Its ends, and between them the control points of a Bezier curve: one, two, or none of a line or an arc. Of a path,
-   * a chain of cubics, those of each, with the points where they meet: 3 n + 1 of n cubics, n >= 2. [cm]
+   * Ends, and between them the control points of a Bezier curve: one, two, or none for a line or an
+   * arc. A path is a chain of n >= 2 cubics: the control points of each and the points where they
+   * meet, 3 n + 1 in all. [cm]
    */
   readonly points: readonly [Point, Point, ...Point[]];
   /** Radius of a circular arc. [cm] */
   readonly radius?: number;
-  /** Angle that a circular arc turns by, counter-clockwise if positive. [rad] */
+  /** Angle of a circular arc, positive counter-clockwise. [rad] */
   readonly sweep?: number;
   readonly label?: string;
-  /** What is cut beyond it. */
+  /** Seam allowance beyond the edge. */
   readonly allowance?: Allowance;
-  /** Its owner says that it is sewn to nothing, such as a hem or a neckline. */
+  /** The user has marked the edge as not sewn, such as a hem or a neckline. */
   readonly open?: true;
 }
 
 /** A mark on an edge of the outline. */
 export interface DraftedNotch {
-  /** The number of the edge. */
+  /** Number of the edge. */
   readonly edge: number;
-  /** A share of its length, from its start. */
+  /** Position as a share of the edge's length, from its start. */
   readonly at: number;
 }
 
-/** Where a piece hangs on the body: x to the wearer's left, y up, z to the front; turned about x, then y, then z. */
+/**
+ * Place of a piece on the body: x to the wearer's left, y up, z to the front; turned about x, then
+ * y, then z.
+ */
 export interface Placement {
   /** [cm] */
   readonly translation: readonly [x: number, y: number, z: number];
-  /** [degrees] None when left out. */
+  /** No rotation when omitted. [degrees] */
   readonly rotation?: readonly [x: number, y: number, z: number];
 }
 
 export interface GarmentPiece extends Unknown {
-  /** The name that designs, options and results use. */
+  /** Name in designs, options and results. */
   readonly name: string;
-  /** What people call it. */
+  /** Name shown to the user. */
   readonly label?: string;
-  /** Whether the file shows its back: x is the other way round there. */
+  /** True if the file shows the back of the piece, where x is reversed. */
   readonly mirroredFromInput: boolean;
   readonly outline: readonly DraftedEdge[];
   /** Cut-outs, clockwise. */
   readonly holes: readonly (readonly DraftedEdge[])[];
-  /** Drawn on the piece, neither cut nor sewn: darts, folds, places of pockets. */
+  /** Lines drawn on the piece, neither cut nor sewn: darts, folds, pocket positions. */
   readonly internalLines: readonly (readonly Point[])[];
-  /** Where the cloth is cut, and sewn, if not at the outline. */
+  /** Cutting line and sewing line, where they differ from the outline. */
   readonly cutLine?: readonly Point[];
   readonly sewLine?: readonly Point[];
   readonly notches?: readonly DraftedNotch[];
-  /** Places that are drilled to mark them. */
+  /** Points marked by drilling. */
   readonly drillHoles?: readonly Point[];
   readonly grain?: {
     readonly line?: readonly [Point, Point];
@@ -79,7 +88,7 @@ export interface GarmentPiece extends Unknown {
     readonly toleranceDeg?: number;
   };
   readonly placement?: Placement;
-  /** How many are cut. Default 1. */
+  /** Number of copies to cut. Default 1. */
   readonly quantity?: number;
   readonly size?: string;
   readonly material?: string;
@@ -91,7 +100,10 @@ export interface EdgeOfPiece {
   readonly edge: number;
 }
 
-/** Two edges that are sewn to each other. Its number is its place in the list, and that of the stitch in the file. */
+/**
+ * Two edges sewn to each other. Its number is its index in the list, and that of the stitch in the
+ * file.
+ */
 export interface GarmentSeam extends Unknown {
   readonly a: EdgeOfPiece;
   readonly b: EdgeOfPiece;
@@ -99,15 +111,15 @@ export interface GarmentSeam extends Unknown {
   readonly sameDirection: boolean;
   readonly weight: number;
   readonly matched: boolean;
-  /** What people call it. */
+  /** Name shown to the user. */
   readonly name?: string;
-  /** As the file states it; the edges decide. */
+  /** Ratio stated in the file; the lengths of the edges take precedence. */
   readonly lengthRatio?: number;
-  /** A program has proposed it, and nobody confirmed it. */
+  /** A program has proposed the seam, and the user has not confirmed it. */
   readonly suggested?: true;
 }
 
-/** Two marked lines that lie on each other without being sewn. */
+/** Two marked lines that coincide without being sewn. */
 export interface GarmentMatch {
   readonly a: {readonly piece: string; readonly line: readonly Point[]};
   readonly b: {readonly piece: string; readonly line: readonly Point[]};
@@ -115,15 +127,15 @@ export interface GarmentMatch {
   readonly name?: string;
 }
 
-/** What makes a metre. */
+/** Number of units in a metre. */
 export const unitsInMetre = {cm: 100, mm: 1000, inch: 100 / 2.54, m: 1} as const;
 export type FileUnit = keyof typeof unitsInMetre;
 
-/** What a file leaves open, for its owner to answer: in the unit that it is taken in, nobody could wear the garment. */
+/** A question to the user: the garment is not wearable in the assumed unit. */
 export interface UnitsQuestion {
   readonly about: 'units';
   readonly tallestCm: number;
-  /** Units in which somebody could. */
+  /** Units in which the garment is wearable. */
   readonly likely: readonly FileUnit[];
 }
 
@@ -133,13 +145,13 @@ export interface GarmentDocument extends Unknown {
   readonly pieces: readonly GarmentPiece[];
   readonly seams: readonly GarmentSeam[];
   readonly matches: readonly GarmentMatch[];
-  /** Axes, too, are those of pieces that lie face up. */
+  /** Axes refer to pieces that lie face up, too. */
   readonly symmetries: readonly Symmetry[];
   readonly title?: string;
   readonly size?: string;
-  /** What pieces are called, by their names. */
+  /** Names of pieces for the user, by the names of the pieces. */
   readonly names?: Readonly<Record<string, unknown>>;
-  /** Of the file's `pattern` and `properties`, what this program does not know. */
+  /** Unknown members of the file's `pattern` and `properties`. */
   readonly morePattern?: Readonly<Record<string, unknown>>;
   readonly moreProperties?: Readonly<Record<string, unknown>>;
   readonly questions: readonly GarmentQuestion[];

@@ -1,6 +1,6 @@
 /**
- * Changes of a garment: document in, document out. What others know edges and seams by, their numbers, may change with
- * it; an edit says what has become of them. Lengths in cm.
+ * Edits of a garment: each takes a document and returns a new one. An edit may change the numbers
+ * of edges and seams, and maps the old numbers to the new ones. Lengths in cm.
  */
 import {edgeLength, splitCurve} from './edge-curve.js';
 import type {
@@ -16,20 +16,23 @@ import type {Symmetry} from './symmetries.js';
 
 export interface Edited {
   readonly document: GarmentDocument;
-  /** What has become of an edge: itself, or its parts from its start to its end; none of a removed piece. */
+  /**
+   * The new edges of an old one: itself, its parts from its start to its end, or none of a removed
+   * piece.
+   */
   readonly edgesOf: (edge: EdgeOfPiece) => readonly EdgeOfPiece[];
-  /** What has become of a seam, by its number: none, itself, or its parts. */
+  /** The new numbers of an old seam: none, itself, or its parts. */
   readonly seamsOf: (seam: number) => readonly number[];
 }
 
-/** No edit at all. */
+/** An edit that keeps all numbers of edges and seams. */
 export const unchanged = (document: GarmentDocument): Edited => ({
   document,
   edgesOf: (edge) => [edge],
   seamsOf: (seam) => [seam],
 });
 
-/** One edit after the other. */
+/** Applies one edit after the other. */
 export function after(first: Edited, next: (document: GarmentDocument) => Edited): Edited {
   const second = next(first.document);
   return {
@@ -45,17 +48,17 @@ export const sameEdge = (one: EdgeOfPiece, other: EdgeOfPiece): boolean =>
 export const edgeOf = ({pieces}: GarmentDocument, at: EdgeOfPiece): DraftedEdge | undefined =>
   pieces[at.piece]?.outline[at.edge];
 
-/** The number of the seam that an edge is sewn in. */
+/** Number of the seam that contains an edge; undefined without one. */
 export function seamAt({seams}: GarmentDocument, edge: EdgeOfPiece): number | undefined {
   const seam = seams.findIndex(({a, b}) => sameEdge(a, edge) || sameEdge(b, edge));
   return seam < 0 ? undefined : seam;
 }
 
-/** What an edge is sewn to. */
+/** The edge on the other side of a seam. */
 export const twinOf = ({a, b}: GarmentSeam, edge: EdgeOfPiece): EdgeOfPiece =>
   sameEdge(a, edge) ? b : a;
 
-/** Whether its owner said that it is not to be sewn. */
+/** Returns whether the user has marked an edge as not sewn. */
 export const isOpen = (edge: DraftedEdge | undefined): boolean => edge?.open === true;
 
 const inPiece = (
@@ -77,7 +80,10 @@ const inEdge = (
     outline: piece.outline.map((edge, k) => (k === at.edge ? change(edge) : edge)),
   }));
 
-/** The axis in which two edges of an outline mirror each other: the start of one onto the end of the other. */
+/**
+ * Axis in which two edges of an outline mirror each other: the start of one onto the end of the
+ * other.
+ */
 export function axisBetween(one: DraftedEdge, other: DraftedEdge): readonly [Point, Point] {
   const ends = [
     [one.points[0], other.points.at(-1) ?? other.points[0]],
@@ -89,7 +95,10 @@ export function axisBetween(one: DraftedEdge, other: DraftedEdge): readonly [Poi
   return [first, plus(first, leftOf(minus(q, p)))];
 }
 
-/** Symmetries by edges of a piece whose edge is about to be split: halves have no mirror image, an axis stays. */
+/**
+ * Symmetries of a piece before one of its edges is split. Halves have no mirror image, so a
+ * symmetry by this edge becomes one by axis.
+ */
 function withoutSplit(
   symmetries: readonly Symmetry[],
   {name, outline}: GarmentPiece,
@@ -106,7 +115,7 @@ function withoutSplit(
   });
 }
 
-/** Splits an edge and nothing else: a seam along it goes on with its first part. */
+/** Splits only the edge itself; a seam along it keeps the first part. */
 function splitOne(document: GarmentDocument, at: EdgeOfPiece, share: number): Edited {
   const piece = document.pieces[at.piece];
   const edge = piece?.outline[at.edge];
@@ -134,8 +143,8 @@ function splitOne(document: GarmentDocument, at: EdgeOfPiece, share: number): Ed
 }
 
 /**
- * Splits an edge where a share of its length has been gone, between 0 and 1. What it is sewn to is split at the same
- * share, and the seam with it: its second part becomes the last of all seams.
+ * Splits an edge at a share of its length, between 0 and 1. The edge sewn to it is split at the
+ * same share, and the seam with them: its second part becomes the last seam.
  */
 export function splitEdge(document: GarmentDocument, at: EdgeOfPiece, share: number): Edited {
   const number = seamAt(document, at);
@@ -159,7 +168,10 @@ export function splitEdge(document: GarmentDocument, at: EdgeOfPiece, share: num
   };
 }
 
-/** What is sewn to what. Each side is edges in the order in which they are sewn, each from its start to its end. */
+/**
+ * Two sides to sew to each other. Each side lists its edges in sewing order, each from its start to
+ * its end.
+ */
 export interface Sewn {
   readonly a: readonly EdgeOfPiece[];
   readonly b: readonly EdgeOfPiece[];
@@ -167,7 +179,7 @@ export interface Sewn {
   readonly sameDirection: boolean;
 }
 
-/** Ends of edges no further apart than this along a seam are one. */
+/** Ends of edges at most this far apart along a seam coincide. [cm] */
 const sameEnd = 0.3;
 
 const lengthIn = (document: GarmentDocument, at: EdgeOfPiece): number => {
@@ -175,18 +187,18 @@ const lengthIn = (document: GarmentDocument, at: EdgeOfPiece): number => {
   return edge ? edgeLength(edge) : 0;
 };
 
-/** The length of a side. */
+/** Length of a side. [cm] */
 export const sideLength = (document: GarmentDocument, side: readonly EdgeOfPiece[]): number =>
   side.reduce((sum, edge) => sum + lengthIn(document, edge), 0);
 
-/** Where edges of a side meet, as shares of its length from its start. */
+/** Joints between the edges of a side, as shares of its length from its start. */
 function jointsOf(document: GarmentDocument, side: readonly EdgeOfPiece[]): readonly number[] {
   const whole = sideLength(document, side);
   let along = 0;
   return side.slice(0, -1).map((edge) => (along += lengthIn(document, edge)) / whole);
 }
 
-/** Splits a side at shares of its length, but for those at which edges meet already. */
+/** Splits a side at shares of its length, except where edges meet already. */
 function splitSide(
   start: Edited,
   side: readonly EdgeOfPiece[],
@@ -212,7 +224,10 @@ function splitSide(
   return {edited, parts};
 }
 
-/** Sews two sides. Of several edges to one, the one is split at the same shares of its length; what was open is not any more. */
+/**
+ * Sews two sides. Each side is split where edges of the other meet, at the same shares of its
+ * length. Its edges lose the mark `open`.
+ */
 export function sew(document: GarmentDocument, {a, b, sameDirection}: Sewn): Edited {
   const flipped = (shares: readonly number[]): readonly number[] =>
     sameDirection ? shares : shares.map((share) => 1 - share);
@@ -235,7 +250,7 @@ export function sew(document: GarmentDocument, {a, b, sameDirection}: Sewn): Edi
   return {...second.edited, document: {...closed, seams: [...closed.seams, ...seams]}};
 }
 
-/** Takes a seam apart. Those after it get its number, and the next ones. */
+/** Takes a seam apart. The numbers of all later seams decrease by one. */
 export const unsew = (document: GarmentDocument, seam: number): Edited => ({
   document: {...document, seams: document.seams.filter((_, k) => k !== seam)},
   edgesOf: (edge) => [edge],
@@ -248,7 +263,7 @@ const inSeam = (document: GarmentDocument, number: number, change: Partial<Garme
     seams: document.seams.map((seam, k) => (k === number ? {...seam, ...change} : seam)),
   });
 
-/** Sews a seam the other way round: the start of one edge to the other end of its twin. */
+/** Reverses a seam: the start of one edge meets the other end of its twin. */
 export const turnSeam = (document: GarmentDocument, seam: number): Edited =>
   inSeam(document, seam, {sameDirection: !document.seams[seam]?.sameDirection});
 
@@ -257,13 +272,13 @@ const without = (edge: DraftedEdge, name: keyof DraftedEdge): DraftedEdge =>
     Object.entries(edge).filter(([other]) => other !== name),
   ) as unknown as DraftedEdge;
 
-/** Says whether an edge stays open: a hem, a neckline. */
+/** Sets whether an edge stays open, such as a hem or a neckline. */
 export const setOpen = (document: GarmentDocument, at: EdgeOfPiece, open: boolean): Edited =>
   isOpen(edgeOf(document, at)) === open
     ? unchanged(document)
     : unchanged(inEdge(document, at, (edge) => (open ? {...edge, open} : without(edge, 'open'))));
 
-/** What is cut beyond an edge; as usual, where nothing is said. */
+/** Sets the seam allowance of an edge; undefined restores the usual one. */
 export const setAllowance = (
   document: GarmentDocument,
   at: EdgeOfPiece,
@@ -273,11 +288,11 @@ export const setAllowance = (
     inEdge(document, at, (edge) => (allowance ? {...edge, allowance} : without(edge, 'allowance'))),
   );
 
-/** What people call a piece. */
+/** Sets the name of a piece for the user. */
 export const rename = (document: GarmentDocument, piece: number, label: string): Edited =>
   unchanged(inPiece(document, piece, (one) => ({...one, label})));
 
-/** Leaves a piece out, with its seams and all that names it. */
+/** Removes a piece, its seams, and its symmetries and matches. */
 export function removePiece(document: GarmentDocument, number: number): Edited {
   const {pieces, seams, symmetries, matches} = document;
   const name = pieces[number]?.name;

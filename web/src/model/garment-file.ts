@@ -1,22 +1,25 @@
-/** Garment documents as seamwise-garment/1 files, in centimetres. */
+/** Writes garment documents as seamwise-garment/1 files, in centimetres. */
 import type {DraftedEdge, EdgeOfPiece, GarmentDocument, GarmentPiece} from './garment-document.js';
 import type {Curvature, PanelEdge, PathCubic, Stitch} from './garment.js';
 import type {Point} from './geometry.js';
 
-/** A point as the file has it. */
+/** Maps a point to the coordinates of the file. */
 type Frame = (point: Point) => Point;
 
-/** A piece that the file shows from its back is written so again: designs know axes and pins by these coordinates. */
+/**
+ * Coordinates of a piece in the file. A piece shown from its back is mirrored back, because axes
+ * and pins of designs refer to these coordinates.
+ */
 const frameOf =
   ({mirroredFromInput}: Pick<GarmentPiece, 'mirroredFromInput'>): Frame =>
   ([x, y]) => [mirroredFromInput ? 0 - x : x, y];
 
-/** The cubics of a path, by all its points. */
+/** Cubics of a path, from all its points. */
 export const cubicsOf = (points: readonly Point[]): readonly PathCubic[] =>
   Array.from({length: (points.length - 1) / 3}, (_, k) => {
     const end = 3 * k + 4;
     const cubic = points.slice(end - 3, end === points.length ? end - 1 : end);
-    return cubic as [Point, Point] | [Point, Point, Point]; // as many as are cut out
+    return cubic as [Point, Point] | [Point, Point, Point]; // the slice has two or three points
   });
 
 function curvatureOf({points, radius, sweep}: DraftedEdge, turn: 1 | -1): Curvature | undefined {
@@ -30,7 +33,7 @@ function curvatureOf({points, radius, sweep}: DraftedEdge, turn: 1 | -1): Curvat
   return points.length === 3 ? {type: 'quadratic', params: [first]} : undefined;
 }
 
-/** The edges of a closed loop, between vertices that go to the end of `vertices`. */
+/** Edges of a closed loop; its vertices are appended to `vertices`. */
 function loopOf(
   loop: readonly DraftedEdge[],
   {
@@ -41,7 +44,7 @@ function loopOf(
 ): readonly PanelEdge[] {
   const first = vertices.length;
   return loop.map((edge, k) => {
-    const points = edge.points.map(frame) as [Point, Point, ...Point[]]; // as many as there were
+    const points = edge.points.map(frame) as [Point, Point, ...Point[]]; // the same number
     vertices.push(points[0]);
     const curvature = curvatureOf({...edge, points}, turn);
     return {
@@ -55,18 +58,18 @@ function loopOf(
   });
 }
 
-/** What a placement turns the panel by when its x axis is the other way round. */
+/** Rotation of a placement for a panel whose x axis is reversed. */
 const turnedOver = ([x, y, z]: readonly [number, number, number]): readonly number[] => [
   0 - x,
   y - 180,
   z,
 ];
 
-/** A member, unless it is empty or missing. */
+/** An object with one member; empty if the value is missing or an empty list. */
 const member = (name: string, value: unknown): Readonly<Record<string, unknown>> =>
   value === undefined || (Array.isArray(value) && value.length === 0) ? {} : {[name]: value};
 
-/** What is drafted of a piece, and where it hangs. */
+/** Drafted shape of a piece, and its placement. */
 interface PanelShape {
   readonly translation?: readonly number[];
   readonly rotation?: readonly number[];
@@ -75,7 +78,7 @@ interface PanelShape {
   readonly holes?: readonly (readonly PanelEdge[])[];
 }
 
-/** Control points are those of panels. */
+/** Shape of a piece in the coordinates of its panel. */
 export function shapeOf(piece: GarmentPiece): PanelShape {
   const {mirroredFromInput, outline, holes, placement} = piece;
   const vertices: Point[] = [];
@@ -119,7 +122,10 @@ function panelOf(piece: GarmentPiece): object {
   };
 }
 
-/** An object as text; unlike one in memory, it keeps its order whatever its members are called. */
+/**
+ * JSON text of an object. Members keep their order whatever their names, unlike those of a
+ * JavaScript object.
+ */
 export const objectText = (members: readonly (readonly [name: string, text: string])[]): string =>
   `{${members.map(([name, text]) => `\n${JSON.stringify(name)}: ${text}`).join(',')}}`;
 
@@ -130,7 +136,10 @@ export function stitchesOf({pieces, seams}: Pick<GarmentDocument, 'pieces' | 'se
   );
 }
 
-/** The text of a file that reads as this document, but for the last digits of what is no centimetre there. */
+/**
+ * Text of a file that reads as this document, except for the last digits of values that are not in
+ * centimetres.
+ */
 export function garmentFile(document: GarmentDocument): string {
   const {pieces, seams, matches, symmetries, morePattern = {}, moreProperties} = document;
   const frames = new Map(pieces.map((piece) => [piece.name, frameOf(piece)]));

@@ -1,11 +1,11 @@
-/** What a garment says about its pieces that a result does not repeat. */
+/** Properties of a garment's pieces that a result does not repeat. */
 import type {GarmentDocument, GarmentPiece, Placement} from './garment-document.js';
 import type {Point} from './geometry.js';
 import {angleOf, type GrainRule} from './options.js';
 import {pieceNames, titleOfFile, type PieceNames} from './piece-names.js';
 import {fieldOf} from './read.js';
 
-/** A mark on an edge of the outline, at a share of its length, between the ends of the edge. [cm] */
+/** A mark on an edge of the outline, at a share of its length, with the ends of the edge. [cm] */
 export interface Notch {
   readonly from: Point;
   readonly to: Point;
@@ -13,32 +13,35 @@ export interface Notch {
 }
 
 export interface PanelMarks {
-  /** What people call the piece. */
+  /** Name of the piece for the user. */
   readonly label: string;
-  /** Of the face-up piece, as all that follows. [cm] */
+  /** Grain line. It and all following members refer to the face-up piece. [cm] */
   readonly grain?: readonly [Point, Point];
-  /** Where the grain line was said to run, over the file: from the x axis. [degrees] */
+  /**
+   * Chosen direction of the grain line, from the x axis; it overrides the one in the file.
+   * [degrees]
+   */
   readonly grainDeg?: number;
-  /** Where it is on the body. */
+  /** Placement on the body. */
   readonly placement?: Placement;
   readonly notches?: readonly Notch[];
-  /** All that the garment has of it. */
+  /** The piece in the garment document. */
   readonly drafted?: GarmentPiece;
 }
 
-/** Of a garment's own words, those that belong on every sheet. */
+/** Title and size of a garment, which appear on every sheet. */
 export interface GarmentTitle {
   readonly title?: string;
   readonly size?: string;
 }
 
-/** What a person decided about panels, by their names, over what their file says. */
+/** The user's decisions about panels, by their names; they override the file. */
 export interface PanelDecisions {
   readonly names?: PieceNames;
   readonly grain?: Readonly<Record<string, GrainRule>>;
 }
 
-/** The names that a garment's file, or a design, chooses for its pieces. */
+/** Names of pieces chosen by a garment file or a design. */
 export const chosenNames = (holder: unknown): PieceNames => {
   const names = fieldOf(holder, 'names');
   const entries = typeof names === 'object' && names !== null ? Object.entries(names) : [];
@@ -47,7 +50,7 @@ export const chosenNames = (holder: unknown): PieceNames => {
   );
 };
 
-/** By the name of the piece. */
+/** Marks of all panels, by the name of the piece. */
 export function panelMarks(
   document: Pick<GarmentDocument, 'pieces' | 'names'>,
   {names = {}, grain: rules = {}}: PanelDecisions = {},
@@ -79,7 +82,7 @@ export function panelMarks(
   );
 }
 
-/** @param file the garment's, which is what it is called when it says no title itself */
+/** Title and size of a garment. @param file name of its file, for a garment without a title */
 export function garmentTitle(
   {title: said = '', size}: Pick<GarmentDocument, 'title' | 'size'>,
   file?: string,

@@ -2,7 +2,7 @@
 import {unitsInMetre, type FileUnit} from './garment-document.js';
 import {fieldOf} from './read.js';
 
-/** The same file in another unit. @param text of a file that can be read */
+/** The same file with its numbers taken in another unit. @param text of a readable file */
 export function inUnit(text: string, unit: FileUnit): string {
   const garment = JSON.parse(text) as object;
   const stated = fieldOf(garment, 'properties');

@@ -7,7 +7,9 @@ export interface StitchEnd {
   readonly edge: number;
 }
 
-/** Two edges sewn to each other: the start of one meets the end of the other, unless "right_wrong". */
+/**
+ * Two edges sewn to each other: the start of one meets the end of the other, unless "right_wrong".
+ */
 export type Stitch =
   readonly [StitchEnd, StitchEnd] | readonly [StitchEnd, StitchEnd, 'right_wrong' | null];
 
@@ -19,16 +21,18 @@ export type Curvature =
   | {readonly type: 'circle'; readonly params: readonly [number, number, number]}
   | {readonly type: 'path'; readonly params: readonly PathCubic[]};
 
-/** A cubic of a path: two control points, and the point where it ends; the last one ends where its edge does. */
+/**
+ * A cubic of a path: two control points and its end; the last cubic ends at the end of the edge.
+ */
 export type PathCubic = readonly [Point, Point, Point] | readonly [Point, Point];
 
 export interface PanelEdge {
   readonly endpoints: readonly [number, number];
   readonly curvature?: Curvature;
   readonly label?: string;
-  /** What is cut beyond it. [units of the file] */
+  /** Seam allowance beyond the edge. [units of the file] */
   readonly allowance?: number | Allowance;
-  /** It stays open. */
+  /** True if the edge stays open. */
   readonly open?: boolean;
 }
 
@@ -40,7 +44,7 @@ export interface Panel {
   readonly rotation?: readonly [number, number, number];
 }
 
-/** A sewing pattern in the GarmentCode specification format, as it is in the wild. */
+/** A sewing pattern in the GarmentCode specification format, as existing files use it. */
 export interface GarmentCodeSpecification {
   readonly pattern: {
     readonly panels: Readonly<Record<string, Panel>>;
@@ -52,7 +56,7 @@ export interface GarmentCodeSpecification {
   };
 }
 
-/** The project's own format. Its fields are described by its JSON Schema; unknown ones are kept. */
+/** The project's own format. Its JSON Schema describes the fields; unknown fields are kept. */
 export interface SeamwiseGarment {
   readonly format: `seamwise-garment/${number}`;
   readonly [field: string]: unknown;

@@ -10,21 +10,21 @@ export const minus = ([ax, ay]: Point, [bx, by]: Point): Point => [ax - bx, ay -
 
 export const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1];
 
-/** Positive when b is counter-clockwise of a: the area that they span. [cm2] */
+/** Area spanned by two vectors, positive when b is counter-clockwise of a. [cm2] */
 export const cross = (a: Point, b: Point): number => a[0] * b[1] - a[1] * b[0];
 
-/** The length of a vector. */
+/** Length of a vector. */
 export const norm = ([x, y]: Point): number => Math.hypot(x, y);
 
 export const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
-/** Of length 1; no direction stays none. */
+/** The unit vector in the same direction; the zero vector stays zero. */
 export function unit([x, y]: Point): Point {
   const length = Math.hypot(x, y) || 1;
   return [x / length, y / length];
 }
 
-/** The point at a share of the way from one to the other. */
+/** The point at a share of the way from `a` to `b`. */
 export const between = (a: Point, b: Point, share: number): Point => [
   a[0] + share * (b[0] - a[0]),
   a[1] + share * (b[1] - a[1]),
@@ -32,22 +32,22 @@ export const between = (a: Point, b: Point, share: number): Point => [
 
 export const middle = (a: Point, b: Point): Point => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 
-/** The share of the way from `a` to `b`, from 0 to 1, at which one is nearest to `p`. */
+/** The share of the way from `a` to `b`, from 0 to 1, at which the point is nearest to `p`. */
 export function nearestShare(a: Point, b: Point, p: Point): number {
   const way = minus(b, a);
   return Math.max(0, Math.min(1, dot(minus(p, a), way) / (dot(way, way) || 1)));
 }
 
-/** A quarter turn counter-clockwise. Exact. */
+/** Turns a vector counter-clockwise by a quarter turn, exactly. */
 export const leftOf = ([x, y]: Point): Point => [0 - y, x];
 
-/** Counter-clockwise. [rad] */
+/** Turns a vector counter-clockwise by an angle. [rad] */
 export function rotated([x, y]: Point, angle: number): Point {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   return [c * x - s * y, s * x + c * y];
 }
 
-/** The unit vector that lies counter-clockwise of +x by an angle. [rad] */
+/** The unit vector at an angle counter-clockwise of +x. [rad] */
 export const towards = (angle: number): Point => [Math.cos(angle), Math.sin(angle)];
 
 /** The direction of a vector, counter-clockwise of +x, in [-pi, pi]. [rad] */
@@ -65,25 +65,30 @@ export function wrapped(angle: number): number {
 export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 export const degrees = (radians: number): number => (radians * 180) / Math.PI;
 
-/** The numbers s, t of v = s a + t b. */
+/** The numbers s, t with v = s a + t b. */
 export function coordinates([a, b]: readonly [Point, Point], v: Point): Point {
   const area = cross(a, b);
   return [cross(v, b) / area, cross(a, v) / area];
 }
 
-/** s a + t b: the inverse of `coordinates`. */
+/** The vector s a + t b: the inverse of `coordinates`. */
 export const combined = ([a, b]: readonly [Point, Point], s: number, t: number): Point => [
   s * a[0] + t * b[0],
   s * a[1] + t * b[1],
 ];
 
-/** Where a piece lies on the print: p = R(angle) w + translation, w a point of the print. [rad, cm] */
+/**
+ * Place of a piece on the print: p = R(angle) w + translation, w a point of the print. [rad, cm]
+ */
 export interface Alignment {
   readonly angle: number;
   readonly translation: Point;
 }
 
-/** How a piece mirrors onto itself or onto its twin, face up: p' = R(angle) F p + translation, F = diag(-1, 1). [rad, cm] */
+/**
+ * Map of a piece to its mirror image, itself or its twin, face up: p' = R(angle) F p + translation,
+ * F = diag(-1, 1). [rad, cm]
+ */
 export interface MirrorMap {
   readonly angle: number;
   readonly translation: Point;
@@ -93,11 +98,11 @@ export interface MirrorMap {
 export const onPrint = ({angle, translation}: Alignment, p: Point): Point =>
   rotated(minus(p, translation), -angle);
 
-/** The point of a piece that lies on a point w of the print: p = R(angle) w + translation. */
+/** The point of a piece on a point w of the print: p = R(angle) w + translation. */
 export const onPiece = ({angle, translation}: Alignment, w: Point): Point =>
   plus(rotated(w, angle), translation);
 
-/** The alignment of this angle under which a point of a piece lies on a point of the print. */
+/** The alignment with this angle that puts a point of a piece on a point of the print. */
 export const lyingOn = (angle: number, p: Point, print: Point): Alignment => ({
   angle,
   translation: minus(p, rotated(print, angle)),

@@ -1,6 +1,12 @@
-/** The container of a binary glTF 2.0 file: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html */
+/**
+ * The container of a binary glTF 2.0 file:
+ * https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+ */
 
-/** "glTF", and what its two chunks begin with: "JSON" and "BIN\0", as little-endian numbers. */
+/**
+ * The values "glTF", "JSON" and "BIN\0" as little-endian numbers: start of the file, and types of
+ * its two chunks.
+ */
 const magic = 0x46546c67;
 const jsonChunk = 0x4e4f534a;
 const binaryChunk = 0x004e4942;
@@ -15,14 +21,17 @@ type VectorType = keyof typeof componentsOf;
 
 const padded = (length: number): number => 4 * Math.ceil(length / 4);
 
-/** Collects what one glTF file holds in its only buffer. Numbers are written as this machine has them: little-endian. */
+/**
+ * Collects the contents of a glTF file's only buffer. Numbers keep the byte order of this machine,
+ * which has to be little-endian.
+ */
 export class GlbFile {
   readonly #parts: Uint8Array[] = [];
   readonly #views: object[] = [];
   readonly #accessors: object[] = [];
   #length = 0;
 
-  /** @returns the number of the buffer view */
+  /** Adds a buffer view. @returns its number */
   addBytes(bytes: Uint8Array, target?: number): number {
     this.#parts.push(bytes);
     const view = {buffer: 0, byteOffset: this.#length, byteLength: bytes.length};
@@ -30,7 +39,11 @@ export class GlbFile {
     return this.#views.push({...view, ...(target !== undefined && {target})}) - 1;
   }
 
-  /** Of each vertex. @param withBounds as glTF demands it of positions @returns the number of the accessor */
+  /**
+   * Adds one vector per vertex.
+   * @param withBounds adds the bounds that glTF requires for positions
+   * @returns the number of the accessor
+   */
   addVectors(values: Float32Array, type: VectorType, withBounds = false): number {
     const components = componentsOf[type];
     return this.#addAccessor(values, vertexTarget, {
@@ -50,7 +63,7 @@ export class GlbFile {
     return this.#accessors.push({bufferView: this.addBytes(bytes, target), ...what}) - 1;
   }
 
-  /** The whole file. @param document all but buffers, their views and accessors */
+  /** The whole file. @param document all members except buffers, buffer views and accessors */
   bytes(document: object): Uint8Array {
     const json = new TextEncoder().encode(
       JSON.stringify({

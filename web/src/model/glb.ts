@@ -1,6 +1,7 @@
 /**
- * A draped garment as binary glTF 2.0, which viewers, shops and other programs open: metres, y up, its front towards +z.
- * Where the print lies is in the texture coordinates, since many viewers ignore what transforms a texture.
+ * A draped garment as binary glTF 2.0 for viewers, shops and other programs: metres, y up, front
+ * towards +z. The texture coordinates include the place of the print, since many viewers ignore
+ * texture transforms.
  */
 import type {Drape, DrapedPiece, Surface} from './drape.js';
 import {GlbFile} from './glb-file.js';
@@ -11,45 +12,54 @@ import type {SolveResult} from './result.js';
 import {packageVersion} from './version.js';
 import {apply} from './wallpaper.js';
 
-/** One cell of a print as a file that glTF can hold. */
+/** One cell of a print as an image that glTF can contain. */
 export interface CellPicture {
   readonly bytes: Uint8Array;
   readonly type: 'image/png' | 'image/jpeg';
 }
 
 export interface GlbOptions {
-  /** Of the print's cell; without one the cloth is white, but has the same texture coordinates. */
+  /**
+   * Image of the print's cell. Without it the fabric is white and has the same texture coordinates.
+   */
   readonly picture?: CellPicture;
-  /** Names of the pieces that are of unprinted cloth. */
+  /** Names of the pieces of unprinted fabric. */
   readonly plain?: readonly string[];
-  /** Adds per vertex the number of its piece, `_PIECE`, and its place on the piece as cut, `_SHAPE`. [cm] */
+  /**
+   * Adds attributes per vertex: the number of its piece, `_PIECE`, and its point on the piece as
+   * cut, `_SHAPE`. [cm]
+   */
   readonly attributes?: boolean;
-  /** Adds the form that the garment hangs on, as a node of its own. */
+  /** Adds the form on which the garment hangs, as a separate node. */
   readonly form?: boolean;
-  /** What people call the garment. */
+  /** Name of the garment for the user. */
   readonly garment?: string;
-  /** Of the file of the result. */
+  /** Hash of the result file. */
   readonly sha256?: string;
 }
 
-/** The picture of a cell by its first bytes; undefined for what is neither PNG nor JPEG, all that glTF has. */
+/**
+ * Recognises the image of a cell by its first bytes; undefined unless PNG or JPEG, the only types
+ * in glTF.
+ */
 export function cellPicture(bytes: Uint8Array): CellPicture | undefined {
   const begins = (...start: number[]): boolean => start.every((byte, k) => bytes[k] === byte);
   if (begins(0x89, 0x50, 0x4e, 0x47)) return {bytes, type: 'image/png'};
   return begins(0xff, 0xd8, 0xff) ? {bytes, type: 'image/jpeg'} : undefined;
 }
 
-/** Of WebGL, by which glTF names what a texture does beyond its edges and between its pixels. */
+/** WebGL constants by which glTF names the wrapping and filtering of a texture. */
 const sampler = {wrapS: 10497, wrapT: 10497, magFilter: 9729, minFilter: 9987};
 
-/** Of cloth and form: what they reflect of red, green and blue, linear. */
+/** Linear base colours of fabric and form: red, green, blue, opacity. */
 const white = [0.9, 0.9, 0.88, 1];
 const linen = [0.62, 0.54, 0.43, 1];
 const roughness = 0.85;
 
 /**
- * The file. Texture coordinates are those of the picture of the cell, (0, 0) its upper left corner, on the pieces as cut.
- * @throws {RangeError} when the drape is not one of this result
+ * Builds the file. Texture coordinates refer to the image of the cell, (0, 0) its upper left
+ * corner, on the pieces as cut.
+ * @throws {RangeError} when the drape does not belong to this result
  */
 export function glb(
   result: Pick<SolveResult, 'pieces'>,
@@ -148,13 +158,16 @@ const pointsOf = (numbers: Float64Array): readonly Point[] =>
 const metres = (cm: ArrayLike<number>): Float32Array =>
   Float32Array.from(cm, (value) => value / 100);
 
-/** Three numbers for each vertex of a piece, of those of the cloth. */
+/** Three numbers for each vertex of a piece, taken from those of the sewn mesh. */
 const perVertex = (ofCloth: Float64Array, sewn: Uint32Array): Float64Array =>
   Float64Array.from({length: 3 * sewn.length}, (_, k) => {
     return ofCloth[3 * (sewn[Math.floor(k / 3)] ?? 0) + (k % 3)] ?? 0;
   });
 
-/** Of vertices: the mean of those of their triangles, by area. Upwards where there is none. */
+/**
+ * Normals of vertices: the mean of the adjacent triangles' normals, weighted by area. Upwards where
+ * there is none.
+ */
 function normalsOf(positions: ArrayLike<number>, triangles: readonly Uint32Array[]): Float64Array {
   const sums = new Float64Array(positions.length);
   const coordinate = (vertex: number, c: number): number => positions[3 * vertex + c] ?? 0;
@@ -177,7 +190,7 @@ function normalsOf(positions: ArrayLike<number>, triangles: readonly Uint32Array
   }
   for (let at = 0; at < sums.length; at += 3) {
     const [x = 0, y = 0, z = 0] = sums.subarray(at, at + 3);
-    const length = Math.sqrt(x * x + y * y + z * z); // rounded alike by all engines, unlike Math.hypot
+    const length = Math.sqrt(x * x + y * y + z * z); // equal in all engines, unlike Math.hypot
     sums.set(length > 0 ? [x / length, y / length, z / length] : [0, 1, 0], at);
   }
   return sums;
@@ -193,7 +206,10 @@ function joined(arrays: readonly Float32Array[]): Float32Array {
   return all;
 }
 
-/** Vertices are those of the pieces: where a seam joins two, each has its own place on the print. */
+/**
+ * Each piece has its own vertices, since pieces joined by a seam have different places on the
+ * print.
+ */
 function primitiveOf(file: GlbFile, pieces: readonly PlacedPiece[], attributes: boolean): object {
   const indices: number[] = [];
   let before = 0;

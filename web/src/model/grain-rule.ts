@@ -1,16 +1,16 @@
-/** The angles that a piece may have on its cloth. */
+/** Allowed angles of a piece on its fabric. */
 import type {Design} from './design.js';
 import {angleOf, minus, radians, wrapped, type Point} from './geometry.js';
 import {isAllowed, type AngleRule} from './mirror-lines.js';
 import type {GrainLock} from './options.js';
 
-/** Files that give no grain line mean this one. */
+/** Grain line of files that give none. */
 const upright: readonly [Point, Point] = [
   [0, 0],
   [0, 1],
 ];
 
-/** Of the grain line against the length of the cloth. [degrees] */
+/** Angles of the grain line from the length of the fabric. [degrees] */
 const offsets: Readonly<Record<GrainLock, readonly number[]>> = {
   on: [0],
   across: [-90, 90],
@@ -18,10 +18,13 @@ const offsets: Readonly<Record<GrainLock, readonly number[]>> = {
   free: [0],
 };
 
-/** How far a print with an upside may lie from upright where the grain is free. [degrees] */
+/** Greatest angle of a one-way print from upright where the grain is free. [degrees] */
 const mostOffUpright = 60;
 
-/** Undefined when the piece may lie at any angle. @param line its grain line, as it lies face up */
+/**
+ * Allowed angles of a piece; undefined when any angle is allowed.
+ * @param line grain line of the face-up piece
+ */
 export function grainRule(
   {options, print}: Pick<Design, 'options' | 'print'>,
   name: string,
@@ -34,13 +37,13 @@ export function grainRule(
   if (lock === 'free' && !print.oneWay) return undefined;
   const room = lock === 'free' ? mostOffUpright : (own.toleranceDeg ?? toleranceDeg);
   const line = angleDeg === undefined ? angleOf(minus(to, from)) : radians(angleDeg);
-  // the grain line runs along +y of the print, the length of the cloth
+  // the grain line runs along +y of the print, the length of the fabric
   const angles = offsets[lock].map((degrees) => line - Math.PI / 2 + radians(degrees));
   const turned = print.oneWay || lock === 'across' ? [] : angles.map((angle) => angle + Math.PI);
   return {angles: [...angles, ...turned], tolerance: radians(room)};
 }
 
-/** The angle that a turn by so many degrees leads to: where the rule forbids it, the next one in that sense. [rad] */
+/** Angle after a turn by these degrees, or the next allowed one in that sense. [rad] */
 export function angleAfter(rule: AngleRule | undefined, from: number, degrees: number): number {
   const wanted = from + radians(degrees);
   if (!rule || isAllowed(wanted, rule)) return wanted;

@@ -1,44 +1,44 @@
-/** Steps that can be taken back and taken again. Plain data; every function gives a new history. */
+/** Undo and redo. A history is plain data; every function returns a new one. */
 
 export interface History<State> {
   readonly past: readonly State[];
   readonly present: State;
-  /** What was taken back, the nearest first. */
+  /** Undone states, the nearest first. */
   readonly future: readonly State[];
 }
 
-/** Steps beyond this are forgotten. */
+/** Greatest number of past steps; older ones are dropped. */
 const depth = 300;
 
 export const begun = <State>(present: State): History<State> => ({past: [], present, future: []});
 
-/** The same steps, in another form. */
+/** The same steps with every state converted. */
 export const mapped = <From, To>(
   {past, present, future}: History<From>,
   to: (state: From) => To,
 ): History<To> => ({past: past.map(to), present: to(present), future: future.map(to)});
 
-/** A new step; what had been taken back is gone. */
+/** Adds a step and drops all undone ones. */
 export const stepped = <State>({past, present}: History<State>, next: State): History<State> => ({
   past: [...past, present].slice(-depth),
   present: next,
   future: [],
 });
 
-/** The same step, seen otherwise: a slider still being dragged, a view that was moved. */
+/** Replaces the present state without a new step, such as for a dragged slider or a moved view. */
 export const amended = <State>(history: History<State>, present: State): History<State> => ({
   ...history,
   present,
 });
 
-/** One step back, if there is one. */
+/** Goes back one step; undefined if there is none. */
 export function undone<State>({past, present, future}: History<State>): History<State> | undefined {
   const before = past.at(-1);
   if (before === undefined) return undefined;
   return {past: past.slice(0, -1), present: before, future: [present, ...future]};
 }
 
-/** One step forward again, if there is one. */
+/** Goes forward one step; undefined if there is none. */
 export function redone<State>({past, present, future}: History<State>): History<State> | undefined {
   const [next, ...later] = future;
   if (next === undefined) return undefined;

@@ -1,23 +1,27 @@
-/** What there is to know of a lay plan besides its figures. The names only ever grow: they are part of the API. */
+/**
+ * Codes of notes on a marker. They are part of the API: new ones may be added, but none may change.
+ */
 export type LayNoteCode =
-  /** `pieces` are cut from other cloth. */
+  /** `pieces` are cut from other fabric. */
   | 'plainPieces'
-  /** No length makes plies start alike. */
+  /** The print never repeats along the fabric, so no length lets all plies start alike. */
   | 'pliesUnlike'
-  /** Of how many plies (`counts`) each is whole repeats (`lengthsCm`) long. */
+  /** Each of `counts` plies is a whole number of repeats long; one repeat is `lengthsCm`. */
   | 'pliesWhole'
-  /** Nobody has said how far from the cut the print starts. */
+  /** Flaws are measured from the cut, and the print is assumed to start there. */
   | 'flawsFromCut'
-  /** How far from the left edge (`lengthsCm`) the cloth is folded. */
+  /** The fabric is folded at `lengthsCm` from the left edge. */
   | 'folded'
-  /** On folded cloth no print is moved. */
+  /** The print is not shifted under pieces on folded fabric, because the lower ply mirrors it. */
   | 'foldKeepsPrint'
-  /** From the least to the most (`lengthsCm`), by where the print starts. */
+  /** Least and greatest length (`lengthsCm`), depending on the start of the print. */
   | 'phaseRange'
-  /** At how many of how many places (`counts`) of the print not all pieces fit. */
+  /**
+   * Number of starts of the print at which not all pieces fit, and number of all starts (`counts`).
+   */
   | 'phaseNowhere';
 
-/** What one of the sentences in `notes` says, for who writes it in another language. */
+/** Content of one sentence of `notes`, for translation. */
 export interface LayNote {
   readonly code: LayNoteCode;
   readonly pieces: readonly string[];
@@ -25,12 +29,12 @@ export interface LayNote {
   readonly counts: readonly number[];
 }
 
-/** With nothing where nothing is given. */
+/** Makes a note; members that are not given are empty. */
 export const layNote = (
   code: LayNoteCode,
   {pieces = [], lengthsCm = [], counts = []}: Partial<LayNote> = {},
 ): LayNote => ({code, pieces, lengthsCm, counts});
 
-/** It compares places where the print may start. */
+/** Returns whether the note compares starts of the print. */
 export const isOfPhases = ({code}: LayNote): boolean =>
   code === 'phaseRange' || code === 'phaseNowhere';

@@ -1,4 +1,7 @@
-/** A project as the fragment of an address, to be passed on: all of it but what samples hold themselves. */
+/**
+ * A project as the fragment of a URL, to be shared. It contains everything except the content of
+ * samples.
+ */
 import {bytesOf, deflated, Inflated, inflated} from './deflated.js';
 import {decisionsOf, type Design, type DesignGarment, type DesignPrint} from './design.js';
 import {
@@ -15,11 +18,14 @@ import {fieldOf, Malformed, shape, text, type Read} from './read.js';
 import type {PrintTile} from './print-tile.js';
 import {written} from './written-design.js';
 
-/** A garment in a link: a sample's name, or the whole garment. */
+/** A garment in a link: the name of a sample, or the whole garment. */
 export type LinkedGarment =
   {readonly sample: NonNullable<DesignGarment['sample']>} | Pick<DesignGarment, 'name' | 'text'>;
 
-/** Of a picture that was made of one that somebody opened, only that one is carried. */
+/**
+ * A print in a link. If its image was made from an opened one, the link contains only the opened
+ * one.
+ */
 export type LinkedPrint = Pick<
   DesignPrint,
   'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled'
@@ -31,24 +37,24 @@ export type LinkedPrint = Pick<
   );
 
 export interface LinkedProject extends Design<LinkedGarment, LinkedPrint> {
-  /** What its sender calls it. */
+  /** Title given by the sender. */
   readonly title?: string;
 }
 
-/** A fragment that was meant to be a project, and is none. */
+/** Error for a fragment that is meant as a project but is damaged or too large. */
 export class LinkError extends Error {
   override readonly name = 'LinkError';
 }
 
 const start = '#project=';
-/** Of links as they were made before they were deflated. */
+/** Start of older links, which are not deflated. */
 const plainStart = '#design=';
-/** Browsers and servers take no endless addresses. [characters] */
+/** Greatest length of a link, since browsers and servers limit URLs. [characters] */
 export const longestLink = 200_000;
-/** Of a project that a link unfolds to. [bytes] */
+/** Greatest size of an inflated project. [bytes] */
 const largest = 8 * 2 ** 20;
 
-/** By whether it has a field. */
+/** Chooses a reader by the presence of a field. */
 const either =
   <A, B>(field: string, having: Read<A>, other: Read<B>): Read<A | B> =>
   (value, at) =>
@@ -70,11 +76,14 @@ const linked: Read<LinkedProject> = (value, at) => {
   return {...found, ...decisions(value, at)};
 };
 
-/** A sample's picture may have been redrawn for another group. */
+/**
+ * Returns whether a print is a sample with its original image. The image may have been redrawn for
+ * another group.
+ */
 const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =>
   print.sample !== undefined && !print.image.startsWith('data:');
 
-/** "#...", of whatever length. @param title what its owner calls it */
+/** The fragment "#..." of a project, of any length. @param title given by the owner */
 export async function linkOf(design: Design, title?: string): Promise<string> {
   const {garment: own, print: shown} = design;
   const {group, size, turnDeg, oneWay, cell, tile, unscaled} = shown;
@@ -93,8 +102,8 @@ export async function linkOf(design: Design, title?: string): Promise<string> {
 }
 
 /**
- * Undefined for a fragment that means no project.
- * @throws {LinkError} for one that does, and is damaged or too large
+ * Reads the project of a fragment; undefined for a fragment that is not a project.
+ * @throws {LinkError} for a damaged or too large project
  */
 export async function readLink(fragment: string): Promise<LinkedProject | undefined> {
   const isPlain = fragment.startsWith(plainStart);
@@ -115,7 +124,7 @@ export async function readLink(fragment: string): Promise<LinkedProject | undefi
 const plainText = (letters: string): string =>
   new TextDecoder('utf-8', {fatal: true}).decode(bytesOf(letters.replace(/=+$/, '')));
 
-/** The garment was the name of a sample itself. */
+/** Reads an older link, in which the garment is the name of a sample. */
 function fromPlain(json: string): LinkedProject {
   const value: unknown = JSON.parse(json);
   const {garment: sample} = shape({garment: garmentSample})(value, '');

@@ -1,20 +1,20 @@
-/** What stays as drafted: pieces, and edges of their outlines, with their mirror images. */
+/** Locked parts stay as drafted: pieces, and edges of their outlines, with their mirror images. */
 import type {Locks, SolveOptions} from './options.js';
 import type {MeshedPattern} from './result.js';
 
-/** The pieces need their edges, and the symmetries the images of their vertices. */
+/** A pattern with the edges of its pieces, and the images of vertices in its symmetries. */
 export type LockablePattern = Pick<MeshedPattern, 'symmetries'> & {
   readonly pieces: readonly Pick<MeshedPattern['pieces'][number], 'name' | 'outline' | 'edges'>[];
 };
 
-/** What of one piece stays as drafted. */
+/** Locked parts of one piece. */
 interface KeptParts {
   readonly whole: boolean;
-  /** Numbers of edges in the garment file: all of them when the whole piece stays. */
+  /** Numbers of edges in the garment file; all edges of a locked piece. */
   readonly edges: ReadonlySet<number>;
 }
 
-/** An edge of a piece; the whole piece without an edge. */
+/** An edge of a piece, or the whole piece without an edge. */
 export interface Lockable {
   readonly piece: number;
   readonly edge?: number | undefined;
@@ -37,7 +37,7 @@ function imageOf(
   const position = new Map(target?.outline.map((vertex, k) => [vertex, k]));
   const edges = new Map<number, number>();
   source?.edges.forEach((edge, k) => {
-    // mirroring turns the outline round: the image of an edge begins where the edge ends
+    // mirroring reverses the outline: the image of an edge begins where the edge ends
     const end = source.outline[(k + 1) % source.outline.length];
     const start = end === undefined ? undefined : position.get(vertices.get(end) ?? -1);
     const image = start === undefined ? undefined : target?.edges[start];
@@ -54,7 +54,7 @@ const imagesOf = (pattern: LockablePattern): readonly Image[] =>
     return [imageOf(pattern, first, second, forth), imageOf(pattern, second, first, back)];
   });
 
-/** A part and its mirror images, itself first. */
+/** A part and its mirror images; the part itself comes first. */
 function orbit(images: readonly Image[], part: Lockable): readonly Lockable[] {
   const parts: Lockable[] = [part];
   for (const {piece, edge} of parts) {
@@ -69,7 +69,7 @@ function orbit(images: readonly Image[], part: Lockable): readonly Lockable[] {
   return parts;
 }
 
-/** One per piece, with mirror images. */
+/** Locked parts of each piece, with mirror images. */
 export function keptParts(
   pattern: LockablePattern,
   locked: Locks | undefined,
@@ -97,7 +97,7 @@ export function keptParts(
 export const isKept = (parts: readonly KeptParts[], {piece, edge}: Lockable): boolean =>
   (edge === undefined ? parts[piece]?.whole : parts[piece]?.edges.has(edge)) ?? false;
 
-/** What is kept is let go, with its mirror images; what is not, is kept from now on. */
+/** Unlocks a locked part with its mirror images, or locks an unlocked part. */
 export function toggledLock(
   options: SolveOptions,
   pattern: LockablePattern,
@@ -120,7 +120,7 @@ function kept(locked: Locks, {pieces}: LockablePattern, {piece, edge}: Lockable)
   return {...locked, [name]: [...edges, edge].sort((one, other) => one - other)};
 }
 
-/** An edge of a whole piece is let go alone. */
+/** Unlocks a part. If a single edge of a locked piece is unlocked, its other edges stay locked. */
 function released(locked: Locks, {pieces}: LockablePattern, {piece, edge}: Lockable): Locks {
   const {name = '', edges: all = []} = pieces[piece] ?? {};
   const lock = Object.hasOwn(locked, name) ? locked[name] : undefined;

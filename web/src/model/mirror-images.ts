@@ -1,4 +1,4 @@
-/** How two pieces lie on a print as each other's mirror image. */
+/** Alignments in which two pieces show each other's mirror image on a print. */
 import {
   angleOf,
   minus,
@@ -12,7 +12,7 @@ import {
 import {mirrored, mirrorLines, type AngleRule} from './mirror-lines.js';
 import {reduced, type PlaneMap, type Repeat} from './wallpaper.js';
 
-/** The other way round: from the second piece of a pair to the first. */
+/** The inverse map: from the second piece of a pair to the first. */
 export function inverse({angle, translation: [x, y]}: MirrorMap): MirrorMap {
   const [tx, ty] = rotated([0 - x, y], angle);
   return {angle, translation: [0 - tx, 0 - ty]};
@@ -27,9 +27,9 @@ function imageBy(map: MirrorMap, first: Alignment, element: PlaneMap): Alignment
 }
 
 /**
- * The alignment of a pair's second piece that shows the mirror image of the first one's print. Every mirror or
- * glide of the print gives the same picture; the one that is nearest to `like` is taken. Undefined on a print
- * that has neither.
+ * The alignment of a pair's second piece that shows the mirror image of the first one's print.
+ * Every mirror or glide of the print gives the same image; the result is the alignment nearest to
+ * `like`. Undefined on a print that has neither.
  * @param map from the first piece to the second, p' = R F p + t
  */
 export function mirrorAlignment(
@@ -48,10 +48,13 @@ export function mirrorAlignment(
   return {angle, translation: plus(like.translation, rotated(reduced(repeat, off), angle))};
 }
 
-/** As exact as the solver asks for. [cm, over pieces of 10 cm] */
+/** Tolerance, equal to the solver's. [cm, over pieces of 10 cm] */
 const exact = 1e-6;
 
-/** Whether two alignments of a pair, or one of a symmetric piece twice, show each other's mirror image. */
+/**
+ * Returns whether two alignments show each other's mirror image. They belong to a pair, or both are
+ * the same one of a symmetric piece.
+ */
 export function mirrors(
   repeat: Repeat,
   map: MirrorMap,
@@ -69,8 +72,8 @@ export function mirrors(
 }
 
 /**
- * The least turn of the print, counter-clockwise, that lets two pieces of a pair, or one symmetric piece, mirror
- * each other and keep their angles; 0 when they can as it is. The group must carry the symmetry. [rad]
+ * The least counter-clockwise turn of the print that lets a pair, or a symmetric piece, mirror and
+ * keep its angles; 0 when no turn is needed. The group must carry the symmetry. [rad]
  */
 export function turnToGrain(
   repeat: Repeat,
@@ -79,14 +82,14 @@ export function turnToGrain(
   isSingle: boolean,
 ): number {
   if (!first || !second) return 0;
-  // R(turn) diag(1, -1) is what turns the print over
+  // R(over) diag(1, -1) is the linear part of a mirror or glide of the print
   const overs = isSingle
     ? mirrorLines(repeat).map(({along}) => 2 * angleOf(along))
     : mirrored(repeat).map(({xx, yx}) => angleOf([xx, yx]));
   const turns = overs.flatMap((over) =>
     first.angles.flatMap((angle, k) =>
       (isSingle ? first.angles.slice(k, k + 1) : second.angles).map(
-        // a print that is turned by a turns its axes by as much, and `over` by twice that
+        // turning the print by a turns its axes by a, and `over` by 2 a
         (other) => wrapped(map.angle - angle - other - over - Math.PI) / 2,
       ),
     ),

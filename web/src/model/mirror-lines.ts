@@ -1,4 +1,4 @@
-/** Where a symmetric piece may lie on a print: with its axis on one of the print's mirror lines. */
+/** Places of a symmetric piece on a print: its axis is on one of the print's mirror lines. */
 import {
   angleOf,
   cross,
@@ -26,21 +26,24 @@ import {
   type Repeat,
 } from './wallpaper.js';
 
-/** Parallel mirror lines of a print, at equal distances; glide lines are none. Points of the print. */
+/**
+ * Parallel mirror lines of a print at equal distances, in points of the print. Glide lines are not
+ * included.
+ */
 interface MirrorLines {
-  /** Of length 1. */
+  /** Unit vector. */
   readonly along: Point;
-  /** Where one of them lies along the normal (-y, x) of `along`. [cm] */
+  /** Position of one of them along the normal (-y, x) of `along`. [cm] */
   readonly offset: number;
-  /** From one to the next. [cm] */
+  /** Distance from one to the next. [cm] */
   readonly spacing: number;
-  /** The lines through the print's motifs lie at the multiples of this along the normal. [cm] */
+  /** The lines through the print's motifs are at the multiples of this along the normal. [cm] */
   readonly motifs: number;
 }
 
-/** As far as lattices of files may be off, as a share of their sides. */
+/** Tolerance for lattices from files, as a share of their sides. */
 const tolerance = 1e-4;
-/** Lattice vectors along the axes of a reduced basis have no greater coordinates. */
+/** Lattice vectors along the axes have coordinates up to this in a reduced basis. */
 const reach = 3;
 
 export function mirrorLines(repeat: Repeat): readonly MirrorLines[] {
@@ -59,7 +62,8 @@ export function mirrorLines(repeat: Repeat): readonly MirrorLines[] {
     const along = towards(angleOf([xx - yy, yx + xy]) / 2);
     const normal = leftOf(along);
     const rest = reduced(repeat, shift);
-    // a mirror has no part along its axis; else it is a glide, with every lattice vector
+    // a mirror shifts nothing along its axis, possibly after adding a lattice vector; all others
+    // are glides
     const whole = vectors
       .map((vector) => plus(rest, vector))
       .find((sum) => Math.abs(dot(sum, along)) < near);
@@ -69,11 +73,11 @@ export function mirrorLines(repeat: Repeat): readonly MirrorLines[] {
   });
 }
 
-/** Symmetries of the print that turn it over, one per linear part. */
+/** Symmetries of the print that mirror it, one per linear part. */
 export const mirrored = (repeat: Repeat): readonly PlaneMap[] =>
   printElements(repeat).filter((element) => determinant(element) < 0);
 
-/** Angles that a piece may have, each with a tolerance. [rad] */
+/** Allowed angles of a piece, all with the same tolerance. [rad] */
 export interface AngleRule {
   readonly angles: readonly number[];
   readonly tolerance: number;
@@ -82,22 +86,22 @@ export interface AngleRule {
 export const isAllowed = (angle: number, rule: AngleRule | undefined): boolean =>
   !rule || rule.angles.some((one) => Math.abs(wrapped(angle - one)) <= rule.tolerance + 1e-6);
 
-/** A way for a symmetric piece to lie: its axis on any of these lines, at this angle. */
+/** Possible places of a symmetric piece: its axis on any of these lines, at this angle. */
 interface MirrorPlace extends MirrorLines {
   readonly angle: number;
 }
 
-/** Where the axis of a reflection p' = R F p + t runs. [rad] */
+/** Direction of the axis of a reflection p' = R F p + t. [rad] */
 const axisAngle = (map: MirrorMap): number => (map.angle - Math.PI) / 2;
 
-/** The point of the axis of p' = R F p + t that is nearest to a point. */
+/** The point of the axis of p' = R F p + t that is nearest to `p`. */
 export function footOnAxis(map: MirrorMap, p: Point): Point {
   const along = towards(axisAngle(map));
   const onAxis = middle([0, 0], map.translation);
   return plus(onAxis, along, dot(minus(p, onAxis), along));
 }
 
-/** All ways for a piece with this reflection to lie; none on a print without mirrors. */
+/** All possible places of a piece with this reflection; none on a print without mirrors. */
 function mirrorPlaces(repeat: Repeat, map: MirrorMap, rule?: AngleRule): readonly MirrorPlace[] {
   return mirrorLines(repeat)
     .flatMap((lines) => [lines, {...lines, ...turnedRound(lines)}])
@@ -108,13 +112,13 @@ function mirrorPlaces(repeat: Repeat, map: MirrorMap, rule?: AngleRule): readonl
     .filter(({angle}) => isAllowed(angle, rule));
 }
 
-/** The same lines, run along the other way. */
+/** The same lines in the opposite direction. */
 const turnedRound = ({along: [x, y], offset}: MirrorLines): Partial<MirrorLines> => ({
   along: [0 - x, 0 - y],
   offset: 0 - offset,
 });
 
-/** The line of a place that is nearest to a point of the print, and the nearest point on it. */
+/** The point nearest to `point` on the nearest of the lines, and the distance to it. */
 function ontoLine(
   {along, offset, spacing}: MirrorLines,
   point: Point,
@@ -126,10 +130,10 @@ function ontoLine(
 }
 
 /**
- * The alignment nearest to `wanted` (least turn, then least shift across the axis) that puts the axis of a
- * symmetric piece on a mirror line of the print. Undefined where there is none.
+ * The alignment nearest to `wanted` (least turn, then least shift across the axis) that puts the
+ * axis of a symmetric piece on a mirror line of the print. Undefined where there is none.
  * @param map the piece's own reflection, p' = R F p + t
- * @param about turns are about the axis point nearest to this point of the piece
+ * @param about point of the piece; turns are about the axis point nearest to it
  */
 export function nearestMirrored(
   repeat: Repeat,
@@ -151,7 +155,10 @@ export function nearestMirrored(
   return best?.at;
 }
 
-/** The next angle in a sense at which a symmetric piece may lie, the print turned about `about`. */
+/**
+ * The alignment at the next allowed angle of a symmetric piece in a sense of rotation, with the
+ * print turned about `about`.
+ */
 export function nextMirrored(
   repeat: Repeat,
   map: MirrorMap,
@@ -172,17 +179,17 @@ export function nextMirrored(
   return nearestMirrored(repeat, map, wanted, about);
 }
 
-/** The line of the print on which the axis of a symmetric piece lies. */
+/** The mirror line of the print on the axis of a symmetric piece. */
 interface AxisLine {
-  /** Of the axis, in the piece's coordinates; of length 1. */
+  /** Unit vector of the axis, in the piece's coordinates. */
   readonly along: Point;
-  /** To the next line on which the axis could lie. [cm] */
+  /** Distance to the next possible line for the axis. [cm] */
   readonly spacing: number;
   /** The axis runs through motifs, which are at the print's origin. */
   readonly isOnMotif: boolean;
 }
 
-/** Undefined where the axis is not along mirror lines of the print. */
+/** Undefined where the axis is not parallel to mirror lines of the print. */
 export function axisLine(
   repeat: Repeat,
   map: MirrorMap,

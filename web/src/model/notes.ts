@@ -1,4 +1,7 @@
-/** Why a symmetry does not hold: as the code of a note on a found one, and as the `reason` of a failure of one that was asked for. */
+/**
+ * Reasons why a symmetry does not hold: codes of notes on detected symmetries, and the `reason` of
+ * failures of requested ones.
+ */
 export const symmetryReasons = [
   'symmetryPins',
   'symmetryGrain',
@@ -11,7 +14,9 @@ export const symmetryReasons = [
 
 export type SymmetryReason = (typeof symmetryReasons)[number];
 
-/** What a note of a result says. The names only ever grow: they are part of the API. */
+/**
+ * Codes of a result's notes. They are part of the API: new ones may be added, but none may change.
+ */
 export const noteCodes = [
   'noSeams',
   'noMatchedSeams',
@@ -31,14 +36,17 @@ export const noteCodes = [
 
 export type NoteCode = (typeof noteCodes)[number];
 
-/** What one of the sentences in `notes` says, for who writes it in another language. */
+/** Content of one sentence of `notes`, for translation. */
 export interface NoteDetail {
-  /** One that is not known here comes from a newer solver. */
+  /** Code of the note; an unknown one comes from a newer solver. */
   readonly code: string;
-  /** Indices of the pieces that it is about; of pairs, two after each other. */
+  /** Indices of the affected pieces; the two pieces of a pair follow each other. */
   readonly pieces: readonly number[];
-  /** Numbers of the seams that it is about. */
+  /** Numbers of the affected seams. */
   readonly seams: readonly number[];
-  /** Of `lengthRatio`: as stated, as drafted. Of `symmetryChange` and `symmetryLengths`: the greatest change that would do. [cm] */
+  /**
+   * For `lengthRatio`: as stated, as drafted. For `symmetryChange` and `symmetryLengths`: the
+   * greatest change that would suffice. [cm]
+   */
   readonly numbers: readonly number[];
 }

@@ -1,74 +1,94 @@
 import type {Alignment, Point} from './geometry.js';
 
-/** `free`: any angle; `on`: grain line along the cloth; `across`: at a right angle to that; `bias`: at 45 degrees. */
+/**
+ * `free`: any angle; `on`: grain line along the fabric; `across`: at a right angle to it; `bias`:
+ * at 45 degrees.
+ */
 export type GrainLock = 'free' | 'on' | 'across' | 'bias';
 
-/** A lock, or more about one piece. */
+/** A lock, or several settings of one piece. */
 export type GrainRule =
   | GrainLock
   | {
-      /** As for all pieces when left out. */
+      /** Default: the lock of all pieces. */
       readonly lock?: GrainLock;
       readonly toleranceDeg?: number;
-      /** Where the grain line of the face-up piece runs, counter-clockwise from its x axis, over what the file says. */
+      /**
+       * Direction of the face-up piece's grain line, counter-clockwise from its x axis; it
+       * overrides the one in the file.
+       */
       readonly angleDeg?: number;
     };
 
-/** What a rule says about the grain line itself. [degrees] */
+/** Direction of the grain line in a rule; undefined without one. [degrees] */
 export const angleOf = (rule: GrainRule | undefined): number | undefined =>
   typeof rule === 'object' ? rule.angleDeg : undefined;
 
-/** A solver option left out has the default given here. */
+/** Options of the solver. Each omitted option has the default given here. */
 export interface SolveOptions {
   readonly format?: 'seamwise-options/1';
-  /** No outline vertex moves further than this from its rest position. [cm] Default 1. */
+  /** Greatest distance of an outline vertex from its rest position. [cm] Default 1. */
   readonly maxChangeCm?: number;
-  /** Stiffness: the weight of the conformal energy (`paper`, `ws19`; default: chosen), or a factor of it (`best`). */
+  /**
+   * Stiffness: the weight of the conformal energy (`paper`, `ws19`; default: chosen), or a factor
+   * of it (`best`).
+   */
   readonly alpha?: number;
-  /** Greatest distance of outline vertices, at most 1.05. [cm] Default 1. */
+  /** Greatest distance between outline vertices, at most 1.05. [cm] Default 1. */
   readonly edgeLengthCm?: number;
   /** Forbid seams at which the print is mirrored. Default false. */
   readonly continuousOnly?: boolean;
   /** Seam lines take the mean of both sides' turning angles. Default: only for `paper`. */
   readonly averageSeamShapes?: boolean;
-  /** Random starts of `paper` and `ws19`; with several, the drafted layout is one more. Default 1. */
+  /**
+   * Number of random starts of `paper` and `ws19`. Several starts include the drafted layout as an
+   * additional one. Default 1.
+   */
   readonly starts?: number;
-  /** Whether the ideal seam lines of `paper` and `ws19` stay within `maxChangeCm` of the drafted ones. Default false. */
+  /**
+   * True if the ideal seam lines of `paper` and `ws19` stay within `maxChangeCm` of the drafted
+   * ones. Default false.
+   */
   readonly clipTargets?: boolean;
   readonly grain?: {
     readonly default?: GrainLock;
     readonly toleranceDeg?: number;
     readonly pieces?: Readonly<Record<string, GrainRule>>;
   };
-  /** Pieces, by name, whose alignment is given. */
+  /** Given alignments of pieces, by name. */
   readonly pins?: Readonly<Record<string, Alignment>>;
-  /** Weight of a seam while solving, by its number in the garment file; the figures do not use it. */
+  /**
+   * Weights of seams in the solve, by number in the garment file; the reported figures ignore them.
+   */
   readonly weights?: Readonly<Record<string, number>>;
-  /** Seams, by number, at which the print need not match. */
+  /** Numbers of seams at which the print need not match. */
   readonly unmatched?: readonly number[];
-  /** Pieces, by name, that are cut from unprinted cloth. */
+  /** Names of pieces that are cut from unprinted fabric. */
   readonly plain?: readonly string[];
   readonly matches?: readonly MatchedLines[];
-  /** What stays as drafted, by the name of the piece; mirror images follow. */
+  /** Parts that stay as drafted, by the name of the piece; mirror images are included. */
   readonly locked?: Locks;
-  /** Whether hems and other edges that are not sewn keep their line. Default `kept`. */
+  /** Hems and other unsewn edges: `kept` as drafted, or `free` to change. Default `kept`. */
   readonly openEdges?: OpenEdges;
-  /** How long to look for an answer, from 1, the default: one with more is never worse. */
+  /** Effort of the search, from 1, the default. A result with more effort is never worse. */
   readonly effort?: number;
-  /** Work for a proof of the alignment, as a multiple of the search's. Default: a little, where that may do. */
+  /**
+   * Work for a proof of the alignment, as a multiple of the search's. Default: a little, where that
+   * may suffice.
+   */
   readonly proof?: number;
-  /** Whether the result tells of other alignments that fit about as well. Default false. */
+  /** True if the result lists other alignments that match about as well. Default false. */
   readonly otherAlignments?: boolean;
 }
 
-/** All of a piece, or edges of its outline by their number in the garment file. */
+/** A whole piece, or edges of its outline by number in the garment file. */
 export type Lock = true | readonly number[];
 
 export type Locks = Readonly<Record<string, Lock>>;
 
 export type OpenEdges = 'kept' | 'free';
 
-/** Two marked lines that lie on each other without being sewn (a button front, a patch pocket). */
+/** Two marked lines that coincide without being sewn (a button front, a patch pocket). */
 export interface MatchedLines {
   readonly a: {readonly piece: string; readonly line: readonly Point[]};
   readonly b: {readonly piece: string; readonly line: readonly Point[]};

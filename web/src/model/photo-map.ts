@@ -1,4 +1,4 @@
-/** Between a print's lattice and the picture of it. */
+/** Maps between the lattice of a print and its photo. */
 import type {Point} from './geometry.js';
 import type {Homography, PhotoMap} from './photo.js';
 
@@ -7,7 +7,7 @@ interface Size {
   readonly height: number;
 }
 
-/** Where lattice coordinates lie on a picture of that size. [px] */
+/** Pixel at lattice coordinates in an image of this size. [px] */
 export function pixelOf({homography, lens}: PhotoMap, {width, height}: Size, [u, v]: Point): Point {
   const [a, b, c, d, e, f, g, h, i] = homography;
   const w = g * u + h * v + i;
@@ -32,7 +32,9 @@ export function latticeOf({homography, lens}: PhotoMap, {width, height}: Size, a
   return [(c1 * b2 - c2 * b1) / whole, (a1 * c2 - a2 * c1) / whole];
 }
 
-/** By iteration: twelve steps leave less than 1e-5 px of lenses of 4 %, as the tests have it. */
+/**
+ * Inverts the lens by iteration. Twelve steps leave less than 1e-5 px for lenses of 4 %, as tested.
+ */
 function withoutLens(lens: number, radius: number, [x, y]: Point): Point {
   let factor = 1;
   for (let k = 0; k < 12 && lens !== 0; k++) {
@@ -42,7 +44,7 @@ function withoutLens(lens: number, radius: number, [x, y]: Point): Point {
   return [x / factor, y / factor];
 }
 
-/** w1, w2 and the origin as they lie at the picture's middle: of the cell that is seen there. [px] */
+/** Vectors w1, w2 and the origin of the cell at the centre of the image. [px] */
 export function vectorsAtMiddle(
   map: PhotoMap,
   size: Size,
@@ -61,7 +63,10 @@ export function vectorsAtMiddle(
   };
 }
 
-/** The same places for other vectors and another origin, all in lattice coordinates of the map: u = u' w1 + v' w2 + origin. */
+/**
+ * The same map for other vectors and another origin, given in lattice coordinates of the map: u =
+ * u' w1 + v' w2 + origin.
+ */
 export function rebased(
   {homography, lens}: PhotoMap,
   [w1, w2]: readonly [Point, Point],

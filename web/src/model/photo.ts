@@ -1,6 +1,7 @@
 /**
- * A print read off a photograph or scan of its cloth. Pixels are those of the upright picture: x to the right, y down,
- * pixel (x, y) between (x, y) and (x + 1, y + 1). Lattice coordinates (u, v) are those of u w1 + v w2.
+ * A print read from a photo or scan of its fabric. Pixels are those of the upright image: x to the
+ * right, y down, pixel (x, y) between (x, y) and (x + 1, y + 1). Lattice coordinates (u, v) mean u
+ * w1 + v w2.
  */
 import type {Point} from './geometry.js';
 import type {GroupName} from './print.js';
@@ -12,36 +13,42 @@ export interface PhotoPixels {
   readonly data: Uint8Array | Uint8ClampedArray;
 }
 
-/** Row by row: (u, v, 1) to pixels, up to a factor. */
+/** Matrix from (u, v, 1) to pixels, row by row, up to a factor. */
 export type Homography = readonly [
   ...(readonly [number, number, number]),
   ...(readonly [number, number, number]),
   ...(readonly [number, number, number]),
 ];
 
-/** x = lens(H (u, v, 1)): lens(y) = c + (1 + k |y - c|^2 / r^2) (y - c), c the picture's middle, r half its longer side. */
+/**
+ * The map x = lens(H (u, v, 1)), lens(y) = c + (1 + k |y - c|^2 / r^2) (y - c), with c the centre
+ * of the image, r half its longer side.
+ */
 export interface PhotoMap {
   readonly homography: Homography;
   readonly lens: number;
 }
 
-/** What somebody knows of a photograph beside its pixels. */
+/** Known facts about a photo, apart from its pixels. */
 export interface PhotoSettings {
-  /** Focal length of the camera, as on film of 36 mm. */
+  /** Focal length of the camera, equivalent for film 36 mm wide. [mm] */
   readonly f35?: number;
-  /** The picture is seamless: one cell of the print, or several. */
+  /** True if the image is seamless: one cell of the print, or several. */
   readonly isTile?: boolean;
-  /** A seamless picture is read whether its edges meet or not; the reading says whether they do. */
+  /**
+   * True if a seamless image is read even if its edges do not meet; the reading then lists the gaps
+   * in `seams`.
+   */
   readonly anyEdges?: boolean;
-  /** So many repeats along a vector of the lattice measure so many cm. */
+  /** Measured length of a number of repeats along a lattice vector. */
   readonly w1Measured?: RepeatsMeasured;
   readonly w2Measured?: RepeatsMeasured;
-  /** Two points of the picture that lie so far apart on the cloth. */
+  /** Two points of the image, and their distance on the fabric. */
   readonly between?: PointsMeasured;
-  /** Where the cells lie, as far as somebody knows; it is mended unless `keepsLattice`. */
+  /** Estimated lattice; it is refined unless `keepsLattice`. */
   readonly lattice?: PhotoMap;
   readonly keepsLattice?: boolean;
-  /** How much of the light's unevenness is taken away, 0 to 1; 1 unless said otherwise. */
+  /** Share of the uneven lighting to remove, 0 to 1. Default 1. */
   readonly flatten?: number;
 }
 
@@ -57,20 +64,22 @@ export interface PointsMeasured {
 }
 
 export const symmetryVerdicts = ['has', 'almost', 'has not', 'cannot'] as const;
-/** `cannot`: no lattice of that shape has the group. */
+/** Verdict on a group; `cannot`: no lattice of that shape has it. */
 export type SymmetryVerdict = (typeof symmetryVerdicts)[number];
 
 export const photoConfidences = ['sure', 'likely', 'uncertain'] as const;
 export type PhotoConfidence = (typeof photoConfidences)[number];
 
-/** What one of the groups would be on the print that was read. */
+/** Findings about one of the groups on the print. */
 export interface PhotoGroup {
   readonly name: GroupName;
-  /** Share of the pattern's energy that breaks it; and the greatest such share at one place. */
+  /**
+   * Share of the pattern's energy that breaks the group, and the greatest such share at one place.
+   */
   readonly rho: number;
   readonly worst: number;
   readonly verdict: SymmetryVerdict;
-  /** Where its cells lie: its w1, w2 and its origin. */
+  /** Map with the group's w1, w2 and origin. */
   readonly map: PhotoMap;
 }
 
@@ -79,7 +88,7 @@ export type PhotoStage = (typeof photoStages)[number];
 
 export interface PhotoProgress {
   readonly stage: PhotoStage;
-  /** Of the whole, 0 to 1. */
+  /** Share of the whole, 0 to 1. */
   readonly fraction: number;
 }
 
@@ -89,14 +98,18 @@ export interface PhotoHooks {
 }
 
 /**
- * `uneven`: creases move the print by more than cloth does that lies flat; `differs`: parts of the picture differ from all other
- * copies; `focalLength`: proportions are known no better than the camera is; `unequal`: sides that the print's symmetry has equal
- * measure differently, so that a smaller one was taken.
+ * `uneven`: creases move the print by more than flat fabric does; `differs`: parts of the image
+ * differ from all other copies; `focalLength`: proportions are only as certain as the camera's
+ * focal length; `unequal`: sides that are equal by the print's symmetry measure differently, so a
+ * smaller group is used.
  */
 export const photoNotes = ['uneven', 'differs', 'focalLength', 'unequal'] as const;
 export type PhotoNote = (typeof photoNotes)[number];
 
-/** Why no print can be read off a picture; `object`: no coin or card is seen where somebody says; `misplaced`: it does not repeat by the cell that was given. */
+/**
+ * Reasons why no print can be read from an image. `object`: no coin or card is visible at the given
+ * place; `misplaced`: the print does not repeat by the given cell.
+ */
 export const photoFaults = [
   ...(['plain', 'noRepeat', 'fewRepeats', 'twoPrints', 'changes'] as const),
   ...(['blurred', 'moire', 'uneven', 'edges', 'small', 'object', 'misplaced'] as const),
@@ -105,14 +118,17 @@ export type PhotoFault = (typeof photoFaults)[number];
 
 export type Side = 'left' | 'right' | 'top' | 'bottom';
 
-/** A part of a side at which a picture breaks off; shares of that side, from its left or upper end. */
+/**
+ * A stretch of a side at which an image does not continue, as shares of the side from its left or
+ * upper end.
+ */
 export interface OpenEdge {
   readonly side: Side;
   readonly from: number;
   readonly to: number;
 }
 
-/** Where a seamless picture does not meet its copies, repeated in each way. */
+/** Stretches at which a seamless image does not meet its copies, for each way of repeating it. */
 export interface TileSeams {
   readonly straight: readonly OpenEdge[];
   readonly halfDrop: readonly OpenEdge[];
@@ -122,94 +138,94 @@ export interface TileSeams {
 export interface PhotoReading {
   readonly width: number;
   readonly height: number;
-  /** Of the group that it has. */
+  /** Map of the print's group. */
   readonly map: PhotoMap;
-  /** The map's vectors and origin at the picture's middle. */
+  /** Vectors and origin of the map at the centre of the image. */
   readonly w1Px: Point;
   readonly w2Px: Point;
   readonly originPx: Point;
-  /** As the print has them, +y along the warp; null until a length is known. [cm] */
+  /** Vectors of the print, +y along the warp; null until a length is known. [cm] */
   readonly w1: Point | null;
   readonly w2: Point | null;
-  /** The same, longer or shorter by a factor that nobody knows: |w1| is 1. */
+  /** The same vectors up to an unknown factor: |w1| is 1. */
   readonly shape: readonly [Point, Point];
-  /** |w2| / |w1| as the picture alone shows it, whatever was measured, and the share by which it may err. */
+  /** |w2| / |w1| according to the image alone, without measurements, and its relative error. */
   readonly seen: {readonly aspect: number; readonly error: number};
   readonly group: GroupName;
-  /** All 17, in their usual order. */
+  /** All 17 groups, in their usual order. */
   readonly groups: readonly PhotoGroup[];
   readonly confidence: PhotoConfidence;
-  /** Standard error of the lengths of w1 and w2, as a share. */
+  /** Relative standard error of the lengths of w1 and w2. */
   readonly latticeUncertainty: number;
   readonly oneWay: boolean;
   readonly stripes: boolean;
-  /** Cells that are seen whole. */
+  /** Number of cells that are completely visible. */
   readonly copies: number;
-  /** Share of the picture's variance that the other copies foretell. */
+  /** Share of the image's variance that the other copies predict. */
   readonly explained: number;
-  /** Other lattices that it may be, where that is uncertain. */
+  /** Other possible lattices, if the lattice is uncertain. */
   readonly others: readonly PhotoMap[];
-  /** Of the picture, where copies differ: creases, dirt. */
+  /** Areas of the image where copies differ: creases, dirt. */
   readonly differing: readonly (readonly Point[])[];
-  /** What somebody should know. */
+  /** Notes for the user. */
   readonly notes: readonly PhotoNote[];
-  /** Of a seamless picture that was read with any edges. */
+  /** Gaps of a seamless image that was read with `anyEdges`. */
   readonly seams?: TileSeams;
 }
 
-/** The length of one repeat. [cm] */
+/** Length of one repeat. [cm] */
 export const oneRepeat = (measured: RepeatsMeasured | undefined): number | undefined =>
   measured && measured.cm / measured.repeats;
 
-/** The share by which w2 is longer or shorter than is to be expected of w1. @param aspect |w2| / |w1| */
+/** Relative deviation of w2 from the length expected for w1. @param aspect |w2| / |w1| */
 export const shareApart = (w1: number, w2: number, aspect: number): number =>
   Math.abs(w2 / (w1 * aspect) - 1);
 
-/** A clean picture of the print's cell, as prints have it. */
+/** Settings for a clean image of the print's cell in the form that prints have. */
 export interface PhotoTileSettings {
   readonly map: PhotoMap;
   readonly isTile?: boolean;
-  /** Symmetries that are made exact; none, unless said otherwise. */
+  /** Group whose symmetries are made exact. Default: none. */
   readonly symmetrise?: GroupName;
   readonly flatten?: number;
-  /** Of w1 and w2, in proportion. */
+  /** Vectors w1 and w2, in proportion. */
   readonly shape: readonly [Point, Point];
-  /** Factors of red, green and blue light, in which what is white is white; 1 unless said otherwise. */
+  /** Factors of red, green and blue light that turn white objects white. Default 1. */
   readonly gains?: ColourGains;
 }
 
 export type ColourGains = readonly [number, number, number];
 
-/** By their mints, ISO/IEC 7810 ID-1, and ISO 216. */
+/** Objects of known size, according to their mints, ISO/IEC 7810 ID-1, and ISO 216. */
 export const knownObjects = ['eur1', 'eur2', 'quarter', 'gbp1', 'card', 'a4'] as const;
 export type KnownObject = (typeof knownObjects)[number];
 
-/** A thing of known size that lies flat on the cloth. */
+/** An object of known size that is flat on the fabric. */
 export interface PhotoObjectSettings {
   readonly object: KnownObject;
-  /** A place on it, near its middle. [px] */
+  /** A point of the object, near its centre. [px] */
   readonly at: Point;
   readonly map: PhotoMap;
-  /** Of w1 and w2, in proportion. */
+  /** Vectors w1 and w2, in proportion. */
   readonly shape: readonly [Point, Point];
 }
 
 export interface PhotoObject {
   readonly object: KnownObject;
   readonly outline: readonly Point[];
-  /** The ends of its width. */
+  /** Ends of the object's width. */
   readonly between: PointsMeasured;
-  /** Standard error of a length by it, as a share. */
+  /** Relative standard error of a length measured with the object. */
   readonly error: number;
 }
 
 export interface PhotoObjectRequest extends PhotoObjectSettings {
-  /** A file is decoded by who answers. */
+  /** Pixels, or a file that the solver's thread decodes. */
   readonly picture: PhotoPixels | Blob;
 }
 
 export interface PhotoRequest extends PhotoSettings {
-  /** A file is decoded by who answers. */
+  /** Pixels, or a file that the solver's thread decodes. */
   readonly picture: PhotoPixels | Blob;
 }
 

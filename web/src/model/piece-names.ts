@@ -1,12 +1,14 @@
-/** What people call the pieces of a garment. Files, options and results know them by the names of their panels. */
+/**
+ * Names of a garment's pieces for the user. Files, options and results use the names of the panels.
+ */
 
 /** Chosen names, by the names of the panels. */
 export type PieceNames = Readonly<Record<string, string>>;
 
-/** GarmentCode labels panels by the part of the body that they cover: many have the same. */
+/** GarmentCode labels panels by the part of the body that they cover, so many labels are equal. */
 const bodyParts = new Set(['body', 'torso', 'arm', 'leg', 'head', 'hand', 'foot', 'panel']);
 
-/** Abbreviations in the wild: GarmentCode's, and those of the templates before it. */
+/** Abbreviations in existing files: those of GarmentCode, and of the templates before it. */
 const abbreviations: Readonly<Record<string, string>> = {
   f: 'front',
   b: 'back',
@@ -16,7 +18,7 @@ const abbreviations: Readonly<Record<string, string>> = {
   wb: 'waistband',
   pant: 'trouser leg',
 };
-/** "ftorso", "lfsleeve", "Rback" */
+/** Matches "ftorso", "lfsleeve", "Rback". */
 const joined = /^(l|r)?(f|b)?(torso|sleeve|hood|cuff|collar|pant)$|^(l|r)(front|back)$/i;
 
 const expanded = (word: string): string => abbreviations[word.toLowerCase()] ?? word;
@@ -28,7 +30,7 @@ function wordsOf(token: string, isAlone: boolean): string {
   return isAlone && token.length === 1 ? token : expanded(token);
 }
 
-/** "left_ftorso" as "Left front torso". */
+/** Converts a key to words: "left_ftorso" to "Left front torso". */
 export function readable(key: string): string {
   const tokens = key.split(/[\s_.-]+/).filter((token) => token !== '');
   const words = tokens.map((token) => wordsOf(token, tokens.length === 1)).join(' ');
@@ -42,7 +44,8 @@ const countOf = (names: Iterable<string>): ReadonlyMap<string, number> => {
 };
 
 /**
- * A name for each panel: the chosen one, else its label where that says which piece it is, else its key in words.
+ * Names of all panels: the chosen one, or the label if it identifies the piece, or the key in
+ * words.
  * @param labels by key, in the order of the file
  */
 export function pieceNames(
@@ -67,7 +70,7 @@ export function pieceNames(
   );
 }
 
-/** What a garment is called by its file: "shirt_mean_specification.json" as "Shirt mean". */
+/** Title of a garment from its file name: "Shirt mean" from "shirt_mean_specification.json". */
 export function titleOfFile(file: string): string {
   const stem = file
     .replace(/^.*[/\\]/, '')

@@ -1,23 +1,31 @@
-/** What pieces that somebody has pinned cost in cloth, apart from what the print costs. Lengths in cm. */
+/**
+ * Length of fabric that pins cost, separate from the length that the print costs. Lengths in cm.
+ */
 import type {LayPlan} from './lay-plan.js';
 
-/** A plan around pinned pieces, with what is known of the same pieces, none of them pinned. @param before the plan that was pinned in; undefined where its cloth was another */
+/**
+ * Adds the figures of the unpinned pieces to a plan with pins.
+ * @param before the plan in which pieces were pinned; undefined if its fabric was different
+ */
 export function aroundPins(plan: LayPlan, before: LayPlan | undefined): LayPlan {
-  // nothing is pinned on cloth of another width
+  // pins do not apply to fabric of another width
   if (!before) return {...plan, widths: [], unpinnedLengthCm: null};
   const {lengthCm, unpinnedLengthCm = lengthCm, freeLengthCm, widths} = before;
   return {...plan, widths, unpinnedLengthCm, freeLengthCm: freeLengthCm ?? plan.freeLengthCm};
 }
 
-/** Each undefined where it is not known, or nothing is pinned. */
+/** Each cost is undefined if it is unknown, or if nothing is pinned. */
 interface LayCosts {
   readonly printCm?: number;
   readonly pinsCm?: number;
-  /** Of print and pins together, where the two cannot be told apart. */
+  /** Cost of print and pins together, where they cannot be separated. */
   readonly bothCm?: number;
 }
 
-/** Like is compared with like: what is laid without pins, with the print and without it; and what is laid on the print, with pins and without. */
+/**
+ * Compares plans in pairs that differ in one respect only: without pins, with and without the
+ * print; and on the print, with and without pins.
+ */
 export function layCosts({
   lengthCm,
   freeLengthCm,
@@ -26,7 +34,7 @@ export function layCosts({
 }: LayPlan): LayCosts {
   if (unplaced.length > 0) return {};
   if (unpinned === null) return freeLengthCm === null ? {} : {bothCm: lengthCm - freeLengthCm};
-  // where pins happen to lie better than all that was found, that was not the shortest
+  // pins may give a shorter layout than the search did, which then was not the shortest
   const least = Math.min(lengthCm, unpinned ?? lengthCm);
   return {
     ...(freeLengthCm !== null && {printCm: Math.max(0, least - freeLengthCm)}),

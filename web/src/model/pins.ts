@@ -1,4 +1,4 @@
-/** Pins of pieces that share symmetries: where a piece goes when somebody wants it there. */
+/** Pins of pieces that share symmetries: places of pieces that the user has chosen. */
 import type {Alignment, MirrorMap, Point} from './geometry.js';
 import {inverse, mirrorAlignment, mirrors} from './mirror-images.js';
 import {nearestMirrored, type AngleRule} from './mirror-lines.js';
@@ -6,20 +6,20 @@ import type {SolveOptions} from './options.js';
 import type {Pattern} from './result.js';
 import type {Repeat} from './wallpaper.js';
 
-/** A symmetry of the garment as it lies: from the first piece to the second, p' = R F p + t. */
+/** A symmetry of face-up pieces: from the first piece to the second, p' = R F p + t. */
 export interface Mirroring {
-  /** By name; a piece that is symmetric in itself is both. */
+  /** Names of the pieces, equal for a piece that is symmetric in itself. */
   readonly pieces: readonly [string, string];
   readonly map: MirrorMap;
 }
 
 type Pins = NonNullable<SolveOptions['pins']>;
 
-/** What is to be known of a piece besides its symmetries. */
+/** Facts about a piece, apart from its symmetries. */
 export interface PieceFacts {
-  /** Prints are turned about it. */
+  /** Centre of the piece; prints are turned about it. */
   readonly middle: Point;
-  /** What its grain allows; any angle without one. */
+  /** Angles that its grain allows; any angle without a rule. */
   readonly rule?: AngleRule | undefined;
 }
 
@@ -60,7 +60,10 @@ function twinOf(
   return undefined;
 }
 
-/** The nearest place to `wanted` at which a piece can lie: all places, unless it is symmetric in itself. */
+/**
+ * The possible place of a piece nearest to `wanted`. All places are possible unless the piece is
+ * symmetric in itself.
+ */
 export function nearestPlace(
   repeat: Repeat,
   mirrorings: readonly Mirroring[],
@@ -72,7 +75,7 @@ export function nearestPlace(
   return (own && nearestMirrored(repeat, own.map, wanted, middle, rule)) ?? wanted;
 }
 
-/** The newest pin counts: that of a mirror image would be against it, or say the same. */
+/** Adds a pin and removes the pin of the mirror image, which would contradict or repeat it. */
 export function withPin(
   pins: Pins | undefined,
   mirrorings: readonly Mirroring[],
@@ -100,7 +103,7 @@ export function keptPins(
   return moved.length === 0 ? pins : {...pins, ...Object.fromEntries(moved)};
 }
 
-/** Pairs of which both are pinned, but not as each other's mirror image. */
+/** Pairs with two pins that are not each other's mirror image. */
 export const contradictions = (
   repeat: Repeat,
   mirrorings: readonly Mirroring[],
@@ -111,7 +114,10 @@ export const contradictions = (
     return !isSingle(one) && first && second && !mirrors(repeat, one.map, first, second);
   });
 
-/** How a piece lies by its own pin or, as the mirror image, by that of its twin; undefined when it is free. */
+/**
+ * Place of a piece by its own pin, or as the mirror image of its pinned twin; undefined for a free
+ * piece.
+ */
 export function pinnedPlace(
   repeat: Repeat,
   mirrorings: readonly Mirroring[],

@@ -1,11 +1,11 @@
-/** Garments as plain GarmentCode specifications, for programs that know nothing else. */
+/** Garments as plain GarmentCode specifications, for programs that read no other format. */
 import type {GarmentDocument} from './garment-document.js';
 import {objectText, shapeOf, stitchesOf} from './garment-file.js';
 import type {Curvature, PanelEdge} from './garment.js';
 import {cross, dot, minus, type Point} from './geometry.js';
 import {singleCurves} from './single-curves.js';
 
-/** A control point along an edge and to its left, in lengths of the edge. */
+/** A control point relative to an edge: along it and to its left, in lengths of the edge. */
 function relative(point: Point, [from, to]: readonly [Point, Point]): Point {
   const [way, p] = [minus(to, from), minus(point, from)];
   const square = dot(way, way);
@@ -33,9 +33,9 @@ function plainEdge(edge: PanelEdge, vertices: readonly Point[]): PanelEdge {
 }
 
 /**
- * The text of a GarmentCode specification, in centimetres: panels, where they hang, and stitches. Paths are split into
- * single cubics, and both sides of their seams with them. What that format has no place for is left out, such as
- * cut-outs, grain lines, and marks.
+ * The text of a GarmentCode specification, in centimetres: panels, placements and stitches. Paths
+ * are split into single cubics, together with both sides of their seams. Data that the format
+ * cannot express is omitted, such as cut-outs, grain lines and marks.
  */
 export function plainGarment(document: GarmentDocument): string {
   const single = singleCurves(document);

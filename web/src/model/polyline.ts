@@ -1,15 +1,15 @@
 /** Lines through points, open or closed. Lengths in cm. */
 import {between, cross, distance, dot, minus, nearestShare, unit, type Point} from './geometry.js';
 
-/** The length of the line through points. */
+/** Length of the line through points. */
 export const lengthOf = (line: readonly Point[]): number =>
   line.slice(1).reduce((sum, to, k) => sum + distance(line[k] ?? to, to), 0);
 
-/** The area within a closed line, positive when that runs counter-clockwise. [cm2] */
+/** Area within a closed line, positive when the line runs counter-clockwise. [cm2] */
 export const signedArea = (loop: readonly Point[]): number =>
   loop.reduce((sum, from, k) => sum + cross(from, loop[(k + 1) % loop.length] ?? from), 0) / 2;
 
-/** Where on a line a share of its length lies behind, from 0 to 1: in which step, and at what part of that. */
+/** Position at a share of a line's length, from 0 to 1: the step, and the part of that step. */
 export function stepAt(
   line: readonly Point[],
   share: number,
@@ -22,14 +22,14 @@ export function stepAt(
   return {step, part: length > 0 ? Math.min(1, left / length) : 0};
 }
 
-/** A point of a line, and the direction in which the line runs there. */
+/** A point of a line, and the direction of the line at this point. */
 export interface OnLine {
   readonly at: Point;
-  /** Of length 1. */
+  /** Unit vector. */
   readonly along: Point;
 }
 
-/** Where on a line its length has been gone by this share, from 0 to 1. */
+/** The point at a share of a line's length, from 0 to 1. */
 export function atShare(line: readonly Point[], share: number): OnLine {
   const {step, part} = stepAt(line, share);
   const from = line[step] ?? [0, 0];
@@ -37,7 +37,10 @@ export function atShare(line: readonly Point[], share: number): OnLine {
   return {at: between(from, to, part), along: unit(minus(to, from))};
 }
 
-/** Where an endless line crosses a closed one, in no order: how far along it from its point `through`. */
+/**
+ * Crossings of an endless line with a closed one, as distances along it from its point `through`,
+ * in no order.
+ */
 export function crossingsOf(loop: readonly Point[], through: Point, along: Point): number[] {
   const seen = loop.map((p) => minus(p, through));
   return seen.flatMap((a, k) => {
@@ -47,24 +50,26 @@ export function crossingsOf(loop: readonly Point[], through: Point, along: Point
   });
 }
 
-/** Whether the way from one point to another crosses the ray that runs from a third to the right. */
+/**
+ * Returns whether the segment between two points crosses the ray from a third point to the right.
+ */
 const crossesRay = ([ax, ay]: Point, [bx, by]: Point, [x, y]: Point): boolean =>
   ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax);
 
-/** Whether a closed line goes round a point. */
+/** Returns whether a closed line encloses a point. */
 export const isInside = (loop: readonly Point[], point: Point): boolean =>
   loop.reduce(
     (odd, from, k) => crossesRay(from, loop[(k + 1) % loop.length] ?? from, point) !== odd,
     false,
   );
 
-/** Upright, from its lower left corner to its upper right one. */
+/** An upright box, from its lower left corner to its upper right one. */
 export interface Box {
   readonly low: Point;
   readonly high: Point;
 }
 
-/** The least box around points. */
+/** The smallest box around points. */
 export function boxOf(points: readonly Point[]): Box {
   let [left, lower, right, upper] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const [x, y] of points) {
@@ -74,7 +79,7 @@ export function boxOf(points: readonly Point[]): Box {
   return {low: [left, lower], high: [right, upper]};
 }
 
-/** From a point to a closed line. */
+/** Distance from a point to a closed line. */
 export function distanceTo(loop: readonly Point[], p: Point): number {
   let nearest = Infinity;
   loop.forEach((a, k) => {
@@ -84,7 +89,7 @@ export function distanceTo(loop: readonly Point[], p: Point): number {
   return nearest;
 }
 
-/** The stretches of a straight line that lie within a closed one and outside of its holes. */
+/** Stretches of a straight line within a closed one and outside its holes. */
 export function linesInside(
   loops: readonly (readonly Point[])[],
   from: Point,

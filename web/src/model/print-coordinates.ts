@@ -3,8 +3,9 @@ import type {Print} from './print.js';
 import {apply, determinant, imageCell, type PlaneMap} from './wallpaper.js';
 
 /**
- * Piece point -> coordinates of the print's image: (0, 0) is the lower left corner of one cell, (1, 1) its upper right.
- * `near` gets coordinates within the first cell, since single precision is finest there; a whole cell more changes nothing.
+ * Maps points of a piece to coordinates of the print's image: (0, 0) is the lower left corner of
+ * one cell, (1, 1) its upper right. The coordinates of `near` are within the first cell, where
+ * single precision is finest; whole cells do not affect the image.
  */
 export function imageCoordinates(
   print: Print,

@@ -1,4 +1,4 @@
-/** Print files: JSON that gives a print's group and lattice, and may name pictures of its cell. */
+/** Print files: JSON with the group and lattice of a print, and optionally images of its cell. */
 import {groupNames, printCells, type Print} from './print.js';
 import {flag, listOf, Malformed, number, oneOf, pairOf, shape, text, type Read} from './read.js';
 import {FileError} from './versioned-file.js';
@@ -17,7 +17,10 @@ const fields: Read<Print> = shape(
   },
 );
 
-/** What a file says besides these fields stays as it is. @throws {FileError} naming the field that is wrong */
+/**
+ * Reads a print file; unknown fields are kept unchanged.
+ * @throws {FileError} naming the field that is wrong
+ */
 export function readPrintFile(content: string, called: string): Print {
   try {
     const file: unknown = JSON.parse(content);

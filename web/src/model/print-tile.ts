@@ -1,8 +1,9 @@
-/** The picture that a print was made of, and how that repeats, in the words of those who design prints. */
+/** The image from which a print was made, and its repeat in the terms of textile design. */
 
 /**
- * `halfDrop`: each column begins half a picture lower than its neighbour; `brick`: each row half a picture aside;
- * `mirrored`: every other picture is mirrored both ways, or only `mirroredAcross` (left to right) or `mirroredUp`.
+ * `halfDrop`: each column begins half an image lower than its neighbour; `brick`: each row is
+ * shifted sideways by half an image; `mirrored`: every other image is mirrored both ways, or only
+ * `mirroredAcross` (left to right) or `mirroredUp`.
  */
 export const tileRepeats = [
   'straight',
@@ -15,11 +16,13 @@ export const tileRepeats = [
 
 export type TileRepeat = (typeof tileRepeats)[number];
 
-/** A picture as it was opened, and what the print's own picture was made of it by. */
+/** An image as it was opened, and the repeat and turn that made the print's own image from it. */
 export interface PrintTile {
-  /** As `image` of a print. */
+  /** A URL, as in `image` of a print. */
   readonly image: string;
   readonly repeat: TileRepeat;
-  /** Clockwise, to bring the group's axes to where its convention has them. [degrees] */
+  /**
+   * Clockwise turn that brings the axes of the group to their conventional directions. [degrees]
+   */
   readonly turnedDeg: 0 | 90;
 }

@@ -7,8 +7,9 @@ export {groupNames} from './core-tables.js';
 export type GroupName = (typeof groupNames)[number];
 
 /**
- * The cell spanned by w1 (to the right) and w2 (up); the conventional rectangular cell of the group's lattice; or
- * two cells with sides w1 + w2 and w2 - w1, so that the middle is like a corner: half-drop, whatever the group.
+ * `primitive`: the cell spanned by w1 (to the right) and w2 (up); `rectangular`: the conventional
+ * rectangular cell of the group's lattice; `centred`: two cells with sides w1 + w2 and w2 - w1,
+ * whose middle looks like a corner: a half-drop, for any group.
  */
 export const printCells = ['primitive', 'rectangular', 'centred'] as const;
 
@@ -21,10 +22,12 @@ export interface Colourway {
   readonly raster?: string;
 }
 
-/** A repeating print. `w1`, `w2` in cm, right-handed; +y of the print is the length of the cloth. */
+/**
+ * A repeating print. `w1`, `w2` in cm, right-handed; +y of the print is the length of the fabric.
+ */
 export interface Print {
   readonly format?: 'seamwise-print/1';
-  /** What people call it. */
+  /** Name shown to the user. */
   readonly title?: string;
   readonly family?: 'botanical' | 'geometric' | 'tailored';
   readonly group: GroupName;
@@ -32,17 +35,20 @@ export interface Print {
   readonly w2: Point;
   /** One cell of the print; its lower left corner is the group's origin. */
   readonly image?: string;
-  /** What `image` shows; `primitive` when left out. */
+  /** The cell in `image`. Default `primitive`. */
   readonly cell?: PrintCell;
-  /** The print has an upside: a piece on grain may not be turned by 180 degrees. */
+  /** True if the print has an upside: then a piece on grain must not be turned by 180 degrees. */
   readonly oneWay?: boolean;
-  /** Its lengths are in proportion only: nobody has measured them yet. It can be placed, but not cut. */
+  /**
+   * Lengths are in proportion only, because the print is not measured yet. It can be placed, but
+   * not cut.
+   */
   readonly unscaled?: boolean;
   readonly fabric?: {readonly usableWidthCm?: number};
-  /** The first is the one that `image` shows. */
+  /** The first one is the one in `image`. */
   readonly colourways?: readonly Colourway[];
 }
 
-/** The colourway of that name, however it is capitalised. */
+/** The colourway of this name, regardless of case. */
 export const colourwayOf = ({colourways = []}: Print, name: string): Colourway | undefined =>
   colourways.find((one) => one.name.toLowerCase() === name.toLowerCase());

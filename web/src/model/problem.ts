@@ -5,11 +5,13 @@ import type {Print} from './print.js';
 import type {MeshedPattern, Proof} from './result.js';
 import type {Symmetries} from './symmetries.js';
 
-/** Everything a solve needs. An object, or the JSON text of one. */
+/** Complete input of a solve. Each member is an object or its JSON text. */
 export interface Problem {
   readonly garment: Garment | string;
   readonly print: Print | string;
-  /** `'auto'`, the default: what the garment shows by itself; `'none'`; or a symmetry file. */
+  /**
+   * `'auto'`, the default: the symmetries detected on the garment; `'none'`; or a symmetry file.
+   */
   readonly symmetry?: Symmetries | string;
   readonly method?: Method;
   readonly options?: SolveOptions | string;
@@ -17,28 +19,34 @@ export interface Problem {
   readonly seed?: number;
 }
 
-/** Reading and meshing the garment, looking for its symmetries; laying its pieces on the print; shaping them. */
+/**
+ * Preparation reads and meshes the garment and detects its symmetries; alignment places its pieces
+ * on the print; deformation shapes them.
+ */
 export type Phase = 'preparation' | 'alignment' | 'deformation';
 
 export interface Progress {
   readonly phase: Phase;
-  /** Of the whole solve, from 0 to 1; never falls. */
+  /** Share of the whole solve, from 0 to 1; it never decreases. */
   readonly fraction: number;
 }
 
-/** How to follow a solve and how to end it early. */
+/** Callbacks to follow a solve, and a signal to end it early. */
 export interface SolveHooks {
   readonly signal?: AbortSignal;
-  /** The garment as it is going to be solved; once, as soon as it is prepared. */
+  /** Receives the garment in the form to be solved, once, as soon as it is prepared. */
   readonly onPattern?: (pattern: MeshedPattern) => void;
   readonly onProgress?: (progress: Progress) => void;
-  /** The best alignments so far: angle, x, y per piece. [rad, cm] The array is the listener's own. */
+  /**
+   * Receives the best alignments so far: angle, x, y per piece. [rad, cm] The callback owns the
+   * array.
+   */
   readonly onPartial?: (alignments: Float64Array) => void;
 }
 
-/** What a proof reports while it runs. */
+/** Callback to follow a proof, and a signal to end it early. */
 export interface ProofHooks {
   readonly signal?: AbortSignal;
-  /** What is proven by then; with every step that proves more. */
+  /** Receives the proof so far, after every step that improves it. */
   readonly onProof?: (proof: Proof) => void;
 }

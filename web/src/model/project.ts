@@ -1,4 +1,7 @@
-/** A design as a file: with the text of its garment, and its print's picture where that is the user's own. */
+/**
+ * A design as a file, with the text of its garment, and with the print's image if it is the user's
+ * own.
+ */
 import type {Design} from './design.js';
 import {readDesign} from './design-reader.js';
 import type {Point} from './geometry.js';
@@ -9,7 +12,7 @@ import {written} from './written-design.js';
 
 export {FileError} from './versioned-file.js';
 
-/** Where a view of the sheet stood. Scale in CSS px per cm. */
+/** Position and scale of a view of the sheet. Scale in CSS px per cm. */
 export interface ProjectView {
   readonly centre: Point;
   readonly scale: number;
@@ -18,7 +21,7 @@ export interface ProjectView {
 export interface Project {
   readonly design: Design;
   readonly view?: ProjectView;
-  /** What its owner calls it. */
+  /** Title given by the owner. */
   readonly title?: string;
 }
 
@@ -44,8 +47,8 @@ const kind: FileKind<Project> = {
 export const writeProject = (design: Design, more: Omit<Project, 'design'> = {}): string =>
   JSON.stringify({format: `${kind.format}/${version}`, design: written(design), ...more});
 
-/** Whether a file says that it is a project, of whatever version. */
+/** Returns whether a file is a project of any version. */
 export const isProject = (file: unknown): boolean => versionOf(file, kind) !== undefined;
 
-/** @throws {FileError} when the text is no project, or not a sound one */
+/** Reads a project. @throws {FileError} when the text is not a valid project */
 export const readProject = (text: string, name: string): Project => readVersioned(text, name, kind);

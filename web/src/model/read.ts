@@ -1,21 +1,24 @@
-/** Turns what was read from outside into checked values. */
+/** Reads values from outside and checks them. */
 
-/** Says which field is wrong, and what it has to be. */
+/** Error that names the wrong field and the required value. */
 export class Malformed extends Error {
   override readonly name = 'Malformed';
 }
 
-/** @param at names the value in messages */
+/** Checks a value and returns it. @param at name of the value in messages */
 export type Read<T> = (value: unknown, at: string) => T;
 
 export function fail(at: string, demand: string): never {
   throw new Malformed(`'${at}' must be ${demand}`);
 }
 
-/** No file of this project's formats comes near it; engines give up some thousands of levels down. */
+/**
+ * Greatest depth of nesting. Files of this project stay far below it; engines overflow at some
+ * thousands.
+ */
 const deepest = 100;
 
-/** Whether objects and lists lie in each other deeper than anything that recurses should follow. */
+/** Returns whether objects and lists are nested deeper than recursive code should follow. */
 export function isTooDeep(value: unknown): boolean {
   let level: readonly unknown[] = [value];
   for (let depth = 0; depth <= deepest; depth++) {
@@ -26,7 +29,7 @@ export function isTooDeep(value: unknown): boolean {
   return true;
 }
 
-/** A field of what may be anything; undefined where there is none. */
+/** A field of any value; undefined where there is none. */
 export const fieldOf = (value: unknown, name: string | number): unknown =>
   typeof value === 'object' && value !== null ? Reflect.get(value, name) : undefined;
 
@@ -42,7 +45,7 @@ export const wholeNumber: Read<number> = (value, at) =>
     ? Number(value)
     : fail(at, 'a whole number, 0 or more');
 
-/** @param demand what the pattern stands for, in words */
+/** Reads text that matches a pattern. @param demand description of the pattern */
 export const text =
   (pattern = /^/, demand = 'text'): Read<string> =>
   (value, at) =>
@@ -88,7 +91,7 @@ type Fields = Readonly<Record<string, Read<unknown>>>;
 type Needed<F extends Fields> = {readonly [Name in keyof F]: ReturnType<F[Name]>};
 type Optional<F extends Fields> = {readonly [Name in keyof F]?: ReturnType<F[Name]>};
 
-/** Fields that are not known are left out. */
+/** Reads an object by its fields; unknown fields are omitted. */
 export function shape<Must extends Fields>(must: Must): Read<Needed<Must>>;
 export function shape<Must extends Fields, May extends Fields>(
   must: Must,

@@ -1,4 +1,4 @@
-/** A repeat as a maker measures it, and the lattice that it stands for. */
+/** A repeat as a maker measures it, and its lattice. */
 import {
   angleOf,
   degrees,
@@ -14,19 +14,20 @@ import {groupNames, type GroupName, type PrintCell} from './print.js';
 import {latticeType, type CellOf} from './wallpaper.js';
 
 /**
- * The sides of the cell that a maker would measure: of the rectangular cell when the lattice is rhombic or
- * hexagonal, so that half a repeat aside there is half a repeat up; of what is shown when that is `centred`. [cm]
+ * Sides of the cell that a maker measures: of the rectangular cell of a rhombic or hexagonal
+ * lattice, so that half a repeat aside is half a repeat up; of the shown cell if that is `centred`.
+ * [cm]
  */
 export interface RepeatSize {
   readonly width: number;
   readonly height: number;
-  /** Between the sides; 90 unless the lattice is oblique. [degrees] */
+  /** Angle between the sides; 90 unless the lattice is oblique. [degrees] */
   readonly angleDeg: number;
 }
 
 const root3 = Math.sqrt(3);
 
-/** w1, w2 of a group's lattice, the whole print turned counter-clockwise. [cm] */
+/** Vectors w1, w2 of a group's lattice, with the whole print turned counter-clockwise. [cm] */
 export function latticeVectors(
   group: GroupName,
   {width, height, angleDeg}: RepeatSize,
@@ -71,7 +72,7 @@ export function latticeVectors(
   return [rotated(upright[0], angle), rotated(upright[1], angle)];
 }
 
-/** The inverse of `latticeVectors`; the turn lies above -180 degrees, up to 180. */
+/** The inverse of `latticeVectors`; the turn is in (-180, 180] degrees. */
 export function repeatOf({group, w1, w2, cell}: CellOf): {
   readonly size: RepeatSize;
   readonly turnDeg: number;
@@ -90,11 +91,11 @@ export function repeatOf({group, w1, w2, cell}: CellOf): {
   return {size: coupledSize(group, size), turnDeg: turnDeg <= -180 ? 180 : turnDeg + 0};
 }
 
-/** Whether the height of a repeat follows from its width. */
+/** Returns whether the height of a repeat follows from its width. */
 export const isCoupled = (group: GroupName): boolean =>
   ['square', 'hexagonal'].includes(latticeType(group));
 
-/** The size as the group demands it: what is left to choose stays, the rest follows from the width. */
+/** The size that the group requires: free values stay, the others follow from the width. */
 export function coupledSize(group: GroupName, {width, height, angleDeg}: RepeatSize): RepeatSize {
   switch (latticeType(group)) {
     case 'square':
@@ -109,24 +110,25 @@ export function coupledSize(group: GroupName, {width, height, angleDeg}: RepeatS
   }
 }
 
-/** A smaller group for the same cloth, with the same origin. */
+/** A smaller group for the same fabric, with the same origin. */
 export interface FittingGroup {
   readonly group: GroupName;
   readonly size: RepeatSize;
   /**
-   * How far the axes of the smaller group are turned against those of the larger: add it to the turn of the
-   * print, and turn the picture of its cell by as much the other way, so that the cloth looks as before. [degrees]
+   * Angle from the axes of the larger group to those of the smaller one. Add it to the turn of the
+   * print, and turn the image of its cell by as much the other way, so that the fabric looks as
+   * before. [degrees]
    */
   readonly turnDeg: 0 | 90;
-  /** What the picture of the measured cell is for the smaller group. */
+  /** Kind of cell in the image of the measured cell, for the smaller group. */
   readonly cell: PrintCell;
 }
 
-/** What is left of a group where its cell is a rectangle of any proportions. */
+/** Remaining group where the cell is a rectangle of any proportions. */
 const onRectangles: Readonly<Partial<Record<GroupName, GroupName>>> = {
   p4: 'p2',
-  p4m: 'pmm', // the mirrors along the diagonals go
-  p4g: 'pgg', // so do they here; the glides along the sides stay
+  p4m: 'pmm', // it loses the mirrors along the diagonals
+  p4g: 'pgg', // it loses them, too; the glides along the sides stay
   p3: 'p1',
   p3m1: 'cm', // its mirror at right angles to w1 stays
   p31m: 'cm', // its mirror along w1 stays
@@ -134,7 +136,9 @@ const onRectangles: Readonly<Partial<Record<GroupName, GroupName>>> = {
   p6m: 'cmm',
 };
 
-/** Cells that are not rectangles keep half turns, and no axis along a side. */
+/**
+ * Groups that keep half turns in cells that are not rectangles. No axis along a side stays there.
+ */
 const halfTurns: ReadonlySet<GroupName> = new Set<GroupName>([
   'pmm',
   'pmg',
@@ -147,13 +151,13 @@ const halfTurns: ReadonlySet<GroupName> = new Set<GroupName>([
   'p6m',
 ]);
 
-/** Measured lengths may be off by this share of themselves, and angles by as much. */
+/** Relative tolerance of measured lengths, and tolerance of angles. [1, rad] */
 const tolerance = 0.005;
 
 /**
- * The largest group that is left of `group` when its cell was measured and is not what the group demands:
- * every symmetry of it is one of the larger group, on the same origin. Undefined when the size fits. Axes
- * askew to the sides of a slanted cell are not looked for.
+ * The largest group that is left of `group` when its measured cell does not meet the group's
+ * requirements. Each of its symmetries is one of the larger group, on the same origin. Undefined
+ * when the size fits. Axes oblique to the sides of a slanted cell are not considered.
  */
 export function fittingGroup(group: GroupName, measured: RepeatSize): FittingGroup | undefined {
   if (latticeType(group) === 'oblique') return undefined;
@@ -180,7 +184,10 @@ export type SymmetryKind = 'piece' | 'pair';
 const turnsOnly: ReadonlySet<GroupName> = new Set<GroupName>(['p1', 'p2', 'p4', 'p3', 'p6']);
 const glidesOnly: ReadonlySet<GroupName> = new Set<GroupName>(['pg', 'pgg']);
 
-/** A symmetric piece needs a print with mirrors; a mirrored pair is content with glides. */
+/**
+ * Returns whether a group carries a symmetry. A symmetric piece needs mirrors in the print; for a
+ * mirrored pair, glides suffice.
+ */
 export const carries = (group: GroupName, kind: SymmetryKind): boolean =>
   !turnsOnly.has(group) && (kind === 'pair' || !glidesOnly.has(group));
 

@@ -14,21 +14,24 @@ export interface ResultPiece {
   /** Cut-outs as vertex numbers, clockwise. */
   readonly holes: readonly (readonly number[])[];
   readonly alignment: Alignment;
-  /** The file showed the back of the panel: x was negated. */
+  /** True if the file showed the back of the panel, so that x was negated. */
   readonly mirroredFromInput: boolean;
   /** Direction of the grain line. [rad] */
   readonly grainAngle?: number;
-  /** Where the input panel hangs: turned about the fixed axes x, then y, then z [rad], then shifted [cm]. */
+  /**
+   * Placement of the input panel: turned about the fixed axes x, then y, then z [rad], then shifted
+   * [cm].
+   */
   readonly placement?: {
     readonly translation: readonly [number, number, number];
     readonly rotation: readonly [number, number, number];
   };
 }
 
-/** A line on a piece; with another it lies on another piece without being sewn. [cm] */
+/** A line on a piece that coincides with one on another piece without being sewn. [cm] */
 export interface ResultMatchSide {
   readonly piece: number;
-  /** On the piece as drafted, face side up. */
+  /** Points on the piece as drafted, face up. */
   readonly line: readonly Point[];
 }
 
@@ -43,36 +46,43 @@ export interface ResultSeam {
   readonly a: SeamSide;
   readonly b: SeamSide;
   readonly weight: number;
-  /** False: sewn, but the user switched the match off. */
+  /** False: sewn, but the user has switched off the match. */
   readonly matched: boolean;
   /** Rest length of side a / rest length of side b. */
   readonly lengthRatio: number;
-  /** Whether the print continues across the seam or is mirrored at it. */
+  /** The print continues across the seam, or is mirrored at it. */
   readonly kind: 'continuous' | 'mirrored';
-  /** Print mismatch per seam edge, by the one symmetry of the print that carries the whole seam: it shows where the print runs off. [cm] */
+  /**
+   * Print mismatch per seam edge, under the one symmetry of the print that carries the whole seam.
+   * It shows the course of the mismatch along the seam. [cm]
+   */
   readonly mismatch: readonly number[];
-  /** The mean of that. [cm] */
+  /** Mean of `mismatch`. [cm] */
   readonly whole?: number;
   readonly local?: LocalMismatch;
-  /** `drafted`: shaping has left the seam as it was. */
+  /** `drafted`: the shaping has left the seam unchanged. */
   readonly line?: 'shaped' | 'drafted';
-  /** Why the seam stays above 3 mm; absent where it does not. */
+  /** Reason for a mismatch above 3 mm; absent for other seams. */
   readonly why?: SeamReason;
 }
 
-/** Mean mismatch along a seam point by point, each under the allowed symmetry of the print that suits it. [cm] */
+/**
+ * Mean mismatch along a seam point by point, each under the allowed symmetry of the print that
+ * suits it best. [cm]
+ */
 export interface LocalMismatch {
-  /** Of the pieces as drafted, laid on grain. */
+  /** Mean for the pieces as drafted, laid on grain. */
   readonly drafted: number;
-  /** Of the pieces as drafted, under the final alignment. */
+  /** Mean for the pieces as drafted, under the final alignment. */
   readonly placed: number;
-  /** Of the result. */
+  /** Mean for the result. */
   readonly final: number;
 }
 
 /**
- * Why a print does not meet at a seam: the `grain` of its pieces runs across each other; one side is gathered; the
- * print's `group` has no mirror for it; the repeat's `size`; what `others` of the garment ask for; it is `locked`.
+ * Reasons why a print does not match at a seam. `grain`: the grain lines of its pieces run across
+ * each other; `gather`: one side is gathered; `group`: the print has no mirror for it; `size`: the
+ * size of the repeat; `others`: its pieces follow other seams; `locked`: it is locked.
  */
 export type SeamReason = 'grain' | 'gather' | 'group' | 'size' | 'others' | 'locked';
 
@@ -94,9 +104,9 @@ export type ResultSymmetry =
 /** Time spent computing, without the pauses between slices. [ms] */
 export interface Milliseconds {
   readonly alignment: number;
-  /** Of the last attempt, where a method makes several with growing weights. */
+  /** Time of the last attempt, if a method makes several with growing weights. */
   readonly deformation: number;
-  /** Both phases, and reading, meshing and measuring around them. */
+  /** Time of both phases, and of reading, meshing and measuring around them. */
   readonly total: number;
 }
 
@@ -104,57 +114,71 @@ export interface Milliseconds {
 export interface Fits {
   /** Mean over random alignments of `rest`. */
   readonly fitRandom: number;
-  /** Of the pieces as drafted, laid on grain. */
+  /** Fit of the pieces as drafted, laid on grain. */
   readonly fitDrafted?: number;
-  /** What the alignment search reached on `rest`. */
+  /** Fit of `rest` that the alignment search reached. */
   readonly fitSearch: number;
   /** Fit of `rest` under the final alignment. */
   readonly fitAligned: number;
   /** Fit of `shape` under the final alignment. */
   readonly fit: number;
-  /** As `fit`, but only with symmetries of the print that bring the edges' directions together. */
+  /**
+   * Like `fit`, but only with symmetries of the print that bring the edges' directions together.
+   */
   readonly fitStrict: number;
-  /** As `fit`, but with one symmetry of the print for the whole seam. */
+  /** Like `fit`, but with one symmetry of the print for the whole seam. */
   readonly fitSeam: number;
 }
 
 export interface Metrics extends Fits {
-  /** Where mirrored seams are forbidden: the fits by those symmetries of the print that do not mirror it. */
+  /** Fits by the symmetries that do not mirror the print, if mirrored seams are forbidden. */
   readonly continuous?: Fits;
-  /** No alignment of `rest` costs less than this share of the one found: 1 when it is proven the best. */
+  /**
+   * No alignment of `rest` costs less than this share of the found one's cost: 1 when it is proven
+   * the best.
+   */
   readonly searchBound: number;
-  /** What that one costs the solver: `fitSearch` with the seams' weights and matches; 0 of other methods. [cm2] */
+  /**
+   * Cost of the found alignment in the solver: `fitSearch` with the seams' weights and matches; 0
+   * for other methods. [cm2]
+   */
   readonly searchCost: number;
   readonly maxMovedCm: number;
   /**
-   * By length over the seams that count; `worst` is the greatest mean of a seam of the result, and nine tenths of its
-   * seams miss by no more than `p90`. [cm]
+   * Means by length over the seams that count. `worst` is the greatest mean of a seam of the
+   * result; nine tenths of its seams have a mismatch of at most `p90`. [cm]
    */
   readonly localCm?: LocalMismatch & {readonly worst: number; readonly p90?: number};
-  /** How much seam misses by more than 5 mm. [cm] */
+  /** Length of seam with a mismatch above 5 mm. [cm] */
   readonly offCm?: number;
-  /** Of the deformation. */
+  /** Number of iterations of the deformation. */
   readonly iterations: number;
-  /** Of sparse matrices, the costly part. */
+  /** Number of factorisations of sparse matrices, the costly part. */
   readonly factorisations: number;
   readonly milliseconds: Milliseconds;
   readonly method: Method;
   readonly seed: number;
 }
 
-/** How good alignments of the pieces as drafted can be: what `searchBound` says, looked into for longer. */
+/** Bound on alignments of the pieces as drafted: like `searchBound`, but computed for longer. */
 export interface Proof {
-  /** No alignment of `rest` costs less than this share of the best one found: 1 when that is proven the best. */
+  /**
+   * No alignment of `rest` costs less than this share of the best found one's cost: 1 when that is
+   * proven the best.
+   */
   readonly bound: number;
-  /** Of the best one found, as in the metrics of a result. [cm2] */
+  /** Cost of the best found alignment, as in the metrics of a result. [cm2] */
   readonly searchCost: number;
 }
 
-/** Where all pieces may lie instead: another design that fits about as well, once its pieces are shaped for it. */
+/**
+ * Alternative places of all pieces: another design that matches about as well once its pieces are
+ * shaped for it.
+ */
 export interface OtherAlignment {
-  /** As pins of a solve they are that design. */
+  /** Alignments that give the other design when used as pins of a solve. */
   readonly pieces: readonly Alignment[];
-  /** Mean mismatch of the pieces as drafted, and what shaping is expected to leave of it. [cm] */
+  /** Mean mismatch of the pieces as drafted, and expected mean after shaping. [cm] */
   readonly placedCm: number;
   readonly expectedCm: number;
 }
@@ -164,47 +188,58 @@ export interface SolveResult {
   readonly format: 'seamwise-result/1';
   readonly units: 'cm';
   readonly print: {readonly group: GroupName; readonly w1: Point; readonly w2: Point};
-  /** Mirrored seams were forbidden: what would meet as a mirror image does not. */
+  /** Mirrored seams were forbidden: seams that would only match as a mirror image do not match. */
   readonly continuousOnly?: boolean;
   readonly pieces: readonly ResultPiece[];
   readonly seams: readonly ResultSeam[];
   readonly symmetries: readonly ResultSymmetry[];
-  /** What lies on each other without being sewn, as a button front does. */
+  /** Lines that coincide without being sewn, as in a button front. */
   readonly matches?: readonly {readonly a: ResultMatchSide; readonly b: ResultMatchSide}[];
-  /** Whom the garment is drafted for: as its file calls the size, and measurements by name. [cm] */
+  /**
+   * Size and body of the draft: the name of the size in its file, and measurements by name. [cm]
+   */
   readonly size?: string;
   readonly body?: Readonly<Record<string, number>>;
-  /** The pieces as drafted, laid on grain as one would cut them without a thought for the print: with `rest`, what "before" means. */
+  /**
+   * Alignments of the pieces as drafted, laid on grain as if the print did not matter. With `rest`,
+   * the state "before".
+   */
   readonly drafted?: readonly Alignment[];
-  /** Each piece's alignment when the alignment search ended. */
+  /** Alignment of each piece at the end of the alignment search. */
   readonly search: readonly Alignment[];
-  /** Where they were asked for: what is expected to fit best first. */
+  /** Other alignments, if requested; the best expected one comes first. */
   readonly otherAlignments?: readonly OtherAlignment[];
   readonly metrics: Metrics;
-  /** What was dropped or assumed, one sentence each. */
+  /** Omissions and assumptions, one sentence each. */
   readonly notes: readonly string[];
-  /** What each of them says, as code and values. */
+  /** Codes and values of `notes`. */
   readonly noteDetails?: readonly NoteDetail[];
 }
 
-/** What there is to draw of a garment: of a result, or of pieces and seams that are not solved yet. */
+/** Data for drawing a garment: a result, or pieces and seams that are not solved yet. */
 export type Pattern = Pick<
   SolveResult,
   'print' | 'continuousOnly' | 'pieces' | 'seams' | 'symmetries'
 >;
 
-/** A piece as drafted and meshed: `shape` is `rest`, and it lies on grain as one would cut it without a thought for the print. */
+/**
+ * A piece as drafted and meshed: `shape` is `rest`, and it is laid on grain as if the print did not
+ * matter.
+ */
 export interface MeshedPiece extends ResultPiece {
-  /** Per outline edge (from outline[k] to outline[k+1]): the number of the panel's edge in the file that it is part of. */
+  /**
+   * Per outline edge (from outline[k] to outline[k+1]), the number of the panel's edge in the file
+   * that contains it.
+   */
   readonly edges: readonly number[];
 }
 
-/** A garment before it is solved: no piece is shaped, no mismatch is measured yet. */
+/** A garment before it is solved: no piece is shaped and no mismatch is measured yet. */
 export interface MeshedPattern extends Pattern {
   readonly pieces: readonly MeshedPiece[];
-  /** As in the metrics of a result. [cm2] */
+  /** Mean fit over random alignments, as in the metrics of a result. [cm2] */
   readonly fitRandom: number;
-  /** What was dropped or assumed so far, one sentence each. */
+  /** Omissions and assumptions so far, one sentence each. */
   readonly notes: readonly string[];
   readonly noteDetails?: readonly NoteDetail[];
 }

@@ -1,10 +1,13 @@
-/** Prints whose size nobody has measured: they may be placed, but nothing is cut by them. */
+/** Prints of unmeasured size: they can be placed, but not cut. */
 import {SolverError} from './failure.js';
 import type {Print} from './print.js';
 
 export type PrintScale = Pick<Print, 'title' | 'unscaled'>;
 
-/** @throws {SolverError} `unscaled`, for a print whose lengths are in proportion only */
+/**
+ * Rejects a print whose lengths are in proportion only.
+ * @throws {SolverError} with the code `unscaled`
+ */
 export function checkScaled({title, unscaled}: PrintScale): void {
   if (!unscaled) return;
   const which = title === undefined ? 'this print' : `the print '${title}'`;

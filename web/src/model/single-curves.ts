@@ -1,4 +1,7 @@
-/** Garments without paths: what sews a chain of cubics sews its cubics one by one. Lengths in cm. */
+/**
+ * Garments without paths: the cubics of a chain are separate edges, and its seam becomes one seam
+ * per cubic. Lengths in cm.
+ */
 import {edgeLength, splitCurve} from './edge-curve.js';
 import type {
   DraftedEdge,
@@ -10,11 +13,11 @@ import type {
 import {cubicsOf} from './garment-file.js';
 import type {Point} from './geometry.js';
 
-/** A shorter cubic is none; its neighbour begins where it began. */
+/** Shorter cubics are dropped; the neighbour then begins where they began. [cm] */
 const sliver = 0.004;
-/** Cuts of both sides of a seam that lie so close are one. */
+/** Cuts on the two sides of a seam coincide within this distance. [cm] */
 const sameCut = 0.0015;
-/** A share so near to where curves meet is that place. */
+/** A share this close to a joint of curves means the joint. */
 const joint = 1e-9;
 
 /** An edge as single curves, with the shares of its length at which they begin, and 1. */
@@ -33,7 +36,7 @@ function chainOf(edge: DraftedEdge): Chain {
   return {curves, starts: [0, ...starts.slice(0, -1), 1], length};
 }
 
-/** The cubics of a path, or an edge as it is. */
+/** The cubics of a path; any other edge is returned unchanged. */
 function singles(edge: DraftedEdge): readonly DraftedEdge[] {
   if (edge.points.length <= 4) return [edge];
   const [start] = edge.points;
@@ -52,10 +55,10 @@ function singles(edge: DraftedEdge): readonly DraftedEdge[] {
   }));
 }
 
-/** Where both sides of a seam are cut, in its order, as shares of each one's length. */
+/** A cut of both sides of a seam, in the seam's order, as shares of each side's length. */
 type Cut = readonly [a: number, b: number];
 
-/** All places where one of two sides has a cut; what is one on both is not made twice. */
+/** All cuts of either side. A cut that both sides have is not made twice. */
 function cutsOf(a: readonly number[], b: readonly number[], length: number): readonly Cut[] {
   const cuts: Cut[] = [];
   let [i, j] = [0, 0];
@@ -75,7 +78,7 @@ function cutsOf(a: readonly number[], b: readonly number[], length: number): rea
   return cuts;
 }
 
-/** An edge in parts: cut where its curves meet, and at these shares of its length, which ascend. */
+/** Parts of an edge, cut where its curves meet and at these ascending shares of its length. */
 function partsOf({curves, starts}: Chain, shares: readonly number[]): readonly DraftedEdge[] {
   return curves.flatMap((curve, k) => {
     const [from = 0, to = 1] = [starts[k], starts[k + 1]];
@@ -95,7 +98,7 @@ const inner = ({starts}: Chain): readonly number[] => starts.slice(1, -1);
 const turned = (shares: readonly number[]): readonly number[] =>
   shares.map((share) => 1 - share).reverse();
 
-/** The parts of every edge of the pieces, by piece and edge. */
+/** Parts of every edge, by piece and edge. */
 function partsOfEdges({pieces, seams}: GarmentDocument): readonly (readonly DraftedEdge[])[][] {
   const chains = pieces.map(({outline}) => outline.map(chainOf));
   const parts = chains.map((edges) => edges.map((chain) => partsOf(chain, [])));
@@ -124,9 +127,9 @@ function put<T>(rows: T[][], {piece, edge}: EdgeOfPiece, value: T): void {
 }
 
 /**
- * The same outlines and seams with every path split into its cubics. Both sides of a seam are split at the same shares
- * of their lengths, so that a seam becomes several. Of pieces and seams only what edges and their numbers say is kept
- * right: not notches, nor symmetries by edges.
+ * The same outlines and seams with every path split into its cubics. Both sides of a seam are split
+ * at the same shares of their lengths, so a seam becomes several. Only edges and their numbers in
+ * pieces and seams are updated: notches and symmetries by edges are not.
  */
 export function singleCurves(document: GarmentDocument): GarmentDocument {
   const parts = partsOfEdges(document);

@@ -1,4 +1,6 @@
-/** The design that a result answers, from the files of its problem: what lets a page open a result again. */
+/**
+ * The design of a result, from the files of its problem. A page needs it to open a result again.
+ */
 import {askingFor, noPicture, type Decisions, type DesignGarment, type Design} from './design.js';
 import type {Point} from './geometry.js';
 import type {Print} from './print.js';
@@ -9,13 +11,16 @@ import type {Symmetry} from './symmetries.js';
 export interface SolvedFiles {
   readonly garment: DesignGarment;
   readonly print: Print;
-  /** A `data:` URL of the picture of one cell; without it the cloth is bare. */
+  /** A `data:` URL with the image of one cell; without it the fabric is bare. */
   readonly picture: string | undefined;
   readonly options: Decisions['options'];
   readonly seed: number;
 }
 
-/** The symmetries are those of the result, so that what was found by itself is asked for from now on. */
+/**
+ * Builds the design. It lists the symmetries of the result, so that detected ones become requested
+ * ones.
+ */
 export function solvedDesign(
   {garment, print, picture = noPicture, options, seed}: SolvedFiles,
   {pieces, symmetries, metrics}: SolveResult,
@@ -38,11 +43,12 @@ function askedFor(symmetry: ResultSymmetry, pieces: readonly ResultPiece[]): Sym
     return {kind: 'pair', pieces: [nameOf(first), nameOf(second)]};
   }
   const {piece, map} = symmetry;
-  // R F is the reflection over the line at angle / 2 from the y axis; p = 0 and its image lie on both sides of it
+  // R F is the reflection in the line at angle / 2 from the y axis; p = 0 and its image are on
+  // opposite sides of it
   const [x, y] = [map.translation[0] / 2, map.translation[1] / 2];
   const along = (distance: number): Point => {
     const across = x - distance * Math.sin(map.angle / 2);
-    // the panel in the file shows its back: the axis is asked for there
+    // the panel in the file shows its back, and the axis refers to the panel
     const inFile = pieces[piece]?.mirroredFromInput ? -across : across;
     return [inFile, y + distance * Math.cos(map.angle / 2)];
   };

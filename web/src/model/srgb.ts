@@ -1,4 +1,4 @@
-/** Between what pixels say and the light that they stand for, both 0 to 1 (IEC 61966-2-1). */
+/** Conversion between coded pixel values and linear light, both 0 to 1 (IEC 61966-2-1). */
 export const linearOf = (coded: number): number =>
   coded <= 0.04045 ? coded / 12.92 : ((coded + 0.055) / 1.055) ** 2.4;
 

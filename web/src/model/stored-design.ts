@@ -1,4 +1,4 @@
-/** A design as shops store it: what was chosen, which files it was chosen for, and what the answer was. */
+/** A design as shops store it: decisions, their files, and the result. */
 import {decisionsOf, type Design, type DesignPrint} from './design.js';
 import {
   askedSymmetry,
@@ -19,7 +19,7 @@ import type {StoredFile} from './stored-file.js';
 import {FileError, readVersioned, type FileKind} from './versioned-file.js';
 import {packageVersion} from './version.js';
 
-/** What was changed of a print; what is left out is as the print's file has it. */
+/** Changes of a print; omitted fields are those of the print's file. */
 export type PrintChanges = Partial<
   Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell'>
 > & {
@@ -27,33 +27,36 @@ export type PrintChanges = Partial<
   readonly colourway?: string;
 };
 
-/** `size` is what the shop calls it. */
+/** A garment file; `size` is the shop's name for the size. */
 export type FiledGarment = StoredFile & {readonly size?: string};
 
 export type FiledPrint = StoredFile & PrintChanges;
 
-/** A design whose garment and print are named by URL and hash. */
+/** A design whose garment and print are given by URL and hash. */
 export type FiledDesign = Design<FiledGarment, FiledPrint>;
 
-/** `seamwise-design/1`: a filed design with its answer. */
+/** `seamwise-design/1`: a filed design with its result. */
 export interface StoredDesign extends FiledDesign {
-  /** Where each piece lies on the print, by its name. */
+  /** Place of each piece on the print, by name. */
   readonly alignments: Readonly<Record<string, Alignment>>;
   /** The sha256 of the result's text, as `resultText` writes it. */
   readonly result: string;
-  /** The version of this package that found the result. */
+  /** Version of this package that computed the result. */
   readonly solver: string;
 }
 
 const version = 1;
-/** The largest garments need a few thousand. [characters] */
+/** Greatest length of a stored design; the largest garments need a few thousand. [characters] */
 const greatestLength = 200_000;
 
 const name = text(/^\P{Cc}{1,200}$/u, 'a name of at most 200 characters');
 const hash = text(/^[\da-f]{64}$/, 'a sha256 in 64 lower-case hexadecimal digits');
 const semver = text(/^\d{1,6}\.\d{1,6}\.\d{1,6}(-[\w.-]{1,80})?$/, 'a version such as 1.0.0');
 
-/** No scheme that runs or holds something itself, no other host behind a path, nothing that a parser would drop. */
+/**
+ * Reads a URL. It rejects schemes that run or contain something, paths that name another host, and
+ * characters that a parser would drop.
+ */
 const url: Read<string> = (value, at) => {
   const address = text()(value, at);
   const isPlain = /^[^\p{Cc}\\]{1,2000}$/u.test(address) && address.trim() === address;
@@ -87,7 +90,7 @@ const kind: FileKind<StoredDesign> = {
   damaged: (what) => `is damaged: ${what}; correct it, or take an earlier copy.`,
 };
 
-/** @throws {FileError} when the text is no design, or not a sound one */
+/** Reads a stored design. @throws {FileError} when the text is not a valid design */
 export function readStoredDesign(content: string, called: string): StoredDesign {
   if (content.length > greatestLength) {
     throw new FileError(
@@ -101,7 +104,7 @@ export function readStoredDesign(content: string, called: string): StoredDesign 
 export const writeStoredDesign = (design: StoredDesign): string =>
   `${JSON.stringify({format: `${kind.format}/${version}`, ...design}, null, 1)}\n`;
 
-/** What is to be stored of a design that was solved; the result must be that of `problemOfStored`. */
+/** Builds the stored design of a solved one; the result must be that of `problemOfStored`. */
 export const designOf = (design: FiledDesign, result: SolveResult): StoredDesign => ({
   garment: design.garment,
   print: design.print,
@@ -111,10 +114,10 @@ export const designOf = (design: FiledDesign, result: SolveResult): StoredDesign
   solver: packageVersion,
 });
 
-/** Nearer than anybody measures. [cm, degrees] */
+/** Returns whether two values are equal within less than any measurement. [cm, degrees] */
 const near = (one: number, other: number): boolean => Math.abs(one - other) < 1e-9;
 
-/** Where a print as it is shown differs from its file. */
+/** Differences of a print from its file. */
 export function changesOf(
   {group, size, turnDeg, oneWay, cell}: Required<Omit<PrintChanges, 'colourway'>>,
   file: Print,
@@ -132,13 +135,18 @@ export function changesOf(
   };
 }
 
-/** Browsers differ in the last digit of a sine, and must not in that of a result. [cm] */
+/**
+ * Rounds a vector, because browsers differ in the last digit of a sine and results must not. [cm]
+ */
 const settled = ([x, y]: Point): Point => [
   Math.round(x * 1e9) / 1e9 + 0,
   Math.round(y * 1e9) / 1e9 + 0,
 ];
 
-/** The print of a design, as its file and the changes make it. @throws {FileError} naming the print's file */
+/**
+ * The print of a design, made from its file and the changes.
+ * @throws {FileError} naming the print's file
+ */
 export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: string): Print {
   const file = readPrintFile(content, print.url);
   const {colourway, group = file.group, size, turnDeg, oneWay, cell} = print;
@@ -155,14 +163,17 @@ export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: stri
     ...(hasNewLattice(print) && {group, w1: settled(w1), w2: settled(w2)}),
     ...(oneWay !== undefined && {oneWay}),
     ...(cell !== undefined && {cell}),
-    ...(size && {unscaled: false}), // somebody has measured it
+    ...(size && {unscaled: false}), // measured by the user
   };
 }
 
 const hasNewLattice = ({group, size, turnDeg}: PrintChanges): boolean =>
   group !== undefined || size !== undefined || turnDeg !== undefined;
 
-/** The same as the solver takes it: its file's very text where nothing of it was changed. @throws {FileError} */
+/**
+ * The print for the solver: the text of its file if nothing in it was changed.
+ * @throws {FileError}
+ */
 export function printTextOf(design: Pick<FiledDesign, 'print'>, content: string): Print | string {
   const shown = printOfStored(design, content);
   const {print} = design;

@@ -1,6 +1,6 @@
-/** A file by its place, and by the sha256 of its bytes in lower-case hexadecimal digits. */
+/** A file by its URL, and by the sha256 of its bytes in lower-case hexadecimal digits. */
 export interface StoredFile {
-  /** http:, https: or file:, or relative to the design. */
+  /** An http:, https: or file: URL, or a path relative to the design. */
   readonly url: string;
   readonly sha256: string;
 }

@@ -22,21 +22,21 @@ export interface Symmetries {
   readonly symmetries: readonly Symmetry[];
 }
 
-/** Where a symmetry lies on the garment, and how well it holds. Not read where symmetries are asked for. */
+/** Map of a symmetry on the garment, and its accuracy. Requests do not need it. */
 export interface Registration {
   /** Greatest distance of an outline from its mirror image. [cm] */
   readonly residual: number;
-  /** Of the pieces as they lie face up: from the first of a pair to the second. */
+  /** Map of the face-up pieces, from the first of a pair to the second. */
   readonly map: MirrorMap;
 }
 
-/** A symmetry that was found on a garment. */
+/** A symmetry detected on a garment. */
 export type DetectedSymmetry = Symmetry & Registration;
 
-/** A symmetry that was asked for, as near as the garment comes to it. */
+/** A requested symmetry, measured on the garment. */
 export type MeasuredSymmetry = Symmetry &
   Registration & {
-    /** Whether a solve accepts it: the residual is at most 0.1 cm. */
+    /** True if a solve accepts it: the residual is at most 0.1 cm. */
     readonly mirrors: boolean;
   };
 

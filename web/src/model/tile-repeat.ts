@@ -1,9 +1,9 @@
-/** How a picture of somebody's own repeats, and what is measured of it. */
+/** Repeats of the user's own image, and its measurements. */
 import type {DesignPrint} from './design.js';
 import type {PrintTile, TileRepeat} from './print-tile.js';
 import {coupledSize, type RepeatSize} from './repeat.js';
 
-/** How often the picture stands beside and above itself in one cell of the print. */
+/** Number of copies of the image in one cell of the print, across and up. */
 export const copiesIn: Readonly<Record<TileRepeat, readonly [across: number, up: number]>> = {
   straight: [1, 1],
   halfDrop: [2, 1],
@@ -13,12 +13,12 @@ export const copiesIn: Readonly<Record<TileRepeat, readonly [across: number, up:
   mirroredUp: [1, 2],
 };
 
-/** A picture that somebody opened, and how it lies on the cloth. */
+/** The user's own image, and its size and turn on the fabric. */
 export interface OwnPicture extends Omit<PrintTile, 'turnedDeg'> {
   readonly title: string;
-  /** Of the picture itself. */
+  /** Size of the image itself. */
   readonly size: RepeatSize;
-  /** Counter-clockwise. [degrees] */
+  /** Turn, counter-clockwise. [degrees] */
   readonly turnDeg: number;
   readonly unscaled?: boolean;
 }
@@ -29,7 +29,7 @@ const swapped = ({width, height, angleDeg}: RepeatSize): RepeatSize => ({
   ...{width: height, height: width, angleDeg},
 });
 
-/** The sides of the picture that was opened, or of the cell where that is what was opened. [cm] */
+/** Sides of the opened image, or of the cell if there is none. [cm] */
 export function tileSize({size, tile}: Pick<Measured, 'size' | 'tile'>): RepeatSize {
   if (!tile) return size;
   const [across, up] = copiesIn[tile.repeat];
@@ -45,20 +45,20 @@ export function cellSize({tile}: Pick<Measured, 'tile'>, size: RepeatSize): Repe
   return tile.turnedDeg === 0 ? upright : swapped(upright);
 }
 
-/** The same picture, of a size on the cloth that is known from then on, as its group demands it. [cm] */
+/** The same print with a measured size of its image, adjusted to its group. [cm] */
 export const resized = (print: DesignPrint, size: RepeatSize): DesignPrint => ({
   ...print,
   size: coupledSize(print.group, cellSize(print, size)),
   ...(print.unscaled && {unscaled: false}),
 });
 
-/** The turn of the picture that was opened, above -180 degrees, up to 180. */
+/** Turn of the opened image, in (-180, 180]. [degrees] */
 export function tileTurn({turnDeg, tile}: Pick<Measured, 'turnDeg' | 'tile'>): number {
   const turn = turnDeg - (tile?.turnedDeg ?? 0);
   return turn <= -180 ? turn + 360 : turn;
 }
 
-/** What an own print was made of. */
+/** The image from which a print was made. */
 export const pictureIn = (print: DesignPrint): OwnPicture => ({
   title: print.title,
   image: print.tile?.image ?? print.image,

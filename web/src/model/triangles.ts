@@ -1,12 +1,16 @@
-/** Points that go along with the triangles of a piece, between its drafted and its solved state. Lengths in cm. */
+/**
+ * Points that move with the triangles of a piece, from its drafted to its solved state. Lengths in
+ * cm.
+ */
 import {combined, coordinates, minus, plus, type Point} from './geometry.js';
 
 type Triangle = readonly [number, number, number];
 
 /**
- * A point of a triangulated piece after its vertices have moved: it keeps its place in the triangle in which
- * it lies, or in the nearest one.
- * @param from vertices before, @param to vertices after: one for one, by the same triangles
+ * A point of a triangulated piece after its vertices have moved. It keeps its place in the triangle
+ * that contains it, or in the nearest one.
+ * @param from vertices before
+ * @param to vertices after: one for one, with the same triangles
  */
 export function carried(
   triangles: readonly Triangle[],

@@ -1,4 +1,7 @@
-/** For pages whose policy demands Trusted Types: then no text may name a script, or be read as markup, without a name. */
+/**
+ * Trusted Types, for pages whose policy requires them: script URLs and markup then need a named
+ * policy.
+ */
 
 interface TrustedTypes {
   createPolicy(name: string, rules: Policy): Policy;
@@ -9,12 +12,15 @@ interface Policy {
   createHTML(markup: string): string;
 }
 
-/** To be allowed by the page: `trusted-types seamwise`. */
+/** Name that the page's policy has to allow: `trusted-types seamwise`. */
 export const policyName = 'seamwise';
 
 let policy: Policy | undefined;
 
-/** As it is where there is no such thing. @throws {TypeError} where the page allows no policy of this name */
+/**
+ * The policy; it passes text through in browsers without Trusted Types.
+ * @throws {TypeError} where the page allows no policy of this name
+ */
 function policyOf(): Policy {
   const same = (text: string): string => text;
   const rules: Policy = {createScriptURL: same, createHTML: same};
@@ -22,8 +28,14 @@ function policyOf(): Policy {
   return (policy ??= trustedTypes?.createPolicy(policyName, rules) ?? rules);
 }
 
-/** An address of a script of our own. @throws {TypeError} as above */
+/**
+ * A URL of the project's own script.
+ * @throws {TypeError} where the page does not allow the policy
+ */
 export const trustedScript = (url: string): string => policyOf().createScriptURL(url);
 
-/** Markup that is only looked at, and never becomes a part of the page. @throws {TypeError} as above */
+/**
+ * Markup that is only parsed and never becomes part of the page.
+ * @throws {TypeError} where the page does not allow the policy
+ */
 export const trustedMarkup = (markup: string): string => policyOf().createHTML(markup);

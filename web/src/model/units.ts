@@ -1,4 +1,4 @@
-/** Lengths as people read them. */
+/** Lengths as text for people. */
 
 export type Units = 'cm' | 'inch';
 
@@ -6,7 +6,7 @@ const cmPerInch = 2.54;
 
 const formats = new Map<string, Intl.NumberFormat>();
 
-/** Making one takes far longer than using it. */
+/** Formats are cached, because making one takes far longer than using it. */
 function numberFormat(locale: string, options: Intl.NumberFormatOptions): Intl.NumberFormat {
   const key = locale + JSON.stringify(options);
   const known = formats.get(key) ?? new Intl.NumberFormat(locale, options);
@@ -14,16 +14,16 @@ function numberFormat(locale: string, options: Intl.NumberFormatOptions): Intl.N
   return known;
 }
 
-/** Zero is never negative. */
+/** Formats a number; zero is never negative. */
 const formatted = (locale: string, value: number, options: Intl.NumberFormatOptions): string =>
   numberFormat(locale, {signDisplay: 'negative', ...options}).format(value);
 
 interface LengthStyle {
-  /** For what is small: millimetres, or inches to the thousandth. */
+  /** Format for small lengths: millimetres, or inches to the thousandth. */
   readonly fine?: boolean;
 }
 
-/** Inches as rulers and patterns have them, to the sixteenth: "4 7/8 in". */
+/** Inches as on rulers and patterns, to the sixteenth: "4 7/8 in". */
 function inFractions(inches: number, locale: string): string {
   const sixteenths = Math.round(16 * Math.abs(inches));
   const whole = Math.floor(sixteenths / 16);
@@ -33,15 +33,18 @@ function inFractions(inches: number, locale: string): string {
   return sign + text.replace(number, () => mixed(number, sixteenths % 16));
 }
 
-/** A whole number with sixteenths behind it. */
+/** A whole number followed by sixteenths. */
 function mixed(whole: string, sixteenths: number): string {
   if (sixteenths === 0) return whole;
-  const shared = sixteenths & -sixteenths; // the greatest power of two in both
+  const shared = sixteenths & -sixteenths; // the greatest power of two that divides both
   const fraction = `${sixteenths / shared}/${16 / shared}`;
   return whole === '0' ? fraction : `${whole}\u00a0${fraction}`;
 }
 
-/** What a field shows of inches: a fraction where they are one, "1 1/2", else a number, "0.394". */
+/**
+ * Inches in an input field: a fraction such as "1 1/2" where they are one, otherwise a number such
+ * as "0.394".
+ */
 export function fractionOrNumber(inches: number, digits: number): string {
   const sixteenths = Math.round(16 * inches);
   if (inches < 0 || Math.abs(sixteenths / 16 - inches) > 1e-4) {
@@ -50,7 +53,7 @@ export function fractionOrNumber(inches: number, digits: number): string {
   return mixed(String(Math.floor(sixteenths / 16)), sixteenths % 16).replace('\u00a0', ' ');
 }
 
-/** Of "0.375", "0,375", "3/8", "1 1/2" and "1-1/2"; NaN for what is no number. */
+/** Parses "0.375", "0,375", "3/8", "1 1/2" and "1-1/2"; NaN for any other text. */
 export function numberTyped(text: string): number {
   const plain = text.trim().replace(',', '.');
   const [, whole, top, bottom] = /^(?:(\d+)[\s-]+)?(\d+)\s*[/⁄]\s*(\d+)$/u.exec(plain) ?? [];
@@ -58,7 +61,7 @@ export function numberTyped(text: string): number {
   return plain === '' ? NaN : Number(plain);
 }
 
-/** "12.3 cm", "4 7/8 in"; fine: "1.3 mm", "0.051 in". */
+/** Formats a length: "12.3 cm", "4 7/8 in"; fine: "1.3 mm", "0.051 in". */
 export function formatLength(
   cm: number,
   units: Units,

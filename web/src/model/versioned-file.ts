@@ -1,7 +1,9 @@
-/** Files of the project's own that say which version of their format they are written in. */
+/** The project's own files, which state the version of their format. */
 import {fieldOf, isTooDeep, Malformed, type Read} from './read.js';
 
-/** A file that cannot be used. The message is one sentence for people: it names the file and the remedy. */
+/**
+ * A file that cannot be used. The message is one sentence for people, with the file and the remedy.
+ */
 export class FileError extends Error {
   override readonly name = 'FileError';
   readonly file: string;
@@ -12,11 +14,11 @@ export class FileError extends Error {
   }
 }
 
-/** One kind of file; a complaint ends the sentence that begins with the file's name. */
+/** One kind of file; each complaint completes a sentence that begins with the file's name. */
 export interface FileKind<T> {
   /** The `format` without its version. */
   readonly format: string;
-  /** The newest that can be read. */
+  /** Newest version that can be read. */
   readonly version: number;
   readonly read: Read<T>;
   readonly notJson: string;
@@ -25,7 +27,7 @@ export interface FileKind<T> {
   readonly damaged: (what: string) => string;
 }
 
-/** The version of its format that a file states, if it is of this kind at all. */
+/** Version of the format that a file states; undefined for a file of another kind. */
 export function versionOf(
   file: unknown,
   {format}: Pick<FileKind<unknown>, 'format'>,
@@ -36,7 +38,7 @@ export function versionOf(
   return /^\d{1,9}$/.test(digits) ? Number(digits) : undefined;
 }
 
-/** @throws {FileError} when the text is of another kind, or not a sound one */
+/** Reads a file of this kind. @throws {FileError} when the text is of another kind or not valid */
 export function readVersioned<T>(text: string, name: string, kind: FileKind<T>): T {
   const file = parsed(text, name, kind);
   if (isTooDeep(file)) throw new FileError(name, kind.damaged('it is nested too deep'));

@@ -1,12 +1,18 @@
-/** The 17 wallpaper groups: their symmetries on a given lattice, and the distance between points modulo them. */
+/**
+ * The 17 wallpaper groups: their symmetries on a given lattice, and the distance between points
+ * modulo them.
+ */
 import {groupTable} from './core-tables.js';
 import {combined, coordinates, cross, dot, minus, norm, plus, type Point} from './geometry.js';
 import type {GroupName, Print} from './print.js';
 
-/** What a group asks of w1, w2: nothing, a right angle, equal lengths, both, or equal lengths at 60 degrees. */
+/**
+ * Requirements of a group on w1, w2: none, a right angle, equal lengths, both, or equal lengths at
+ * 60 degrees.
+ */
 export type LatticeType = 'oblique' | 'rectangular' | 'rhombic' | 'square' | 'hexagonal';
 
-/** x -> A x + a, with A = [[xx, xy], [yx, yy]]. */
+/** The map x -> A x + a, with A = [[xx, xy], [yx, yy]]. */
 export interface PlaneMap {
   readonly xx: number;
   readonly xy: number;
@@ -15,13 +21,13 @@ export interface PlaneMap {
   readonly shift: Point;
 }
 
-/** A symmetry in lattice coordinates (u, v), as the table has it. */
+/** A symmetry in lattice coordinates (u, v), in the form of the table. */
 type Generator = readonly [number, number, number, number, number, number];
 
-/** A print's lattice and group, which is all that the geometry depends on. */
+/** A print's lattice and group, the only data that the geometry depends on. */
 export type Repeat = Pick<Print, 'group' | 'w1' | 'w2'>;
 
-/** With what the print's picture shows. */
+/** A repeat with the kind of cell in the print's image. */
 export type CellOf = Repeat & Pick<Print, 'cell'>;
 
 const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): PlaneMap => ({
@@ -34,11 +40,14 @@ const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): Plan
 
 export const latticeType = (group: GroupName): LatticeType => groupTable[group][0];
 
-/** Whether the rectangular cell of a group's lattice has a lattice point in its middle, too, so that w1 and w2 are not its sides. */
+/**
+ * Returns whether the rectangular cell of a group's lattice also has a lattice point in its middle,
+ * so that w1 and w2 are not its sides.
+ */
 export const isCentred = (group: GroupName): boolean =>
   ['rhombic', 'hexagonal'].includes(latticeType(group));
 
-/** First `inner`, then `outer`. */
+/** The map that applies `inner` first, then `outer`. */
 export function after(outer: PlaneMap, inner: PlaneMap): PlaneMap {
   const [x, y] = apply(outer, inner.shift);
   return map(
@@ -84,7 +93,10 @@ export function printElements({group, w1, w2}: Repeat): readonly PlaneMap[] {
   return latticeElements(group).map((element) => after(basis, after(element, inverse)));
 }
 
-/** The symmetries by which a print may meet across a seam: all, or with `continuousOnly` those that do not mirror it. */
+/**
+ * Symmetries under which a print may match across a seam: all, or with `continuousOnly` those that
+ * do not mirror it.
+ */
 export function joining(repeat: Repeat, continuousOnly = false): Repeat {
   if (!continuousOnly) return repeat;
   const turns = latticeElements(repeat.group).filter((element) => determinant(element) > 0).length;
@@ -94,7 +106,10 @@ export function joining(repeat: Repeat, continuousOnly = false): Repeat {
   return {...repeat, group: left ?? 'p1'};
 }
 
-/** The cell an image of the print shows, from its lower left corner: to the right, and up. [cm] */
+/**
+ * Sides of the cell in an image of the print, from its lower left corner: to the right, and up.
+ * [cm]
+ */
 export function imageCell({group, w1, w2, cell}: CellOf): readonly [Point, Point] {
   if (cell === 'rectangular' && latticeType(group) === 'hexagonal') {
     return [w1, combined([w1, w2], -1, 2)];
@@ -102,7 +117,7 @@ export function imageCell({group, w1, w2, cell}: CellOf): readonly [Point, Point
   const holdsTwo =
     cell === 'centred' || (cell === 'rectangular' && latticeType(group) === 'rhombic');
   if (!holdsTwo) return [w1, w2];
-  // w1 - w2 lies to the right of w1 + w2 when w1, w2 are right-handed
+  // w1 - w2 points to the right of w1 + w2 when w1, w2 are right-handed
   return [plus(w1, w2), minus(w2, w1)];
 }
 
@@ -113,30 +128,30 @@ export function reducedBasis(w1: Point, w2: Point): readonly [Point, Point] {
   for (;;) {
     if (norm(a) > norm(b)) [a, b] = [b, a];
     const shorter = plus(b, a, -Math.round(dot(a, b) / dot(a, a)));
-    // rounding alone could go on for ever between vectors of equal length, as on hexagonal lattices
+    // rounding alone might never end for vectors of equal length, as on hexagonal lattices
     if (norm(shorter) >= norm(b) * (1 - 1e-9)) return [a, b];
     b = shorter;
   }
 }
 
-/** All vectors of a lattice that take no more than `reach` steps along either vector of its basis. */
+/** All vectors of a lattice with at most `reach` steps along either vector of its basis. */
 export function latticeAround(basis: readonly [Point, Point], reach: number): readonly Point[] {
   const steps = Array.from({length: 2 * reach + 1}, (_, k) => k - reach);
   return steps.flatMap((i) => steps.map((j) => combined(basis, i, j)));
 }
 
-/** The shortest of the vectors that differ from `v` by whole repeats. */
+/** The shortest vector that differs from `v` by whole repeats. */
 export function reduced({w1, w2}: Pick<Repeat, 'w1' | 'w2'>, v: Point): Point {
   const basis = reducedBasis(w1, w2);
   const [s, t] = coordinates(basis, v);
   const short = minus(v, combined(basis, Math.round(s), Math.round(t)));
-  // rounding finds a short one; the shortest is one of those around it
+  // rounding finds a short vector; the shortest is that one or one of its neighbours
   return latticeAround(basis, 1)
     .map((vector) => plus(short, vector))
     .reduce((best, one) => (norm(one) < norm(best) * (1 - 1e-9) ? one : best), short);
 }
 
-/** The print mismatch of two points of the print: how far apart they lie modulo its symmetries. [cm] */
+/** Print mismatch of two points of the print: their distance modulo its symmetries. [cm] */
 export function printDistance(repeat: Repeat): (x: Point, y: Point) => number {
   const elements = printElements(repeat);
   const [a, b] = reducedBasis(repeat.w1, repeat.w2);

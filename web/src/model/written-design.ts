@@ -1,24 +1,27 @@
-/** Decisions as the page's files write them: projects, links, results, and what a browser keeps of a history. */
+/**
+ * Decisions in the form of the page's files: projects, links, results, and the history stored by a
+ * browser.
+ */
 import {askingFor, usualSeed, type AskedSymmetry, type Decisions} from './design.js';
 
-/** What stands in such a file for two of the decisions. */
+/** Two decisions in the form of such files. */
 interface WrittenFields {
-  /** Empty for `none`. */
+  /** An empty list for `none`. */
   readonly symmetries: Exclude<AskedSymmetry, 'none'>;
-  /** Left out where it is the usual one. */
+  /** Omitted if it is the usual seed. */
   readonly seed?: number;
 }
 
 export type Written<D extends Decisions> = Omit<D, 'symmetry' | 'seed'> & WrittenFields;
 
-/** A design, or its decisions alone, to be written. */
+/** Converts a design, or its decisions alone, for writing. */
 export const written = <D extends Decisions>({symmetry, seed, ...others}: D): Written<D> => ({
   ...others,
   symmetries: symmetry === 'none' ? [] : symmetry,
   ...(seed !== usualSeed && {seed}),
 });
 
-/** What is held of what was written. */
+/** Converts written decisions back. */
 export const heldOf = <W extends Partial<WrittenFields>>({
   symmetries = [],
   seed = usualSeed,

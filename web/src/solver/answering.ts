@@ -1,4 +1,7 @@
-/** How everything is answered that the solver can be asked: the one place that names modules and kinds of requests. */
+/**
+ * Table of all requests to the solver and their answers: the only place that names modules and
+ * kinds of requests.
+ */
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
 import {Answerer, type AnswererOptions} from './answers/answerer.js';
@@ -32,7 +35,7 @@ import {Solver} from './seamwise/solver.js';
 
 export {besideThePage} from './answers/slices.js';
 
-/** The WebAssembly modules; each is loaded when a request for it first comes. */
+/** The WebAssembly modules; each is loaded at the first request that needs it. */
 type SolverModules = {
   readonly seamwise: SeamwiseModule;
   readonly drape: DrapeModule;
@@ -40,25 +43,28 @@ type SolverModules = {
   readonly photo: PhotoModule;
 };
 
-/** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
+/**
+ * Two at once, so that a small solve need not wait for a large one. More at once would only delay
+ * all.
+ */
 const solves: Queue = {atOnce: 2};
 
-/** The sooner one share has ended, the sooner it is of use. */
+/** One at once, because a share is useful as soon as it is complete. */
 const shares: Queue = {atOnce: 1};
 
-/** What is shown is draped; more at once would only keep all waiting. */
+/** One at once, because only the drape on display is needed. More at once would only delay all. */
 const drapes: Queue = {atOnce: 1};
 
-/** One cloth is laid out at a time. */
+/** One layout at a time. */
 const markers: Queue = {atOnce: 1};
 
-/** A picture takes a great part of the memory that there is. */
+/** One at once, because an image takes a large part of the available memory. */
 const photos: Queue = {atOnce: 1};
 
-/** A share that is of no use any more must not keep others waiting. [ms] */
+/** Short slices, because a share that is no longer needed must not delay others. [ms] */
 const shareSlice = 20;
 
-/** @param helpers other threads for what takes long; none, unless said otherwise */
+/** Builds the table. @param helpers other threads for long searches; none by default */
 export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
   modules: {seamwise, drape, marker, photo},
   requests: {
@@ -113,7 +119,7 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
     convert: {
       module: 'seamwise',
       answer: (module, {garment, name}) => {
-        valueOf(module.garment(documentBytes(garment, module), name)); // refuses what is none
+        valueOf(module.garment(documentBytes(garment, module), name)); // rejects an invalid garment
         return garmentText(garment);
       },
     },
@@ -191,10 +197,10 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
   },
 });
 
-/** What answers on the thread that calls it. */
+/** Answers requests on the calling thread. */
 export type LocalAnswerer = Answerer<Requests, SolverModules>;
 
-/** @param helpers as above */
+/** Creates a local answerer. @param helpers other threads for long searches; none by default */
 export const localAnswerer = (
   options?: AnswererOptions<SolverModules>,
   helpers?: Helpers,

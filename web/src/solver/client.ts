@@ -15,22 +15,25 @@ export type {GarmentHooks, QuestionHooks, SolverService, TextService} from './se
 export type {WorkerPlaces} from './page-worker.js';
 
 /**
- * The solver in a worker of its own, for pages: nothing here keeps the page from drawing. The worker
- * starts with the first call; jobs share it. What a caller hands over is copied, never taken away.
- * A call never stays pending: if the worker breaks, it is rejected, and the next call starts another.
+ * The solver in its own worker, for pages; it never keeps the page from drawing. The worker starts
+ * with the first call; jobs share it. Arguments are copied, never transferred. A call never stays
+ * pending: if the worker breaks, the call is rejected, and the next call starts another worker.
  */
 export class SolverClient extends TextService implements Disposable {
   readonly #worker: ThreadClient<Requests>;
   readonly #helpers: () => number;
 
-  /** @param helpers how many threads may help with a solve just now */
+  /** @param helpers returns the number of threads that may help with a solve at present */
   constructor(places: WorkerPlaces = {}, helpers: () => number = () => 0) {
     super();
     this.#worker = new ThreadClient(pageWorker(places));
     this.#helpers = helpers;
   }
 
-  /** @throws {SolverError} `worker-blocked`, before anything else is heard, if there can be no worker */
+  /**
+   * Answers a request.
+   * @throws {SolverError} `worker-blocked`, before any hook is called, if no worker can be started
+   */
   ask<K extends keyof Requests>(
     kind: K,
     request: Requests[K]['request'],
@@ -39,7 +42,7 @@ export class SolverClient extends TextService implements Disposable {
     return this.#worker.ask(kind, request, {...hooks, helpers: this.#helpers()});
   }
 
-  /** Ends the worker; what is pending, and what is asked from now on, is rejected as cancelled. */
+  /** Ends the worker. Pending requests and all later ones are rejected as cancelled. */
   dispose(): void {
     this.#worker.dispose();
   }

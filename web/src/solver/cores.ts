@@ -1,6 +1,6 @@
-/** A device's cores beyond these are better left to others. */
+/** Greatest number of cores to use; more are better left to other programs. */
 export const mostCores = 4;
 
-/** How many threads may help each of so many that solve at once. */
+/** Number of threads that may help each of `solving` simultaneous solves. */
 export const helpersFor = (cores: number, solving = 1): number =>
   Math.max(0, Math.floor(Math.min(mostCores, cores) / solving) - 1);

@@ -7,9 +7,9 @@ import type {Requests} from './requests/requests.js';
 import {TextService} from './service.js';
 
 /**
- * The solver on the page's own thread, in slices of a few milliseconds: for pages that may have no
- * worker. What cannot be cut (meshing, one factorisation) still holds up the page, on a large garment for
- * some tenths of a second.
+ * The solver on the page's own thread, in slices of a few milliseconds, for pages without a worker.
+ * Steps that cannot be divided (meshing, one factorisation) still block the page, on a large
+ * garment for some tenths of a second.
  */
 export class MainThreadSolver extends TextService {
   readonly #wasmUrl: WorkerPlaces['wasmUrl'];
@@ -29,7 +29,10 @@ export class MainThreadSolver extends TextService {
     return answerer.answer(kind, request, hooks);
   }
 
-  /** Few pages have no worker: the others need not fetch what would take its place. */
+  /**
+   * Loads the answerer only on demand. Few pages lack a worker, and the others need not fetch its
+   * substitute.
+   */
   async #load(): Promise<LocalAnswerer> {
     try {
       const {besideThePage, localAnswerer} = await import('./answering.js');
@@ -45,7 +48,7 @@ export class MainThreadSolver extends TextService {
         : {};
       return localAnswerer({sources, pace: besideThePage});
     } catch (error) {
-      this.#answerer = undefined; // to be tried again
+      this.#answerer = undefined; // the next request tries again
       throw loadingError(error, 'seamwise.wasm');
     }
   }

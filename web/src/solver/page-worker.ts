@@ -4,22 +4,22 @@ import type {Requests} from './requests/requests.js';
 import {workerThread} from './threads/thread.js';
 import type {ThreadStart} from './threads/watched-thread.js';
 
-/** Where the worker's script and the .wasm file are, if not where the build has put them. */
+/** URLs of the worker's script and the .wasm file, if they differ from those of the build. */
 export interface WorkerPlaces {
-  /** A module script that does what `solver.worker.js` does; from the page's own origin. */
+  /** A module script that is equivalent to `solver.worker.js`, from the page's own origin. */
   readonly workerUrl?: string | URL;
   readonly wasmUrl?: string | URL;
-  /** How long the worker's script may take to be fetched and run: 20 s, unless said otherwise. [ms] */
+  /** Time limit for fetching and starting the worker's script. Default 20 s. [ms] */
   readonly loadingPatience?: number;
 }
 
-/** Long enough for a script of a few kilobytes on a bad line. [ms] */
+/** Long enough for a script of a few kilobytes on a slow connection. [ms] */
 const usualLoadingPatience = 20_000;
 
-/** Served as compiled, the script is this file's neighbour. */
+/** The script is beside this file when it is served as compiled. */
 const usualScript = 'solver.worker.js';
 
-/** Where the modules are: that of the solver, and beside it those that drape, lay pieces and read pictures. */
+/** URLs of the modules: the solver's, and beside it those of drape, marker and photo. */
 export function modulesAt(wasmUrl: string | URL): {
   seamwise: string;
   drape: string;
@@ -36,7 +36,7 @@ export function modulesAt(wasmUrl: string | URL): {
   };
 }
 
-/** A worker of the page's. */
+/** A worker of the page. */
 export function pageWorker(places: WorkerPlaces): ThreadStart<Requests> {
   const {workerUrl, wasmUrl, loadingPatience} = places;
   return {
@@ -52,12 +52,12 @@ export function pageWorker(places: WorkerPlaces): ThreadStart<Requests> {
   };
 }
 
-/** @throws {SolverError} `worker-blocked` if the browser says so at once */
+/** Starts the worker. @throws {SolverError} `worker-blocked` if the browser rejects it at once */
 function started(workerUrl: string | URL | undefined): Worker {
   const script = workerUrl ?? usualScript;
   const make = (): Worker => {
     if (workerUrl !== undefined) return new Worker(workerUrl, {type: 'module'});
-    // Bundlers look for exactly this.
+    // bundlers recognise exactly this expression
     return new Worker(new URL('./solver.worker.js', import.meta.url), {type: 'module'});
   };
   try {
@@ -72,14 +72,18 @@ function started(workerUrl: string | URL | undefined): Worker {
   }
 }
 
-/** Whether a page whose policy demands Trusted Types may have refused a worker for want of trust. */
+/**
+ * Returns whether a page with Trusted Types may have rejected a worker because its URL is not
+ * trusted.
+ */
 const mayWantTrust = (refusal: unknown): boolean =>
   'trustedTypes' in globalThis && refusal instanceof TypeError;
 
 /**
- * Has `make` make its worker from an address that the page trusts. Bundlers put the address where they find a worker
- * made of a URL, and nowhere else: so it is taken from there, while `make` runs.
- * @throws {TypeError} where the page trusts no address of ours
+ * Makes `make` start its worker from a URL that the page trusts. Bundlers insert the URL only into
+ * the expression that creates a worker from a URL. So `Worker` is replaced while `make` runs, and
+ * takes the URL from there.
+ * @throws {TypeError} if the page trusts no URL of this package
  */
 function madeWithTrust(make: () => Worker): Worker {
   const {Worker: Plain} = globalThis;

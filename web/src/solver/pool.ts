@@ -8,11 +8,11 @@ import type {Requests} from './requests/requests.js';
 import {TextService} from './service.js';
 import {warmUpProblems} from './warm-up.js';
 
-/** Where to find the solver, and who hears when it can have no worker. */
+/** URLs of the solver, and a callback for a page that cannot have a worker. */
 export interface LeasePlaces extends WorkerPlaces {
   /**
-   * Hears at most once, with the code `worker-blocked`, that no worker can be had. The lease goes on
-   * without: on the page's own thread, with the same results, and more slowly.
+   * Called at most once, with the code `worker-blocked`, if no worker can be started. The lease
+   * continues on the page's own thread, with the same results, but more slowly.
    */
   readonly onBlocked?: (failure: Failure) => void;
 }
@@ -21,23 +21,24 @@ export interface LeasePlaces extends WorkerPlaces {
 export interface SolverLease {
   readonly solver: TextService;
   /**
-   * Starts the worker, if it has not started, and lets its engine compile what a solve needs: for the
-   * time in which files are still on their way. It ends with the first question; nobody hears of it.
+   * Starts the worker, if it has not started, and lets its engine compile the code of a solve while
+   * files are still loading. The first request ends it; its failures are not reported.
    */
   warm(): void;
-  /** Gives it back: what is pending, and what is asked from now on, is rejected as cancelled. */
+  /** Ends the lease. Pending requests and all later ones are rejected as cancelled. */
   readonly release: () => void;
 }
 
-/** A worker that nobody has leased is kept this long, for whoever comes next. [ms] */
+/** Time for which an unused worker is kept for the next lease. [ms] */
 const idlePatience = 5000;
 
 const pools = new Map<string, SolverPool>();
 
 /**
- * A share in the page's solvers, of which there are at most four, one core left free: the same worker for
- * all calls of a lease, since it keeps the last mesh; it starts with the first call. Drapes and
- * layouts on cloth of all leases have one worker more, where they wait for their like and never hold up a solve.
+ * Leases one of the page's solvers. There are at most four, and one core stays free. All calls of a
+ * lease use the same worker, since it keeps the last mesh; the worker starts with the first call.
+ * Drapes, layouts and photos of all leases share one more worker. They wait for each other there
+ * and never delay a solve.
  */
 export function leaseSolver(places: LeasePlaces = {}): SolverLease {
   const key = JSON.stringify([placeOf(places.workerUrl), placeOf(places.wasmUrl)]);
@@ -57,8 +58,7 @@ function workersWanted(): number {
   return Math.max(1, Math.min(mostCores, navigator.hardwareConcurrency - 1));
 }
 
-/** Workers with the same script and .wasm file, shared by leases. */
-/** Kinds of requests that a worker of their own answers, so that no solve waits for them. */
+/** Kinds of requests that a separate worker answers, so that no solve waits for them. */
 const besideSolves: ReadonlySet<keyof Requests> = new Set([
   'drape',
   'marker',
@@ -67,13 +67,14 @@ const besideSolves: ReadonlySet<keyof Requests> = new Set([
   'photoObject',
 ]);
 
+/** Workers with the same script and .wasm file, shared by leases. */
 export class SolverPool {
   readonly #places: WorkerPlaces;
   readonly #emptied: () => void;
   readonly #workers = new Set<PooledWorker>();
   readonly #shared: Shared;
 
-  /** @param emptied called when the last worker has been ended */
+  /** @param emptied called when the last worker has ended */
   constructor(places: WorkerPlaces = {}, emptied: () => void = () => undefined) {
     this.#places = places;
     this.#emptied = emptied;
@@ -99,7 +100,10 @@ export class SolverPool {
     return {solver, warm, release};
   }
 
-  /** The worker with the fewest leases; a new one only if all have some. */
+  /**
+   * The worker with the fewest leases; a new one only if all workers have leases and more are
+   * allowed.
+   */
   #freest(): PooledWorker {
     const [freest] = [...this.#workers].sort((a, b) => a.leases - b.leases);
     if (freest && (freest.leases === 0 || this.#workers.size >= workersWanted())) return freest;
@@ -121,10 +125,10 @@ export class SolverPool {
   }
 }
 
-/** What all leases of a pool have in common; what they never ask is never started. */
+/** Solvers that all leases of a pool share; each starts with its first request. */
 interface Shared {
   readonly page: MainThreadSolver;
-  /** For what takes long and is no solve. */
+  /** Worker for long requests other than solves. */
   readonly aside: SolverClient;
 }
 
@@ -133,13 +137,16 @@ interface PooledWorker {
   readonly client: SolverClient;
   leases: number;
   ending: ReturnType<typeof setTimeout> | undefined;
-  /** Why there can be no worker, once that is known. */
+  /** Reason why no worker can be started, once it is known. */
   blocked: SolverError | undefined;
-  /** What it solves to be warm, from when it is told to, or is asked anything; aborted by the latter. */
+  /**
+   * Controls the warm-up. It is set by the warm-up or the first request, and every request aborts
+   * it.
+   */
   warming: AbortController | undefined;
 }
 
-/** A pooled worker as one lease sees it; the page itself where there can be no worker. */
+/** A pooled worker for one lease; the page's own thread if no worker can be started. */
 class LeasedSolver extends TextService {
   readonly #pooled: PooledWorker;
   readonly #shared: Shared;
@@ -163,7 +170,7 @@ class LeasedSolver extends TextService {
     const signal = hooks.signal ? AbortSignal.any([hooks.signal, released]) : released;
     signal.throwIfAborted();
     const all = {...hooks, signal};
-    (pooled.warming ??= new AbortController()).abort(); // the worker is to do nothing else
+    (pooled.warming ??= new AbortController()).abort(); // the worker must do nothing else
     if (!pooled.blocked) {
       const client = besideSolves.has(kind) ? this.#shared.aside : pooled.client;
       try {
@@ -177,7 +184,10 @@ class LeasedSolver extends TextService {
     return this.#shared.page.ask(kind, request, all);
   }
 
-  /** Once for all leases; what goes wrong goes wrong again for the first who asks for something. */
+  /**
+   * Warms the worker up, once for all leases. Failures are ignored, because they recur at the first
+   * request.
+   */
   warm(): void {
     const {client, blocked, warming} = this.#pooled;
     if (this.#released.signal.aborted || warming || blocked) return;
@@ -188,7 +198,7 @@ class LeasedSolver extends TextService {
     solveAll().catch(() => undefined);
   }
 
-  /** @returns whether it has not been ended before */
+  /** Ends the lease. @returns whether it had not ended before */
   end(): boolean {
     if (this.#released.signal.aborted) return false;
     const message = 'The solver was released.';
@@ -196,7 +206,9 @@ class LeasedSolver extends TextService {
     return true;
   }
 
-  /** In a task of its own: what the listener throws is the page's, and ends no job. */
+  /**
+   * Calls the callback in a separate microtask, so that its errors are the page's and end no job.
+   */
   #tell(failure: SolverError): void {
     const tell = this.#onBlocked;
     this.#onBlocked = undefined;

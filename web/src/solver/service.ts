@@ -27,43 +27,44 @@ import {
   type NamedSolveHooks,
 } from './requests/texts.js';
 
-/** Hooks for any question; those for events that it never reports are not called. */
+/** Hooks for any request. Hooks for events that a request does not report are not called. */
 export type QuestionHooks = SolveHooks & ProofHooks;
 
-/** For questions about a garment alone. */
+/** Hooks for requests about a garment alone. */
 export interface GarmentHooks {
   readonly signal?: AbortSignal;
-  /** What to call the garment in messages: the name of its file. */
+  /** Name of the garment in messages: the name of its file. */
   readonly name?: string;
 }
 
 /**
- * The solver, wherever it runs. What a caller hands over is copied, never taken away, and a call never
+ * The solver, on whatever thread it runs. Arguments are copied, never transferred. A call never
  * stays pending: when its signal fires, it is rejected at once.
  */
 export interface SolverService {
   /**
-   * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its seams.
+   * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its
+   * seams.
    * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it
-   *   fires; what a listener throws
+   * fires; errors of hooks
    */
   solve(problem: Problem, hooks?: NamedSolveHooks): Promise<SolveResult>;
 
   /**
-   * The garment as a solve would begin with it: checked, meshed, its symmetries settled.
+   * The garment in the form to be solved: checked and meshed, with its symmetries determined.
    * @throws {SolverError} as `solve` does
    */
   prepare(problem: Problem, hooks?: NamedPrepareHooks): Promise<MeshedPattern>;
 
   /**
-   * How good alignments of the pieces as drafted can be: looked into until no more can be proven, which may
-   * take minutes, or until the signal fires. Solves go before it.
+   * Bound on alignments of the pieces as drafted. The proof runs until no more can be proven, which
+   * may take minutes, or until the signal fires. Solves take precedence.
    * @throws {SolverError} as `solve` does
    */
   prove(problem: Problem, hooks?: NamedProofHooks): Promise<Proof>;
 
   /**
-   * Measures one symmetry on a garment, whether or not the garment mirrors so.
+   * Measures one symmetry on a garment, even if the garment does not have it.
    * @throws {SolverError} for bad input, such as a piece that the garment does not have
    */
   mirror(
@@ -72,7 +73,10 @@ export interface SolverService {
     hooks?: GarmentHooks,
   ): Promise<MeasuredSymmetry>;
 
-  /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */
+  /**
+   * The symmetries detected on a garment: those that `symmetry: 'auto'` would impose, if the group
+   * permits.
+   */
   symmetries(garment: Garment | string, hooks?: GarmentHooks): Promise<DetectedSymmetries>;
 
   /** A garment of any readable format as one document. @throws {SolverError} for bad input */
@@ -82,8 +86,8 @@ export interface SolverService {
   convert(garment: Garment | string, hooks?: GarmentHooks): Promise<string>;
 
   /**
-   * A solved garment as it is worn: hung on a form and left to settle.
-   * @throws {SolverError} for bad input, such as a garment whose file does not say where its pieces hang
+   * Drapes a solved garment: hangs it on a form and lets it settle.
+   * @throws {SolverError} for bad input, such as a garment file without placements of its pieces
    */
   drape(
     result: SolveResult | string,
@@ -92,28 +96,29 @@ export interface SolverService {
   ): Promise<Drape>;
 
   /**
-   * Lays the cut lines of pieces on printed cloth, so that each has its part of the print and the cloth is short.
-   * @throws {SolverError} where that cannot be, such as for a piece that is wider than the cloth
+   * Lays out the cutting lines of pieces on printed fabric, each in register with the print and on
+   * a short length.
+   * @throws {SolverError} if that is impossible, such as for a piece wider than the fabric
    */
   marker(problem: MarkerProblem, hooks?: MarkerHooks): Promise<MarkerAnswer>;
 
   /**
-   * Reads lattice and group of a print off a picture of its cloth.
-   * @throws {SolverError} where none is found
+   * Reads lattice and group of a print from an image of its fabric.
+   * @throws {SolverError} if none is found
    */
   photo(request: PhotoRequest, hooks?: PhotoHooks): Promise<PhotoReading>;
 
-  /** The print's cell, w1 to the right and w2 up, from all copies that a picture shows. */
+  /** Image of the print's cell, w1 to the right and w2 up, from all copies in an image. */
   photoTile(request: PhotoTileRequest, hooks?: PhotoHooks): Promise<PhotoPixels>;
 
   /**
-   * Where a coin, a card or a sheet lies on a picture of cloth, which makes lengths known.
-   * @throws {SolverError} where none is seen
+   * Finds a coin, a card or a sheet in an image of fabric, which makes lengths known.
+   * @throws {SolverError} if none is visible
    */
   photoObject(request: PhotoObjectRequest, hooks?: PhotoHooks): Promise<PhotoObject>;
 }
 
-/** A service for whoever can answer requests: it makes the requests. */
+/** A service that makes the requests; subclasses answer them. */
 export abstract class TextService implements SolverService {
   /** Answers one request. @throws as `solve` does */
   abstract ask<K extends keyof Requests>(
@@ -178,7 +183,7 @@ export abstract class TextService implements SolverService {
     return this.#ask('photoObject', () => request, hooks);
   }
 
-  /** A signal that has fired goes before anything that is wrong with a request. */
+  /** A signal that has fired takes precedence over any error in a request. */
   async #ask<K extends keyof Requests>(
     kind: K,
     request: () => Requests[K]['request'],

@@ -1,7 +1,8 @@
 /**
- * Small problems that take a solver through all its stages. An engine compiles what is called for the first
- * time, and later once more, and better, what is called often: on threads of its own, which on a device
- * with few processors take the worker's, just when somebody waits for the first answer.
+ * Small problems that take a solver through all its stages. An engine compiles code at its first
+ * call, and optimises it later if it is called often. It uses its own threads for that, which
+ * compete with the worker on a device with few processors, just while the user waits for the first
+ * result.
  */
 import type {Problem} from '../model/problem.js';
 
@@ -28,7 +29,10 @@ const square = (left: number) => ({
   ],
 });
 
-/** Two pieces; of their seam, one side is curved and the other is not, so that they have to be reshaped. */
+/**
+ * Two pieces. One side of their seam is curved and the other is not, so that they have to be
+ * reshaped.
+ */
 const squares: Problem = {
   garment: garmentOf({one: square(-8), other: square(2)}, [
     ['one', 1, 'other', 3],
@@ -50,7 +54,7 @@ const neckline: Bend = [
   [0.765432109877, -0.351234567891],
 ];
 
-/** The same curve, run through from its end. */
+/** The same curve in the opposite direction. */
 const backwards = ([[x1, y1], [x2, y2]]: Bend): Bend => [
   [1 - x2, y2],
   [1 - x1, y1],
@@ -77,8 +81,8 @@ function bodice(width: number, height: number, isBack: boolean) {
 }
 
 /**
- * Two bodices. They have as many curves and mirrors to find as any garment, but match as they lie, so that
- * hardly anything has to be searched for.
+ * Two bodices. They have as many curves and mirrors to detect as any garment, but match as drafted,
+ * so that hardly any search is needed.
  */
 const bodices = (width: number): Problem => ({
   garment: garmentOf(
@@ -107,5 +111,5 @@ function garmentOf(panels: object, seams: unknown[][]): string {
   });
 }
 
-/** To be solved in this order, while nothing else is asked for. The meshes of no two are the same. */
+/** Problems to solve in this order while no other request is pending. No two have equal meshes. */
 export const warmUpProblems: readonly Problem[] = [squares, bodices(1), bodices(1.03)];

@@ -1,4 +1,7 @@
-/** What is worked on once an answer is there: what its symmetries cost, what would help it, how good it can be, and a better one when asked. */
+/**
+ * Work after a solve: cost of the symmetries, remedies, bound on the alignment, and on request a
+ * better result.
+ */
 import type {Design} from '../model/design.js';
 import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../remedies/remedy.js';
@@ -9,7 +12,10 @@ import {Observable} from './observable.js';
 import {Proving} from './proving.js';
 import {RemedySearch} from './remedy-search.js';
 
-/** A better answer to the present design, looked for with more effort. @returns the design that it answers, from now the present one */
+/**
+ * Stores a better result of the present design, found with more effort.
+ * @returns the design of that result, from now on the present one
+ */
 type Improved = (design: Design, effort: number, result: SolveResult) => Design;
 
 export class Afterwards extends Observable {
@@ -33,7 +39,7 @@ export class Afterwards extends Observable {
     });
   }
 
-  /** The mean mismatch without symmetries, along the seams that count with them. [cm] */
+  /** Mean mismatch without symmetries, along the seams that count with them. [cm] */
   withoutSymmetry(design: Design): number | undefined {
     return this.#comparison.of(design);
   }
@@ -42,7 +48,9 @@ export class Afterwards extends Observable {
     return this.#remedies.of(design);
   }
 
-  /** No other placing misses by less than this share of what the present one misses by. */
+  /**
+   * Bound on the alignment: no other one has less than this share of the present one's mismatch.
+   */
   bound(design: Design): number | undefined {
     return this.#proving.of(design);
   }
@@ -51,7 +59,7 @@ export class Afterwards extends Observable {
     return this.#improvement.of(design);
   }
 
-  /** A design has been solved, and nobody has asked for anything since. */
+  /** Follows a solved design until there is another request. */
   async follow(design: Design, result: SolveResult): Promise<void> {
     this.stop();
     this.#latest = design;
@@ -60,7 +68,10 @@ export class Afterwards extends Observable {
     if (this.#latest === design) await this.#proving.follow(design, result);
   }
 
-  /** Until somebody stops it, or does anything else. @param result the answer to `design` */
+  /**
+   * Improves a result until it is stopped or there is another request.
+   * @param result the result of `design`
+   */
   async improve(design: Design, result: SolveResult): Promise<void> {
     this.stop();
     this.#latest = design;
@@ -76,7 +87,7 @@ export class Afterwards extends Observable {
     this.#improvement.stop();
   }
 
-  /** What was gained by then stays. */
+  /** Stops the improvement; the gain so far stays. */
   stopImproving(): void {
     this.#improvement.stop();
   }

@@ -1,13 +1,13 @@
-/** How wide seams and hems are cut: the same for cutting files and for the pieces on their cloth. */
+/** Seam and hem allowances, the same for cutting files and for the pieces on their fabric. */
 import type {Units} from '../model/units.js';
 import type {ChosenAllowances, Preferences} from '../texts/preferences.js';
 
 type Chosen = Pick<Preferences, 'units' | 'allowances'>;
 
-/** More than any hem. [cm] */
+/** Greatest allowance, more than any hem. [cm] */
 export const greatestAllowance = 10;
 
-/** What most patterns have, in centimetres or in inches that are on a ruler. */
+/** Allowances of most patterns, in centimetres, or in inches that a ruler shows. */
 const usual: Readonly<Record<Units, ChosenAllowances>> = {
   cm: {allowanceCm: 1, hemCm: 3},
   inch: {allowanceCm: 0.375 * 2.54, hemCm: 1.25 * 2.54},
@@ -18,7 +18,9 @@ export const allowancesIn = ({units, allowances}: Chosen): ChosenAllowances => (
   ...allowances,
 });
 
-/** What is as it is usual is not remembered: it follows the units. */
+/**
+ * Preferences with these allowances. Usual values are not stored, so that they follow the units.
+ */
 export function withAllowances(
   chosen: ChosenAllowances,
   {units}: Chosen,

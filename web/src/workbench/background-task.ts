@@ -1,11 +1,14 @@
-/** What work in the background has in common: the newest takes the place of the one before, and learns of designs. */
+/**
+ * Common parts of background work: the newest task replaces the one before, and stores findings
+ * about designs.
+ */
 import type {Design} from '../model/design.js';
 
-/** At most one piece of work at a time. */
+/** Runs at most one task at a time. */
 export class NewestTask {
   #running: AbortController | undefined;
 
-  /** Ends the one before. @returns what ends this one */
+  /** Begins a task and ends the one before. @returns the controller that ends this one */
   begin(): AbortController {
     this.stop();
     return (this.#running = new AbortController());
@@ -17,13 +20,13 @@ export class NewestTask {
   }
 }
 
-/** What was found out about designs, for as long as somebody holds them. */
+/** Findings about designs, kept as long as the designs are in use. */
 export class DesignFindings<Finding> {
   readonly #known = new WeakMap<Design, Finding>();
   readonly #finished = new WeakSet<Design>();
   readonly #changed: () => void;
 
-  /** @param changed told of everything that is news */
+  /** @param changed called for every new finding */
   constructor(changed: () => void) {
     this.#changed = changed;
   }
@@ -37,7 +40,7 @@ export class DesignFindings<Finding> {
     if (isNews) this.#changed();
   }
 
-  /** Nothing more is to be found out about it. */
+  /** Marks a design as completely examined. */
   finish(design: Design): void {
     this.#finished.add(design);
   }

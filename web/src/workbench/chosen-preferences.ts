@@ -1,4 +1,4 @@
-/** The preferences of a user, and the words of the language that is among them. */
+/** The user's preferences, and the texts in the preferred language. */
 import {loadTexts, textsOf, type Texts} from '../texts/texts.js';
 import type {Preferences} from '../texts/preferences.js';
 import {Observable} from './observable.js';
@@ -29,7 +29,7 @@ export class ChosenPreferences extends Observable {
 
   async #learn(): Promise<void> {
     if (!(await loadTexts(this.#preferences.language))) return;
-    this.#preferences = {...this.#preferences}; // what is kept by them is drawn again
+    this.#preferences = {...this.#preferences}; // a new object: cached views are redrawn
     this.changed();
   }
 }

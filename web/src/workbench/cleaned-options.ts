@@ -1,4 +1,6 @@
-/** Options without what a garment has not: names of pieces, and numbers of seams and edges. */
+/**
+ * Options without names of pieces, and numbers of seams and edges, that a garment does not have.
+ */
 import type {Locks, SolveOptions} from '../model/options.js';
 import type {MeshedPattern} from '../model/result.js';
 
@@ -17,7 +19,7 @@ const knownLocks = (locked: Locks, edgesOf: ReadonlyMap<string, readonly number[
     }),
   );
 
-/** The same options when there is nothing to leave out. */
+/** Cleans options; returns the same object when there is nothing to remove. */
 export function cleanedOptions(
   options: SolveOptions,
   {pieces, seams}: Pick<MeshedPattern, 'pieces' | 'seams'>,

@@ -1,32 +1,35 @@
-/** What somebody has said of the cloth that a print is on, and of how pieces keep apart: remembered with their preferences. */
+/**
+ * The user's choices about the fabric of a print and the distances of pieces, stored with the
+ * preferences.
+ */
 import type {DesignPrint} from '../model/design.js';
 import {fieldOf} from '../model/read.js';
 import type {ChosenAllowances, Preferences} from '../texts/preferences.js';
 import {allowancesIn, greatestAllowance, withAllowances} from './allowances.js';
 
-/** As it is remembered with the print. */
+/** Choices that are stored with the print. */
 interface KeptChoices {
-  /** Between its edges. [cm] */
+  /** Width between the edges of the fabric. [cm] */
   readonly widthCm: number;
-  /** Along each edge, where nothing is cut. [cm] */
+  /** Width of the strip along each edge in which nothing is cut. [cm] */
   readonly selvedgeCm: number;
-  /** Between pieces. [cm] */
+  /** Distance between pieces. [cm] */
   readonly gapCm: number;
-  /** All pieces lie with their heads the same way, as nap and one-way prints ask. */
+  /** True if all pieces have their heads the same way, as nap and one-way prints require. */
   readonly isOneWay: boolean;
-  /** Of the print's origin from the left edge; null where nobody has measured it. [cm] */
+  /** Distance of the print's origin from the left edge; null until it is measured. [cm] */
   readonly phaseCm: number | null;
 }
 
 export interface ClothChoices extends KeptChoices, ChosenAllowances {
-  /** How many garments are cut from it. */
+  /** Number of garments cut from the fabric. */
   readonly copies: number;
 }
 
-/** As cloth is sold. [cm] */
+/** Widths in which fabric is sold. [cm] */
 export const usualWidths: readonly number[] = [90, 110, 115, 140, 150, 160];
 
-/** Of each length. [cm] */
+/** Limits of every choice. [cm, garments] */
 export const clothLimits = {
   widthCm: [20, 400],
   selvedgeCm: [0, 10],
@@ -45,10 +48,10 @@ const usual: KeptChoices = {
   phaseCm: null,
 };
 
-/** Prints that are remembered; the oldest is forgotten first. */
+/** Number of stored prints; the oldest one is dropped first. */
 const most = 40;
 
-/** What a print is known by from one visit to the next. */
+/** Name of a print in the stored preferences. */
 const nameOf = ({sample, title}: DesignPrint): string => sample?.name ?? title;
 
 const isLength = (value: unknown, [least, greatest]: readonly [number, number]): boolean =>
@@ -62,7 +65,10 @@ const isRight: {readonly [Name in keyof KeptChoices]: (value: unknown) => boolea
   phaseCm: (value) => value === null || isLength(value, clothLimits.phaseCm),
 };
 
-/** What was chosen last for a print, as far as it is understood; else the width of the cloth before, and the rest as it is usual. */
+/**
+ * Last choices for a print, as far as they are valid. Otherwise, width and gap are those of the
+ * last fabric, and the rest is as usual.
+ */
 export function storedCloth(print: DesignPrint, preferences: Preferences): ClothChoices {
   const all = Object.entries(preferences.cloths ?? {});
   const own = all.find(([name]) => name === nameOf(print))?.[1];
@@ -80,7 +86,7 @@ export function storedCloth(print: DesignPrint, preferences: Preferences): Cloth
   };
 }
 
-/** What is to be remembered. */
+/** Preferences with these choices. */
 export function withCloth(
   print: DesignPrint,
   {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, ...rest}: ClothChoices,

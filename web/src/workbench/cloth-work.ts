@@ -1,4 +1,4 @@
-/** One answer on its cloth: what is laid of it, the steps of whoever has it in hand, and what is to be seen of them. */
+/** Layout of one result: the steps of the user who works on it, and the data for its view. */
 import {isMoved, movedPlan} from '../marker/moved-plan.js';
 import type {Bolt, LaidPiece} from '../marker/places.js';
 import type {MarkerOrder} from '../marker/problem.js';
@@ -9,11 +9,11 @@ import type {SolveResult} from '../model/result.js';
 import {noPins, type LayStep} from './lay-step.js';
 import {lastOf} from './last-of.js';
 
-/** A piece on the cloth. */
+/** A piece on the fabric. */
 export interface PieceOnCloth extends LaidPiece {
-  /** Among all that are laid. */
+  /** Number among all pieces of the layout. */
   readonly number: number;
-  /** By the garment's file. */
+  /** Name in the garment file. */
   readonly name: string;
 }
 
@@ -28,7 +28,10 @@ export class ClothWork {
     this.history = history;
   }
 
-  /** A new one, with nothing laid yet. Flaws are those of a bolt, whatever is cut from it; and as many are cut. */
+  /**
+   * A new layout without pieces. It keeps the flaws, which belong to the bolt, if the print is the
+   * same; it also keeps the number of garments.
+   */
   static after(
     before: ClothWork | undefined,
     result: SolveResult,
@@ -53,7 +56,7 @@ export class ClothWork {
     return this.result === result && this.print === design?.print;
   }
 
-  /** The plan with the pieces as they lie now. */
+  /** The plan with the present places of the pieces. */
   get plan(): LayPlan | undefined {
     const {order, plan, places} = this.step;
     return order && plan && this.#planOf(order, plan, places);
@@ -61,7 +64,7 @@ export class ClothWork {
 
   readonly #planOf = lastOf(movedPlan);
 
-  /** Somebody has moved pieces since they were laid. */
+  /** True if the user has moved pieces since they were laid out. */
   get isMoved(): boolean {
     const {order, plan, places} = this.step;
     return order !== undefined && plan !== undefined && this.#areMoved(order, plan, places);
@@ -69,7 +72,7 @@ export class ClothWork {
 
   readonly #areMoved = lastOf(isMoved);
 
-  /** All that have a place. */
+  /** All pieces that have a place. */
   get pieces(): readonly PieceOnCloth[] {
     const {order, places} = this.step;
     return order ? this.#piecesOf(order, places) : [];

@@ -1,4 +1,4 @@
-/** What the symmetries of a design cost: the same design solved without them, when nothing else is to be done. */
+/** Cost of a design's symmetries: solves the same design without them, in the background. */
 import type {Design} from '../model/design.js';
 import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
@@ -10,7 +10,7 @@ export class Comparison {
   readonly #solver: SolverService;
   readonly #task = new NewestTask();
   readonly #means: DesignFindings<number>;
-  /** The last design without symmetries, and what came of it. */
+  /** The last design without symmetries, and its result. */
   #free: {readonly design: Design; readonly result: SolveResult} | undefined;
 
   constructor(solver: SolverService, changed: () => void) {
@@ -18,12 +18,12 @@ export class Comparison {
     this.#means = new DesignFindings(changed);
   }
 
-  /** The mean mismatch without symmetries, along the seams that count with them. [cm] */
+  /** Mean mismatch without symmetries, along the seams that count with them. [cm] */
   of(design: Design): number | undefined {
     return this.#means.of(design);
   }
 
-  /** A design has been solved; if its answer has symmetries, it is solved without them as well. */
+  /** Follows a solved design. If its result has symmetries, it is also solved without them. */
   async follow(design: Design, result: SolveResult): Promise<void> {
     this.stop();
     if (result.symmetries.length === 0) {
@@ -40,10 +40,10 @@ export class Comparison {
     this.#task.stop();
   }
 
-  /** @returns whether there is an answer */
+  /** Solves a design without symmetries. @returns whether there is a result */
   async #solveFree(design: Design, signal: AbortSignal): Promise<boolean> {
     const free: Design = {...design, symmetry: 'none'};
-    // the main solve has said what there is to say; without a comparison none is shown
+    // a failure is not reported, since the main solve reports its own; no comparison is shown then
     const result = await this.#solver.solve(problemOf(free), {signal}).catch(() => undefined);
     if (result) this.#free = {design: free, result};
     return result !== undefined;
@@ -52,7 +52,7 @@ export class Comparison {
   #compare(design: Design, result: SolveResult): void {
     if (!this.#free) return;
     const counted = countedSeams(result);
-    // both are searches; without symmetry one is free to keep it
+    // both are searches, and a solve without symmetries is free to keep the symmetric result
     const mean = Math.min(
       ...[this.#free.result, result].map((one) => finalMismatch(one, counted).mean),
     );

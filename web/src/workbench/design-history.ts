@@ -1,4 +1,4 @@
-/** A design with its history: taken step by step, back and forth. */
+/** A design with its history of steps, for undo and redo. */
 import type {Design} from '../model/design.js';
 import type {History} from '../model/history.js';
 import {Observable} from './observable.js';
@@ -7,11 +7,11 @@ import type {ShownSheet} from './shown-sheet.js';
 import type {Step, ViewState} from './state.js';
 import {improving, Steps} from './steps.js';
 
-/** What belongs to a change of the design. */
+/** Hooks of a change of the design. */
 interface HistoryHooks {
-  /** A step has been taken: the design as it is to be, before anybody sees it. */
+  /** Corrects the design of a new step before it is published. */
   readonly mended: (design: Design) => Design;
-  /** The present design may be any other than before. */
+  /** Called when the present design may have changed. */
   readonly arrived: () => void;
 }
 
@@ -21,14 +21,14 @@ export class DesignHistory extends Observable {
   readonly #hooks: HistoryHooks;
   #beginnings = 0;
 
-  /** @param sheet with whose view each step is kept */
+  /** @param sheet sheet whose view is stored with each step */
   constructor(sheet: ShownSheet, hooks: HistoryHooks) {
     super();
     this.#sheet = sheet;
     this.#hooks = hooks;
   }
 
-  /** Undefined until a garment is there. */
+  /** Undefined until there is a garment. */
   get design(): Design | undefined {
     return this.history?.present.design;
   }
@@ -37,7 +37,7 @@ export class DesignHistory extends Observable {
     return this.#steps.history;
   }
 
-  /** How many histories were begun: another number is another piece of work. */
+  /** Number of histories that were begun; a new number means different work. */
   get beginnings(): number {
     return this.#beginnings;
   }
@@ -50,7 +50,7 @@ export class DesignHistory extends Observable {
     return (this.history?.future.length ?? 0) > 0;
   }
 
-  /** Starts, or starts over, with a history of its own. */
+  /** Starts, or starts over, with another history. */
   begin(history: History<Step>): void {
     this.#beginnings++;
     this.#steps.begin(history);
@@ -58,12 +58,12 @@ export class DesignHistory extends Observable {
   }
 
   /**
-   * Takes a step. Changes of one `kind` that follow each other quickly, as a slider's or a drag's do,
-   * are one step.
+   * Takes a step. Changes of one `kind` in quick succession, as by a slider or a drag, are one
+   * step.
    */
   change(change: Partial<Design>, kind = ''): void {
     if (!this.design) return;
-    // how long was looked for an answer belongs to that answer, not to the next question
+    // the effort of a result belongs to that result, not to the next request
     const {effort, ...options} = change.options ?? this.design.options;
     const asks = askedFields.some((field) => field in change);
     const taken = effort === undefined || !asks ? change : {...change, options};
@@ -72,24 +72,27 @@ export class DesignHistory extends Observable {
     this.#arrive();
   }
 
-  /** All better answers that are found in one go are one step. */
+  /** Stores the options of a better result. All better results of one run are one step. */
   improve(options: Design['options']): void {
     this.#steps.change({options}, improving, this.#view);
     this.changed();
   }
 
-  /** As a part of the step that led to the present design. */
+  /** Changes the present design as part of the step that led to it. */
   mend(design: Design): void {
     this.#steps.mend(design);
     this.changed();
   }
 
-  /** Whether a drag is under way, whose changes are one step. */
+  /** True during a drag, whose changes are one step. */
   get isHeld(): boolean {
     return this.#steps.isHeld;
   }
 
-  /** For a drag: until it ends, its changes are one step, however long it rests. @returns what ends it */
+  /**
+   * Begins a drag. Until it ends, its changes are one step, however long it pauses.
+   * @returns the function that ends it
+   */
   hold(): () => void {
     this.#steps.hold();
     return () => {

@@ -1,4 +1,4 @@
-/** The answer to the present design as it is worn: draped for as long as somebody looks at it. */
+/** Drape of the present result, computed while it is on display. */
 import type {
   Drape,
   DrapeMesh,
@@ -15,31 +15,37 @@ import {toFailure} from './latest-solve.js';
 import {Observable} from './observable.js';
 import type {Workbench} from './workbench.js';
 
-/** `waiting`: for an answer to be draped; `draping`: what was shown before stays until the first places come. */
+/**
+ * `waiting`: there is no result to drape; `draping`: the previous drape stays on display until the
+ * first positions arrive.
+ */
 type DrapingState =
   | {readonly kind: 'waiting' | 'done' | 'cancelled'}
   | {readonly kind: 'draping'; readonly progress: DrapeProgress}
   | {readonly kind: 'failed'; readonly failure: Failure};
 
-/** Whoever shows it. All of a drape that is under way is told as it comes. */
+/** A view of the drape, which receives all data of a running drape. */
 export interface DrapingViewer {
   form(form: Form): void;
-  /** What the next places are of. */
+  /** Receives the mesh of the next positions. */
   mesh(mesh: DrapeMesh): void;
-  /** x, y, z per vertex of the cloth. [cm] @param isFinal it will not move any more */
+  /**
+   * Receives x, y, z per vertex of the mesh. [cm]
+   * @param isFinal true if the mesh does not move any more
+   */
   positions(positions: Float32Array, isFinal: boolean): void;
-  /** What was shown is another garment than the one that there is. */
+  /** Clears the display, which shows another garment. */
   clear(): void;
 }
 
-/** What is draped, and how. */
+/** Input of a drape. */
 interface Question {
   readonly garment: DesignGarment;
   readonly result: SolveResult;
   readonly fabric: FabricName;
 }
 
-/** A drape takes about a megabyte. */
+/** Number of stored drapes; each takes about a megabyte. */
 const most = 8;
 
 const begun: DrapeProgress = {stage: 'sew', fraction: 0};
@@ -49,14 +55,14 @@ type Source = Pick<Workbench, 'design' | 'result' | 'subscribe' | 'solver'>;
 export class Draping extends Observable {
   readonly #source: Source;
   readonly #viewers = new Set<DrapingViewer>();
-  /** The oldest first. */
+  /** Stored drapes, the oldest first. */
   #kept: readonly (readonly [Question, Drape])[] = [];
   #state: DrapingState = {kind: 'waiting'};
-  /** What was draped last, or is being draped; also where that failed or was cancelled. */
+  /** Input of the last or the running drape, even if that failed or was cancelled. */
   #question: Question | undefined;
   #running: AbortController | undefined;
   #drape: Drape | undefined;
-  /** What is shown, for who comes later. */
+  /** Data on display, for views that are added later. */
   #form: Form | undefined;
   #mesh: DrapeMesh | undefined;
   #positions: Float32Array | undefined;
@@ -72,12 +78,15 @@ export class Draping extends Observable {
     return this.#state;
   }
 
-  /** Settled, of the present answer or of the one before. */
+  /** Settled drape of the present result or of the one before. */
   get drape(): Drape | undefined {
     return this.#drape;
   }
 
-  /** Shows what there is, and drapes from now on. @returns what ends that; what nobody looks at is not draped */
+  /**
+   * Adds a view and drapes from now on.
+   * @returns the function that removes the view; without views nothing is draped
+   */
   show(viewer: DrapingViewer): () => void {
     if (this.#form) viewer.form(this.#form);
     if (this.#mesh && this.#positions) {
@@ -101,14 +110,14 @@ export class Draping extends Observable {
     };
   }
 
-  /** Ends what is under way; what is shown stays. */
+  /** Ends the running drape; the display stays. */
   cancel(): void {
     if (this.#state.kind !== 'draping') return;
     this.#stop();
     this.#become({kind: 'cancelled'});
   }
 
-  /** Drapes what was cancelled, or failed. */
+  /** Repeats a drape that was cancelled or failed. */
   again(): void {
     this.#question = undefined;
     this.#follow();
@@ -139,7 +148,10 @@ export class Draping extends Observable {
     else void this.#run(question);
   }
 
-  /** Another print may need no other drape, so that one goes on; another garment does. */
+  /**
+   * Waits for a result. A running drape continues if only the print changes, since that may need no
+   * other drape.
+   */
   #wait(design: Design | undefined): void {
     if (!this.#question || this.#question.garment === design?.garment) return;
     this.#stop();
@@ -162,7 +174,7 @@ export class Draping extends Observable {
     this.#running = running;
     this.#become({kind: 'draping', progress: begun});
     const {garment, result, fabric} = question;
-    // the cloth goes on from where it hangs
+    // the mesh continues from its present positions
     const settings: DrapeSettings = {fabric, ...(this.#drape && {from: this.#drape})};
     let mesh: DrapeMesh | undefined;
     try {
@@ -223,7 +235,7 @@ export class Draping extends Observable {
   }
 }
 
-/** Whether the same cloth hangs: the print may lie on it otherwise. */
+/** Returns whether two inputs give the same drape; the print may be aligned differently. */
 const isSame = (one: Question, other: Question): boolean =>
   one.garment === other.garment &&
   one.fabric === other.fabric &&
@@ -245,7 +257,7 @@ const samePoints = (one: readonly Point[], other: readonly Point[] = []): boolea
 
 const known = new WeakMap<Source, Draping>();
 
-/** The one of a workbench, begun when it is first asked for. */
+/** Draping of a workbench, created at the first call. */
 export function drapingOf(workbench: Workbench): Draping {
   const draping = known.get(workbench) ?? new Draping(workbench);
   known.set(workbench, draping);

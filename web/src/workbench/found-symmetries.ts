@@ -1,4 +1,4 @@
-/** Symmetries that a garment shows by itself. */
+/** Symmetries detected on a garment. */
 import type {DesignGarment} from '../model/design.js';
 import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
 import type {SolverService} from '../solver/service.js';
@@ -22,7 +22,7 @@ export class FoundSymmetries {
     );
     return found.filter((one) => held.some((other) => concernsSame(one, other))).map(asked);
   });
-  /** What `#found` is about. */
+  /** Garment of `#found`. */
   #garment: DesignGarment | undefined;
   #found: readonly DetectedSymmetry[] = [];
 
@@ -31,17 +31,17 @@ export class FoundSymmetries {
     this.#changed = changed;
   }
 
-  /** Those that an answer keeps without being asked. */
+  /** Detected symmetries that a result keeps without a request. */
   heldBy(pattern: Pattern): readonly Symmetry[] {
     return this.#held(this.#found, pattern);
   }
 
-  /** Those that are not kept yet. */
+  /** Detected symmetries that are not kept yet. */
   beside(asked: readonly Symmetry[] | undefined): readonly DetectedSymmetry[] {
     return this.#unasked(this.#found, asked);
   }
 
-  /** Looks for them in another garment. */
+  /** Detects the symmetries of another garment. */
   follow(garment: DesignGarment): void {
     this.forget();
     this.#garment = garment;
@@ -51,7 +51,7 @@ export class FoundSymmetries {
         this.#found = symmetries;
         this.#changed();
       },
-      () => undefined, // a garment that cannot be read fails to solve as well, and that is said
+      () => undefined, // reading also fails in the solve, which reports it
     );
   }
 

@@ -1,4 +1,6 @@
-/** Where the grain of pieces probably runs, when their file does not say it: from how they hang, and from their symmetry. */
+/**
+ * Probable grain lines of pieces whose file gives none, from their placement and their symmetry.
+ */
 import type {Placement} from '../model/garment-document.js';
 import type {PanelMarks} from '../model/garment-marks.js';
 import {degrees, middle, radians, towards, type Point} from '../model/geometry.js';
@@ -10,24 +12,27 @@ import type {Workbench} from './workbench.js';
 
 type Drafted = Pick<ResultPiece, 'name' | 'rest' | 'outline'>;
 
-/** As drawn. [degrees, counter-clockwise from the x axis of the face-up piece] */
+/**
+ * Direction of the grain as drawn. [degrees, counter-clockwise from the x axis of the face-up
+ * piece]
+ */
 export const upwards = 90;
 
-/** What hangs along an arm: there the grain runs to the shoulder, however the arm is held. */
+/** Names of pieces along an arm, where the grain runs to the shoulder in any pose of the arm. */
 const onArm = /sleeve|cuff|(^|[_ -])(arm|sl)([_ -]|$)/i;
-/** How steeply an arm is thought to lead up to the shoulder. [degrees] */
+/** Assumed slope of an arm up to the shoulder. [degrees] */
 const armSlope = 30;
-/** Within this of an axis, the axis is meant. [degrees] */
+/** A direction within this of an axis means the axis. [degrees] */
 const nearAxis = 45;
 
-/** From 0 to 360. */
+/** The same angle from 0 to 360. [degrees] */
 const whole = (angleDeg: number): number => ((angleDeg % 360) + 360) % 360;
 const apart = (one: number, other: number): number => {
   const difference = whole(one - other);
   return Math.min(difference, 360 - difference);
 };
 
-/** Which way the cloth's length points on the body. */
+/** Direction of the fabric's length on the body. */
 function upOf(name: string, middle: Point, {translation, rotation = [0, 0, 0]}: Placement): Point {
   const [dx] = turned([...middle, 0], rotation);
   const x = translation[0] + dx;
@@ -36,7 +41,7 @@ function upOf(name: string, middle: Point, {translation, rotation = [0, 0, 0]}: 
   return [-Math.sign(x) * out, up];
 }
 
-/** Of the ways in which a piece is drawn the one that leads up most on the body; undefined where nothing tells. */
+/** The drawing direction that points up most on the body; undefined without evidence. */
 function placedUp(piece: Drafted, placement: Placement | undefined): number | undefined {
   const {rotation} = placement ?? {};
   if (!placement || !rotation) return undefined;
@@ -48,21 +53,21 @@ function placedUp(piece: Drafted, placement: Placement | undefined): number | un
   };
   const [across, along] = [rise(1, 0), rise(0, 1)];
   if (Math.max(Math.abs(across), Math.abs(along)) < 0.3) return undefined;
-  // as drawn, unless it clearly lies on its side
+  // drawn upright, unless the piece is clearly on its side
   if (Math.abs(across) > Math.abs(along) + 0.05) return across > 0 ? 0 : 180;
   return along > 0 ? upwards : 270;
 }
 
-/** Along the piece's own axis, or across it, whichever leads up. */
+/** The direction along or across the piece's own axis that points up. */
 function alongAxis(up: number, axis: number): number {
   const ways = [axis, axis + 90, axis + 180, axis + 270].map(whole);
   return ways.find((way) => apart(way, up) < nearAxis) ?? up;
 }
 
-/** What mirrors what, by name, and how: p' = R F p + t of the pieces face up. */
+/** A symmetry by names of pieces, with its map: p' = R F p + t of the face-up pieces. */
 export type Mirror = Symmetry & Pick<Registration, 'map'>;
 
-/** The symmetries that the answer keeps, and those that were found beside them. */
+/** The symmetries that the result keeps, and the other detected ones. */
 export function mirrorsOf({
   pattern,
   found,
@@ -76,7 +81,7 @@ export function mirrorsOf({
   return [...kept, ...found];
 }
 
-/** The grain line of a piece, and that of its mirror image if it has one, by name. [degrees] */
+/** Grain line of a piece, and of its mirror image if it has one, by name. [degrees] */
 export function withImage(
   piece: string,
   angleDeg: number,
@@ -86,13 +91,13 @@ export function withImage(
   for (const one of mirrors) {
     if (one.kind !== 'pair' || !one.pieces.includes(piece)) continue;
     const isFirst = one.pieces[0] === piece;
-    // F turns the direction d into 180 - d; back the other way, the map turns as far
+    // F turns the direction d into 180 - d; the inverse map turns by the same angle
     lines[one.pieces[isFirst ? 1 : 0]] = whole(180 - angleDeg + degrees(one.map.angle));
   }
   return lines;
 }
 
-/** By name, for the pieces whose file says nothing. */
+/** Grain lines by name, for the pieces whose file gives none. [degrees] */
 export function grainProposals(
   pieces: readonly Drafted[],
   marks: ReadonlyMap<string, PanelMarks>,
@@ -118,12 +123,12 @@ export function grainProposals(
   return proposals;
 }
 
-/** How a grain line of a file without one is chosen. */
+/** Choices of a grain line for a file without one. */
 export const grainWays = ['up', 'across', 'bias'] as const;
 type GrainWay = (typeof grainWays)[number];
 
 export const angleOfWay: Readonly<Record<GrainWay, number>> = {up: upwards, across: 0, bias: 45};
 
-/** Undefined for a line that is none of these. */
+/** The choice with an angle; undefined for any other angle. */
 export const wayOf = (angleDeg: number): GrainWay | undefined =>
   grainWays.find((way) => apart(angleOfWay[way], angleDeg) < 0.05);

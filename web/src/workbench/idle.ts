@@ -1,6 +1,6 @@
-/** Waits for times in which background work disturbs nobody. */
+/** Waits for times in which background work does not disturb the user. */
 
-/** Long enough for a user who reads the answer and acts on it. [ms] */
+/** Long enough for a user who reads the result and acts on it. [ms] */
 const pause = 1500;
 
 /** A page that is busy for longer than this counts as idle. [ms] */
@@ -20,7 +20,7 @@ export const idle = (): Promise<void> =>
     const done = (): void => {
       resolve();
     };
-    // Safari has none
+    // Safari lacks requestIdleCallback
     if (typeof requestIdleCallback === 'function') requestIdleCallback(done, {timeout: patience});
     else setTimeout(done, 100);
   });

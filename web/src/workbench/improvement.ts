@@ -1,4 +1,7 @@
-/** A better answer to the same question, looked for as long as somebody lets it: each try looks twice as long as the one before. */
+/**
+ * Searches for a better result of the same design until it is stopped. Each attempt searches twice
+ * as long as the one before.
+ */
 import type {Design} from '../model/design.js';
 import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
@@ -7,10 +10,10 @@ import type {SolverService} from '../solver/service.js';
 import {NewestTask} from './background-task.js';
 import {idle} from './idle.js';
 
-/** How far it has come. */
+/** State of an improvement. */
 export interface Improving {
   readonly isRunning: boolean;
-  /** By how much seams meet better on average than in the answer that it began with. [cm] */
+  /** Decrease of the mean mismatch since the first result. [cm] */
   readonly gained: number;
 }
 
@@ -19,9 +22,9 @@ interface Answered {
   readonly result: SolveResult;
 }
 
-/** Beyond this nobody waits. */
+/** Greatest effort; more would take longer than users wait. */
 export const mostEffort = 16;
-/** What can be seen of a gain, on average. [cm] */
+/** Least mean gain that is visible. [cm] */
 const leastGain = 0.005;
 
 export class Improvement {
@@ -29,10 +32,10 @@ export class Improvement {
   readonly #changed: () => void;
   readonly #keep: (design: Design, effort: number, result: SolveResult) => Design;
   readonly #task = new NewestTask();
-  /** Of which design, as it is now. */
+  /** State, with the design in its present form. */
   #state: (Improving & {readonly design: Design}) | undefined;
 
-  /** @param keep is handed every better answer, and gives back the design that it answers from then on */
+  /** @param keep receives every better result, and returns the design of that result */
   constructor(
     solver: SolverService,
     changed: () => void,
@@ -43,12 +46,16 @@ export class Improvement {
     this.#keep = keep;
   }
 
-  /** Undefined where nobody has asked for it. */
+  /** Undefined unless an improvement was requested. */
   of(design: Design): Improving | undefined {
     return this.#state?.design === design ? this.#state : undefined;
   }
 
-  /** @param result the answer to `design`. @returns the best that was found */
+  /**
+   * Improves a result.
+   * @param result the result of `design`
+   * @returns the best result that was found
+   */
   async start(design: Design, result: SolveResult): Promise<Answered> {
     this.stop();
     const {signal} = this.#task.begin();
@@ -62,7 +69,7 @@ export class Improvement {
     for (let effort = 2 * (design.options.effort ?? 1); effort <= mostEffort; effort *= 2) {
       await idle();
       const longer = {...design, options: {...design.options, effort}};
-      // what cannot be solved any more, or is stopped, ends it: what was gained by then is kept
+      // a failed solve or a stop ends the improvement; the gain so far is kept
       const next = await this.#solver.solve(problemOf(longer), {signal}).catch(() => undefined);
       if (!next || signal.aborted) break;
       const reached = finalMismatch(next).mean;

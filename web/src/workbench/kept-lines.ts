@@ -1,10 +1,13 @@
-/** The parts of outlines that stay as drafted, as lines to be drawn. */
+/** Locked parts of outlines, as lines to draw. */
 import {keptParts} from '../model/locks.js';
 import type {Locks} from '../model/options.js';
 import type {MeshedPattern} from '../model/result.js';
 import type {KeptLine} from '../scene/scene.js';
 
-/** Edges of an outline, by their number in it, as runs of neighbours that are sewn or not. */
+/**
+ * Locked edges of an outline, by their number in it, as runs of neighbours that are all sewn or all
+ * not sewn.
+ */
 function runs(
   outline: readonly number[],
   isKept: (edge: number) => boolean,
@@ -14,7 +17,7 @@ function runs(
   const continues = (k: number): boolean =>
     isKept(k) && isKept((k + n - 1) % n) && isSewn(k) === isSewn((k + n - 1) % n);
   const starts = outline.flatMap((_, k) => (isKept(k) && !continues(k) ? [k] : []));
-  // a run that goes all round has no start
+  // a run around the whole outline has no start
   const all = starts.length === 0 && n > 0 && isKept(0) ? [0] : starts;
   return all.map((start) => {
     let count = 1;
@@ -24,7 +27,7 @@ function runs(
   });
 }
 
-/** Undefined when nothing is locked. */
+/** Lines of the locked edges; undefined when nothing is locked. */
 export function keptLines(
   pattern: MeshedPattern,
   locked: Locks | undefined,

@@ -1,4 +1,4 @@
-/** Pins of a design, kept where the symmetries of its garment can keep them. */
+/** Pins of a design, moved to places that the symmetries of its garment permit. */
 import {askedSymmetries, printOf, type Decisions, type Design} from '../model/design.js';
 import {grainRule} from '../model/grain-rule.js';
 import {keptPins, type Mirroring, type PieceFacts} from '../model/pins.js';
@@ -15,14 +15,14 @@ const isOf =
     namesOf(symmetry).every((name) => pieces.includes(name)) &&
     (symmetry.kind === 'piece') === (pieces[0] === pieces[1]);
 
-/** Those of the mirrorings that a design asks for. */
+/** The mirrorings that a design requests. */
 export const askedOf = (
   design: Pick<Decisions, 'symmetry'>,
   mirrorings: readonly Mirroring[],
 ): readonly Mirroring[] =>
   mirrorings.filter((one) => askedSymmetries(design).some((symmetry) => isOf(symmetry)(one)));
 
-/** Without a mesh, prints are turned about the pieces' origins. */
+/** Facts about a piece. Without a mesh, prints are turned about the piece's origin. */
 function factsIn(
   design: Design,
   pattern: Pick<MeshedPattern, 'pieces'> | undefined,
@@ -35,7 +35,7 @@ function factsIn(
   return {middle: [middle(0), middle(1)], rule: grainRule(design, name)};
 }
 
-/** The same design when no pin has to move. */
+/** Moves pins; returns the same object when no pin has to move. */
 export function withKeptPins(
   design: Design,
   pattern: Pick<MeshedPattern, 'pieces'> | undefined,
@@ -49,7 +49,7 @@ export function withKeptPins(
   return kept === pins ? design : {...design, options: {...design.options, pins: kept}};
 }
 
-/** Where the symmetries of pinned pieces lie on the garment, as far as they can be measured. */
+/** Mirrorings of pinned pieces, as far as their symmetries can be measured. */
 export async function measuredMirrorings(
   design: Design,
   measure: (symmetry: Symmetry) => Promise<MeasuredSymmetry>,

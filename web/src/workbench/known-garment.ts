@@ -1,4 +1,4 @@
-/** What is known of the garment that is worked on, beside its answers: what its file holds, and its mesh. */
+/** Data of the present garment, apart from its results: its document and its mesh. */
 import type {DesignGarment} from '../model/design.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {MeshedPattern} from '../model/result.js';
@@ -10,12 +10,12 @@ export class KnownGarment {
   #garment: DesignGarment | undefined;
   #pattern: MeshedPattern | undefined;
   readonly #documents = new WeakMap<DesignGarment, GarmentDocument>();
-  /** What an edit has made of the garment, before anybody has read or meshed it. */
+  /** Result of an edit of the garment, before it is read or meshed. */
   #expected: {readonly garment: DesignGarment; readonly pattern: MeshedPattern} | undefined;
-  /** What is being read. */
+  /** Garment that is being read. */
   #reading: DesignGarment | undefined;
 
-  /** @param changed called when the garment that is worked on has been read */
+  /** @param changed called when the present garment has been read */
   constructor(solver: Pick<SolverService, 'garment'>, changed: () => void) {
     this.#solver = solver;
     this.#changed = changed;
@@ -25,7 +25,7 @@ export class KnownGarment {
     return this.#garment;
   }
 
-  /** Undefined until it has been read. */
+  /** Undefined until the garment has been read. */
   get document(): GarmentDocument | undefined {
     return this.#garment && this.#documents.get(this.#garment);
   }
@@ -34,13 +34,16 @@ export class KnownGarment {
     return this.#pattern;
   }
 
-  /** What the file of a garment holds that comes next, and how it lies until it is meshed. */
+  /** Stores the document of the next garment, and its pattern until it is meshed. */
   expect(garment: DesignGarment, document: GarmentDocument, pattern: MeshedPattern): void {
     this.#documents.set(garment, document);
     this.#expected = {garment, pattern};
   }
 
-  /** What was known of another garment is forgotten. @returns whether it was another one */
+  /**
+   * Sets the present garment, and drops the data of another one.
+   * @returns whether it was another one
+   */
   meet(garment: DesignGarment): boolean {
     if (garment === this.#garment) return false;
     this.#garment = garment;
@@ -49,7 +52,7 @@ export class KnownGarment {
     return true;
   }
 
-  /** What a garment's file holds, read once, whether or not it is worked on. @throws {SolverError} when it cannot be read */
+  /** Document of any garment, read once. @throws {SolverError} when it cannot be read */
   async read(garment: DesignGarment): Promise<GarmentDocument> {
     const known = this.#documents.get(garment);
     if (known) return known;
@@ -59,7 +62,10 @@ export class KnownGarment {
     return document;
   }
 
-  /** Reads the garment that is worked on, unless that is done. What cannot be read cannot be solved, which says why. */
+  /**
+   * Reads the present garment, unless it is read already. Errors are ignored, because the solve
+   * reports them, too.
+   */
   async learn(): Promise<void> {
     const garment = this.#garment;
     if (!garment || this.#documents.has(garment) || this.#reading === garment) return;
@@ -69,14 +75,14 @@ export class KnownGarment {
     if (garment === this.#garment && this.document) this.#changed();
   }
 
-  /** @returns whether it is the mesh of the garment that is worked on */
+  /** Stores a mesh. @returns whether it is the mesh of the present garment */
   take(garment: DesignGarment, pattern: MeshedPattern): boolean {
     if (garment !== this.#garment) return false;
     this.#pattern = pattern;
     return true;
   }
 
-  /** Unless it is known already. @returns whether it was not */
+  /** Stores a mesh unless there is one. @returns whether it was stored */
   takeFirst(garment: DesignGarment, pattern: MeshedPattern): boolean {
     return !this.#pattern && this.take(garment, pattern);
   }

@@ -1,4 +1,4 @@
-/** A function that knows its last answer: the same arguments get the same object. */
+/** A function that caches its last result: the same arguments give the same object. */
 export function lastOf<Arguments extends readonly unknown[], Result>(
   make: (...given: Arguments) => Result,
 ): (...given: Arguments) => Result {

@@ -1,4 +1,4 @@
-/** Solves the newest design only: a new one takes the place of the one before, whose answers are heard no more. */
+/** Solves the newest design only. It replaces the one before, whose results are then ignored. */
 import type {Design} from '../model/design.js';
 import {problemOf} from '../model/design-problem.js';
 import {failureOf, SolverError, type Failure} from '../model/failure.js';
@@ -8,7 +8,7 @@ import type {SolverService} from '../solver/service.js';
 
 interface SolveListeners {
   pattern(design: Design, pattern: MeshedPattern): void;
-  /** Angle, x, y per piece. [rad, cm] */
+  /** Receives angle, x, y per piece. [rad, cm] */
   partial(design: Design, alignments: Float64Array): void;
   progress(design: Design, progress: Progress): void;
   done(design: Design, result: SolveResult): void;
@@ -21,7 +21,7 @@ export const toFailure = (error: unknown): Failure => {
   return {code: 'internal', message, piece: null, seam: null};
 };
 
-/** While a design changes all the time, as under a drag, each solve gets at least this long. [ms] */
+/** Least time for each solve while a design changes continuously, such as during a drag. [ms] */
 const leastTime = 150;
 
 export class LatestSolve {
@@ -29,7 +29,7 @@ export class LatestSolve {
   readonly #listeners: SolveListeners;
   #current: AbortController | undefined;
   #started = -Infinity;
-  /** Starts what is to come after the solve that is running. */
+  /** Timer that starts the next solve. */
   #next: ReturnType<typeof setTimeout> | undefined;
 
   constructor(solver: SolverService, listeners: SolveListeners) {

@@ -1,4 +1,4 @@
-/** An answer laid on its cloth, beside a page that goes on. */
+/** Lays out a result on its fabric while the page stays responsive. */
 import {cheaperLays, type CheaperMeans} from '../marker/cheaper.js';
 import {cutRings, cutRingSteps, type MarkerGarment} from '../marker/cut-rings.js';
 import {withOptions} from '../marker/designs.js';
@@ -15,7 +15,7 @@ import {besideThePage, runInSlices, stepsFor} from '../solver/answers/slices.js'
 import {askedOf, liesThere, type LayStep} from './lay-step.js';
 import type {Workbench} from './workbench.js';
 
-/** What is laid of an answer, and on what. */
+/** Input of a layout: a result and its fabric. */
 export interface ToLay {
   readonly design: Design;
   readonly result: SolveResult;
@@ -26,7 +26,7 @@ export interface ToLay {
 interface LayHooks {
   readonly signal: AbortSignal;
   readonly onProgress: (fraction: number) => void;
-  /** Hears of each plan that is better than those before, and of the last one. */
+  /** Receives each plan that is better than those before, and the last one. */
   readonly onPlan: (order: MarkerOrder, plan: LayPlan) => void;
 }
 
@@ -50,7 +50,7 @@ function askedFor({design, result, garment, step: {choices}}: ToLay): Asked {
   };
 }
 
-/** Which edges of a garment have an allowance of their own. */
+/** Edges of a garment that have an allowance of their own. */
 export function ownAllowancesOf(toLay: ToLay): ReturnType<typeof cutRings>['ownAllowances'] {
   const {garments, settings} = askedFor(toLay);
   return cutRings(garments[0], ruleOf(settings)).ownAllowances;
@@ -58,7 +58,10 @@ export function ownAllowancesOf(toLay: ToLay): ReturnType<typeof cutRings>['ownA
 
 const ruleOf = ({allowanceCm = 0, hemCm = allowanceCm}: MarkerSettings) => ({allowanceCm, hemCm});
 
-/** @throws {SolverError} for what cannot be laid at all, naming what and the remedy; the signal's reason */
+/**
+ * Lays out a result.
+ * @throws {SolverError} naming cause and remedy, if no layout is possible; the signal's reason
+ */
 export async function laid(
   toLay: ToLay,
   solver: Workbench['solver'],
@@ -84,7 +87,10 @@ export async function laid(
   onPlan(order, layPlan(asked, answer));
 }
 
-/** What would take less cloth than a plan; nothing of cloth that lies there, of which nothing is to be chosen any more. */
+/**
+ * Changes that would take less fabric than a plan. There are none for fabric on the table, because
+ * its print and pins are fixed.
+ */
 export async function offersFor(
   toLay: ToLay,
   plan: LayPlan,
@@ -103,7 +109,10 @@ export async function offersFor(
   return offers;
 }
 
-/** With the other designs that its search has compared: the search itself is remembered, so that this takes little. */
+/**
+ * Adds the other designs that the garment's search has compared. The search is cached, so this
+ * takes little time.
+ */
 async function withOthers(
   garment: MarkerGarment,
   design: Design,

@@ -1,4 +1,4 @@
-/** What is laid on cloth as somebody has it: how the cloth is, what is pinned, what is to be left out. */
+/** The user's state of a layout: choices about the fabric, pins, and flaws to avoid. */
 import type {MarkerOrder} from '../marker/problem.js';
 import type {Failure} from '../model/failure.js';
 import type {Alignment, Point} from '../model/geometry.js';
@@ -8,28 +8,28 @@ import type {ClothChoices} from './cloth-choices.js';
 
 export type Flaw = readonly Point[];
 
-/** What undo comes back to. Pieces are meant by their numbers. */
+/** State that undo restores. Pieces are given by their numbers. */
 export interface LayStep {
   readonly choices: ClothChoices;
-  /** Polygons of the cloth on which nothing may lie. */
+  /** Polygons of the fabric that pieces must avoid. */
   readonly flaws: readonly Flaw[];
   readonly pins: ReadonlySet<number>;
-  /** Undefined where one has none. */
+  /** Places of pieces; undefined for a piece without one. */
   readonly places: readonly (Alignment | undefined)[];
-  /** What was laid last; undefined before. */
+  /** Order of the last layout; undefined before the first. */
   readonly order: MarkerOrder | undefined;
-  /** As it was laid last; undefined before. */
+  /** Plan of the last layout; undefined before the first. */
   readonly plan: LayPlan | undefined;
-  /** Why it could not be laid. */
+  /** Failure of the last layout. */
   readonly failure: Failure | undefined;
 }
 
 export const noPins: LayStep['pins'] = new Set();
 
-/** With flaws or pinned pieces the cloth is one that lies there. */
+/** Returns whether the fabric is on the table already, which flaws or pinned pieces imply. */
 export const liesThere = ({pins, flaws}: LayStep): boolean => pins.size > 0 || flaws.length > 0;
 
-/** On cloth that lies there its print stays where it is. */
+/** Adds pins and flaws to a problem. The print keeps its place if the fabric is on the table. */
 export function askedOf(problem: MarkerProblem, step: LayStep): MarkerProblem {
   const {pins, flaws, places, plan, choices} = step;
   const origin = plan?.printOrigin;

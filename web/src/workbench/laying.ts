@@ -1,4 +1,7 @@
-/** The answer to the present design laid on cloth: for as long as somebody looks at it, with what is moved there by hand. */
+/**
+ * Layout of the present result on fabric, computed while it is on display, including pieces moved
+ * by hand.
+ */
 import {withOffers} from '../marker/cheaper.js';
 import {placesIn} from '../marker/moved-plan.js';
 import {aroundPins} from '../model/pinned-plan.js';
@@ -18,7 +21,7 @@ import {toFailure} from './latest-solve.js';
 import {Observable} from './observable.js';
 import type {Workbench} from './workbench.js';
 
-/** `waiting`: for an answer to be laid; `laying`: the best so far is shown. */
+/** `waiting`: there is no result to lay out; `laying`: the best layout so far is shown. */
 type LayingState =
   | {readonly kind: 'waiting' | 'done' | 'cancelled'}
   | {readonly kind: 'laying'; readonly fraction: number}
@@ -31,14 +34,14 @@ type Source = Pick<
 
 export class Laying extends Observable {
   readonly #source: Source;
-  /** What is shown, and what takes its place once there is something of it. */
+  /** Layout on display, and the one that replaces it as soon as it has pieces. */
   #work: ClothWork | undefined;
   #next: ClothWork | undefined;
-  /** Of answers that somebody may come back to. */
+  /** Layouts of results that the user may return to. */
   readonly #known = new WeakMap<SolveResult, ClothWork>();
   #state: LayingState = {kind: 'waiting'};
   #running: AbortController | undefined;
-  /** Cloth was changed, and nothing is laid on it yet: what is shown lies on the cloth before. */
+  /** True if the fabric was changed and has no layout yet: the display shows the fabric before. */
   #isAwaited = false;
   #viewers = 0;
   #end: (() => void) | undefined;
@@ -52,71 +55,71 @@ export class Laying extends Observable {
     return this.#state;
   }
 
-  /** Undefined until something is laid. */
+  /** Undefined until there is a layout. */
   get step(): LayStep | undefined {
     return this.#work?.step;
   }
 
-  /** What is shown is laid of another answer than the present one. */
+  /** True if the display shows the layout of another result than the present one. */
   get isStale(): boolean {
     const {result, design} = this.#source;
     return this.#work !== undefined && !this.#work.isOf(result, design);
   }
 
-  /** The same of other cloth, on which nothing is laid yet. */
+  /** True if the display shows other fabric, because the present fabric has no layout yet. */
   get isAwaited(): boolean {
     return this.#isAwaited;
   }
 
-  /** What there is to be taken back; undefined for nothing, as where another design is to be laid. */
+  /** Steps to undo; undefined if there are none, such as while another design is laid out. */
   get history(): History<LayStep> | undefined {
     return this.isStale ? undefined : this.#work?.history;
   }
 
-  /** The plan with the pieces as they lie now. */
+  /** The plan with the present places of the pieces. */
   get plan(): LayPlan | undefined {
     return this.#work?.plan;
   }
 
-  /** Somebody has moved pieces since they were laid. */
+  /** True if the user has moved pieces since they were laid out. */
   get isMoved(): boolean {
     return this.#work?.isMoved ?? false;
   }
 
-  /** All that have a place. */
+  /** All pieces that have a place. */
   get pieces(): readonly PieceOnCloth[] {
     return this.#work?.pieces ?? [];
   }
 
-  /** Names of all that are laid, by their numbers. */
+  /** Names of all pieces of the layout, by their numbers. */
   get names(): readonly string[] {
     return (this.#work ?? this.#next)?.step.order?.pieces.map(({piece}) => piece) ?? [];
   }
 
-  /** The cloth that is shown; undefined until something is laid. */
+  /** Fabric on display; undefined until there is a layout. */
   get bolt(): Bolt | undefined {
     return this.#work?.bolt;
   }
 
-  /** What the print is on that is shown. */
+  /** Print on display. */
   get print(): DesignPrint | undefined {
     return this.#work?.print;
   }
 
-  /** As it is shown, or about to be. */
+  /** Choices on display, or about to be. */
   get choices(): ClothChoices | undefined {
     const {design, preferences} = this.#source;
     const work = this.#next ?? this.#work;
     return work?.step.choices ?? (design && storedCloth(design.print, preferences));
   }
 
-  /** Which of the garment's edges have allowances of their own, as far as something is laid. */
+  /** Edges of the garment that have allowances of their own; `none` until there is a layout. */
   get ownAllowances(): ReturnType<typeof ownAllowancesOf> {
     const toLay = this.#work?.step.order && this.#toLay(this.#work);
     return toLay && !this.isStale ? ownAllowancesOf(toLay) : 'none';
   }
 
-  /** Shows what there is, and lays from now on. @returns what ends that */
+  /** Shows the layout, and computes it from now on. @returns the function that ends this */
   show(): () => void {
     this.#viewers += 1;
     this.#end ??= this.#source.subscribe(['history', 'solving', 'preferences'], () => {
@@ -136,37 +139,40 @@ export class Laying extends Observable {
     };
   }
 
-  /** Ends what is under way; the best so far stays, and where there is none on the cloth as it was changed, that is taken back. */
+  /**
+   * Ends the running layout and keeps the best one so far. If changed fabric has none yet, the
+   * change is undone.
+   */
   cancel(): void {
     if (this.#state.kind !== 'laying' || this.#withdraw()) return;
     this.#stop();
     this.#become({kind: 'cancelled'});
   }
 
-  /** What is laid anew is begun again when somebody comes back to it. */
+  /** Stops a layout. If its fabric was changed, it starts again when the user returns to it. */
   #leave(): void {
     if (this.#isAwaited && this.#work) this.#known.delete(this.#work.result);
     this.#stop();
   }
 
-  /** @returns whether there was a change of the cloth on which nothing was laid yet */
+  /** Undoes a change of the fabric that has no layout yet. @returns whether there was one */
   #withdraw(): boolean {
     const work = this.#work;
     const before = this.#isAwaited && work ? undone(work.history) : undefined;
     if (!work || !before) return false;
     this.#stop();
-    work.history = {...before, future: []}; // there is nothing to come back to
+    work.history = {...before, future: []}; // there is nothing to redo
     this.#settle(before.present);
     this.#remember(before.present.choices);
     return true;
   }
 
-  /** Lays all but the pinned ones anew. */
+  /** Lays out all pieces anew, except the pinned ones. */
   pack(): void {
     this.#change({}, true);
   }
 
-  /** Cloth or rules are others, so that nothing stays where it is. */
+  /** Changes fabric or rules, so that no piece keeps its place. */
   choose(change: Partial<ClothChoices>): void {
     const {choices} = this;
     if (!choices) return;
@@ -185,7 +191,7 @@ export class Laying extends Observable {
     this.#change({places: places.map((one, k) => (k === number ? place : one))}, false);
   }
 
-  /** Takes a piece off the cloth, until it is laid anew. */
+  /** Takes a piece off the fabric, until the next layout. */
   remove(number: number): void {
     const {places = [], pins = noPins} = this.step ?? {};
     this.#change(
@@ -203,7 +209,7 @@ export class Laying extends Observable {
     this.#change({pins}, false);
   }
 
-  /** @returns whether there was something to take back */
+  /** Undoes a step. @returns whether there was one */
   undo(): boolean {
     return this.#travel(undone);
   }
@@ -228,13 +234,13 @@ export class Laying extends Observable {
     if (design) this.#source.prefer(withCloth(design.print, choices, preferences));
   }
 
-  /** @param packs the pieces are laid anew, as a part of the step */
+  /** @param packs true to lay out the pieces anew, as part of the step */
   #change(change: Partial<LayStep>, packs: boolean): void {
     const work = this.#next ?? this.#work;
     if (!work?.isOf(this.#source.result, this.#source.design)) return;
     const isAwaited = this.#isAwaited;
-    if (isAwaited && !packs) return; // what is shown is soon laid anew
-    // offers are those of the plan, wherever its pieces are moved meanwhile
+    if (isAwaited && !packs) return; // the display is about to be replaced
+    // offers belong to the plan, even if its pieces are moved meanwhile
     if (packs || this.#state.kind === 'laying') this.#stop();
     const {history, step} = work;
     const next = {...step, ...change, failure: undefined};
@@ -270,11 +276,11 @@ export class Laying extends Observable {
     }
     const work = this.#next ?? this.#work;
     if (!work?.isOf(result, design) || this.#state.kind === 'waiting') this.#begin(result, work);
-    // cutting files are made with the same allowances
+    // cutting files use the same allowances
     this.choose(allowancesIn(this.#source.preferences));
   }
 
-  /** Shows what is known of an answer, or lays it. @param before what is shown */
+  /** Shows the known layout of a result, or computes it. @param before the layout on display */
   #begin(result: SolveResult, before: ClothWork | undefined): void {
     const {design, preferences} = this.#source;
     if (!design) return;
@@ -297,7 +303,7 @@ export class Laying extends Observable {
     return garment && design && {design, garment, result, step};
   }
 
-  /** @param before a plan of the same pieces on the same cloth */
+  /** @param before a plan of the same pieces on the same fabric */
   async #run(work: ClothWork, before?: LayPlan): Promise<void> {
     const toLay = this.#toLay(work);
     if (!toLay) return;
@@ -339,7 +345,7 @@ export class Laying extends Observable {
     }
   }
 
-  /** The plan is that of all steps in which its pieces were moved since. */
+  /** Adds offers to the plan in all steps that have moved its pieces since. */
   #offer(work: ClothWork, plan: LayPlan, cheaper: LayPlan['cheaper']): void {
     if (cheaper.length === 0) return;
     const offering = withOffers(plan, cheaper);
@@ -352,7 +358,7 @@ export class Laying extends Observable {
 
 const known = new WeakMap<Source, Laying>();
 
-/** The one of a workbench, begun when it is first asked for. */
+/** Laying of a workbench, created at the first call. */
 export function layingOf(workbench: Workbench): Laying {
   const laying = known.get(workbench) ?? new Laying(workbench);
   known.set(workbench, laying);

@@ -1,4 +1,4 @@
-/** What is said, and what is asked. */
+/** Messages and questions to the user. */
 import {Observable} from './observable.js';
 import type {DoubtfulPicture, Notice} from './state.js';
 
@@ -16,7 +16,7 @@ export class Notices extends Observable {
     this.changed();
   }
 
-  /** What has to be decided before it becomes the print. */
+  /** Image that needs a decision before it becomes the print. */
   get doubtful(): DoubtfulPicture | undefined {
     return this.#doubtful;
   }

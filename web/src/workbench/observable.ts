@@ -1,17 +1,17 @@
-/** Between two changes that are told at a pace. [ms] */
+/** Interval between notifications of frequent changes. [ms] */
 const pace = 100;
 
-/** What is being read of, while somebody notes it. */
+/** Observables that were read, while reads are recorded. */
 let read: Set<Observable> | undefined;
-/** What has changed by now of a change that is told as one. */
+/** Observables that have changed so far in a joint change. */
 let changing: Set<Observable> | undefined;
 
-/** Something that others follow. */
+/** An object whose changes can be observed. */
 export class Observable {
   readonly #listeners = new Set<() => void>();
   #telling: ReturnType<typeof setTimeout> | undefined;
 
-  /** Changes of several that belong together: each listener is called once, when all are made. */
+  /** Joins several changes: each listener is called once, after all of them. */
   static together(act: () => void): void {
     if (changing) {
       act();
@@ -26,7 +26,7 @@ export class Observable {
     }
   }
 
-  /** @returns all whose `read` was asked for by `act` */
+  /** @returns all observables whose `read` was accessed by `act` */
   static readBy(act: () => void): ReadonlySet<Observable> {
     const before = read;
     const noted = (read = new Set());
@@ -41,7 +41,7 @@ export class Observable {
   static #tell(changed: Iterable<Observable>): void {
     const told = new Set<() => void>();
     const before = read;
-    read = undefined; // what listeners read, whoever has made the change has not
+    read = undefined; // reads of listeners are not reads of the code that made the change
     try {
       for (const one of changed) {
         for (const listener of one.#listeners) {
@@ -55,19 +55,19 @@ export class Observable {
     }
   }
 
-  /** The same, noted as read. */
+  /** The object itself, recorded as read. */
   get read(): this {
     read?.add(this);
     return this;
   }
 
-  /** Calls back after every change of anything here. @returns what ends that */
+  /** Calls back after every change of the object. @returns the function that ends this */
   subscribe(listener: () => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
-  /** Nobody is told anything more. */
+  /** Removes all listeners. */
   dispose(): void {
     clearTimeout(this.#telling);
     this.#listeners.clear();
@@ -80,14 +80,14 @@ export class Observable {
     else Observable.#tell([this]);
   }
 
-  /** What comes many times a second is told at a pace that can be followed. */
+  /** Notifies of changes that occur many times a second, at a limited rate. */
   protected changedOften(): void {
     this.#telling ??= setTimeout(() => {
       this.changed();
     }, pace);
   }
 
-  /** Not before the present task is done, which may have had enough to do. */
+  /** Notifies after the present task, which may be long already. */
   protected changedNext(): void {
     clearTimeout(this.#telling);
     this.#telling = setTimeout(() => {

@@ -1,4 +1,4 @@
-/** How good the placing of a design can be: looked into when nothing else is to be done. */
+/** Bound on the alignment of a design, computed in the background. */
 import {provenShare} from '../model/core-tables.js';
 import type {Design} from '../model/design.js';
 import {problemOf} from '../model/design-problem.js';
@@ -7,10 +7,10 @@ import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
 import {paused} from './idle.js';
 
-/** What is not proven by then would need far longer, and a battery. [ms] */
+/** Time limit of a proof. The rest would take far longer, and drain a battery. [ms] */
 const patience = 60_000;
 
-/** Only what can be told apart in whole per cent is news. */
+/** A share in whole per cent, since smaller changes are not reported; 101 for a complete proof. */
 const percent = (share: number): number => (share === 1 ? 101 : Math.floor(100 * share));
 
 export class Proving {
@@ -23,12 +23,14 @@ export class Proving {
     this.#bounds = new DesignFindings(changed);
   }
 
-  /** No other placing misses by less than this share of what the present one misses by. */
+  /**
+   * Bound on the alignment: no other one has less than this share of the present one's mismatch.
+   */
   of(design: Design): number | undefined {
     return this.#bounds.of(design);
   }
 
-  /** A design has been solved. */
+  /** Follows a solved design. */
   async follow(design: Design, {metrics}: SolveResult): Promise<void> {
     this.stop();
     const {method, searchBound, searchCost} = metrics;
@@ -36,11 +38,12 @@ export class Proving {
     const running = this.#task.begin();
     await paused();
     const late = setTimeout(() => {
-      this.#bounds.finish(design); // looked into for as long as makes sense
+      this.#bounds.finish(design); // a longer proof is not worth it
       running.abort();
     }, patience);
     const onProof = ({bound, searchCost: found}: Proof): void => {
-      // after more effort, and where a cutter's layout or a symmetric placing stands, it is another one
+      // the proof's alignment is another one after more effort, or if a cutter's layout or a
+      // symmetric one is used
       const share = (bound * found) / searchCost;
       const known = share >= 1 - provenShare ? 1 : Math.max(share, searchBound);
       this.#bounds.learn(design, known, percent(known) > percent(this.of(design) ?? 0));
@@ -49,7 +52,7 @@ export class Proving {
       await this.#solver.prove(problemOf(design), {signal: running.signal, onProof});
       this.#bounds.finish(design);
     } catch {
-      // nobody has asked for it: what is known by then stays
+      // the proof was not requested, so errors are ignored; the bound so far stays
     } finally {
       clearTimeout(late);
     }

@@ -1,4 +1,4 @@
-/** What would make the seams of a design meet that stay off, looked for when nothing else is to be done. */
+/** Searches for changes that make the mismatched seams of a design match, in the background. */
 import type {Design} from '../model/design.js';
 import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
@@ -17,12 +17,12 @@ export class RemedySearch {
     this.#remedies = new DesignFindings(changed);
   }
 
-  /** Those that are known by now. */
+  /** Remedies found so far. */
   of(design: Design): readonly Remedy[] {
     return this.#remedies.of(design) ?? [];
   }
 
-  /** A design has been solved. */
+  /** Follows a solved design. */
   async follow(design: Design, result: SolveResult): Promise<void> {
     this.stop();
     if (this.#remedies.isFinished(design)) return;
@@ -48,7 +48,7 @@ export class RemedySearch {
       );
       this.#remedies.finish(design);
     } catch {
-      // somebody has gone on; when they come back it is looked for again
+      // the user has gone on; the search is repeated when they return to the design
     }
   }
 

@@ -1,4 +1,4 @@
-/** The latest answers, so that undo and redo show theirs at once. */
+/** The latest results, so that undo and redo show theirs at once. */
 import type {Design} from '../model/design.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 
@@ -7,18 +7,18 @@ interface Answer {
   readonly result: SolveResult;
 }
 
-/** An answer takes some megabytes. */
+/** Number of stored results; each takes some megabytes. */
 const most = 8;
 
-/** What an answer depends on: a piece may be renamed without another one. */
+/** Fields that a result depends on. A piece may be renamed without a new result. */
 export const askedFields = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'] as const;
 
-/** Known by identity: a step that is taken back and again holds the same objects. */
+/** Compares by identity: a step that is undone and redone has the same objects. */
 const asksSame = (one: Design, other: Design): boolean =>
   askedFields.every((field) => one[field] === other[field]);
 
 export class ResultCache {
-  /** The oldest first. */
+  /** Stored results, the oldest first. */
   #answers: readonly (readonly [Design, Answer])[] = [];
 
   of(design: Design): Answer | undefined {

@@ -1,4 +1,4 @@
-/** How far the solve is that is under way, and what its answer looks like by then. Both come many times a second. */
+/** Progress and intermediate result of the running solve. Both change many times a second. */
 import type {Alignment} from '../model/geometry.js';
 import type {Progress} from '../model/problem.js';
 import {alignmentsFrom} from '../scene/scene.js';
@@ -10,17 +10,19 @@ export class RunningSolve extends Observable {
   #progress = start;
   #partial: readonly Alignment[] | undefined;
 
-  /** Of the solve that is under way, or was last. */
+  /** Progress of the running or the last solve. */
   get progress(): Progress {
     return this.#progress;
   }
 
-  /** How the pieces lie in the answer that is on its way; of the pattern's pieces. */
+  /** Alignments of the pattern's pieces in the intermediate result. */
   get partial(): readonly Alignment[] | undefined {
     return this.#partial;
   }
 
-  /** Another solve; what the one before had found is still the best that is known. */
+  /**
+   * Begins another solve. The intermediate result of the one before is still the best known one.
+   */
   begin(): void {
     this.#progress = start;
     this.changed();
@@ -31,13 +33,13 @@ export class RunningSolve extends Observable {
     this.changedOften();
   }
 
-  /** @param alignments as a solve reports them */
+  /** @param alignments angle, x, y per piece, as a solve reports them */
   lay(alignments: Float64Array): void {
     this.#partial = alignmentsFrom(alignments);
     this.changedOften();
   }
 
-  /** No answer is on its way any more. */
+  /** Drops the intermediate result. */
   rest(): void {
     if (!this.#partial) return;
     this.#partial = undefined;

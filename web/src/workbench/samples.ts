@@ -1,4 +1,4 @@
-/** The garments and prints that come with the page. */
+/** Garments and prints that come with the page. */
 import {
   noPicture,
   usualSeed,
@@ -26,13 +26,13 @@ export interface Samples {
   readonly prints: readonly SamplePrint[];
 }
 
-/** What a page shows when nobody has chosen anything yet. */
+/** Sample that a page shows before the user has chosen one. */
 export const opening = {style: 'asymmetric-dress', size: 'm', print: 'cm'} as const;
 
-/** What it shows to somebody who has not been here yet: a garment whose halves mirror each other. */
+/** Sample for a user's first visit: a garment whose halves mirror each other. */
 export const welcome = {style: 'princess-dress', size: 'm', print: 'cm'} as const;
 
-/** There is no network, and the file is not on this device. */
+/** Error for a file that is not on this device while there is no network. */
 export class Unreachable extends Error {
   override readonly name = 'Unreachable';
 }
@@ -59,7 +59,7 @@ export async function sampleGarment(
   return {name, text, sample: {style, size}};
 }
 
-/** A sample print as it is shipped; an unknown colourway is the first. */
+/** A sample print as shipped; an unknown colourway means the first one. */
 export function samplePrint(print: SamplePrint, colourway?: string): DesignPrint {
   const {name, title, group, oneWay = false, cell = 'primitive', colourways} = print;
   const shown = colourways.find((one) => one.name === colourway) ?? colourways[0];
@@ -70,13 +70,13 @@ export function samplePrint(print: SamplePrint, colourway?: string): DesignPrint
   };
 }
 
-/** The same print as it was sized and turned, in other colours. */
+/** The same print with its size and turn, in another colourway. */
 export function inColours(print: DesignPrint, sample: SamplePrint, colourway: string): DesignPrint {
   const {image, sample: shown} = samplePrint(sample, colourway);
   return {...print, image, ...(shown && {sample: shown})};
 }
 
-/** What is cut from when no print has been chosen. */
+/** Fabric of a design without a chosen print. */
 export const bareCloth: DesignPrint = {
   title: '',
   group: 'p4m',
@@ -87,7 +87,7 @@ export const bareCloth: DesignPrint = {
   image: noPicture,
 };
 
-/** A garment that somebody opens is cut on grain unless its owner wants otherwise. */
+/** Design of an opened garment. It is cut on grain until the user changes that. */
 export const newDesign = (garment: DesignGarment, print: DesignPrint): Design => ({
   garment,
   print,

@@ -1,4 +1,4 @@
-/** The sheets to be drawn of a workbench: the garment as it comes, and as it is or is about to be. */
+/** Sheets of a workbench to draw: the garment as drafted, and its present or expected state. */
 import {
   decidedOf,
   printOf,
@@ -19,15 +19,15 @@ import {keptLines} from './kept-lines.js';
 import {lastOf} from './last-of.js';
 
 export interface Scenes {
-  /** The pieces as drafted, cut on grain without a thought; the same in any window. */
+  /** The pieces as drafted, cut on grain as if the print did not matter; the same in any window. */
   readonly before: PatternScene;
-  /** The answer, what is known of it so far, or the one before. */
+  /** The result, its known part so far, or the result before. */
   readonly now: PatternScene;
-  /** What the garment's file says about its panels, by name. */
+  /** Marks of the panels from the garment file, by name. */
   readonly marks: ReadonlyMap<string, PanelMarks>;
 }
 
-/** A design and what is known of its answer. */
+/** A design and the known parts of its result. */
 interface Work {
   readonly design: Design | undefined;
   readonly garment: GarmentDocument | undefined;
@@ -37,7 +37,7 @@ interface Work {
   readonly preferences: {readonly scale: MismatchScale};
 }
 
-/** Remembers what it made last, since making a sheet costs far more than laying it on the print anew. */
+/** Caches the last sheets, since building a sheet costs far more than aligning it anew. */
 export class SceneMaker {
   readonly #print = lastOf((print: DesignPrint) => printOf(print));
   readonly #decided = lastOf(
@@ -55,7 +55,7 @@ export class SceneMaker {
   readonly #marked = lastOf((scene: PatternScene, kept: PatternScene['kept']) =>
     kept ? {...scene, kept} : scene,
   );
-  /** Before anything is known the pieces stay as they lay. */
+  /** Alignments before the solver reports any: the pieces stay in place. */
   readonly #waiting = lastOf((rest: PatternScene, pins: Pins) =>
     lying(
       rest,
@@ -63,19 +63,25 @@ export class SceneMaker {
       pins,
     ),
   );
-  /** What each garment was laid out for, once and for all: windows and panels change, pieces stay where they lie. */
+  /**
+   * Size for which each garment was arranged. It is kept, so that pieces stay in place when windows
+   * and panels change.
+   */
   readonly #rooms = new WeakMap<DesignGarment, Room>();
-  /** What was laid out last. */
+  /** Garment that was arranged last. */
   #laid: DesignGarment | undefined;
-  /** How the pieces lay last, by name. */
+  /** Last alignment of each piece, by name. */
   #last = new Map<string, Alignment>();
 
-  /** A garment that goes by the same name is the same one, edited: its pieces stay where they are. */
+  /**
+   * Size for the garment before. A garment with the same name is the same one after an edit, so its
+   * pieces stay in place.
+   */
   #roomBefore({name}: DesignGarment): Room | undefined {
     return this.#laid?.name === name ? this.#rooms.get(this.#laid) : undefined;
   }
 
-  /** Undefined until the solver has read the garment. */
+  /** Sheets of a design; undefined until the solver has read the garment. */
   scenes(work: Work, shown: Room): Scenes | undefined {
     const {design, garment, pattern, result, partial} = work;
     if (!design || !garment || !pattern) return undefined;
@@ -101,13 +107,15 @@ export class SceneMaker {
   }
 }
 
-/** [CSS px] */
+/** Size of a window. [CSS px] */
 interface Room {
   readonly width: number;
   readonly height: number;
 }
 
-/** Whether there is a window yet, rather than what a page has for a moment while it is put together. */
+/**
+ * Returns whether a size is that of a window, rather than a temporary one while a page is built.
+ */
 const isRoom = ({width, height}: Room): boolean => Math.min(width, height) > 80;
 
 type Pins = SolveOptions['pins'];
@@ -123,7 +131,7 @@ function settingsOf(
   return {garment, decided, plain: new Set(plain), scale, viewport: {width, height}};
 }
 
-/** Clicks ask for the edges of the file, which a result does not know. */
+/** Adds the edges of the file, which clicks need and a result does not contain. */
 const withEdges = (scene: PatternScene, {pieces}: MeshedPattern): PatternScene => ({
   ...scene,
   pieces: scene.pieces.map((piece, k) => ({...piece, edges: pieces[k]?.edges ?? []})),
@@ -139,7 +147,10 @@ const sheetSolved = (
   settings: SceneOptions,
 ): PatternScene => withEdges(sceneOf(result, print, settings), pattern);
 
-/** What is pinned lies where it is pinned, and its twin as its mirror image, whatever an answer to an earlier question says. */
+/**
+ * Aligns the pieces. Pinned pieces keep their places and their twins mirror them, even if an older
+ * result differs.
+ */
 function lying(scene: PatternScene, alignments: readonly Alignment[], pins: Pins): PatternScene {
   const mirrorings = mirroringsOf(scene.pattern);
   return realigned(

@@ -1,4 +1,4 @@
-/** The parts of the pattern that somebody means. */
+/** Parts of the pattern that the user has picked or points at. */
 import {Observable} from './observable.js';
 import {sameTarget, type Target} from './state.js';
 
@@ -6,12 +6,12 @@ export class Selection extends Observable {
   #selected: Target | undefined;
   #pointed: Target | undefined;
 
-  /** What was picked last: it stays when the pointer moves on. */
+  /** The part that was picked last; it stays when the pointer moves on. */
   get selected(): Target | undefined {
     return this.#selected;
   }
 
-  /** What the pointer is over, in the picture or in a list. */
+  /** The part under the pointer, in the drawing or in a list. */
   get pointed(): Target | undefined {
     return this.#pointed;
   }

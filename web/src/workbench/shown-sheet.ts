@@ -1,14 +1,17 @@
-/** The sheet as somebody looks at it. */
+/** The sheet on display. */
 import {Observable} from './observable.js';
 import type {Scenes} from './scenes.js';
 import type {SheetWindow} from './state.js';
 
 export class ShownSheet extends Observable {
-  /** Asked for the view when a step is taken, and told when one is to be restored; whoever draws it sets it. */
+  /**
+   * Window of the sheet, set by the code that draws it. Each step stores its view, and undo
+   * restores it.
+   */
   view: SheetWindow | undefined;
   #scenes: Scenes | undefined;
 
-  /** The sheets that the pattern shows, for everything beside it that speaks of the same. */
+  /** Sheets of the pattern on display, for all other views of the same garment. */
   get scenes(): Scenes | undefined {
     return this.#scenes;
   }

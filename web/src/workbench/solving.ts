@@ -1,4 +1,6 @@
-/** What the solver knows of the present design: it is solved whenever it is another, and its answers are kept. */
+/**
+ * The solver's state for the present design: every new design is solved, and results are stored.
+ */
 import {askedSymmetries, printOf, type Design, type DesignGarment} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {GarmentDocument} from '../model/garment-document.js';
@@ -21,7 +23,7 @@ import type {RunningSolve} from './running-solve.js';
 import type {Selection} from './selection.js';
 import type {SolveState} from './state.js';
 
-/** What it reads, and what it tells of what it does. */
+/** Parts that are read and updated. */
 interface SolvingParts {
   readonly history: DesignHistory;
   readonly preferences: ChosenPreferences;
@@ -31,7 +33,7 @@ interface SolvingParts {
 }
 
 export class Solving extends Observable {
-  /** What is worked on once an answer is there. */
+  /** Work after a solve. */
   readonly afterwards: Afterwards;
   readonly #solver: SolverService;
   readonly #parts: SolvingParts;
@@ -40,11 +42,14 @@ export class Solving extends Observable {
   readonly #found: FoundSymmetries;
   readonly #known: KnownGarment;
   #state: SolveState = {kind: 'opening'};
-  /** What the solver broke on, and was begun anew. */
+  /** Design that was started again after the solver broke. */
   #retried: Design | undefined;
   #isEdited = true;
 
-  /** @param told hears all that the solver says of a solve, of which the rest is told at a slower pace */
+  /**
+   * @param told receives every progress report of a solve; other parts receive them at a limited
+   * rate
+   */
   constructor(solver: SolverService, parts: SolvingParts, told?: (progress: Progress) => void) {
     super();
     this.#solver = solver;
@@ -87,22 +92,22 @@ export class Solving extends Observable {
     return this.#state;
   }
 
-  /** The garment as its file has it; undefined until it has been read. */
+  /** The garment document; undefined until the file has been read. */
   get garment(): GarmentDocument | undefined {
     return this.#known.document;
   }
 
-  /** The garment meshed, with the symmetries of the last solve that was begun. */
+  /** The meshed garment, with the symmetries of the last solve that was started. */
   get pattern(): MeshedPattern | undefined {
     return this.#known.pattern;
   }
 
-  /** The answer to the present design, or to none. */
+  /** The result of the present design, if there is one. */
   get result(): SolveResult | undefined {
     return this.#design && this.#results.of(this.#design)?.result;
   }
 
-  /** Symmetries that are asked for; with `auto`, those that the answer keeps. */
+  /** Requested symmetries; with `auto`, those that the result keeps. */
   get kept(): readonly Symmetry[] {
     const design = this.#design;
     if (!design) return [];
@@ -111,12 +116,15 @@ export class Solving extends Observable {
       : askedSymmetries(design);
   }
 
-  /** Symmetries the garment shows by itself and that are not kept yet. */
+  /** Detected symmetries that are not kept yet. */
   get found(): readonly DetectedSymmetry[] {
     return this.#found.beside(this.kept);
   }
 
-  /** Whether somebody is going to ask for symmetries and what they cost: otherwise neither is looked for. */
+  /**
+   * True if the user can edit the design. Otherwise no symmetries are detected, and there is no
+   * work after a solve.
+   */
   set isEdited(isEdited: boolean) {
     if (isEdited === this.#isEdited) return;
     this.#isEdited = isEdited;
@@ -127,39 +135,42 @@ export class Solving extends Observable {
     }
   }
 
-  /** There is nothing to be solved. */
+  /** Sets the state of a workbench without a garment. */
   beEmpty(): void {
     this.#become({kind: 'empty'});
   }
 
-  /** What the file of a garment holds that may come to be worked on. @throws {SolverError} when it cannot be read */
+  /**
+   * Document of a garment that may become the present one.
+   * @throws {SolverError} when it cannot be read
+   */
   documentOf(garment: DesignGarment): Promise<GarmentDocument> {
     return this.#known.read(garment);
   }
 
-  /** A garment that is worked on has been meshed already. */
+  /** Stores the mesh of the present garment, if it has none yet. */
   know(garment: DesignGarment, pattern: MeshedPattern): void {
     if (this.#known.takeFirst(garment, pattern)) this.changed();
   }
 
-  /** The design is about to have another garment, which an edit has made. */
+  /** Prepares for the garment of an edit, which is about to become the present one. */
   expect(garment: DesignGarment, document: GarmentDocument, pattern: MeshedPattern): void {
     this.#known.expect(garment, document, pattern);
   }
 
-  /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */
+  /** Meshes a garment as in its file. @throws {SolverError} when it cannot be read */
   meshed({garment, print}: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
     const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
     return this.#solver.prepare(problem, {names: {garment: garment.name}});
   }
 
-  /** How well a symmetry fits the present garment. @throws {SolverError} */
+  /** Measures a symmetry on the present garment. @throws {SolverError} */
   measure(symmetry: Symmetry, signal?: AbortSignal): Promise<MeasuredSymmetry> {
     const {text, name} = this.#design?.garment ?? {text: '', name: ''};
     return this.#solver.mirror(text, symmetry, {name, ...(signal && {signal})});
   }
 
-  /** A design with its pins where the symmetries of its garment can keep them. */
+  /** A design with its pins moved to places that the symmetries of its garment permit. */
   mended(design: Design): Design {
     const {pattern} = this;
     if (!design.options.pins || !pattern) return design;
@@ -168,7 +179,7 @@ export class Solving extends Observable {
     return withKeptPins(design, pattern, held);
   }
 
-  /** Solves the present design, whatever is under way. */
+  /** Solves the present design, whatever is running. */
   align(): void {
     const design = this.#design;
     if (!design) return;
@@ -189,7 +200,7 @@ export class Solving extends Observable {
     });
   }
 
-  /** The present design may be any other than before. */
+  /** Updates the state when the present design may have changed. */
   arrive(): void {
     Observable.together(() => {
       if (this.#design) this.#meet(this.#design);
@@ -226,7 +237,7 @@ export class Solving extends Observable {
     if (known) this.#follow();
   }
 
-  /** A garment that was not there before. */
+  /** Prepares for a new garment. */
   #met(garment: DesignGarment): void {
     this.#parts.selection.clear();
     this.#parts.running.rest();
@@ -268,11 +279,14 @@ export class Solving extends Observable {
 
   #fail(design: Design, failure: Failure): void {
     this.#become({kind: 'failed', failure});
-    // without the module, asking once more would only make the next attempt share this one's end
+    // if the module is missing, a further request would make the next attempt share this failure
     if (!this.pattern && failure.code !== 'no-wasm') void this.#showUnsolved(design);
   }
 
-  /** Pins that a symmetry is against go to the nearest places that are not, as a part of the step that led there. */
+  /**
+   * Moves pins that contradict a symmetry to the nearest places that do not, as part of the step
+   * that led there.
+   */
   async #snap(design: Design, failure: Failure): Promise<void> {
     const known = await measuredMirrorings(design, (symmetry) => this.measure(symmetry));
     if (design !== this.#design) return;
@@ -293,7 +307,7 @@ export class Solving extends Observable {
     notices.say({tone: 'info', text: words(preferences.texts)});
   }
 
-  /** What cannot be solved may still be shown. */
+  /** Shows a design that cannot be solved. */
   async #showUnsolved(design: Design): Promise<void> {
     const pattern = await this.meshed(design).catch(() => undefined);
     if (pattern) this.know(design.garment, pattern);

@@ -1,16 +1,16 @@
-/** What the core could not do, in the language of the user; in English where that is not known here. */
+/** A failure of the core in the user's language; in English where a translation is missing. */
 import {SolverError, type Failure} from '../model/failure.js';
 import {carries, groupsThatCarry} from '../model/repeat.js';
 import type {Texts} from '../texts/texts.js';
 import type {Workbench} from './workbench.js';
 
-/** Why a symmetry does not hold; undefined for what is no such reason. */
+/** Reason why a symmetry does not hold; undefined for any other code. */
 export const symmetryReason = ({notes}: Texts, code: string | undefined): string | undefined =>
   Object.entries(notes.why).find(([name]) => name === code)?.[1];
 
-/** Of a file that is something else, as far as its text tells. */
+/** Failures of a file of another kind, as far as its text shows. */
 const otherFiles: ReadonlySet<string> = new Set(['notJson', 'notAGarment', 'noPanels']);
-/** Of a garment's file with a fault in it. */
+/** Failures of a garment file with an error. */
 const garmentFaults: ReadonlySet<string> = new Set([
   ...['tooLarge', 'units', 'number', 'edgeIndex', 'edgeZeroLength', 'curvature', 'outlineOpen'],
   ...['outlineSelfIntersects', 'seamUnknownPiece', 'seamUnknownEdge', 'seamEdgeTwice'],
@@ -18,8 +18,9 @@ const garmentFaults: ReadonlySet<string> = new Set([
 ]);
 
 /**
- * What went wrong in a solve.
- * @param pieces labels of those whose symmetry is to blame, where that is known better than by the failure
+ * Message for a failed solve.
+ * @param pieces labels of the pieces with the failing symmetry, if they are known better than from
+ * the failure
  */
 export function spokenFailure(
   {code, message, piece, reason}: Failure,
@@ -52,6 +53,6 @@ export function spokenFailure(
   }
 }
 
-/** The same as an error. */
+/** The failure as an error with this message. */
 export const spokenError = (failure: Failure, workbench: Workbench, texts: Texts): SolverError =>
   new SolverError({...failure, message: spokenFailure(failure, workbench, texts)});

@@ -1,60 +1,63 @@
-/** What a workbench says about itself, as plain data. */
+/** State of a workbench as plain data. */
 import type {Design, DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {OwnPicture} from '../model/tile-repeat.js';
 import type {OpenEdge} from '../model/photo.js';
 
-/** Where a view of the sheet stood. Scale in CSS px per cm. */
+/** Position of a view of the sheet. Scale in CSS px per cm. */
 export interface ViewState {
   readonly centre: readonly [number, number];
   readonly scale: number;
 }
 
-/** Whoever shows the sheet: where it stands, and a picture of all of it. */
+/** Window of the sheet: its view, and images of the whole sheet. */
 export interface SheetWindow {
   get(): ViewState | null;
   set(view: ViewState): void;
-  /** A PNG, by default as wide as is good to keep. [px] */
+  /** A PNG image; the default width suits storage. [px] */
   picture(width?: number): Promise<Blob>;
-  /** The whole sheet on white, for the printer; undefined where it cannot be drawn. */
+  /** The whole sheet on white, for printing; undefined where it cannot be drawn. */
   onPaper(): HTMLCanvasElement | undefined;
-  /** The greatest width of such a picture. [px] */
+  /** Greatest width of such an image. [px] */
   readonly widest: number;
-  /** The browser has taken the graphics context away, and has not given it back. */
+  /** True if the browser has taken the graphics context away and not restored it. */
   readonly isLost: boolean;
 }
 
-/** One step of the history: a design, and how it was looked at. */
+/** One step of the history: a design and its view. */
 export interface Step {
   readonly design: Design;
   readonly view: ViewState | null;
 }
 
-/** `opening`: the first design is on its way; `empty`: there is none; `stale`: what is shown belongs to an earlier design. */
+/**
+ * `opening`: the first design is loading; `empty`: there is none; `stale`: the display belongs to
+ * an earlier design.
+ */
 export type SolveState =
   | {readonly kind: 'opening' | 'empty' | 'solving' | 'done'}
   | {readonly kind: 'stale'; readonly cancelled: boolean}
   | {readonly kind: 'failed'; readonly failure: Failure};
 
-/** Said once, beside what it is about. */
+/** A message that is shown once, beside its subject. */
 export interface Notice {
   readonly tone: 'error' | 'info';
   readonly text: string;
-  /** Offers to take the last step back. */
+  /** Offers to undo the last step. */
   readonly undo?: boolean;
-  /** Offers something else. */
+  /** Offers another action. */
   readonly action?: {readonly label: string; readonly act: () => void};
 }
 
-/** A picture that somebody opened as a print and that does not meet its copies. */
+/** An image that was opened as a print and does not meet its copies. */
 export interface DoubtfulPicture {
   readonly own: OwnPicture;
   readonly edges: readonly OpenEdge[];
-  /** The print that stays meanwhile; with another, the question is over. */
+  /** The print that stays meanwhile; a change of the print ends the question. */
   readonly beside: DesignPrint;
 }
 
-/** A part of the pattern that somebody means. */
+/** A part of the pattern that the user refers to. */
 export type Target =
   | {readonly kind: 'piece'; readonly piece: number}
   | {readonly kind: 'seam'; readonly seam: number; readonly side: 'a' | 'b'};

@@ -1,21 +1,21 @@
-/** A design with its history, and where it was looked at. */
+/** A design with its history and views. */
 import type {Design} from '../model/design.js';
 import {amended, redone, stepped, undone, type History} from '../model/history.js';
 import type {Step, ViewState} from './state.js';
 
-/** Changes of one kind that follow each other within this are one step, unless something is held. [ms] */
+/** Changes of one kind within this interval are one step; a held drag has no limit. [ms] */
 const pause = 1000;
 
-/** The kind of change that is one step however long it takes: one better answer after the other. */
+/** Kind of change that is one step however long it takes: successive better results. */
 export const improving = 'improve';
 
 export class Steps {
   #history: History<Step> | undefined;
-  /** The kind of change that may still be amended, and until when. */
+  /** Kind of change that may still be amended, and the time until which it may. */
   #amendable = {kind: '', until: 0};
   #isHeld = false;
 
-  /** Undefined until it is begun. */
+  /** Undefined until a history is begun. */
   get history(): History<Step> | undefined {
     return this.#history;
   }
@@ -29,7 +29,10 @@ export class Steps {
     return this.#isHeld;
   }
 
-  /** From now until it is let go, changes of one kind are one step of their own, however long they pause. */
+  /**
+   * Begins a drag. Until it is released, changes of one kind are one separate step, however long
+   * they pause.
+   */
   hold(): void {
     this.#isHeld = true;
     this.#amendable = {kind: '', until: 0};
@@ -40,7 +43,7 @@ export class Steps {
     this.#amendable = {kind: '', until: 0};
   }
 
-  /** @param kind changes of which may be one step; empty for one that stands alone */
+  /** @param kind kind of changes that may form one step; empty for a separate step */
   change(change: Partial<Design>, kind: string, view: ViewState | null): void {
     if (!this.#history) return;
     const {present} = this.#history;
@@ -54,17 +57,17 @@ export class Steps {
       : stepped(amended(this.#history, {...present, view}), step);
   }
 
-  /** Mends the present design, as a part of the step that led to it. */
+  /** Changes the present design as part of the step that led to it. */
   mend(design: Design): void {
     if (this.#history) this.#history = amended(this.#history, {...this.#history.present, design});
   }
 
-  /** @returns whether there was a step to take back */
+  /** Undoes a step. @returns whether there was one */
   undo(): boolean {
     return this.#travel(this.#history && undone(this.#history));
   }
 
-  /** @returns whether there was a step to take again */
+  /** Redoes a step. @returns whether there was one */
   redo(): boolean {
     return this.#travel(this.#history && redone(this.#history));
   }

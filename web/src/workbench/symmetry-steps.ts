@@ -1,4 +1,4 @@
-/** Steps that add and remove symmetries. A piece takes part in one of each kind at most. */
+/** Steps that add and remove symmetries. A piece takes part in one symmetry at most. */
 import {askingFor, type Decisions, type Design} from '../model/design.js';
 import {carries} from '../model/repeat.js';
 import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
@@ -6,15 +6,15 @@ import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
 const piecesOf = (symmetry: Symmetry): readonly string[] =>
   symmetry.kind === 'piece' ? [symmetry.piece] : symmetry.pieces;
 
-/** Whether two symmetries speak of the same piece or the same two pieces. */
+/** Returns whether two symmetries concern the same piece or the same two pieces. */
 export const concernsSame = (a: Symmetry, b: Symmetry): boolean =>
   a.kind === b.kind && piecesOf(a).every((name) => piecesOf(b).includes(name));
 
-/** Whether both can hold: a piece is symmetric in itself, or one of a pair. */
+/** Returns whether both can hold: a piece is either symmetric in itself or one of a pair. */
 const compatible = (a: Symmetry, b: Symmetry): boolean =>
   !piecesOf(a).some((name) => piecesOf(b).includes(name));
 
-/** The newest goes before those it does not go with. */
+/** Adds a symmetry and removes those that are incompatible with it. */
 export const withSymmetry = (
   kept: readonly Symmetry[],
   symmetry: Symmetry,
@@ -29,7 +29,7 @@ export const withoutSymmetry = (
   symmetry: askingFor(kept.filter((other) => other !== symmetry)),
 });
 
-/** Without what only says how well it was found. */
+/** A detected symmetry without the data about its accuracy. */
 export const asked = (found: DetectedSymmetry): Symmetry =>
   found.kind === 'pair'
     ? {kind: 'pair', pieces: found.pieces}
@@ -40,7 +40,7 @@ export const asked = (found: DetectedSymmetry): Symmetry =>
         ...(found.seams && {seams: found.seams}),
       };
 
-/** All that were found and go with what there is and with the print. */
+/** Adds all detected symmetries that are compatible with the kept ones and with the print. */
 export function withAll(
   kept: readonly Symmetry[],
   group: Design['print']['group'],

@@ -1,6 +1,7 @@
 /**
- * What a page or element works on: a design with its history, and what the solver knows of it. It consists of parts
- * that can be followed one by one; whoever reads of the workbench reads of the part that has it.
+ * Model of a page or element: a design with its history, and the solver's results. It consists of
+ * parts that can be observed separately. Reading a property of the workbench counts as reading its
+ * part.
  */
 import type {Design, DesignGarment} from '../model/design.js';
 import type {GarmentDocument} from '../model/garment-document.js';
@@ -30,13 +31,13 @@ import type {DoubtfulPicture, Notice, SheetWindow, SolveState, Step, Target} fro
 export type * from './state.js';
 
 export interface WorkbenchOptions {
-  /** Hears all that the solver says of a solve, of which the rest is told at a slower pace. */
+  /** Receives every progress report of a solve; other parts receive them at a limited rate. */
   readonly progress?: (progress: Progress) => void;
-  /** The picture of a print's cell, by its URL; none shows bare cloth. */
+  /** Loads the image of a print's cell by its URL; without an image the fabric is bare. */
   readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
 }
 
-/** What can be followed by itself. */
+/** Parts that can be observed separately. */
 export interface WorkbenchParts {
   readonly preferences: ChosenPreferences;
   readonly notices: Notices;
@@ -54,7 +55,7 @@ export class Workbench {
   readonly #parts: WorkbenchParts;
   readonly #lease: SolverLease;
 
-  /** @param lease given back by `dispose` */
+  /** @param lease lease that `dispose` ends */
   constructor(
     lease: SolverLease = leaseSolver(),
     chosen = preferencesFor(navigator.language),
@@ -78,7 +79,10 @@ export class Workbench {
     this.#parts = {...known, sheet, solving, afterwards: solving.afterwards};
   }
 
-  /** Calls back after changes of some parts, once where several change together. @returns what ends that */
+  /**
+   * Calls back after changes of some parts, once if several change together.
+   * @returns the function that ends this
+   */
   subscribe(parts: readonly (keyof WorkbenchParts)[], listener: () => void): () => void {
     const ends = parts.map((name) => this.#parts[name].subscribe(listener));
     return () => {
@@ -105,7 +109,7 @@ export class Workbench {
     this.#parts.notices.say(notice);
   }
 
-  /** What has to be decided before it becomes the print. */
+  /** Image that needs a decision before it becomes the print. */
   get doubtful(): DoubtfulPicture | undefined {
     return this.#parts.notices.read.doubtful;
   }
@@ -114,7 +118,7 @@ export class Workbench {
     this.#parts.notices.doubtful = picture;
   }
 
-  /** What was picked last: it stays when the pointer moves on. */
+  /** The part that was picked last; it stays when the pointer moves on. */
   get selected(): Target | undefined {
     return this.#parts.selection.read.selected;
   }
@@ -123,7 +127,7 @@ export class Workbench {
     this.#parts.selection.select(target);
   }
 
-  /** What the pointer is over, in the picture or in a list. */
+  /** The part under the pointer, in the drawing or in a list. */
   get pointed(): Target | undefined {
     return this.#parts.selection.read.pointed;
   }
@@ -132,7 +136,7 @@ export class Workbench {
     this.#parts.selection.point(target);
   }
 
-  /** Where the sheet stands, and pictures of it; whoever draws it sets it. */
+  /** Window of the sheet, with its view and images; set by the code that draws it. */
   get view(): SheetWindow | undefined {
     return this.#parts.sheet.view;
   }
@@ -141,7 +145,7 @@ export class Workbench {
     this.#parts.sheet.view = view;
   }
 
-  /** The sheets that the pattern shows, for everything beside it that speaks of the same. */
+  /** Sheets of the pattern on display, for all other views of the same garment. */
   get scenes(): Scenes | undefined {
     return this.#parts.sheet.read.scenes;
   }
@@ -150,7 +154,7 @@ export class Workbench {
     this.#parts.sheet.scenes = scenes;
   }
 
-  /** Undefined until a garment is there. */
+  /** Undefined until there is a garment. */
   get design(): Design | undefined {
     return this.#parts.history.read.design;
   }
@@ -159,7 +163,7 @@ export class Workbench {
     return this.#parts.history.read.history;
   }
 
-  /** How many histories were begun: another number is another piece of work. */
+  /** Number of histories that were begun; a new number means different work. */
   get beginnings(): number {
     return this.#parts.history.read.beginnings;
   }
@@ -172,24 +176,28 @@ export class Workbench {
     return this.#parts.history.read.canRedo;
   }
 
-  /** Whether a drag is under way, whose changes are one step. */
+  /** True during a drag, whose changes are one step. */
   get isHeld(): boolean {
     return this.#parts.history.read.isHeld;
   }
 
-  /** Starts, or starts over, with a history of its own. */
+  /** Starts, or starts over, with another history. */
   begin(history: History<Step>): void {
     this.#parts.history.begin(history);
   }
 
-  /** Takes a step. @param kind changes of one that follow each other quickly are one step */
+  /**
+   * Takes a step.
+   * @param kind kind of change; changes of one kind in quick succession are one step
+   */
   change(change: Partial<Design>, kind?: string): void {
     this.#parts.history.change(change, kind);
   }
 
   /**
-   * Takes a step to a garment that an edit has made of the present one.
-   * @param document what its file holds @param pattern how it lies until it is meshed
+   * Takes a step to an edited garment.
+   * @param document content of its file
+   * @param pattern its pattern until it is meshed
    */
   edit(
     change: Partial<Design> & Pick<Design, 'garment'>,
@@ -200,7 +208,10 @@ export class Workbench {
     this.change(change);
   }
 
-  /** For a drag: until it ends, its changes are one step, however long it rests. @returns what ends it */
+  /**
+   * Begins a drag. Until it ends, its changes are one step, however long it pauses.
+   * @returns the function that ends it
+   */
   hold(): () => void {
     return this.#parts.history.hold();
   }
@@ -217,59 +228,62 @@ export class Workbench {
     return this.#parts.solving.read.state;
   }
 
-  /** The garment as its file has it; undefined until it has been read. */
+  /** The garment document; undefined until the file has been read. */
   get garment(): GarmentDocument | undefined {
     return this.#parts.solving.read.garment;
   }
 
-  /** How far the solve is that is under way. */
+  /** Progress of the running or the last solve. */
   get progress(): Progress {
     return this.#parts.running.read.progress;
   }
 
-  /** How the pieces lie in the answer that is on its way; of `pattern`'s pieces. */
+  /** Alignments of the pieces of `pattern` in the intermediate result. */
   get partial(): readonly Alignment[] | undefined {
     return this.#parts.running.read.partial;
   }
 
-  /** The garment meshed, with the symmetries of the last solve that was begun. */
+  /** The meshed garment, with the symmetries of the last solve that was started. */
   get pattern(): MeshedPattern | undefined {
     return this.#parts.solving.read.pattern;
   }
 
-  /** The answer to the present design, or to none. */
+  /** The result of the present design, if there is one. */
   get result(): SolveResult | undefined {
     return this.#parts.solving.read.result;
   }
 
-  /** Symmetries that are asked for; with `auto`, those that the answer keeps. */
+  /** Requested symmetries; with `auto`, those that the result keeps. */
   get kept(): readonly Symmetry[] {
     return this.#parts.solving.read.kept;
   }
 
-  /** Symmetries the garment shows by itself and that are not kept yet. */
+  /** Detected symmetries that are not kept yet. */
   get found(): readonly DetectedSymmetry[] {
     return this.#parts.solving.read.found;
   }
 
-  /** What is worked on once an answer is there. */
+  /** Work after a solve. */
   get afterwards(): Afterwards {
     return this.#parts.afterwards.read;
   }
 
-  /** Whether somebody is going to ask for symmetries and what they cost: otherwise neither is looked for. */
+  /**
+   * True if the user can edit the design. Otherwise no symmetries are detected, and there is no
+   * work after a solve.
+   */
   set isEdited(isEdited: boolean) {
     this.#parts.solving.isEdited = isEdited;
   }
 
-  /** Starts with nothing. */
+  /** Starts without a garment. */
   beginEmpty(): void {
     this.#parts.solving.beEmpty();
   }
 
   /**
    * Begins with another garment in the present print, once it has been read.
-   * @throws {SolverError} and leaves everything as it is
+   * @throws {SolverError} and changes nothing
    */
   async open(garment: DesignGarment): Promise<void> {
     const {history, solving} = this.#parts;
@@ -283,17 +297,17 @@ export class Workbench {
     });
   }
 
-  /** What the file of a garment holds, read once. @throws {SolverError} when it cannot be read */
+  /** Document of a garment, read once. @throws {SolverError} when it cannot be read */
   documentOf(garment: DesignGarment): Promise<GarmentDocument> {
     return this.#parts.solving.documentOf(garment);
   }
 
-  /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */
+  /** Meshes a garment as in its file. @throws {SolverError} when it cannot be read */
   meshed(design: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
     return this.#parts.solving.meshed(design);
   }
 
-  /** Solves the present design, whatever is under way. */
+  /** Solves the present design, whatever is running. */
   align(): void {
     this.#parts.solving.align();
   }
@@ -302,7 +316,7 @@ export class Workbench {
     this.#parts.solving.cancel();
   }
 
-  /** How well a symmetry fits the present garment. @throws {SolverError} */
+  /** Measures a symmetry on the present garment. @throws {SolverError} */
   measure(symmetry: Symmetry, signal?: AbortSignal): Promise<MeasuredSymmetry> {
     return this.#parts.solving.measure(symmetry, signal);
   }

@@ -8,14 +8,14 @@ import {TaskQueue} from './task-queue.js';
 import {unlessAborted} from './unless-aborted.js';
 
 export interface AnswererOptions<Ms extends Modules> {
-  /** Where the modules are; in a page or worker they are found by themselves. */
+  /** Sources of the modules; a page or worker needs none. */
   readonly sources?: WasmSources<Ms>;
   readonly pace?: Pace;
-  /** How long a module may take to come. [ms] */
+  /** Time limit for loading a module. [ms] */
   readonly patience?: number;
 }
 
-/** Answers requests on the thread that calls it, with one instance of each module that they need. */
+/** Answers requests on the calling thread, with one instance of each module that they need. */
 export class Answerer<R extends RequestKinds, Ms extends Modules> {
   readonly #table: AnswerTable<R, Ms>;
   readonly #options: AnswererOptions<Ms>;
@@ -27,7 +27,7 @@ export class Answerer<R extends RequestKinds, Ms extends Modules> {
     this.#options = options;
   }
 
-  /** @throws {SolverError}; the signal's reason, as soon as it fires */
+  /** Answers a request. @throws {SolverError}; the signal's reason, as soon as it fires */
   answer<K extends KindOf<R>>(
     kind: K,
     request: R[K]['request'],
@@ -39,7 +39,9 @@ export class Answerer<R extends RequestKinds, Ms extends Modules> {
     return queue ? this.#queue(queue).take(work, hooks.signal) : work();
   }
 
-  /** An instance that broke, or ran out of memory, is not trusted again. */
+  /**
+   * Answers a request with its module. An instance that broke, or ran out of memory, is discarded.
+   */
   async #onModule<K extends KindOf<R>>(
     answering: Answering<R[K], Ms, keyof Ms>,
     request: R[K]['request'],

@@ -1,12 +1,12 @@
 import {SolverError} from '../../model/failure.js';
 import {policyName} from '../../model/trusted.js';
 
-/** A failure of the solver's own, not of what it was given: what happened and why, as one sentence. */
+/** A failure of the solver itself, not of its input: event and reason in one sentence. */
 export function internalError(what: string, cause: unknown): SolverError {
   return new SolverError({code: 'internal', message: `${what}: ${reasonOf(cause)}.`});
 }
 
-/** The module broke, and cannot be used again: what it is said to its user. */
+/** Error for a broken module, which cannot be used again. */
 export function brokenModule(cause: WebAssembly.RuntimeError): SolverError {
   if (cause.message !== 'out of memory') return internalError('The solver broke', cause);
   const message = 'There is not enough memory for this problem.';
@@ -14,8 +14,8 @@ export function brokenModule(cause: WebAssembly.RuntimeError): SolverError {
 }
 
 /**
- * A module could not be loaded; why, and what to do about it, as one sentence.
- * @param file its name
+ * Error for a module that could not be loaded: reason and remedy in one sentence.
+ * @param file name of the module's file
  */
 export function loadingError(cause: unknown, file: string): SolverError {
   const reason = reasonOf(cause);
@@ -24,7 +24,10 @@ export function loadingError(cause: unknown, file: string): SolverError {
   return new SolverError({code: 'no-wasm', message});
 }
 
-/** @param reason why the worker's `script` does not run, if anything is known */
+/**
+ * Error for a worker that cannot be started.
+ * @param reason reason why the worker's `script` does not run, if known
+ */
 export function workerBlocked(script: string | URL, reason = ''): SolverError {
   const because = reason === '' ? '' : ` (${reason})`;
   return new SolverError({
@@ -35,7 +38,7 @@ export function workerBlocked(script: string | URL, reason = ''): SolverError {
   });
 }
 
-/** The page demands Trusted Types, and knows none of ours. */
+/** Error for a page that requires Trusted Types and does not allow this package's policy. */
 export function workerNotTrusted(script: string | URL, reason: string): SolverError {
   return new SolverError({
     code: 'worker-blocked',
@@ -45,7 +48,7 @@ export function workerNotTrusted(script: string | URL, reason: string): SolverEr
   });
 }
 
-/** Without the full stop, to be part of a sentence. */
+/** Reason of an error without the full stop, as part of a sentence. */
 export function reasonOf(cause: unknown): string {
   return (cause instanceof Error ? cause.message : String(cause))
     .replace(/^Aborted\((.*)\)\. Build with .*$/s, '$1') // Emscripten's advice is for its own users
@@ -56,7 +59,7 @@ function remedyFor(reason: string, file: string): string {
   if (typeof WebAssembly === 'undefined') {
     return 'this browser runs no WebAssembly, so use a current one, or allow it in its settings';
   }
-  // Chromium's and WebKit's words, then Firefox's
+  // messages of Chromium and WebKit, then of Firefox
   if (/Content Security Policy|unsafe-eval|disallowed by embedder|blocked by CSP/i.test(reason)) {
     return "let the page's policy allow WebAssembly: script-src 'wasm-unsafe-eval'";
   }

@@ -1,9 +1,12 @@
-/** What lives on a module's heap until it is deleted. */
+/** An object on a module's heap, which stays there until it is deleted. */
 interface ModuleObject {
   delete(): void;
 }
 
-/** Deletes an object of a module when `work` has ended, unless the module broke: all of its memory goes then. */
+/**
+ * Deletes an object of a module at the end of `work`, unless the module broke: then all of its
+ * memory is freed.
+ */
 export async function owning<O extends ModuleObject, T>(
   object: O,
   work: (object: O) => T | Promise<T>,

@@ -1,29 +1,31 @@
-/** Where a module's .wasm file is, if not where the build has put it; or its bytes; or what is compiled of them already. */
+/**
+ * A module's .wasm file as URL or bytes, or the compiled module. Default: the URL from the build.
+ */
 type WasmSource = string | URL | BufferSource | WebAssembly.Module;
 
-/** Asked for with every attempt to load a module. */
+/** Called for every attempt to load a module. */
 type Source = () => WasmSource | undefined | Promise<WasmSource>;
 
-/** What modules offer, by their names. */
+/** Interfaces of modules, by name. */
 export type Modules = Readonly<Record<string, unknown>>;
 
-/** By the modules' names. */
+/** Sources of modules, by name. */
 export type WasmSources<Ms extends Modules> = Readonly<Partial<Record<keyof Ms, Source>>>;
 
-/** How a module is had. */
+/** Loader of a module. */
 export interface ModuleLoader<M> {
-  /** What its file is called in messages. */
+  /** Name of its file in messages. */
   readonly file: string;
-  /** Where the build has put it. */
+  /** URL of its file from the build. */
   readonly url: URL;
-  /** Makes an instance. */
+  /** Creates an instance. */
   readonly create: (compiled: WebAssembly.Module) => Promise<M>;
 }
 
-/** For a .wasm file as a whole, on a bad line. [ms] */
+/** Time limit for a whole .wasm file on a slow connection. [ms] */
 const usualPatience = 60_000;
 
-/** One module instance for everybody, made at the first call; one that broke is replaced. */
+/** A shared instance of a module, created at the first call; a broken one is replaced. */
 export class SharedModule<M> {
   readonly #loader: ModuleLoader<M>;
   readonly #source: Source | undefined;
@@ -32,8 +34,8 @@ export class SharedModule<M> {
   #compiled: WebAssembly.Module | undefined;
 
   /**
-   * @param source where to find its file; in a page or worker it is found by itself
-   * @param patience how long it may take to come [ms]
+   * @param source source of its file; a page or worker needs none
+   * @param patience time limit for loading [ms]
    */
   constructor(loader: ModuleLoader<M>, source?: Source, patience = usualPatience) {
     this.#loader = loader;
@@ -41,7 +43,7 @@ export class SharedModule<M> {
     this.#patience = patience;
   }
 
-  /** @throws whatever kept the module from loading; the next call tries again */
+  /** Returns the instance. @throws the error that prevented loading; the next call tries again */
   load(): Promise<M> {
     const loading = (this.#loading ??= this.#create());
     loading.catch(() => {
@@ -50,12 +52,15 @@ export class SharedModule<M> {
     return loading;
   }
 
-  /** What the last instance is made of. */
+  /** Compiled module of the last instance. */
   get compiled(): WebAssembly.Module | undefined {
     return this.#compiled;
   }
 
-  /** To be called when the module itself broke (out of memory, a trap): it cannot be used again. */
+  /**
+   * Discards the instance. Call it after the module broke (out of memory, a trap), since it cannot
+   * be used again.
+   */
   discard(): void {
     this.#loading = null;
   }
@@ -84,7 +89,10 @@ export class SharedModule<M> {
   }
 }
 
-/** As it comes, where the host says exactly what it is. @throws what kept the file from being had */
+/**
+ * Compiles a module, while it arrives if the host states the exact content type.
+ * @throws the error that prevented fetching
+ */
 async function compile(source: WasmSource): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {

@@ -1,12 +1,15 @@
-/** How a solve shares its thread with everything else. */
+/** Division of a thread's time between a solve and other work. */
 export interface Pace {
-  /** How long it works at a stretch. [ms] */
+  /** Duration of one slice of work. [ms] */
   readonly slice: number;
   /** Lets pending events run. */
   readonly pause: () => Promise<void>;
 }
 
-/** Long enough for pauses not to matter. A MessageChannel would starve other events, of a worker as of Node. */
+/**
+ * Long enough for pauses not to matter. A MessageChannel would starve other events, both in a
+ * worker and in Node.
+ */
 export const ownThread: Pace = {
   slice: 40,
   pause: () =>
@@ -17,8 +20,9 @@ export const ownThread: Pace = {
 };
 
 /**
- * Half a frame, to leave the other half to the page. A message, because setTimeout would wait 4 ms or
- * more, a second in a hidden page; and because it queues behind what the page has to do already.
+ * Half a frame, so that the page gets the other half. The pause uses a message, because setTimeout
+ * would wait 4 ms or more, a second in a hidden page. A message also queues behind the page's
+ * pending work.
  */
 export const besideThePage: Pace = {
   slice: 8,
@@ -34,9 +38,9 @@ export const besideThePage: Pace = {
 };
 
 /**
- * Has something work in slices until it has ended, letting everything else run before each of them.
- * @param work for about so many milliseconds; whether there is more to do
- * @throws what `work` throws; the signal's reason, an `AbortError` by default, before the next slice
+ * Runs work in slices until it has ended; pending events run before each slice.
+ * @param work works for about so many milliseconds; returns whether there is more to do
+ * @throws errors of `work`; the signal's reason, an `AbortError` by default, before the next slice
  */
 export async function runInSlices(
   work: (milliseconds: number) => boolean,
@@ -54,7 +58,11 @@ async function breathe(pace: Pace, signal: AbortSignal | undefined): Promise<voi
   signal?.throwIfAborted();
 }
 
-/** Takes steps for about so long. @param step whether there is more to do @returns the same */
+/**
+ * Takes steps for about this time.
+ * @param step returns whether there is more to do
+ * @returns the same
+ */
 export function stepsFor(milliseconds: number, step: () => boolean): boolean {
   const end = performance.now() + milliseconds;
   let more = true;

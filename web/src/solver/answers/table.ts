@@ -2,34 +2,44 @@ import type {HooksOf, RequestKind, RequestKinds} from '../requests/kinds.js';
 import type {ModuleLoader, Modules} from './shared-module.js';
 import type {Pace} from './slices.js';
 
-/** Requests that wait for each other, in the order they came. */
+/** Requests that wait for each other, in the order of arrival. */
 export interface Queue {
-  /** How many of them are answered side by side. */
+  /** Number of requests that are answered at the same time. */
   readonly atOnce: number;
 }
 
-/** A request at work. */
+/** A request that is being answered. */
 interface Job<Q extends RequestKind> {
   readonly hooks: HooksOf<Q>;
   readonly pace: Pace;
-  /** What the module is made of, for other threads to run the very same. */
+  /** The compiled module, so that other threads run exactly the same one. */
   readonly compiled: WebAssembly.Module | undefined;
-  /** Whether nobody is at work in a queue. */
+  /** Returns whether no request of a queue is being answered. */
   readonly isIdle: (queue: Queue) => boolean;
 }
 
-/** How requests of one kind are answered. */
+/** Answers requests of one kind. */
 export interface Answering<Q extends RequestKind, Ms extends Modules, N extends keyof Ms> {
   readonly module: N;
-  /** Where it waits for its turn; without one it begins at once. */
+  /** Queue in which a request waits; without one it starts at once. */
   readonly queue?: Queue;
-  /** Whose typed arrays another thread is given, not copies of them: so they must be no views of the module's memory. */
+  /**
+   * Values whose typed arrays are transferred to another thread instead of copied. They must not be
+   * views of the module's memory.
+   */
   readonly transfers?: readonly ('answer' | keyof Q['hooks'])[];
-  /** @throws {SolverError}, of which `internal` has the module replaced; the signal's reason, when it has fired */
+  /**
+   * Answers a request.
+   * @throws {SolverError}, where `internal` replaces the module; the signal's reason, when it has
+   * fired
+   */
   answer(module: Ms[N], request: Q['request'], job: Job<Q>): Q['answer'] | Promise<Q['answer']>;
 }
 
-/** All that a thread can answer: modules, each loaded when it is first needed, and what is asked of which. */
+/**
+ * All requests that a thread can answer, and their modules, each of which is loaded when it is
+ * first needed.
+ */
 export interface AnswerTable<R extends RequestKinds, Ms extends Modules> {
   readonly modules: {readonly [N in keyof Ms]: ModuleLoader<Ms[N]>};
   readonly requests: {

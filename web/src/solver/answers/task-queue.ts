@@ -1,11 +1,11 @@
-/** Lets a few work at a time, in the order they came. */
+/** Runs a limited number of tasks at a time, in the order of arrival. */
 export class TaskQueue {
   readonly #atOnce: number;
   #free: number;
-  /** What lets each of them begin; in order. */
+  /** Functions that start the waiting tasks, in order. */
   readonly #waiting = new Set<() => void>();
 
-  /** @param atOnce how many may be at work */
+  /** @param atOnce greatest number of tasks that run at the same time */
   constructor(atOnce: number) {
     this.#atOnce = this.#free = atOnce;
   }
@@ -14,7 +14,10 @@ export class TaskQueue {
     return this.#free === this.#atOnce;
   }
 
-  /** @throws what `work` throws; the signal's reason, at once, when it fires before the turn has come */
+  /**
+   * Runs a task in its turn.
+   * @throws errors of `work`; the signal's reason, at once, when it fires before the task's turn
+   */
   async take<T>(work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
     signal?.throwIfAborted();
     if (this.#free > 0) this.#free -= 1;

@@ -1,4 +1,7 @@
-/** @throws the signal's reason, as soon as it fires; whatever comes of the promise is not wanted any more */
+/**
+ * Waits for a promise until the signal fires; the promise's outcome is then ignored.
+ * @throws the signal's reason, as soon as it fires
+ */
 export function unlessAborted<T>(promise: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
   if (!signal) return promise;
   return new Promise((resolve, reject) => {

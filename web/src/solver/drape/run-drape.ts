@@ -1,4 +1,4 @@
-/** Drapes, run in slices. */
+/** Runs drapes in slices. */
 import type {Drape, DrapeHooks, DrapeMesh} from '../../model/drape.js';
 import {runInSlices, type Pace} from '../answers/slices.js';
 import {documentBytes} from '../json/document.js';
@@ -6,10 +6,13 @@ import type {DrapeModule, ModuleDrape, ModuleDrapeRequest} from '../module/drape
 import type {DrapeTexts} from '../requests/texts.js';
 import {toError} from '../seamwise/failures.js';
 
-/** Of one call: a few steps on a coarse mesh, one on a fine one. [factorisations of a 90 x 90 grid] */
+/**
+ * Work of one call: a few steps on a coarse mesh, one on a fine one. [factorisations of a 90 x 90
+ * grid]
+ */
 const workAtOnce = 0.25;
 
-/** As often as a display shows another picture, or half as often. [ms] */
+/** Interval between reported positions: one or two frames of a display. [ms] */
 const between = 33;
 
 export function drapeRequest(module: DrapeModule, texts: DrapeTexts): ModuleDrapeRequest {
@@ -21,7 +24,7 @@ export function drapeRequest(module: DrapeModule, texts: DrapeTexts): ModuleDrap
   };
 }
 
-/** Drapes a garment to the end. @throws {SolverError} for bad input; what `runInSlices` throws */
+/** Drapes a garment to the end. @throws {SolverError} for bad input; errors of `runInSlices` */
 export async function runDrape(drape: ModuleDrape, hooks: DrapeHooks, pace: Pace): Promise<Drape> {
   let mesh: DrapeMesh | undefined;
   let stage: ReturnType<ModuleDrape['stage']> = '';

@@ -1,11 +1,12 @@
 /**
- * JSON documents as they cross to the module and back: a head, a node of 16 bytes for every value and every name,
- * the texts. wasm/src/io/json_value.h describes the nodes, wasm/src/bindings/json_bytes.cpp has the other side.
+ * JSON documents in the format for the module and back: a head, a node of 16 bytes for every value
+ * and every name, and the texts. wasm/src/io/json_value.h describes the nodes;
+ * wasm/src/bindings/json_bytes.cpp is the counterpart.
  */
 import type {DocumentLimits} from '../module/module.js';
 import {scan, type JsonBreak, type JsonSink} from './scan.js';
 
-/** As the module counts them. */
+/** Numbers of kinds and defects in the module. */
 const kinds = {null: 0, false: 1, true: 2, number: 3, text: 4, list: 5, object: 6} as const;
 const defects = {
   tooLarge: 1,
@@ -17,16 +18,21 @@ const defects = {
   incomplete: 7,
 } as const;
 
-/** In place of the node after a list or an object. */
+/** Placeholder for the number of the node after an open list or object. */
 const notClosed = 0xffffffff;
 
 const nodeBytes = 16;
-/** A file of millions of different texts would fill the memory with them. */
+/**
+ * Limit of remembered texts, because a file of millions of different texts would fill the memory.
+ */
 const mostKnown = 1000;
 const encoder = new TextEncoder();
 const decoder = new TextDecoder('utf-8', {ignoreBOM: true});
 
-/** A JSON text as the module takes it; of one that is none, as far as it goes, and where it breaks. */
+/**
+ * Converts a JSON text for the module; for an invalid text, the valid prefix and the place of the
+ * error.
+ */
 export function documentBytes(file: string, limits: DocumentLimits): Uint8Array {
   const document = new DocumentWriter();
   if (isLarger(file, limits.maxFileBytes)) return document.bytes('tooLarge');
@@ -40,7 +46,7 @@ export function documentBytes(file: string, limits: DocumentLimits): Uint8Array 
     : document.bytes(null);
 }
 
-/** The value of a document from the module. */
+/** Value of a document from the module. */
 export function documentValue(bytes: Uint8Array<ArrayBuffer>): unknown {
   const words = new Uint32Array(bytes.buffer, 0, Math.floor(bytes.length / 4));
   const numbers = new Float64Array(bytes.buffer, 0, Math.floor(bytes.length / 8));
@@ -48,7 +54,7 @@ export function documentValue(bytes: Uint8Array<ArrayBuffer>): unknown {
   const word = (at: number, k: number): number => words[4 * at + k] ?? 0;
   const textAt = (at: number): string =>
     decoder.decode(texts.subarray(word(at, 2), word(at, 2) + word(at, 3)));
-  let next = 1; // the head stands before the nodes, and is as long as one
+  let next = 1; // the head precedes the nodes and has the size of one
   const value = (): unknown => {
     const at = next++;
     const end = word(at, 1) + 1;
@@ -89,7 +95,7 @@ interface TextPlace {
   readonly column: number;
 }
 
-/** Where the last unit read stands, or the end of the text. */
+/** Place of the last unit that was read, or the end of the text. */
 function placeOf(text: string, position: number): TextPlace {
   const before = text.slice(0, position);
   const lines = before.split('\n');
@@ -105,12 +111,12 @@ class DocumentWriter implements JsonSink {
   #words = new Uint32Array(1024);
   #numbers = new Float64Array(this.#words.buffer);
   #texts = new Uint8Array(1024);
-  /** Nodes, with the head. */
+  /** Number of nodes, including the head. */
   #count = 1;
   #textBytes = 0;
-  /** Some of the texts: names return again and again. */
+  /** Places of some of the texts, since names recur often. */
   readonly #known = new Map<string, readonly [start: number, length: number]>();
-  /** Lists and objects that are open, and how many values each has. */
+  /** Open lists and objects, with the number of values in each. */
   readonly #open: {readonly at: number; size: number}[] = [];
 
   word(value: boolean | null): void {
@@ -118,7 +124,7 @@ class DocumentWriter implements JsonSink {
   }
 
   number(value: number): void {
-    const at = this.#value(kinds.number); // which may move all that was written
+    const at = this.#value(kinds.number); // may replace the buffers
     this.#numbers[2 * at + 1] = value;
   }
 
@@ -168,7 +174,7 @@ class DocumentWriter implements JsonSink {
       this.#numbers = new Float64Array(larger.buffer);
     }
     this.#words[4 * at] = kind;
-    this.#words[4 * at + 1] = at; // counted without the head, the node after this one
+    this.#words[4 * at + 1] = at; // number of the next node, not counting the head
     return at;
   }
 

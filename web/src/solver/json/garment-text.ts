@@ -1,9 +1,9 @@
 import {scan, type JsonSink} from './scan.js';
 
 /**
- * A garment file as seamwise-garment/1: what had been assumed (units, how curves are written) is stated, everything
- * else survives as it is written, fields unknown to this program and all digits included. The same once more gives
- * the same bytes.
+ * A garment file as seamwise-garment/1. Assumed properties (units, notation of curves) are stated;
+ * everything else stays as written, including unknown fields and all digits. Applied to its own
+ * output, it gives the same bytes.
  * @param file JSON text that the module has read as a garment
  */
 export function garmentText(file: string): string {
@@ -21,13 +21,16 @@ function state(members: Map<string, string>, name: string, assumed: string): voi
   if ((members.get(name) ?? 'null') === 'null') members.set(name, assumed);
 }
 
-/** @param newLine begins the line that it ends on */
+/** Text of an object. @param newLine line break and indent of its last line */
 function objectOf(members: ReadonlyMap<string, string>, newLine: string): string {
   const lines = Array.from(members, ([name, text]) => `${JSON.stringify(name)}: ${text}`);
   return `{${newLine} ${lines.join(`,${newLine} `)}${newLine}}`;
 }
 
-/** The members of an object, each as the text that it takes on lines that begin so. */
+/**
+ * Members of an object, each as text.
+ * @param newLine line break and indent of the members' lines
+ */
 function membersOf(text: string, newLine: string): Map<string, string> {
   const printer = new MemberPrinter(newLine);
   scan(text, printer);
@@ -37,7 +40,7 @@ function membersOf(text: string, newLine: string): Map<string, string> {
 class MemberPrinter implements JsonSink {
   readonly members = new Map<string, string>();
   readonly #newLine: string;
-  /** What closes the lists and objects that are open. */
+  /** Closing brackets of the open lists and objects. */
   readonly #ends: string[] = [];
   #name = '';
   #text = '';
@@ -86,7 +89,7 @@ class MemberPrinter implements JsonSink {
     this.#keep();
   }
 
-  /** Begins the line of a part of what is open. */
+  /** Begins the line of an item in the open list or object. */
   #begin(text: string): void {
     this.#text += `${this.#isFirst ? '' : ','}${this.#line()}${text}`;
     this.#isFirst = false;

@@ -1,27 +1,28 @@
 /**
- * JSON as it is written, value by value. `JSON.parse` would not do for files: it moves members named by numbers to
- * the front, takes the last of two entries of one name, and says where a text breaks in other words in every browser.
+ * Scans JSON value by value, as it is written. `JSON.parse` is unsuitable for files: it moves
+ * members named by numbers to the front, takes the last of two members with one name, and words the
+ * place of an error differently in every browser.
  */
 
-/** What is found, in the order of the text. */
+/** Receives the values of a text in their order. */
 export interface JsonSink {
   /** `null`, `true` or `false`. */
   word(value: boolean | null): void;
-  /** @param token as it is written */
+  /** @param token text of the number */
   number(value: number, token: string): void;
   text(value: string): void;
   open(isObject: boolean): void;
-  /** The name of the value that comes next. */
+  /** Receives the name of the next value. */
   name(name: string): void;
   close(): void;
 }
 
 type JsonDefect = 'unexpected' | 'noNumber' | 'overflow' | 'incomplete';
 
-/** Where a text breaks. */
+/** Place and kind of an error in a text. */
 export interface JsonBreak {
   readonly defect: JsonDefect;
-  /** How much of the text has been read, in units of UTF-16; one more than there are at its end. */
+  /** Number of UTF-16 units that were read; at the end of the text, one more than it has. */
   readonly position: number;
 }
 
@@ -40,8 +41,8 @@ const isHigh = (code: number): boolean => code >= 0xd800 && code < 0xdc00;
 const isLow = (code: number): boolean => code >= 0xdc00 && code < 0xe000;
 
 /**
- * Reads a text and hands over what it finds; null when it is JSON, or when it has more values than asked for.
- * Nesting and names are nothing it looks at.
+ * Scans a text and passes its values to the sink. Returns null for valid JSON, or if there are more
+ * than `mostValues` values. Depth of nesting and repeated names are not checked.
  */
 export function scan(text: string, sink: JsonSink, mostValues = Infinity): JsonBreak | null {
   try {
@@ -50,7 +51,7 @@ export function scan(text: string, sink: JsonSink, mostValues = Infinity): JsonB
   } catch (error) {
     if (!(error instanceof Broken)) throw error;
     const {position, isOverflow} = error;
-    // the token starts up to a letter or two before the place at which it is given up
+    // the token may start a letter or two before the place of the error
     const near = text.substring(position - 9, Math.max(position, 9) + 9);
     let defect: JsonDefect = position > text.length ? 'incomplete' : 'unexpected';
     if (/NaN|nan|[Ii]nf/.test(near)) defect = 'noNumber';
@@ -58,7 +59,7 @@ export function scan(text: string, sink: JsonSink, mostValues = Infinity): JsonB
   }
 }
 
-/** Thrown within this file only. */
+/** Error that is used only within this file. */
 class Broken extends Error {
   readonly position: number;
   readonly isOverflow: boolean;
@@ -81,7 +82,7 @@ class Scanner {
   }
 
   run(mostValues: number): void {
-    const around: boolean[] = []; // of the lists and objects that are open: whether it is an object
+    const around: boolean[] = []; // for each open list or object: true for an object
     for (let values = 0; values <= mostValues; values++) {
       if (this.#begin(around)) continue;
       let isObject = around.at(-1);
@@ -99,7 +100,7 @@ class Scanner {
     }
   }
 
-  /** Reads a value; of a list or an object that is not empty, only how it begins: then it is true. */
+  /** Reads a value. Of a non-empty list or object it reads only the beginning, and returns true. */
   #begin(around: boolean[]): boolean {
     const code = this.#next();
     if (code !== openList && code !== openObject) {
@@ -148,7 +149,10 @@ class Scanner {
     }
   }
 
-  /** What may not stand here is read all the same: if it is broken itself, that comes first. */
+  /**
+   * Rejects an unexpected token. It is read first, because an error within the token takes
+   * precedence.
+   */
   #unexpected(): never {
     const code = this.#next();
     const word = words.get(code)?.[0];
@@ -159,7 +163,7 @@ class Scanner {
     throw new Broken(this.#at);
   }
 
-  /** The first unit of what comes next; NaN at the end. */
+  /** The first unit of the next token; NaN at the end. */
   #next(): number {
     for (;;) {
       const code = this.#text.charCodeAt(this.#at);
@@ -224,7 +228,7 @@ class Scanner {
     }
   }
 
-  /** Reads what follows a backslash. @returns its last unit */
+  /** Reads the escape after a backslash. @returns position of its last unit */
   #escape(at: number): number {
     const code = this.#text.charCodeAt(at);
     if (escapes.has(code)) return at;

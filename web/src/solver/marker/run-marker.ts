@@ -1,4 +1,4 @@
-/** Layouts of pieces on cloth, sought in slices. */
+/** Searches layouts of pieces on fabric, in slices. */
 import type {Alignment, Point} from '../../model/geometry.js';
 import type {
   MarkerAnswer,
@@ -16,7 +16,7 @@ import type {
 } from '../module/marker.mjs';
 import {toError} from '../seamwise/failures.js';
 
-/** Of one call, so that it ends within a few milliseconds. [million table reads] */
+/** Work of one call, small enough to end within a few milliseconds. [million table reads] */
 const workAtOnce = 2;
 
 const flat = (points: readonly Point[]): Float64Array => Float64Array.from(points.flat());
@@ -64,7 +64,10 @@ const layoutOf = ({length, originX, originY, places}: ModuleLayout): MarkerLayou
 const lengthsOf = (lengths: Float64Array): readonly (number | null)[] =>
   Array.from(lengths, (length) => (Number.isNaN(length) ? null : length));
 
-/** Seeks to the end. @throws {SolverError} where pieces cannot lie on the cloth; what `runInSlices` throws */
+/**
+ * Runs a search to its end.
+ * @throws {SolverError} if the pieces do not fit on the fabric; errors of `runInSlices`
+ */
 export async function runMarker(
   marker: ModuleMarker,
   hooks: MarkerHooks,

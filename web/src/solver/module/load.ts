@@ -1,7 +1,7 @@
 /**
- * The build puts a module's .mjs and .wasm beside this file, in sources and in `dist` alike: served as they are,
- * by a development server or any other, the files are neighbours, and bundlers know the expressions below and emit
- * the files. So neither needs a setting; only Node has to read the .wasm files itself.
+ * The build puts a module's .mjs and .wasm beside this file, both in the sources and in `dist`. If
+ * any server serves them unchanged, the files are neighbours; bundlers know the expressions below
+ * and emit the files. Neither case needs a setting; only Node has to read the .wasm files itself.
  */
 import type {ModuleLoader} from '../answers/shared-module.js';
 import type {DrapeModule} from './drape.mjs';
@@ -16,21 +16,21 @@ export const seamwise: ModuleLoader<SeamwiseModule> = {
   create: (compiled) => instance(createSeamwise, compiled),
 };
 
-/** Fetched, script and all, when a garment is first draped. */
+/** Fetched, including the script, when a garment is first draped. */
 export const drape: ModuleLoader<DrapeModule> = {
   file: 'drape.wasm',
   url: new URL('./drape.wasm', import.meta.url),
   create: async (compiled) => instance((await import('./drape.mjs')).default, compiled),
 };
 
-/** Fetched, script and all, when pieces are first laid on cloth. */
+/** Fetched, including the script, when pieces are first laid out on fabric. */
 export const marker: ModuleLoader<MarkerModule> = {
   file: 'marker.wasm',
   url: new URL('./marker.wasm', import.meta.url),
   create: async (compiled) => instance((await import('./marker.mjs')).default, compiled),
 };
 
-/** Fetched, script and all, when a print is first read off a picture. */
+/** Fetched, including the script, when a print is first read from an image. */
 export const photo: ModuleLoader<PhotoModule> = {
   file: 'photo.wasm',
   url: new URL('./photo.wasm', import.meta.url),

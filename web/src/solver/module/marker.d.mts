@@ -1,29 +1,32 @@
 /**
- * The module that lays pieces on cloth as Embind shows it. Everything of type EmbindObject lives on the module's heap
- * until `delete()`; nothing outside this folder's neighbours should have to know that. Lengths are in cm, angles in radians,
- * lists of points flat: x, y after each other.
+ * The marker module's Embind interface. Every EmbindObject stays on the module's heap until
+ * `delete()`; only the code in neighbouring folders should depend on that. Lengths are in cm,
+ * angles in radians; lists of points are flat x, y pairs.
  */
 import type {EmbindObject, ModuleFailure, ModuleSettings} from './module.js';
 
 export interface ModuleMarkerPiece {
-  /** As sentences call it. */
+  /** Name in messages. */
   readonly name: string;
-  /** Which garment it belongs to, from 0: what `nap: 'garment'` keeps together. */
+  /** Index of its garment, from 0. `nap: 'garment'` lays all pieces of a garment the same way. */
   readonly garment: number;
-  /** The cut line's outline in the coordinates of the piece's shape, counter-clockwise. */
+  /** Outline of the cutting line in the coordinates of the piece's shape, counter-clockwise. */
   readonly outline: Float64Array;
-  /** The alignment on the print: W(p) = R(angle)^T (p - translation). */
+  /** Alignment on the print: W(p) = R(angle)^T (p - translation). */
   readonly angle: number;
   readonly x: number;
   readonly y: number;
-  /** By which turns of the print it may be laid: its grain's rule. */
+  /** Turns of the print by which the piece may be laid; they follow from its grain. */
   readonly turns: 'half' | 'quarter' | 'any';
-  /** Direction of the grain line from foot to head, on the piece: which way is up. */
+  /** Direction of the grain line from foot to head, on the piece. */
   readonly upX: number;
   readonly upY: number;
-  /** Shifts of the print under it that fit as well, beside none. */
+  /** Shifts of the print under the piece that match as well as no shift. */
   readonly shifts: Float64Array;
-  /** Where it has to lie on the cloth: angle, x, y of p_cloth = R(angle) p + translation; empty for anywhere. */
+  /**
+   * Required place on the fabric: angle, x, y of p_cloth = R(angle) p + translation; empty for any
+   * place.
+   */
   readonly pin: Float64Array;
 }
 
@@ -37,24 +40,36 @@ export interface ModuleMarkerRequest {
   readonly width: number;
   readonly selvedge: number;
   readonly gap: number;
-  /** How much the repeat on the bolt may be longer or shorter than told, as a share. */
+  /** Greatest relative deviation of the repeat on the bolt from the given one. */
   readonly repeatTolerance: number;
   readonly nap: 'none' | 'garment' | 'one-way';
-  /** Lengths are rounded up to whole repeats along the warp. */
+  /** True if lengths are rounded up to whole repeats along the warp. */
   readonly wholeRepeats: boolean;
-  /** Pieces may lie anywhere, in steps of half a centimetre: the print does not matter. */
+  /**
+   * True if pieces may be placed anywhere, in steps of half a centimetre, without regard to the
+   * print.
+   */
   readonly ignoresPrint: boolean;
-  /** Distances of an origin of the print from the left edge, the best of which is chosen; at least one. */
+  /**
+   * Distances of an origin of the print from the left edge, at least one; the search chooses the
+   * best one.
+   */
   readonly phases: Float64Array;
-  /** Of an origin of the print from the cut; NaN where the cut is free. Needed where there are flaws. */
+  /**
+   * Distance of an origin of the print from the cut; NaN where the cut is free. Required if there
+   * are flaws.
+   */
   readonly start: number;
-  /** Polygons of the cloth on which no piece may lie. */
+  /** Polygons of the fabric that pieces must avoid. */
   readonly flaws: readonly Float64Array[];
-  /** Other widths to lay on, quickly. */
+  /** Other widths, on which the pieces are laid out quickly. */
   readonly widths: Float64Array;
-  /** Whether to lay without regard to the print, too. */
+  /** True to search also for a layout that ignores the print. */
   readonly alsoFree: boolean;
-  /** Multiplies the budget; 1 is meant to take about a second. 0: the first layout only, no proof. */
+  /**
+   * Multiplies the budget; 1 is meant to take about a second. 0: the first layout only, and no
+   * proof.
+   */
   readonly effort: number;
   readonly seed: number;
 }
@@ -63,32 +78,35 @@ export type ModuleMarkerStage = 'tables' | 'lay' | 'prove' | 'free' | 'widths' |
 
 export interface ModuleLayout {
   readonly length: number;
-  /** The origin of the print on the cloth. */
+  /** Origin of the print on the fabric. */
   readonly originX: number;
   readonly originY: number;
-  /** Per piece angle, x, y of p_cloth = R(angle) p + translation; NaN where it found no place. */
+  /** Per piece, angle, x, y of p_cloth = R(angle) p + translation; NaN where it found no place. */
   readonly places: Float64Array;
 }
 
 export interface ModuleMarkerReport {
   readonly bound: number;
   readonly proven: boolean;
-  /** 0 where nobody asked. */
+  /** Length without regard to the print; 0 unless requested. */
   readonly freeLength: number;
-  /** Per phase and per width of the request; NaN where a piece finds no place. */
+  /** Lengths per phase and per width of the request; NaN where a piece finds no place. */
   readonly phaseLengths: Float64Array;
   readonly widthLengths: Float64Array;
 }
 
-/** A layout that is sought step by step. After any call, `failure()` says whether it went wrong. */
+/**
+ * A search for a layout that is advanced step by step. After any call, `failure()` returns the
+ * failure, if there was one.
+ */
 export interface ModuleMarker extends EmbindObject {
   failure(): ModuleFailure | null;
-  /** Goes on until about so many million table reads are spent. False when there is nothing left to do. */
+  /** Continues for about so many million table reads. Returns false when nothing is left to do. */
   advance(work: number): boolean;
   stage(): ModuleMarkerStage;
-  /** 0 to 1 */
+  /** Share of the work done, 0 to 1. */
   fraction(): number;
-  /** Counts the layouts that were the best so far; 0 while there is none. */
+  /** Number of layouts that were the best when found; 0 before the first one. */
   count(): number;
   /** The best layout so far. */
   layout(): ModuleLayout;

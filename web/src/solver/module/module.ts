@@ -1,34 +1,36 @@
-/** What all WebAssembly modules have in common, as Embind shows them. */
+/** Common parts of the Embind interfaces of all WebAssembly modules. */
 
-/** What lives on a module's heap until `delete()`. */
+/** An object that stays on a module's heap until `delete()`. */
 export interface EmbindObject {
   delete(): void;
 }
 
-/** What could not be done; piece and seam are -1 when none is to blame. */
+/** A failure; piece and seam are -1 if none is affected. */
 export interface ModuleFailure {
   readonly code: number;
   readonly message: string;
   readonly piece: number;
   readonly seam: number;
-  /** Why a symmetry cannot hold, as the code of a note; otherwise empty. */
+  /**
+   * Reason as a code: of a symmetry that cannot hold, or of an unreadable photo; otherwise empty.
+   */
   readonly reason: string;
 }
 
-/** What documents a module takes. */
+/** Limits of a module for documents. */
 export interface DocumentLimits {
-  /** The largest text that is read. [bytes] */
+  /** Size of the largest text that is read. [bytes] */
   readonly maxFileBytes: number;
-  /** The most values of one document. */
+  /** Greatest number of values in one document. */
   readonly maxValues: number;
 }
 
 export interface ModuleSettings {
-  /** The .wasm file; without it the module fetches its neighbour. */
+  /** The .wasm file; without it the module fetches the file beside it. */
   readonly wasmBinary?: ArrayBufferView | ArrayBuffer;
-  /** Where to find a file of the module. */
+  /** Returns the URL of a file of the module. */
   readonly locateFile?: (file: string, folder: string) => string;
-  /** Hands over the instance when it has been made. */
+  /** Passes the instance on when it is ready. */
   readonly instantiateWasm?: (
     imports: WebAssembly.Imports,
     receive: (instance: WebAssembly.Instance) => void,

@@ -1,7 +1,7 @@
 /**
- * The module that reads prints off pictures as Embind shows it. Everything of type EmbindObject lives on the module's heap until
- * `delete()`; nothing outside this folder's neighbours should have to know that. Places are in pixels of the upright picture, lengths
- * in cm, maps ten numbers: a homography row by row, and the lens.
+ * The photo module's Embind interface. Every EmbindObject stays on the module's heap until
+ * `delete()`; only the code in neighbouring folders should depend on that. Places are in pixels of
+ * the upright image, lengths in cm. A map is ten numbers: a homography row by row, and the lens.
  */
 import type {EmbindObject, ModuleFailure, ModuleSettings} from './module.js';
 
@@ -10,21 +10,21 @@ export interface ModulePhotoRequest {
   readonly height: number;
   /** Red, green, blue, opacity, row by row from the top. */
   readonly pixels: Uint8Array;
-  /** Focal length, as on film of 36 mm; NaN where nobody knows. */
+  /** Focal length, equivalent for film 36 mm wide; NaN if unknown. [mm] */
   readonly f35: number;
-  /** The picture is seamless: one cell, or several. */
+  /** True if the image is seamless: one cell, or several. */
   readonly isTile: boolean;
-  /** A seamless picture is read whether its edges meet or not. */
+  /** True if a seamless image is read even if its edges do not meet. */
   readonly anyEdges: boolean;
-  /** Lengths of w1 and w2; NaN where nobody knows. */
+  /** Lengths of w1 and w2; NaN if unknown. */
   readonly w1Cm: number;
   readonly w2Cm: number;
-  /** x, y, x, y, cm: two points and how far they lie apart on the cloth; empty where nobody knows. */
+  /** Two points and their distance on the fabric: x, y, x, y, cm; empty if unknown. */
   readonly between: Float64Array;
-  /** A map to begin with, to be mended unless `keepsLattice`; empty to look for one. */
+  /** Map to begin with, which is refined unless `keepsLattice`; empty to search for one. */
   readonly lattice: Float64Array;
   readonly keepsLattice: boolean;
-  /** Share of the light's unevenness that is taken away. */
+  /** Share of the uneven lighting to remove. */
   readonly flatten: number;
 }
 
@@ -36,7 +36,10 @@ export interface ModulePhotoGroup {
   readonly map: Float64Array;
 }
 
-/** From, to, ...: stretches of the right edge (`across`, `halfDrop`) or the lower one that do not meet the next copy; shares of it. */
+/**
+ * Stretches of the right edge (`across`, `halfDrop`) or the lower edge that do not meet the next
+ * copy: from, to, ... as shares of the edge.
+ */
 export interface ModuleTileSeams {
   readonly across: Float64Array;
   readonly up: Float64Array;
@@ -47,7 +50,7 @@ export interface ModuleTileSeams {
 export interface ModulePhotoReport {
   readonly group: string;
   readonly groups: readonly ModulePhotoGroup[];
-  /** w1x, w1y, w2x, w2y as prints have them; |w1| is 1 unless `isScaled`. */
+  /** Vectors of the print: w1x, w1y, w2x, w2y; |w1| is 1 unless `isScaled`. */
   readonly vectors: Float64Array;
   readonly isScaled: boolean;
   readonly seenAspect: number;
@@ -60,20 +63,22 @@ export interface ModulePhotoReport {
   readonly explained: number;
   /** Maps of other lattices, ten numbers each. */
   readonly others: Float64Array;
-  /** Rectangles where copies differ: x, y of the upper left corner, x, y of the lower right one. */
+  /**
+   * Rectangles in which copies differ: x, y of the upper left corner, x, y of the lower right one.
+   */
   readonly differing: Float64Array;
   readonly notes: readonly string[];
   readonly seams: ModuleTileSeams;
 }
 
-/** What goes on with a picture, step by step. */
+/** Work on an image, step by step. */
 export interface ModulePictureWork<Answer> extends EmbindObject {
   failure(): ModuleFailure | null;
-  /** One step of some milliseconds; false when nothing is left to do. */
+  /** Takes one step of some milliseconds; returns false when nothing is left to do. */
   advance(): boolean;
   stage(): string;
   fraction(): number;
-  /** Once done. */
+  /** Available once the work is done. */
   answer(): Answer;
 }
 
@@ -83,15 +88,15 @@ export interface ModulePhotoTileRequest {
   readonly pixels: Uint8Array;
   readonly map: Float64Array;
   readonly isTile: boolean;
-  /** A group whose symmetries are made exact; empty for none. */
+  /** Group whose symmetries are made exact; empty for none. */
   readonly group: string;
   readonly flatten: number;
-  /** w1x, w1y, w2x, w2y in proportion. */
+  /** Vectors w1x, w1y, w2x, w2y in proportion. */
   readonly vectors: Float64Array;
 }
 
 export interface ModuleTile {
-  /** Along w1, and along w2, which is up. */
+  /** Size along w1, and along w2, which points up. [px] */
   readonly width: number;
   readonly height: number;
   readonly pixels: Uint8Array;
@@ -102,20 +107,20 @@ export interface ModuleObjectRequest {
   readonly height: number;
   readonly pixels: Uint8Array;
   readonly map: Float64Array;
-  /** w1x, w1y, w2x, w2y in proportion. */
+  /** Vectors w1x, w1y, w2x, w2y in proportion. */
   readonly vectors: Float64Array;
-  /** One of those that the core knows. */
+  /** Name of an object that the core knows. */
   readonly object: string;
-  /** x, y of a place on it, near its middle. */
+  /** A point of the object, near its centre: x, y. */
   readonly at: Float64Array;
 }
 
 export interface ModuleObject {
-  /** A polygon, flat. */
+  /** Polygon of flat x, y pairs. */
   readonly outline: Float64Array;
-  /** x, y, x, y, cm: the ends of its width. */
+  /** Ends of the object's width, and the width: x, y, x, y, cm. */
   readonly between: Float64Array;
-  /** Standard error of a length by it, as a share. */
+  /** Relative standard error of a length measured with the object. */
   readonly error: number;
 }
 

@@ -1,11 +1,11 @@
 /**
- * The WebAssembly module as Embind shows it. Everything of type EmbindObject lives on the module's
- * heap until `delete()`; nothing outside this folder's neighbours should have to know that.
+ * The solver module's Embind interface. Every EmbindObject stays on the module's heap until
+ * `delete()`; only the code in neighbouring folders should depend on that.
  */
 
 import type {DocumentLimits, EmbindObject, ModuleFailure, ModuleSettings} from './module.js';
 
-/** Documents of the problem's files, and the names to call them by in messages. */
+/** Documents of the problem's files, and their names in messages. */
 export interface ModuleProblem {
   readonly garment: Uint8Array;
   readonly garmentName: string;
@@ -21,41 +21,49 @@ export interface ModuleProblem {
   readonly seed: number;
 }
 
-/** A solve that is advanced step by step, reading included. After any call, `failure()` says whether it went wrong. */
+/**
+ * A solve that is advanced step by step, including reading. After any call, `failure()` returns the
+ * failure, if there was one.
+ */
 export interface ModuleSolver extends EmbindObject {
   failure(): ModuleFailure | null;
-  /** Runs some steps; false when there is nothing left to do. */
+  /** Runs some steps; returns false when nothing is left to do. */
   advance(steps: number): boolean;
   phase(): 'preparation' | 'alignment' | 'deformation';
-  /** Grows when the deformation starts over; the time of earlier attempts does not count. */
+  /** Increases when the deformation starts over; the time of earlier attempts does not count. */
   attempt(): number;
   fraction(): number;
-  /** Angle, x, y per piece; a copy. Empty during the preparation. */
+  /** Angle, x, y per piece, as a copy. Empty during the preparation. */
   partial(): Float64Array;
-  /** A share of the present search, for `Share` in another thread; null when there is none. */
+  /** A share of the present search, for `Share` in another thread; null if there is none. */
   lend(): LentShare | null;
-  /** Whether a share, by its number, is still to be had by nobody else. */
+  /** Returns whether the answers of a lent share, by its number, are still needed. */
   awaits(number: number): boolean;
-  /** The answers of a share; ignored when the search has ended. */
+  /** Takes the answers of a share; ignored when the search has ended. */
   take(number: number, answers: Float64Array): void;
-  /** The garment as it was meshed, a document; empty during the preparation and after a failure. */
+  /** The meshed garment as a document; empty during the preparation and after a failure. */
   pattern(): Uint8Array<ArrayBuffer>;
-  /** The result, a document; empty after a failure. */
+  /** The result as a document; empty after a failure. */
   result(): Uint8Array<ArrayBuffer>;
-  /** Once it is prepared: proves how good alignments can be; false when no more can be proven. */
+  /**
+   * Proves a bound on alignments, after the preparation; returns false when no more can be proven.
+   */
   prove(steps: number): boolean;
   proven(): ModuleProof;
 }
 
-/** How good alignments of the pieces as drafted can be. */
+/** Bound on alignments of the pieces as drafted. */
 export interface ModuleProof {
-  /** None costs less than this share of the best one found: 1 when that is proven the best. */
+  /**
+   * No alignment costs less than this share of the best found one's cost: 1 when that is proven the
+   * best.
+   */
   readonly bound: number;
-  /** Of the best one found, as in the result's metrics. [cm2] */
+  /** Cost of the best found alignment, as in the result's metrics. [cm2] */
   readonly searchCost: number;
 }
 
-/** All that a share depends on, as numbers that only this build of the module can read; a copy. */
+/** Complete data of a share, as numbers that only this build of the module can read; a copy. */
 export interface LentShare {
   readonly number: number;
   readonly order: Float64Array;
@@ -64,43 +72,43 @@ export interface LentShare {
 /** A share of another thread's search. */
 export interface ModuleShare extends EmbindObject {
   failure(): ModuleFailure | null;
-  /** Runs some steps; false when there is nothing left to do. */
+  /** Runs some steps; returns false when nothing is left to do. */
   advance(steps: number): boolean;
-  /** Once there is not: for `take`; a copy. */
+  /** Answers for `take`, available once nothing is left to do; a copy. */
   answers(): Float64Array;
 }
 
-/** Looks step by step for the symmetries a garment shows by itself. */
+/** Detects the symmetries of a garment step by step. */
 export interface ModuleDetection extends EmbindObject {
-  /** Runs some steps; false when there is nothing left to do. */
+  /** Runs some steps; returns false when nothing is left to do. */
   advance(steps: number): boolean;
-  /** What was found, once `advance` has returned false. */
+  /** The detected symmetries, available once `advance` has returned false. */
   result(): ModuleDocument;
 }
 
-/** A document, or why there is none. */
+/** A document, or the failure that prevented it. */
 export interface ModuleDocument {
   readonly document: Uint8Array<ArrayBuffer>;
   readonly failure: ModuleFailure | null;
 }
 
-/** Documents are JSON as `../json/document.ts` writes and reads it. */
+/** Documents are JSON in the format of `../json/document.ts`. */
 export interface SeamwiseModule extends DocumentLimits {
   readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
   readonly Share: new (order: Float64Array) => ModuleShare;
   readonly Detection: new (garment: Uint8Array, name: string) => ModuleDetection;
-  /** How well the garment mirrors as the symmetries ask. */
+  /** Measures how well the garment mirrors by the given symmetries. */
   measureSymmetries(
     garment: Uint8Array,
     name: string,
     symmetries: Uint8Array,
     symmetryName: string,
   ): ModuleDocument;
-  /** Why a garment cannot be read. */
+  /** Reads a garment: its document, or the reason why it cannot be read. */
   garment(garment: Uint8Array, name: string): ModuleDocument;
   /** Size of the module's memory. [bytes] */
   heapBytes(): number;
-  /** Of that, what is in use. [bytes] */
+  /** Part of the memory that is in use. [bytes] */
   liveBytes(): number;
 }
 

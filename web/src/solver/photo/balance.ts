@@ -1,8 +1,8 @@
-/** White balance: factors of light on pixels that are gamma-coded. */
+/** White balance: factors of light for gamma-coded pixels. */
 import type {ColourGains} from '../../model/photo.js';
 import {codedOf, linearOf} from '../../model/srgb.js';
 
-/** In place; red, green, blue, opacity. */
+/** Changes the pixels in place: red, green, blue, opacity. */
 export function balance(pixels: Uint8Array | Uint8ClampedArray, gains: ColourGains): void {
   const tables = gains.map((gain) =>
     Uint8ClampedArray.from({length: 256}, (_, code) => 255 * codedOf(gain * linearOf(code / 255))),

@@ -1,11 +1,11 @@
-/** A picture's pixels, upright, decoded off the page's thread where the request is answered there. */
+/** Decodes an image to upright pixels, on the thread that answers the request. */
 import {SolverError} from '../../model/failure.js';
 import type {PhotoPixels} from '../../model/photo.js';
 
-/** Larger pictures are read as smaller ones: nothing finer helps, and phones have not the memory. [px] */
+/** Larger images are reduced: finer detail does not help, and phones lack the memory. [px] */
 const longestSide = 4096;
 
-/** @throws {SolverError} for what cannot be decoded */
+/** Pixels of an image. @throws {SolverError} for an image that cannot be decoded */
 export async function decoded(picture: PhotoPixels | Blob): Promise<PhotoPixels> {
   if (!(picture instanceof Blob)) return picture;
   const bitmap = await bitmapOf(picture);

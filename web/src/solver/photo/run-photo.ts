@@ -1,4 +1,4 @@
-/** Prints read off pictures, in slices. */
+/** Reads prints from images, in slices. */
 import {groupNames} from '../../model/print.js';
 import {vectorsAtMiddle} from '../../model/photo-map.js';
 import {
@@ -105,13 +105,13 @@ const cornersOf = ([left = NaN, top = NaN, right = NaN, bottom = NaN]: Float64Ar
     [left, bottom],
   ] as const satisfies readonly Point[];
 
-/** Whose sentence begins and ends as sentences do. */
+/** Error of a failure, with a message that begins and ends like a sentence. */
 function photoError({message, ...failure}: ModuleFailure): Error {
   const whole = /[.!?]$/.test(message) ? message : `${message}.`;
   return toError({...failure, message: whole.charAt(0).toUpperCase() + whole.slice(1)});
 }
 
-/** What a module names, as one of the names that there are. */
+/** A name from the module, checked against the known names. */
 function known<T extends string>(names: readonly T[], name: string): T {
   const found = names.find((one) => one === name);
   if (found === undefined) throw new Error(`The module names '${name}', which nobody knows.`);
@@ -123,7 +123,7 @@ const groupOf = ({name, rho, worst, verdict, map}: ModulePhotoGroup): PhotoGroup
   ...{rho, worst, verdict: known(symmetryVerdicts, verdict), map: mapOf(map)},
 });
 
-/** Both sides of a border, the second of which lies half a side further along where `isAside`. */
+/** Gaps on both sides of a border. The second side is shifted by half its length if `isAside`. */
 function border(last: Side, first: Side, open: Float64Array, isAside = false): OpenEdge[] {
   const stretches = pointsOf(open);
   const moved = stretches.flatMap(([from, to]) =>
@@ -147,7 +147,7 @@ function seamsOf({across, up, halfDrop, brick}: ModuleTileSeams): TileSeams {
   };
 }
 
-/** Has work on a picture go on until it has ended. @throws {SolverError}; what `runInSlices` throws */
+/** Runs work on an image to its end. @throws {SolverError}; errors of `runInSlices` */
 async function finish<Answer>(
   picture: ModulePictureWork<Answer>,
   hooks: PhotoHooks,
@@ -164,7 +164,7 @@ async function finish<Answer>(
   return picture.answer();
 }
 
-/** @throws {SolverError} where no print is found; what `runInSlices` throws */
+/** Reads a print. @throws {SolverError} if no print is found; errors of `runInSlices` */
 export async function runPhoto(
   photo: ModulePictureWork<ModulePhotoReport>,
   {width, height}: PhotoPixels,
@@ -195,7 +195,7 @@ export async function runPhoto(
   };
 }
 
-/** @throws {SolverError}; what `runInSlices` throws */
+/** Makes a clean image of the print's cell. @throws {SolverError}; errors of `runInSlices` */
 export async function runPhotoTile(
   tile: ModulePictureWork<ModuleTile>,
   gains: ColourGains | undefined,
@@ -207,7 +207,10 @@ export async function runPhotoTile(
   return {width, height, data: pixels};
 }
 
-/** @throws {SolverError} where no such thing is seen; what `runInSlices` throws */
+/**
+ * Finds an object of known size.
+ * @throws {SolverError} if no such object is visible; errors of `runInSlices`
+ */
 export async function runPhotoObject(
   search: ModulePictureWork<ModuleObject>,
   {object, at}: PhotoObjectSettings,

@@ -1,28 +1,29 @@
-/** One kind of request: what it holds, what answers it, and what is told of it in between. */
+/** One kind of request: its data, its answer, and its hooks in between. */
 export interface RequestKind {
   readonly request: object;
   readonly answer: unknown;
-  /** Listeners, of one value each. */
+  /** Callbacks, each with one argument. */
   readonly hooks: object;
 }
 
-/** By their names. */
+/** Kinds of requests, by name. */
 export type RequestKinds = Readonly<Record<string, RequestKind>>;
 
 export type KindOf<R> = keyof R & string;
 
-/** What comes with a request. */
+/** Options of every request. */
 interface RequestOptions {
-  /** Fires when the answer is not wanted any more. */
+  /** Fires when the answer is no longer needed. */
   readonly signal?: AbortSignal;
   /**
-   * Buffers in the request to hand over to another thread: its caller loses them. All others are copied. On the
-   * caller's own thread neither happens, and who answers only reads them.
+   * Buffers in the request that are transferred to another thread, so that the caller loses them.
+   * All others are copied. On the caller's own thread neither happens, and the buffers are only
+   * read.
    */
   readonly transfer?: readonly ArrayBuffer[];
-  /** Hears once that its turn has come. */
+  /** Called once, when the request starts. */
   readonly onBegin?: () => void;
-  /** How many threads may help with it; none, unless said otherwise. */
+  /** Number of threads that may help. Default: none. */
   readonly helpers?: number;
 }
 

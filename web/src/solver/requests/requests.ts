@@ -15,7 +15,7 @@ import type {MeshedPattern, Proof, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../../model/symmetries.js';
 import type {DrapeTexts, GarmentTexts, MirrorTexts, ProblemTexts} from './texts.js';
 
-/** All that the solver can be asked, by kind; `../answering.ts` says how each is answered. */
+/** All requests to the solver, by kind; `../answering.ts` defines the answers. */
 export type Requests = {
   readonly solve: {request: ProblemTexts; answer: SolveResult; hooks: SolveHooks};
   readonly prepare: {request: ProblemTexts; answer: MeshedPattern; hooks: object};
@@ -29,9 +29,12 @@ export type Requests = {
   readonly photo: {request: PhotoRequest; answer: PhotoReading; hooks: PhotoHooks};
   readonly photoTile: {request: PhotoTileRequest; answer: PhotoPixels; hooks: PhotoHooks};
   readonly photoObject: {request: PhotoObjectRequest; answer: PhotoObject; hooks: PhotoHooks};
-  /** A share of another thread's search: the order from `Solver.lend`, answered for `Solver.take`. */
+  /**
+   * A share of another thread's search: the order from `Solver.lend`, and the answer for
+   * `Solver.take`.
+   */
   readonly share: {request: {readonly order: Float64Array}; answer: Float64Array; hooks: object};
-  /** Of the module: its size, and what is in use of it. [bytes] */
+  /** Memory of the module: its size, and the part in use. [bytes] */
   readonly memory: {
     request: object;
     answer: {readonly heap: number; readonly live: number};

@@ -6,7 +6,7 @@ import {methods} from '../../model/method.js';
 import type {SolveResult} from '../../model/result.js';
 import type {Symmetry} from '../../model/symmetries.js';
 
-/** A problem as text: its files, and what to call them in messages. */
+/** A problem as text: its files, and their names in messages. */
 export interface ProblemTexts {
   readonly garment: string;
   readonly garmentName: string;
@@ -22,7 +22,7 @@ export interface ProblemTexts {
   readonly seed: number;
 }
 
-/** How to call the parts of a problem in messages: file names, where there are any. */
+/** Names of the parts of a problem in messages: file names, if there are any. */
 export interface ProblemNames {
   readonly garment: string;
   readonly print: string;
@@ -32,27 +32,27 @@ export interface ProblemNames {
 
 /** Hooks for programs that read files. */
 export interface NamedSolveHooks extends SolveHooks {
-  /** What to call the problem's parts in error messages: the names of their files. */
+  /** Names of the problem's parts in error messages: the names of their files. */
   readonly names?: Partial<ProblemNames>;
 }
 
 export interface NamedProofHooks extends ProofHooks, Pick<NamedSolveHooks, 'names'> {}
 
-/** For questions that are answered at once. */
+/** Hooks for requests that report nothing before their answer. */
 export type NamedPrepareHooks = Pick<NamedSolveHooks, 'signal' | 'names'>;
 
-/** A garment as text, and what to call it in messages. */
+/** A garment as text, and its name in messages. */
 export interface GarmentTexts {
   readonly garment: string;
   readonly name: string;
 }
 
-/** With a symmetry file for it that holds one. */
+/** A garment, and a symmetry file with one symmetry of it. */
 export interface MirrorTexts extends GarmentTexts {
   readonly symmetries: string;
 }
 
-/** A result to be draped, and what to call it in messages. */
+/** A result to drape, and its name in messages. */
 export interface DrapeTexts {
   readonly result: string;
   readonly resultName: string;
@@ -63,13 +63,13 @@ export interface DrapeTexts {
   /** May be empty. */
   readonly size: string;
   readonly effort: number;
-  /** Positions of an earlier drape, or none. */
+  /** Positions of an earlier drape; empty without one. */
   readonly settled: Float64Array;
 }
 
 /** Hooks for programs that read files. */
 export interface NamedDrapeHooks extends DrapeHooks {
-  /** What to call the result and the body's measurements in error messages: the names of their files. */
+  /** Names of the result and the body measurements in error messages: the names of their files. */
   readonly names?: {readonly result?: string; readonly body?: string};
 }
 
@@ -80,11 +80,11 @@ export const plainNames: ProblemNames = {
   options: 'options',
 };
 
-/** Those that are no document. */
+/** Values of `symmetry` that are not documents. */
 export const namedSymmetries: ReadonlySet<string> = new Set(['auto', 'none']);
 const fields = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'];
 
-/** What a caller without types may hand over instead of a problem. @throws {SolverError} */
+/** Rejects values that an untyped caller may pass instead of a problem. @throws {SolverError} */
 function checkProblem(problem: unknown): void {
   const wrong = (message: string) => new SolverError({code: 'options', message});
   if (typeof problem !== 'object' || problem === null) {
@@ -96,7 +96,10 @@ function checkProblem(problem: unknown): void {
   }
 }
 
-/** @throws {SolverError} for what cannot be handed to the core at all */
+/**
+ * Converts a problem to text.
+ * @throws {SolverError} for values that the core cannot receive at all
+ */
 export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}): ProblemTexts {
   checkProblem(problem);
   const names = {...plainNames, ...given};
@@ -134,7 +137,10 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
   };
 }
 
-/** @throws {SolverError} for what cannot be handed to the core at all */
+/**
+ * Converts a garment and a symmetry to text.
+ * @throws {SolverError} for values that the core cannot receive at all
+ */
 export function mirrorTexts(
   garment: Garment | string,
   symmetry: Symmetry,
@@ -144,12 +150,18 @@ export function mirrorTexts(
   return {...garmentTexts(garment, name), symmetries};
 }
 
-/** @throws {SolverError} for what cannot be handed to the core at all */
+/**
+ * Converts a garment to text.
+ * @throws {SolverError} for values that the core cannot receive at all
+ */
 export function garmentTexts(garment: Garment | string, name = plainNames.garment): GarmentTexts {
   return {garment: jsonText(garment, name), name};
 }
 
-/** A value as JSON text; a string, or bytes, are taken to be JSON text already. @throws {SolverError} */
+/**
+ * Converts a value to JSON text; strings and bytes are taken as JSON text.
+ * @throws {SolverError}
+ */
 export function jsonText(value: unknown, name: string): string {
   if (value === '')
     throw new SolverError({code: 'notJson', message: `${name} is empty; choose another file.`});
@@ -165,7 +177,7 @@ export function jsonText(value: unknown, name: string): string {
       message: `${name} cannot be written as JSON: ${error instanceof Error ? error.message : String(error)}.`,
     });
   }
-  // JSON.stringify(undefined) is undefined, whatever its declaration says.
+  // JSON.stringify(undefined) is undefined, contrary to its declaration
   if (typeof text !== 'string') {
     throw new SolverError({
       code: 'notJson',
@@ -175,7 +187,7 @@ export function jsonText(value: unknown, name: string): string {
   return text;
 }
 
-/** JSON would make null of a number that is none. @throws {SolverError} */
+/** Rejects numbers that are not finite, which JSON would turn into null. @throws {SolverError} */
 function finite(value: unknown, key: string, name: string): unknown {
   if (typeof value === 'number' && !Number.isFinite(value)) {
     throw new SolverError({
@@ -186,7 +198,10 @@ function finite(value: unknown, key: string, name: string): unknown {
   return value;
 }
 
-/** @throws {SolverError} for what cannot be handed to the core at all */
+/**
+ * Converts a result and settings to text.
+ * @throws {SolverError} for values that the core cannot receive at all
+ */
 export function drapeTexts(
   result: SolveResult | string,
   settings: DrapeSettings = {},

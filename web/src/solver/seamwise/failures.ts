@@ -5,7 +5,7 @@ import {documentValue} from '../json/document.js';
 import type {ModuleFailure} from '../module/module.js';
 import type {ModuleDocument} from '../module/seamwise.mjs';
 
-/** What a document of the module holds. @throws {SolverError} if there is none */
+/** Value of a document from the module. @throws {SolverError} if there is none */
 export function valueOf({document, failure}: ModuleDocument): unknown {
   if (failure) throw toError(failure);
   return documentValue(document);

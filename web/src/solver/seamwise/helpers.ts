@@ -4,27 +4,32 @@ import {protocolVersion, type FromThread} from '../threads/protocol.js';
 import type {StartThread, Thread, ThreadOwner} from '../threads/thread.js';
 import type {Solver} from './solver.js';
 
-/** What is waited for. [ms] */
+/** Delays. [ms] */
 const usualDelays = {
-  /** What has been sought for so long goes on for about as long again, as a rule: threads are worth their start. */
+  /**
+   * A search of this duration usually takes about as long again, so it is worth starting threads.
+   */
   start: 200,
-  /** And those that have started are worth being told. */
+  /** A search of this duration is worth lending shares to threads that have started. */
   lend: 20,
-  /** A thread that nobody has needed for so long is ended. */
+  /** A thread that is not needed for this time is ended. */
   end: 5000,
 };
 
-/** One that helps alone takes two of the four shares of a search at once, not to wait in between. */
+/**
+ * Number of shares per thread. A single helper takes two of a search's four shares at once, so that
+ * it does not wait in between.
+ */
 const sharesEach = (threads: number): number => (threads === 1 ? 2 : 1);
 
-/** What a thread has been asked for. */
+/** A share that was lent to a thread. */
 interface Lent {
-  /** Null once it is of no use any more. */
+  /** Null once the share is no longer needed. */
   solver: Solver | null;
   readonly number: number;
 }
 
-/** A thread, and the shares that it is at, one after the other. */
+/** A thread, and its shares, which it processes one after the other. */
 class Helper {
   readonly #thread: Thread<Requests>;
   readonly #lent = new Map<number, Lent>();
@@ -35,7 +40,7 @@ class Helper {
     this.#thread.post({kind: 'modules', sources: {seamwise: module}});
   }
 
-  /** How many somebody waits for. */
+  /** Number of shares that are still needed. */
   get shares(): number {
     return [...this.#lent.values()].filter(({solver}) => solver !== null).length;
   }
@@ -51,14 +56,14 @@ class Helper {
     this.#thread.post({...share, job, hooks: [], helpers: 0});
   }
 
-  /** A job that has ended. */
+  /** Removes and returns the share of an ended job. */
   take(job: number): Lent | undefined {
     const lent = this.#lent.get(job);
     this.#lent.delete(job);
     return lent;
   }
 
-  /** Drops the shares of a solver that are of no use, all of them if it is `leaving`. */
+  /** Drops the shares of a solver that are no longer needed; all of them if it is `leaving`. */
   drop(solver: Solver, leaving: boolean): void {
     for (const [job, lent] of this.#lent) {
       if (lent.solver !== solver || (!leaving && solver.awaits(lent.number))) continue;
@@ -73,13 +78,14 @@ class Helper {
 }
 
 /**
- * Threads that run shares of the searches of a solver on this thread. Results do not depend on them: what a thread
- * does not bring is done here. They start when a search takes long, and end when none has for a while.
+ * Threads that run shares of the searches of solvers on this thread. Results do not depend on them:
+ * shares that a thread does not deliver are computed here. Threads start when a search takes long,
+ * and end when there has been no search for a while.
  */
 export class Helpers {
   readonly #start: StartThread<Requests>;
   readonly #delays: typeof usualDelays;
-  /** Threads that have broken: so many fewer are started from then on. */
+  /** Number of threads that have broken; so many fewer are started afterwards. */
   #broken = 0;
   readonly #helpers = new Set<Helper>();
   #ending: ReturnType<typeof setTimeout> | undefined;
@@ -90,10 +96,10 @@ export class Helpers {
   }
 
   /**
-   * Lends what the solver has to lend to whoever is free.
-   * @param module what the solver runs: others might find other answers
-   * @param most how many threads there may be
-   * @returns whether somebody is at work for it
+   * Lends the solver's shares to free threads.
+   * @param module the module that the solver runs; another one might give other answers
+   * @param most greatest number of threads
+   * @returns whether any thread works for the solver
    */
   help(solver: Solver, module: WebAssembly.Module | undefined, most: number): boolean {
     for (const helper of this.#helpers) helper.drop(solver, false);
@@ -109,19 +115,19 @@ export class Helpers {
     return [...this.#helpers].some((helper) => helper.isFor(solver));
   }
 
-  /** To be called at the end of a solve, however it came: nobody works for it any more. */
+  /** Drops all shares of a solver. Call it at the end of a solve, whatever the outcome. */
   leave(solver: Solver): void {
     for (const helper of this.#helpers) helper.drop(solver, true);
     clearTimeout(this.#ending);
     if (this.#helpers.size === 0) return;
     this.#ending = setTimeout(() => {
       for (const helper of this.#helpers) {
-        if (helper.shares > 0) continue; // another solve is not at its end
+        if (helper.shares > 0) continue; // another solve is still running
         this.#helpers.delete(helper);
         helper.end();
       }
     }, this.#delays.end);
-    // it keeps no program from ending
+    // the timer must not keep a program from ending
     if (typeof this.#ending === 'object') (this.#ending as {unref?: () => void}).unref?.();
   }
 

@@ -1,10 +1,10 @@
-/** Solves and proofs, run in slices. They throw what `runInSlices` throws. */
+/** Runs solves and proofs in slices. All functions throw the errors of `runInSlices`. */
 import type {ProofHooks, SolveHooks} from '../../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../../model/result.js';
 import {runInSlices, type Pace} from '../answers/slices.js';
 import type {Solver} from './solver.js';
 
-/** While others are at work for a solve: what they bring is wanted soon. [ms] */
+/** Slice while other threads help, whose answers are needed soon. [ms] */
 const sliceWhileHelped = 15;
 
 /** Runs a solver until its garment is ready to be solved. */
@@ -21,7 +21,7 @@ function runPreparation(
   return runInSlices(work, pace, signal);
 }
 
-/** The garment as a solve would begin with it. */
+/** Returns the garment in the form to be solved. */
 export async function runToPattern(
   solver: Solver,
   hooks: Pick<SolveHooks, 'signal'>,
@@ -33,7 +33,7 @@ export async function runToPattern(
 
 /**
  * Runs a solver to its end.
- * @param help looks for threads to help; whether any does
+ * @param help searches for threads that can help; returns whether any does
  */
 export async function run(
   solver: Solver,
@@ -58,8 +58,8 @@ export async function run(
 }
 
 /**
- * Proves until no more can be proven.
- * @param mayWork whether nothing else is to be done just now
+ * Runs a proof until no more can be proven.
+ * @param mayWork returns whether no other work is pending
  */
 export async function runProof(
   solver: Solver,

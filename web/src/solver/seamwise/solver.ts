@@ -7,16 +7,16 @@ import {namedSymmetries, type ProblemTexts} from '../requests/texts.js';
 import {toError} from './failures.js';
 
 /**
- * A solve that is advanced slice by slice, from reading its problem on. It owns memory of the module: delete it, whatever
- * happens. Methods may throw a SolverError.
+ * A solve that is advanced slice by slice, including reading its problem. It owns memory of the
+ * module, so it must be deleted in any case. Methods may throw a SolverError.
  */
 export class Solver {
   readonly #solver: ModuleSolver;
-  /** Preparation, and measuring at the end. [ms] */
+  /** Time of the preparation, and of measuring at the end. [ms] */
   #around = 0;
   readonly #spent = {alignment: 0, deformation: 0};
   #attempt = 0;
-  /** What the module broke on while shares were passed on. */
+  /** Error that broke the module while shares were exchanged. */
   #broken: Error | null = null;
 
   constructor(module: SeamwiseModule, problem: ProblemTexts) {
@@ -26,7 +26,7 @@ export class Solver {
   }
 
   /**
-   * Works for about `milliseconds`, within one phase; false when there is nothing left to do.
+   * Works for about `milliseconds`, within one phase; returns false when nothing is left to do.
    * @throws {SolverError} for bad input, during the preparation
    */
   advance(milliseconds: number): boolean {
@@ -45,7 +45,7 @@ export class Solver {
     return more;
   }
 
-  /** Only the last attempt at the deformation counts. */
+  /** Adds time to a phase. Only the last attempt at the deformation counts. */
   #count(phase: Phase, milliseconds: number): void {
     if (phase === 'preparation') {
       this.#around += milliseconds;
@@ -61,30 +61,30 @@ export class Solver {
     return this.#solver.phase();
   }
 
-  /** Of the whole solve, from 0 to 1; never falls. */
+  /** Share of the whole solve, from 0 to 1; it never decreases. */
   get fraction(): number {
     return this.#solver.fraction();
   }
 
-  /** The best alignments so far, once it is prepared: angle, x, y per piece. A copy. */
+  /** The best alignments so far, after the preparation: angle, x, y per piece. A copy. */
   partial(): Float64Array {
     return this.#solver.partial();
   }
 
   /**
-   * A share of the search at work, to be run on another thread, and its number; null when there is none. What goes
-   * wrong is told when the solver is next advanced.
+   * A share of the present search for another thread, with its number; null if there is none. The
+   * next `advance` throws its errors.
    */
   lend(): LentShare | null {
     return this.#unlessBroken(() => this.#solver.lend());
   }
 
-  /** Whether the answers of a share that was lent are still of use. */
+  /** Returns whether the answers of a lent share are still needed. */
   awaits(number: number): boolean {
     return this.#solver.awaits(number);
   }
 
-  /** What came of a share that was lent; as above. */
+  /** Takes the answers of a lent share. The next `advance` throws its errors. */
   take(number: number, answers: Float64Array): void {
     this.#unlessBroken(() => {
       this.#solver.take(number, answers);
@@ -100,7 +100,7 @@ export class Solver {
     }
   }
 
-  /** The garment as it was meshed, once it is prepared. */
+  /** The meshed garment, after the preparation. */
   pattern(): MeshedPattern {
     const document = this.#solver.pattern();
     this.#check();
@@ -117,7 +117,10 @@ export class Solver {
     return {...result, metrics: {...result.metrics, milliseconds: this.milliseconds}};
   }
 
-  /** Proves how good alignments can be, for about `milliseconds`; false when no more can be proven. */
+  /**
+   * Proves a bound on alignments for about `milliseconds`; returns false when no more can be
+   * proven.
+   */
   prove(milliseconds: number): boolean {
     return stepsFor(milliseconds, () => {
       const more = this.#solver.prove(1);
@@ -126,7 +129,7 @@ export class Solver {
     });
   }
 
-  /** What is proven by then. */
+  /** The bound that is proven so far. */
   proof(): Proof {
     return this.#solver.proven();
   }

@@ -1,4 +1,4 @@
-/** The buffers of all typed arrays in a value, each once: what of it can be given away, not copied. */
+/** The buffers of all typed arrays in a value, each once, to be transferred instead of copied. */
 export function buffersOf(value: unknown, found = new Set<ArrayBuffer>()): Set<ArrayBuffer> {
   if (value instanceof ArrayBuffer) found.add(value);
   else if (ArrayBuffer.isView(value)) buffersOf(value.buffer, found);

@@ -13,12 +13,13 @@ import {
   type ToThread,
 } from './protocol.js';
 
-/** Tells the thread that asks, and hands over what is to be transferred. */
+/** Sends a message to the requesting thread, and transfers buffers to it. */
 type PostMessage = (message: FromThread, transfer: ArrayBuffer[]) => void;
 
 /**
- * Answers requests of another thread: work is done in slices, so that a cancel is seen between any two.
- * @returns what is to be given all that the other thread says
+ * Answers requests of another thread. Work is done in slices, so that a cancellation takes effect
+ * between two of them.
+ * @returns the receiver for all messages of the other thread
  */
 export function serve<R extends RequestKinds, Ms extends Modules>(
   table: AnswerTable<R, Ms>,
@@ -41,7 +42,7 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
     };
     const listeners = Object.fromEntries(message.hooks.map((hook) => [hook, listener(hook)]));
     try {
-      // as the asking thread has typed them
+      // typed by the requesting thread
       const hooks = {...listeners, signal, helpers: message.helpers} as HooksOf<R[KindOf<R>]>;
       const value = await answerer.answer(name, request, hooks);
       send('answer', {kind: 'done', job, answer: value}, value);
@@ -73,7 +74,7 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
   };
 }
 
-/** As the asking thread has typed them. */
+/** Sources of modules, typed by the requesting thread. */
 function sourcesOf<Ms extends Modules>(
   sources: Readonly<Record<string, ModuleSource>>,
 ): WasmSources<Ms> {
@@ -81,7 +82,10 @@ function sourcesOf<Ms extends Modules>(
   return Object.fromEntries(entries) as WasmSources<Ms>;
 }
 
-/** As plain data; whatever is neither the caller's fault nor wish is the answering thread's own. */
+/**
+ * A failure as plain data. Errors other than those of the input and of cancellation are internal
+ * ones of this thread.
+ */
 function toFailure(error: unknown, signal: AbortSignal): Failure {
   const known = error instanceof SolverError ? error : unexpected(error, signal);
   return failureOf(known);

@@ -5,13 +5,14 @@ import {protocolVersion, type FromThread, type RequestMessage} from './protocol.
 import {WatchedThread, type ThreadStart, type WatchOwner} from './watched-thread.js';
 
 /**
- * A worker sees a cancel between two slices, and slices are longer than planned only where a step is: on
- * pieces of many thousand edges. One that has not seen it after this long is replaced, unless it is at work
- * for somebody else as well: whoever comes next need not wait for that step. [ms]
+ * Time limit for the reaction to a cancellation. A worker reacts between two slices. Slices are
+ * longer than planned only where a single step is: on pieces of many thousand edges. A worker that
+ * exceeds the limit is replaced, unless it also works on another job, so that the next job need not
+ * wait for that step. [ms]
  */
 const cancelPatience = 100;
 
-/** For the longest of steps, on a slow device. [ms] */
+/** Time limit for the longest step on a slow device. [ms] */
 const workPatience = 10_000;
 
 const disposedOf = {code: 'cancelled', message: 'The solver was disposed of.'} as const;
@@ -21,22 +22,22 @@ interface Job<R extends RequestKinds> {
   readonly transfer: readonly ArrayBuffer[];
   readonly hear: (hook: string, value: unknown) => void;
   posted: boolean;
-  /** Whether the thread has reported on it. */
+  /** True if the thread has reported on the job. */
   begun: boolean;
   readonly resolve: (answer: unknown) => void;
   readonly reject: (reason: unknown) => void;
-  /** It needs no signal any more. */
+  /** Removes the job's listener from its signal. */
   readonly unlisten: () => void;
 }
 
 /**
- * Asks another thread, which is started with the first request. A request never stays pending: if the thread
- * breaks, it is rejected, and the next one starts another thread.
+ * Sends requests to another thread, which is started with the first request. A request never stays
+ * pending: if the thread breaks, the request is rejected, and the next one starts another thread.
  */
 export class ThreadClient<R extends RequestKinds> {
   readonly #start: ThreadStart<R>;
   readonly #jobs = new Map<number, Job<R>>();
-  /** Jobs whose callers have gone, and which the thread has not yet dropped. */
+  /** Jobs that their callers have cancelled and the thread has not yet dropped. */
   readonly #leaving = new Set<number>();
   readonly #owner: WatchOwner = {
     receive: (message) => {
@@ -48,7 +49,7 @@ export class ThreadClient<R extends RequestKinds> {
     },
   };
   #thread: WatchedThread<R> | null = null;
-  /** Whether the thread has said that it speaks as this one does. Before, it is sent no job. */
+  /** True if the thread has confirmed the protocol version. No job is sent to it before. */
   #ready = false;
   #lastJob = 0;
   #disposed = false;
@@ -57,7 +58,11 @@ export class ThreadClient<R extends RequestKinds> {
     this.#start = start;
   }
 
-  /** @throws {SolverError}, such as that there can be no thread, before anything else is heard; the signal's reason */
+  /**
+   * Sends a request.
+   * @throws {SolverError}, such as for a thread that cannot be started, before any hook is called;
+   * the signal's reason
+   */
   ask<K extends KindOf<R>>(
     kind: K,
     request: R[K]['request'],
@@ -91,7 +96,7 @@ export class ThreadClient<R extends RequestKinds> {
     });
   }
 
-  /** Ends the thread; what is pending, and what is asked from now on, is rejected as cancelled. */
+  /** Ends the thread. Pending requests and all later ones are rejected as cancelled. */
   dispose(): void {
     this.#disposed = true;
     this.#breakDown(disposedOf);
@@ -149,7 +154,7 @@ export class ThreadClient<R extends RequestKinds> {
     for (const [number, job] of this.#jobs) this.#post(number, job);
   }
 
-  /** A listener that throws ends its job. */
+  /** Calls a hook. A hook that throws ends its job. */
   #report(number: number, hook: string, value: unknown): void {
     const job = this.#jobs.get(number);
     if (!job) return;
@@ -161,7 +166,7 @@ export class ThreadClient<R extends RequestKinds> {
     }
   }
 
-  /** A job that ends; none if its caller has gone. */
+  /** Removes and returns an ending job; undefined if its caller has cancelled it. */
   #take(number: number): Job<R> | undefined {
     const job = this.#jobs.get(number);
     job?.unlisten();
@@ -170,7 +175,7 @@ export class ThreadClient<R extends RequestKinds> {
     return job;
   }
 
-  /** The caller need not wait for the thread to know. */
+  /** Cancels a job. The caller need not wait for the thread's confirmation. */
   #cancel(number: number, reason: unknown): void {
     const job = this.#take(number);
     job?.reject(reason);
@@ -187,8 +192,8 @@ export class ThreadClient<R extends RequestKinds> {
   }
 
   /**
-   * A thread that kept silent over a cancelled job takes no job with it that it has not begun, unless what the
-   * job needs has been handed over to it.
+   * Replaces a lost thread. If it was silent over a cancelled job, the jobs that it has not begun
+   * go to the next thread, unless their buffers were transferred to it.
    */
   #lost(failure: SolverError, silent: boolean): void {
     const busy = silent && this.#leaving.size > 0;
@@ -206,7 +211,7 @@ export class ThreadClient<R extends RequestKinds> {
     }
   }
 
-  /** Nothing more comes from this thread. */
+  /** Ends this thread and rejects its jobs. */
   #breakDown(failure: Pick<Failure, 'code' | 'message'>): void {
     this.#thread?.end();
     this.#thread = null;
@@ -218,7 +223,7 @@ export class ThreadClient<R extends RequestKinds> {
   }
 }
 
-/** What hears of a request, by the names of the hooks; of its beginning, always. */
+/** Callbacks of a request, by the names of its hooks. `onBegin` is always among them. */
 function listenersOf(hooks: object): Map<string, (value: unknown) => void> {
   const listeners = new Map<string, (value: unknown) => void>([['onBegin', () => undefined]]);
   const entries: [string, unknown][] = Object.entries(hooks);

@@ -3,20 +3,20 @@ import type {FromThread, ToThread} from './protocol.js';
 
 /** Another thread that answers requests. */
 export interface Thread<R extends RequestKinds> {
-  /** @throws what cannot be copied or transferred */
+  /** Sends a message. @throws an error for a message that cannot be copied or transferred */
   post(message: ToThread<R>, transfer?: readonly ArrayBuffer[]): void;
-  /** Ends it, whatever it is at; nothing more is heard of it. */
+  /** Ends the thread, whatever it is doing; no more messages arrive from it. */
   end(): void;
 }
 
-/** Who hears of a thread. */
+/** Owner of a thread, which receives the thread's messages. */
 export interface ThreadOwner {
   receive(message: FromThread): void;
-  /** The thread has broken. @param reason empty where nothing is known */
+  /** Called when the thread has broken. @param reason empty if unknown */
   lost(reason: string): void;
 }
 
-/** @throws anything where there can be no thread */
+/** Starts a thread. @throws any error if no thread can be started */
 export type StartThread<R extends RequestKinds> = (owner: ThreadOwner) => Thread<R>;
 
 /** A browser's worker as a thread. */
@@ -30,7 +30,7 @@ export function workerThread<R extends RequestKinds>(
     owner.receive(data);
   };
   const lost = (event: Event) => {
-    event.preventDefault(); // it need not be reported as the page's own as well
+    event.preventDefault(); // the page must not report it as its own error, too
     owner.lost(event instanceof ErrorEvent ? event.message : '');
   };
   worker.addEventListener('message', receive, {signal});
@@ -41,7 +41,7 @@ export function workerThread<R extends RequestKinds>(
       worker.postMessage(message, [...transfer]);
     },
     end: () => {
-      listening.abort(); // what is still under way belongs to jobs of the past
+      listening.abort(); // messages still under way belong to ended jobs
       worker.terminate();
     },
   };

@@ -4,39 +4,42 @@ import type {RequestKinds} from '../requests/kinds.js';
 import type {FromThread, ToThread} from './protocol.js';
 import type {StartThread, Thread} from './thread.js';
 
-/** Who has a thread watched. */
+/** Owner of a watched thread. */
 export interface WatchOwner {
   receive(message: FromThread): void;
-  /** How long the thread may be silent just now; null when nothing is expected of it. [ms] */
+  /** Present time limit for the thread's silence; null when no message is expected. [ms] */
   patience(): number | null;
-  /** The thread has been ended, perhaps because it kept silent. */
+  /** Called when the thread has been ended. @param silent true if it exceeded the time limit */
   lost(failure: SolverError, silent: boolean): void;
 }
 
-/** How a thread is started. */
+/** Start of a thread, with its time limit and failure. */
 export interface ThreadStart<R extends RequestKinds> {
   readonly start: StartThread<R>;
-  /** How long it may take until it is first heard of. [ms] */
+  /** Time limit for the first message. [ms] */
   readonly patience: number;
-  /** Why there can be no such thread. @param reason empty where nothing is known */
+  /** Failure for a thread that cannot be started. @param reason empty if unknown */
   readonly failure: (reason: string) => SolverError;
 }
 
-/** Silence is counted in ticks, so that a page that was busy or asleep itself counts as one. [ms] */
+/**
+ * Silence is counted in ticks, so that a period in which the page itself was busy or asleep counts
+ * as one tick. [ms]
+ */
 const tick = 50;
 
-/** The watch over a thread: it is ended when it breaks, or owes an answer for too long. */
+/** Watches a thread, and ends it when it breaks or when an expected message takes too long. */
 export class WatchedThread<R extends RequestKinds> {
   readonly #thread: Thread<R>;
   readonly #owner: WatchOwner;
   readonly #places: ThreadStart<R>;
-  /** Runs until the thread is first heard of, and while something is expected. */
+  /** Runs until the first message, and while a message is expected. */
   #clock: ReturnType<typeof setInterval> | undefined;
   #ready = false;
-  /** For how long nothing has been heard. [ms] */
+  /** Time since the last message. [ms] */
   #silence = 0;
 
-  /** @throws {SolverError} if there can be no thread, as is known at once */
+  /** @throws {SolverError} if it is known at once that no thread can be started */
   constructor(places: ThreadStart<R>, owner: WatchOwner) {
     this.#owner = owner;
     this.#places = places;
@@ -53,13 +56,13 @@ export class WatchedThread<R extends RequestKinds> {
     this.#expect();
   }
 
-  /** @throws what cannot be copied or transferred */
+  /** Sends a message. @throws an error for a message that cannot be copied or transferred */
   post(message: ToThread<R>, transfer?: readonly ArrayBuffer[]): void {
     this.#thread.post(message, transfer);
     this.#expect();
   }
 
-  /** Counts from now on what has to be answered with less patience than before. */
+  /** Restarts the count of silence, for a message that is expected sooner than others before it. */
   hurry(): void {
     this.#silence = 0;
   }
