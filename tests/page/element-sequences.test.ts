@@ -65,12 +65,12 @@ const from = (seed: number, count: number): readonly number[] =>
 
 it('shows the last state after random sequences, and leaves nothing behind', async () => {
   const {page} = await openSmall();
-  const count = cases(6, 100);
+  const count = cases(10, 100);
   const wrong = async (seeds: readonly number[]): Promise<readonly Sequence[]> =>
     (await run(page, seeds)).filter((one) => one.wrong.length > 0);
   expect(await wrong(from(1, count))).toEqual([]); // whatever is made once has been made then
   const before = await held(page);
-  expect(await wrong(from(1 + count, count))).toEqual([]);
+  expect(await wrong(from(1, count))).toEqual([]);
   const after = await held(page);
   for (const [name, value] of Object.entries(before)) {
     expect.soft(after[name], name).toBeLessThanOrEqual(1.1 * value);

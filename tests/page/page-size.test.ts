@@ -25,13 +25,20 @@ async function sizeOf(url: string): Promise<readonly [file: string, bytes: numbe
 /** Notes the time of the first answer, before any part of the page learns of it. [ms since 1970] */
 const noteAnswer = (page: Page): Promise<unknown> =>
   page.addInitScript(() => {
-    void customElements.whenDefined('seamwise-page').then(() => {
+    const begin = (): void => {
       const workbench = document.querySelector<SeamwisePage>('seamwise-page')?.workbench;
-      workbench?.subscribe(['solving'], () => {
+      if (!workbench) {
+        setTimeout(begin);
+        return;
+      }
+      const look = (): void => {
         const isFirst = workbench.state.kind === 'done' && !('answered' in globalThis);
         if (isFirst) Object.assign(globalThis, {answered: Date.now()});
-      });
-    });
+      };
+      workbench.subscribe(['solving'], look);
+      look();
+    };
+    begin();
   });
 
 it('comes with little code until the first answer is there', async () => {
