@@ -6,7 +6,8 @@
 
 namespace seamwise::testing {
 
-/// The first `few` of all cases; all of them in the thorough run, which sets SEAMWISE_TESTS=thorough.
+/// The first `few` of all cases; all of them in the thorough run, which sets
+/// SEAMWISE_TESTS=thorough.
 template <typename Case>
 std::vector<Case> sampleOf(std::size_t few, std::vector<Case> all) {
   const char* level = std::getenv("SEAMWISE_TESTS");
