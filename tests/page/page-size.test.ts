@@ -1,4 +1,4 @@
-/** How much the opening fetches, compressed as a host would send it. */
+/** Download size of the page's first load, compressed as a host would send it. */
 import {gzipSync} from 'node:zlib';
 
 import type {Page, Request} from 'playwright-core';
@@ -11,8 +11,8 @@ const openPage = usePage();
 
 const kilobyte = 1000;
 /**
- * Of the page's own code and of the solver, without the drawing library; with the lens's strip, 2.8 kB, which is asked for
- * beforehand where the answer takes longer. [bytes]
+ * Most bytes of the page's own code and of the solver, without the drawing library. They include
+ * the lens's strip, 2.8 kB, which is preloaded where the answer takes longer.
  */
 const most = {code: 135 * kilobyte, wasm: 223 * kilobyte};
 
@@ -22,7 +22,7 @@ async function sizeOf(url: string): Promise<readonly [file: string, bytes: numbe
   return [file, gzipSync(new Uint8Array(body), {level: 9}).length];
 }
 
-/** When the first answer is there, before any part of the page hears of it. [ms since 1970] */
+/** Time of the first answer, before any part of the page receives it. [ms since 1970] */
 async function answered(page: Page): Promise<number> {
   await page.waitForFunction(() => customElements.get('seamwise-page'));
   return page.evaluate(
@@ -47,7 +47,7 @@ it('comes with little code until the first answer is there', async () => {
   await page.reload({waitUntil: 'commit'});
   const end = await answered(page);
   await solved(page);
-  await page.waitForLoadState('networkidle'); // when a request began is known once it is answered
+  await page.waitForLoadState('networkidle'); // a request's start is known after its response
   const urls = new Set(
     requests.filter((one) => one.timing().startTime < end).map((one) => one.url()),
   );
