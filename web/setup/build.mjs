@@ -24,10 +24,7 @@ import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const at = (...parts) => join(root, ...parts);
 const moduleFolder = 'web/src/solver/module';
-/**
- * Files of the WebAssembly modules. All except the first are fetched on demand, for example to
- * drape a garment or to lay out its pieces.
- */
+/** Files of the WebAssembly modules. Drape, marker and photo are fetched on demand. */
 const moduleFiles = ['seamwise', 'drape', 'marker', 'photo'].flatMap((name) => [
   `${name}.mjs`,
   `${name}.wasm`,
