@@ -1,4 +1,4 @@
-/** The page: built into build/page, with the samples of public/ beside it. */
+/** Builds the page to build/page, with the samples of public/ beside it. */
 import {createHash} from 'node:crypto';
 import {readdirSync, readFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
@@ -11,7 +11,7 @@ import {shortStyles} from './web/setup/short-styles.mjs';
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const port = Number(process.env.PORT ?? 5173);
 
-/** Nothing from elsewhere, no inline script or style, no eval; pictures may also be the user's own. */
+/** No other origins, no inline script or style, no eval; images may also be the user's own. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -24,12 +24,15 @@ const policy = [
   "form-action 'self'",
 ].join('; ');
 
-/** Garments and prints are kept once they are shown. */
+/**
+ * Top-level files of public/; the service worker caches garments and prints only once they are
+ * shown.
+ */
 const publicFiles = readdirSync(at('public'), {withFileTypes: true})
   .filter((entry) => entry.isFile())
   .map(({name}) => name);
 
-/** The worker that keeps the page for when there is no network, with the names of all that the page is made of. */
+/** The service worker for offline use, with the names of all files of the page. */
 function offline(): Plugin {
   const fileName = 'service-worker.js';
   return {
@@ -58,17 +61,19 @@ function offline(): Plugin {
   };
 }
 
-/** The drawing library apart, so that the page's own code can be seen for what it is. */
+/** A separate file for the drawing library, so that the size of the page's own code is visible. */
 const drawing = {name: 'three', test: /node_modules[\\/]three[\\/]/, priority: 1};
 
-/** What the flat view, the worn one and the lens share is one file, not one for each pair of them. */
+/**
+ * One file for the code shared by flat view, drape and lens, instead of one for each pair of them.
+ */
 const shared = {
   name: 'viewer',
   test: /[\\/]src[\\/]viewer[\\/]/,
   minShareCount: 2,
 };
 
-/** All that the page begins with is one file: parts of it that are shared with later ones are no files of their own. */
+/** One file for the page's initial code, including parts that later chunks share. */
 const opening = {
   name: 'page',
   tags: ['$initial'] as '$initial'[],
@@ -78,10 +83,10 @@ const opening = {
 export default defineConfig({
   root: at('web'),
   base: './',
-  appType: 'mpa', // a file that is not there is an error, not the page
+  appType: 'mpa', // a missing file is an error, not the page
   publicDir: at('public'),
   plugins: [notices(), shortStyles(), offline()],
-  optimizeDeps: {entries: ['index.html']}, // and not those of the examples
+  optimizeDeps: {entries: ['index.html']}, // excludes the examples
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},
   build: {

@@ -1,7 +1,8 @@
 /**
- * The element with three and Lit inside, for pages without a bundler: built into dist/standalone, a script to load,
- * and beside it what that loads when it is needed. It is no library to Vite, which would turn the .wasm file into a
- * `data:` URL then; all addresses are relative, so that the folder may lie anywhere.
+ * Builds the element with three and Lit inside, for pages without a bundler, to dist/standalone: a
+ * script to load, with the files that it loads on demand. The build is not in Vite's library mode,
+ * which would turn the .wasm file into a `data:` URL. All addresses are relative, so that the
+ * folder works anywhere.
  */
 import {fileURLToPath} from 'node:url';
 
@@ -12,7 +13,7 @@ import {shortStyles} from './web/setup/short-styles.mjs';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
-/** What is loaded by name keeps its name; the rest must not be taken from a cache after an update. */
+/** Files loaded by name keep their names; the others must not come from a cache after an update. */
 const names = {
   entryFileNames: '[name].js',
   chunkFileNames: '[name]-[hash].js',
@@ -39,14 +40,14 @@ export default defineConfig({
         codeSplitting: {
           groups: [
             {name: 'three', test: /node_modules[\\/]three[\\/]/, priority: 1},
-            // all that it begins with is one file: what of it others share is none of its own
+            // one file for the initial code, including parts that later chunks share
             {name: 'opening', tags: ['$initial' as const]},
           ],
         },
       },
     },
   },
-  // also by name: hosts copy what the worker loads
+  // fixed names, because hosts copy the worker's files
   worker: {
     format: 'es',
     rolldownOptions: {output: {...names, chunkFileNames: 'solver.[name].js'}},

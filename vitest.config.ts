@@ -6,12 +6,13 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 const isThorough = process.env.SEAMWISE_TESTS === 'thorough';
 
 export default defineConfig({
-  // tests name sources by their rooms, as in tsconfig.json
+  // aliases of the source folders, as in tsconfig.json
   resolve: {alias: {'@/': at('web/src/'), '@samples/': at('web/samples/')}},
   test: {
     testTimeout: 120_000,
     hookTimeout: 240_000,
-    // parts of the page draw when there is time: a second is short on two cores that also compile
+    // parts of the page render when there is time: a second is too short on two cores that also
+    // compile
     tags: [
       {
         name: 'thorough',

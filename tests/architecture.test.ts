@@ -6,7 +6,7 @@ import {expect, it} from 'vitest';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 
-/** The rooms of wasm/src, from the bottom up: each may include those before it. */
+/** Folders of wasm/src, from the bottom up: each may include the ones before it. */
 const coreRooms = [
   'base',
   'geometry',
@@ -38,7 +38,7 @@ const coreRooms = [
   'bindings',
 ];
 
-/** What a room of web/src may import, besides itself. */
+/** Folders of web/src that each folder may import, besides itself. */
 const webRooms: Readonly<Record<string, readonly string[]>> = {
   model: [],
   solver: ['model'],
@@ -53,8 +53,8 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
   marker: ['model', 'layout', 'scene', 'recognition', 'picture', 'cutting', 'paper'], // no DOM
   remedies: ['model', 'scene'],
-  viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
-  texts: ['model', 'scene', 'marker'], // of the marker, what stands on a lay plan
+  viewer: ['model', 'recognition', 'scene'], // never the solver: views only read a result
+  texts: ['model', 'scene', 'marker'], // marker: for the texts printed on a layout
   workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'marker', 'remedies', 'texts'],
   editor: [
     ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'marker'],
@@ -96,12 +96,12 @@ function filesUnder(folder: string, extensions: readonly string[]): string[] {
     .map((entry) => join(entry.parentPath, entry.name));
 }
 
-/** Every dependency of a file, as found by `pattern`, whose first group is what is asked for. */
+/** Lists the dependencies of a file: the first group of every match of `pattern`. */
 function references(file: string, pattern: RegExp): string[] {
   return [...readFileSync(file, 'utf8').matchAll(pattern)].map((match) => match[1] ?? '');
 }
 
-/** Files directly in the source folder count as the room ''. */
+/** Returns the first folder of a path; files directly in the source folder belong to ''. */
 function topFolder(file: string): string {
   const [first = '', ...rest] = file.split('/');
   return rest.length > 0 ? first : '';
@@ -116,12 +116,12 @@ const packages = /(?:\bfrom|\bimport)\s*\(?\s*'([^.'][^']*)'/g;
 
 type Graph = ReadonlyMap<string, readonly string[]>;
 
-/** Per file of the core, below wasm/src, what it includes. */
+/** Includes of every core file, relative to wasm/src. */
 const coreGraph: Graph = new Map(
   coreFiles.map((file) => [inFolder('wasm/src', file), references(file, includes)]),
 );
 
-/** Per file of the web sources, below web/src, what it imports, types too. */
+/** Imports of every web file, types included, relative to web/src. */
 const webGraph: Graph = new Map(
   webFiles.map((file) => [
     stem(inFolder('web/src', file)),
@@ -139,7 +139,7 @@ function stem(file: string): string {
   return file.replace(/(\.d)?\.m?[jt]s$/, '');
 }
 
-/** What depends on itself by way of others: `names` gives a file its place, which may be the file. */
+/** Lists the cycles of a graph. `names` maps a file to its node: a folder or the file itself. */
 function cycles(graph: Graph, names: (file: string) => string): string[] {
   const arrows = new Map<string, Set<string>>();
   for (const [file, targets] of graph) {
@@ -223,7 +223,7 @@ it('keeps JavaScript, streams, clocks and true randomness out of the core', () =
 it('defines every type of the core once: of two that share a name, a linker takes either for both', () => {
   const places = new Map<string, string[]>();
   for (const file of coreFiles) {
-    // what has no indentation stands in the namespace; what no name, in the file alone
+    // Types without indentation belong to the namespace; unnamed namespaces are private to a file.
     const text = readFileSync(file, 'utf8').replace(
       /^namespace \{$[^]*?^\} {2}\/\/ namespace$/gm,
       '',

@@ -1,5 +1,5 @@
-// Reads tasks, one JSON object a line, from the file named or from standard input; writes one JSON
-// object a line.
+// Reads tasks, one JSON object a line, from the given file or from standard input, and writes one
+// JSON object a line.
 #include "bench.h"
 
 #include <fstream>

@@ -9,15 +9,15 @@
 #include "solve/result.h"
 #include "solve/solver.h"
 
-/// What `npm run bench` measures, natively and in WebAssembly by the same code. Every task is a
-/// JSON object, and so is what it gives. Times are milliseconds, fits cm2, memory bytes.
+/// Tasks of `npm run bench`, which runs the same code natively and in WebAssembly. Every task and
+/// every answer is a JSON object. Times are in milliseconds, mismatches in cm2, memory in bytes.
 namespace seamwise::bench {
 
 using Json = nlohmann::ordered_json;
 
 class Watch {
  public:
-  /// Since the watch was made. [ms]
+  /// Time since the construction. [ms]
   double milliseconds() const {
     return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
   }
@@ -27,8 +27,8 @@ class Watch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// The most memory in use since it was made, beyond what was in use then; in WebAssembly, whose
-/// memory never shrinks, beyond what was in use when the program started. [bytes]
+/// Peak memory since the construction, less the memory in use at that time. WebAssembly's memory
+/// never shrinks, so there it is measured from the start of the program. [bytes]
 class PeakMemory {
  public:
   PeakMemory();
@@ -38,18 +38,18 @@ class PeakMemory {
   double before_;
 };
 
-/// Of the matrix of a grid of 90 x 90 nodes with 2 unknowns each, its numerical part; the quickest
-/// of several. What is not solved by factorisations is measured in these. [ms]
+/// Time of the numerical factorisation of the matrix of a grid of 90 x 90 nodes with 2 unknowns
+/// each; the quickest of several. Work without factorisations is measured in this unit. [ms]
 double gridFactorisation();
 
-/// The problem of a task, from its fields garment and print (files), symmetry, method, seed,
-/// options, edgeLength (cm, even where an options file may not go), and evenSeams: no seam weighs
-/// more than another and no marked lines count, so that the fit is just what is searched for.
-/// Throws a sentence.
-/// @param print_scale, print_turn   how much larger than in its file, and turned, the print is; rad
+/// Builds the problem of a task from its fields garment and print (files), symmetry, method, seed,
+/// options, edgeLength (cm, also beyond the range of options files) and evenSeams. With evenSeams,
+/// all seams weigh the same and marked lines don't count, so that the mismatch is exactly what the
+/// search minimises. Throws std::runtime_error with a message.
+/// @param print_scale, print_turn   factor and rotation of the print relative to its file; rad
 Problem problemOf(const Json& task, double print_scale = 1, double print_turn = 0);
 
-/// The value, or its error thrown as a sentence.
+/// Returns the value, or throws the error's message.
 template <class T>
 T required(Outcome<T> outcome) {
   if (!outcome.ok()) throw std::runtime_error(outcome.error().message);
@@ -59,27 +59,27 @@ T required(Outcome<T> outcome) {
 MatchRules rulesOf(const Problem& problem);
 int trianglesOf(const Pattern& pattern);
 
-/// A solve and what it took.
+/// Result of a solve with its times and memory.
 struct Timed {
   Result result;
   double prepare = 0, alignment = 0, deformation = 0, measuring = 0;  ///< ms
   double earlier = 0;  ///< ms: attempts with other weights, which do not count
   double first = 0;    ///< ms until the first alignment that can be drawn
   double first_fit = 0;
-  double cold_first = 0;   ///< ms: as `first`, of the first of the solves it was chosen from
-  double peak_memory = 0;  ///< bytes, of that one as well
-  bool monotone = true;    ///< whether the progress reported never fell
-  double astray = 0;  ///< greatest distance of the progress reported from the share of time spent
+  double cold_first = 0;   ///< ms: `first` of the first of the repeated solves
+  double peak_memory = 0;  ///< bytes, of the first of the repeated solves
+  bool monotone = true;    ///< the reported progress never fell
+  double astray = 0;  ///< greatest difference of the reported progress and the share of time spent
   double total() const { return prepare + alignment + deformation + measuring; }
 };
 
-/// @param make   makes the problem; part of what is timed
-/// @param memo   of the solve before it; a mesh that has not changed is taken from there
+/// @param make   creates the problem; part of the measured time
+/// @param memo   of the previous solve; unchanged meshes are reused
 Timed timedSolve(const std::function<Problem()>& make, const SolveMemo& memo = {});
 
-/// The quickest of as many solves as the task asks for in `times`, and more until `atLeast` ms are
-/// spent: an engine compiles WebAssembly once more, and better, while it runs. What users meet
-/// once, the first answer and the memory, is also told of the first one.
+/// Returns the quickest of `times` solves, a field of the task, and of further ones until `atLeast`
+/// ms are spent: engines compile WebAssembly again, and better, while it runs. The first answer's
+/// time and the memory, which users meet only once, are those of the first solve.
 Timed quickest(const Json& task, const std::function<Problem()>& make, const SolveMemo& memo = {});
 
 Json solveTask(const Json& task);

@@ -1,4 +1,5 @@
-// `npm run bench`: what the solver finds, and what it takes, natively, in WebAssembly and in the page.
+// `npm run bench`: measures the solver's results, time and memory natively, in WebAssembly and in
+// the page.
 import {execFileSync} from 'node:child_process';
 import {writeFileSync} from 'node:fs';
 import {cpus, release, type} from 'node:os';
@@ -25,7 +26,7 @@ import {ratiosOf} from './ratios.mjs';
 import {measureRules} from './rules.mjs';
 import {tablesOf} from './tables.mjs';
 
-/** What can be measured, each by itself, and which of the benchmark's programs it runs. */
+/** Parts that can be measured separately, and the benchmark programs each of them runs. */
 const parts = {
   methods: {measure: measureMethods, platforms: both},
   published: {measure: measurePublished, platforms: ['native']},
@@ -102,10 +103,10 @@ const git = (...words) =>
     .toString()
     .trim();
 
-/** Where and of what the figures are. */
+/** Date, machine and versions of the measurement. */
 function circumstances() {
   const [processor] = cpus();
-  // where a folder lies on this machine tells others nothing
+  // the path of a folder on this machine means nothing elsewhere
   const words = process.argv
     .slice(2)
     .map((word, k, all) => (all[k - 1] === '--garments' ? 'DIR' : word));
@@ -126,7 +127,7 @@ function commit() {
   }
 }
 
-/** JSON knows no infinity and would write null. */
+/** JSON has no infinity and would write null. */
 const infinite = (_, value) => (value === Infinity ? 'inf' : value);
 
 function page({date, machine, node, commit: of, command, minutes, ...results}) {
@@ -213,7 +214,7 @@ async function run() {
     try {
       results[name] = await parts[name].measure(settings);
     } catch (error) {
-      fail(`${name}: ${error.message}`); // what took minutes to measure is not to be lost
+      fail(`${name}: ${error.message}`); // minutes of measurements must not be lost
     }
   }
   results.failures = failures;

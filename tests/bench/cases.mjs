@@ -1,13 +1,13 @@
-// What `npm run bench` solves: garments and prints.
+// Garments and prints for `npm run bench`.
 import {existsSync, readdirSync, readFileSync} from 'node:fs';
 import {basename, join, resolve} from 'node:path';
 
 import {root, SetupError} from '../../web/setup/shell.mjs';
 
 /**
- * The sample garments, and every sewing pattern below the given folders.
- * @param folders  of further garments, relative to the caller's
- * @param only  a part of the name that the garments must have
+ * Finds the sample garments and every sewing pattern below the given folders.
+ * @param folders  further folders of garments, relative to the caller's current directory
+ * @param only  part of the name that the garments must have
  * @throws {SetupError} when a folder does not exist, or no garment is left
  */
 export function findGarments(folders, only = '') {
@@ -30,7 +30,7 @@ const jsonBelow = (folder) =>
     .sort()
     .map((name) => join(folder, name));
 
-/** One size stands for all: they differ by some centimetres only. */
+/** One size represents all: sizes differ by a few centimetres only. */
 const isMiddleSize = (file) => file.endsWith('-m.json');
 
 function isGarment(file) {
@@ -43,14 +43,14 @@ function isGarment(file) {
 
 const short = (file) => basename(file, '.json').replace(/_specification$/, '');
 
-/** The name of the file; with its folder, where two files have the same name. */
+/** Returns the name of the file, with its folder where two files have the same name. */
 function nameOf(file, files) {
   const name = short(file);
   const isUnique = files.filter((other) => short(other) === name).length === 1;
   return isUnique ? name : `${basename(join(file, '..'))}/${name}`;
 }
 
-/** The sample prints of the groups. @throws {SetupError} for a group without one */
+/** Finds the sample prints of the groups. @throws {SetupError} for a group without one */
 export function findPrints(groups) {
   return groups.map((group) => {
     const file = join(root, `public/prints/${group}.json`);

@@ -1,4 +1,4 @@
-// What draping a solved garment takes, in factorisations of a grid in the same process.
+// Time of draping a solved garment, in factorisations of a grid in the same process.
 #include <cstdint>
 #include <cstring>
 
@@ -14,7 +14,7 @@ SolvedGarment solvedWith(const Json& task, double print_scale) {
   return {std::move(result.garment), std::move(result.pattern), std::move(result.shapes)};
 }
 
-/// FNV-1a over the bytes of all coordinates: the same wherever the drape is.
+/// FNV-1a hash over the bytes of all coordinates; equal drapes have equal hashes on all platforms.
 std::string hashOf(const Positions& x) {
   std::uint64_t hash = 1469598103934665603u;
   for (const Vec3& at : x)
@@ -31,7 +31,7 @@ struct Draped {
   std::unique_ptr<WornGarment> worn;
 };
 
-/// To its end; the first shape is that of the first stage, which is shown before it.
+/// Drapes to the end. `first` is the time of the first stage, whose shape is shown before the end.
 Draped drape(SolvedGarment garment, const WearSettings& settings) {
   Draped draped;
   const Watch watch;

@@ -1,4 +1,4 @@
-// How long a change to a solved problem takes to show: its first answer and its final one.
+// Time until a change to a solved problem shows: the first and the final answer.
 #include <algorithm>
 
 #include "bench.h"
@@ -16,7 +16,7 @@ double lengthOf(const Pattern& pattern, const SeamSide& side) {
   return length;
 }
 
-/// The longest seam that counts.
+/// Returns the longest matched seam.
 int weightiest(const Pattern& pattern) {
   int longest = 0;
   double length = -1;
@@ -28,8 +28,8 @@ int weightiest(const Pattern& pattern) {
   return longest;
 }
 
-/// A piece to pin and where: one without an axis, a little off where it lies; else the first, as it
-/// lies.
+/// Returns a piece to pin and its alignment: a piece without an axis, slightly shifted; otherwise
+/// the first piece, unshifted.
 std::pair<int, Alignment> pinOf(const Result& solved) {
   std::vector<char> symmetric(solved.pattern.pieces.size());
   for (const Mirror& m : solved.pattern.mirrors)
@@ -44,7 +44,7 @@ std::pair<int, Alignment> pinOf(const Result& solved) {
 
 }  // namespace
 
-/// As a worker solves them: what the solve before has left is at hand.
+/// Solves as a worker does, with the memo of the previous solve.
 Json editTask(const Json& task) {
   Json with = task, without = task;
   with["symmetry"] = "auto", without["symmetry"] = "none";

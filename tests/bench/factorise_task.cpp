@@ -1,4 +1,4 @@
-// The yardstick for times: one factorisation of a garment's whole mesh, nothing left out.
+// Yardstick for times: one factorisation of a garment's complete mesh.
 #include <algorithm>
 
 #include "bench.h"
@@ -8,9 +8,9 @@
 namespace seamwise::bench {
 namespace {
 
-constexpr double kPull = 0.01;  ///< of every vertex to where it is, per cm2
+constexpr double kPull = 0.01;  ///< weight that pulls every vertex to its place, per cm2
 
-/// Corners of all triangles, in the numbers of all vertices of all pieces, and where they rest.
+/// Triangles in the numbers of all vertices of all pieces, and the rest positions.
 struct Whole {
   std::vector<std::array<int, 3>> triangles;
   std::vector<Vec2> rest;
@@ -37,8 +37,9 @@ std::vector<std::pair<int, int>> coupled(const Whole& whole) {
 
 }  // namespace
 
-/// Two unknowns a vertex, conformal energy and a pull to rest. The quickest of several, as solves
-/// are timed: an engine that has only begun to optimise would lengthen the yardstick.
+/// Factorises conformal energy and a pull to rest with two unknowns a vertex. The quickest of
+/// several runs counts, as with solves: an engine that is still optimising would lengthen the
+/// yardstick.
 Json factoriseTask(const Json& task) {
   Problem problem = problemOf(task);
   const Pattern pattern = required(prepared(problem)).pattern;

@@ -1,4 +1,4 @@
-// A piece of work that other work is measured in, so that figures of unlike machines compare.
+// Unit of work for times, so that figures of different machines are comparable.
 #include <algorithm>
 
 #include "bench.h"

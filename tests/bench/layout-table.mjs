@@ -1,4 +1,4 @@
-// How long layouts are and what they take, a row for each platform.
+// Lengths and times of layouts, a row for each platform.
 import {fit, ms, share, table} from './table.mjs';
 
 const head = [
@@ -21,7 +21,7 @@ const head = [
   'no print, ms',
 ];
 
-/** Whether both platforms found the same layouts, one after the other, as far as their lengths tell. */
+/** Returns whether both platforms found layouts of the same lengths. */
 const areAlike = (one, other) => lengthsOf(one) === lengthsOf(other);
 const lengthsOf = ({printed, free}) =>
   JSON.stringify(

@@ -1,20 +1,20 @@
-// Layouts on printed cloth: how long they are, how near to what bounds them, and what they take.
+// Layouts on printed fabric: length, distance to the lower bound, time.
 import {readFileSync} from 'node:fs';
 
 import {chance} from '../pairing/network.mjs';
 import {both, isThere, unlessBroken, usualOf} from './parts.mjs';
 
-/** Of unlike numbers of pieces, from 4 to 12, and of pieces from wide to long. */
+/** Garments of 4 to 12 pieces, from wide to long ones. */
 const usualNames = ['tee', 'shirt', 'trousers', 'princess-dress', 'hoodie'];
 /** Sides of the print's cell, a square. [cm] */
 const repeats = [10, 20];
-/** Of the cloth, all of it usable, and around the pieces. [cm] */
+/** Usable width of the fabric, and allowance around the pieces. [cm] */
 const width = 140;
 const allowanceCm = 1;
 
 /**
- * The pieces of garments laid on cloth with and without a print of group p2, at alignments by
- * chance, which is harder than those of solved garments: these repeat.
+ * Lays out garments on fabric with and without a print of group p2. Alignments are random, which is
+ * harder than those of solved garments, as these repeat.
  */
 export async function measureLayouts({programs, garments, prints, seeds, thorough, say, fail}) {
   const [print] = prints.layouts;
@@ -37,7 +37,7 @@ export async function measureLayouts({programs, garments, prints, seeds, thoroug
 const cases = (seeds) =>
   repeats.flatMap((repeat) => Array.from({length: seeds}, (_, k) => ({repeat, seed: k + 1})));
 
-/** With the print and without, one after the other in one process on each platform. */
+/** Measures with and without the print, one after the other in one process on each platform. */
 async function measureCase(programs, outlines, {group, repeat, seed}) {
   const {signedArea} = await import('../../dist/model/polyline.js');
   const area = outlines.reduce((sum, {outline}) => sum + Math.abs(signedArea(outline)), 0);
@@ -51,7 +51,7 @@ async function measureCase(programs, outlines, {group, repeat, seed}) {
   return row;
 }
 
-/** The cut lines of a garment's drafted pieces, in their own coordinates. */
+/** Cut lines of a garment's drafted pieces, in their own coordinates. */
 async function cutOutlines(garment, print) {
   const {cut, prepare, readGarment} = await import('../../dist/node/index.js');
   const {onPrint} = await import('../../dist/model/geometry.js');
@@ -67,7 +67,7 @@ async function cutOutlines(garment, print) {
   }));
 }
 
-/** Each piece on grain, up or down, anywhere in the print's cell. */
+/** Aligns each piece on grain, up or down, at a random place in the print's cell. */
 function aligned(outlines, repeat, seed) {
   const next = chance(1000 * seed + repeat);
   return outlines.map((piece) => ({

@@ -28,7 +28,7 @@ double PeakMemory::bytes() const { return top() - before_; }
 
 namespace {
 
-/// Of /proc/self/status.
+/// Reads a field of /proc/self/status. [bytes]
 double statusBytes(const std::string& field) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -44,7 +44,7 @@ double statusBytes(const std::string& field) {
 
 PeakMemory::PeakMemory() {
   malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins anew
+  std::ofstream("/proc/self/clear_refs") << "5";  // resets the peak
   before_ = statusBytes("VmRSS:");
 }
 

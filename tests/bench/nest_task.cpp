@@ -1,5 +1,5 @@
-// Layouts of pieces on a board: how long they are, whether that is proven, and what it took, in
-// factorisations of a grid in the same process.
+// Layouts of pieces on a board: length, proof, and time in factorisations of a grid in the same
+// process.
 #include "bench.h"
 #include "nesting/marker.h"
 

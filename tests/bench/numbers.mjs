@@ -1,4 +1,4 @@
-// What figures are summed up by.
+// Summaries of figures.
 
 export function median(values) {
   const sorted = values.toSorted((a, b) => a - b);
@@ -6,16 +6,16 @@ export function median(values) {
   return Number.isInteger(half) ? (sorted[half - 1] + sorted[half]) / 2 : sorted[Math.floor(half)];
 }
 
-/** A fit below this is none at all. [cm2] */
+/** A mismatch below this counts as zero. [cm2] */
 const nothing = 1e-3;
 
-/** Of two fits; null where neither leaves any mismatch. */
+/** Quotient of two mismatches; null where both are zero. */
 export function quotient(fit, other) {
   if (other > nothing) return fit / other;
   return fit <= nothing ? null : Infinity;
 }
 
-/** The slope of a line through the logarithms of points: y grows like x to this power. */
+/** Exponent of a power law through points: the slope of a line through their logarithms. */
 export function exponent(points) {
   const logs = points.map(([x, y]) => [Math.log(x), Math.log(y)]);
   const mean = (k) => logs.reduce((sum, point) => sum + point[k], 0) / logs.length;

@@ -1,4 +1,4 @@
-// The page as users get it: what it weighs, and how long it takes from nothing to its answer.
+// The page's download size and the time of a cold start until the final answer.
 import {mkdtemp, rm} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -16,7 +16,9 @@ import {median} from './numbers.mjs';
 const openings = 3;
 const configFile = join(root, 'vite.config.ts');
 
-/** Sizes compressed as a host would send them [bytes], the time of a cold opening [ms]. */
+/**
+ * Measures compressed sizes as a host would send them [bytes] and the time of a cold start [ms].
+ */
 export async function measurePage({say}) {
   say('page');
   await ensureSystem(forBrowserTests);
@@ -34,7 +36,7 @@ export async function measurePage({say}) {
 async function onServer(outDir) {
   const settings = {configFile, logLevel: 'warn', build: {outDir}};
   const server = await preview({...settings, preview: {port: 0, strictPort: false}});
-  const asRoot = process.getuid?.() === 0 ? ['--no-sandbox'] : []; // its sandbox is not for root
+  const asRoot = process.getuid?.() === 0 ? ['--no-sandbox'] : []; // the sandbox fails as root
   const browser = await chromium.launch({
     executablePath: chromiumPath(),
     args: [...asRoot, '--enable-unsafe-swiftshader'],
@@ -64,7 +66,7 @@ async function onServer(outDir) {
   }
 }
 
-/** From the address to the final answer, with nothing kept from before. */
+/** Opens the page without any cache and waits for the final answer. */
 async function coldOpening(browser, url) {
   const context = await browser.newContext({viewport: {width: 1440, height: 900}});
   try {

@@ -1,21 +1,24 @@
-// What is measured, part by part. Every part gives rows of figures, as the program answers them.
+// Parts of the benchmark. Every part returns rows of figures in the program's own format.
 import {cpus} from 'node:os';
 
 import {exponent} from './numbers.mjs';
 
-/** Repeated within one process, the quickest counts. */
+/** Repetitions within one process, of which the quickest counts. */
 const often = {times: 3, atLeast: 1000};
-/** Of the paper's largest garment, and those over which growth is measured. */
+/** Triangles of the paper's largest garment, and of the meshes that growth is measured on. */
 const paperTriangles = 16500;
 const sizes = [5e3, 20e3, 80e3, 160e3];
 
-/** What the program runs on. */
+/** Platforms that the program runs on. */
 export const both = ['native', 'wasm'];
-/** The garment that stands for all where measuring them would take too long: it is most like the paper's. */
+/**
+ * The garment that represents all where measuring them would take too long; it is most like the
+ * paper's.
+ */
 const exampleOf = (garments) =>
   garments.find(({name}) => name.startsWith('princess-dress')) ?? garments[0];
 
-/** Those that stand for all where one would not do. */
+/** Garments that represent all where one is not enough. */
 const usualNames = ['princess-dress', 'shirt', 'trousers'];
 export function usualOf(garments, thorough, names = usualNames) {
   const usual = garments.filter(
@@ -26,7 +29,10 @@ export function usualOf(garments, thorough, names = usualNames) {
 
 const named = (task, {garment, print}) => ({task, garment: garment.file, print: print.file});
 
-/** What is measured; nothing where that fails, which is told and must not cost the other figures. */
+/**
+ * Returns the measurement, or nothing where it fails; the failure is reported and must not cost the
+ * other figures.
+ */
 export async function unlessBroken(name, fail, measure) {
   try {
     return await measure();
@@ -36,7 +42,7 @@ export async function unlessBroken(name, fail, measure) {
   }
 }
 
-/** What the work gives for every item, in their order; two at a time, where there are processors for it. */
+/** Maps the items in order; two at a time where there are enough processors. */
 async function twoAtOnce(items, work) {
   const results = [];
   const left = items.entries();
@@ -50,8 +56,8 @@ async function twoAtOnce(items, work) {
 export const isThere = (row) => row !== undefined;
 
 /**
- * Every garment by every method. best and its solve without symmetry run natively and in
- * WebAssembly, one after the other; then paper and ws19, which take long, two at once and natively,
+ * Measures every garment by every method. best and its solve without symmetry run natively and in
+ * WebAssembly, one after the other. paper and ws19, which take long, run two at once and natively;
  * in WebAssembly only for one garment, or for all when thorough.
  */
 export async function measureMethods({programs, garments, prints, seeds, thorough, say, fail}) {
@@ -86,7 +92,7 @@ export async function measureMethods({programs, garments, prints, seeds, thoroug
   return rows;
 }
 
-/** The answer of the seed whose fit is the median's, the lower one of two. */
+/** Returns the answer of the seed with the median mismatch, the lower one of two. */
 async function medianOfSeeds(programs, platform, task, seeds) {
   const tasks = Array.from({length: seeds}, (_, k) => ({...task, seed: k + 1}));
   const answers = await programs.ask(platform, tasks);
@@ -94,14 +100,16 @@ async function medianOfSeeds(programs, platform, task, seeds) {
   return sorted[Math.floor((sorted.length - 1) / 2)];
 }
 
-/** In how many of the prints' groups every garment is compared with the published method. */
+/** Number of print groups in which every garment is compared with the published method. */
 const publishedGroups = 3;
-/** What makes the most of the published method: the best of many starts, far targets clipped or not. */
+/**
+ * Options with which the published method is at its best: many starts, far targets clipped or not.
+ */
 const atItsBest = [{starts: 50}, {starts: 50, clipTargets: true}];
 
 /**
- * best against the published method, as published and at its best: every garment in some of the
- * groups in turn, or in all when thorough. One process a case, two at once.
+ * Compares best with the published method, as published and at its best: every garment in some of
+ * the groups in turn, or in all when thorough. One process a case, two at once.
  */
 export async function measurePublished({programs, garments, prints, seeds, thorough, say, fail}) {
   const all = prints.published;
@@ -130,7 +138,7 @@ export async function measurePublished({programs, garments, prints, seeds, thoro
   return rows.filter(isThere);
 }
 
-/** Meshes of 16.5k triangles: one factorisation of the whole, and what solves take. */
+/** Measures one factorisation of the complete mesh and solves, on meshes of 16.5k triangles. */
 export async function measureYardstick({programs, garments, prints, thorough, say, fail}) {
   const rows = [];
   const timed = usualOf(garments, thorough); // paper takes long
@@ -167,9 +175,9 @@ async function meshOf(programs, files, triangles) {
 }
 
 /**
- * The search against 1000 random starts, and, in `longCases` of the cases, against itself with
- * much more time. Seams weigh alike here, so that the fit is what is searched for. Of times, only
- * quotients within one process count, so that two of them may run at once.
+ * Compares the search with 1000 random starts and, in `longCases` of the cases, with itself with
+ * much more time. Seams weigh the same here, so that the mismatch is what the search minimises.
+ * Only quotients of times within one process count, so that two processes may run at once.
  */
 export async function measureSearch({
   programs,
@@ -216,7 +224,7 @@ export async function measureSearch({
   return rows.filter(isThere).flat();
 }
 
-/** The numbers of so many cases, of garments, prints and symmetries all over; or of all cases. */
+/** Picks `count` cases, spread over garments, prints and symmetries; or all cases. */
 function spread(count, garments, prints) {
   const all = garments * prints * 2;
   const chosen = Array.from({length: Math.min(count, all)}, (_, k) =>
@@ -227,7 +235,7 @@ function spread(count, garments, prints) {
   return new Set(chosen);
 }
 
-/** One change to a solved problem, on meshes of 16.5k triangles, in WebAssembly. */
+/** Measures one change to a solved problem, on meshes of 16.5k triangles, in WebAssembly. */
 export async function measureEdits({programs, garments, prints, thorough, say, fail}) {
   const [print] = prints.methods;
   const rows = [];
@@ -247,7 +255,10 @@ export async function measureEdits({programs, garments, prints, thorough, say, f
   return rows.filter(isThere);
 }
 
-/** One garment in ever finer meshes. A process each, so that each has its own peak of memory. */
+/**
+ * Measures one garment in ever finer meshes. Each runs in its own process, so that it has its own
+ * peak of memory.
+ */
 export async function measureGrowth({programs, garments, prints, say, fail}) {
   const garment = exampleOf(garments);
   const files = {garment, print: prints.methods[0]};
@@ -273,7 +284,9 @@ export async function measureGrowth({programs, garments, prints, say, fail}) {
   return {sizes: measured, exponents};
 }
 
-/** Every garment draped, and draped again in another print, in factorisations of a grid. */
+/**
+ * Drapes every garment, and drapes it again in another print; times in factorisations of a grid.
+ */
 export async function measureDrapes({programs, garments, prints, say, fail}) {
   const rows = [];
   for (const garment of garments) {

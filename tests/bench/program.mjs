@@ -1,4 +1,4 @@
-// The benchmark's program, native or in WebAssembly: asked with tasks, it answers with figures.
+// Runs the benchmark's program, natively or in WebAssembly: tasks in, figures out.
 import {spawn} from 'node:child_process';
 import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -11,8 +11,8 @@ export class Programs {
   #warmUps;
 
   /**
-   * @param commands  per platform, the words that start the program
-   * @param warmUps  the problems that workers solve while files are still on their way
+   * @param commands  command line that starts the program, per platform
+   * @param warmUps  problems that workers solve while files are still loading
    */
   constructor(commands, warmUps) {
     this.#commands = commands;
@@ -22,7 +22,7 @@ export class Programs {
   /**
    * Runs tasks in one fresh process, one after the other, once it is warm.
    * @returns their answers, in order
-   * @throws {SetupError} when a task cannot be done, or the process breaks
+   * @throws {SetupError} when a task fails or the process breaks
    */
   async ask(platform, tasks) {
     const folder = mkdtempSync(join(tmpdir(), 'seamwise-bench-'));
@@ -50,7 +50,7 @@ export class Programs {
     }
   }
 
-  /** The answer to one task on every platform, one after the other. */
+  /** Runs one task on every platform, one after the other. */
   async onBoth(task) {
     const [native] = await this.ask('native', [task]);
     const [wasm] = await this.ask('wasm', [task]);

@@ -1,8 +1,8 @@
-// What the published method finds, as published and at its best, beside what `best` finds.
+// Results of the published method, as published and at its best, compared with those of `best`.
 import {median, quotient} from './numbers.mjs';
 import {fit, millimetres, ms, share, table} from './table.mjs';
 
-/** By name, what is divided: null where neither leaves any mismatch. */
+/** Quotients by name; null where both mismatches are zero. */
 const ratios = {
   'best/paper': ({best, paper}) => quotient(best.fit, paper.fit),
   'best/best paper': ({best, bestPaper}) => quotient(best.fit, bestPaper.fit),
@@ -40,7 +40,7 @@ const caseRow = (row) => {
   ];
 };
 
-/** The medians of some cases. */
+/** Row of the medians of some cases. */
 function middleRow(name, rows) {
   const middle = (values) => {
     const numbers = values.filter((value) => value !== null);

@@ -1,17 +1,16 @@
-// The quotients by which the solver is judged: where each comes from, what it is meant to be, and
-// whether it is.
+// Quotients by which the solver is judged: their source, their goal, and whether they meet it.
 
 import {median, quotient} from './numbers.mjs';
 
-/** Fits that differ by less are the same: a tenth of a per cent, about where iterations stop. */
+/** Mismatches that differ by less are equal: a tenth of a per cent, about where iterations stop. */
 const same = 1e-3;
-/** What the rows of a part hold is named where they are made, in parts.mjs. */
+/** parts.mjs, which makes the rows of a part, documents their fields. */
 const searches = (results) => results.search ?? [];
 const longSearches = (results) => searches(results).filter(({search}) => search.longFit >= 0);
-/** Rows in which all of these methods could be measured. */
+/** Rows in which all of these methods were measured. */
 const methods = (results, ...wanted) =>
   (results.methods ?? []).filter((row) => wanted.every((method) => row[method]));
-/** Against the published method: where all could be measured. */
+/** Rows of the comparison with the published method in which all were measured. */
 const published = (results) =>
   (results.published ?? []).filter(({best, paper, bestPaper}) => best && paper && bestPaper);
 const meshes = (results) => results.yardstick ?? [];
@@ -30,8 +29,8 @@ const caseName = ({garment, group, symmetry}) =>
 const each = (rows, value) => rows.map((row) => ({name: caseName(row), value: value(row)}));
 
 /**
- * All quotients: `values` gives them by case, `over` says which of them counts ('median' or
- * 'worst'), `goal` is the most that it may be and `aim` what is worth reaching.
+ * All quotients. `values` returns them by case, `over` is the one that counts ('median' or
+ * 'worst'), `goal` is the upper limit and `aim` the value worth reaching.
  */
 const quotients = [
   {
@@ -244,8 +243,9 @@ const quotients = [
 ];
 
 /**
- * Every quotient of what was measured: the value that counts, whether it meets its goal and its aim,
- * the worst case, and in how many cases the goal is missed. Cases without any mismatch are left out.
+ * Summarises every measured quotient: the value that counts, whether it meets its goal and its aim,
+ * the worst case, and the number of cases that miss the goal. Cases without any mismatch are left
+ * out.
  */
 export function ratiosOf(results) {
   return quotients.flatMap(({title, over, goal, aim, values}) => {

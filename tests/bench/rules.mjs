@@ -1,17 +1,18 @@
-// What every result keeps of the drafted garment, measured from its geometry alone on many results.
+// Rules that every result keeps, measured over many results from their geometry alone.
 import {readdirSync, readFileSync} from 'node:fs';
 import {cpus} from 'node:os';
 import {basename, join} from 'node:path';
 
 import {root} from '../../web/setup/shell.mjs';
 
-/** What is said of a seam, in cm and shares, as docs/life-of-a-print.md has it. */
+/** Limits for seams in cm and shares, from docs/life-of-a-print.md. */
 const limits = {worse: 0.03, met: 0.1, gained: 0.75, moved: 0.1, slip: 1e-6};
 const grains = ['on', 'free'];
 
 /**
- * Every sample garment, or those of `--garments`, in every sample print, on grain and at any angle.
- * @returns a row for each garment and grain: cases, seams, and how many break which rule
+ * Measures every sample garment, or those of `--garments`, in every sample print, on grain and at
+ * any angle.
+ * @returns a row for each garment and grain: cases, seams, and the number that breaks each rule
  */
 export async function measureRules({garments, thorough, say, fail}) {
   const {solve} = await import('../../dist/node/index.js');
@@ -45,7 +46,7 @@ export async function measureRules({garments, thorough, say, fail}) {
   return rows;
 }
 
-/** The same pattern in all its sizes, where it has some. */
+/** All sizes of a pattern that has several. */
 function allSizes({file, name}) {
   const stem = /^(.*)-m\.json$/.exec(file)?.[1];
   if (stem === undefined) return [{file, name}];
@@ -58,7 +59,7 @@ function allSizes({file, name}) {
 const mean = ({mismatch, lengths}) =>
   mismatch.reduce((sum, d, k) => sum + d * lengths[k], 0) / lengths.reduce((a, b) => a + b, 0);
 
-/** Adds what one result shows. */
+/** Adds the figures of one result to a row. */
 function judge(result, fitOf, row) {
   const final = result.pieces.map((piece) => piece.alignment);
   const drafted = fitOf(result, 'rest', result.drafted);
@@ -82,7 +83,7 @@ function judge(result, fitOf, row) {
   });
 }
 
-/** How far vertices of a seam have moved at most, its ends apart. [cm] */
+/** Greatest movement of a seam's vertices, except at its ends. [cm] */
 function movedOf({pieces}, {a, b}) {
   const moves = [a, b].flatMap(({piece, vertices}) =>
     vertices.slice(1, -1).map((v) => {

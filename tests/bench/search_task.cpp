@@ -1,4 +1,4 @@
-// What the search finds, against many random starts and against itself with much more time.
+// Result of the search against many random starts and against itself with much more time.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@
 namespace seamwise::bench {
 namespace {
 
-/// A garment's alignment as the search sees it.
+/// Alignment problem of a garment, as the search gets it.
 struct Searchable {
   Problem problem;
   Pattern pattern;
@@ -29,11 +29,12 @@ struct Searchable {
   }
 };
 
-constexpr int kIterations = 30;  ///< of a start, at most; they end by themselves before
+constexpr int kIterations = 30;  ///< most of a start; they usually end sooner
 constexpr std::size_t kPolished = 10;
-constexpr double kNothing = 1e-3;  ///< cm2: better cannot be found
+constexpr double kNothing = 1e-3;  ///< cm2: no better mismatch is possible
 
-/// The local step of the method `best` from every start, then the best few on every edge.
+/// Mismatches after the local step of the method `best` from every start, and of the best few after
+/// it on every edge.
 struct Starts {
   std::vector<double> fits;  ///< ascending
   double milliseconds = 0;
@@ -66,11 +67,11 @@ Starts randomStarts(const Searchable& garment, int count, std::uint64_t seed) {
   return starts;
 }
 
-/// Goes on from an answer for `milliseconds`, with budgets as large as they have to be for that.
+/// Continues from an answer for `milliseconds`, with budgets large enough for that time.
 Alignments searchedOn(const MatchProblem& match, const Alignments& known, double milliseconds,
                       std::uint64_t seed) {
   SearchBudget budget;
-  budget.idle = budget.hits = 1000000;  // what is left to end it is `evaluations`
+  budget.idle = budget.hits = 1000000;  // only `evaluations` ends it
   Alignments best = known;
   const Watch all;
   for (double left = milliseconds; left > 0 && match.cost(best) > kNothing; ++seed) {
@@ -98,7 +99,8 @@ Json startsTask(const Json& task) {
           {"milliseconds", starts.milliseconds}};
 }
 
-/// With `long` milliseconds, the search of the default budget once more with that much time.
+/// Solves a task. With `long` milliseconds, it runs the search of the default budget once more with
+/// that much time.
 Json searchTask(const Json& task) {
   const Timed solved = quickest(task, [&] { return problemOf(task); });
   Json answer = {{"fitSearch", solved.result.total_search},

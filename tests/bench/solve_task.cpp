@@ -1,4 +1,4 @@
-// What a solve gives and takes.
+// Results, times and memory of a solve.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +10,8 @@
 namespace seamwise::bench {
 namespace {
 
-/// Mean of TotalMismatch::joined over random alignments: to it what randomMismatch() is to the
-/// total of the nearest elements. [cm2]
+/// Mean of TotalMismatch::joined over random alignments. It corresponds to the joined total as
+/// randomMismatch() does to the total of the nearest elements. [cm2]
 double seamFitRandom(const WallpaperGroup& group, const Pattern& pattern) {
   const Shapes rest = restShapes(pattern);
   const auto draws = randomAlignments(group, pattern.pieces.size());
@@ -22,7 +22,7 @@ double seamFitRandom(const WallpaperGroup& group, const Pattern& pattern) {
   return total / static_cast<double>(draws.size());
 }
 
-/// Pieces whose alignment is a variable of its own.
+/// Pieces whose alignment is an independent variable.
 int freePieces(const Problem& problem, const Pattern& pattern) {
   const MatchProblem match = makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors,
                                               rulesOf(problem), problem.print.group);
@@ -117,8 +117,8 @@ Json solveTask(const Json& task) {
           {"peakMemory", timed.peak_memory}};
 }
 
-/// Finds the edge length at which the mesh has about as many triangles as the task asks for, or as
-/// few as it can have.
+/// Finds the edge length at which the mesh has about as many triangles as the task requires, or the
+/// fewest possible.
 Json meshTask(const Json& task) {
   const double wanted = task.at("triangles");
   constexpr double kLongest = 1.05;  // cm; seams are never sampled more coarsely

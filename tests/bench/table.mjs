@@ -1,4 +1,4 @@
-// One table of figures, and how figures are written in it.
+// Formats a table of figures.
 
 export const ms = (value) => (value < 9.95 ? value.toFixed(1) : value.toFixed(0));
 export const fit = (value) => value.toFixed(value < 9.995 ? 2 : 1);

@@ -1,4 +1,4 @@
-// The figures as tables, in Markdown that can be read as it stands.
+// The figures as tables, in Markdown that is readable as plain text.
 import {layoutTable} from './layout-table.mjs';
 import {quotient} from './numbers.mjs';
 import {publishedTables} from './published-tables.mjs';
@@ -8,7 +8,7 @@ const methodNames = ['ws19', 'paper', 'none', 'best'];
 const shown = {none: 'best, no symmetry'};
 const measuredBy = (row) => methodNames.filter((method) => row[method]);
 
-/** The mean over random alignments, and then what the methods give and take. */
+/** Rows of a case: the mean over random alignments, then results and times of the methods. */
 function methodRows({garment, group, ...row}) {
   const lines = [];
   for (const method of measuredBy(row)) {
@@ -47,7 +47,7 @@ function methodRows({garment, group, ...row}) {
   return lines;
 }
 
-/** What fits are compared with. */
+/** Mismatches for comparison: random alignments and the drafted garment. */
 function comparedRows(name, {pieces, triangles, fitRandom, fitSeamRandom, fitDrafted}) {
   const rows = [
     {method: 'random', pieces, triangles, fit: fit(fitRandom), fitSeam: fit(fitSeamRandom)},
@@ -310,7 +310,7 @@ export const ratioTable = (ratios) =>
 
 const goalText = (value) => String(Number(value.toFixed(3)));
 
-/** Everything measured, each part under its own heading. */
+/** All measured parts, each under its own heading. */
 export function tablesOf(results) {
   const parts = [
     ['Ratios', results.ratios.length > 0 && ratioTable(results.ratios)],

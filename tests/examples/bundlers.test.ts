@@ -1,4 +1,4 @@
-/** Bundlers that know nothing of workers and modules, and the way docs/frameworks.md shows for them. */
+/** Bundlers that don't support workers and modules, set up as docs/frameworks.md describes. */
 import {copyFile, cp, mkdtemp, readFile, rm, writeFile} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -11,7 +11,7 @@ import {packed, type Packed} from '../support/packed.js';
 import {samples, solved, useChromium} from '../support/examples.js';
 
 const open = useChromium();
-/** Lets pictures load, and leaves the module without its file alone. */
+/** Policy that allows the site's own files and WebAssembly only. */
 const policy = "default-src 'self' 'wasm-unsafe-eval'";
 let all: Packed;
 let folder: string;
@@ -61,7 +61,7 @@ it('works once the two files lie beside the bundle, as the guide says', async ()
   const {url, close} = await serveFiles(join(folder, 'site'), policy);
   const page = await open(url);
   await solved(page);
-  // a long search has helpers, of the same script
+  // a long search has helpers that run the same script
   const scripts = page.workers().map((worker) => worker.url().replace('#helper', ''));
   expect([...new Set(scripts)]).toEqual([`${url}solver.worker.js`]);
   await close();

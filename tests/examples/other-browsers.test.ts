@@ -1,4 +1,4 @@
-/** The element in Firefox and in WebKit, as they are installed, by the example with a script tag. */
+/** The element in the installed Firefox and WebKit, in the example with a script tag. */
 import {cp, readFile} from 'node:fs/promises';
 import {join} from 'node:path';
 
@@ -11,7 +11,7 @@ import {missingOf, otherBrowsers} from '../support/other-browsers.js';
 
 const {copy} = useExamples();
 
-/** Solves, draws, and tells what has come of it. */
+/** Solves, draws and returns the outcome. */
 const trial = `(async () => {
   const garment = document.querySelector('seamwise-garment');
   await customElements.whenDefined('seamwise-garment');
@@ -49,8 +49,8 @@ for (const browser of otherBrowsers) {
     try {
       const told = JSON.parse(await page.evaluate(trial)) as Told;
       expect(told).toMatchObject({isReady: true, type: 'image/png', width: 300});
-      expect(told.colours).toBeGreaterThan(20); // a blank one has one
-      // the browsers have their own sines, and sell the same bytes all the same
+      expect(told.colours).toBeGreaterThan(20); // a blank image has one colour
+      // browsers compute sines differently, but the ordered bytes are equal
       const read = (sample: string) => readFile(join(folder, new URL(sample).pathname));
       expect(await order(told.design, {read})).toMatchObject({reproduced: true});
     } finally {

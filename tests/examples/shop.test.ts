@@ -1,4 +1,4 @@
-/** The shop, as a customer, its workshop and somebody with bad intentions meet it. */
+/** The shop, as used by a customer, by its workshop and by an attacker. */
 import {execFile} from 'node:child_process';
 import {readFile} from 'node:fs/promises';
 import {join} from 'node:path';
@@ -31,16 +31,16 @@ const garment = (page: Page): Locator => page.locator('#product seamwise-garment
 const price = (page: Page): Locator => page.locator('#price');
 const readSample = (path: string): Promise<Uint8Array> => readFile(join(samples, path));
 
-/** Laying takes seconds, and a busy machine several times that. */
+/** A layout takes seconds, and several times that on a busy machine. */
 const patient = {timeout: 60_000};
 
-/** Once it is known. */
+/** Waits for the price. */
 async function priceTold(page: Page): Promise<string> {
   await expect.poll(() => price(page).textContent(), patient).toMatch(/^€/);
   return (await price(page).textContent()) ?? '';
 }
 
-/** The design that the page would sell, and the sha256 of what it shows. */
+/** The design that the page would sell, and the sha256 of the result on display. */
 const shown = async (page: Page): Promise<{readonly design: string; readonly sha256: string}> => {
   const {value, result} = await garment(page).evaluate((element: SeamwiseGarment) => ({
     value: element.value,
@@ -50,7 +50,7 @@ const shown = async (page: Page): Promise<{readonly design: string; readonly sha
   return {design: value, sha256: sha256Of(resultText(result))};
 };
 
-/** Once the element has another answer than the one before. */
+/** Waits until the element has a new answer. */
 async function solvedAnew(page: Page, before: string): Promise<void> {
   await page.waitForFunction((old) => {
     const element = document.querySelector<SeamwiseGarment>('#product seamwise-garment');
@@ -116,7 +116,7 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
   expect(refused).toEqual([]);
 });
 
-/** In the middle of the first piece, as it is drawn. */
+/** Drags from the middle of the first drawn piece. */
 async function dragPrint(page: Page): Promise<void> {
   const pane = garment(page).locator('sw-pattern');
   await pane.getByRole('button', {name: 'Show all'}).waitFor();
@@ -217,7 +217,7 @@ it('can be walked by keys alone', {tags: ['thorough']}, async () => {
   const {print, garment: chosen} = readStoredDesign((await shown(page)).design, 'design');
   expect(chosen.size).toBe('s');
   expect(print).toMatchObject({colourway: 'Blush', url: `${shop}prints/ditsy.json`});
-  expect(print.size?.width).toBeGreaterThan(7); // the file's own
+  expect(print.size?.width).toBeGreaterThan(7); // the size in the file
   await tabTo(/^Add to cart$/);
   await page.keyboard.press('Enter');
   await page.waitForURL(/\/cart\//, patient);
@@ -376,7 +376,7 @@ it('keeps a thousand carts in little memory, and forgets the oldest when there a
   expect(process.memoryUsage().heapUsed - before).toBeLessThan(80e6);
   const [first = '', second = ''] = ids;
   const last = ids.at(-1) ?? '';
-  expect(carts.lines(first)).toBeUndefined(); // 59 MB are more than it keeps
+  expect(carts.lines(first)).toBeUndefined(); // 59 MB exceed the limit for all designs
   expect(carts.lines(last)?.size).toBe(1);
   const [line = ''] = carts.lines(last)?.keys() ?? [];
   expect(carts.put(last, line, {design: 'y'})).toBe(last);
@@ -406,7 +406,7 @@ it('has its own price, and no other files than its own', {tags: ['thorough']}, a
   expect(taken.status).toBe(303);
   const cart = await fetch(new URL(taken.headers.get('location') ?? '', shop));
   expect(await cart.text()).toContain(`<strong>${told}</strong>`);
-  // the length is that of the package on its own
+  // the length equals that of the package used directly
   const read = (url: string): Promise<Uint8Array> => readSample(new URL(url).pathname);
   const {plan} = await order(design, {read, cloth: {widthCm: 140, selvedgeCm: 0}});
   expect(cents).toBe(170 * Math.ceil((plan?.lengthCm ?? 0) / 5));

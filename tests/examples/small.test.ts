@@ -1,4 +1,4 @@
-/** The small examples: in Node, with Vite, and by a script tag. */
+/** The small examples: in Node, with Vite, and with a script tag. */
 import {execFile} from 'node:child_process';
 import {cp, readFile} from 'node:fs/promises';
 import {join} from 'node:path';
@@ -12,7 +12,7 @@ import {samples, solved, useChromium, useExamples} from '../support/examples.js'
 
 const run = promisify(execFile);
 const {copy, serve} = useExamples();
-// what Vite and Lit say to developers
+// messages of Vite and Lit for developers
 const open = useChromium(/^\[vite\] connect(ing|ed)|^Lit is in dev mode/);
 
 it('solves in Node, and writes the result', async () => {
@@ -25,7 +25,7 @@ it('solves in Node, and writes the result', async () => {
   expect(await readFile(join(folder, 'out.json'), 'utf8')).toBe(expected);
 });
 
-/** Vite from the example's own folder, under the policy of its settings. */
+/** Runs Vite in the example's folder, under the policy of its settings. */
 async function vite(folder: string, words: readonly string[]): Promise<string> {
   return serve(folder, [join(folder, 'node_modules/vite/bin/vite.js'), ...words, '--port', '0']);
 }
@@ -43,6 +43,6 @@ it('works by a script tag alone', async () => {
   const folder = await copy('script-tag');
   await cp(samples, join(folder, 'samples'), {recursive: true});
   const {url, close} = await serveFiles(folder, "default-src 'self' 'wasm-unsafe-eval'");
-  onTestFinished(close); // the page, which goes on loading, is closed before
+  onTestFinished(close); // the page keeps loading, so it is closed first
   await solved(await open(url));
 });

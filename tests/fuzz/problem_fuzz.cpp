@@ -1,6 +1,6 @@
-// Problems made by chance (libFuzzer): no file may make the program stop, read what is not its own,
-// or take for ever. An input is up to four JSON texts, separated by a byte that none of them holds:
-// garment, print, options, symmetries.
+// Random problems (libFuzzer): no file may crash the program, make it read out of bounds, or make
+// it run forever. An input is up to four JSON texts: garment, print, options, symmetries. They are
+// separated by a byte that none of them contains.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -21,9 +21,9 @@ using Json = nlohmann::json;
 
 constexpr char kSeparator = '\x1E';
 constexpr std::size_t kTexts = 4;
-/// What is larger is read, but not solved: it would only take longer.
+/// Larger problems are read but not solved: they would only take longer.
 constexpr std::size_t kMostEdges = 60;
-/// Enough for the steps to be those of search and shaping.
+/// Enough steps to reach both search and shaping.
 constexpr int kMostSteps = 30;
 
 using Texts = std::array<std::string, kTexts>;
@@ -57,7 +57,7 @@ void solveSome(Problem problem) {
   }
 }
 
-/// Any value of a document.
+/// Picks any value of a document.
 Json* anyOf(Json& json, std::mt19937& random) {
   Json* at = &json;
   while (at->is_structured() && !at->empty() && random() % 8 != 0)
@@ -65,7 +65,7 @@ Json* anyOf(Json& json, std::mt19937& random) {
   return at;
 }
 
-/// Changes one value, as a hand or a program might that writes such files.
+/// Changes one value, as an editor or a program that writes such files might.
 void change(Json& json, std::mt19937& random) {
   static const std::vector<Json> kOdd = {
       nullptr, true, 0,     1,  -1,     0.5,    1e-9,          -1e-3,         10,
@@ -111,8 +111,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
-/// Mostly a change of one value; chance alone makes texts that are no JSON, which soon are all
-/// alike.
+/// Usually changes one value. Random bytes alone are hardly ever JSON, and such inputs soon become
+/// all alike.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
   using namespace seamwise;

@@ -18,7 +18,7 @@ void expectSame(const Alignment& a, const Alignment& b) {
   EXPECT_LT((a.translation - b.translation).norm(), 1e-7);
 }
 
-/// Distance of an angle from the nearest of some. [rad]
+/// Least distance of an angle from a set of angles. [rad]
 double offAngles(double angle, const std::vector<double>& angles) {
   double off = kPi;
   for (double a : angles) off = std::min(off, std::abs(wrapAngle(angle - a)));
@@ -142,8 +142,8 @@ TEST_P(MirroredFreedom, RepeatsItsPrintAfterOnePeriodAlongTheLine) {
 }
 
 TEST_P(MirroredFreedom, MissesNoPrintThatTheSymmetryAllows) {
-  // Any admissible alignment shows the print of one of the places, at some slide: a rotation of
-  // the print carries one onto the other.
+  // Any admissible alignment shows the print of one of the places, at some slide: a rotation of the
+  // print maps one onto the other.
   const RigidMotion map = random_.reflection();
   const AdmissibleAlignments admissible = AdmissibleAlignments::mirrored(map, group_);
   const Vec2 centre = random_.point();
@@ -154,7 +154,7 @@ TEST_P(MirroredFreedom, MissesNoPrintThatTheSymmetryAllows) {
     for (const AdmissibleAlignments::Place& place : admissible.places()) {
       for (const Element& e : group_.elements()) {
         if (e.mirrored) continue;
-        // the slide at which the axis points would coincide, if this element is the right one
+        // slide at which the axis points would coincide if this element is the right one
         const Vec2 off = group_.reduce(e(got.toPrint(foot)) - place.on_line);
         for (int line = -3; line <= 3; ++line) {
           const double slide = off.dot(place.along) + line * place.period / 2;
@@ -183,7 +183,7 @@ TEST_P(MirroredFreedom, WithGrainKeepsBothOrRefusesAndStaysAsItWas) {
     EXPECT_LT(asymmetry(group_, got, got, map), kExact);
     expectSame(both.nearest(got, Vec2::Zero()), got);
 
-    // mirror lines lie at multiples of 15 degrees, so 7.5 degrees off is off every one
+    // mirror lines are at multiples of 15 degrees, so 7.5 degrees is off every one
     AdmissibleAlignments refused = before;
     EXPECT_FALSE(refused.restrictAngles({admissible + kPi / 24}, 0.05));
     expectSame(refused.nearest(wish, Vec2::Zero()), before.nearest(wish, Vec2::Zero()));

@@ -93,7 +93,7 @@ TEST_P(CutLayoutIn, NeedsMirroredSeamsOnlyWhereItWasMirrored) {
   EXPECT_GT(refused.cost(searched(refused, 1)), 0.1);
 }
 
-/// Every panel turned and shifted by itself: axes lie askew and pairs are glide images.
+/// Turns and shifts every panel differently: axes become oblique and pairs glide images.
 Garment scattered(Garment garment) {
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const double k = static_cast<double>(p);
@@ -125,9 +125,9 @@ TEST(AlignmentSearch, IsNeverWorseThanWhatItWasOffered) {
   for (const auto& [pattern, group] : garments()) {
     const MatchProblem problem = matchProblem(pattern, group);
     Random random(5);
-    // a good answer, which a short search will hardly meet, and a poor one
+    // a good answer, which a short search hardly finds, and a poor one
     for (const Alignments& offered : {searched(problem, 1), randomLeaders(problem, random)}) {
-      // however few samples it looks at on the way
+      // the result is independent of the number of samples on the way
       for (double samples : {1000.0, 6.0, 1.0}) {
         SearchBudget budget = little();
         budget.samples = samples;

@@ -10,7 +10,7 @@ namespace {
 using testing::expectRefused;
 using testing::twoRectangles;
 
-/// The WebAssembly module, whose texts JavaScript reads, is held to the same sentences.
+/// The WebAssembly module, whose texts JavaScript reads, has to produce the same messages.
 TEST(BrokenFile, ThatIsNotJsonIsShownWhereItBreaks) {
   std::ifstream file(std::string(SEAMWISE_FIXTURES) + "/broken-json.json");
   const Json cases = Json::parse(file);

@@ -1,5 +1,5 @@
 #pragma once
-// Cells of prints drawn by chance, symmetric by the table of groups and no further than that.
+// Cells of random prints that have exactly the symmetries of their group in the table.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -10,28 +10,28 @@
 
 namespace seamwise::testing {
 
-/// A print of which a cell can be looked at in any basis and from any origin.
+/// A print whose cell can be drawn in any basis and from any origin.
 struct SamplePrint {
   WallpaperGroup group;
   struct Motif {
     Vec2 middle = Vec2::Zero();  ///< [cm]
-    Vec2 along = Vec2::UnitX();  ///< half its length, and the direction of it. [cm]
-    double width = 1;            ///< half of it. [cm]
-    double bend = 0;             ///< of its middle line
+    Vec2 along = Vec2::UnitX();  ///< half of its length, as a vector. [cm]
+    double width = 1;            ///< half of its width. [cm]
+    double bend = 0;             ///< bend of its middle line
     std::array<float, 3> ink{};
   };
   std::array<float, 3> ground{};
   std::vector<Motif> motifs;
 };
 
-/// How a cell was looked at: what a photograph leaves in it.
+/// View of a cell, with the traces that a photo leaves in it.
 struct CellView {
   std::array<int, 4> basis{1, 0, 0, 1};  ///< the cell's w1, w2 as columns in the group's basis
-  Vec2 origin = Vec2::Zero();            ///< of the cell, in the group's basis
+  Vec2 origin = Vec2::Zero();            ///< origin of the cell, in the group's basis
   int n = 96;
-  double displaced = 0;  ///< root mean square of what creases leave. [share of the cell's side]
-  double blur = 0;       ///< along one direction. [samples]
-  double shade = 0;      ///< amplitude of light that is left
+  double displaced = 0;  ///< root mean square of crease displacement. [share of the cell's side]
+  double blur = 0;       ///< length of the blur in one direction. [samples]
+  double shade = 0;      ///< amplitude of the remaining uneven light
   double noise = 0;      ///< standard deviation, of each colour
 };
 
@@ -62,7 +62,7 @@ inline SamplePrint samplePrint(const WallpaperGroup& group, seamwise::Random& ra
   return print;
 }
 
-/// Whether a motif covers a point: a leaf, pointed at one end, along a bent line.
+/// Returns whether a motif covers a point: a leaf, pointed at one end, along a bent line.
 inline bool covers(const SamplePrint::Motif& motif, const Vec2& p) {
   const double length = motif.along.norm();
   const Vec2 axis = motif.along / length;
@@ -71,7 +71,7 @@ inline bool covers(const SamplePrint::Motif& motif, const Vec2& p) {
   return x > -1 && x < 1 && std::abs(y) < std::sqrt(1 - x * x) * (1 - 0.5 * x) / 1.5;
 }
 
-/// The print's cell drawn with `times` x `times` points to a sample.
+/// Draws the print's cell with `times` x `times` points a sample.
 inline CellPicture drawnCell(const SamplePrint& print, const CellView& view, int times = 3) {
   const int fine = times * view.n;
   Mat2 own, change;
@@ -103,7 +103,7 @@ inline CellPicture drawnCell(const SamplePrint& print, const CellView& view, int
   return picture;
 }
 
-/// The fine cell as a photograph shows it, in n samples.
+/// Turns the finely drawn cell into that of a photo, in n samples.
 inline CellPicture photographedCell(const CellPicture& fine, const CellView& view,
                                     seamwise::Random& random) {
   const int times = fine.n / view.n, m = fine.n;
@@ -130,7 +130,7 @@ inline CellPicture photographedCell(const CellPicture& fine, const CellView& vie
   CellPicture out;
   out.n = view.n;
   for (auto& plane : out.planes) plane.assign(view.n * view.n, 0);
-  // of the opponent channels y, 0.7 (R - B), 0.7 (G - (R + B) / 2)
+  // sum over the opponent channels y, 0.7 (R - B), 0.7 (G - (R + B) / 2)
   const double sum_of_squares = 1.0 / 3 + 0.49 * 2 + 0.49 * 1.5;
   out.noise.assign(view.n * view.n, static_cast<float>(view.noise * view.noise * sum_of_squares));
   for (int j = 0; j < view.n; ++j) {
@@ -167,7 +167,7 @@ inline CellPicture photographedCell(const CellPicture& fine, const CellView& vie
   return out;
 }
 
-/// A basis of the same lattice, not far from reduced, and an origin anywhere.
+/// A basis of the same lattice, not far from reduced, and any origin.
 inline CellView anyView(seamwise::Random& random) {
   CellView view;
   static constexpr std::array<std::array<int, 4>, 8> kBases{{{1, 0, 0, 1},

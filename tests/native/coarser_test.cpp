@@ -35,12 +35,12 @@ class Coarser : public ::testing::TestWithParam<std::tuple<bool, double>> {
   const Pattern& fine_ = levels_.fine;
   const Pattern& coarse_ = levels_.coarser.pattern;
 
-  /// A fitting of each, as drafted.
+  /// Fitting plans of both patterns, as drafted.
   FittingPlan fine_plan_{fine_, {}, kReach}, coarse_plan_{coarse_, {}, kReach};
   WallpaperGroup group_ = testing::sampleGroup(*findGroup("pmm"));
   SeamFitting to_{fine_plan_, fine_, group_, {}}, from_{coarse_plan_, coarse_, group_, {}};
 
-  /// What the finer pattern becomes when every part of the coarser one moves by `move`.
+  /// Shapes of the finer pattern when every part of the coarser one moves by `move`.
   Shapes followed(const std::function<Vec2(const Vec2&)>& move) {
     std::vector<PartDeformation::State> states = from_.restStates();
     for (std::size_t c = 0; c < states.size(); ++c) {
@@ -84,7 +84,7 @@ TEST_P(Coarser, KeepsSeamsPairedAndMirrorImagesMirrored) {
     ASSERT_EQ(coarse.a.vertices.size(), coarse.b.vertices.size());
     EXPECT_NEAR(coarse.length_ratio, fine.length_ratio, 0.01);
     EXPECT_EQ(coarse.twin, fine.twin);
-    // what is sewn together is sewn together in the finer pattern, too
+    // vertices sewn together stay together in the finer pattern
     std::size_t k = 0;
     for (std::size_t i = 0; i < fine.a.vertices.size(); ++i) {
       const Vec2& a = fine_.pieces[fine.a.piece].rest[fine.a.vertices[i]];

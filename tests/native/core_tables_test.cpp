@@ -1,5 +1,5 @@
-// What the scripts know of groups and options is written by the core: SEAMWISE_WRITE=1 writes the
-// file anew.
+// The core writes the table of groups and options for the scripts: SEAMWISE_WRITE=1 rewrites the
+// file.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

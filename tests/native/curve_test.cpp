@@ -17,7 +17,7 @@ std::vector<Curve> someCurves() {
           Curve::cubic({0, 0}, {0, 0}, {10, 10}, {20, 0}),   // speed 0 at the start
           Curve::cubic({0, 0}, {20, 15}, {0, 15}, {20, 0}),  // a cusp in the middle
           Curve::arc({0, 0}, {10, 2}, 7, false, true), Curve::arc({0, 0}, {10, 2}, 7, true, false),
-          // a corner, a straight cubic, a bend, and a corner at which both have no speed
+          // a corner, a straight cubic, a bend, and a corner at which both cubics have zero speed
           Curve::path({{0, 0},
                        {3, 4},
                        {9, 5},
@@ -58,7 +58,7 @@ TEST(Curve, MeasuresEveryKindLikeAVeryFinePolyline) {
 
 TEST(Curve, DrawsArcsOnTheSideThatSvgDoesInYUpCoordinates) {
   const double r = std::sqrt(2.0);
-  // counter-clockwise from (0,0) to (2,0): a small arc bulges down, a large one too but further
+  // counter-clockwise from (0,0) to (2,0): a small arc bulges down, a large one further down
   EXPECT_NEAR((Curve::arc({0, 0}, {2, 0}, r, false, true).at(0.5) - Vec2(1, 1 - r)).norm(), 0,
               1e-12);
   EXPECT_NEAR((Curve::arc({0, 0}, {2, 0}, r, true, true).at(0.5) - Vec2(1, -1 - r)).norm(), 0,
@@ -75,7 +75,7 @@ TEST(Curve, SpacesPointsEvenlyAlongItsLength) {
       const double t0 = c.parameterAt(k / 10.0), t1 = c.parameterAt((k + 1) / 10.0);
       Polyline fine;
       for (int i = 0; i <= 20000; ++i) fine.push_back(c.at(t0 + (t1 - t0) * i / 20000));
-      EXPECT_NEAR(polylineLength(fine), c.length() / 10, 2e-6 * c.length());  // it cuts corners
+      EXPECT_NEAR(polylineLength(fine), c.length() / 10, 2e-6 * c.length());  // chords cut corners
     }
   }
 }
@@ -94,7 +94,7 @@ TEST(Curve, GivesMirroredAndReversedPointsToTheNanometre) {
 
 TEST(Curve, IndependentlyDraftedMirrorImagesGiveMirroredPoints) {
   const Curve c = Curve::cubic({0, 0}, {20, 15}, {0, 14}, {20, 0});
-  const Curve m = Curve::cubic({-20, 0}, {0, 14}, {-20, 15}, {0, 0});  // x -> -x, other direction
+  const Curve m = Curve::cubic({-20, 0}, {0, 14}, {-20, 15}, {0, 0});  // x -> -x, reversed
   for (double s = 0; s <= 1; s += 0.03125) {
     const Vec2 p = c.atFraction(s);
     EXPECT_NEAR((m.atFraction(1 - s) - Vec2(-p.x(), p.y())).norm(), 0, 1e-9);
@@ -114,7 +114,7 @@ TEST(Curve, FlattensWithinTheToleranceAndKeepsItsEnds) {
 TEST(Curve, CountsBendsToBothSidesAsTurning) {
   EXPECT_NEAR(Curve::arc({0, 0}, {2, 0}, 1, false, true).turning(0.25, 0.75), kPi / 2, 1e-12);
   EXPECT_EQ(Curve::line({0, 0}, {1, 1}).turning(0, 1), 0);
-  // an S: the tangent swings to one side and back again
+  // S-curve: the tangent turns to one side and back again
   const Curve s = Curve::cubic({0, 0}, {1, 1}, {2, -1}, {3, 0});
   EXPECT_NEAR(s.turning(0, 1), 2 * (kPi / 4 + std::atan(0.5)), 0.05);
 }

@@ -1,11 +1,11 @@
 #pragma once
-// Garments for which a perfect alignment is known: a printed plane cut into pieces.
+// Garments with a known perfect alignment: a printed plane cut into pieces.
 #include "alignment/model/matching.h"
 #include "print_samples.h"
 
 namespace seamwise::testing {
 
-inline constexpr int kSegments = 12;  ///< of every side of a cut piece
+inline constexpr int kSegments = 12;  ///< segments of every side of a cut piece
 
 /// A curved cut from a to b, 12 segments.
 inline std::vector<Vec2> cutLine(const Vec2& a, const Vec2& b, double bulge) {
@@ -17,14 +17,15 @@ inline std::vector<Vec2> cutLine(const Vec2& a, const Vec2& b, double bulge) {
   return line;
 }
 
-/// How the pieces of a layout lie on the table after cutting.
+/// Motions of the pieces of a layout after cutting.
 enum class Scatter : std::uint8_t {
   kShifted,   ///< only shifted
   kTurned,    ///< moved by any rigid motion
-  kMirrored,  ///< every other piece is cut from a mirrored place of the print, if there are any
+  kMirrored,  ///< every other piece is cut from a mirrored place of the print, if there is one
 };
 
-/// columns x rows pieces of about 15 cm, each sewn to its neighbours, so that the fit can be zero.
+/// columns x rows pieces of about 15 cm, each sewn to its neighbours, so that the mismatch can be
+/// zero.
 inline Pattern cutLayout(const WallpaperGroup& group, int columns, int rows, Scatter scatter,
                          unsigned seed) {
   Random random(seed);
@@ -37,7 +38,7 @@ inline Pattern cutLayout(const WallpaperGroup& group, int columns, int rows, Sca
   for (int r = 0; r < rows; ++r) {
     for (int c = 0; c < columns; ++c) {
       const Vec2 p[4] = {corner(c, r), corner(c + 1, r), corner(c + 1, r + 1), corner(c, r + 1)};
-      // neighbours share their cut: always drawn to the right and upwards
+      // neighbours share their cut, which always runs to the right and upwards
       auto bottom = cutLine(p[0], p[1], 0.1), right = cutLine(p[1], p[2], -0.15);
       auto top = cutLine(p[3], p[2], 0.1), left = cutLine(p[0], p[3], -0.15);
       std::reverse(top.begin(), top.end());
@@ -91,7 +92,7 @@ inline MatchProblem matchProblem(const Pattern& pattern, const WallpaperGroup& g
   return makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, all, group);
 }
 
-/// Some admissible alignment of every leader.
+/// A random admissible alignment of every leader.
 inline Alignments randomLeaders(const MatchProblem& problem, Random& random) {
   Alignments at;
   for (const Leader& leader : problem.leaders)

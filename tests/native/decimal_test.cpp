@@ -62,7 +62,7 @@ TEST(Decimal, IsWhatTheCLibraryPrintsOfNumbersOfAllSizes) {
     if (std::abs(value) > 1e-7) {
       EXPECT_EQ(significant(value, 15), printed("%.*g", 15, value));
     }
-    // ties of the decimal, which a double rarely is
+    // decimal ties, which doubles rarely represent exactly
     const double tie = std::round(value * 100) / 100 + 0.05;
     EXPECT_EQ(fixed(tie, 1), printed("%.*f", 1, tie));
   }

@@ -53,8 +53,8 @@ bool hasVertexAt(const Piece& piece, const Vec2& p) {
                      [&](const Vec2& q) { return (p - q).norm() < 1e-9; });
 }
 
-/// Every imposed mirror is one-to-one, turns the outline's direction round and is off by at most
-/// `slack` cm; a single one undoes itself.
+/// Every imposed mirror is one-to-one, reverses the outline's direction and is off by at most
+/// `slack` cm. A single one is its own inverse.
 void expectMirrored(const Pattern& p, double slack) {
   for (const Mirror& m : p.mirrors) {
     const Piece &a = p.pieces[m.pieces[0]], &b = p.pieces[m.pieces[1]];
@@ -115,7 +115,7 @@ TEST(Discretise, NeverMakesAnEdgeLongerThanMismatchAllows) {
 
 TEST(Discretise, PutsAVertexWhereAnAxisCrossesAnEdgeAndOnTheOtherSideOfItsSeam) {
   Garment g;
-  // The skirt is symmetric; its waist is sewn to a band of another length that is not.
+  // The skirt is symmetric; its waist is sewn to an asymmetric band of another length.
   g.panels = {polygonPanel("skirt", {{-7, 0}, {7, 0}, {5.3, 9}, {-5.3, 9}}),
               polygonPanel("band", {{0, 0}, {13, 0}, {13, 2}, {0, 3}})};
   g.stitches = {{{0, 2}, {1, 0}}};
@@ -205,8 +205,8 @@ TEST(Discretise, GivesAPieceOfTwoEdgesAnArea) {
 }
 
 TEST(Discretise, RefinesUntilChordsNoLongerCross) {
-  // A crescent whose arcs meet at 2 degrees. Its inner arc is gathered, so finely sampled; the
-  // outer one's coarse chords would cut through it.
+  // A crescent whose arcs meet at 2 degrees. Its inner arc is gathered, so it is finely sampled;
+  // coarse chords of the outer one would cut through it.
   Garment g;
   Panel crescent;
   crescent.name = "crescent";
@@ -220,8 +220,8 @@ TEST(Discretise, RefinesUntilChordsNoLongerCross) {
 }
 
 TEST(Discretise, EndsWhereSeamsAndSymmetriesDisagree) {
-  // The skirt's axis lies 0.3 cm beside the seam between the halves of the top, so the two
-  // symmetries and the waist seams together shift the waist by 0.6 cm, again and again.
+  // The skirt's axis is 0.3 cm beside the seam between the halves of the top. The two symmetries
+  // and the waist seams together would shift the waist by 0.6 cm, again and again.
   Garment g;
   const Panel left = polygonPanel("left", {{0, 0}, {20, 0}, {18, 30}, {0, 30}});
   g.panels = {

@@ -6,7 +6,7 @@
 namespace seamwise {
 namespace {
 
-/// A sleeve of 24 x 30 cm, closed down to `slit` cm above its hem, and a cuff, longer by `lap`.
+/// A sleeve of 24 x 30 cm, closed down to `slit` cm above its hem, and a cuff, longer by `lap` cm.
 Garment sleeveWithCuff(double slit, double lap) {
   Garment garment;
   Polyline cuff{{0, 0}, {24 + lap, 0}, {24 + lap, 6}, {24, 6}, {0, 6}};

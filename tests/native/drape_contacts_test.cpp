@@ -36,7 +36,7 @@ TEST(DrapeContacts, PushApartByTheGradientOfAnEnergy) {
   const TwoSheets sheets;
   ClothContacts contacts(sheets.mesh, {{1, 0}}, {}, {}, {}, kGap);
   contacts.setTouching(true);
-  Positions x = sheets.apart(-0.001);  // the upper one below
+  Positions x = sheets.apart(-0.001);  // the upper one is below
   contacts.look(x);
   Positions gradient(x.size(), Vec3::Zero()), product = gradient;
   EXPECT_GT(contacts.energy(x, &gradient), 0);
@@ -52,7 +52,7 @@ TEST(DrapeContacts, PushApartByTheGradientOfAnEnergy) {
   addScaled(slope_after, -1, slope_before);
   const double bend = dot(slope_after, along) / (2 * h);
   EXPECT_NEAR(bend, dot(product, along), 1e-4 * bend);
-  // up with the upper one
+  // the upper one is pushed up
   EXPECT_LT(gradient[sheets.level.sewn[1].back()].y(), 0);
 }
 
@@ -72,7 +72,7 @@ TEST(DrapeContacts, KeepTheSideThatIsSeenFirstWhereNoPieceIsAbove) {
 
 TEST(DrapeContacts, KeepLayersAsTheyWereLaidOrButtoned) {
   const TwoSheets sheets;
-  // As laid the second sheet is 4 mm above the first one; now it has slipped 2 mm below it.
+  // The second sheet starts 4 mm above the first one; now it has slipped 2 mm below it.
   std::vector<signed char> laps(sheets.mesh.size, -1);
   for (const int v : sheets.level.sewn[1]) laps[v] = 1;
   for (const bool buttoned : {false, true}) {
@@ -101,7 +101,7 @@ TEST(DrapeContacts, HoldAPatchOnWhatItIsStitchedTo) {
   const testing::Sphere floor(Vec3(0.06, -50, -0.06), 49.98);
   ClothOptions options;
   options.friction = false;
-  for (const int v : sheets.level.sewn[0]) {  // lies still
+  for (const int v : sheets.level.sewn[0]) {  // the lower sheet does not move
     options.held.resize(sheets.mesh.size, 0);
     options.held[v] = 1;
   }
@@ -118,7 +118,7 @@ TEST(DrapeContacts, HoldAPatchOnWhatItIsStitchedTo) {
   EXPECT_TRUE(crossingsOf(sheets.mesh, solver.positions()).empty());
 }
 
-/// The second sheet leans, so that its far side reaches below the first one.
+/// Tilts the second sheet, so that its far side reaches below the first one.
 Positions leaning(const TwoSheets& sheets) {
   return testing::laid(sheets.level, [](int piece, const Vec2& at) {
     const double height = piece == 0 ? 0 : 0.006 - 0.001 * at.x();
@@ -143,7 +143,7 @@ TEST(DrapeContacts, DrawCrossingSheetsApart) {
   }
 }
 
-/// A strip that is folded onto itself at a line of its mesh, more and more.
+/// Folds a strip onto itself at a line of its mesh, more and more.
 TEST(DrapeContacts, KeepASharpFoldOpenBesideIt) {
   const Pattern pattern = testing::plainPattern(testing::rectangle(8, 4));
   const SewnLevel level = testing::levelOf(pattern, 1);

@@ -1,4 +1,5 @@
-// Whether cloths hang as laboratories measure them: strips over an edge, discs on a smaller disc.
+// Compares simulated fabrics with laboratory measurements: strips over an edge, discs on a smaller
+// disc.
 #include <gtest/gtest.h>
 
 #include "drape/fabric.h"
@@ -10,19 +11,19 @@ namespace {
 
 const testing::Sphere kNowhere(Vec3(0, -100, 0), 0.1);
 
-/// A cloth of which the first piece, in the plane y = 0, is held.
+/// Fabric whose first piece is fixed in the plane y = 0.
 struct HeldCloth {
   HeldCloth(const Garment& garment, double edge)
       : pattern(testing::plainPattern(garment, std::min(edge, 1.0))),
         level(testing::levelOf(pattern, edge)) {}
 
-  /// Where it comes to rest, from a start that lies so far below the plane.
+  /// Simulates until rest.
   /// @param warp   direction in the pieces
-  /// @param drop   m, of a point in cm
+  /// @param drop   initial height below the plane in m, of a point in cm
   Positions atRest(const Fabric& fabric, const Vec2& warp,
                    const std::function<double(const Vec2&)>& drop) const {
     const SewnMesh mesh = meshOf(warp);
-    ClothOptions options;  // as close to rest as it goes: a sheet gives way little by little
+    ClothOptions options;  // tight, as a sheet yields slowly
     options.accuracy = 0.01, options.most_iterations = 400, options.longest_step = 3;
     options.held.assign(level.size, 0);
     for (const int i : level.sewn[0]) options.held[i] = 1;
@@ -49,9 +50,9 @@ struct HeldCloth {
   SewnLevel level;
 };
 
-/// Angle below the horizontal, in radians, of the line from the root of a strip to its tip; the
-/// root is held level and B theta'' = w (L - s) cos theta, shot from there (Bickley, "The Heavy
-/// Elastica", 1934).
+/// Angle below the horizontal, in radians, of the line from the root of a strip to its tip. The
+/// root is held level. Solves B theta'' = w (L - s) cos theta by shooting from the root (Bickley,
+/// "The Heavy Elastica", 1934).
 /// @param bending, weight   B in N m, w in N/m2
 double elasticaAngle(double length, double bending, double weight) {
   constexpr int kSteps = 4000;
@@ -72,7 +73,8 @@ double elasticaAngle(double length, double bending, double weight) {
   return std::atan2(down, out);
 }
 
-/// A strip as long as hangs at 41.5 degrees, where stiffness is measured: twice its bending length.
+/// Length of a strip that hangs at 41.5 degrees, at which stiffness is measured: twice its bending
+/// length.
 double measuredLength(double bending, double weight) { return 2 * std::cbrt(bending / weight); }
 
 TEST(Fabrics, StripsHangOverAnEdgeAsTheElastica) {
@@ -104,7 +106,7 @@ TEST(Fabrics, StripsHangOverAnEdgeAsTheElastica) {
     }
 }
 
-constexpr int kCorners = 36;                ///< of the polygons that stand for circles
+constexpr int kCorners = 36;                ///< corners of the polygons that approximate circles
 constexpr double kDisc = 15, kSupport = 9;  ///< cm, radii by BS 5058 and ISO 9073-9
 
 /// Corners of polygons with the area of a circle.
@@ -113,7 +115,7 @@ Vec2 onCircle(double radius, int k) {
   return radius / std::sqrt(std::sin(turn) / turn) * Vec2(std::cos(turn * k), std::sin(turn * k));
 }
 
-/// What lies on the support, and the two halves of the ring that hangs over.
+/// The supported disc and the two halves of the overhanging ring.
 Garment disc() {
   constexpr int kHalf = kCorners / 2;
   Garment garment;
@@ -133,7 +135,7 @@ Garment disc() {
   return garment;
 }
 
-/// The area on which no light falls from above. [m2]
+/// Area of the shadow under light from above. [m2]
 double shadowOf(const SewnMesh& mesh, const Positions& x) {
   constexpr int kRays = 720;
   std::vector<double> farthest(kRays, 0);
@@ -146,7 +148,7 @@ double shadowOf(const SewnMesh& mesh, const Positions& x) {
       const double angle = 2 * kPi * k / kRays;
       const Vec2 ray(std::cos(angle), std::sin(angle));
       const double side_a = cross(ray, a), side_b = cross(ray, b);
-      if (side_b <= side_a) continue;  // along the ray
+      if (side_b <= side_a) continue;  // parallel to the ray
       const Vec2 hit = a + std::clamp(-side_a / (side_b - side_a), 0.0, 1.0) * (b - a);
       double& far = farthest[(k + kRays) % kRays];
       far = std::max(far, ray.dot(hit));
@@ -158,14 +160,14 @@ double shadowOf(const SewnMesh& mesh, const Positions& x) {
 }
 
 /// Drape coefficients by the method of G. E. Cusick, "The Measurement of Fabric Drape", Journal of
-/// the Textile Institute 59 (1968): how much of the ring that hangs over is left in the shadow.
+/// the Textile Institute 59 (1968): the share of the overhanging ring that is in the shadow.
 TEST(Fabrics, DiscsOnASmallerDiscThrowTheShadowsThatAreMeasured) {
   struct Band {
     const Fabric* fabric;
     double least, most;
   };
   // Cotton: 68 (Gan, Ly, Steven 1991), others 60 to 76. Silk: 20 to 40 (Matsudaira 2003). Jersey:
-  // no measured band was at hand; between silks and cottons.
+  // no measurements were available; between silk and cotton.
   const std::vector<Band> bands{
       {&kPoplin, 0.6, 0.76}, {&kDenim, 0.7, 0.9}, {&kChiffon, 0.2, 0.4}, {&kJersey, 0.2, 0.6}};
   const HeldCloth cloth(disc(), kFineCloth);  // the mesh of garments

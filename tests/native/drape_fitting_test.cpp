@@ -1,4 +1,4 @@
-// Garments that name no size and no body, drafted here: which form they get, and which are refused.
+// Garments drafted without a size or a body: the dummy each gets, and the ones that are refused.
 #include <gtest/gtest.h>
 
 #include "drape/fitting_form.h"
@@ -10,9 +10,9 @@ namespace {
 
 using namespace testing;
 
-constexpr double kCorner = 3;  ///< cm that outlines are sampled at
+constexpr double kCorner = 3;  ///< cm between samples of outlines
 
-/// Panels from hem to waist, one to each side of a body, tilted off it as skirts hang in files.
+/// Panels from hem to waist, one on each side of a body, tilted away from it as in files of skirts.
 Garment gores(double waist, double tilt) {
   Garment garment;
   const double top = waist / 8, hem = top + 20;
@@ -34,7 +34,7 @@ FittingForm fitted(const Garment& garment) {
   return fittingForm(garment, patternOf(garment)).value();
 }
 
-/// What is said of a garment on a body, or nothing.
+/// Refusal of a garment on a body; empty when it is accepted.
 std::string saidOf(const Garment& garment, const Measures& body) {
   SolvedGarment solved{garment, patternOf(garment), {}};
   solved.shapes = restShapes(solved.pattern);
@@ -66,7 +66,7 @@ TEST(FittingForms, WaistsAreThoseOfWhatHangsOnThem) {
 }
 
 TEST(FittingForms, GirthsGiveWayWhereARingIsNarrow) {
-  // A tube as wide as a waist down to the hips.
+  // A tube as wide as the waist down to the hips.
   Garment tube;
   for (const double turn : {0.0, kPi}) {
     Panel panel =
@@ -81,7 +81,7 @@ TEST(FittingForms, GirthsGiveWayWhereARingIsNarrow) {
   EXPECT_GT(body.waist, 70);
 }
 
-/// A top with sleeves and straight shoulders from 8 to 18 cm, so much lower at their tips.
+/// A top with sleeves and straight shoulders from 8 to 18 cm, whose tips are lower by `fall` cm.
 Garment top(double fall) {
   Garment garment;
   for (const double turn : {0.0, kPi}) {

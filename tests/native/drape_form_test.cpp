@@ -94,7 +94,7 @@ TEST(DrapeForm, DistanceHasTheGradientOfItsDifferencesAndNoJumpInIt) {
           worst = std::max(worst, std::abs(difference - gradient[axis]));
         }
       }
-  EXPECT_LT(worst, 1e-3);  // two one-sided slopes of a second derivative that jumps, times 1e-4
+  EXPECT_LT(worst, 1e-3);  // two one-sided slopes at a jump of the second derivative, times 1e-4
   EXPECT_LT(jump, 2e-3);
 }
 

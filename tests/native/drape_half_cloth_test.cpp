@@ -34,7 +34,7 @@ struct Sheet {
     level.pattern.pieces.push_back(std::move(piece));
     mesh = sewnMesh(level, restShapes(level.pattern), {Vec2(0, 1)});
   }
-  /// Symmetric, crumpled.
+  /// Symmetric random positions.
   Positions crumpled() const {
     testing::Chance chance;
     Positions x(level.size);
@@ -74,12 +74,12 @@ TEST(DrapeHalves, AreOfSymmetricClothsOnly) {
   EXPECT_FALSE(halved(sheet.mesh, {}, x));
   x[0].y() += 1e-3;
   EXPECT_FALSE(halved(sheet.mesh, sheet.level.image, x));
-  // cut askew
+  // asymmetric cut
   Shapes shapes = restShapes(sheet.level.pattern);
   shapes[0][0].x() -= 0.1;
   const SewnMesh askew = sewnMesh(sheet.level, shapes, {Vec2(0, 1)});
   EXPECT_FALSE(halved(askew, sheet.level.image, sheet.crumpled()));
-  // on the bias
+  // bias cut
   const double c = std::sqrt(0.5);
   const SewnMesh bias = sewnMesh(sheet.level, restShapes(sheet.level.pattern), {Vec2(c, c)});
   EXPECT_FALSE(halved(bias, sheet.level.image, sheet.crumpled()));

@@ -9,7 +9,7 @@ namespace {
 using testing::Capsule;
 using testing::Sphere;
 
-/// Steps until three in a row move nothing by more than 0.5 mm and lower the energy by little.
+/// Steps until three in a row move every vertex by at most 0.5 mm and hardly lower the energy.
 int settle(ClothSolver& solver, int most) {
   int quiet = 0, steps = 0;
   for (; steps < most && quiet < 3; ++steps) {

@@ -1,5 +1,5 @@
-// Drapes a result in poplin and writes where all vertices of its cloth come to lie, x, y, z in cm
-// as 8 bytes each: what the module for pages and Node must answer byte for byte.
+// Drapes a result in poplin and writes the positions of all vertices, x, y, z in cm as 8 bytes
+// each. The module for pages and Node must return the same bytes.
 #include <cstdio>
 #include <fstream>
 #include <sstream>

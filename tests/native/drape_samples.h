@@ -1,5 +1,5 @@
 #pragma once
-// Small cloths and bodies whose rest can be reckoned by hand.
+// Small fabrics and bodies whose rest state can be calculated by hand.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -26,7 +26,7 @@ class Sphere : public DistanceField {
   double radius_;
 };
 
-/// All within `radius` of the segment from `a` to `b`.
+/// All points within `radius` of the segment from `a` to `b`.
 class Capsule : public DistanceField {
  public:
   Capsule(const Vec3& a, const Vec3& b, double radius) : a_(a), b_(b), radius_(radius) {}
@@ -44,7 +44,8 @@ class Capsule : public DistanceField {
   double radius_;
 };
 
-/// A garment's pieces, on outlines sampled at `edge` cm, without interior vertices of a solve.
+/// Pattern of a garment's pieces on outlines sampled at `edge` cm, without a solve's interior
+/// vertices.
 inline Pattern plainPattern(const Garment& garment, double edge = 1) {
   Outcome<Pattern> sampled = discretise(garment, {}, {}, edge);
   EXPECT_TRUE(sampled.ok()) << sampled.error().message;
@@ -60,7 +61,7 @@ inline Garment rectangle(double width, double height) {
   return garment;
 }
 
-/// The warp along y of every piece.
+/// Warp along y in every piece.
 inline std::vector<Vec2> upright(const Pattern& pattern) {
   return std::vector<Vec2>(pattern.pieces.size(), Vec2(0, 1));
 }
@@ -75,7 +76,8 @@ inline SewnMesh uncut(const SewnLevel& level, const Pattern& pattern) {
   return sewnMesh(level, shapesOf(level, pattern, restShapes(pattern)), upright(pattern));
 }
 
-/// The sewn vertices where a map takes the points of pieces; the last piece's where several meet.
+/// Positions of the sewn vertices under a map of the pieces' points; where several pieces meet, the
+/// last one's.
 /// @param map   (piece, point in cm) -> m
 inline Positions laid(const SewnLevel& level, const std::function<Vec3(int, const Vec2&)>& map) {
   Positions x(level.size, Vec3::Zero());
@@ -85,7 +87,7 @@ inline Positions laid(const SewnLevel& level, const std::function<Vec3(int, cons
   return x;
 }
 
-/// Numbers in [-1, 1) that are the same everywhere.
+/// Pseudorandom numbers in [-1, 1), equal on all platforms.
 class Chance {
  public:
   double next() {

@@ -26,7 +26,7 @@ int vertexAt(const Pattern& pattern, int piece, const Vec2& at) {
   return 0;
 }
 
-/// The edges of the cloth and how many triangles have them.
+/// Edges of the fabric with their numbers of triangles.
 std::map<std::pair<int, int>, int> edgesOf(const SewnMesh& mesh) {
   std::map<std::pair<int, int>, int> edges;
   for (const auto& t : mesh.triangles)
@@ -99,7 +99,7 @@ TEST(SewnMeshes, ADartClosesAndItsTipStays) {
 }
 
 TEST(SewnMeshes, ThreePiecesThatMeetInACornerShareIt) {
-  Garment garment;  // two sewn side by side, a third one across both
+  Garment garment;  // two sewn side by side, a third across both
   garment.panels = {small::polygon("left", {{0, 0}, {10, 0}, {10, 10}, {0, 10}}),
                     small::polygon("right", {{0, 0}, {10, 0}, {10, 10}, {0, 10}}),
                     small::polygon("top", {{0, 0}, {10, 0}, {20, 0}, {20, 8}, {0, 8}})};

@@ -8,10 +8,10 @@ namespace {
 
 using testing::Chance;
 
-/// A term with all that it depends on but the positions.
+/// An energy term as a function of the positions alone.
 using Term = std::function<double(const Positions&, Positions*, BlockMatrix*)>;
 
-/// A dart between two seams, bent and stretched anyhow by up to `by` of a centimetre.
+/// A dart between two seams, randomly bent and stretched by up to `by` cm.
 struct Cloth {
   explicit Cloth(double by, double edge = 6) {
     level = testing::levelOf(pattern, edge);
@@ -30,7 +30,7 @@ struct Cloth {
 
 BlockMatrix emptyMatrix(const Cloth& cloth) { return {cloth.mesh.size, cloth.mesh.pairs()}; }
 
-/// Greatest difference of the gradient from finite differences, over the greatest of the gradient.
+/// Greatest difference of the gradient from finite differences, relative to the greatest gradient.
 double gradientError(const Term& term, const Positions& x, double step) {
   Positions gradient(x.size(), Vec3::Zero()), at = x;
   term(x, &gradient, nullptr);
@@ -48,7 +48,8 @@ double gradientError(const Term& term, const Positions& x, double step) {
   return worst / greatest;
 }
 
-/// The same of the Hessian's product with a random direction, by differences of the gradient.
+/// Greatest relative difference of the Hessian's product with a random direction from differences
+/// of the gradient.
 double hessianError(const Term& term, const Cloth& cloth, double step) {
   BlockMatrix hessian = emptyMatrix(cloth);
   term(cloth.x, nullptr, &hessian);
@@ -163,7 +164,7 @@ TEST(DrapeTerms, BendingToACylinderTakesTheStiffnessOfItsDirection) {
   const SewnLevel level = testing::levelOf(pattern, 1);
   const SewnMesh mesh = testing::uncut(level, pattern);
   constexpr double kRadius = 0.1;
-  const auto energy = [&](double turn) {  // of the axis from the warp
+  const auto energy = [&](double turn) {  // turn of the axis from the warp
     const Vec2 axis = unit(turn + kPi / 2), across = unit(turn);
     return bendingEnergy(mesh, kPoplin,
                          testing::laid(level,
@@ -193,7 +194,7 @@ TEST(DrapeTerms, AStretchedStripPullsAsItsFabric) {
                                                       0);
                                         }),
                           nullptr, nullptr) /
-           0.02;  // of the area, m2
+           0.02;  // area, m2
   };
   EXPECT_NEAR(energy(1, 1.01), 2000 * 1e-4 / 2, 1e-9);
   EXPECT_NEAR(energy(1.01, 1), 1800 * 1e-4 / 2, 1e-9);
@@ -216,7 +217,7 @@ TEST(DrapeTerms, GravityIsWeightTimesHeight) {
 TEST(DrapeTerms, ContactActsOnVerticesWithinTheOffsetAndMiddlesWithinHalfOfIt) {
   const Cloth cloth(1);
   const testing::Sphere sphere(Vec3(0.05, 0.2, -0.02), 0.1);
-  for (const double offset : {0.01, -0.5}) {  // -0.5: never within
+  for (const double offset : {0.01, -0.5}) {  // -0.5: never in contact
     const BodyContact contact{&sphere, offset, 4e6};
     double expected = 0;
     const auto add = [&](const Vec3& at, double area, double reach) {
@@ -287,7 +288,7 @@ TEST(DrapeTerms, TheConstantHessianIsNoLessThanThatOfTautCloth) {
   cloth.x = testing::laid(
       cloth.level, [](int, const Vec2& at) { return Vec3(0.01 * at.x(), 0.01 * at.y(), 0); });
   Fabric fabric = kPoplin;
-  fabric.shear = 0;  // of which it has the mean over directions
+  fabric.shear = 0;  // the constant Hessian contains its mean over directions
   SparseHessian matrix(cloth.mesh.size, cloth.mesh.edges());
   matrix.setZero();
   addConstantHessian(cloth.mesh, fabric, matrix);

@@ -10,7 +10,7 @@
 namespace seamwise {
 namespace {
 
-/// A square of 40 cm on a sphere of 20 cm across.
+/// A square of 40 cm on a sphere of 20 cm in diameter.
 struct Laid {
   Pattern pattern = testing::plainPattern(testing::rectangle(40, 40));
   testing::Sphere sphere{Vec3::Zero(), 0.1};
@@ -82,7 +82,7 @@ TEST(Drapes, AFreeEdgeStaysOnItsSideOfTheMiddle) {
   Laid laid{testing::plainPattern(testing::rectangle(20, 20)),
             testing::Sphere{Vec3(0.1, 0, 0), 0.1}};
   DrapeProblem problem = laid.problem();
-  // Pressed together, its left edge 3 mm from the middle.
+  // Compressed; its left edge is 3 mm from the middle.
   problem.start = testing::laid(problem.levels.coarse, [](int, const Vec2& at) {
     return Vec3(0.003 + 0.009 * at.x(), 0.102, 0.01 * (at.y() - 10));
   });
@@ -122,7 +122,7 @@ TEST(DrapeChecks, CrossingsAreCountedOnce) {
   const SewnMesh mesh = testing::uncut(level, pattern);
   const auto flat = [](int, const Vec2& at) { return Vec3(0.01 * at.x(), 0.01 * at.y(), 0); };
   EXPECT_TRUE(crossingsOf(mesh, testing::laid(level, flat)).empty());
-  // rolled to a spiral whose end is pushed through the turn below it
+  // rolled into a spiral whose end is pushed through the turn below it
   const auto rolled = [](double growth) {
     return [growth](int, const Vec2& at) {
       const double angle = at.x() / 20 * 3 * kPi, radius = 0.03 + growth * angle;

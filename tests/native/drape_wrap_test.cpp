@@ -18,7 +18,7 @@ struct Sample {
 Sample sampleOf(const std::string& name) {
   Sample sample{testing::readSample(name), {}};
   const std::vector<BodySymmetry> known = detectSymmetries(sample.garment);
-  // 3 cm: what a drape starts with.
+  // 3 cm: the resolution that a drape starts with.
   Outcome<Pattern> sampled = discretise(sample.garment, known, known, 3);
   EXPECT_TRUE(sampled.ok()) << name;
   sample.pattern = meshed(std::move(sampled).value(), 3).value();
@@ -36,7 +36,7 @@ PiecePositions wrap(const Sample& sample) {
   return std::move(positions).value();
 }
 
-// How long the edges of the triangles are, as shares of their lengths in the piece; sorted.
+// Lengths of the triangles' edges as shares of their lengths in the piece; sorted.
 std::vector<double> stretches(const Pattern& pattern, const PiecePositions& positions) {
   std::vector<double> out;
   for (std::size_t p = 0; p < positions.size(); ++p)
@@ -133,7 +133,7 @@ TEST(DrapeWrap, KeepsSymmetricGarmentsExactlySymmetric) {
 TEST(DrapeWrap, ClosesARingAtTheWidthOfItsPieces) {
   const Sample sample = sampleOf("tee-m");
   const PiecePositions positions = wrap(sample);
-  // Around the hem, vertex by vertex.
+  // Length around the hem, vertex by vertex.
   double around = 0, width = 0;
   for (const int p : {0, 1}) {
     const Piece& piece = sample.pattern.pieces[p];
@@ -210,7 +210,7 @@ TEST(DrapeWrap, SaysWhatIsWrongWithPlacements) {
 TEST(DrapeWrap, LaysOneFrontOverTheOther) {
   const Sample sample = sampleOf("shirt-m");
   const PiecePositions positions = wrap(sample);
-  // Where they overlap, half way down: the wearer's right front is further out.
+  // Overlap at half height: the wearer's right front is further out.
   const auto outermost = [&](int piece) {
     double z = -1e9;
     for (const Vec3& x : positions[piece])

@@ -52,12 +52,12 @@ std::vector<ConformalTriangle> trianglesAt(const VectorX& rest) {
   return triangles;
 }
 
-/// Pairs of edges; the last two share a vertex, as the legs of a dart do.
+/// Pairs of edges; the last two share a vertex, like the legs of a dart.
 std::vector<EdgePair> edgePairs() {
   return {{0, 1, 4, 8, 1.0}, {5, 6, 15, 14, 0.8}, {9, 13, 9, 10, 1.1}, {2, 3, 3, 7, 1.0}};
 }
 
-/// A pair under a glide reflection and, on a true mirror, two images and an axis vertex.
+/// A pair under a glide reflection; two images and an axis vertex under a true mirror.
 std::vector<MirrorPair> mirrorPairs(const RigidMotion& glide, const RigidMotion& mirror) {
   return {{0, 5, glide.linear(), glide.shift},
           {1, 6, glide.linear(), glide.shift},

@@ -43,7 +43,7 @@ TEST(Fourier, IsTheSumOverALineOfAnyLength) {
 }
 
 TEST(Fourier, TransformsEveryColumnAndNothingBeside) {
-  constexpr int kColumns = 7, kRows = 6, kWidth = 9;  // two columns stay as they are
+  constexpr int kColumns = 7, kRows = 6, kWidth = 9;  // two columns stay unchanged
   const std::vector<ComplexFloat> plane = anyNumbers(kWidth * kRows);
   std::vector<ComplexFloat> transformed = plane;
   transformLines(transformed, {kColumns, kRows, 1, kWidth});

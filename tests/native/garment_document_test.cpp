@@ -19,7 +19,7 @@ Json documentOf(const Json& garment) {
   return Json::parse(document.value());
 }
 
-/// The front's loop runs the other way round: it shows its back.
+/// The front's loop runs the other way round, so that it shows its back.
 Json seenFromTheBack() {
   Json garment = twoRectangles();
   panelOf(garment, "front")["edges"] = Json::parse(R"([

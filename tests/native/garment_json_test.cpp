@@ -78,7 +78,7 @@ TEST(GarmentFile, ReadsControlPointsInPanelCoordinates) {
 }
 
 TEST(GarmentFile, ReadsACircleArcCounterClockwiseWhenItTurnsRight) {
-  // From (0, 0) to (10, 0) counter-clockwise: the arc bulges downwards, out of the panel.
+  // Counter-clockwise from (0, 0) to (10, 0): the arc bulges downwards, out of the panel.
   const Curve outwards = hemWith({{"type", "circle"}, {"params", {5, 0, 1}}});
   expectNear(outwards.at(0.5), 5, -5);
   const Curve inwards = hemWith({{"type", "circle"}, {"params", {5, false, false}}});
@@ -107,7 +107,7 @@ TEST(GarmentFile, TurnsAPanelThatShowsItsBackFaceUpWithItsCurves) {
   EXPECT_FALSE(garment.panels[1].mirrored_from_input);
   expectNear(panel.edges[0].start(), -1, 0);
   expectNear(panel.edges[3].start(), -9, 0);
-  // In the file the arc runs clockwise from (9, 0) to (1, 0) and so sags below the hem.
+  // The arc runs clockwise from (9, 0) to (1, 0) in the file, so it sags below the hem.
   const double sag = 6 - std::sqrt(36.0 - 16.0);
   expectNear(panel.edges[3].at(0.5), -5, -sag);
   double twice = 0;
@@ -184,7 +184,7 @@ TEST(GarmentFile, ReadsGrainHolesSeamsAndMatchesOfItsOwnFormat) {
   EXPECT_EQ(panel.grain_lock, GrainLock::kOn);
   EXPECT_NEAR(panel.grain_tolerance, kPi / 2, 1e-12);
   ASSERT_EQ(panel.holes.size(), 1u);
-  double twice = 0;  // listed counter-clockwise, kept clockwise
+  double twice = 0;  // listed counter-clockwise, stored clockwise
   for (const Curve& edge : panel.holes[0]) twice += cross(edge.start(), edge.end());
   EXPECT_NEAR(twice, -4, 1e-9);
   EXPECT_EQ(file.garment.stitches[1].weight, 0.5);

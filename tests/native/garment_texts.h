@@ -31,7 +31,7 @@ inline Json twoRectangles() {
     "properties": {"curvature_coords": "relative", "units_in_meter": 100}})");
 }
 
-/// Two right-angled triangles that mirror onto each other, none in itself, sewn along a leg.
+/// Two right-angled triangles that mirror onto each other, neither in itself, sewn along a leg.
 inline Json twoTriangles() {
   return Json::parse(R"({"pattern": {
     "panels": {
@@ -45,7 +45,7 @@ inline Json twoTriangles() {
 
 inline Json& panelOf(Json& garment, const char* name) { return garment["pattern"]["panels"][name]; }
 
-/// The garment of a text that must be readable.
+/// Reads a garment; the test fails if it is refused.
 inline GarmentFile mustRead(const std::string& text) {
   Outcome<GarmentFile> file = readGarment(text, "shirt.json");
   if (!file.ok()) {
@@ -56,7 +56,7 @@ inline GarmentFile mustRead(const std::string& text) {
 }
 inline GarmentFile mustRead(const Json& document) { return mustRead(document.dump()); }
 
-/// The error has this code, and its one sentence holds all these words.
+/// The error has this code, and its message contains all these words in one sentence.
 template <class T>
 void expectError(const Outcome<T>& outcome, Failure code,
                  std::initializer_list<const char*> words) {

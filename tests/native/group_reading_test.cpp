@@ -58,7 +58,7 @@ std::array<std::vector<float>, 3> rebased(const CellPicture& cell, const GroupVe
   const auto& [a, b, c, d] = verdict.basis;
   const Mat2 basis = (Mat2() << a, b, c, d).finished();
   auto planes = printPicture(cell, basis, verdict.origin, n, n).planes;
-  for (auto& plane : planes) {  // whose first row was the upper one
+  for (auto& plane : planes) {  // the first row was the upper one
     for (int j = 0; j < n / 2; ++j)
       std::swap_ranges(&plane[j * n], &plane[j * n] + n, &plane[(n - 1 - j) * n]);
   }
@@ -103,12 +103,12 @@ TEST_P(ReadGroup, FindsBasisAndOriginAboutWhichTheCellIsSymmetric) {
   TileSymmetry symmetry(own, n, n, GetParam());
   while (symmetry.advance(1000)) {
   }
-  // the print's contrast is about 0.2; what is left is of edges a fraction of a sample wide, and of
-  // sixths of a turn, which lie between pixels
+  // The print's contrast is about 0.2. The rest comes from edges a fraction of a sample wide and
+  // from sixths of a turn, which fall between pixels.
   EXPECT_LT(rootMeanSquare(own, symmetry.planes()), 0.025);
 }
 
-/// Bands across u and across v in shares of the cell, as a plaid crosses them.
+/// Bands across u and across v in shares of the cell, which cross like those of a plaid.
 CellPicture plaid(const std::vector<double>& across, const std::vector<double>& up, int n = 96) {
   CellPicture cell;
   cell.n = n;
@@ -192,7 +192,7 @@ TEST(GroupReading, SeesThatOneMotifOfManyBreaksAGroup) {
   SamplePrint print = samplePrint(sampleGroup(*findGroup("pmm")), chance);
   CellView view;
   CellPicture fine = drawnCell(print, view);
-  // one leaf more in one of the four quarters
+  // an extra leaf in one of the four quarters
   SamplePrint single = print;
   single.group = sampleGroup(*findGroup("p1"));
   single.ground = {0, 0, 0};

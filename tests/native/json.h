@@ -3,7 +3,7 @@
 
 namespace seamwise {
 
-/// What tests make texts from and read texts with.
+/// JSON type with which tests write and read texts.
 using Json = nlohmann::ordered_json;
 
 }  // namespace seamwise

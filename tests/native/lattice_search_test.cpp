@@ -22,8 +22,8 @@ Mat2 columns(double x1, double y1, double x2, double y2) {
   return (Mat2() << x1, x2, y1, y2).finished();
 }
 
-/// By how much w1 and w2 differ at the picture's middle from those of the same lattice, as a share;
-/// 1 where it is another lattice.
+/// Greatest relative difference of w1 and w2 at the image's middle from the nearest basis of the
+/// true lattice; 1 for another lattice.
 double errorOf(const LatticeMap& map, const TiltedLattice& truth) {
   const TiltedLattice found = TiltedLattice::of(map);
   const Mat2 index = truth.basis.inverse() * found.basis;
@@ -107,7 +107,7 @@ TEST(LatticeSearch, ReadsStripesByTheirPeriodAcross) {
 }
 
 TEST(LatticeSearch, RefusesWhatDoesNotRepeat) {
-  // One cell larger than the picture, of many discs.
+  // The cell is larger than the image and contains many discs.
   const DiscPrint scattered(11, 80);
   EXPECT_NE(refusal(photographed(latticeOnPicture(columns(640, 0, 0, 640)),
                                  [&](const Vec2& u) { return scattered.at(u); }))
@@ -190,7 +190,7 @@ TEST(LatticeFit, HasTheDerivativeThatDifferencesSay) {
   TiltedLattice view = truth;
   view.basis *= 1.01;
   view.lens = 0.02;
-  const CellList cells{{-1, -1}, {0, -1}, {-1, 0}, {0, 0}};  // all of which lie inside
+  const CellList cells{{-1, -1}, {0, -1}, {-1, 0}, {0, 0}};  // all inside the image
   const auto linearisedAt = [&](const TiltedLattice& at) {
     return linearised(sampleCopies(image, at, cells, 16, true), at);
   };

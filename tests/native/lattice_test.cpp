@@ -12,7 +12,7 @@ namespace {
 using testing::kExact;
 using testing::Random;
 
-/// The sentence with which a lattice is refused; empty when it is accepted.
+/// The message with which a lattice is refused; empty when it is accepted.
 std::string refusal(std::string_view group, const Vec2& w1, const Vec2& w2) {
   const auto made = WallpaperGroup::make(group, w1, w2);
   if (made.ok()) return "";
@@ -58,7 +58,7 @@ TEST(Lattice, ReducesAVectorToTheShortestOneInItsClassOnLatticesOfEveryShape) {
       }
     }
     EXPECT_NEAR(short_v.norm(), shortest, kExact);
-    // What was taken away is a lattice vector.
+    // The difference is a lattice vector.
     const double area = cross(w1, w2);
     const double u = cross(v - short_v, w2) / area, n = cross(w1, v - short_v) / area;
     EXPECT_NEAR(u, std::round(u), 1e-7);

@@ -15,8 +15,7 @@ namespace {
 using testing::Random;
 using testing::sampleGroup;
 
-/// Two small pieces and seams between points that have nothing to do with each other, so that no
-/// alignment is perfect.
+/// Two small pieces and seams between unrelated points, so that no alignment is perfect.
 class Made {
  public:
   Made(const char* group, unsigned seed)
@@ -52,14 +51,15 @@ class Made {
       at.push_back(leader.admissible.nearest(random_.alignment(), leader.centre));
     return at;
   }
-  /// Alignments about a random one: of any size, or of those that matter at the end of a proof.
+  /// A box around a random alignment: of any size, or of the sizes that matter at the end of a
+  /// proof.
   Box box() {
     const double size = std::pow(10, random_.between(-3, 0));
     return {random_.alignment(),
             random_.between(0, 1) < 0.5 ? 0 : random_.between(0, 2) * size,
             {random_.point() / 20 * size, random_.point() / 20 * size}};
   }
-  /// Turn and shifts in a box, from -1 to 1; now and then a corner.
+  /// Turn and shifts in a box, from -1 to 1; sometimes a corner.
   std::array<double, 3> within() {
     std::array<double, 3> x;
     for (double& v : x) v = std::clamp(random_.between(-1.5, 1.5), -1.0, 1.0);
@@ -82,7 +82,7 @@ class Made {
   Random random_;
 };
 
-/// Goes on until the answer is proven or so much is spent.
+/// Runs the search until the answer is proven or the budget is spent.
 void run(LowerBound& search, double budget) {
   while (search.spent() < budget && search.step()) {
   }
@@ -102,8 +102,7 @@ double leastOfMany(Made& made, int count) {
   return least;
 }
 
-/// The bound in per cent of the least cost that turns up in thousands of alignments, which it must
-/// not exceed.
+/// The bound in per cent of the least cost of thousands of alignments, which it must not exceed.
 double checkedShare(Made& made, double budget, int count = 3000) {
   LowerBound search(made.problem, made.component, made.somewhere());
   run(search, budget);
@@ -163,7 +162,7 @@ TEST_P(LowerBoundIn, SaysOfASeamWhatNoAlignmentInTwoBoxesFallsBelow) {
 }
 
 TEST_P(LowerBoundIn, IsNeverAboveTheCostOfPiecesThatAllMeet) {
-  Made made(GetParam(), 10);  // each of four with each other: more than elimination does exactly
+  Made made(GetParam(), 10);  // all four with each other: too many for exact elimination
   for (int k = 0; k < 4; ++k) made.piece(made.onGrain(0));
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < a; ++b) made.seam(a, b, 3);

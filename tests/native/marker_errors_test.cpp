@@ -13,7 +13,7 @@ using testing::laid;
 using testing::pieceOf;
 using testing::refusalOf;
 
-/// The last length that a sentence names. [cm]
+/// The last length in a message. [cm]
 double lastLength(const std::string& sentence) {
   static const std::regex length("([0-9.]+) cm");
   double last = 0;
@@ -37,14 +37,14 @@ TEST(MarkerErrors, NameAPieceThatIsTooWideAndAWidthThatIsEnough) {
   EXPECT_NE(refusal.find("front is 30.1 cm wide"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("26.0 cm between the selvedges"), std::string::npos) << refusal;
   problem.width = lastLength(refusal);
-  problem.phases = {1};  // where the print lies well
+  problem.phases = {1};  // start of the print at which the piece fits
   EXPECT_NEAR(problem.width, 32.04, 0.1);
   EXPECT_EQ(refusalOf(problem), "");
 }
 
 TEST(MarkerErrors, NameAWidthAtWhichAPieceFindsADotOfThePrint) {
   NestingProblem problem = oneBar("p1", 25, 12);
-  problem.pieces[0].alignment.shift = {4, 0};  // lies at 6, 16, ... from an origin of the print
+  problem.pieces[0].alignment.shift = {4, 0};  // at 6, 16, ... from an origin of the print
   problem.width = 30;                          // room 28, from 1 to 29
   const std::string refusal = refusalOf(problem);
   EXPECT_NE(refusal.find("front fits nowhere across 30.0 cm"), std::string::npos) << refusal;
@@ -61,7 +61,7 @@ TEST(MarkerErrors, AreNoneWhereAnyTurnOfThePrintMakesAPieceFit) {
   problem.width = 30;
   problem.effort = 0.001;
   problem.pieces[0].alignment.angle =
-      kPi / 3;  // by the third of a half turn it lies along the warp
+      kPi / 3;  // a further turn by 120 degrees puts it along the warp
   const auto marker = laid(problem);
   ASSERT_TRUE(marker);
   EXPECT_NEAR(marker->length(), 60, 1e-6);
@@ -95,7 +95,7 @@ TEST(MarkerErrors, SayThatFlawsLeaveNoRoom) {
   problem.start = 0;
   problem.flaws = {{{12, -10}, {14, -10}, {14, 9000}, {12, 9000}},
                    {{20, -10}, {22, -10}, {22, 9000}, {20, 9000}}};
-  EXPECT_EQ(refusalOf(problem), "");  // from 1 to 12, where a dot is left at 2 by a half turn
+  EXPECT_EQ(refusalOf(problem), "");  // room from 1 to 12, with a dot at 2 after a half turn
   problem.flaws.push_back({{5, -10}, {6, -10}, {6, 9000}, {5, 9000}});
   EXPECT_EQ(refusalOf(problem), "front finds no place between the flaws; take cloth with fewer.");
 }

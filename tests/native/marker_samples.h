@@ -1,5 +1,5 @@
 #pragma once
-// Pieces to be laid, and what a laid plan has to keep to, reckoned by other means.
+// Pieces for layouts, and independent checks of the layouts.
 #include <memory>
 #include <utility>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace seamwise::testing {
 
-/// Random pieces that take a moment to be laid.
+/// Random pieces whose layout takes a moment.
 inline NestingProblem someProblem(WallpaperGroup group, int count, double width, unsigned seed) {
   NestingProblem problem{std::move(group)};
   Random random(seed);
   for (int k = 0; k < count; ++k) {
     const double far = random.between(5, 9);
     const Polyline outline = k % 3 == 2 ? comb(random, 3) : star(random, 7, 3, far);
-    // on grain, anywhere on the print
+    // an alignment on grain, at a random place of the print
     const double turn = k % 2 == 0 ? 0 : kPi;
     problem.pieces.push_back(pieceOf("piece " + std::to_string(k + 1), outline,
                                      {turn, {random.between(0, 30), random.between(0, 30)}}));
@@ -43,7 +43,7 @@ inline std::unique_ptr<Marker> laid(const NestingProblem& problem) {
   return marker->error() ? nullptr : std::move(marker);
 }
 
-/// Why nothing is laid; empty when it is.
+/// The error of a layout; empty when it succeeds.
 inline std::string refusalOf(const NestingProblem& problem) {
   auto made = Marker::make(problem);
   if (!made.ok()) return made.error().message;
@@ -52,7 +52,8 @@ inline std::string refusalOf(const NestingProblem& problem) {
   return marker.error() ? marker.error()->message : "";
 }
 
-/// Whether one turn or shift of the print, and no reflection, brings it to the cloth under a piece.
+/// Returns whether a rotation or shift of the print, but no reflection, maps it to the fabric under
+/// a piece.
 inline bool showsPrint(const NestingProblem& problem, const NestingPiece& piece,
                        const RigidMotion& place, const Vec2& origin) {
   const RigidMotion to_print = piece.alignment.inverse();
@@ -76,7 +77,7 @@ inline bool showsPrint(const NestingProblem& problem, const NestingPiece& piece,
   return false;
 }
 
-/// Places that keep to the cloth, the print and the gap.
+/// Expects places within the fabric, in register with the print and with the gap between them.
 inline void expectValid(const NestingProblem& problem, const Marker& marker) {
   ASSERT_EQ(marker.places().size(), problem.pieces.size());
   std::vector<Polyline> rings;

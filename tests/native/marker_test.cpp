@@ -100,7 +100,7 @@ TEST(Marker, LaysNothingOnFlaws) {
   EXPECT_GT(marker->length(), without->length());
 }
 
-/// Whether a piece's grain line points up the cloth.
+/// Returns whether a piece's grain line points up the fabric.
 bool isUp(const NestingPiece& piece, const RigidMotion& place) {
   return (place(piece.up) - place(Vec2::Zero())).y() > 0;
 }
@@ -201,7 +201,7 @@ TEST(Marker, GivesTheSamePlanTwice) {
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->places(), second->places());
   EXPECT_EQ(first->phaseLengths(), second->phaseLengths());
-  // however far each step goes
+  // the result is independent of the size of the steps
   auto other = Marker::make(problem);
   ASSERT_TRUE(other.ok());
   while (other.value()->advance(0.01)) continue;
@@ -227,7 +227,7 @@ TEST(Marker, ChoosesTheBestOfSeveralPhases) {
                     pieceOf("right", box(18, 5), {0, {19, 1}})};
   problem.width = 39;
   problem.effort = 0.002;
-  problem.phases = {7, 1, 0};  // at 0 they lie from 0 to 37, at 1 from 1 to 38
+  problem.phases = {7, 1, 0};  // phase 0: from 0 to 37; phase 1: from 1 to 38
   const auto marker = laid(problem);
   ASSERT_TRUE(marker);
   EXPECT_NEAR(marker->length(), 6, 1e-6);
@@ -274,7 +274,7 @@ TEST(Marker, OffersPlacesThatAreFree) {
       }
     }
   }
-  EXPECT_GT(count, 4);  // more than where they are
+  EXPECT_GT(count, 4);  // more than their actual places
 }
 
 }  // namespace

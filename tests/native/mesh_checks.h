@@ -1,5 +1,5 @@
 #pragma once
-// Pieces to be meshed, and what every mesh must keep.
+// Pieces to mesh, and the properties of every mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace seamwise::testing {
 
 using Triangle = std::array<int, 3>;
 
-/// A piece whose rest holds its loops only; holes are clockwise.
+/// A piece whose rest positions are those of its loops only; holes are clockwise.
 inline Piece pieceOf(const Polyline& outline, const std::vector<Polyline>& holes = {}) {
   Piece piece;
   piece.name = "piece";
@@ -30,7 +30,7 @@ inline Piece pieceOf(const Polyline& outline, const std::vector<Polyline>& holes
   return piece;
 }
 
-/// Straight edges cut into equal parts no longer than `step`.
+/// Straight edges cut into equal parts of at most `step`.
 inline Polyline sampled(const Polyline& corners, double step) {
   Polyline line;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -61,8 +61,8 @@ inline double smallestAngle(const Piece& p, const Triangle& t) {
   return least;
 }
 
-/// Counter-clockwise triangles that fill the outline, use every vertex, and have it as their
-/// border.
+/// Expects counter-clockwise triangles that fill the outline, use every vertex, and have it as
+/// their border.
 inline void expectFilled(const Piece& p) {
   double sum = 0, wanted = 0;
   std::set<std::pair<int, int>> sides, rim;

@@ -71,7 +71,7 @@ TEST(Mesh, SurvivesWhatPatternsHold) {
 }
 
 TEST(Mesh, MakesNoTriangleOfVerticesOnOneStraightEdge) {
-  // Turned, so that the vertices of an edge are collinear but for rounding.
+  // Rotated, so that the vertices of an edge are collinear only up to rounding.
   const Mat2 turn = rotation(0.3);
   Polyline outline;
   for (const Vec2& p : sampled({{0, 0}, {30, 0}, {15, 2}}, 0.1)) outline.push_back(turn * p);

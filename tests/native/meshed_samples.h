@@ -1,5 +1,5 @@
 #pragma once
-// Small garments, sampled and meshed, as the solver sees them.
+// Small garments, sampled and meshed as for the solver.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -22,8 +22,8 @@ inline Garment readSample(const std::string& name) {
   return readGarment(text.str(), name).value().garment;
 }
 
-/// The pattern of a garment, with its own symmetries imposed or not.
-/// @param edge_length   of the outlines, about, cm
+/// The pattern of a garment, with or without its own symmetries.
+/// @param edge_length   approximate edge length of the outlines, cm
 inline Pattern meshedPattern(const Garment& garment, bool symmetric, double edge_length = 1) {
   const std::vector<BodySymmetry> known = detectSymmetries(garment);
   EXPECT_FALSE(known.empty());
@@ -35,7 +35,7 @@ inline Pattern meshedPattern(const Garment& garment, bool symmetric, double edge
   return std::move(mesh).value();
 }
 
-/// Greatest distance of an image vertex from where the mirrors of the pattern want it. [cm]
+/// Greatest distance of an image vertex from the position that the pattern's mirrors give. [cm]
 inline double shapeAsymmetry(const Pattern& pattern, const Shapes& shapes) {
   double worst = 0;
   for (const Mirror& m : pattern.mirrors)

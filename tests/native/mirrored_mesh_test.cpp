@@ -20,8 +20,8 @@ using testing::Triangle;
 
 const RigidMotion kAcross = RigidMotion::reflection({0, 0}, {0, 1});
 
-/// A piece symmetric about x = 0 from its right half, bottom to top, both ends on the axis; vertex
-/// i of the half mirrors vertex n - i. Noise moves the left half only.
+/// A piece symmetric about x = 0, given by its right half, bottom to top, with both ends on the
+/// axis. Vertex i of the half mirrors vertex n - i. Noise moves the left half only.
 Pattern symmetricPattern(const Polyline& right, double noise) {
   Polyline outline = right;
   std::mt19937 random(3);
@@ -88,7 +88,7 @@ TEST(MirroredMesh, KeepsTheDraftedRestOfANearlySymmetricPiece) {
 }
 
 TEST(MirroredMesh, NeverHandsOutATurnedTriangleWhereNoiseExceedsTheFeatures) {
-  // A comb of teeth only 0.06 cm apart, drafted with an error of 0.04 cm.
+  // A comb with teeth only 0.06 cm apart, drafted with an error of 0.04 cm.
   Polyline right{{0, 0}};
   for (int k = 0; k < 20; ++k) right.push_back({5 + 0.06 * k, k % 2 == 0 ? 0.0 : 5.0});
   right.push_back({9, 0});

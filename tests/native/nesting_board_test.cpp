@@ -8,7 +8,7 @@ namespace {
 
 using testing::Random;
 
-/// Whether v is a whole combination of a and b.
+/// Returns whether v is an integer combination of a and b.
 bool isCombination(const Vec2& a, const Vec2& b, const Vec2& v) {
   const double area = cross(a, b), i = cross(v, b) / area, j = cross(a, v) / area;
   return std::abs(i - std::round(i)) < 1e-7 && std::abs(j - std::round(j)) < 1e-7;
@@ -16,7 +16,7 @@ bool isCombination(const Vec2& a, const Vec2& b, const Vec2& v) {
 
 struct Lattice {
   Vec2 w1, w2;
-  bool is_level;  ///< it has a vector across the cloth
+  bool is_level;  ///< it has a vector across the fabric
 };
 
 std::vector<Lattice> someLattices() {
@@ -26,7 +26,7 @@ std::vector<Lattice> someLattices() {
                            {{10, 0}, {5, 10 * h}, true},      {{0, 10}, {-10 * h, 5}, true},
                            {{10, 0}, {3, 8}, true},           {{8, 3}, {0, 10}, true},
                            {{8.1, 2.7}, {-3, 10 * h}, false}, {{13, 8}, {29, 24}, true}};
-  // as prints give them, by angles
+  // computed from angles, as in prints
   for (const double angle : {kPi / 6, kPi / 3, kPi / 2, 2 * kPi / 3, 5 * kPi / 6})
     all.push_back({12.3 * unit(angle), 12.3 * unit(angle + kPi / 3), true});
   all.push_back({7.7 * unit(kPi / 2), 4.1 * unit(kPi), true});
@@ -55,7 +55,7 @@ TEST(NestingBoard, HasTheLatticesOwnDots) {
 TEST(NestingBoard, HasLevelRowsWhereTheLatticeHasThem) {
   for (const auto& [w1, w2, is_level] : someLattices()) {
     const Board board = Board::ofLattice(w1, w2, 0.5);
-    // exactly: what looks through rows asks for that
+    // exact, because the search through rows relies on it
     EXPECT_EQ(board.along.y() == 0, is_level) << w1.transpose() << ", " << w2.transpose();
   }
 }
@@ -78,7 +78,7 @@ TEST(NestingBoard, TakesASublatticeOfStepsThatAreLongEnough) {
   EXPECT_LT((stripes.up - Vec2(0, 0.6)).norm(), 1e-12);
 }
 
-/// The period by looking at all vectors of some multiples; 0 where there is none.
+/// The period by trying all vectors of small multiples; 0 where there is none.
 double periodBySearch(const Vec2& w1, const Vec2& w2, int axis) {
   double least = 0;
   for (int i = -30; i <= 30; ++i) {

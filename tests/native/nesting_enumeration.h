@@ -14,10 +14,10 @@ namespace seamwise::testing {
 
 inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// The shortest of all layouts, by trying all places of all pieces, one by one.
+/// Finds the shortest of all layouts by trying all places of all pieces, one by one.
 class Enumeration {
  public:
-  /// @param longest   that a layout is looked for up to. [cm]
+  /// @param longest   upper limit of the length. [cm]
   Enumeration(const NestingProblem& problem, double longest)
       : problem_(problem), best_(longest), placed_(problem.pieces.size()) {
     const Vec2 origin(problem.phases[0], problem.start.value_or(0));
@@ -40,7 +40,7 @@ class Enumeration {
     }
     search(0, kNowhere, -kNowhere);
   }
-  /// The longest where there is none.
+  /// Length of the shortest layout; `longest` where there is none.
   double length() const { return best_; }
 
  private:
@@ -64,7 +64,7 @@ class Enumeration {
     const auto [low, high] = boundsOf(place.ring);
     if (low.x() < problem_.selvedge - 1e-6 || high.x() > problem_.width - problem_.selvedge + 1e-6)
       return;
-    // without a cut that is fixed the first piece lies within the first two repeats of 8 cm
+    // if the start is not fixed, the first piece begins within the first two repeats of 8 cm
     const double least = problem_.start ? 0 : places_.size() == 1 ? 0 : -longest;
     const double most = problem_.start ? longest : places_.size() == 1 ? 16 : longest + 16;
     if (low.y() > least - 1e-6 && low.y() < most && !isOnFlaw(place.ring))
@@ -117,7 +117,7 @@ class Enumeration {
   std::map<std::array<std::size_t, 4>, bool> free_;
 };
 
-/// What the search that looks at all layouts finds, in steps to ever shorter ones. [cm]
+/// Length that the complete search finds, in steps to ever shorter layouts. [cm]
 inline double completely(const NestingProblem& problem, double longest) {
   PiecesOnBoard pieces(problem, false);
   while (pieces.makeTable()) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Outlines of pieces, and what overlaps, by other means than the program's.
+// Outlines of pieces, and overlap tests that are independent of the program's.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -16,7 +16,7 @@ inline Polyline box(double width, double height) {
   return {{0, 0}, {width, 0}, {width, height}, {0, height}};
 }
 
-/// A polygon whose corners lie around the origin, at distances between `near` and `far`.
+/// A polygon whose corners surround the origin at distances between `near` and `far`.
 inline Polyline star(Random& random, int corners, double near, double far) {
   Polyline ring;
   for (int k = 0; k < corners; ++k) {
@@ -26,7 +26,7 @@ inline Polyline star(Random& random, int corners, double near, double far) {
   return ring;
 }
 
-/// A bar with teeth upwards, of random widths, heights and leans.
+/// A bar with teeth on its upper side, of random widths, heights and slants.
 inline Polyline comb(Random& random, int teeth) {
   Polyline upper;
   double x = 0;
@@ -44,10 +44,9 @@ inline Polyline comb(Random& random, int teeth) {
   return ring;
 }
 
-/// A long triangle whose end is cut off so aslant that its sides, drawn longer, meet far from
-/// there.
+/// A long triangle with such an oblique cut at its end that its extended sides meet far from there.
 inline Polyline needle(double angle, double slant) {
-  // how far the sides meet from the line of the cut: 0.038 cm
+  // distance from the cut's line to where the sides meet: 0.038 cm
   const double cut = 0.038 * std::sin(angle) / (std::sin(slant) * std::sin(angle + slant));
   const Vec2 end = Vec2(20, 0) + cut * unit(slant);
   const Vec2 back = end + end.x() / std::cos(angle) * unit(kPi - angle);
@@ -59,7 +58,7 @@ inline Polyline shifted(Polyline ring, const Vec2& by) {
   return ring;
 }
 
-/// By how often the outline runs around the point: all corners are looked at.
+/// Returns whether the point is inside, by the outline's winding number over all corners.
 inline bool isInside(const Polyline& ring, const Vec2& p) {
   double turned = 0;
   for (std::size_t k = 0; k < ring.size(); ++k)
@@ -86,7 +85,7 @@ inline bool doCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
   return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
 }
 
-/// How far apart two polygons are; -1 where they overlap. [cm]
+/// Distance between two polygons; -1 where they overlap. [cm]
 inline double separation(const Polyline& p, const Polyline& q) {
   if (isInside(p, q[0]) || isInside(q, p[0])) return -1;
   double least = std::numeric_limits<double>::infinity();
@@ -102,7 +101,8 @@ inline double separation(const Polyline& p, const Polyline& q) {
   return least;
 }
 
-/// Whether two polygons are at least `gap` apart once one has moved by at most `slack`. [cm]
+/// Returns whether two polygons are at least `gap` apart after one has moved by at most `slack`.
+/// [cm]
 inline bool areApart(const Polyline& p, const Polyline& q, double gap, double slack) {
   if (separation(p, q) >= gap) return true;
   for (int k = 0; k < 16; ++k)

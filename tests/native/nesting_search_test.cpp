@@ -26,12 +26,12 @@ const WallpaperGroup& someGroup(int k) {
       groupOf("p1", {9, 0}, {4.5, 4}),
       groupOf("p6", {9, 0}, 9 * unit(kPi / 3)),
       groupOf("pgg", {7, 0}, {0, 8}),
-      groupOf("p2", {9, 0}, {3, 8}),  // the same height is 24 cm higher
+      groupOf("p2", {9, 0}, {3, 8}),  // the print repeats straight up after 24 cm
   };
   return groups[static_cast<std::size_t>(k) % groups.size()];
 }
 
-/// A few pieces on cloth that is hardly wide enough for two.
+/// A few pieces on fabric that is hardly wide enough for two.
 NestingProblem fewPieces(int k) {
   NestingProblem problem{someGroup(k)};
   Random random(100 + k);
@@ -90,7 +90,7 @@ TEST(MarkerProof, IsOfTheShortestOfAllLayouts) {
     EXPECT_LE(marker->bound(), shortest + 1e-4) << k;
     if (!marker->isProven()) continue;
     ++proven;
-    EXPECT_LE(marker->length(), shortest + 0.01 + 1e-4) << k;  // shorter by less is not looked for
+    EXPECT_LE(marker->length(), shortest + 0.01 + 1e-4) << k;  // the search skips smaller gains
   }
   EXPECT_GE(proven, 15);
 }
@@ -126,7 +126,7 @@ TEST(MarkerProof, HoldsOnPrintsThatRepeatMoreOftenThanPiecesAreTried) {
 }
 
 TEST(MarkerProof, EndsWhereLengthsAreWholeTenthsOfAMillimetre) {
-  // shorter by as much as is looked for, but for rounding
+  // gains equal to the least one that the search looks for, up to rounding
   for (unsigned seed = 0; seed < 60; ++seed) {
     Random random(seed);
     const auto tenths = [&](double low, double high) {

@@ -28,7 +28,7 @@ std::vector<Polyline> somePolygons(unsigned seed) {
   return all;
 }
 
-/// How deep a point lies in a convex polygon; negative outside. [cm]
+/// Depth of a point in a convex polygon; negative outside. [cm]
 double depthIn(const Polyline& convex, const Vec2& p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < convex.size(); ++k) {
@@ -86,7 +86,7 @@ TEST(ConvexParts, AreConvexAndReachHardlyBeyondThePolygon) {
         }
       }
     }
-    // none of it lies in several parts, but for what these overlap by
+    // the parts overlap by no more than their tolerance
     EXPECT_NEAR(area, signedArea(ring), 0.01 * signedArea(ring) + 0.5);
   }
 }
@@ -109,7 +109,7 @@ TEST(ConvexParts, DifferencesAreTheHullsOfAllDifferencesOfCorners) {
       for (int k = 0; k < corners; ++k)
         ring.emplace_back(middle + random.between(1, 9) *
                                        unit(2 * kPi * (k + random.between(0, 0.9)) / corners));
-      // corners that points in between hide are left out
+      // leaves out corners that the points between them hide
       for (bool again = true; again && ring.size() > 3;) {
         again = false;
         for (std::size_t k = 0; k < ring.size() && !again; ++k) {
@@ -137,7 +137,7 @@ TEST(ConvexParts, DifferencesAreTheHullsOfAllDifferencesOfCorners) {
   }
 }
 
-/// As finely sampled as outlines are, with bays.
+/// A shape with bays, sampled as finely as outlines.
 Polyline blob(double phase) {
   Polyline ring;
   for (int k = 0; k < 240; ++k) {
@@ -197,7 +197,7 @@ TEST(NestingShapes, AreTheTurnedOutlineOnAFineGrid) {
   const auto [low, high] = boundsOf(shape.ring);
   EXPECT_EQ(shape.low, low);
   EXPECT_EQ(shape.high, high);
-  // another machine's last digit
+  // rounding error of another machine
   for (Vec2& p : turned) p *= 1 + 1e-15;
   EXPECT_EQ(shapeOf(turned, Mat2::Identity()).ring, shape.ring);
 }

@@ -25,7 +25,7 @@ std::vector<Board> someBoards() {
           Board::ofLattice({2.5, 0.9}, {-1.1, 3.1}, 0.5), Board::ofLattice({3, -2}, {3, 2}, 0.5)};
 }
 
-/// All dots at which the shapes' boxes may be near each other, and some more.
+/// Visits all dots at which the shapes' boxes may be near each other, and some more.
 template <class Each>
 void forDots(const Polyline& a, const Polyline& b, const Vec2& offset, const Board& board,
              double gap, Each each) {
@@ -135,7 +135,7 @@ TEST(DifferenceTable, LetsRectanglesTouchButNotOverlapByATenthOfAMillimetre) {
     EXPECT_EQ(tableOf(more, whole, 1).depth(left), 0);
     EXPECT_GT(tableOf(whole, more, 1).depth(left), 0);
   }
-  // as wide apart as asked for, and a little less
+  // exactly the required gap apart, and a little less
   EXPECT_EQ(tableOf(box(9.5, 4), box(9.5, 4), 1, {0.5, 0, true}).depth({10, 0}), 0);
   EXPECT_GT(tableOf(box(9.51, 4), box(9.5, 4), 1, {0.5, 0, true}).depth({10, 0}), 0);
 }
@@ -150,7 +150,7 @@ TEST(DifferenceTable, SeesOverlapsAlongCommonLines) {
     }
     EXPECT_GT(tableOf(square, square, 20).depth({0, 0}), 0);
   }
-  // one within the other, with a side in common
+  // one within the other, with a common side
   EXPECT_GT(tableOf(box(8, 8), box(4, 8), 20).depth({0, 0}), 0);
 }
 
@@ -162,7 +162,7 @@ TEST(DifferenceTable, SeesThatEqualNarrowStripsCoincide) {
 }
 
 TEST(DifferenceTable, LetsPiecesFillGapsOfTheirOwnWidth) {
-  // a U and what goes into it, which must come from above
+  // a U and a box that fits into it, but only from above
   const Polyline u{{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}};
   const DifferenceTable table = tableOf(u, box(3, 4), 1);
   EXPECT_EQ(table.depth({3, 3}), 0);
@@ -188,7 +188,7 @@ TEST(DifferenceTable, HoldsAllDifferencesOfNeedles) {
       const Polyline needle = testing::needle(angle, 1.5 * angle);
       const Shape one = shapeOf(needle, turned), other = shapeOf(needle, -turned);
       const DifferenceTable table(one, other, off, Board::square(0.07), {0, 0, false});
-      // what is forbidden ends before the table does
+      // the forbidden area ends before the table does
       for (int i = table.columns().lo; i <= table.columns().hi; ++i) {
         EXPECT_EQ(table.depth({i, table.rows().lo}), 0);
         EXPECT_EQ(table.depth({i, table.rows().hi}), 0);

@@ -25,12 +25,12 @@ const WallpaperGroup& someGroup(int k) {
       groupOf("p1", {4, 0}, {2, 4}),
       groupOf("p6", {8, 0}, 8 * unit(kPi / 3)),
       groupOf("p4", {8, 0}, {0, 8}),
-      groupOf("p2", {5, 0}, {1.25, 4}),  // the same height is 16 cm higher
+      groupOf("p2", {5, 0}, {1.25, 4}),  // the print repeats straight up after 16 cm
   };
   return groups[static_cast<std::size_t>(k) % groups.size()];
 }
 
-/// A long piece with a bulge and a notch somewhere, so that neighbours go into each other.
+/// A long piece with a bulge and a notch at random places, so that neighbours interlock.
 Polyline longPiece(Random& random) {
   const double wide = random.between(2, 5), high = random.between(14, 17);
   const double at = random.between(2, 10), by = random.between(0.5, 3);
@@ -39,7 +39,7 @@ Polyline longPiece(Random& random) {
           {wide, high}, {0, high}, {0, at + 2.5}, {notch, at + 1.5},   {0, at}};
 }
 
-/// Three or four long pieces, and a short one, on cloth that is hardly wide enough.
+/// Three or four long pieces and a short one, on fabric that is hardly wide enough.
 NestingProblem longPieces(int k) {
   NestingProblem problem{someGroup(k)};
   Random random(500 + k);
@@ -69,8 +69,8 @@ NestingProblem longPieces(int k) {
   return problem;
 }
 
-/// That the search finds what brute force does, from lengths on at which long pieces lie side by
-/// side. @returns whether there is a layout
+/// Expects the search to agree with brute force, at lengths that put long pieces side by side.
+/// @returns whether there is a layout
 bool expectSame(const NestingProblem& problem, double longest, const std::string& what) {
   const double shortest = Enumeration(problem, longest).length();
   const double found = completely(problem, longest - 1e-5);
@@ -125,7 +125,7 @@ TEST(TallPieces, AreProvenInAllWaysThatTheirGarmentsMayBeTurned) {
     NestingProblem problem = longPieces(k);
     problem.nap = Nap::kGarment;
     problem.width += 4;
-    // four garments may be turned in more ways than are tried at first
+    // four garments have more combinations of turns than the search tries at first
     for (std::size_t n = 0; n < 4; ++n) problem.pieces[n].garment = k % 2 ? n : n % 2;
     const auto marker = laid(problem);
     ASSERT_TRUE(marker) << k;

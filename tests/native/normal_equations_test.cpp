@@ -16,7 +16,7 @@ TEST(NormalEquations, AreSolvedAsDenseOnes) {
   for (const int n : {1, 2, 7, 40}) {
     std::vector<int> first;
     for (int i = 0; i < n; ++i) first.push_back(std::max(0, i - random.below(6)));
-    // a sum of squares of differences, as seams make it, so that no row reaches before its first
+    // a sum of squares of differences, like that of seams, so that no row reaches before its first
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right(n);
     NormalEquations equations(first);

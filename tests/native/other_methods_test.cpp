@@ -1,4 +1,4 @@
-// The methods to compare with: what they keep, and what makes the most of them.
+// The methods for comparison: their invariants, and the options that make the most of them.
 #include <algorithm>
 
 #include "alignment/baseline/sweeps.h"
@@ -35,7 +35,7 @@ TEST(OtherMethods, EndAndKeepTheGreatestChange) {
 }
 
 TEST(OtherMethods, LeaveThePiecesAsDraftedWhereAllTheyFindFitsWorse) {
-  // only the worst seam pulls, and takes whole pieces with it, off all that met before
+  // only the worst seam has a weight, so it pulls whole pieces away from seams that matched before
   Task t = task("tee", "pgg");
   t.options["maxChangeCm"] = 0;
   const Result placed = solved(t);

@@ -11,7 +11,7 @@
 namespace seamwise {
 namespace {
 
-/// A round piece whose edge goes in and out, of so many straight edges.
+/// A round piece with a wavy outline of so many straight edges.
 Panel wavy(int edges) {
   Polyline corners;
   for (int k = 0; k < edges; ++k)

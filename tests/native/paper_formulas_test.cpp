@@ -1,6 +1,6 @@
-// Wolff et al. 2019, Eqs. (4)-(7) and E_sym as they are printed, tried on sample points. They are
-// here to show for which groups and lattices they hold under the paper's own p_wp = R^T (p - t),
-// and so why the alignment is computed from an element of the group instead.
+// Wolff et al. 2019, Eqs. (4)-(7) and E_sym as printed, evaluated at sample points. The tests show
+// the groups and lattices for which they hold under the paper's own p_wp = R^T (p - t). They
+// explain why the program computes the alignment from an element of the group instead.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -22,9 +22,9 @@ const Names kPairGroups{"pm",  "pg",  "cm",  "pmm",  "pmg",  "pgg",
                         "cmm", "p4m", "p4g", "p3m1", "p31m", "p6m"};
 const Names kTurnedGroups{"cm", "cmm", "p3m1"};  // "CM, CMM, C3M1" in Eq. 5
 
-/// How Eqs. (5) and (7) are read.
+/// Variants of Eqs. (5) and (7).
 struct Reading {
-  double sense_of_eq5 = 1;  ///< +1 as printed: rot(angle(w1, w2)); 0: without; -1: the inverse
+  double sense_of_eq5 = 1;  ///< +1 as printed: rot(angle(w1, w2)); 0: no rotation; -1: the inverse
   Names turned = kTurnedGroups;
   bool eq7 = true;
   double extra_turn = 0;  ///< added to R_g
@@ -50,7 +50,7 @@ Alignment paperImage(const WallpaperGroup& group, const Alignment& first, const 
   return {std::atan2(r(1, 0), r(0, 0)), t_g + r_sym * flip * first.translation + map.shift};
 }
 
-/// Whether random pairs come out symmetric; they are all so, or none is.
+/// Returns whether random pairs become symmetric; either all do or none.
 bool holds(const WallpaperGroup& group, const Reading& reading) {
   Random random(31);
   int symmetric = 0;
@@ -65,7 +65,7 @@ bool holds(const WallpaperGroup& group, const Reading& reading) {
   return symmetric == 20;
 }
 
-/// The groups that carry a pair and for which the formulas hold on a lattice with w1 at `turn`.
+/// Groups that carry a pair and for which the formulas hold on a lattice with w1 at `turn`.
 Names holdsFor(const Reading& reading, double turn = 0) {
   Names names;
   for (const std::string_view name : kPairGroups) {
@@ -110,7 +110,7 @@ TEST(PaperFormulas, NeedTheShiftOfEquation7InTheFourGroupsItNames) {
 }
 
 TEST(PaperFormulas, HoldForCmmAsPrintedOnlyOnASquareLattice) {
-  // There the other mirrors of cmm lie where Eq. 5 turns to; cm has no others.
+  // Here the other mirrors of cmm are where Eq. 5 turns to; cm has no others.
   const auto on_square = [](std::string_view name) {
     return holds(WallpaperGroup::make(name, {10, 0}, {0, 10}).value(), {});
   };
@@ -159,7 +159,7 @@ TEST(PaperFormulas, AgreeWithTheRuleByElementsWhereTheyHold) {
 }
 
 /// E_sym of the paper as printed, sum |b - (R_sym F b' + t_sym)|^2, and with b and b' swapped to
-/// agree with its Eq. 3, for vertices b' that Eq. 3 maps b to. [cm^2]
+/// agree with its Eq. 3, for vertices b' to which Eq. 3 maps b. [cm^2]
 struct SymmetryEnergies {
   double printed = 0, swapped = 0;
 };

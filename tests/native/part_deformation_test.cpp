@@ -15,7 +15,7 @@ using testing::Random;
 
 constexpr double kReach = 1.0;  ///< cm
 
-/// Whether an outline vertex of the part belongs to a sewn edge.
+/// Marks the outline vertices of the part that belong to a sewn edge.
 std::vector<char> sewnVertices(const Part& part) {
   std::vector<char> sewn(part.rest.size(), 0);
   for (const Part::Edge& e : part.edges)
@@ -80,7 +80,7 @@ TEST(KeptLengths, AreTheRestLengthsUpToTwoPercent) {
   }
 }
 
-/// Right-angled triangles whose first edges have these lengths and are sewn, each to the next.
+/// Right-angled triangles whose first edges have these lengths; each is sewn to the next.
 Pattern chain(const std::vector<double>& lengths) {
   Pattern pattern;
   for (const double length : lengths) {
@@ -237,7 +237,7 @@ TEST(ClothWithStiffenedKinks, BendsLess) {
   const Part& part = parts.parts[0];
   const DeformationPlan plan(part, {});
   PartDeformation deformation(plan);
-  // On a sewn edge: the others are held to their line, whatever their kinks cost.
+  // A bend on a sewn edge: other edges are held to their line at any cost of their kinks.
   const auto sewn = sewnVertices(part);
   const auto bend = std::find_if(part.bends.begin(), part.bends.end(), [&](const auto& b) {
     return sewn[b.h] && sewn[b.i] && sewn[b.j];

@@ -41,7 +41,7 @@ std::vector<Vec2> frontSide(const Json& garment) {
 }
 
 TEST(PathEdge, IsReadInEitherKindOfCoordinates) {
-  // from (10, 0) to (10, 20)
+  // front side from (10, 0) to (10, 20)
   const std::vector<Vec2> points{{10, 0}, {8, 2}, {8, 8}, {10, 10}, {8, 12}, {8, 18}, {10, 20}};
   EXPECT_EQ(frontSide(withPath({{{8, 2}, {8, 8}, {10, 10}}, {{8, 12}, {8, 18}}}, "absolute")),
             points);
@@ -102,7 +102,7 @@ TEST(PathEdge, OfTooManyCubicsIsNamedWithItsPanel) {
   expectRefused(garment, Failure::kTooLarge, {"panel 'front'", "10000 cubics"});
 }
 
-/// Positions along a seam's side of the vertices that a corner of the outline turns by.
+/// Relative positions along a seam's side of the vertices at corners of the outline.
 std::vector<double> sharpShares(const Pattern& pattern, const SeamSide& side) {
   const std::vector<Vec2>& rest = pattern.pieces[side.piece].rest;
   std::vector<double> shares, along{0};
@@ -115,7 +115,7 @@ std::vector<double> sharpShares(const Pattern& pattern, const SeamSide& side) {
   return shares;
 }
 
-/// A square with a roof on it as one path, sewn along the roof to a strip.
+/// A square with a roof as one path, sewn along the roof to a strip.
 Garment roofed(const Vec2& ridge) {
   Garment g;
   Panel house = small::polygon("house", {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
@@ -164,7 +164,7 @@ TEST(PathEdge, SewsCornersOfBothSidesToEachOtherThoughTheirSharesDifferALittle) 
               0.4);
 }
 
-/// Every edge drawn as a path of so many cubics.
+/// Redraws every edge as a path of so many cubics.
 Garment redrawn(Garment g, int parts) {
   for (Panel& panel : g.panels)
     for (Curve& edge : panel.edges) edge = asPath(edge, parts);
@@ -196,7 +196,7 @@ TEST(PathEdge, MirrorsLikeTheCurveThatItRedraws) {
 }
 
 TEST(PathEdge, ThatIsAHalfOutlineMirrorsWithItsCorners) {
-  // Two edges only, each with two corners within; the axis runs through their ends.
+  // Only two edges, each with two interior corners; the axis runs through their ends.
   Panel panel;
   panel.name = "bodice";
   panel.edges = {polyline({{0, 0}, {20, 0}, {20, 30}, {12, 45}, {0, 44}}),

@@ -8,7 +8,7 @@
 // Path edges for tests. [cm]
 namespace seamwise::testing {
 
-/// A cubic's points before and after a parameter (de Casteljau).
+/// Control points of a cubic before and after a parameter (de Casteljau).
 inline std::pair<std::array<Vec2, 4>, std::array<Vec2, 4>> halves(const std::array<Vec2, 4>& p,
                                                                   double t) {
   const auto between = [t](const Vec2& a, const Vec2& b) -> Vec2 { return (1 - t) * a + t * b; };
@@ -38,7 +38,7 @@ inline Curve asPath(const Curve& curve, int parts) {
   return Curve::path(points);
 }
 
-/// Straight from corner to corner, as one path.
+/// Straight lines from corner to corner, as one path.
 inline Curve polyline(const std::vector<Vec2>& corners) {
   std::vector<Vec2> points{corners.front()};
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {

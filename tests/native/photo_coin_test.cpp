@@ -19,9 +19,10 @@ CameraView closeUp() {
   return view;
 }
 
-const Vec2 kMiddle(2, 1);  // of the object. [cm]
+const Vec2 kMiddle(2, 1);  // centre of the object. [cm]
 
-/// A wavy print with something grey on it, where `covers` says, of cm from its middle.
+/// Photographs a wavy print with a grey object on it.
+/// @param covers  whether the object covers a point, in cm from kMiddle
 template <class Covers>
 Photo withObject(Covers&& covers) {
   const CameraView view = closeUp();
@@ -34,7 +35,7 @@ Photo withObject(Covers&& covers) {
       480, 360, print, inverse, [](const Vec2&) { return 1.0; }, 0.01);
 }
 
-/// Once it has ended.
+/// Runs the search to its end.
 Outcome<FoundObject> outcomeOf(ObjectSearch& search) {
   while (search.advance()) {
   }
@@ -47,7 +48,7 @@ Outcome<FoundObject> found(const Photo& photo, int object, const Vec2& beside) {
   Mat2 w, gram;
   w.col(0) = view.w1;
   w.col(1) = view.w2;
-  gram = w.transpose() * w / 9;  // in units of 3 cm
+  gram = w.transpose() * w / 9;  // unit 3 cm
   const double area = cross(view.w1, view.w2);
   const Vec2 p = kMiddle + beside;
   const Vec2 u(cross(p, view.w2) / area, cross(view.w1, p) / area);
@@ -108,7 +109,7 @@ TEST(PhotoCoin, IsToldFromABoldPrint) {
   EXPECT_FALSE(found(photo, 0, Vec2(-9, 4)).ok());
 }
 
-/// A coin whose light rim differs from the light ground by little, around a darker middle.
+/// The coin has a light rim, which differs little from the light ground, around a darker middle.
 TEST(PhotoCoin, ARimLikeTheGroundIsNotPassedOverForTheRingWithin) {
   const CameraView view = closeUp();
   const Photo photo = photographed(

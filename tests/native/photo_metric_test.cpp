@@ -90,7 +90,7 @@ TEST(PhotoMetric, TwoPointsTellTheScaleUnderTilt) {
   const LatticeMap map = slanted().map();
   MetricHints hints;
   hints.f35 = 26;
-  // From -w1 + w2 / 2 to w1 / 2 + w2.
+  // Span from -w1 + w2 / 2 to w1 / 2 + w2.
   hints.span = {map(Vec2(-1, 0.5)), map(Vec2(0.5, 1)), Vec2(16, 4.5).norm()};
   const MetricReading metric = metricOf(slanted(), hints);
   EXPECT_NEAR(metric.gram(0, 0), 100, 1e-6);
@@ -130,7 +130,7 @@ TEST(PhotoMetric, ThePicturesEdgeNearestTheLatticeIsTheWarp) {
   const auto [w1, w2] = placedLattice(view.map(), gram);
   EXPECT_LT((w1 - Vec2(10, 0)).norm(), 1e-9);
   EXPECT_LT((w2 - Vec2(0, 8)).norm(), 1e-9);
-  view.turn = 2;  // w2 lies nearest to the left
+  view.turn = 2;  // now w2 is nearest to the left
   const auto [left1, left2] = placedLattice(view.map(), gram);
   EXPECT_LT((left1 - Vec2(0, 10)).norm(), 1e-9);
   EXPECT_LT((left2 - Vec2(-8, 0)).norm(), 1e-9);

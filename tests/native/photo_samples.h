@@ -13,7 +13,8 @@
 
 namespace seamwise::testing {
 
-/// A print without any symmetry, in linear light, of lattice coordinates: a few waves.
+/// A print without any symmetry, in linear light, as a function of lattice coordinates: a few
+/// waves.
 inline std::array<double, 3> wavyPrint(const Vec2& u) {
   const auto wave = [&](int a, int b, double phase) {
     return std::sin(2 * kPi * (a * u.x() + b * u.y() + phase));
@@ -23,7 +24,7 @@ inline std::array<double, 3> wavyPrint(const Vec2& u) {
   return {0.4 + 0.12 * one, 0.4 + 0.1 * two, 0.35 + 0.06 * (one + two)};
 }
 
-/// How a camera sees a flat cloth: tilted about x, turned in its plane, `distance` cm away, its
+/// Camera above flat fabric: tilted about x, turned in the fabric's plane, `distance` cm away,
 /// focal length f px, the lattice's origin in the middle.
 struct CameraView {
   int width = 320, height = 240;
@@ -48,16 +49,16 @@ struct CameraView {
   }
 };
 
-/// Bytes that a PixelView looks at.
+/// Bytes for a PixelView.
 struct Photo {
   int width, height;
   std::vector<std::uint8_t> rgba;
   PixelView view() const { return {width, height, rgba}; }
 };
 
-/// What the camera takes of `print` in a light, moved by creases and with even noise.
-/// @param look   the lattice coordinates seen at a place of the picture
-/// @param light  at a place of the picture
+/// Photographs `print` in a given light, distorted by creases, with uniform noise.
+/// @param look   lattice coordinates seen at a point of the image
+/// @param light  brightness at a point of the image
 template <class Print, class Look, class Light>
 Photo photographed(int width, int height, Print&& print, Look&& look, Light&& light, double noise) {
   Photo photo{width, height,

@@ -16,7 +16,7 @@ double lampAt(const Vec2& p) {
   return std::exp(0.5 * (p.x() / 320 - 0.4) - 0.6 * (p.y() / 240) * (p.y() / 240));
 }
 
-/// Along x, of the repeat of about 73 px: at most 1.4 %.
+/// Displacement by creases. [px] Along x at most 1.4 % of the repeat of about 73 px.
 Vec2 creaseAt(const Vec2& p) { return {1.0 * std::sin(p.y() / 30), 0.5 * std::cos(p.x() / 40)}; }
 
 CopyFields fieldsOf(const Photo& photo, const LatticeMap& map) {
@@ -27,7 +27,7 @@ CopyFields fieldsOf(const Photo& photo, const LatticeMap& map) {
   return fit.fields();
 }
 
-/// Root mean square of what is left of a channel's error when its mean is taken away.
+/// Root mean square of a channel's error after subtracting its mean.
 struct Spread {
   double sum = 0, squares = 0, count = 0;
   void add(double x) { sum += x, squares += x * x, ++count; }
@@ -50,7 +50,7 @@ double noiseOf(const CellPicture& cell) {
   return noise / static_cast<double>(cell.noise.size());
 }
 
-/// Peak signal over error against the print itself after a gain for each colour. [dB]
+/// Peak signal-to-noise ratio against the print itself after a gain for each colour. [dB]
 double decibels(const CellPicture& cell) {
   const SrgbCurve curve;
   double squares = 0;
@@ -99,7 +99,7 @@ TEST(PhotoTile, LightIsToldFromThePrint) {
       off.add(light[1] - std::log(lampAt(Vec2(x, y))));
     }
   }
-  EXPECT_LT(off.rms(), 0.01);  // of light that varies by a factor of 2.7
+  EXPECT_LT(off.rms(), 0.01);  // the light varies by a factor of 2.7
   EXPECT_LT(fields.unevenness, 0.002);
 }
 
@@ -149,9 +149,9 @@ TEST(PhotoTile, APatchThatDiffersIsLeftOut) {
       photo.rgba[4 * (y * 320 + x)] = photo.rgba[4 * (y * 320 + x) + 2] = 0;
   const CopyFields fields = fieldsOf(photo, map);
   ASSERT_EQ(fields.regions.size(), 1u);
-  EXPECT_LT((fields.regions[0].low - Vec2(200, 60)).norm(), 40);  // a third of a cell beyond
+  EXPECT_LT((fields.regions[0].low - Vec2(200, 60)).norm(), 40);  // a third of a cell as tolerance
   EXPECT_LT((fields.regions[0].high - Vec2(250, 100)).norm(), 40);
-  EXPECT_GT(fields.differing, 0.026);  // the patch
+  EXPECT_GT(fields.differing, 0.026);  // includes the patch
   EXPECT_LT(fields.differing, 0.15);
   float weight;
   fields.weight.at(225, 80, &weight);
@@ -234,7 +234,7 @@ TEST(PhotoTile, TurnsBySixtyDegreesLieBetweenPixels) {
     before += std::pow(once.symmetric[0][k] - once.planes[0][k], 2);
     after += std::pow(twice.planes()[0][k] - once.symmetric[0][k], 2);
   }
-  EXPECT_LT(after, 0.05 * before);  // what interpolation smooths
+  EXPECT_LT(after, 0.05 * before);  // interpolation smooths
 }
 
 TEST(PhotoTile, ImagesBeginWithTheirTopRow) {

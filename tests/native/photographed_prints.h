@@ -14,7 +14,7 @@ namespace seamwise::testing {
 
 using Ink = std::array<double, 3>;
 
-/// Discs of some inks in a cell, wrapped around it: a print of no symmetry.
+/// Discs of some inks in a cell, wrapped around it: a print without symmetry.
 class DiscPrint {
  public:
   explicit DiscPrint(std::uint64_t seed, int discs = 9) {
@@ -31,7 +31,7 @@ class DiscPrint {
     for (const auto& disc : discs_) {
       Vec2 off = u - disc.middle;
       off -= Vec2(off.array().round());
-      // A soft rim, so that no sample decides between two inks.
+      // A soft rim, so that no sample is ambiguous between two inks.
       const double inside = std::clamp((disc.radius - off.norm()) / 0.03 + 0.5, 0.0, 1.0);
       for (int c = 0; c < 3; ++c) ink[c] += inside * (disc.ink[c] - ink[c]);
     }
@@ -48,14 +48,14 @@ class DiscPrint {
   std::vector<Disc> discs_;
 };
 
-/// A picture in memory, of 400 x 300 pixels.
+/// An image in memory, of 400 x 300 pixels.
 struct DrawnPicture {
   static constexpr int kWidth = 400, kHeight = 300;
   std::vector<std::uint8_t> rgba = std::vector<std::uint8_t>(4 * kWidth * kHeight, 255);
   PixelView view() const { return {kWidth, kHeight, rgba}; }
 };
 
-/// A lattice about the middle of such a picture.
+/// A lattice about the middle of such an image.
 /// @param basis   w1, w2 there, as columns. [px]
 inline TiltedLattice latticeOnPicture(const Mat2& basis, const Vec2& tilt = Vec2::Zero()) {
   TiltedLattice lattice;
@@ -66,7 +66,8 @@ inline TiltedLattice latticeOnPicture(const Mat2& basis, const Vec2& tilt = Vec2
   return lattice;
 }
 
-/// What `inkAt` says of lattice coordinates, in light that falls off to the right, with noise.
+/// Draws the inks of `inkAt` at lattice coordinates, in light that falls off to the right, with
+/// noise.
 template <class InkAt>
 DrawnPicture photographed(const TiltedLattice& lattice, const InkAt& inkAt) {
   DrawnPicture picture;

@@ -48,7 +48,7 @@ TEST_P(PlacedBySeams, HangOnThePartsAndSidesThatTheirFilesSay) {
   for (std::size_t p = 0; p < found.parts.size(); ++p) {
     const std::string& name = worn.pattern.pieces[p].name;
     const Vec3 &here = found.middles[p], &there = drafted.middles[p];
-    // Those on a side of the body, or before or behind it, on that side.
+    // Pieces at a side, in front or at the back of the body stay there.
     if (std::abs(there.x()) > 12) {
       EXPECT_GT(here.x() * there.x(), 0) << name;
     }
@@ -70,7 +70,7 @@ TEST(PlacedPieces, HangAlikeHoweverTheirPanelsAreDrawn) {
   Worn worn = wornSample("shirt-m");
   unplace(&worn.garment);
   const Hanging upright = hang(worn.garment, worn.pattern, formM()).value();
-  // All on their side, as cutting programs lay them, grain to the right.
+  // All pieces turned by 90 degrees, grain to the right, as in cutting programs.
   for (std::size_t p = 0; p < worn.garment.panels.size(); ++p) {
     worn.garment.panels[p].grain_angle -= kPi / 2;
     for (Vec2& point : worn.pattern.pieces[p].rest) point = Vec2(point.y(), -point.x());

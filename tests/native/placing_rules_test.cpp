@@ -109,7 +109,7 @@ TEST(Grain, RefusesAnAskedForSymmetryThatItContradicts) {
   EXPECT_NE(r.error().message.find("grain"), std::string::npos) << r.error().message;
 }
 
-/// The angles at which the front of a tee may lie. [degrees, of its grain line from the warp]
+/// Possible angles of a tee's front. [degrees, of its grain line from the warp]
 std::vector<double> frontAngles(const Json& grain, bool one_way = false) {
   Task t = task("tee", "p1");
   t.print["oneWay"] = one_way;
@@ -163,7 +163,7 @@ TEST(Grain, ThatNobodyStatesIsAssumedToRunUpwardsAndNotedOnlyWhereItIsUsed) {
   EXPECT_FALSE(isNoted(problemOf(t).notes, {"grain"}));
 }
 
-/// How far the piece that lies furthest from upright does. [degrees]
+/// Greatest deviation of a piece from upright. [degrees]
 double mostOffUpright(const Result& r) {
   double most = 0;
   for (const Alignment& at : r.alignment) most = std::max(most, std::abs(wrapAngle(at.angle)));

@@ -7,8 +7,8 @@
 
 namespace seamwise::testing {
 
-/// The print on a parallelogram as pixels, the first row at its upper end: a corner, and its sides
-/// as columns, in lattice coordinates of the cell.
+/// Draws the print on a parallelogram as pixels, the first row at its upper end. The corner and the
+/// sides, as columns, are in lattice coordinates of the cell.
 inline Picture printPicture(const CellPicture& cell, const Mat2& sides, const Vec2& corner,
                             int width, int height) {
   Picture picture;

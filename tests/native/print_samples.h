@@ -11,14 +11,14 @@
 
 namespace seamwise {
 
-/// How a failing test names its group.
+/// Name of a group in failure messages of GoogleTest.
 inline void PrintTo(const GroupData& data, std::ostream* out) { *out << data.name; }
 
 }  // namespace seamwise
 
 namespace seamwise::testing {
 
-inline constexpr double kExact = 1e-9;  ///< cm: equal but for rounding
+inline constexpr double kExact = 1e-9;  ///< cm: equal up to rounding
 
 /// A lattice of the group's type, w1 10 cm long at angle `turn`.
 inline WallpaperGroup sampleGroup(const GroupData& data, double turn = 0) {
@@ -74,7 +74,7 @@ class Random {
   std::mt19937 engine_;
 };
 
-/// Distance to the nearest image of y under those elements alone that preserve or reverse
+/// Distance to the nearest image of y under only the elements that preserve, or reverse,
 /// orientation.
 inline double distanceByHalf(const WallpaperGroup& group, const Vec2& x, const Vec2& y,
                              bool reversing) {
@@ -85,7 +85,7 @@ inline double distanceByHalf(const WallpaperGroup& group, const Vec2& x, const V
   return best;
 }
 
-/// Whether the motion maps the whole print onto itself.
+/// Returns whether the motion maps the whole print onto itself.
 inline bool isSymmetryOfPrint(const WallpaperGroup& group, const RigidMotion& motion) {
   for (const Element& e : group.elements()) {
     if (e.mirrored == motion.mirrored && (e.A - motion.linear()).norm() < kExact &&
@@ -96,7 +96,7 @@ inline bool isSymmetryOfPrint(const WallpaperGroup& group, const RigidMotion& mo
   return false;
 }
 
-/// How far the print on the image piece is from the mirrored print of the first piece: the greatest
+/// Distance of the image piece's print from the mirrored print of the first piece: the greatest
 /// distance over sample points p of W'(map p) from W(p), modulo orientation-reversing elements.
 /// [cm]
 inline double asymmetry(const WallpaperGroup& group, const Alignment& first,

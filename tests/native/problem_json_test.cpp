@@ -49,7 +49,7 @@ TEST(ProblemFromFiles, AreReadInStepsThatTellHowFarTheyAre) {
     EXPECT_GE(reader.fraction(), before);
     before = reader.fraction();
   }
-  EXPECT_GT(steps, 3);  // the files, then what may mirror onto what
+  EXPECT_GT(steps, 3);  // the files, then the possible symmetries
   EXPECT_EQ(reader.fraction(), 1);
   EXPECT_FALSE(reader.advance());
   EXPECT_EQ(reader.take().value().symmetries.imposed,

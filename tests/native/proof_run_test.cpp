@@ -1,4 +1,4 @@
-// What is proven of a whole garment, besides a solve.
+// Proofs for a complete garment, run alongside a solve.
 #include "methods/proof_run.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(Proof, HoldsForAlignmentsAnywhere) {
   solver.prove(400);
   const Proven proven = solver.proven();
   ASSERT_GT(proven.bound, 0.5);
-  // other seeds end at other answers, none of which may be better than proven
+  // other seeds find other answers, none of which may be better than the proven bound
   for (std::uint32_t seed = 2; seed < 8; ++seed) {
     Task other = t;
     other.seed = seed;

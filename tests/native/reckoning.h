@@ -1,5 +1,5 @@
 #pragma once
-// Fits once more, from a result's shapes and alignments alone.
+// Recalculates mismatches from a result's shapes and alignments alone.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace seamwise::testing {
 
-/// An independent reckoning of the figures: elements straight from the table of groups, lattice
-/// shifts by trying them all around the nearest.
+/// An independent calculation of the figures: elements come straight from the table of groups, and
+/// lattice shifts from trying all around the nearest.
 class Reckoning {
  public:
-  /// @param continuous_only   without mirrors and glides
+  /// @param continuous_only   excludes mirrors and glides
   explicit Reckoning(const Result& r, bool continuous_only = false) : r_(r) {
     basis_ << r.w1, r.w2;
     for (const LatticeElement& e : cosets(*findGroup(r.group))) {
@@ -46,7 +46,7 @@ class Reckoning {
     return total;
   }
 
-  /// How much seam of the result misses by more than `cm`. [cm]
+  /// Length of the seams whose mismatch exceeds `cm`. [cm]
   double lengthOver(double cm) const {
     double total = 0;
     eachSeam([&](const Seam& s) {

@@ -44,7 +44,7 @@ TEST(Remarks, SaysWhenNoSeamIsLeftToMatch) {
   EXPECT_STREQ(remarksAfter(t)[0].code, "noSeams");
 }
 
-/// Two rectangles, sewn together along a side; the other's is `ratio` times as long.
+/// Two rectangles, sewn together along a side; the second one's is `ratio` times as long.
 Task twoSides(double ratio) {
   const auto panel = [](double length) -> Json {
     Json edges;
@@ -69,12 +69,12 @@ TEST(Remarks, SayWhenAllOutlinesStayAsDraftedThoughSeamsAreOff) {
       return std::string_view(note.code) == "leftAsDrafted";
     });
   };
-  Task t = twoSides(3);  // nothing helps against gathers
+  Task t = twoSides(3);  // gathers cannot match
   EXPECT_TRUE(said(t));
-  t.options["maxChangeCm"] = 0;  // and nobody asked for any other shape
+  t.options["maxChangeCm"] = 0;  // shapes stay as drafted by request
   EXPECT_FALSE(said(t));
-  EXPECT_FALSE(said(twoSides(1)));                    // which match as they lie
-  EXPECT_FALSE(said(task("princess-dress", "pmm")));  // shaped
+  EXPECT_FALSE(said(twoSides(1)));                    // sides match as drafted
+  EXPECT_FALSE(said(task("princess-dress", "pmm")));  // shaped to match
 }
 
 TEST(Remarks, AreNotesOfTheResult) {

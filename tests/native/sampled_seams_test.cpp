@@ -14,7 +14,7 @@ using testing::Random;
 using testing::randomLeaders;
 using testing::sampleGroup;
 
-/// Every group, on a tee whose pieces lie anywhere.
+/// Every group, on a tee with random alignments.
 class SampledSeamsIn : public ::testing::TestWithParam<const char*> {
  protected:
   WallpaperGroup group_ = sampleGroup(*findGroup(GetParam()), 0.3);
@@ -49,7 +49,7 @@ TEST_P(SampledSeamsIn, CostWhatTheProblemCosts) {
   }
 }
 
-/// The same by every element and many lattice vectors, in print space.
+/// The same cost by trying every element and many lattice vectors, in print space.
 double costUnderSlack(const MatchProblem& problem, const MatchSeam& seam, const Alignments& at,
                       double slack) {
   std::vector<Vec2> x, y;
@@ -117,7 +117,7 @@ TEST_P(SampledSeamsIn, StandForTheWholeSeamWithFewSamples) {
   EXPECT_GT(fewer, 0);
 }
 
-/// Central differences of the cost in a leader's turn and shift.
+/// Central differences of the cost with respect to a leader's turn and shift.
 TEST_P(SampledSeamsIn, HaveTheGradientOfTheirCost) {
   constexpr double kStep = 1e-6;
   const SampledSeams<double> exact(problem_, 0);
@@ -148,7 +148,7 @@ TEST_P(SampledSeamsIn, HaveTheGradientOfTheirCost) {
       }
     }
   }
-  // where a sample's element changes, or its distance is below the model's floor, they may differ
+  // They may differ where a sample's element changes or its distance is below the model's floor.
   EXPECT_GT(equal, 50);
   EXPECT_LT(unequal, equal / 20);
 }

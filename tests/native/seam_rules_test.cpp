@@ -16,7 +16,7 @@ Task onGrain(const std::string& garment, const std::string& group) {
   return t;
 }
 
-/// How far the vertices of one panel edge have left the line from its first to its last. [cm]
+/// Greatest distance of a panel edge's vertices from the line from its first to its last. [cm]
 double offLine(const Result& result, int piece, int edge) {
   const Piece& p = result.pattern.pieces[piece];
   const int n = static_cast<int>(p.outline.size());
@@ -31,14 +31,14 @@ double offLine(const Result& result, int piece, int edge) {
 
 TEST(Verdict, LeavesAloneWhatIsNotBentAndNoWorse) {
   EXPECT_EQ(verdictOn({1.2, 1.2, 1.2}, 0), Verdict::kKept);
-  EXPECT_EQ(verdictOn({0, 0.8, 0.09}, 0.9), Verdict::kKept);  // met all the same
+  EXPECT_EQ(verdictOn({0, 0.8, 0.09}, 0.9), Verdict::kKept);  // matches nevertheless
   EXPECT_EQ(verdictOn({1.2, 1.2, 0.4}, 0.9), Verdict::kKept);
 }
 
 TEST(Verdict, FindsWhatIsBentInVain) {
-  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.2), Verdict::kInVain);  // by less than a quarter
-  EXPECT_EQ(verdictOn({3.0, 3.0, 2.0}, 0.2), Verdict::kInVain);   // broken, and not half of it
-  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.05), Verdict::kKept);   // nobody sees that it moved
+  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.2), Verdict::kInVain);  // gains less than a quarter
+  EXPECT_EQ(verdictOn({3.0, 3.0, 2.0}, 0.2), Verdict::kInVain);   // mismatched, gains under a half
+  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.05), Verdict::kKept);   // movement too small to see
 }
 
 TEST(Verdict, FindsWhatIsWorseThanByPlacingAlone) {

@@ -12,7 +12,7 @@ using testing::sampleGroup;
 
 constexpr int kPoints = 13;
 
-/// A curve of about 1 cm a vertex that turns by `bend` in all, plus some noise, somewhere.
+/// A random curve with about 1 cm between vertices and a total turn of `bend`, plus some noise.
 std::vector<Vec2> curve(Random& random, double bend, double noise = 0) {
   std::vector<Vec2> line{random.point()};
   double heading = random.angle();
@@ -39,8 +39,8 @@ double totalTurn(const std::vector<Vec2>& line) {
   return total;
 }
 
-/// One seam between piece 0, whose points are given in print space, and piece 1, whose points
-/// `carried` are given where the join `g` takes them.
+/// One seam between piece 0, given by its points in print space, and piece 1. `carried` are the
+/// points to which the join `g` maps the vertices of piece 1.
 struct Sewn {
   Seam seam;
   Shapes shapes{2};
@@ -60,7 +60,7 @@ struct Sewn {
   }
 };
 
-/// Some element of the print with a lattice shift included.
+/// An element of the print, with a random lattice shift added.
 Element shifted(const WallpaperGroup& group, Element e, Random& random) {
   e.a += std::round(random.between(-4, 4)) * group.w1();
   e.a += std::round(random.between(-4, 4)) * group.w2();
@@ -163,7 +163,7 @@ TEST_P(SeamInGroup, KeepsSidesThatMatchAlready) {
     const Sewn sewn(random_, line, line, shifted(group_, e, random_));
     const Join join = bestJoin(group_, sewn.seam, sewn.shapes, sewn.at);
     for (IdealShape shape : {IdealShape::kTransported, IdealShape::kAveraged}) {
-      // also under a mirrored join, where the sides of the pieces turn in opposite senses
+      // holds for mirrored joins too, in which the pieces' sides turn in opposite senses
       const IdealLines lines = idealLines(sewn.seam, join, sewn.shapes, sewn.at, shape);
       for (int i = 0; i < kPoints; ++i) {
         EXPECT_LT((lines.a[i] - sewn.shapes[0][sewn.seam.a.vertices[i]]).norm(), kExact);
@@ -175,7 +175,7 @@ TEST_P(SeamInGroup, KeepsSidesThatMatchAlready) {
 
 TEST_P(SeamInGroup, KeepsItsMeanCurvatureUnderMirroredJoinsToo) {
   for (const Element& e : group_.elements()) {
-    // side b, once carried over, turns by half as much
+    // side b, mapped by the join, turns by half as much
     const auto own = curve(random_, 1.6), carried = laidOn(curve(random_, 0.8), own);
     const Sewn sewn(random_, own, carried, shifted(group_, e, random_));
     Join join;

@@ -1,4 +1,4 @@
-// Who runs a search's shares must make no difference to what is found.
+// The result of a search must not depend on where its shares run.
 #include <gtest/gtest.h>
 
 #include "alignment/search/search.h"
@@ -15,7 +15,7 @@ using testing::Random;
 using testing::randomLeaders;
 using testing::sampleGroup;
 
-/// All that a search finds.
+/// All results of a search.
 struct Found {
   std::vector<Alignments> few;
   Alignments watched;
@@ -23,7 +23,7 @@ struct Found {
   bool operator==(const Found&) const = default;
 };
 
-/// Runs a share as one would who has nothing but its numbers.
+/// Runs a share from its numbers alone, as a helper does.
 std::vector<double> runElsewhere(const std::vector<double>& numbers) {
   const std::optional<ShareOrder> order = readShare(numbers);
   if (!order) return {};
@@ -35,11 +35,11 @@ std::vector<double> runElsewhere(const std::vector<double>& numbers) {
   return writeAnswers(share.answers());
 }
 
-/// Has somebody else run some of the shares.
+/// Runs some of the shares elsewhere.
 class Elsewhere {
  public:
-  /// @param lent   how many at most are run elsewhere
-  /// @param after   steps here before their answers come; negative: they never do
+  /// @param lent   most shares that run elsewhere
+  /// @param after   steps here before their answers arrive; negative: they never arrive
   Elsewhere(int lent, int after) : lent_(lent), after_(after) {}
 
   Found search(const MatchProblem& problem, double slack = 0) {
@@ -60,13 +60,14 @@ class Elsewhere {
     } while (search.step());
     return {search.bestFew(), search.watched(), search.bound()};
   }
-  int steps() const { return steps_; }  ///< that were done here
+  int steps() const { return steps_; }  ///< steps that ran here
 
  private:
   int lent_, after_, steps_ = 0;
 };
 
-/// A tee by itself and mirrored, on prints that make of it one component or some, easy and hard.
+/// A tee without and with symmetry, on prints that split it into one component or more, easy and
+/// hard.
 std::vector<std::pair<MatchProblem, std::string>> problems() {
   std::vector<std::pair<MatchProblem, std::string>> all;
   for (const char* name : {"p1", "pmm", "p31m"}) {

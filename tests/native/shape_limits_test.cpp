@@ -15,7 +15,7 @@ Piece square() {
   return testing::filled(testing::pieceOf(testing::sampled({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1)));
 }
 
-/// What the square breaks when its lower side's middle moves by `by`.
+/// The limit that the square exceeds when the middle of its lower side moves by `by`.
 BrokenLimit moved(const Vec2& by, ShapeLimits limits = {}) {
   const Piece piece = square();
   std::vector<Vec2> shape = piece.rest;
@@ -30,7 +30,7 @@ TEST(ShapeLimits, HoldsAtRest) {
 
 TEST(ShapeLimits, BoundsMovementKinksAndStretch) {
   EXPECT_EQ(moved({0.1, 0}), BrokenLimit::kNone);
-  EXPECT_EQ(moved({0.2, 0}), BrokenLimit::kStretch);  // by 20 %
+  EXPECT_EQ(moved({0.2, 0}), BrokenLimit::kStretch);  // stretched by 20 %
   ShapeLimits limits;
   limits.moved = 0.09;
   EXPECT_EQ(moved({0.1, 0}, limits), BrokenLimit::kMoved);
@@ -65,9 +65,9 @@ TEST(SeamError, IsTheWorstEdgeOrAllOfThemTogether) {
   EXPECT_NEAR(seamError(seam, {{{0, 0}, {2.1, 0}, {4.2, 0}}, b}), 0.2, 1e-12);
 }
 
-// --- what preparing a problem makes of it --------------------------------------------------------
+// --- limits of a prepared problem --------------------------------------------------------------
 
-/// Two rectangles, the front's upper right corner moved to the left.
+/// Two rectangles; the front's upper right corner is shifted to the left.
 ProblemTexts leaning(double by, const char* symmetry, const char* options) {
   Json garment = testing::twoRectangles();
   testing::panelOf(garment, "front")["vertices"][2][0] = 10 - by;

@@ -50,7 +50,7 @@ inline Panel skirtPanel(const std::string& name) {
   return polygon(name, {{-30, 0}, {30, 0}, {15, 50}, {-15, 50}});
 }
 
-/// Front and back are the same shape, and so are the two waistbands.
+/// A skirt; front and back have the same shape, and so have the two waistbands.
 inline Garment skirt() {
   Garment g;
   const Polyline band{{-15, 0}, {15, 0}, {15, 4}, {-15, 4}};
@@ -93,7 +93,7 @@ inline Panel sleeve(const std::string& name, double fullness) {
   return p;
 }
 
-/// Set-in sleeves; with cap fullness 0 each sleeve is also symmetric in itself.
+/// Tee with set-in sleeves; with cap fullness 0 each sleeve is also symmetric in itself.
 inline Garment tee(double cap_fullness) {
   Garment g;
   const Panel left = sleeve("left sleeve", cap_fullness);
@@ -118,13 +118,13 @@ inline Panel trouserLeg(const std::string& name, double crotch) {
   return polygon(name, {{0, 0}, {22, 0}, {28 + crotch, 75}, {24, 100}, {2, 100}});
 }
 
-/// Four legs, no 3D placement. `joined`: the crotch seams are sewn too.
+/// Four legs without 3D placement. `joined`: the crotch seams are sewn too.
 inline Garment trousers(bool joined) {
   Garment g;
   g.panels = {trouserLeg("front left", 0), trouserLeg("back left", 6)};
   g.panels.push_back(mirrored(g.panels[0], "front right"));
   g.panels.push_back(mirrored(g.panels[1], "back right"));
-  // On the right legs edges 1 and 4 change places, 2 and 3 too.
+  // Edges 1 and 4 are exchanged on the right legs, and so are 2 and 3.
   for (const std::string side : {"left", "right"}) {
     sew(g, "front " + side, 1, "back " + side, 1);
     sew(g, "front " + side, 4, "back " + side, 4);

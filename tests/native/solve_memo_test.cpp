@@ -1,4 +1,4 @@
-// What is taken over from the solves before must be what would have been made.
+// Reused results of earlier solves must equal those of a fresh solve.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -109,7 +109,7 @@ TEST(SolveMemo, IsSharedByTwoWhoTakeTurnsFromTheirFirstStepOn) {
   Task tasks[] = {task("apron", "pmm"), task("tee", "pmm")};
   std::unique_ptr<SolverSetup> setups[2];
   for (int k : {0, 1}) {
-    tasks[k].options["effort"] = 2;  // the second time, the other's mesh is the last
+    tasks[k].options["effort"] = 2;  // the second solve meets the other's mesh
     setups[k] = std::make_unique<SolverSetup>(testing::problemOf(tasks[k]), &memo);
   }
   for (bool more = true; more;) more = setups[0]->advance() | setups[1]->advance();
@@ -152,7 +152,7 @@ TEST(SolveMemo, RemembersWhichSymmetryWasDroppedAndSaysSoAgain) {
   Task t = task("tee", "pmm");
   Json& corner = t.garment["pattern"]["panels"]["front"]["vertices"][0][0];
   corner = corner.get<double>() + 0.03;  // nearly symmetric,
-  t.options["maxChangeCm"] = 1e-3;       // and not allowed to become so
+  t.options["maxChangeCm"] = 1e-3;       // too little change allowed to make it symmetric
   const std::string first = solved(t, &memo);
   ASSERT_FALSE(memo.mesh.last->made.notes.empty());
   EXPECT_EQ(solved(t, &memo), first);

@@ -11,14 +11,14 @@ using testing::solved;
 using testing::Task;
 using testing::task;
 
-/// Problems whose alignment search ends at the same place whatever the order of its random draws.
+/// Problems whose alignment search has the same result for any order of its random draws.
 std::vector<Task> settledTasks() {
   return testing::sampleOf<Task>(1, {task("princess-dress", "p31m"), task("gathered-skirt", "p1"),
                                      task("princess-dress", "pmm")});
 }
 
 /// Three rectangles sewn side by side. A tube's girth is two repeats of the sample prints, so that
-/// the fit can be zero, but only at few angles; a strip is left open and runs on at any angle.
+/// the mismatch can be zero, but only at a few angles. A strip is open and continues at any angle.
 Task rectangles(const std::string& group, bool tube) {
   Task t;
   t.print = testing::samplePrint(group);
@@ -50,7 +50,7 @@ struct Rewording {
   std::function<void(Task&)> apply;
 };
 
-/// The same problem in other words; lengths stay the same.
+/// The same problem in other coordinates or another order; lengths don't change.
 std::vector<Rewording> rewordings() {
   return {{"shifted",
            [](Task& t) {
@@ -69,7 +69,7 @@ std::vector<Rewording> rewordings() {
           {"mirrored",
            [](Task& t) {
              testing::mirrorGarment(t.garment);
-             // on the mirrored print: of the sample lattices only the oblique one changes
+             // mirrors the print: of the sample lattices only the oblique one changes
              if (hasObliqueLattice(t)) t.print["w2"][0] = -t.print["w2"][0].get<double>();
            }},
           {"with another basis of the same lattice", [](Task& t) {
@@ -137,7 +137,7 @@ TEST(SolverInvariants, ShiftedPanelsFitAsBefore) {
     Task shifted = plain;
     moveVertices(shifted.garment, [](int n, const Vec2& p) { return Vec2(p + Vec2(4.0 * n, 8)); });
     const double fit = solved(plain).total_search;
-    // Coordinates round differently, and where two answers tie in the search either may win.
+    // Rounding differs with the coordinates, so either of two tied answers may win in the search.
     EXPECT_NEAR(solved(shifted).total_search, fit, 1e-3 * fit);
   }
 }
@@ -165,8 +165,8 @@ TEST(SolverInvariants, PinsMovedByALatticeVectorFitAsBefore) {
 
 TEST(SolverInvariants, TwiceTheGarmentOnTwiceThePrintHasFourTimesTheFit) {
   for (Task small : settledTasks()) {
-    // A scaled problem also scales the sampling, which stays below 1.05 cm at seams. Stiffness and
-    // the least distances that matter are in cm, so only the search follows.
+    // Scaling a problem also scales its sampling, which stays below 1.05 cm at seams. Stiffness and
+    // the least relevant distances are in cm, so only the search scales.
     small.options = {{"edgeLengthCm", 0.5}, {"maxChangeCm", 0.5}};
     Task large = small;
     large.options = {{"edgeLengthCm", 1}, {"maxChangeCm", 1}};
@@ -186,7 +186,7 @@ TEST(SolverInvariants, TheSameSeedGivesTheSameBytes) {
 }
 
 TEST(SolverInvariants, WithoutSymmetryTheSearchIsNoWorse) {
-  // the symmetric answer is one that it starts from
+  // the search starts from the symmetric answer, among others
   for (const char* group : testing::sampleOf<const char*>(2, {"p31m", "pgg", "pmm"})) {
     for (const char* garment :
          testing::sampleOf<const char*>(1, {"tee", "gathered-skirt", "princess-dress"})) {

@@ -12,7 +12,7 @@ using testing::solved;
 using testing::Task;
 using testing::task;
 
-/// Greatest movement of an outline vertex as it lies. [cm]
+/// Greatest movement of an outline vertex in its piece's coordinates. [cm]
 double movedAsItLies(const Result& r) {
   double worst = 0;
   for (std::size_t p = 0; p < r.shapes.size(); ++p)
@@ -158,7 +158,7 @@ TEST(Solver, ReportsPhasesInOrderProgressThatNeverFallsAndAnAlignmentThroughout)
   for (Method method : {Method::kBest, Method::kPaper}) {
     Task t = task("gathered-skirt", "pmm");
     t.method = method;
-    t.options["alpha"] = 4;  // of the other methods: they need not look for one
+    t.options["alpha"] = 4;  // given, so that other methods don't search for it
     Outcome<Solver> made = Solver::make(testing::problemOf(t));
     ASSERT_TRUE(made.ok());
     Solver& solver = made.value();
@@ -184,7 +184,7 @@ TEST(SearchBound, SaysHowMuchBetterAnAlignmentCouldBe) {
     t.options["proof"] = proof;
     return solved(t).search_bound;
   };
-  EXPECT_EQ(boundOf(task("apron", "pmm"), 0), 1);  // meets everywhere: nothing is better
+  EXPECT_EQ(boundOf(task("apron", "pmm"), 0), 1);  // everything matches, so no better result exists
   const Task hard = task("gathered-skirt", "cm");
   const double none = boundOf(hard, 0), little = boundOf(hard, 0.005), much = boundOf(hard, 0.3);
   EXPECT_EQ(none, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// The sample garments as files, and files that mean the same problem in other words.
+// The sample garments as files, and equivalent files of the same problem.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,8 +12,8 @@
 
 namespace seamwise::testing {
 
-/// A sample garment in its middle size, without what depends on the panels' own coordinates or on
-/// the order of its stitches, so that a test may move and reorder them.
+/// A sample garment in its middle size, without data that depend on the panels' own coordinates or
+/// on the order of its stitches, so that a test may move and reorder them.
 inline Json sampleGarment(const std::string& name) {
   std::ifstream file(std::string(SEAMWISE_GARMENTS) + "/" + name + "-m.json");
   std::ostringstream text;
@@ -26,7 +26,7 @@ inline Json sampleGarment(const std::string& name) {
   return garment;
 }
 
-/// A print of the group, shortest repeat `size` cm.
+/// A print of the group; its shortest repeat is `size` cm.
 inline Json samplePrint(const std::string& group, double size = 10) {
   const LatticeType type = findGroup(group)->lattice;
   Json w2 = {0, size};
@@ -37,7 +37,7 @@ inline Json samplePrint(const std::string& group, double size = 10) {
   return {{"group", group}, {"w1", {size, 0}}, {"w2", w2}};
 }
 
-/// What is to be solved; everything that a test may say in other words.
+/// Problem to solve, with everything that a test may reformulate.
 struct Task {
   Json garment, print;
   std::string symmetry = "auto";
@@ -84,8 +84,8 @@ inline void moveVertices(Json& garment, const std::function<Vec2(int panel, cons
   }
 }
 
-/// The mirrored garment: x negated and every outline listed the other way round, so that its panels
-/// show their faces again.
+/// Mirrors the garment: negates x and reverses every outline, so that its panels show their faces
+/// again.
 inline void mirrorGarment(Json& garment) {
   moveVertices(garment, [](int, const Vec2& p) { return Vec2(-p.x(), p.y()); });
   for (Json& panel : panelsOf(garment)) {
@@ -94,7 +94,7 @@ inline void mirrorGarment(Json& garment) {
       Json reversed = *edge;
       std::swap(reversed["endpoints"][0], reversed["endpoints"][1]);
       if (reversed.contains("curvature")) {
-        // heights keep their sign: the left of the edge is mirrored, and the edge runs back
+        // heights keep their sign: the edge's left side is mirrored, and the edge is reversed
         Json& params = reversed["curvature"]["params"];
         std::reverse(params.begin(), params.end());
         for (Json& control : params) control[0] = 1 - control[0].get<double>();
@@ -124,7 +124,7 @@ inline void renamePanels(Json& garment) {
     for (Json& side : stitch) side["panel"] = names[side["panel"]];
 }
 
-/// Lists panels and stitches the other way round.
+/// Lists panels and stitches in reverse order.
 inline void reorder(Json& garment) {
   std::vector<std::pair<std::string, Json>> panels;
   for (const auto& [name, panel] : panelsOf(garment).items()) panels.emplace_back(name, panel);

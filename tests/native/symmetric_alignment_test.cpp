@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(SymmetricAlignment, Pair,
 
 class Single : public Pair {
  protected:
-  /// The print motion that the piece's own reflection becomes.
+  /// The piece's own reflection as a motion of the print.
   static RigidMotion inPrint(const Alignment& alignment, const RigidMotion& map) {
     const RigidMotion to_piece{alignment.angle, alignment.translation, false};
     return to_piece.inverse().after(map.after(to_piece));
@@ -135,8 +135,8 @@ TEST_P(Single, TurnsNoFurtherThanToTheNearestMirrorDirection) {
     const Alignment wanted = random_.alignment();
     const double turned = std::abs(
         wrapAngle(snapToMirror(wanted, map, random_.point(), group_).angle - wanted.angle));
-    // Every mirror direction there is, from the elements and not from the table: those for which
-    // some lattice vector leaves no glide.
+    // All mirror directions, from the elements and not from the table: those for which some lattice
+    // vector leaves no glide.
     double least = kPi;
     for (const Element& e : group_.elements()) {
       if (!e.mirrored) continue;
@@ -165,7 +165,7 @@ TEST_P(Single, ShiftsAcrossTheAxisOnlyAndNoFurtherThanToTheNearestMirrorLine) {
     const Vec2 turned_only = q + rotation(snapped.angle - wanted.angle) * (wanted.translation - q);
     const Vec2 shift = snapped.translation - turned_only;
     EXPECT_NEAR(shift.dot(unit((map.angle - kPi) / 2)), 0, kExact);
-    // Every mirror line of that direction there is near the axis, from the elements.
+    // All mirror lines of that direction near the axis, from the elements.
     const Vec2 axis_point = rotation(-snapped.angle) * (q - turned_only);
     const RigidMotion reflection = inPrint(snapped, map);
     double least = std::numeric_limits<double>::infinity();
@@ -190,7 +190,7 @@ TEST(SymmetricAlignment, IsRefusedByGroupsWithoutTheReversingElementsForIt) {
     EXPECT_FALSE(group.carriesPair() || group.carriesSingle()) << name;
     for (const Element& e : group.elements()) EXPECT_FALSE(e.mirrored) << name;
   }
-  // A glide carries a pair, but no line of a single piece: nowhere along it is a mirror.
+  // A glide carries a pair, but not a single piece: no line along it is a mirror.
   for (const char* name : {"pg", "pgg"}) {
     const WallpaperGroup group = sampleGroup(*findGroup(name));
     EXPECT_TRUE(group.carriesPair() && !group.carriesSingle()) << name;
@@ -213,7 +213,8 @@ TEST(SymmetricAlignment, NeverPutsAnAxisOnAGlideOfP4gOrCm) {
   const Alignment snapped = snapToMirror({0.01, {0, 0}}, map, {0, 2.5}, p4g);
   EXPECT_NEAR(std::abs(snapped.angle), kPi / 4, kExact);
   EXPECT_LT(asymmetry(p4g, snapped, snapped, map), kExact);
-  // On the glide v - u = 1/2 of cm, along w1 + w2 = (16, 8): half the spacing away on either side.
+  // A line on the glide v - u = 1/2 of cm, along w1 + w2 = (16, 8): half the spacing away on either
+  // side.
   const WallpaperGroup cm = sampleGroup(*findGroup("cm"));
   const RigidMotion diagonal = RigidMotion::reflection({5.1, 0}, {5.1 + 16, 8});
   const Alignment moved = snapToMirror({}, diagonal, {5.1, 0}, cm);

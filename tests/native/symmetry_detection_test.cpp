@@ -60,7 +60,7 @@ TEST(DetectedSymmetries, OfATeeAreExact) {
 
 TEST(DetectedSymmetries, OfASkirtWithEqualFrontAndBackFollowThePlacement) {
   EXPECT_EQ(detected(small::skirt()), kSkirt);
-  // The same pieces and seams, hung sideways: now front and back are the left and the right half.
+  // The same pieces and seams, placed sideways: now front and back are the left and the right half.
   Garment g = small::skirt();
   const Vec3 left(15, 0, 0), up(0, 50, 0);
   for (int k = 0; k < 4; ++k)
@@ -76,7 +76,8 @@ TEST(DetectedSymmetries, OfARectangleKeepItsSewnEdgeInPlace) {
 }
 
 TEST(DetectedSymmetries, ReadThePlacementOfPanelsThatWereTurnedFaceUp) {
-  // The file shows the back piece from inside: its x is that of the body, and it hangs unturned.
+  // The file shows the back piece from inside: its x is that of the body, and its placement is
+  // unturned.
   Garment g = small::skirt();
   for (const int k : {1, 3}) {
     g.panels[k].mirrored_from_input = true;
@@ -114,8 +115,8 @@ TEST(DetectedSymmetries, LeaveOnlyTheOddPiecesFree) {
 }
 
 TEST(DetectedSymmetries, NeedNeighboursToMapToNeighbours) {
-  // Two equal, symmetric pieces, one sewn to a left part and one to a right part: whatever the
-  // pieces could do by themselves, the odd neighbours allow only the pair.
+  // Two equal, symmetric pieces, one sewn to a left part and one to a right part. Their asymmetric
+  // neighbours allow only the pair, regardless of the pieces' own symmetries.
   const Polyline odd{{0, 0}, {12, 0}, {15, 9}, {3, 14}};
   const Polyline block{{-10, 0}, {10, 0}, {10, 30}, {-10, 30}};
   Garment g;
@@ -128,8 +129,8 @@ TEST(DetectedSymmetries, NeedNeighboursToMapToNeighbours) {
 }
 
 TEST(DetectedSymmetries, RespectTheSewingDirection) {
-  // A tube of two equal symmetric pieces. With one seam sewn the wrong way round, its image across
-  // the middle of both pieces is sewn differently; only the mirror that swaps the pieces keeps both
+  // A tube of two equal symmetric pieces. With one seam sewn the wrong way round, the mirror across
+  // the middle of both pieces sews it differently; only the mirror that swaps the pieces keeps both
   // seams.
   Garment g = unplaced(small::skirt());
   g.panels.resize(2);
@@ -140,7 +141,7 @@ TEST(DetectedSymmetries, RespectTheSewingDirection) {
 }
 
 TEST(DetectedSymmetries, AllowAnEdgeThatIsSplitOnOneSideOnly) {
-  // The front's left side is split at half height and so is the back's edge that it is sewn to.
+  // The front's left side is split at half height, and so is the back's edge sewn to it.
   Garment g;
   g.panels = {polygon("front", {{-30, 0}, {30, 0}, {15, 50}, {-15, 50}, {-22.5, 25}}),
               polygon("back", {{-30, 0}, {30, 0}, {22.5, 25}, {15, 50}, {-15, 50}})};

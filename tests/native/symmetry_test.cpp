@@ -62,7 +62,7 @@ TEST(SymmetryAxis, IsExactAndWithoutGlideOnATurnedPiece) {
 }
 
 TEST(SymmetryAxis, IsReadInTheCoordinatesOfAPanelThatWasTurnedFaceUp) {
-  // Face up the axis is x = 10, in the file x = -10.
+  // Face up the axis is x = 10; in the file it is x = -10.
   Panel panel = moved(bodice(), {0, {10, 0}, false});
   panel.mirrored_from_input = true;
   const BodySymmetry s = registered(garmentOf({panel}), AxisRequest{"bodice", {-10, 0}, {-10, 9}});
@@ -70,7 +70,7 @@ TEST(SymmetryAxis, IsReadInTheCoordinatesOfAPanelThatWasTurnedFaceUp) {
 }
 
 TEST(SymmetryAxis, ThatDoesNotMirrorIsRefusedWithTheResidual) {
-  // The axis x = 3 carries the left side x = -25 to x = 31, 6 cm beyond the right one.
+  // The axis x = 3 maps the left side x = -25 to x = 31, 6 cm beyond the right one.
   const Error e = refused(garmentOf({bodice()}), {AxisRequest{"bodice", {3, 0}, {3, 50}}});
   EXPECT_EQ(e.code, Failure::kSymmetryDoesNotMirror);
   EXPECT_EQ(e.piece, 0);
@@ -157,7 +157,7 @@ TEST(SymmetryPiece, HasItsAxisFound) {
 }
 
 TEST(SymmetryPiece, WithSeveralAxesGetsTheOneThatCarriesSeamsToSeams) {
-  // Both waistbands are rectangles; only across x = 0 does the sewn long edge stay where it is.
+  // Both waistbands are rectangles; only the mirror at x = 0 keeps the sewn long edge in place.
   Garment g = small::skirt();
   for (Panel& p : g.panels) p = small::placed(p, Vec3::Zero(), 0);
   expectSameMotion(registered(g, PieceRequest{"band front"}).map, kAcrossY, 1e-12);

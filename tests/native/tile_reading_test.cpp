@@ -16,14 +16,14 @@ using testing::sampleGroup;
 using testing::samplePrint;
 using Chance = seamwise::Random;
 
-/// Pixels of a tile, and what reads them.
+/// Pixels of a tile, with a view of them for readers.
 struct TilePixels {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
   PixelView view() const { return {width, height, rgba}; }
 };
 
-/// The mean of 4 x 4 of its pixels each.
+/// Reduces the pixels by means over 4 x 4 of them.
 TilePixels pixelsOf(const Picture& fine) {
   constexpr int kTimes = 4;
   TilePixels tile{fine.width / kTimes, fine.height / kTimes, {}};
@@ -42,7 +42,7 @@ TilePixels pixelsOf(const Picture& fine) {
   return tile;
 }
 
-/// Part of a tile that is repeated edge to edge, turned by quarters.
+/// Part of a tile that repeats edge to edge, in quarter turns.
 TilePixels partOf(const TilePixels& tile, int x0, int y0, int width, int height) {
   TilePixels part{width, height, {}};
   for (int y = 0; y < height; ++y) {
@@ -131,7 +131,7 @@ TEST(TileReading, NamesTheEdgesThatDoNotMeet) {
 }
 
 TEST(TileReading, FindsALineCutFromWhereMotifsAreMirrored) {
-  // edges go on into each other there, but quarter turns no longer fit
+  // edges continue into each other there, but quarter turns no longer fit
   CellView view;
   Chance chance(2);
   const CellPicture cell = drawnCell(samplePrint(sampleGroup(*findGroup("p4m")), chance), view, 4);
@@ -141,7 +141,7 @@ TEST(TileReading, FindsALineCutFromWhereMotifsAreMirrored) {
 }
 
 TEST(TileReading, FindsALineCutFromFlatBands) {
-  // of bands of 24, 40, 8 and 40 pixels, mirrored on both sides of 32 in the middle of the picture
+  // bands of 24, 40, 8 and 40 pixels, mirrored on both sides of 32 in the middle of the image
   TilePixels tile{256, 256, {}};
   const auto band = [](int x) {
     const int k = std::min(x, 255 - x);
@@ -183,8 +183,8 @@ TEST(TileReading, GoesOnInSmallSteps) {
     EXPECT_GE(reader.fraction(), fraction);
     fraction = reader.fraction();
   }
-  EXPECT_GE(steps - of_groups, 4);  // of two edges, and the cell
-  EXPECT_GT(of_groups, 17);  // groups one by one, and those of the picture with one more line
+  EXPECT_GE(steps - of_groups, 4);  // steps for two edges and the cell
+  EXPECT_GT(of_groups, 17);         // groups one by one, and those of the image with one more line
   EXPECT_FALSE(reader.advance());
   EXPECT_EQ(reader.fraction(), 1);
 }

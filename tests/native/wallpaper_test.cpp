@@ -164,7 +164,7 @@ TEST_P(EveryGroup, HasATrueMirrorOnEveryListedMirrorLine) {
         const Vec2 p = pointOf(family, line);
         EXPECT_TRUE(isSymmetryOfPrint(group_, RigidMotion::reflection(p, p + direction(family))));
       }
-      // A quarter of the spacing further there is none in any group.
+      // No group has one a quarter of the spacing further.
       const Vec2 q = pointOf(family, constant + 0.25);
       EXPECT_FALSE(isSymmetryOfPrint(group_, RigidMotion::reflection(q, q + direction(family))));
     }

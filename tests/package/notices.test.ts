@@ -1,4 +1,4 @@
-/** Whatever is built to be passed on names the packages in it, with their licences. */
+/** Every build for distribution lists the packages in it, with their licences. */
 import {mkdtemp, readFile, rm} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';

@@ -1,4 +1,4 @@
-/** What is published, seen from outside: the tarball, installed in an empty folder. */
+/** The published package from outside: its tarball, installed in an empty folder. */
 import {execFile} from 'node:child_process';
 import {mkdir, mkdtemp, readFile, rm, writeFile} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
@@ -14,15 +14,18 @@ import {isThorough} from '../support/level.js';
 import {packed, type Packed} from '../support/packed.js';
 
 const kilobyte = 1000;
-/** Compressed as a whole, as the registry sends it; three is not in it. [bytes] */
+/** Most bytes of the compressed package, as the registry sends it; three is not included. */
 const mostForPackage = 1165 * kilobyte;
-/** The scripts for pages without a bundler, three and Lit included, the solver's module not. [bytes] */
+/**
+ * Most bytes of the scripts for pages without a bundler, with three and Lit, without the solver's
+ * module.
+ */
 const mostForStandalone = 580 * kilobyte;
-/** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
+/** Most bytes of the drape's module, which only pages with a draped garment fetch. */
 const mostForDrape = 107 * kilobyte;
-/** The module that lays pieces on cloth, which is fetched only for that. [bytes] */
+/** Most bytes of the layout's module, which is fetched only for layouts. */
 const mostForMarker = 45 * kilobyte;
-/** The module that reads prints off pictures, fetched when a picture of cloth is opened. */
+/** Most bytes of the module that reads prints from images, fetched when such an image is opened. */
 const mostForPhoto = 68 * kilobyte;
 
 let all: Packed;
@@ -35,7 +38,7 @@ beforeAll(async () => {
 
 afterAll(() => remove?.());
 
-/** Names of the entries that are modules, as they are imported. */
+/** Import names of the entries that are modules. */
 const modules = (): readonly string[] =>
   Object.keys(all.manifest.exports)
     .filter((entry) => !/\.(json|wasm)$|\*/.test(entry))
@@ -51,7 +54,7 @@ it.runIf(isThorough)('has types that every resolver of ES modules finds', async 
   const [node, attw] = tool('@arethetypeswrong/cli', 'attw');
   const asked = ['--profile', 'esm-only', '--format', 'ascii', '--no-definitely-typed'];
   const modules = ['seamwise', 'drape', 'marker', 'photo'].map((name) => `./${name}.wasm`);
-  const data = ['--exclude-entrypoints', ...modules]; // no scripts, so that they have no types
+  const data = ['--exclude-entrypoints', ...modules]; // data files have no types
   const complaint = await promisify(execFile)(node, [attw, all.tarball, ...asked, ...data]).then(
     () => undefined,
     (error: unknown) => (error as {stdout: string}).stdout,
@@ -59,7 +62,10 @@ it.runIf(isThorough)('has types that every resolver of ES modules finds', async 
   expect(complaint).toBeUndefined();
 });
 
-/** Imports, waits for what that may have begun, and tells what it has left: elements, globals, open handles. */
+/**
+ * Script that imports an entry, waits for its effects, and prints what is left: elements, globals,
+ * open handles.
+ */
 const trial = (entry: string): string => `
   const elements = [];
   globalThis.customElements = {get: () => undefined, define: (name) => elements.push(name)};
@@ -142,7 +148,7 @@ it('is small', () => {
   const bytes = compressed(
     (file) => file.startsWith('dist/') && !isStandalone(file) && !file.endsWith('.map'),
   );
-  expect(bytes).toBeGreaterThan(200 * kilobyte); // the solver is in it
+  expect(bytes).toBeGreaterThan(200 * kilobyte); // it includes the solver
   expect(bytes).toBeLessThan(mostForPackage);
   const drape = compressed((file) => file === 'dist/solver/module/drape.wasm');
   expect(drape).toBeGreaterThan(50 * kilobyte);
@@ -157,11 +163,11 @@ it('is small', () => {
 
 it('is not much larger for pages without a bundler', () => {
   const bytes = compressed((file) => isStandalone(file) && file.endsWith('.js'));
-  expect(bytes).toBeGreaterThan(150 * kilobyte); // three is in it
+  expect(bytes).toBeGreaterThan(150 * kilobyte); // it includes three
   expect(bytes).toBeLessThan(mostForStandalone);
 });
 
-/** What is there to be read, tried and kept, and no part of the program. */
+/** Files to read, try or keep that are not part of the program. */
 const besides =
   /^(LICENSE|(README|CHANGELOG|CONTRIBUTING)\.md|docs\/[\w-]+\.md|dist\/(standalone\/)?THIRD-PARTY-NOTICES\.md|web\/examples\/.*|public\/(garments|prints|schema)\/.*)$/;
 
@@ -220,7 +226,7 @@ it('shows its sources to debuggers', () => {
   expect(without).toEqual([]);
 });
 
-/** What somebody writes who uses the package, with the complaints there should be. */
+/** TypeScript that uses the package, with the errors that it has to cause. */
 const usage = `
   import {leaseSolver, SolverClient} from 'seamwise';
   import 'seamwise/element/auto';
@@ -244,7 +250,7 @@ const usage = `
   // @ts-expect-error there is no such mode either
   export const wrong: Tag = {mode: 'plaice'};
 `;
-/** As much of React's types as the package's own are added to. */
+/** The part of React's types that the package's own types extend. */
 const react = `
   export interface HTMLAttributes<T> {className?: string; onChange?: (event: T) => void}
   export type DetailedHTMLProps<E extends HTMLAttributes<T>, T> = E & {ref?: T};
@@ -276,7 +282,7 @@ it('has types that need no others, no newer library, and no indulgence', async (
   }
 });
 
-/** What a script or declaration refers to, by its path in the package. */
+/** Paths in the package that a script or declaration refers to. */
 function references(file: string, bytes: Buffer): string[] {
   const code = bytes.toString('latin1');
   const isDeclaration = /\.d\.m?ts$/.test(file);
@@ -305,7 +311,7 @@ it('holds all that its entries lead to, and nothing else', () => {
     follow(posix.normalize(file));
   const missing = [...reached].filter((file) => !all.files.has(file));
   expect(missing).toEqual([]);
-  // TypeScript leaves an empty script of a file that holds types alone
+  // TypeScript writes an empty script for a file that contains only types
   const isEmpty = (file: string): boolean =>
     /^export \{\};\s*(\/\/# sourceMappingURL=.*)?$/.test(
       all.files.get(file)?.toString('latin1').trim() ?? '',
@@ -317,7 +323,7 @@ it('holds all that its entries lead to, and nothing else', () => {
   expect(more).toEqual([]);
 });
 
-/** Each with what it is in the sentence "no file ...". */
+/** Banned code by its phrase in the test titles "has no file that ...". */
 const banned: Readonly<Record<string, RegExp>> = {
   'evaluates text': /\beval\(|\bnew Function\b/,
   'makes a worker of text': /new Blob\(\[[^\]]*\][^)]*(?:java|ecma)script/,

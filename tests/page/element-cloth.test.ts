@@ -1,4 +1,4 @@
-/** How much cloth the tag says its garment takes. */
+/** Fabric consumption of an element's garment. */
 import type {Page} from 'playwright-core';
 import {marker, readGarment} from 'seamwise/node';
 import {expect, it} from 'vitest';
@@ -7,7 +7,7 @@ import {caughtUp} from '../support/waiting.js';
 import {sample, tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
-/** Laying takes seconds, and a busy machine several times that. */
+/** A layout takes seconds, and several times that on a busy machine. */
 const patient = {timeout: 60_000};
 const onCloth = tee.replace('alt=', 'cloth-width="140" alt=');
 
@@ -16,7 +16,10 @@ interface Heard {
   readonly detail: Readonly<Record<string, unknown>>;
 }
 
-/** Listens from now on to what is said of cloth, and what is wrong. @returns what was heard so far */
+/**
+ * Records the element's events about fabric and errors from now on. @returns a function that
+ * returns the records so far
+ */
 async function listening(page: Page): Promise<() => Promise<readonly Heard[]>> {
   const heard = await page.evaluateHandle(() => {
     const all: Heard[] = [];
@@ -32,12 +35,12 @@ async function listening(page: Page): Promise<() => Promise<readonly Heard[]>> {
 }
 
 declare global {
-  /** Settles when a worker is asked to lay pieces. */
+  /** Settles when a worker gets a request for a layout. */
   var laying: Promise<void>;
   var noteLaying: () => void;
 }
 
-/** Notes the next request for laying pieces. */
+/** Records the next request for a layout. */
 function noteLaying(): void {
   const post = Reflect.get(Worker.prototype, 'postMessage') as (...given: unknown[]) => unknown;
   const note = (): void => {
@@ -52,7 +55,7 @@ function noteLaying(): void {
   note();
 }
 
-/** Files of what lays pieces that are asked for from now on. */
+/** Files of the layout module that are requested from now on. */
 function markerFiles(page: Page): readonly string[] {
   const files: string[] = [];
   page.on('request', (request) => {
@@ -81,7 +84,7 @@ it(
     ]);
     expect(lengthCm).toBe(told);
     const laid = await marker([{result, garment, options: {grain: {default: 'on'}}}], {widthCm});
-    expect(plan).toEqual({...laid, cheaper: []}); // a shop offers its customer no other cloth
+    expect(plan).toEqual({...laid, cheaper: []}); // a shop offers its customer no other fabric
     expect(widthCm).toBe(140);
     expect(plan.placements).toHaveLength(result.pieces.length);
   },
@@ -126,7 +129,7 @@ it(
     await page.locator('seamwise-garment:state(ready)').waitFor();
     const [plan, width] = await run(async (element) => {
       const waiting = element.layPlan();
-      await laying; // the worker has been asked
+      await laying; // the worker has its request
       element.print = 'prints/cm.json';
       element.clothWidth = 110;
       return [await waiting, element.clothWidth] as const;

@@ -1,4 +1,4 @@
-/** Files to cut by that the tag gives. */
+/** Cutting sheets from the element. */
 import {expect, it} from 'vitest';
 
 import {tee, useElementPage} from './element/open.js';

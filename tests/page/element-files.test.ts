@@ -1,4 +1,7 @@
-/** Files that are not there, late, too large or not what they should be: one event, one sentence, nothing broken. */
+/**
+ * Files that are missing, late, too large or invalid: one event, one message, and the element still
+ * works.
+ */
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -8,7 +11,7 @@ import {frames} from '../support/waiting.js';
 
 const openPage = useElementPage();
 
-/** Waits for the error of the element's next load, and what a solve says of it. */
+/** Waits for the error of the element's next load, and returns it with the error of a solve. */
 const failing = ({run}: ElementPage) =>
   run(async (element) => {
     const told: {code: string; message: string}[] = [];
@@ -64,7 +67,7 @@ it('gives up after half a minute', async () => {
   const open = await openPage();
   await open.page.clock.install();
   await open.answer('garments/tee-m.json', () => new Promise(() => undefined));
-  await open.put(tee.replace('print=', 'data-print=')); // nothing is loaded without a print
+  await open.put(tee.replace('print=', 'data-print=')); // nothing loads without a print
   const failed = failing(open).then(({code}) => code);
   await expect.poll(() => open.asked).toContain('garments/tee-m.json');
   await open.page.clock.fastForward(31_000);
@@ -125,7 +128,7 @@ it(
         const hear = ({detail}: Event & {detail?: {code: string}}): void => {
           resolve(detail?.code);
         };
-        document.addEventListener('error', hear, true); // before there is an element, which may be quick
+        document.addEventListener('error', hear, true); // precedes the element
       });
       Object.assign(globalThis, {told});
     });
@@ -156,7 +159,7 @@ it('says once in the editor what is wrong with a picture, which several of its p
   await open.put(tee.replace('alt=', 'mode="edit" alt='));
   await open.page.locator('seamwise-garment sw-lens-strip canvas').first().waitFor();
   await open.page.locator('seamwise-garment .notice').waitFor();
-  await open.run((element) => element.toBlob({width: 50})); // once every part has its picture, or cannot have it
+  await open.run((element) => element.toBlob({width: 50})); // waits for images or their errors
   await frames(open.page);
   const told = await open.page.evaluate(() => (globalThis as unknown as {told: string[]}).told);
   expect(told).toEqual([
@@ -164,7 +167,10 @@ it('says once in the editor what is wrong with a picture, which several of its p
   ]);
 });
 
-/** Solves an element from the start. @returns the codes of all errors, what came of it, and whether its poster is hidden */
+/**
+ * Solves an element from the start. @returns the codes of all errors, the outcome, and whether its
+ * poster is hidden
+ */
 function solvedFromStart(page: Page, markup: string): Promise<unknown[]> {
   return page.evaluate(async (text) => {
     const codes: string[] = [];

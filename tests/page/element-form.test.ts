@@ -1,4 +1,4 @@
-/** The element in a form: what it submits, when it is valid, and how it is set back. */
+/** The element in a form: submitted values, validity and reset. */
 import {expect, it} from 'vitest';
 
 import {snippetWith} from '../support/embedding.js';
@@ -12,7 +12,7 @@ const inForm = (attributes: string): string =>
 
 it('submits its design under its name once there is an answer, and is invalid until then', async () => {
   const {put, run} = await openPage();
-  await put(`<div class="far"></div>${inForm('name="design" required')}`); // it waits to be asked
+  await put(`<div class="far"></div>${inForm('name="design" required')}`); // out of view
   const seen = await run(async (element) => {
     const {form} = element;
     if (!form) throw new Error('It is in no form.');

@@ -1,4 +1,4 @@
-/** Files made to do harm: nothing of them runs, nothing is asked for elsewhere, and the page goes on. */
+/** Malicious files: they run no code, request nothing elsewhere, and leave the page working. */
 import {expect, it} from 'vitest';
 
 import {print, strips, useCarelessHost} from '../support/hostile.js';
@@ -6,7 +6,7 @@ import {png} from '../support/raw-png.js';
 import {twoStrips} from '../wasm/garments.js';
 import {useElementPage, type ElementPage} from './element/open.js';
 
-/** No policy at all: what holds here holds by itself. */
+/** No content security policy: the element must be safe without one. */
 const openPage = useElementPage('');
 
 const names = [
@@ -31,7 +31,7 @@ function watch(): void {
 
 const hostUrl = useCarelessHost();
 
-/** Solves one with these files. @returns the errors told until it is drawn */
+/** Solves one element with these files. @returns the errors until it is drawn */
 async function heard(
   {page}: ElementPage,
   given: {readonly garment: unknown; readonly print: unknown},
@@ -50,7 +50,7 @@ async function heard(
     const poster = element.shadowRoot?.querySelector<HTMLElement>('[part=poster]');
     if (element.state === 'ready') {
       while (!poster?.hidden) await new Promise(requestAnimationFrame);
-      await element.toBlob({width: 50}); // once it has its picture, or cannot have it
+      await element.toBlob({width: 50}); // waits for the image or its error
     }
     for (let k = 0; k < 3; k++) await new Promise(requestAnimationFrame);
     return {codes, messages, state: element.state};
@@ -106,7 +106,7 @@ it('shows names as the text that they are, in every mode', async () => {
         };
       }, names);
     await open.page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
-    // a picture shows no names
+    // an image shows no names
     if (mode !== 'preview')
       await expect.poll(async () => (await seen()).shown, {message: mode}).toEqual([...names]);
     expect((await seen()).made).toBe(0);
@@ -140,7 +140,7 @@ it(
     const data = (text: string): string =>
       `data:image/svg+xml;base64,${Buffer.from(text).toString('base64')}`;
     const outside = /takes in pictures from elsewhere/;
-    // with HTML in it, browsers keep its pixels to themselves, or draw it
+    // browsers may withhold the pixels of an SVG with HTML in it, or draw it
     const cases: readonly (readonly [text: string, code: RegExp, message: RegExp])[] = [
       [plain, /^$/, /^$/],
       [without(pictures, svg), /^(not-an-image)?$/, /^((?!pictures from elsewhere).)*$/],
@@ -242,7 +242,7 @@ it(
     await open.answer('prints/largest.png', (route) =>
       route.fulfill({contentType: 'image/png', body: png(4096, 4096)}),
     );
-    // the largest texture that there is
+    // the largest possible texture
     await pictured(`${open.page.url()}prints/largest.png`);
     const cases: readonly (readonly [string, string, string, Buffer])[] = [
       ['PNG head', 'too-large', 'image/png', png(20_000, 20_000, false)],

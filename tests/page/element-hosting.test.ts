@@ -1,4 +1,4 @@
-/** The element as docs/embedding.md says that it is to be hosted: its very snippets, in a browser. */
+/** Hosting the element as in docs/embedding.md: its code examples, in a browser. */
 import {cp, mkdtemp, rm, writeFile} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -23,7 +23,7 @@ if (!ownPolicy || !trustedPolicy || !crossPolicy) {
 
 let browser: Browser;
 let folder: string;
-/** The other host. */
+/** The second host. */
 let other: Served;
 
 beforeAll(async () => {
@@ -49,13 +49,15 @@ interface Visit {
   readonly state: string;
   readonly codes: readonly string[];
   readonly sentences: readonly string[];
-  /** Paths of the workers' scripts, each once: a worker may have helpers of its own script. */
+  /**
+   * Paths of the workers' scripts, each once: a worker may have helpers that run the same script.
+   */
   readonly workers: readonly string[];
-  /** What the browser complained of. */
+  /** Errors and warnings of the browser's console. */
   readonly said: readonly string[];
 }
 
-/** Opens a page of one's own with this in it, and waits for the element's end. */
+/** Opens a new page with this markup, and waits for the element's final state. */
 async function visit(policy: string, markup: string): Promise<Visit> {
   const there = (text: string): string => text.replaceAll(elsewhere, new URL(other.url).origin);
   const icon = '<link rel="icon" href="/prints/p4m.svg" />';
@@ -72,7 +74,7 @@ async function visit(policy: string, markup: string): Promise<Visit> {
   const said: string[] = [];
   const workers: string[] = [];
   page.on('console', (message) => {
-    // software rendering is slow to give pixels back
+    // software rendering is slow to return pixels
     if (!message.text().includes('GPU stall')) said.push(message.text());
   });
   page.on('worker', (worker) => workers.push(new URL(worker.url()).pathname));

@@ -1,4 +1,4 @@
-/** Two dozen elements on one page: what they share, what they give back, and what they keep when they are moved. */
+/** Two dozen elements on one page: resources they share, release, and keep when they move. */
 import {readdirSync} from 'node:fs';
 
 import type {Page} from 'playwright-core';
@@ -25,7 +25,7 @@ declare global {
   var Contexts: WebGL2RenderingContext[];
 }
 
-/** Counts the graphics contexts, on a machine of many cores. */
+/** Counts the graphics contexts, on a simulated machine with many cores. */
 function watch(): void {
   globalThis.Contexts = [];
   Object.defineProperty(navigator, 'hardwareConcurrency', {value: 16});
@@ -43,7 +43,7 @@ function watch(): void {
 const states = (page: Page): Promise<readonly string[]> =>
   page.evaluate(() => [...document.querySelectorAll('seamwise-garment')].map(({state}) => state));
 
-/** Each has its drawing on the screen. */
+/** Waits until every element has its drawing on the screen. */
 const allDrawn = (page: Page): Promise<unknown> =>
   page.waitForFunction(() =>
     [...document.querySelectorAll('seamwise-garment')].every(
@@ -51,7 +51,7 @@ const allDrawn = (page: Page): Promise<unknown> =>
     ),
   );
 
-/** How many colours each of the elements on the screen shows: an empty one has few. */
+/** Number of colours in each element on the screen; an empty one has few. */
 async function coloursOf(page: Page): Promise<readonly number[]> {
   const {data, width} = await decoded(await page.screenshot());
   const boxes = await page.evaluate(() =>
@@ -78,7 +78,7 @@ it(
   async () => {
     const {put, page, asked} = await openPage({
       ...{before: watch, viewport: {width: 1200, height: 720}},
-      maySay: /Context (Lost|Restored)|not belong to this context|too many errors/, // three.js, of what was lost
+      maySay: /Context (Lost|Restored)|not belong to this context|too many errors/, // three.js logs
     });
     let workers = 0;
     page.on('worker', () => {
@@ -108,7 +108,7 @@ it(
     const before = await coloursOf(page);
     expect(Math.min(...before)).toBeGreaterThan(20);
 
-    // taken away and given back, as by a driver that was restarted
+    // context lost and restored, as after a driver restart
     await page.evaluate(async () => {
       const [context] = Contexts;
       const extension = context?.getExtension('WEBGL_lose_context');
@@ -199,7 +199,7 @@ it(
       };
       return {heard, look, back};
     });
-    await page.clock.fastForward(1500); // longer than on the way to another place
+    await page.clock.fastForward(1500); // longer than a move to another place takes
     await watched.evaluate(({back}) => {
       back();
     });

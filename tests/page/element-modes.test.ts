@@ -1,4 +1,4 @@
-/** What the element is for who looks at it, places its print, or edits it all. */
+/** Modes of the element: preview, placing the print, full editor. */
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -9,7 +9,7 @@ import {sampleOf} from '../support/level.js';
 
 const openPage = useElementPage();
 
-/** Role and name of the element, as a screen reader has them. */
+/** Role and name of the element in the accessibility tree. */
 async function described(page: Page): Promise<readonly [string, string]> {
   const client = await page.context().newCDPSession(page);
   const {root} = await client.send('DOM.getDocument');
@@ -119,7 +119,7 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
   await page.clock.install();
   await page.mouse.move(...at);
   await page.mouse.down();
-  /** How often it was said that something goes on, and that something has changed. */
+  /** Numbers of input and change events so far. */
   const told = (): Promise<readonly number[]> =>
     run((element) => {
       const {heard} = element as unknown as {heard: readonly string[]};
@@ -128,7 +128,7 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
   for (const k of [1, 2, 3]) {
     await page.mouse.move(at[0] + 4 * k, at[1] - 3 * k);
     await expect.poll(told, {timeout: 60_000}).toEqual([k, 0]);
-    await page.clock.fastForward(k === 2 ? 1200 : 200); // longer than changes are taken together by themselves
+    await page.clock.fastForward(k === 2 ? 1200 : 200); // longer than changes are grouped
   }
   await page.mouse.up();
   await expect.poll(told).toEqual([3, 1]);
@@ -171,7 +171,7 @@ it('lets the print be scaled and exchanged, by keys as well', {tags: ['thorough'
   });
   const slider = page.getByRole('slider', {name: 'Repeat width (cm)'});
   await slider.focus();
-  /** What the next change is, once `act` has been done. */
+  /** Describes the next change event after `act`. */
   const changedBy = async (act: () => Promise<void>): Promise<string> => {
     await run((element) => {
       const next = new Promise<string>((resolve) => {
@@ -286,7 +286,7 @@ it.each(
     return {height: element.offsetHeight, scrolled: side?.scrollTop};
   });
   expect(seen.height).toBe(height);
-  expect(seen.scrolled).toBeGreaterThan(100); // what is below can be reached
+  expect(seen.scrolled).toBeGreaterThan(100); // content below it can be reached
 });
 
 it('is as light or dark as what is around it', {tags: ['thorough']}, async () => {

@@ -1,5 +1,5 @@
 import {sampleOf} from '../support/level.js';
-/** What is drawn of an element, and what pictures of it there are: also where the browser takes the graphics away. */
+/** Drawings and images of an element, also after the browser loses the graphics context. */
 import {expect, it} from 'vitest';
 
 import {frames} from '../support/waiting.js';
@@ -7,7 +7,7 @@ import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
 
-/** What somebody hears who asks for a picture of these widths. */
+/** Outcomes of requests for images of these widths. */
 const asked = async (
   {run}: Awaited<ReturnType<typeof openPage>>,
   widths: readonly number[],
@@ -64,7 +64,7 @@ it.each(sampleOf(1, ['preview', 'edit']))(
         context.drawImage(bitmap, 0, 0);
         return context.getImageData(0, 0, width, height).data;
       };
-      /** On the average of all values. */
+      /** Mean absolute difference of all values. */
       const difference = (a: Uint8ClampedArray, b: Uint8ClampedArray): number =>
         a.reduce((sum, value, k) => sum + Math.abs(value - (b[k] ?? 0)), 0) / a.length;
       const before = await pixels();
@@ -73,14 +73,14 @@ it.each(sampleOf(1, ['preview', 'edit']))(
       return {before, atOnce: await pixels(), pixels, difference};
     });
     await frames(open.page);
-    await open.page.clock.fastForward(1500); // whatever moves has come to rest
+    await open.page.clock.fastForward(1500); // all movement has ended
     await frames(open.page);
     const differences = await pictures.evaluate(async ({before, atOnce, pixels, difference}) => {
       const later = await pixels();
       return {fromBefore: difference(before, atOnce), fromLater: difference(later, atOnce)};
     });
     expect(differences.fromBefore).toBeGreaterThan(4);
-    expect(differences.fromLater).toBeLessThan(4); // an SVG is drawn more densely at rest
+    expect(differences.fromLater).toBeLessThan(4); // an SVG gets a higher resolution at rest
   },
 );
 
@@ -123,7 +123,7 @@ it.each(sampleOf(1, ['edit', 'preview', 'place']))(
       const poster = element.shadowRoot?.querySelector<HTMLElement>('[part=poster]');
       return poster?.hidden === false;
     });
-    expect(isShown).toBe(mode !== 'edit'); // which says it in words
+    expect(isShown).toBe(mode !== 'edit'); // the editor shows a message instead
     if (mode === 'edit') await page.getByText('The browser has taken the graphics away').waitFor();
     await expect.poll(() => canvas.isVisible()).toBe(false);
     expect(await run(({state}) => state)).toBe('ready');

@@ -1,4 +1,7 @@
-/** Whatever a page does with elements, and whenever: the last state is shown, all promises settle, nothing stays behind. */
+/**
+ * Random actions on elements at random times: the last state is shown, all promises settle, no
+ * resources leak.
+ */
 import {order} from 'seamwise/node';
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
@@ -25,7 +28,7 @@ async function openSmall(): Promise<ElementPage> {
   return open;
 }
 
-/** So many at a time. */
+/** Runs these sequences, several at a time. */
 const run = (page: Page, seeds: readonly number[]): Promise<readonly Sequence[]> =>
   page.evaluate(async (all) => {
     const holder = document.querySelector('main');
@@ -41,7 +44,7 @@ const run = (page: Page, seeds: readonly number[]): Promise<readonly Sequence[]>
     return done;
   }, seeds);
 
-/** What the page holds when all that can be given back has been. */
+/** Resources that the page holds after releasing all it can. */
 async function held(page: Page): Promise<Record<string, number>> {
   const client = await page.context().newCDPSession(page);
   await client.send('Performance.enable');
@@ -68,7 +71,7 @@ it('shows the last state after random sequences, and leaves nothing behind', asy
   const count = cases(10, 100);
   const wrong = async (seeds: readonly number[]): Promise<readonly Sequence[]> =>
     (await run(page, seeds)).filter((one) => one.wrong.length > 0);
-  expect(await wrong(from(1, count))).toEqual([]); // whatever is made once has been made then
+  expect(await wrong(from(1, count))).toEqual([]); // creates all one-time resources
   const before = await held(page);
   expect(await wrong(from(1, count))).toEqual([]);
   const after = await held(page);
@@ -107,7 +110,7 @@ it(
           const abort = (): void => {
             late.abort();
           };
-          // spread over a solve; the first moment precedes every answer, and the last follows its own
+          // spread over a solve; the first moment precedes every answer, the last is after it
           if (k < count - 1) setTimeout(abort, (1.2 * whole * k) / count);
           ends.push(
             await element.solve({signal: late.signal}).then(

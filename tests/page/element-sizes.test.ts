@@ -1,4 +1,6 @@
-/** How much a page loads for its elements, as docs/embedding.md says it: near the window, and far from it. */
+/**
+ * Download sizes of a page with elements, as in docs/embedding.md: in and far from the viewport.
+ */
 import {cp, mkdtemp, rm, writeFile} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -47,10 +49,10 @@ it(
         const {pathname} = new URL(response.url());
         if (pathname.startsWith('/seamwise/')) responses.set(pathname, response);
       });
-      /** Of all scripts so far, and of the module. [kB] */
+      /** Sizes of all scripts so far, and of the module. [kB] */
       const loaded = async (): Promise<{scripts: number; three: number; module: number}> => {
         const all = await Promise.all(
-          // as it is stored: how it is packed on its way is the host's affair
+          // the stored bytes: compression on the way depends on the host
           [...responses].map(async ([path, response]) => {
             const body = await response.body();
             return [path, gzipSync(body, {level: 9}).length] as const;
@@ -62,7 +64,7 @@ it(
       };
       await opened.goto(served.url);
       await opened.waitForFunction(() => customElements.get('seamwise-garment'));
-      await frames(opened); // whether it is near has been reported
+      await frames(opened); // the intersection observer has reported
       await opened.waitForLoadState('networkidle');
       const far = await loaded();
       expect(far.module).toBe(0);
@@ -83,7 +85,7 @@ it(
         one.setAttribute('mode', 'edit');
       });
       await opened.locator('seamwise-garment sw-editor').waitFor();
-      await opened.locator('seamwise-garment sw-piece-table table').waitFor(); // of the parts that come last
+      await opened.locator('seamwise-garment sw-piece-table table').waitFor(); // loads last
       isNear((await loaded()).scripts - near.scripts, said('more to place a print or to edit'));
     } finally {
       await Promise.all([browser.close(), served.close()]);

@@ -1,4 +1,6 @@
-/** A print of unknown size in the tag: shown and aligned, and not cut until its file says the size. */
+/**
+ * A print of unknown size in the element: shown and aligned, but not cut until its file has a size.
+ */
 import {expect, it} from 'vitest';
 
 import {useElementPage} from './element/open.js';

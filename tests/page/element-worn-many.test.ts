@@ -1,4 +1,4 @@
-/** Two dozen worn garments on one page, and one in a tab that is put away or hidden. */
+/** Two dozen draped garments on one page, and one in a tab in the background or hidden. */
 import {readdirSync} from 'node:fs';
 
 import {expect, it} from 'vitest';
@@ -25,7 +25,7 @@ declare global {
   var worn: {readonly contexts: Set<unknown>; readonly draped: Set<Element>; settled: number};
 }
 
-/** Counts graphics contexts and elements that drape, on a machine of many cores. */
+/** Counts graphics contexts and draping elements, on a simulated machine with many cores. */
 function watch(): void {
   globalThis.worn = {contexts: new Set(), draped: new Set(), settled: 0};
   Object.defineProperty(navigator, 'hardwareConcurrency', {value: 16});
@@ -55,7 +55,7 @@ it(
     page.on('worker', () => {
       workers = Math.max(workers, page.workers().filter((one) => !isHelper(one)).length);
     });
-    /** As many workers have loaded the module that drapes. */
+    /** Number of workers that have loaded the drape's module. */
     let drapers = 0;
     page.context().on('request', (request) => {
       if (request.url().endsWith('.wasm') && request.url().includes('drape')) drapers++;
@@ -88,7 +88,7 @@ it(
     );
     expect(await page.evaluate(() => worn.draped.size)).toBeLessThan(24);
     expect(await page.evaluate(() => worn.contexts.size)).toBe(1);
-    expect(workers).toBeLessThanOrEqual(5); // four that solve, and one that drapes
+    expect(workers).toBeLessThanOrEqual(5); // four that solve, one that drapes
     expect(drapers).toBe(1);
   },
 );
@@ -112,7 +112,7 @@ it(
   },
 );
 
-/** Counts what is drawn, and hides the document as far as its scripts can tell. */
+/** Counts draw calls from now on. */
 function watchDrawing(): void {
   Object.assign(globalThis, {drawn: 0});
   const prototype = WebGL2RenderingContext.prototype;

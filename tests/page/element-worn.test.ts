@@ -1,4 +1,4 @@
-/** The element with view="garment": draped on a dummy in its print, and told of. */
+/** The element with view="garment": draped on a dummy in its print, and its events. */
 import {createHash} from 'node:crypto';
 
 import type {Page} from 'playwright-core';
@@ -10,11 +10,14 @@ import {frames} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
-/** A browser that draws in software may have to share a busy machine. */
+/** Software rendering may have to share a busy machine. */
 const patient = {timeout: 60_000};
 const worn = tee.replace('alt=', 'view="garment" alt=');
 
-/** Counts events of the elements that match a selector, from now on. @returns how many there were */
+/**
+ * Counts events of the elements that match a selector, from now on. @returns a function that
+ * returns the count so far
+ */
 async function counted(page: Page, type: string, selector = '*'): Promise<() => Promise<number>> {
   const count = await page.evaluateHandle(
     ([type, selector]) => {
@@ -47,7 +50,7 @@ it('drapes what it shows, tells how far it is, and gives a picture of it from wh
   );
   expect(told.at(-1)).toEqual({stage: 'done', fraction: 1, settled: true, notes: []});
   expect(told.slice(0, -1).every(({settled, fraction}) => !settled && fraction < 1)).toBe(true);
-  /** How much of a picture is of each kind of colour. */
+  /** Shares of the colours of ground and fabric in an image. */
   const seen = async (): Promise<{ground: number; cloth: number; width: number}> =>
     run(async (element: SeamwiseGarment) => {
       const picture = await createImageBitmap(await element.toBlob({width: 300}));
@@ -151,7 +154,7 @@ it('drapes nothing that nobody sees', {tags: ['thorough']}, async () => {
   await put(`${'<br>'.repeat(200)}<p>${worn.replace('alt=', 'loading="eager" alt=')}</p>`);
   await page.locator('seamwise-garment:state(ready)').waitFor();
   await frames(page, 3);
-  // another garment is draped after all that has been asked for by now
+  // another garment is draped after all requests so far
   await page.evaluate((markup) => {
     Object.assign(globalThis, {
       settled: new Promise<void>((resolve) => {
@@ -203,7 +206,7 @@ it('is drawn as finely after it has moved as before', {tags: ['thorough']}, asyn
     createHash('sha256')
       .update(await stage.screenshot())
       .digest('hex');
-  /** Lets the view rest for as long as it waits until it is drawn finely. */
+  /** Waits until the view is drawn finely at rest. */
   const rest = async (): Promise<void> => {
     await frames(page);
     await page.clock.fastForward(3000);

@@ -1,4 +1,4 @@
-/** The element by its tag: what it is told, what it says, and what it can be asked. */
+/** The element in HTML: its attributes, events and methods. */
 import {order} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
@@ -47,7 +47,7 @@ it(
   async () => {
     const {put, page, run} = await openPage();
     await page.evaluate(() => {
-      const heard: string[] = []; // before there is an element, which may be quick
+      const heard: string[] = []; // precedes the element
       document.addEventListener('solve', () => heard.push('solve'));
       Object.assign(globalThis, {heard});
     });
@@ -275,7 +275,7 @@ it(
       const ends: string[] = [];
       const moments = [0, 1, 5, 20, 'load', 'progress', 'progress'] as const;
       for (const [k, moment] of moments.entries()) {
-        // each is another question: the one before goes on by itself
+        // each change is another problem: the solve before it continues
         element.maxChangeMm = 10 + k / 1000;
         const late = new AbortController();
         const abort = (): void => {
@@ -416,7 +416,7 @@ it(
       element?.remove();
       return {element, result};
     });
-    await page.clock.fastForward(1500); // longer than on the way to another place
+    await page.clock.fastForward(1500); // longer than a move to another place takes
     const same = await taken.evaluate(({element, result}) => {
       if (!element) throw new Error('It is gone.');
       document.body.append(element);

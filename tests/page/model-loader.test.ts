@@ -1,4 +1,4 @@
-/** An exported model in the loader of three.js, as somebody else's page opens it. */
+/** An exported model in the loader of three.js, as a third-party page opens it. */
 import type {Browser} from 'playwright-core';
 import {afterAll, beforeAll, expect, it} from 'vitest';
 

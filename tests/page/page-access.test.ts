@@ -1,4 +1,4 @@
-/** The page for those who do not see it, and for those who have no pointer. */
+/** The page for users of a screen reader or without a pointer. */
 import type {Locator, Page} from 'playwright-core';
 import {describe, expect, it, vi} from 'vitest';
 
@@ -51,7 +51,7 @@ it('keeps nobody out on a small screen', {tags: ['thorough']}, async () => {
 
 const pattern = (page: Page): Locator => page.getByRole('application', {name: 'Pattern'});
 
-/** What a screen reader says of the part of the pattern that is selected. */
+/** A screen reader's text for the selected part of the pattern. */
 async function spoken(page: Page): Promise<string> {
   await drawn(pattern(page));
   return pattern(page).evaluate((element) => {
@@ -84,12 +84,12 @@ it('is walked by keys alone, from pieces to seams and across to their twins', as
   await press(page, 'ArrowRight');
   const second = await spoken(page);
   expect(second).not.toBe(first);
-  await press(page, 'ArrowLeft'); // which may lead to a third, where pieces lie above each other
+  await press(page, 'ArrowLeft'); // may reach a third piece where pieces overlap
   expect(await spoken(page)).not.toBe(second);
   const third = await spoken(page);
   await press(page, 'Enter');
   const seam = await spoken(page);
-  // and why, where it stays off
+  // includes the reason if it does not match
   expect(seam).toMatch(
     /^.+, [\d.]+ cm, mismatch [\d.]+ mm, (mirrored|continuous|not counted)(, .+)?$/,
   );
@@ -105,7 +105,7 @@ it('is walked by keys alone, from pieces to seams and across to their twins', as
   expect(await spoken(page)).toBe('');
 });
 
-/** Walks with the arrow keys until a piece of this name is selected. */
+/** Selects pieces with the arrow keys until one has this name. */
 async function walkTo(page: Page, piece: RegExp): Promise<void> {
   for (const key of ['ArrowRight', 'ArrowDown', 'ArrowLeft', 'ArrowUp']) {
     for (let k = 0; k < 8; k++) {
@@ -169,7 +169,7 @@ it('takes a drag that rests on its way back in one step', {tags: ['thorough']}, 
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 10, y);
-  await page.clock.fastForward(1300); // longer than changes are taken together by themselves
+  await page.clock.fastForward(1300); // longer than changes are grouped
   await page.mouse.move(x + 10, y + 10);
   await page.mouse.up();
   expect((await designOf(page)).options.pins).toBeDefined();
@@ -203,6 +203,6 @@ it('shows and hides the map of keys from anywhere', {tags: ['thorough']}, async 
   await map.waitFor();
   await press(page, 'Escape');
   await map.waitFor({state: 'hidden'});
-  expect(await spoken(page)).not.toBe(''); // one step back at a time
+  expect(await spoken(page)).not.toBe(''); // Escape closes one thing at a time
   expect(await pattern(page).evaluate((element) => element.matches(':focus'))).toBe(true);
 });

@@ -1,4 +1,4 @@
-/** Flaws of the cloth without a pointer: put there, moved, made larger, removed, and each step said. */
+/** Flaws of the fabric without a pointer: added, moved, enlarged, removed, each step announced. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -16,14 +16,14 @@ const undoTitle = (page: Page): Promise<string | null> =>
   button(page, 'Undo').getAttribute('title');
 const isFocused = (row: Locator): Promise<boolean> => row.evaluate((one) => one.matches(':focus'));
 
-/** As it is said: from the left, from the start, width, length. [cm] */
+/** The announced position from the left and from the start, width and length. [cm] */
 async function told(page: Page): Promise<readonly number[]> {
   const words =
     /^Flaw \d, ([\d.]+) cm from the left, ([\d.]+) cm from the start, ([\d.]+) cm wide, ([\d.]+) cm long$/;
   return (words.exec((await status(page)) ?? '') ?? []).slice(1).map(Number);
 }
 
-/** How far pieces of a plan are from a box, along the axis in which they are further. */
+/** Returns whether all pieces of a layout are clear of a box. */
 const clearOf = ({placements}: LayPlan, [x = 0, y = 0, w = 0, h = 0]: readonly number[]): boolean =>
   placements.every(({cut}) =>
     cut.every(([px, py]) => px < x || px > x + w || py < y || py > y + h),
@@ -59,7 +59,7 @@ it(
     const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
     expect(clearOf(plan, await told(page))).toBe(true);
 
-    // what is told before anything was laid anew is one step
+    // changes before the next layout are one undo step
     for (let k = 0; k < 5 && (await rows(page).count()) > 0; k++)
       await button(page, 'Undo').click();
     await expect.poll(() => rows(page).count()).toBe(0);
@@ -76,7 +76,7 @@ it(
     const page = await clothOf(await openPage());
     await pane(page).locator('.application').focus();
     await page.keyboard.press('Shift+X');
-    await page.keyboard.press('ArrowRight'); // it is the one that is meant
+    await page.keyboard.press('ArrowRight'); // acts on the new flaw
     await expect.poll(() => told(page)).toHaveLength(4);
     const [left = 0] = await told(page);
     const figures = rows(page).getByRole('group', {name: /^Flaw 1/});

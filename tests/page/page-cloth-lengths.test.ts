@@ -1,4 +1,4 @@
-/** Lengths that are told of the cloth: none says another thing than those beside it. */
+/** Fabric lengths in the interface: no figure contradicts the ones beside it. */
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -30,7 +30,7 @@ it(
     await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
     await expect.poll(() => caption(page)).toMatch(/Lengths of all pieces, packed anew$/);
     await expect.poll(() => present.innerText()).toBe(packed);
-    // files have one length, that of the pieces that lie
+    // files contain only the length of the placed pieces
     const partial = await savedPlan(page);
     expect(partial).toMatchObject({widths: [], cheaper: [], phases: [{lengthCm: null}]});
     expect(partial.notes.join()).not.toMatch(/where the print starts/);
@@ -50,7 +50,7 @@ it(
     await page.keyboard.press('p');
     await pane(page).getByRole('button', {name: 'Pack the rest'}).click();
     await laid(page);
-    // none is pinned on other widths, where pins have no meaning
+    // layouts of other widths ignore pins, which are meaningless there
     await expect.poll(() => caption(page)).toMatch(/packed anew with none pinned$/);
     await expect.poll(() => present.innerText()).toBe(packed);
     await expect.poll(async () => (await savedPlan(page)).widths).toEqual([]);

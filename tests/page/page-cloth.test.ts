@@ -1,4 +1,4 @@
-/** The pieces on their cloth, on the page: laid, moved, turned and pinned there, and told what is wrong. */
+/** The fabric layout on the page: packing, moving, turning, pinning, and messages. */
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -22,7 +22,7 @@ import {symmetricTee} from '../support/symmetric-tee.js';
 
 const openPage = usePage();
 
-/** Where the selected piece is said to lie, without how far it has gone. */
+/** The announced position of the selected piece, without the distance it moved. */
 const lies = async (page: Page): Promise<string | undefined> =>
   (await status(page))?.replace(/ \(moved .*\)$/, '');
 
@@ -93,7 +93,7 @@ it(
   },
 );
 
-/** Whether it is in the part of the cloth that is in sight. */
+/** Returns whether the piece is in the visible part of the fabric. */
 const isSeen = (page: Page, name: string): Promise<boolean> =>
   pane(page)
     .locator('.piece', {hasText: name})
@@ -124,7 +124,7 @@ it(
         new RegExp(`^Front: .* ${where} \\(moved [\\d.]+ cm, as nearer places are not free\\)$`),
       );
     await expect.poll(() => isSeen(page, 'Front')).toBe(true);
-    // above all others there is room
+    // there is free room beyond all other pieces
     await page.keyboard.press('ArrowUp');
     await expect.poll(() => status(page)).toMatch(new RegExp(`^Front: .* ${where}$`));
     await expect.poll(() => isSeen(page, 'Front')).toBe(true);
@@ -146,14 +146,14 @@ it(
     await expect.poll(() => status(page)).toMatch(/pinned$/);
     const before = await status(page);
     await page.keyboard.press('r');
-    // the others are laid close to it
+    // the others are too close to it
     await expect
       .poll(() => status(page))
       .toMatch(/^Front stays as it lies: turned, it has no free place within [\d.]+ cm\.$/);
     await rowOf(page, 'Back').focus();
     await rowOf(page, 'Front').focus();
     await expect.poll(() => status(page)).toBe(before);
-    // above all others there is room
+    // there is free room beyond all other pieces
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('ArrowUp');
     await expect.poll(() => status(page)).not.toBe(before);
@@ -357,7 +357,7 @@ it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}
     .poll(() => status(page))
     .toBe('Sleeve left is off the cloth; packing brings it back.');
   await expect.poll(() => rowOf(page, 'Sleeve left').textContent()).toMatch(/not on the cloth/);
-  // there is nothing to buy by yet
+  // the length to buy is still unknown
   await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
   await expect.poll(() => facts(page)).toMatch(/^The others lie on [\d.]+ cm, \d+ % used/);
   expect(await facts(page)).not.toMatch(/Proven|At best/);
@@ -401,7 +401,7 @@ it(
     await button(page, 'Align').click();
     await laid(page);
     await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(0);
-    // what was found out of the design before is not looked for again
+    // results for the earlier design are reused
     await button(page, 'Undo').click();
     await expect.poll(() => said(page)).not.toMatch(/changed/);
   },

@@ -1,4 +1,4 @@
-/** The list of all commands, and what undo says. */
+/** The command palette, and the descriptions of undo steps. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -18,7 +18,7 @@ const active = (page: Page): Locator =>
   page.getByRole('listbox', {name: 'Commands'}).getByRole('option', {selected: true});
 const pattern = (page: Page): Locator => page.getByRole('application', {name: 'Pattern'});
 
-/** Looks for a command by the keyboard alone, and carries out the first that is found. */
+/** Searches for a command with the keyboard alone, and runs the first match. */
 async function command(page: Page, words: string, title: string): Promise<void> {
   await page.keyboard.press('Control+k');
   await field(page).waitFor();

@@ -1,4 +1,4 @@
-/** How pieces may change and lie, and how the page is shown. */
+/** Settings for shape and alignment of the pieces, and for the page's appearance. */
 import {expect, it} from 'vitest';
 
 import {sampleOf} from '../support/level.js';

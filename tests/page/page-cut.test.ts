@@ -1,4 +1,4 @@
-/** Pieces to cut: what the dialog tells before a file is made, and the files. */
+/** Cutting sheets: the dialog's preview and the files. */
 import type {Locator, Page} from 'playwright-core';
 import {readGarment, type GarmentCodeSpecification, type SolveResult} from 'seamwise/node';
 import {expect, it, vi} from 'vitest';
@@ -44,7 +44,7 @@ it(
       await dialog.getByLabel('Paper').selectOption(paper);
       await caption.filter({hasText: size}).waitFor();
       const told = Number.parseInt((await caption.textContent()) ?? '', 10);
-      // a picture of each page, before any is made
+      // an image of each page, before any is created
       await expect.poll(() => dialog.locator('.map .page').count()).toBe(told);
       const pdf = await savedCut(page, 'PDF');
       expect(pdf.startsWith('%PDF-')).toBe(true);
@@ -106,7 +106,7 @@ it(
     await expect.poll(() => drawn.getAttribute('d')).not.toBe(before);
     await page.keyboard.press('Escape');
 
-    // asked for before there is an answer, it says that it waits
+    // opened before there is an answer, it waits for one
     await open(50);
     await page.keyboard.press('Control+Shift+S');
     await caption.filter({hasText: 'There is no answer to cut'}).waitFor();
@@ -184,7 +184,7 @@ it(
       .poll(() => dialog.locator('figcaption').innerText())
       .toMatch(/^The size of this print is unknown: .*\s+Enter its size$/);
     await expect.poll(() => save.isDisabled()).toBe(true);
-    // another file or paper changes nothing of that
+    // neither another file type nor another paper changes that
     await dialog.getByLabel('Paper').selectOption('a0');
     await expect.poll(() => dialog.getByText(/unknown/).count()).toBe(1);
     await expect.poll(() => dialog.getByText(/Laying the pieces out/).count()).toBe(0);

@@ -1,4 +1,4 @@
-/** What the page says and does when something under it breaks, or is not wanted. */
+/** Messages and behaviour of the page when a part fails or is cancelled. */
 import type {Page} from 'playwright-core';
 import {describe, expect, it, vi} from 'vitest';
 
@@ -17,7 +17,10 @@ const says = (page: Page, words: RegExp): Promise<void> =>
 const group = (page: Page, name: string): Promise<void> =>
   page.getByRole('radio', {name: new RegExp(`^${name},`)}).click();
 
-/** The solver ends so in the next solve that the page shows, not in one that looks for remedies meanwhile. */
+/**
+ * Breaks the solver in the next solve that the page shows; simultaneous searches for remedies are
+ * spared.
+ */
 async function sabotage(page: Page, end: 'throw' | 'close'): Promise<void> {
   const [worker] = page.workers();
   if (!worker) throw new Error('There is no solver.');

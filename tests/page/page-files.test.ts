@@ -1,4 +1,4 @@
-/** What goes into the page from files, and what comes out. */
+/** Files opened and saved on the page. */
 import {execFile} from 'node:child_process';
 import {mkdtemp, readFile, rm} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
@@ -19,7 +19,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
-/** Nothing here needs an answer, nor much of a picture. */
+/** A small page that does not solve; these tests need no answer. */
 const quietPage = async (): Promise<Page> => {
   const page = await openPage({viewport: {width: 640, height: 480}});
   await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
@@ -29,7 +29,7 @@ const quietPage = async (): Promise<Page> => {
 const garmentShown = (page: Page, name: string): Promise<unknown> =>
   expect.poll(async () => (await designOf(page)).garment.name, {timeout: 20_000}).toBe(name);
 
-/** What the solver answered, without how long it took. */
+/** The solver's answer without its times. */
 function answerIn(result: string): string {
   const {design, ...answer} = JSON.parse(result) as SolveResult & {design: unknown};
   expect(design).toBeTruthy();
@@ -261,7 +261,7 @@ it('gives the pieces to cut in millimetres, and a picture', {tags: ['thorough']}
   await solved(page);
   const svg = await savedCut(page, 'SVG');
   const [, width] = /^<svg [^>]*\bwidth="([\d.]+)mm"/.exec(svg) ?? [];
-  // both lie side by side, with an allowance of 1 cm around each
+  // the pieces are side by side, with an allowance of 1 cm around each
   expect(Number(width)).toBeGreaterThan(840);
   await button(page, 'Save …').click();
   const [download] = await Promise.all([

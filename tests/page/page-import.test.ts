@@ -17,7 +17,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
-/** The corners of a sample's pieces. @param units of the drawing that make a centimetre */
+/** Corners of a sample's pieces. @param units  drawing units in a centimetre */
 async function samplePieces(units = 10): Promise<readonly PlainPiece[]> {
   const text = await readFile('public/garments/tee-m.json', 'utf8');
   const {pieces} = await readGarment(text);
@@ -58,7 +58,7 @@ it(
       await expect
         .poll(() => dialog.getByRole('checkbox', {name, exact: true}).isChecked(), {message: name})
         .toBe(true);
-    // what is half as large is drawn half as large
+    // previews are to scale
     const widths = await dialog
       .locator('li svg')
       .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width));
@@ -130,7 +130,7 @@ it(
       expect((await alert.textContent())?.trim()).toMatch(complaint);
       expect(await designOf(page)).toEqual(before);
     }
-    // what is wrong with a garment is said where it can be mended: nothing that was chosen is lost
+    // an error in the garment appears in the dialog, so that no choice is lost
     const [front, ...others] = pieces;
     const [a, b, ...rest] = front?.outline ?? [];
     const crossed = {name: 'front', outline: [b, a, ...rest].filter((p) => p !== undefined)};
@@ -173,7 +173,7 @@ it('reads on until Escape', {tags: ['thorough']}, async () => {
   });
   await page.route('**/drawing.worker*', async (route) => {
     await held;
-    await route.continue().catch(() => undefined); // it may not be wanted any more
+    await route.continue().catch(() => undefined); // the request may have been cancelled
   });
   await hand(page, 'drop', dxf(plainDxf(await samplePieces())));
   const reading = page.getByText('Reading tee.dxf …');
@@ -181,7 +181,7 @@ it('reads on until Escape', {tags: ['thorough']}, async () => {
   await page.keyboard.press('Escape');
   await reading.waitFor({state: 'detached'});
   release();
-  // what is read after it is shown, and it is not
+  // a later drawing is shown, the cancelled one is not
   await offered(page, dxf(plainDxf((await samplePieces()).slice(0, 2)), 'later.dxf'));
   await sheet(page).getByText('2 of 2 pieces').waitFor();
   await page.keyboard.press('Escape');

@@ -1,4 +1,4 @@
-/** What somebody sees who has not been here yet: a garment before and after, and three hints. */
+/** The first visit: a garment before and after, and three hints. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -37,7 +37,7 @@ async function framesWithDraft(page: Page): Promise<number> {
   return seen.evaluate(({drafts}) => drafts);
 }
 
-/** As on a first visit, once the draft is being shown. */
+/** Opens the page as on a first visit, and waits until the draft is shown. */
 async function openDraft(): Promise<Page> {
   const page = await openPage({isFirst: true});
   await expect.poll(() => showsDraft(page), {timeout: 30_000, interval: 20}).toBe(true);
@@ -56,7 +56,7 @@ it(
       expect.arrayContaining(['piece', 'pair']),
     );
     await solved(page);
-    // they hold already
+    // the symmetries already apply
     await expect.poll(() => button(page, 'Accept all symmetries').count()).toBe(0);
     await expect.poll(() => showsDraft(page), {timeout: 30_000}).toBe(false);
     for (const again of [page, await openPage({beside: page, isFirst: true})]) {
@@ -92,7 +92,7 @@ it('gives three hints, one at a time, that move nothing and do not come back', a
   await hint(page).waitFor();
   const room = await stage(page);
   const [below, box] = [(room?.y ?? NaN) + (room?.height ?? NaN), await hint(page).boundingBox()];
-  expect(box?.y).toBeGreaterThanOrEqual(below); // no piece lies under it
+  expect(box?.y).toBeGreaterThanOrEqual(below); // it covers no piece
   for (const words of [/another print/, /before and after/, /Press a seam/]) {
     await expect.poll(() => hint(page).textContent()).toMatch(words);
     const fits = await hint(page).evaluate(
@@ -119,7 +119,7 @@ it(
     await button(page, 'Before and after').click();
     await button(page, 'Before and after').click();
     await page.getByRole('radio', {name: /^pmm,/}).press('Space');
-    await hint(page).getByText('Press a seam').waitFor(); // the one before is done
+    await hint(page).getByText('Press a seam').waitFor(); // the hint before it is done
     const later = await openPage({beside: page, isFirst: true});
     await solved(later);
     await hint(later).getByText('Press a seam').waitFor();

@@ -1,4 +1,4 @@
-/** What outlives a reload, and what travels to others. */
+/** Data that outlive a reload, and links that share them. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -29,7 +29,7 @@ it(
     await showSample(page, 'patchwork-jacket');
     const {garment} = await designOf(page);
     const left = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
-      while (cancel.hidden) await new Promise(requestAnimationFrame); // until a solve begins
+      while (cancel.hidden) await new Promise(requestAnimationFrame); // waits for a solve
       setTimeout(() => {
         location.reload();
       });
@@ -141,11 +141,11 @@ it('keeps work on a file that the address names', {tags: ['thorough']}, async ()
 it('keeps two tabs apart that began with the same project', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await chooseGroup(page, 'pgg');
-  await reloaded(page); // by now it is kept
+  await reloaded(page); // it is saved by now
   const [twin] = await Promise.all([
     page.context().waitForEvent('page'),
     page.evaluate(() => {
-      open(location.href); // with all that this tab remembers
+      open(location.href); // copies this tab's session
     }),
   ]);
   await twin.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();

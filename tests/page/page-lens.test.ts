@@ -1,4 +1,4 @@
-/** The seam lens. Looked at on a raglan shirt of 12 seams. */
+/** The seam lens, tested on a raglan shirt of 12 seams. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -17,7 +17,7 @@ const seam = (page: Page, words: string): Locator =>
     .getByRole('rowheader', {name: new RegExp(`^${words}`)});
 const slider = (page: Page): Locator => lens(page).getByRole('slider', {name: 'Before and after'});
 
-/** What is seen of both sides of the seam. */
+/** Image of both sides of the seam. */
 const seen = async (page: Page): Promise<string> =>
   (await page.locator('sw-lens-strip canvas').screenshot()).toString('base64');
 

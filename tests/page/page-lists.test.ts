@@ -1,4 +1,7 @@
-/** Pieces and seams as tables, tied to the picture both ways. Looked at on a raglan shirt: 8 pieces, 12 seams. */
+/**
+ * Tables of pieces and seams, linked with the pattern in both directions. Tested on a raglan shirt:
+ * 8 pieces, 12 seams.
+ */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -16,7 +19,7 @@ const rows = (page: Page, name: 'Pieces' | 'Seams'): Locator =>
 const row = (page: Page, name: string): Locator =>
   page.getByRole('row').filter({has: page.getByRole('rowheader', {name: new RegExp(`^${name}`)})});
 
-/** What the page's workbench has as one of its parts. */
+/** A property of the page's workbench. */
 const workbench = (page: Page, part: 'design' | 'pointed' | 'selected'): Promise<unknown> =>
   page.evaluate((name) => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
@@ -32,7 +35,7 @@ async function opened(): Promise<Page> {
   return page;
 }
 
-/** The numbers of a column after the first, from above. */
+/** Numbers of a column after the first, from top to bottom. */
 const column = async (page: Page, name: 'Pieces' | 'Seams', number: number): Promise<number[]> =>
   (await rows(page, name).locator(`td:nth-of-type(${number})`).allTextContents()).map(parseFloat);
 

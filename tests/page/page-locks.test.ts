@@ -1,4 +1,4 @@
-/** What stays as drafted: by clicks, by keys, from the list of edges and from the table. */
+/** Locked pieces and edges: by clicks, by keys, from the list of edges and from the table. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -38,7 +38,10 @@ async function clickEdge(page: Page, name: string, edge: number): Promise<void> 
   await page.mouse.click(at[0], at[1]);
 }
 
-/** How far vertices of a result lie from where they were drafted, at most, where the edge of the file is this. [cm] */
+/**
+ * Greatest distance of a result's vertices on this edge of the file from their drafted positions.
+ * [cm]
+ */
 async function movedAlong(page: Page, name: string, edge: number): Promise<number> {
   const result = JSON.parse(await saved(page, 'Save result')) as SolveResult;
   const edges = await page.locator('sw-pattern').evaluate((pane: PatternPane, wanted) => {

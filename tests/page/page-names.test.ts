@@ -1,4 +1,4 @@
-/** What pieces are called, how they lie on the grain, and what is asked where a file does not say it. */
+/** Names and grain of pieces, and the questions about a file without them. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -19,7 +19,10 @@ const box = (width: number, height: number): number[][] => [
   [0, height],
 ];
 
-/** As GarmentCode writes it: labels are parts of the body, no grain, and a sleeve that lies on its side. */
+/**
+ * A garment in GarmentCode's format: labels are parts of the body, no grain, and a sleeve on its
+ * side.
+ */
 const garment = {
   pattern: {
     panels: {
@@ -72,7 +75,7 @@ it(
     await field.fill('Rear');
     await field.press('Enter');
     expect((await designOf(page)).names).toEqual({left_btorso: 'Rear'});
-    await page.getByText(/^Aligned in/).waitFor(); // the answer is still the answer
+    await page.getByText(/^Aligned in/).waitFor(); // the answer is still valid
     expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({
       design: {names: {left_btorso: 'Rear'}},
     });

@@ -1,4 +1,4 @@
-/** The page without a network, once it was there. */
+/** The page without a network, after a first visit. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -10,11 +10,11 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
-/** The page once the browser has all that it keeps of it. */
+/** Opens the page and waits until the browser has cached it. */
 async function keptPage(): Promise<Page> {
   const page = await quiet(openPage, {
     serviceWorkers: 'allow',
-    // the browser says itself what it cannot reach
+    // the browser itself reports unreachable files
     maySay: /net::ERR_INTERNET_DISCONNECTED|Failed to fetch|net::ERR_FAILED/,
   });
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null, undefined, {
@@ -75,7 +75,7 @@ it(
   async () => {
     const page = await keptPage();
     await chooseGroup(page, 'pgg');
-    // as if the page were of the version before, and the host served another worker now
+    // simulates an earlier version of the page and a newer service worker on the host
     await page.evaluate(async () => {
       document.querySelector('script[type=module]')?.setAttribute('src', './assets/older.js');
       await navigator.serviceWorker.register('service-worker.js?newer');

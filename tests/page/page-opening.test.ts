@@ -1,4 +1,4 @@
-/** What somebody sees who opens the page, and the first things they do. */
+/** The page after opening, and a user's first actions. */
 import {expect, it} from 'vitest';
 
 import {button, cancelButton, saved, solved, usePage} from '../support/page.js';
@@ -28,7 +28,7 @@ it('names all that tests and screen readers rely on', async () => {
   ]) {
     await expect.poll(() => button(page, name).count(), {message: name}).toBe(1);
   }
-  // nobody has to ask for what comes by itself, or to end what has ended
+  // no buttons for actions that are automatic or already over
   for (const name of ['Align', 'Cancel'])
     await expect.poll(() => button(page, name).count(), {message: name}).toBe(0);
   await button(page, 'Save …').click();

@@ -1,4 +1,4 @@
-/** Bringing a picture of one's own: what becomes of it, and what is said of one that will not do. */
+/** Adding one's own image as a print, and messages for unsuitable images. */
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
@@ -11,13 +11,13 @@ import {sampleOf} from '../support/level.js';
 
 const openPage = usePage();
 
-/** Nothing here needs an answer. */
+/** A page that does not solve; these tests need no answer. */
 const quietPage = async (width = 640): Promise<Page> => {
   const page = await openPage({viewport: {width, height: 700}});
   const cutting = page
     .getByRole('navigation', {name: 'Panels'})
     .getByRole('button', {name: 'Cutting'});
-  const isPhone = width < 640; // panels are sheets there, one at a time
+  const isPhone = width < 640; // panels are bottom sheets there, one at a time
   if (isPhone) await cutting.click();
   await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
   if (isPhone) await page.getByRole('button', {name: 'Print', exact: true}).click();
@@ -61,7 +61,7 @@ it(
     expect(dropped).toMatchObject({group: 'p1', cell: 'centred', tile: {repeat: 'halfDrop'}});
     expect(dropped.size.width).toBeCloseTo(2 * straight.size.width, 9);
     await expect.poll(() => page.getByLabel('Repeat width (cm)').inputValue()).toBe('6.1');
-    // the pixels of the picture, each as it was
+    // the pixels of the image are unchanged
     const pixels = await page.evaluate(async (url) => {
       const image = new Image();
       image.src = url;
@@ -113,11 +113,11 @@ it(
     await button(page, 'Use it anyway').click();
     await page.getByText('Your own: drop again').waitFor();
     expect((await designOf(page)).print).toMatchObject({group: 'p1', cell: 'primitive'});
-    await page.getByText('Its left and right edges do not meet.').waitFor(); // as long as it is used so
+    await page.getByText('Its left and right edges do not meet.').waitFor(); // remains for this use
   },
 );
 
-/** Two cells of a sample side by side, from any point of them on. */
+/** Two cells of a sample side by side, starting from any point. */
 async function twoCells(name: string, [x, y]: readonly [number, number]): Promise<Buffer> {
   const image = await loadImage(new URL(`../../public/prints/${name}.png`, import.meta.url));
   const {width, height} = image;

@@ -1,4 +1,4 @@
-/** Reading a photograph of a camera's size can be cancelled. */
+/** Cancelling the analysis of a photo of a camera's full resolution. */
 import {it, vi} from 'vitest';
 
 import {useLargePhoto} from '../support/large-photo.js';

@@ -1,4 +1,4 @@
-/** Photographs of prints on all kinds of lattices, however they come to the sheet. */
+/** Photos of prints on all kinds of lattices, added in different ways. */
 import type {Locator} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -50,7 +50,7 @@ it.each([
   },
 );
 
-/** What the sheet holds, as if it had been read so. */
+/** Makes the dialog's result uncertain. */
 const makeUncertain = (dialog: Locator): Promise<void> =>
   dialog.evaluate((element) => {
     const host = (element.getRootNode() as ShadowRoot).host as unknown as {
@@ -79,7 +79,7 @@ it('is of another lattice when somebody says so', {tags: ['thorough']}, async ()
   const before = await lines();
   await makeUncertain(dialog);
   await dialog.getByText(/^No repeat is certain/).waitFor();
-  // it takes another word, and not Enter
+  // it needs confirmation by its button; Enter does nothing
   const although = dialog.getByRole('button', {name: 'Use it although uncertain'});
   await although.waitFor();
   await expect.poll(() => use(page).count()).toBe(0);
@@ -89,7 +89,7 @@ it('is of another lattice when somebody says so', {tags: ['thorough']}, async ()
   await expect.poll(() => although.isEnabled()).toBe(true);
   await dialog.getByRole('button', {name: 'Repeat 2'}).click();
   await expect.poll(lines, patient).toBeLessThan(before);
-  // what somebody has chosen is not doubted
+  // the user's choice is not in doubt
   await expect.poll(() => use(page).isEnabled(), patient).toBe(true);
   await expect.poll(() => although.count()).toBe(0);
   await dialog.getByRole('button', {name: 'Undo'}).click();

@@ -1,4 +1,4 @@
-/** A photograph's sheet that is left before its print is taken, and what is measured on it. */
+/** The photo dialog, closed before its print is used, and its measurements. */
 import type {Locator} from 'playwright-core';
 import {beforeAll, expect, it, vi} from 'vitest';
 
@@ -34,7 +34,7 @@ it('is there again as it was left, until its print is taken', {tags: ['thorough'
   await expect.poll(() => dialogOf(page).count()).toBe(0);
   const before = (await designOf(page)).print.title;
   await openSheet(page);
-  // not read again: it is there at once, with its steps
+  // not analysed again: the result is there at once, with its undo steps
   await expect.poll(() => dialog.getByText('Found: pmm.').count()).toBe(1);
   await expect.poll(() => lengths(dialog).first().inputValue()).toBe('80');
   await dialog.getByRole('button', {name: 'Undo'}).click();
@@ -50,13 +50,13 @@ it('is there again as it was left, until its print is taken', {tags: ['thorough'
   await use(page).click();
   await expect.poll(() => dialogOf(page).count(), patient).toBe(0);
   await page.getByText('Your own: meadow').waitFor();
-  // its sides lie otherwise than their names say: that is drawn, and their names stay
+  // the sides' directions differ from their names: arrows show them, and the names stay
   const sides = page.locator('sw-repeat-fields');
   const width = sides.getByRole('spinbutton', {name: 'Repeat width (cm)', exact: true});
   await expect.poll(() => width.inputValue()).toBe('8');
   await expect.poll(() => sides.getByText(/Repeat width \(cm\)\s[↑↓]/).count()).toBe(1);
   await expect.poll(() => sides.getByText(/Repeat height \(cm\)\s[←→]/).count()).toBe(1);
-  // once taken and kept, nothing of it is unfinished
+  // no unfinished photo remains after its print was used and saved
   await openSheet(page);
   await expect.poll(() => lengths(dialog).first().inputValue(), patient).toBe('80');
   await expect.poll(() => dialog.getByRole('button', {name: 'Undo'}).isDisabled()).toBe(true);
@@ -83,7 +83,7 @@ it(
       .toMatch(
         /^Your measures disagree by (99|10[01]) %: with 8 cm along w1, the photo shows .* not .* Both count until you remove one\.$/,
       );
-    // the arrow that is measured along is marked as long as the field has the focus
+    // the measured arrow is marked while its field has the focus
     const marked = page.locator('sw-photo-stage .arrow.measured');
     await expect.poll(() => marked.getAttribute('class')).toBe('arrow w2 measured');
     await lengths(dialog).first().focus();

@@ -1,4 +1,4 @@
-/** A photograph that no print was made of yet outlives a reload, as far as the browser keeps anything. */
+/** A photo without a print yet outlives a reload, as far as the browser stores data. */
 import type {Locator, Page} from 'playwright-core';
 import {beforeAll, expect, it, vi} from 'vitest';
 
@@ -21,7 +21,7 @@ beforeAll(async () => {
   photographs = [await made('floral', 11, 'pmm'), await made('other', 5, 'p4')];
 }, 240_000);
 
-/** How many records are kept of unfinished photographs, pictures and steps. */
+/** Numbers of stored records of unfinished photos: images and undo steps. */
 const keptOf = (page: Page): Promise<readonly number[]> =>
   page.evaluate(async () => {
     const settled = <T>(request: IDBRequest<T>): Promise<T> =>
@@ -55,7 +55,7 @@ async function again(page: Page): Promise<Locator> {
 const measured = (dialog: Locator): Promise<string> =>
   dialog.getByLabel('measure (cm)').first().inputValue();
 
-/** What the sheet asks for where there is no photograph. */
+/** The button to choose an image, shown without a photo. */
 const intake = (dialog: Locator): Locator => dialog.getByRole('button', {name: 'Choose a picture'});
 
 it(
@@ -77,7 +77,7 @@ it(
     await expect.poll(() => dialog.getByLabel('Name').inputValue()).toBe('river');
     await dialog.getByRole('button', {name: 'Undo'}).click();
     await dialog.getByText(/^Size unknown/).waitFor();
-    // taken back, too, and closed in between
+    // also undone, and closed in between
     await page.keyboard.press('Escape');
     await expect.poll(() => dialogOf(page).count()).toBe(0);
     dialog = await again(page);
@@ -106,7 +106,7 @@ it(
     await expect.poll(async () => (await keptOf(page))[0]).toBe(1);
     const dialog = await again(page);
     await dialog.getByText('Found: pmm.').waitFor(patient);
-    // of one that shows no print there is nothing to go on with
+    // a photo without a print is not kept
     await give(page, await jpegOf(plain, 92));
     await dialog.getByRole('alert').waitFor(patient);
     await dialog.getByRole('button', {name: 'Close'}).click();

@@ -1,4 +1,4 @@
-/** The size of a print on a photograph, by a coin that lies on the cloth, and its colours by something white. */
+/** Size of a print in a photo from a coin on the fabric, and its colours from a white object. */
 import type {Locator} from 'playwright-core';
 import {beforeAll, expect, it, vi} from 'vitest';
 
@@ -16,7 +16,7 @@ const openPage = usePage();
 const size = [900, 700] as const;
 const coinAt = [330, 250] as const;
 let photograph: Buffer;
-/** [cm] */
+/** Width of the repeat. [cm] */
 let repeat: number;
 
 beforeAll(async () => {
@@ -28,7 +28,7 @@ beforeAll(async () => {
   photograph = await jpegOf(both, 92);
 }, 240_000);
 
-/** Of the size that the sheet says. [cm] */
+/** The repeat's size in the dialog. [cm] */
 async function said(dialog: Locator): Promise<number> {
   const text = await dialog.getByText(/One repeat is /).innerText();
   return Number(/is ([\d.]+) cm/.exec(text)?.[1]);
@@ -85,7 +85,7 @@ it(
     const before = await said(dialog);
     await dialog.getByLabel('Coin or card', {exact: true}).check();
     const look = dialog.getByRole('button', {name: 'Look for it at the ring'});
-    // in one go: no solver is as fast as a part of the page is drawn
+    // a single call, as the solver could finish between separate ones
     const seen = await look.evaluate(async (button: HTMLButtonElement) => {
       const root = button.getRootNode() as ShadowRoot;
       const host = root.host as Element & {readonly updateComplete: Promise<unknown>};
@@ -116,7 +116,7 @@ it(
     await expect.poll(() => said(dialog)).toBe(before);
     await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(0);
     await expect.poll(() => look.isEnabled()).toBe(true);
-    // the next one is not held up by it
+    // the next search does not wait for it
     await look.click();
     await dialog.getByText(/^(No outline of that is seen there|Measured by)/).waitFor(patient);
   },
@@ -131,7 +131,7 @@ it('is measured and made white by keys alone', {tags: ['thorough']}, async () =>
   await page.keyboard.press('Space');
   const ring = dialog.getByRole('button', {name: 'Middle of the coin or card'});
   await ring.focus();
-  // from the middle of the picture to the coin
+  // moves from the middle of the image to the coin
   for (let k = 0; k < 12; k++) await page.keyboard.press('Shift+ArrowLeft');
   for (let k = 0; k < 10; k++) await page.keyboard.press('Shift+ArrowUp');
   await page.keyboard.press('ArrowLeft');

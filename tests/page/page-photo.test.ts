@@ -1,4 +1,4 @@
-/** A print read off a photograph of cloth, on the page. */
+/** A print read from a photo of fabric, on the page. */
 import {beforeAll, describe, expect, it, vi} from 'vitest';
 
 import {barriers} from '../support/barriers.js';
@@ -76,7 +76,7 @@ describe('a photograph', () => {
       (one) => !one.startsWith(`GET ${origin}/`) && !/ (blob|data):/.test(one),
     );
     expect(elsewhere).toEqual([]);
-    // the photograph is there again with all that was decided, without being read again
+    // the photo is restored with all decisions, without another analysis
     await openSheet(page);
     await expect.poll(() => dialog.getByLabel('measure (cm)').first().inputValue()).toBe('80');
     await dialog.getByRole('button', {name: 'Close'}).click();
@@ -101,7 +101,7 @@ describe('a photograph', () => {
     const undo = dialog.getByRole('button', {name: 'Undo'});
     await expect.poll(() => undo.isEnabled(), patient).toBe(true);
     expect(await found(dialog)).toBe('Found: pmm.');
-    // as it is placed, by keys
+    // the corner that was dragged, now by keys
     const place = () => corner.evaluate((handle) => handle.style.left);
     await corner.focus();
     await page.keyboard.press('Alt+Shift+ArrowRight');
@@ -152,7 +152,7 @@ describe('a photograph', () => {
       const dialog = await openSheet(page);
       await give(page, photograph);
       await found(dialog);
-      // by keys alone: the focus is on what takes it
+      // only keys: the button that accepts the print has the focus
       await expect.poll(() => use(page).evaluate((one) => one.matches(':focus'))).toBe(true);
       await page.keyboard.press('Enter');
       await page.getByText('Your own: meadow').waitFor(patient);

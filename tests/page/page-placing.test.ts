@@ -1,4 +1,4 @@
-/** Dragging prints under symmetry, and the ways out of what cannot be. */
+/** Dragging prints under symmetry, and the offers for impossible alignments. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -22,7 +22,7 @@ type Changes = Pick<Design, 'symmetry'> & {
   readonly print?: Partial<Design['print']>;
 };
 
-/** A change of the design, as if it had come from a file. */
+/** Changes the design as a file would. */
 const change = (page: Page, {options, print, ...more}: Partial<Changes>): Promise<void> =>
   page.evaluate(
     ([own, of, rest]) => {
@@ -39,7 +39,7 @@ const change = (page: Page, {options, print, ...more}: Partial<Changes>): Promis
     [options, print, more] as const,
   );
 
-/** How a piece lies, and its reflection or that onto its twin. */
+/** The alignment of a piece, and its own reflection or the one onto its twin. */
 const lying = (
   page: Page,
   name: string,
@@ -144,7 +144,7 @@ it(
     await change(page, {options: {pins: {front: wanted}}});
     await solved(page);
     expect((await pinsOf(page)).front?.translation[0]).toBeCloseTo(x, 6);
-    // the mirror lines of a larger print lie elsewhere
+    // a larger print has its mirror lines elsewhere
     await change(page, {print: {size: {width: 13, height: 10, angleDeg: 90}}});
     await solved(page);
     await button(page, 'Undo').click();

@@ -1,4 +1,4 @@
-/** Choosing a print, measuring its repeat, and bringing one's own. */
+/** Choosing a print, measuring its repeat, and adding one's own. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
@@ -8,7 +8,10 @@ import {designOf} from '../support/page-design.js';
 
 const openPage = usePage();
 
-/** Nothing here needs an answer, nor much of a picture. Looked at on p4m, the group with most to keep. */
+/**
+ * A small page that does not solve; these tests need no answer. The print is p4m, the group with
+ * the most constraints.
+ */
 const quietPage = async (): Promise<Page> => {
   const page = await openPage({viewport: {width: 640, height: 480}});
   await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
@@ -34,7 +37,9 @@ const open = (page: Page, name: string, mimeType: string, content: string): Prom
     .locator('sw-print-panel input[type=file]')
     .setInputFiles({name, mimeType, buffer: Buffer.from(content)});
 
-/** A tile of 20 by 10 with a disc in its middle, which has both mirrors, and whatever else is drawn on it. */
+/**
+ * A tile of 20 by 10 with a disc in its middle, which has both mirrors, and any further drawing.
+ */
 const tile = (more = ''): string =>
   `<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100" viewBox="0 0 20 10"><rect width="20" height="10" fill="#fff"/><circle cx="10" cy="5" r="3" fill="#a33"/>${more}</svg>`;
 const blot = '<rect x="1" y="1" width="3" height="2" fill="#237"/>';
@@ -46,7 +51,7 @@ it('offers the 17 groups and stripes, which arrow keys walk through', async () =
   await page.getByRole('radio', {name: 'p4m, Majolica', checked: true}).focus();
   await page.keyboard.press('ArrowRight');
   await page.getByRole('radio', {name: 'p4g, Bay trellis', checked: true}).waitFor();
-  await page.keyboard.press('ArrowDown'); // a row of four further
+  await page.keyboard.press('ArrowDown'); // four further, in the next row
   await page.getByRole('radio', {name: 'p6, Whirl', checked: true}).waitFor();
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');

@@ -1,4 +1,4 @@
-/** Each garment that is opened is a project of its own, and none is lost for another. */
+/** Each opened garment is a separate project, and none replaces another. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -26,7 +26,7 @@ const drop = async (page: Page, name: string): Promise<void> => {
   await shows(page, name);
 };
 
-/** The list, opened. */
+/** Opens the list. */
 const listOf = async (page: Page): Promise<Locator> => {
   await button(page, 'Projects').click();
   const list = page.getByRole('dialog', {name: 'Projects'});
@@ -106,7 +106,7 @@ it(
     const plain = await groupOf(page);
     await chooseGroup(page, 'pgg');
     const before = await designOf(page);
-    await button(page, 'Align').click(); // what is not solved yet has a picture, too
+    await button(page, 'Align').click(); // unsolved projects have an image, too
     const list = await listOf(page);
     await card(list, 'Apron, M').locator('img').waitFor({timeout: 60_000});
     expect(await barriers(page)).toEqual([]);
@@ -131,7 +131,7 @@ it('does not list samples that were only looked at', {tags: ['thorough']}, async
   const page = await quietPage();
   for (const style of ['apron', 'tee', 'shirt']) await chooseSample(page, style);
   await reloaded(page);
-  await shows(page, 'shirt-m.json'); // but comes back to the last
+  await shows(page, 'shirt-m.json'); // the last one is restored
   expect(await cards(await listOf(page))).toEqual(['Shirt, M']);
 });
 
@@ -164,7 +164,7 @@ it('duplicates a project, deletes one, and takes that back', {tags: ['thorough']
   const list = await listOf(page);
   await button(page, 'Duplicate scarf').click();
   await expect.poll(() => cards(list)).toEqual(['scarf 2', 'scarf']);
-  await button(page, 'Delete scarf').click(); // the one that is shown
+  await button(page, 'Delete scarf').click(); // the current one
   await list.getByText('scarf was deleted.').waitFor();
   expect(await cards(list)).toEqual(['scarf 2']);
   await expect.poll(() => page.title()).toBe('scarf 2 – Seamwise');
@@ -177,7 +177,7 @@ it('duplicates a project, deletes one, and takes that back', {tags: ['thorough']
     .toBe(true);
   await button(page, 'Delete scarf').click();
   await button(page, 'Delete scarf 2').click();
-  await shows(page, 'asymmetric-dress-m.json'); // the last one makes room for what a newcomer sees
+  await shows(page, 'asymmetric-dress-m.json'); // the first visit's sample, as no project is left
   await reloaded(page);
   expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M']);
 });
@@ -191,7 +191,8 @@ it(
     const other = await quietPage({beside: page});
     const list = await listOf(other);
     await list.getByText('open in another tab').waitFor();
-    await expect.poll(() => button(other, 'Delete Asymmetric dress, M').count()).toBe(1); // its own
+    // only the tab's own copy can be deleted
+    await expect.poll(() => button(other, 'Delete Asymmetric dress, M').count()).toBe(1);
     await card(list, 'Asymmetric dress, M').last().click();
     await other.getByText('The project is open in another tab').waitFor();
     await chooseGroup(other, 'cmm');

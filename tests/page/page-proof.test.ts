@@ -1,4 +1,4 @@
-/** What the page finds out about a placing while nobody asks it for anything. */
+/** Proofs about an alignment that the page finds while it is idle. */
 import {it} from 'vitest';
 
 import {showSample, solved, usePage} from '../support/page.js';

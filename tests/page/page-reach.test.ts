@@ -1,4 +1,4 @@
-/** What leads past the panels: the way to the pattern, files held over the page, and paper. */
+/** Access beyond the panels: skipping to the pattern, dropping files, printing. */
 import {expect, it, vi} from 'vitest';
 
 import {sampleOf} from '../support/level.js';
@@ -51,7 +51,7 @@ it(
     await hint.waitFor();
     await drag('drop', 'file');
     await hint.waitFor({state: 'hidden'});
-    await page.getByText('empty.json').first().waitFor(); // and is taken
+    await page.getByText('empty.json').first().waitFor(); // the file is opened
   },
 );
 

@@ -1,4 +1,4 @@
-/** What the page offers once an answer is there. */
+/** Remedies that the page offers for an answer. */
 import {expect, it} from 'vitest';
 
 import {button, drawn, showSample, solved, usePage} from '../support/page.js';
@@ -29,7 +29,7 @@ it(
     await heading.waitFor();
     await drawn(heading);
     const known = await remedy.count();
-    expect(known).toBe(1); // it is not looked for again
+    expect(known).toBe(1); // no other search
   },
 );
 

@@ -1,4 +1,4 @@
-/** A garment that comes without seams, sewn by keys alone and by clicks. */
+/** A garment without seams, sewn by keys alone and by clicks. */
 import {readFileSync} from 'node:fs';
 
 import type {Locator, Page} from 'playwright-core';
@@ -23,7 +23,7 @@ const tee = JSON.parse(readFileSync('public/garments/tee-m.json', 'utf8')) as Te
 const {stitches = [], panels} = tee.pattern;
 const names = Object.keys(panels);
 const stripped = {...tee, seams: [], pattern: {...tee.pattern, stitches: []}};
-/** With its seams as somebody sews them who says nothing more about them. */
+/** The garment without seams, as before sewing by hand. */
 const plain = {...tee, seams: []};
 
 const pattern = (page: Page): Locator => page.getByRole('application', {name: 'Pattern'});
@@ -38,7 +38,7 @@ const garmentOf = (page: Page): Promise<GarmentDocument> =>
     return garment;
   });
 
-/** Of the answer to what is asked now. */
+/** Mismatch of the answer to the current problem. */
 async function fitOf(page: Page): Promise<number> {
   await page.waitForFunction(
     () => document.querySelector<SeamwisePage>('seamwise-page')?.workbench.state.kind === 'done',
@@ -52,7 +52,7 @@ async function fitOf(page: Page): Promise<number> {
 
 const nameOf = ({panel, edge}: StitchEnd): string => `${panel} ${edge}`;
 
-/** Which edges are sewn to which, whichever is named first. */
+/** Pairs of sewn edges, in either order. */
 const seamsOf = ({pieces, seams}: GarmentDocument): readonly string[] =>
   seams
     .map(({a, b, sameDirection}) => {
@@ -64,7 +64,7 @@ const wanted = stitches
   .map(([a, b, way]) => `${[nameOf(a), nameOf(b)].sort().join(' - ')}${way ? ', same way' : ''}`)
   .sort();
 
-/** The number of an edge in the order in which Tab leads to them. */
+/** The number of an edge in the order of the Tab key. */
 const orderOf = ({panel, edge}: StitchEnd): number =>
   names
     .slice(0, names.indexOf(panel))
@@ -98,7 +98,7 @@ it(
           (one) => `${pieces[one.piece]?.name ?? ''} ${one.edge}` === nameOf(a),
         ),
       );
-      if (isSewn) continue; // as the mirror image of another
+      if (isSewn) continue; // sewn as a mirror image
       await tab(page, present, orderOf(a));
       await page.keyboard.press('Enter');
       await says(page, /Now choose what it is sewn to/);
@@ -109,7 +109,7 @@ it(
       present = orderOf(a);
     }
     expect(seamsOf(await garmentOf(page))).toEqual(wanted);
-    expect(new Set(count).size).toBeLessThan(stitches.length); // mirror images have followed
+    expect(new Set(count).size).toBeLessThan(stitches.length); // mirror images were sewn with them
     await page.getByText('20 of 26 edges sewn, 0 open').waitFor();
     const fit = await fitOf(page);
 
@@ -126,7 +126,7 @@ it(
   },
 );
 
-/** A place on an edge of a piece on the screen. */
+/** A point on an edge of a piece on the screen. */
 async function placeOn(page: Page, name: string, edge: number, share = 0.5): Promise<Point> {
   const at = await page.locator('sw-pattern').evaluate(
     (pane: PatternPane, [wantedName, number, part]): Point | null => {
@@ -162,7 +162,7 @@ it('is sewn by clicks, several edges as one side, split, left open and taken apa
   await says(page, /^Shoulder left of Front/);
   await click(page, 'back', 5);
   await says(page, /^Shoulder left of Front.*Sewn to shoulder left of Back/);
-  await page.getByText('4 of 26 edges sewn').waitFor(); // the other shoulder has followed
+  await page.getByText('4 of 26 edges sewn').waitFor(); // the other shoulder was sewn with it
   await button(page, 'Turn').click();
   await expect
     .poll(async () => (await garmentOf(page)).seams.map(({sameDirection}) => sameDirection))
@@ -206,7 +206,7 @@ it('is sewn by clicks, several edges as one side, split, left open and taken apa
   expect(await barriers(page)).toEqual([]);
 });
 
-/** Where all pieces lie on the screen. */
+/** Positions of all pieces on the screen. */
 const places = (page: Page): Promise<readonly string[]> =>
   page.locator('sw-pattern').evaluate((pane: PatternPane) => {
     const stage = pane.shadowRoot?.querySelector('.stage')?.getBoundingClientRect();
@@ -227,7 +227,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await page.locator('sw-pattern').evaluate((pane: PatternPane) => pane.updateComplete);
   const before = await places(page);
 
-  // keys work from a button as well
+  // keys also work while a button has the focus
   await button(page, 'Undo').focus();
   await page.keyboard.press('q');
   await says(page, /seams are as good as sure/);
@@ -239,7 +239,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await says(page, /^Is .*\?$/);
   await page.keyboard.press('q');
 
-  // a hem is like nothing, and is not sewn to anything by a key that says otherwise
+  // a hem has no candidates, and a key for another answer does not sew it
   await pattern(page).focus();
   await page.keyboard.press('Tab');
   await says(page, /^Bottom of Front.*Nothing is like it/);
@@ -247,7 +247,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await page.keyboard.press('h');
   await page.getByText('8 of 24 edges sewn, 1 open').waitFor();
 
-  // armholes first: Shift leads over the shoulder
+  // armholes first: Shift extends the selection over the shoulder
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
   await says(page, /^Right.*of Front, 25/);
@@ -269,7 +269,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await page.keyboard.press('u');
   await expect.poll(async () => (await sides(page)).length).toBe(4);
 
-  // cap first, and the front armhole alone: it is asked whether the back one is joined with it
+  // cap first, with the front armhole alone: a question suggests the back one as well
   await pattern(page).focus();
   await page.keyboard.press('Tab');
   for (let k = 0; k < 2; k++) await page.keyboard.press('ArrowDown');
@@ -288,7 +288,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowDown');
 
-  // the other sleeve, by its best match; each is closed by its own underarm
+  // the other sleeve, by its best match; its own underarm closes each
   await page.keyboard.press('Escape');
   await page.keyboard.press('q');
   await says(page, /Is .*\?$/);

@@ -1,4 +1,4 @@
-/** The page's shape: what is in sight on screens of every width, and what stays where it is. */
+/** The page's layout: visible parts on screens of every width, and fixed positions. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -51,7 +51,7 @@ it(
       expect(await page.evaluate(() => document.documentElement.scrollHeight), name).toBe(844);
     }
     await sheets.getByRole('button', {name: 'Print'}).tap();
-    expect((await box(stage)).height).toBeGreaterThan(500); // nothing is open
+    expect((await box(stage)).height).toBeGreaterThan(500); // no panel is open
   },
 );
 
@@ -61,7 +61,7 @@ it(
   async () => {
     const page = await openPage(phone);
     await solved(page);
-    await page.locator('.remedy').first().waitFor({state: 'attached'}); // the last of what is drawn
+    await page.locator('.remedy').first().waitFor({state: 'attached'}); // rendered last
     const small = async (): Promise<readonly string[]> =>
       page.evaluate(() => {
         const found: string[] = [];
@@ -137,7 +137,7 @@ const designWith = async (page: Page, group: string): Promise<void> => {
   await expect.poll(async () => (await designOf(page)).print.group).toBe(group);
 };
 
-/** Where pieces lie on the sheet, whatever part of it is shown. */
+/** Positions of the pieces on the sheet, whichever part of it is shown. */
 const places = (page: Page): Promise<unknown> =>
   page
     .locator('sw-pattern')
@@ -162,7 +162,7 @@ it(
 it('moves nothing on the page while another print is fitted', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
-  // every place at which a part stands in any frame from now on
+  // records every position of the parts in all frames from now on
   await page.locator('sw-editor').evaluate((editor) => {
     const seen = new Set<string>();
     Reflect.set(globalThis, 'seen', seen);

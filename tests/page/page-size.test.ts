@@ -1,4 +1,4 @@
-/** How much the opening fetches, compressed as a host would send it. */
+/** Download size of the page's first load, compressed as a host would send it. */
 import {gzipSync} from 'node:zlib';
 
 import type {Page, Request} from 'playwright-core';
@@ -11,8 +11,8 @@ const openPage = usePage();
 
 const kilobyte = 1000;
 /**
- * Of the page's own code and of the solver, without the drawing library; with the lens's strip, 2.8 kB, which is asked for
- * beforehand where the answer takes longer. [bytes]
+ * Most bytes of the page's own code and of the solver, without the drawing library. They include
+ * the lens's strip, 2.8 kB, which is preloaded where the answer takes longer.
  */
 const most = {code: 135 * kilobyte, wasm: 223 * kilobyte};
 

@@ -1,4 +1,4 @@
-/** The clicks that make a garment symmetric, on three samples, and what comes of them. */
+/** Clicks that make a garment symmetric, on three samples, and their results. */
 import type {Page} from 'playwright-core';
 import type {SolveResult} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';

@@ -1,4 +1,4 @@
-/** What the core says in English, on a page for readers of another language. */
+/** The core's English messages, on a page in another language. */
 import {expect, it, vi} from 'vitest';
 
 import {choose, jsonFile} from '../support/page-files.js';

@@ -1,4 +1,4 @@
-/** The worn garment keeps its page alive: it is never empty, and keys alone reach all of it. */
+/** The drape keeps its page responsive: it is never empty, and keys alone reach all of it. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -23,7 +23,7 @@ it(
     await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
     await expect.poll(() => status(page), {timeout: 120_000}).toContain('view.');
     const stage = page.locator('sw-worn .stage');
-    /** An empty picture takes next to no bytes. */
+    /** An empty image takes next to no bytes. */
     const staysFull = async (): Promise<void> => {
       for (let k = 0; k < 6; k++) {
         expect((await stage.screenshot()).length).toBeGreaterThan(12_000);

@@ -1,4 +1,4 @@
-/** The garment as it is worn, on the page: beside its pattern or in its place, and what is meant in one is meant in both. */
+/** The drape on the page, beside or instead of the pattern, with a selection that both share. */
 
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
@@ -11,7 +11,7 @@ import {frames} from '../support/waiting.js';
 
 const openPage = usePage();
 
-/** The page with the garment worn in place of its pattern. */
+/** The page with the drape instead of the pattern. */
 async function openWorn(): Promise<Page> {
   const page = await openPage({viewport: {width: 1300, height: 800}});
   await solved(page);
@@ -39,7 +39,7 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
       const {selected, pattern} = workbench ?? {};
       return selected?.kind === 'piece' ? pattern?.pieces[selected.piece]?.name : selected?.kind;
     });
-  // room in the picture is found by trying: the middle of the chest is cloth
+  // the middle of the chest is surely fabric
   const stage = await worn.locator('.stage').boundingBox();
   if (!stage) throw new Error('The garment has no stage.');
   const [x, y] = [stage.x + 0.5 * stage.width, stage.y + 0.42 * stage.height];
@@ -52,7 +52,7 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
       {timeout: 30_000},
     )
     .toBeTruthy();
-  // what is picked elsewhere turns the camera to where it is
+  // a selection elsewhere turns the camera towards it
   await page.evaluate(() => {
     const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
     const back = workbench?.pattern?.pieces.findIndex(({name}) => name.includes('back')) ?? -1;
@@ -70,7 +70,7 @@ it(
     const stages = {Pattern: 'sw-pattern .stage', Garment: 'sw-worn .stage'};
     for (const name of ['Pattern', 'Garment', 'Pattern'] as const) {
       await views.getByRole('button', {name}).click();
-      // an empty picture takes next to no bytes
+      // an empty image takes next to no bytes
       await expect
         .poll(async () => (await page.locator(stages[name]).screenshot()).length, {timeout: 20_000})
         .toBeGreaterThan(40_000);
@@ -91,7 +91,7 @@ it(
       if (print)
         workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
     });
-    // never an empty picture, which takes next to no bytes
+    // never an empty image, which takes next to no bytes
     for (let k = 0; k < 8; k++) {
       const picture = await worn.locator('.stage').screenshot();
       expect(picture.length).toBeGreaterThan(20_000);
@@ -109,7 +109,7 @@ it(
     const worn = page.locator('sw-worn');
     const stage = await worn.locator('.stage').boundingBox();
     if (!stage) throw new Error('The garment has no stage.');
-    /** What is seen of the garment on both sides of the middle, off the line itself. */
+    /** Images of the garment on both sides of the middle, off the line itself. */
     const halves = async (): Promise<readonly [string, string]> => {
       const {x, y, width, height} = stage;
       const half = {y: y + 0.1 * height, width: 0.15 * width, height: 0.5 * height};
@@ -157,7 +157,7 @@ it(
     expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({
       design: {fabric: 'denim'},
     });
-    await solved(page); // no answer depends on it
+    await solved(page); // the answer does not depend on it
     await button(page, 'Undo').click();
     await expect.poll(() => fabric.inputValue()).toBe('poplin');
     await button(page, 'Redo').click();
@@ -170,7 +170,7 @@ it(
 
 it('gives away a picture of what is seen, a model and a film', {tags: ['thorough']}, async () => {
   const page = await openWorn();
-  await page.keyboard.press('v'); // both, since nothing has the focus
+  await page.keyboard.press('v'); // both views, since nothing has the focus
   await expect
     .poll(() => page.locator('sw-worn progress').isVisible(), {timeout: 60_000})
     .toBe(false);

@@ -1,4 +1,4 @@
-/** How large the pattern is shown: in per cent, to choose, to type, by keys. */
+/** Zoom of the pattern: in per cent, by menu, by typing, by keys. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -9,7 +9,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
-/** At 100 %. [CSS px per cm] */
+/** Scale at 100 %. [CSS px per cm] */
 const trueScale = 96 / 2.54;
 
 const scale = (page: Page): Promise<number> =>

@@ -8,7 +8,7 @@ import {tee, useFixture, withoutTimes} from './fixture/open.js';
 
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 
-/** Leases with these places, asks for several solves at once and then for another. */
+/** Leases solvers with these workers' addresses, starts several solves at once and then another. */
 function solveWhile(page: Page, places: object) {
   return page.evaluate(
     async ([where, large, small]) => {
@@ -82,8 +82,8 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
       return heard;
     }, strips.garment);
     expect(heard).toEqual(['first', 'second', 'third']);
-    expect(asked).toBe(2); // the first two had places of their own before anything was known
-    await page.clock.fastForward(6000); // nobody leases anything for a while
+    expect(asked).toBe(2); // the first two started before the failure was known
+    await page.clock.fastForward(6000); // no leases for a while
     await page.evaluate(
       (garment) => lease({workerUrl: 'nowhere.js'}).solver.convert(garment),
       strips.garment,

@@ -8,7 +8,7 @@ import {isHelper, jacket, useFixture, withoutTimes} from './fixture/open.js';
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 const openPage = useFixture();
 let page: Page;
-/** How many have been started, helpers apart; one that was replaced counts. */
+/** Number of workers started, without helpers; a replaced one counts. */
 let workers: number;
 
 beforeEach(async () => {

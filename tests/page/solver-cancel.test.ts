@@ -1,4 +1,4 @@
-/** Cancelling in the midst of a garment of some thousand edges, at every stage of a solve. */
+/** Cancelling in the middle of a garment of some thousand edges, at every stage of a solve. */
 import type {Page} from 'playwright-core';
 import {solve} from 'seamwise/node';
 import {afterEach, beforeEach, expect, it} from 'vitest';
@@ -47,14 +47,14 @@ it.each([
           });
         }
 
-        /** A worker that is in the midst of a long step is replaced. */
+        /** The client replaces a worker that is in the middle of a long step. */
         override terminate(): void {
           super.terminate();
           drop('ended');
         }
       };
       const client = new Client();
-      await client.solve(small); // the worker is at hand
+      await client.solve(small); // the worker is ready
       const controller = new AbortController();
       const solved = client.solve(large, {
         signal: controller.signal,
@@ -111,7 +111,7 @@ it('symmetries may be given up while they are looked for', {tags: ['thorough']},
     const pending = client
       .symmetries(garment, {signal: controller.signal})
       .catch((error: unknown) => (error as Error).name);
-    await client.convert('{').catch(() => undefined); // answered after the search has begun
+    await client.convert('{').catch(() => undefined); // returns after the search has begun
     controller.abort();
     return [await pending, typeof (await client.convert(garment))] as const;
   }, gored);

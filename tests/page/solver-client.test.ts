@@ -9,7 +9,7 @@ import {isHelper, jacket, tee, useFixture, withoutTimes} from './fixture/open.js
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 const openPage = useFixture();
 let page: Page;
-/** How many have been started, helpers apart; one that was replaced counts. */
+/** Number of workers started, without helpers; a replaced one counts. */
 let workers: number;
 
 beforeEach(async () => {
@@ -95,7 +95,7 @@ describe('the client', () => {
     expect(fractions.at(-1)).toBe(1);
     expect(phases).toEqual(['preparation', 'alignment', 'deformation']);
     expect(partials.length).toBeGreaterThan(0);
-    expect(partials.length).toBeLessThan(fractions.length); // there are none while it is prepared
+    expect(partials.length).toBeLessThan(fractions.length); // there are none during preparation
     expect(partials.every((alignments) => alignments.length === 12)).toBe(true);
     expect(partials.flat().every(Number.isFinite)).toBe(true);
   });

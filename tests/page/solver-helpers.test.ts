@@ -1,5 +1,5 @@
 import {sampleOf} from '../support/level.js';
-/** Workers of the worker's, which help it with what takes long. */
+/** Helpers: workers that a worker starts for its long tasks. */
 import type {Page, Worker} from 'playwright-core';
 import {solve} from 'seamwise/node';
 import {afterEach, beforeEach, expect, it} from 'vitest';

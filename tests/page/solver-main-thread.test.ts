@@ -8,7 +8,7 @@ import {checks, twoStrips} from '../wasm/garments.js';
 import {jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
 
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
-/** As Vite serves a file outside of its root. */
+/** Address of the module; Vite serves files outside of its root like this. */
 const moduleUrl = `/@fs${fileURLToPath(new URL('../../web/src/solver/module/seamwise.wasm', import.meta.url))}`;
 const openPage = useFixture();
 let page: Page;
@@ -54,7 +54,7 @@ it(
   async () => {
     const between = await page.evaluate(async (problem) => {
       const solver = new InPage();
-      await solver.solve(problem); // the module is compiled, the garment meshed
+      await solver.solve(problem); // compiles the module, meshes the garment
       const {port1, port2} = new MessageChannel();
       let [tasks, reports] = [0, 0];
       port1.onmessage = () => (tasks += 1);
@@ -62,7 +62,7 @@ it(
       const onProgress = () => {
         if (tasks < reports) missed.push(reports);
         reports += 1;
-        port2.postMessage(null); // the page has another task to do
+        port2.postMessage(null); // another task for the page
       };
       await solver.solve({...problem, seed: 2}, {onProgress});
       port1.close();
@@ -106,7 +106,7 @@ it('is aborted between any two slices, and goes on answering', async () => {
 });
 
 it('can be aborted while the module is on its way', {tags: ['thorough']}, async () => {
-  await page.route('**/*.wasm', () => undefined); // and never comes
+  await page.route('**/*.wasm', () => undefined); // never responds
   const reason = await page.evaluate(async (problem) => {
     const signal = AbortSignal.timeout(100);
     return new InPage().solve(problem, {signal}).catch((thrown: unknown) => (thrown as Error).name);

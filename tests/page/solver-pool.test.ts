@@ -9,10 +9,10 @@ import {isHelper, jacket, tee, useFixture, withoutTimes} from './fixture/open.js
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 const openPage = useFixture();
 let page: Page;
-/** How many have been started; one that was replaced counts. */
+/** Number of workers started; a replaced one counts. */
 let workers: number;
 
-/** On a device with so many cores. */
+/** Opens the page on a simulated device with so many cores. */
 async function open(cores: number): Promise<void> {
   page = await openPage();
   await page.evaluate((value) => {
@@ -109,7 +109,7 @@ describe('the pool', () => {
               },
             ),
           );
-          leaving.abort('enough'); // while it waits for its turn
+          leaving.abort('enough'); // it is waiting for its turn
           const solved = second.solver.solve(small).then(() => order.push('solved'));
           const ends = await Promise.allSettled(drapes);
           await solved;
@@ -119,8 +119,9 @@ describe('the pool', () => {
       );
       expect(told.ends).toEqual(['fulfilled', 'rejected', 'fulfilled']);
       expect(told.order.filter((one) => one !== 'solved' && one !== 0)).toEqual([2]);
-      expect(told.order.indexOf('solved')).toBeLessThan(told.order.indexOf(2)); // before the first drape ended
-      expect(workers).toBe(3); // of two leases, and that for drapes
+      // the solve ended before the first drape
+      expect(told.order.indexOf('solved')).toBeLessThan(told.order.indexOf(2));
+      expect(workers).toBe(3); // for two leases and for drapes
       await page.evaluate(() =>
         lease()
           .solver.convert('{}')
@@ -276,7 +277,7 @@ describe('a worker that breaks', () => {
           const whole = second.solver.solve(large);
           const broken = await Promise.all([
             first.solver.solve(large, {names: {garment: 'throws'}}).catch(codeOf),
-            third.solver.solve(large).catch(codeOf), // beside the first
+            third.solver.solve(large).catch(codeOf), // at the same time as the first
           ]);
           const next = await Promise.all(
             [first, second, third].map(({solver}) => solver.solve(small)),

@@ -16,7 +16,10 @@ beforeAll(async () => {
 
 afterAll(() => browser.close());
 
-/** Opens a path of what is served, and fails if anything breaks the policy or comes from elsewhere. */
+/**
+ * Opens a path of the server, and fails on any violation of the policy or request to another
+ * origin.
+ */
 async function withPage(served: Served, path: string, check: (page: Page) => Promise<void>) {
   const page = await browser.newPage();
   const complaints: string[] = [];

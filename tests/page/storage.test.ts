@@ -1,4 +1,4 @@
-/** What the page keeps of its projects in a real browser, with one tab and with two. */
+/** Storage of projects in a real browser, with one tab and with two. */
 import type {Browser, BrowserContext, Page} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, describe, expect, it, vi} from 'vitest';
 
@@ -17,7 +17,7 @@ afterEach(async () => {
 });
 afterAll(() => browser?.close());
 
-/** A browser of somebody who was never here before. */
+/** A browser without any stored data. */
 async function newcomer(): Promise<BrowserContext> {
   if (!browser) throw new Error('The browser is not open yet.');
   const context = await browser.newContext();
@@ -34,7 +34,7 @@ async function tab(context: BrowserContext): Promise<Page> {
 
 const troubles = (page: Page) => page.evaluate(() => Storing.troubles);
 
-/** The contents of the database's store of long texts. */
+/** Lengths in the database's store of long texts. */
 const textLengths = (page: Page): Promise<number[]> =>
   page.evaluate(
     () =>
@@ -97,7 +97,7 @@ describe('a project', () => {
     const page = await tab(await newcomer());
     const state = await page.evaluate(async () => {
       const {autosave} = Storing;
-      const long = 'x'.repeat(3_000_000); // takes its time
+      const long = 'x'.repeat(3_000_000); // slow to save
       await Promise.all([
         autosave.save('a', {name: 'Tee', state: long}),
         autosave.save('a', {name: 'Tee', state: 'last'}),
@@ -186,7 +186,7 @@ describe('the list', () => {
   it('holds what was kept before there were titles', async () => {
     const page = await tab(await newcomer());
     await page.evaluate(async () => {
-      await Storing.autosave.save('b', {name: 'b', state: 1}); // makes the database
+      await Storing.autosave.save('b', {name: 'b', state: 1}); // creates the database
       await new Promise<void>((resolve) => {
         const open = indexedDB.open('seamwise', 1);
         open.onsuccess = () => {
@@ -318,7 +318,7 @@ describe('what goes wrong', () => {
     await session.send('Storage.overrideQuotaForOrigin', {origin, quotaSize: 1_000_000});
     await page.evaluate(() => Storing.autosave.save('a', {name: 'Tee', state: 'small'}));
     const [saved, state] = await page.evaluate(async () => {
-      // nothing that could be compressed
+      // incompressible data
       const bytes = Array.from({length: 40}, () => crypto.getRandomValues(new Uint8Array(60_000)));
       const state = bytes.map((some) => some.join());
       const done = await Storing.autosave.save('a', {name: 'Tee', state});
@@ -326,7 +326,7 @@ describe('what goes wrong', () => {
     });
     expect(saved).toBe(false);
     expect(await troubles(page)).toEqual(['full']);
-    expect(state).toHaveLength(40); // for as long as the tab lives
+    expect(state).toHaveLength(40); // kept in the tab's memory
     await page.reload();
     await page.waitForFunction(() => 'Storing' in globalThis);
     expect((await page.evaluate(() => Storing.autosave.load('a')))?.state).toBe('small');

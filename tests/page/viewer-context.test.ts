@@ -1,4 +1,4 @@
-/** The graphics context that all views of a document share: lost, given back, missing. */
+/** The graphics context that all views of a document share: lost, restored, missing. */
 import {expect, it} from 'vitest';
 
 import {
@@ -97,7 +97,7 @@ it(
     const alive = (): Promise<boolean[]> =>
       page.evaluate(() => Seen.contexts.map((context) => !context.isContextLost()));
     expect(await alive()).toEqual([true]);
-    // an element that only moves takes the context with it
+    // an element that only moves keeps the context
     await page.evaluate(() => {
       globalThis.views = [Viewer.openView({width: 200, height: 150})];
     });
@@ -134,7 +134,7 @@ it('throws where there is no WebGL 2, and works once there is', async () => {
       }
     };
     HTMLCanvasElement.prototype.getContext = () => null;
-    console.error = () => undefined; // three.js says so, too
+    console.error = () => undefined; // three.js also logs it
     const without = open();
     Object.assign(HTMLCanvasElement.prototype, {getContext});
     Object.assign(console, {error});

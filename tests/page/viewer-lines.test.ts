@@ -15,7 +15,10 @@ const outline: Colour = [74, 77, 82];
 const twoSquares = (symmetries: Pattern['symmetries'] = []): PatternScene =>
   sceneOf(squarePair({symmetries}), print);
 
-/** Colours across lines at points of a piece: from 10 px left of it to 10 px right, the line in the middle. */
+/**
+ * Colours across lines at points of a piece: from 10 px left of it to 10 px right, the line in the
+ * middle.
+ */
 async function rowsAcross(
   page: Page,
   scene: PatternScene,
@@ -45,7 +48,8 @@ const alongSeam = (page: Page, scene: PatternScene, piece: number): Promise<Colo
     page,
     scene,
     piece,
-    Array.from({length: 41}, (_, k): Point => [piece === 0 ? 4 : 0, 0.5 + k / 40]), // below what marks the middle
+    // below the mark of the middle
+    Array.from({length: 41}, (_, k): Point => [piece === 0 ? 4 : 0, 0.5 + k / 40]),
   );
 
 it('draws seams green and whole where the print meets, red, wider and broken where it misses by far', async () => {
@@ -57,7 +61,7 @@ it('draws seams green and whole where the print meets, red, wider and broken whe
     expect(Math.min(...good)).toBeGreaterThanOrEqual(1);
     await realign(page, [
       {angle: 0, translation: [0, 0]},
-      {angle: 0, translation: [-9, 5]}, // half a repeat off, both ways
+      {angle: 0, translation: [-9, 5]}, // off by half a repeat in both directions
     ]);
     const bad = await alongSeam(page, scene, piece);
     expect(count(bad.flat(), green)).toBe(0);

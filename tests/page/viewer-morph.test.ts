@@ -20,7 +20,7 @@ const openPage = useViewer();
 const tile = checkered();
 const still: Alignment = {angle: 0, translation: [0, 0]};
 
-/** The left half so many centimetres wider on its left than drafted, and lying on the print as said. */
+/** The left half is `wider` cm wider on its left than drafted, and has this alignment. */
 function scene(wider: number, alignment = still): PatternScene {
   const shape = square.map(([x, y]): Point => [x === 0 ? -wider : x, y]);
   const [, right = squarePiece('right_half')] = squarePair().pieces;
@@ -29,7 +29,7 @@ function scene(wider: number, alignment = still): PatternScene {
   });
 }
 
-/** Time stands still on the page until it is moved on. */
+/** The page's clock only advances explicitly. */
 async function openStill(): Promise<Page> {
   const page = await openPage({
     before: () => {
@@ -62,13 +62,16 @@ async function showMoving(
 async function at(page: Page, ms: number): Promise<Pixels> {
   await page.evaluate((now) => {
     document.documentElement.dataset.now = String(now);
-    Viewer.view.panBy(0, 0); // a frame, whether or not one is due
+    Viewer.view.panBy(0, 0); // forces a frame
   }, ms);
   await settled(page);
   return screenOf(page);
 }
 
-/** How much wider the left half is drawn than drafted: its edge begins where the page's background ends. [cm] */
+/**
+ * Extra width of the drawn left half over the drafted one: its edge begins at the end of the page's
+ * background. [cm]
+ */
 async function widthIn(page: Page, pixels: Pixels): Promise<number> {
   const {row, edge, scale} = await page.evaluate(
     ([dx, dy]) => {
@@ -114,7 +117,7 @@ it(
   async () => {
     const page = await openStill();
     const [offset = [NaN, NaN]] = scene(0).pieces.map((piece) => piece.offset);
-    // of a repeat of 10 cm, 13 cm look like 3 cm
+    // 13 cm of a repeat of 10 cm look like 3 cm
     await showMoving(page, scene(0, {angle: 2 * Math.PI, translation: [13, 0]}));
     await at(page, 0);
     const pixels = await at(page, 60);
@@ -124,7 +127,7 @@ it(
     const points = Array.from({length: 12}, (_, k): Point => [0.5 + (k % 4) * 0.9, 0.6 + k * 0.25]);
     let told = 0;
     for (const point of points) {
-      // only in the middle of a field of the tile, for all that may be there
+      // only in the middle of a field of the tile, for the possible range of colours
       const fields = [-0.1, 0, 0.1].map((by) => under(point, 3 * share + by));
       if (new Set(fields).size > 1) continue;
       const place = await page.evaluate((sheet) => Viewer.view.screenOf(sheet), [

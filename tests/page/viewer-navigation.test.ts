@@ -190,7 +190,7 @@ it('draws only when something changes', {tags: ['thorough']}, async () => {
       return original(callback);
     };
   });
-  /** Frames that are asked for while nothing is done, by what follows a change at some distance, too. */
+  /** Frames requested at rest, including those that follow some time after a change. */
   const whileResting = async (): Promise<string> => {
     await page.evaluate(() => {
       document.title = '0';

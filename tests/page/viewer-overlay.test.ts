@@ -27,7 +27,7 @@ async function opened(scene: PatternScene): Promise<Page> {
   return page;
 }
 
-/** How many pixels of the screen have a colour, within some px of a point of a piece. */
+/** Number of pixels of a colour on the screen, within some px of a point of a piece. */
 async function near(page: Page, scene: PatternScene, piece: number, p: Point): Promise<number> {
   const [dx, dy] = scene.pieces[piece]?.offset ?? [NaN, NaN];
   const at = [p[0] + dx, p[1] + dy] as const;
@@ -105,7 +105,7 @@ it('shows another scene of the sheet left of a line', {tags: ['thorough']}, asyn
     if (now) Viewer.view.setWipe({before: Viewer.realigned(now, alignments), split: 0.5});
   }, before);
   await settled(page);
-  // the wearer's left lies on the right of the sheet
+  // the wearer's left is on the right of the sheet
   const [right, left] = await compared(page, scene, tile.pixels);
   expect(right?.wrong).toEqual([]);
   expect(right?.points).toBeGreaterThan(20);

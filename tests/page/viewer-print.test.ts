@@ -161,7 +161,7 @@ describe('a pixel of the screen is the pixel of the tile', () => {
     const page = await openPage({width: 2000, height: 1400});
     await show(page, {...scene, symmetries: []}); // letters and axes would hide the print
     await page.evaluate(async (image) => {
-      Viewer.view.setSeams(false); // so would numbers
+      Viewer.view.setSeams(false); // numbers, too
       Viewer.view.setTile(await Viewer.svgTile(image));
     }, svg ?? '');
     await settled(page);
@@ -186,7 +186,7 @@ it('shows the page in cut-outs and beside the pieces', {tags: ['thorough']}, asy
 });
 
 it('shows a print upright and not mirrored on a piece that lies as the cloth does', async () => {
-  // red above, blue on the left
+  // red at the top, blue on the left
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4"><path fill="#ddd" d="M0 0h4v4h-4z"/><path fill="#d01020" d="M0 0h4v1h-4z"/><path fill="#1030c0" d="M0 1h1v3h-1z"/></svg>`;
   const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 8], oneWay: true};
   const page = await openPage();
@@ -224,7 +224,7 @@ it(
       async ([image, edge]) => {
         Viewer.view.setTile(await Viewer.svgTile(image));
         for (let k = 0; k < 40; k++) Viewer.view.zoomBy(1.2, Viewer.view.screenOf(edge));
-        // to the middle of the screen
+        // moves it to the middle of the screen
         const [x, y] = Viewer.view.screenOf(edge);
         Viewer.view.panBy(450 - x, 300 - y);
       },

@@ -1,4 +1,4 @@
-/** Many views of a document, each shown as if it were alone. */
+/** Many views of a document, each rendered as if it were alone. */
 import {expect, it} from 'vitest';
 
 import {decoded, type Pixels} from '@samples/prints/raster.js';
@@ -65,7 +65,7 @@ it(
       await new Promise(requestAnimationFrame);
       await new Promise(requestAnimationFrame);
       const one = [...Seen.copies.values()];
-      // six that never rest do not keep another from its turn
+      // six restless views do not delay another one
       let count = 0;
       views[20]?.zoomBy(2);
       const canvas = document.querySelectorAll('canvas')[20];
@@ -124,7 +124,7 @@ it('leaves the renderer’s own canvas where it is seen when one goes that showe
     );
     await frames(page, 5);
   };
-  await turn(1, 'none'); // the first one shows the renderer's canvas
+  await turn(1, 'none'); // the first view shows the renderer's canvas
   await turn(0, 'none');
   await turn(1, 'block'); // now the second one does
   await turn(1, 'none');
@@ -213,7 +213,7 @@ it(
         strip.setTile(await Viewer.loadTile(png));
         await new Promise(requestAnimationFrame);
         await new Promise(requestAnimationFrame);
-        strip.setCursor(0.5); // a frame with nothing to draw but the strip
+        strip.setCursor(0.5); // a frame that only draws the strip
       },
       [scene, tile.png] as const,
     );

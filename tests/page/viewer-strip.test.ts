@@ -24,9 +24,9 @@ const runsOn: Alignment = {angle: 0, translation: [-4, 0]};
 const mirrored: Alignment = {angle: Math.PI, translation: [4, 0]};
 
 const size = {width: 600, height: 400};
-/** The seam of 4 cm is drawn as large as any. [px per cm] */
+/** Scale of a seam of 4 cm, which is the largest possible. [px per cm] */
 const scale = 40;
-/** Where its middle is. [px] */
+/** Middle of the seam. [px] */
 const centre: Point = [300, 200];
 
 const sceneIn = (print: Print, second: Alignment): PatternScene =>
@@ -55,7 +55,10 @@ async function opened(
 const at = (pixels: Pixels, along: number, up: number): Colour =>
   colourAt(pixels, Math.floor(centre[0] + along * scale), Math.floor(centre[1] - up * scale));
 
-/** Mean difference of colours as far above as below a line along the seam, from 0 to 255. */
+/**
+ * Mean difference of colours at equal distances above and below a line along the seam, from 0 to
+ * 255.
+ */
 function difference(pixels: Pixels, off: number, middle = 0): number {
   const places = Array.from({length: 77}, (_, k) => (k - 38) / 20);
   const sum = places.reduce((all, along) => {
@@ -73,7 +76,8 @@ it(
     const second: Alignment = {angle: 0.3, translation: [1, 2]};
     const {page} = await opened(sceneIn(plainPrint, second));
     const pixels = await screenOf(page);
-    // sewn from the foot up with the left square above: along is up both squares, in is to the left and to the right
+    // sewn from the bottom up with the left square above: along is up both squares, in is to the
+    // left and to the right
     const sides = [
       {alignment: home, up: 1, place: (along: number, d: number): Point => [4 - d, 2 + along]},
       {alignment: second, up: -1, place: (along: number, d: number): Point => [d, 2 + along]},
@@ -114,7 +118,7 @@ it('shows nothing beyond the ends of the pieces', {tags: ['thorough']}, async ()
   }
 });
 
-/** Fields in a colour of their own, the same in y and 10 - y. No edge of a field is near the seam. */
+/** Fields of different colours, the same in y and 10 - y. No edge of a field is near the seam. */
 function mirroredFields(): string {
   const fields = Array.from({length: 80}, (_, k) => {
     const [column, row] = [k % 8, Math.floor(k / 8)];

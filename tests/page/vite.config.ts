@@ -1,4 +1,4 @@
-/** How the pages of tests are built: relative addresses, no public files. */
+/** Build settings of the tests' pages: relative addresses, no public files. */
 import {defineConfig} from 'vite';
 
 export default defineConfig({base: './', publicDir: false, build: {emptyOutDir: true}});

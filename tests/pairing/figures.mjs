@@ -1,8 +1,9 @@
-// How good suggestions of seams are: garments are stripped of their seams, and what is suggested is compared with them.
+// Quality of seam suggestions: strips garments of their seams and compares the suggestions with
+// them.
 
 const keyOf = ({piece, edge}) => `${piece} ${edge}`;
 
-/** What each edge of a garment is sewn to. */
+/** Maps each edge of a garment to the edge it is sewn to. */
 function matesOf({pieces, seams}) {
   const named = ({piece, edge}) => keyOf({piece: pieces[piece].name, edge});
   return new Map(
@@ -22,7 +23,7 @@ export class Figures {
   sure = 0;
   sureRight = 0;
 
-  /** Shares: how often the partner is first, and among three; how many sure seams are right; how many seams are sure. */
+  /** Shares: partner ranked first, partner among three, correct sure seams, sure seams of all. */
   get shares() {
     const share = (part, whole) => part / Math.max(1, whole);
     return {
@@ -33,7 +34,7 @@ export class Figures {
     };
   }
 
-  /** Adds what was suggested for a garment of which some seams were taken away. */
+  /** Adds the suggestions for a garment without some of its seams. */
   add(document, {edges, sure}) {
     const mates = matesOf(document);
     for (const {partners, ...edge} of edges) {
@@ -52,13 +53,13 @@ export class Figures {
   }
 }
 
-/** What is less likely is not asked about. */
+/** Seams with a lower likelihood are not suggested. */
 const leastLikely = 0.15;
 
 /**
- * Sews a garment by answering questions as its file has it: the likeliest open seam each time, mirror images follow by
- * themselves.
- * @param pairing `likeliestSeams` and `mirrorImage` of web/src/pairing
+ * Sews a garment by answering questions according to its file: the likeliest open seam each time;
+ * mirror images are sewn automatically.
+ * @param pairing  `likeliestSeams` and `mirrorImage` of web/src/pairing
  */
 export function dialogue({likeliestSeams, mirrorImage}, document) {
   const pairs = document.seams.flatMap(({a, b}) => [

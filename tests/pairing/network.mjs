@@ -1,6 +1,7 @@
-// The networks of web/src/pairing: learning their weights, and packing them as network.ts unpacks them.
+// The networks of web/src/pairing: learning their weights, and packing them as network.ts unpacks
+// them.
 
-/** Numbers from 0 to 1 by chance, the same for the same seed: Mulberry32. */
+/** Random numbers from 0 to 1, the same for the same seed: Mulberry32. */
 export function chance(seed) {
   let state = seed >>> 0;
   return () => {
@@ -11,13 +12,13 @@ export function chance(seed) {
   };
 }
 
-/** What can be packed: numbers from -42 to 42, as characters from `(` to `~` without the backslash. */
+/** Packable numbers: from -42 to 42, as characters from `(` to `~` without the backslash. */
 const half = 42;
 const digit = (whole) => String.fromCharCode(whole + half + 40 + (whole + half >= 52 ? 1 : 0));
 const rounded = (share) => Math.max(-half, Math.min(half, Math.round(share * half)));
 const most = (list) => list.reduce((top, one) => Math.max(top, Math.abs(one)), 1e-9);
 
-/** Rows of features, each with whether it is a seam and how much it counts. */
+/** Rows of features, each with its answer (seam or not) and its weight. */
 export class Rows {
   #rows = [];
   #answers = [];
@@ -33,7 +34,7 @@ export class Rows {
     return this.#rows.length;
   }
 
-  /** The means of features, and their deviations as they can be packed. */
+  /** The means of features, and their deviations in packable form. */
   #spread(inputs) {
     const means = new Float64Array(inputs);
     const spreads = new Float64Array(inputs);
@@ -127,7 +128,7 @@ export class Rows {
   }
 }
 
-/** A network as text; what features are centred by goes into the offsets. */
+/** Packs a network as text; the offsets absorb the centres of the features. */
 function packed({inputs, hidden, spreads, shifts, rows, offsets, outputs, direct, offset}) {
   const directMost = most(direct);
   const directDigits = [...direct].map((one) => rounded(one / directMost));
@@ -163,7 +164,7 @@ function packed({inputs, hidden, spreads, shifts, rows, offsets, outputs, direct
   };
 }
 
-/** Numbers as two characters each, and what they are then. */
+/** Packs numbers as two characters each, and returns their rounded values, too. */
 function fine(list, top) {
   const pairs = list.map((one) => {
     const coarse = rounded(one / top);

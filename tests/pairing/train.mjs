@@ -1,11 +1,14 @@
-// Learns web/src/pairing/weights.ts from garments whose seams are known:
+// Learns web/src/pairing/weights.ts from garments with known seams:
 //   npm run build && node tests/pairing/train.mjs DESIGNS PATTERNS [--dry]
-// DESIGNS holds garments by the hundred, at any depth, in files named *specification.json; of each kind one is taken. The weights
-// in the repository were learned from the random designs of https://github.com/hackertehlike/GarmentCode-Nesting (MIT licence),
-// folder nesting-assets/pattern_files, drafted with GarmentCode (M. Korosteleva, O. Sorkine-Hornung, MIT licence).
-// PATTERNS holds garments of another kind, *.json, each taken three times: five templates of
-// https://github.com/maria-korosteleva/Garment-Pattern-Generator (MIT licence). None of all these is kept here. The samples of
-// the project are the third kind. With 800 designs, of the first kind alone, patterns of the other kinds fared worse.
+// DESIGNS is a folder of hundreds of garments, at any depth, in files named *specification.json;
+// one of each kind is used. The weights in the repository were learned from the random designs of
+// https://github.com/hackertehlike/GarmentCode-Nesting (MIT licence), folder
+// nesting-assets/pattern_files, drafted with GarmentCode (M. Korosteleva, O. Sorkine-Hornung, MIT
+// licence).
+// PATTERNS is a folder of garments of another kind, *.json, each used three times: five templates
+// of https://github.com/maria-korosteleva/Garment-Pattern-Generator (MIT licence). The repository
+// contains none of these files. The samples of the project are the third kind. With 800 designs of
+// the first kind alone, results were worse for patterns of the other kinds.
 import {readdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
@@ -21,7 +24,7 @@ const [designs = '.', patterns = '.', ...flags] = process.argv.slice(2);
 const mostDesigns = 100;
 const random = chance(7);
 
-/** Every tenth design is held back, to look at afterwards. */
+/** Every tenth design is held back for later evaluation. */
 const isHeldBack = (number) => number % 10 === 9;
 
 const designFiles = readdirSync(designs, {recursive: true})
@@ -34,11 +37,11 @@ function shuffled(list) {
   return list.map(() => left.splice(Math.floor(random() * left.length), 1)[0]);
 }
 
-/** Undefined where an outline crosses itself. */
+/** Reads a garment; undefined if an outline crosses itself. */
 const readFile = (folder, file) =>
   readGarment(readFileSync(join(folder, file), 'utf8'), file).catch(() => undefined);
 
-/** One design of each kind, as its pieces' names tell kinds. */
+/** One design of each kind; the names of its pieces define the kind. */
 async function readDesigns() {
   const kinds = new Map();
   for (const file of shuffled(designFiles)) {
@@ -68,8 +71,8 @@ async function readAll() {
 }
 
 /**
- * The garment as other programs would have it: now and then without names, its pieces turned, or each stretched by up to
- * a percent, so that seams are eased.
+ * The garment as other programs might write it: sometimes without names, with turned pieces, or
+ * with each piece stretched by up to a percent, so that seams are eased.
  */
 function varied({pieces, ...document}) {
   const [nameless, turned, eased] = [0.3, 0.15, 0.3].map((share) => random() < share);
@@ -88,7 +91,7 @@ function varied({pieces, ...document}) {
   return {...document, pieces: changed};
 }
 
-/** Pairs of a garment some of whose seams are confirmed. */
+/** Pairs of a garment with some confirmed seams. */
 function taskOf(document, confirmed, isTaken = () => true) {
   const {pieces, seams} = varied(document);
   const garment = measured(pieces);
@@ -106,7 +109,10 @@ function taskOf(document, confirmed, isTaken = () => true) {
   return {candidates, sewn, isSeam, weight: Math.sqrt(30 / (all.length + 1))};
 }
 
-/** By themselves: all seams, half of the pairs of about equal lengths, few others. */
+/**
+ * Learns the network without beliefs: all seams, half of the pairs of about equal lengths, few
+ * others.
+ */
 function learnAlone(documents) {
   const share = (ratio) => (Math.abs(Math.log(ratio)) < 0.12 ? 0.5 : 0.06);
   const rows = new Rows();
@@ -123,7 +129,7 @@ function learnAlone(documents) {
   return rows.learn({hidden: 12, epochs: 5, seed: 1});
 }
 
-/** Given what the networks so far have come to believe, round after round. */
+/** Adds rows for the network given the beliefs of the networks so far, round after round. */
 function addGiven(rows, documents, {alone, given, rounds}) {
   for (const document of documents) {
     const {

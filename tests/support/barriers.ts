@@ -1,4 +1,4 @@
-/** What of a page would keep somebody out, as axe finds it. */
+/** Accessibility violations of a page, as found by axe. */
 import {readFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';
 
@@ -7,7 +7,7 @@ import type {Page} from 'playwright-core';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
-/** @returns each as "rule: where" */
+/** @returns violations as "rule: element" */
 export async function barriers(
   page: Page,
   impacts: readonly ImpactValue[] = ['serious', 'critical'],

@@ -1,4 +1,4 @@
-/** Batches as a shop runs them: a folder with garments, prints and jobs, and the program beside it. */
+/** Batches as in a shop: a folder with garments, prints and jobs, and the program run on it. */
 import {spawn, type ChildProcess} from 'node:child_process';
 import {mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -17,7 +17,7 @@ interface Outcome {
   readonly err: string;
 }
 
-/** A line of done.ndjson; what is not asked for by a test is left out. */
+/** A line of done.ndjson, with the fields that tests check. */
 interface DoneLine {
   readonly key: string | null;
   readonly line?: number;
@@ -35,7 +35,7 @@ interface DoneLine {
 
 export type JobLine = Readonly<Record<string, unknown>>;
 
-/** A program that was started, and its end. */
+/** A started program, and its end. */
 export interface Started {
   readonly child: ChildProcess;
   readonly end: Promise<Outcome>;
@@ -44,7 +44,7 @@ export interface Started {
 export class Shop {
   readonly folder = mkdtempSync(join(tmpdir(), 'seamwise-batch-'));
 
-  /** With garments of two strips, 8 and 10 cm high, and a print that fits both. */
+  /** Creates garments of two strips, 8 and 10 cm high, and a print that fits both. */
   constructor() {
     for (const height of [8, 10]) {
       this.write(`strips-${height}.json`, JSON.stringify(twoStrips(height)));
@@ -61,7 +61,7 @@ export class Shop {
 
   read = (...names: string[]): string => readFileSync(this.at(...names), 'utf8');
 
-  /** Lines that are no objects are written as they are. */
+  /** Writes jobs as JSON lines; strings are written unchanged. */
   writeJobs(name: string, lines: readonly (JobLine | string)[]): void {
     const texts = lines.map((line) => (typeof line === 'string' ? line : JSON.stringify(line)));
     this.write(name, `${texts.join('\n')}\n`);
@@ -94,12 +94,15 @@ export class Shop {
     return lines.slice(0, -1).map((line) => JSON.parse(line) as DoneLine);
   }
 
-  /** Names of the files of jobs that have ended well. */
+  /** File names of the successful jobs' results. */
   results(out: string): string[] {
     return readdirSync(this.at(out, 'results')).sort();
   }
 
-  /** All that is the same in every run of a batch: its results, byte for byte, and its lines without times. */
+  /**
+   * Everything that is the same in every run of a batch: its results, byte for byte, and its lines
+   * without times.
+   */
   truth(out: string): {readonly files: readonly string[]; readonly lines: readonly string[]} {
     const files = ['results', 'failures'].flatMap((kind) =>
       readdirSync(this.at(out, kind))
@@ -116,9 +119,9 @@ export class Shop {
 }
 
 /**
- * Waits, looking every few milliseconds. Only the time limit of the test ends it.
- * @param by the program that has to bring it about
- * @throws {Error} when that has ended before
+ * Waits, polling every few milliseconds. Only the time limit of the test ends it.
+ * @param by  program that has to fulfil the condition
+ * @throws {Error} when that program ends before
  */
 export async function until(isSo: () => boolean, by?: Started): Promise<void> {
   let outcome: Outcome | undefined;
@@ -131,7 +134,7 @@ export async function until(isSo: () => boolean, by?: Started): Promise<void> {
 
 const shipped = new URL('../../public/', import.meta.url).href;
 
-/** A job that never ends: a thread that has begun it is at work until it is stopped. */
+/** A job that never ends: its thread works until it is stopped. */
 export const endlessJob: JobLine = {
   garment: `${shipped}garments/patchwork-jacket-m.json`,
   print: `${shipped}prints/p1.json`,

@@ -1,4 +1,4 @@
-/** A real browser for tests, and the page served to it in the ways that there are. */
+/** A real browser for tests, and servers for the page's variants. */
 import type {AddressInfo} from 'node:net';
 import {join} from 'node:path';
 import {buffer} from 'node:stream/consumers';
@@ -19,7 +19,7 @@ import {count} from '../../web/setup/counts.mjs';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
-/** What a careful host allows: nothing from elsewhere, no inline script, no eval, no blob. */
+/** Policy of a strict host: no other origins, no inline script, no eval, no blob. */
 export const strictPolicy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -27,26 +27,26 @@ export const strictPolicy = [
   "connect-src 'self'",
 ].join('; ');
 
-/** A folder on a port of its own. */
+/** A folder served on its own port. */
 export interface Served {
   /** Ends with a slash. */
   readonly url: string;
   readonly close: () => Promise<void>;
 }
 
-/** Starts the browser that all files of tests share. */
+/** Starts the browser that all test files share. */
 export async function launchBrowser(): Promise<BrowserServer> {
   const executablePath = chromiumPath();
   if (executablePath === null) {
     throw new Error('There is no Chromium; install it, or set CHROME_PATH.');
   }
-  // Chromium refuses to run as root inside its sandbox; WebGL is drawn in software.
+  // Chromium refuses to run as root inside its sandbox; software rendering draws WebGL.
   const asRoot = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
   count('browser start');
   return chromium.launchServer({executablePath, args: [...asRoot, '--enable-unsafe-swiftshader']});
 }
 
-/** Connects to the browser. Closing the connection closes the contexts that were opened by it. */
+/** Connects to the browser. Closing the connection closes the contexts it opened. */
 export async function openBrowser(): Promise<Browser> {
   const browser = await chromium.connect(inject('browser'));
   const newContext = browser.newContext.bind(browser);
@@ -59,8 +59,8 @@ export async function openBrowser(): Promise<Browser> {
 }
 
 /**
- * Counts the solves that pages ask their workers for, most of what a test costs, and the workers at hand: Playwright
- * misses the end of some.
+ * Counts the solves that pages request from their workers, most of a test's cost, and the current
+ * workers: Playwright misses the end of some.
  */
 async function watchWorkers(context: BrowserContext): Promise<void> {
   await context.exposeBinding('countSolve', () => {
@@ -99,7 +99,9 @@ export function sourcesOf(name: 'fixture' | 'loader' | 'storage' | 'viewer'): st
   return url;
 }
 
-/** The sources in `folder`, and whatever of the project they import, by Vite's development server. */
+/**
+ * Serves the sources in `folder`, and their imports from the project, by Vite's development server.
+ */
 export async function serveFolder(folder: string): Promise<Served> {
   const server = await createServer({
     ...settings(folder),
@@ -110,11 +112,14 @@ export async function serveFolder(folder: string): Promise<Served> {
   return {url: addressOf(server.httpServer), close: () => server.close()};
 }
 
-/** A page of tests/page as it is built for production, under a content security policy: a strict one by default. */
+/**
+ * Serves a page of tests/page as built for production, under a content security policy: a strict
+ * one by default.
+ */
 export const serveBuilt = (name: 'element' | 'fixture', policy = strictPolicy): Promise<Served> =>
   serveFiles(join(project, 'build/fixtures', name), policy);
 
-/** A folder as it is, under the same policy. */
+/** Serves a folder unchanged, under the same policy. */
 export async function serveFiles(outDir: string, policy = strictPolicy): Promise<Served> {
   const server = await preview({
     ...settings(project),

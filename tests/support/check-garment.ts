@@ -1,11 +1,11 @@
-/** Judges whether a result is of the garment it was made from. */
+/** Checks that a result belongs to the garment it was made from. */
 import type {GarmentCodeSpecification, Panel, Point, SolveResult, Symmetries} from 'seamwise/node';
 
 import {drawnOutline} from './panel-curves.js';
 import {cross, distance} from '@/model/geometry.js';
 import {at, greatest, scale, sum, toLine} from './plane.js';
 
-/** How a result departs from its garment, one sentence each; empty when it does not. */
+/** Differences of a result from its garment, a message each; empty if there are none. */
 export function strays(result: SolveResult, garment: GarmentCodeSpecification): string[] {
   const {panels, stitches} = garment.pattern;
   const broken: string[] = [];
@@ -60,7 +60,7 @@ export function strays(result: SolveResult, garment: GarmentCodeSpecification): 
   return broken;
 }
 
-/** The pieces of the symmetries that were asked for and of those in the result; to be the same. */
+/** The pieces of the requested symmetries and of those in the result, which should be equal. */
 export function symmetricPieces(
   {pieces, symmetries}: SolveResult,
   asked: Symmetries,

@@ -1,11 +1,14 @@
-/** Judges the mesh of one piece. */
+/** Checks the mesh of one piece. */
 import type {Point, ResultPiece} from 'seamwise/node';
 
 import {cross, minus} from '@/model/geometry.js';
 import {signedArea} from '@/model/polyline.js';
 import {aroundLoop, at, crossesItself, sum} from './plane.js';
 
-/** What is wrong with a mesh, one sentence each; no triangle may shrink below `leastArea` of its own. */
+/**
+ * Faults of a mesh, a message each; no triangle may shrink below the share `leastArea` of its rest
+ * area.
+ */
 export function checkMesh(piece: ResultPiece, leastArea: number): string[] {
   const {name, rest, shape, triangles, outline, holes} = piece;
   const broken: string[] = [];

@@ -1,4 +1,7 @@
-/** Judges a lay plan by its geometry, from the results and the print alone; what the plan says of itself is not believed. */
+/**
+ * Checks a layout by its geometry, from the results and the print alone, independently of the
+ * plan's own figures.
+ */
 import {between, minus} from '@/model/geometry.js';
 import type {LaidPlacement, LayPlan} from '@/model/lay-plan.js';
 import type {SolveResult} from '@/model/result.js';
@@ -17,14 +20,14 @@ import {
   toRing,
 } from './rings.js';
 
-/** [cm] */
+/** Tolerances. [cm] */
 const tolerance = {print: 1e-6, inside: 1e-4, gap: 0.01, length: 1e-6, proof: 0.05, line: 0.06};
-/** Of cut lines, whose distances are measured at such steps. [cm] */
+/** Step along cut lines at which distances are measured. [cm] */
 const sampled = 0.5;
-/** [cm2] */
+/** Overlaps below this count as none. [cm2] */
 const leastShared = 1e-3;
 
-/** What is wrong, a sentence each; none where the plan is as it should be. */
+/** Faults of a plan, a message each; empty if it is valid. */
 export function planComplaints(
   plan: LayPlan,
   results: readonly SolveResult[],
@@ -56,7 +59,7 @@ const isFinite = (value: unknown): boolean => {
 const isSamePrint = (a: LayPlan['print'], b: LayPlan['print']): boolean =>
   a.group === b.group && ringsApart([a.w1, a.w2], [b.w1, b.w2]) <= 1e-9;
 
-/** Each piece of each garment once: laid, or said not to be. */
+/** Checks that each piece of each garment is there once: placed, or listed as unplaced. */
 function checkRoll(
   {placements, unplaced}: LayPlan,
   results: readonly SolveResult[],
@@ -77,7 +80,7 @@ function checkRoll(
   ];
 }
 
-/** The cut line is that of the piece, face up, where its place carries it. */
+/** Checks that the cut line is that of the piece, face up, moved to its place. */
 function checkCut(
   {allowanceCm, placements}: LayPlan,
   placement: LaidPlacement,
@@ -116,7 +119,7 @@ function checkCut(
   return broken;
 }
 
-/** On the cloth, within its selvedges, off its flaws. */
+/** Checks that pieces are on the fabric, within its selvedges, off its flaws. */
 function checkPlaces(
   {placements, widthCm, selvedgeCm, lengthCm}: LayPlan,
   {flaws = []}: PlanRules,
@@ -141,7 +144,7 @@ function checkPlaces(
   });
 }
 
-/** Pieces keep apart. */
+/** Checks the gap between pieces. */
 function checkPairs({placements, gapCm}: LayPlan): string[] {
   const outlines = placements.map(({cut}) => outlineOf(cut));
   return placements.flatMap((placement, k) =>
@@ -158,7 +161,7 @@ function checkPairs({placements, gapCm}: LayPlan): string[] {
   );
 }
 
-/** The plan's figures are those of what it lays. */
+/** Checks the plan's figures against its placements. */
 function checkFigures(plan: LayPlan, rules: PlanRules): string[] {
   const {print, placements, lengthCm, widthCm, boundCm, proven, useShare, freeLengthCm} = plan;
   const broken: string[] = [];

@@ -1,4 +1,4 @@
-/** Judges a result by its geometry alone: the promises that hold whatever was solved, and by which method. */
+/** Checks a result by its geometry alone: properties that hold for every problem and method. */
 import type {Point, ResultPiece, ResultSeam, SolveOptions, SolveResult} from 'seamwise/node';
 
 import {distanceModulo, fitsOf, randomFit} from './fits.js';
@@ -18,20 +18,22 @@ import {determinant, printElements} from '@/model/wallpaper.js';
 
 const degree = Math.PI / 180;
 
-/** What a result must keep; `paper` and `ws19` hold lengths and symmetries by penalties, which are soft. */
+/**
+ * Limits for a result; `paper` and `ws19` keep lengths and symmetries only by penalties, so softly.
+ */
 interface Limits {
-  /** Of its area, the least that a triangle keeps. */
+  /** Least area of a triangle as a share of its rest area. */
   readonly area: number;
-  /** How far mirror images may lie apart. [cm] */
+  /** Greatest distance between mirror images. [cm] */
   readonly symmetry: number;
-  /** Whether lengths and lines of the garment are kept. */
+  /** True if the method keeps lengths and lines of the garment. */
   readonly keepsGarment: boolean;
 }
 
 const strict: Limits = {area: 0.3, symmetry: 1e-6, keepsGarment: true};
 const soft: Limits = {area: 0, symmetry: 1e-3, keepsGarment: false};
 
-/** What a result breaks, one sentence each; empty when it is as it should be. */
+/** Violations of a result, a message each; empty if it is valid. */
 export function violations(result: SolveResult, options: SolveOptions = {}): string[] {
   const broken: string[] = [];
   const must = (holds: boolean, sentence: string) => {
@@ -61,7 +63,10 @@ function allFinite(value: unknown): boolean {
 
 const loopsOf = ({outline, holes}: ResultPiece) => [outline, ...holes];
 
-/** No outline edge stretches by more than 15 %, and none that was smooth bends by more than 15 degrees. */
+/**
+ * Checks that no outline edge stretches by more than 15 %, and no smooth one bends by more than 15
+ * degrees.
+ */
 function checkOutline(piece: ResultPiece): string[] {
   let [change, kink] = [0, 0];
   for (const loop of loopsOf(piece)) {
@@ -83,7 +88,10 @@ function checkOutline(piece: ResultPiece): string[] {
   return broken;
 }
 
-/** Both sides keep the ratio of their rest lengths, edge by edge; they run along outlines, none sewn twice. */
+/**
+ * Checks that both sides keep the ratio of their rest lengths, edge by edge, and run along
+ * outlines, none sewn twice.
+ */
 function checkSeams(result: SolveResult, limits: Limits): string[] {
   const broken: string[] = [];
   const must = (holds: boolean, sentence: string) => {
@@ -154,7 +162,7 @@ function restLengths(result: SolveResult): (piece: number, u: number, v: number)
   };
 }
 
-/** Print and shape obey every symmetry of the result. */
+/** Checks that print and shape obey every symmetry of the result. */
 function checkSymmetries(result: SolveResult, shapeTolerance: number): string[] {
   const broken: string[] = [];
   const elements = printElements(result.print).filter((element) => determinant(element) < 0);
@@ -185,7 +193,10 @@ function checkSymmetries(result: SolveResult, shapeTolerance: number): string[] 
   return broken;
 }
 
-/** How far a piece's outline moved, as it lies or after its best rigid motion, whichever is less. [cm] */
+/**
+ * Greatest movement of a piece's outline, directly or after its best rigid motion, whichever is
+ * less. [cm]
+ */
 function movement(piece: ResultPiece): number {
   const rim = loopsOf(piece).flat();
   const of = (points: readonly Point[]) => rim.map((v) => at(points, v));
@@ -208,7 +219,7 @@ function movement(piece: ResultPiece): number {
   );
 }
 
-/** The figures of a result say what its geometry says. */
+/** Checks the figures of a result against its geometry. */
 function checkMetrics(result: SolveResult, maxMovedCm: number): string[] {
   const {metrics} = result;
   const final = fitsOf(
@@ -241,7 +252,9 @@ function checkMetrics(result: SolveResult, maxMovedCm: number): string[] {
   return broken;
 }
 
-/** What the user asked for beyond the geometry: seams switched off, and where pieces may lie. */
+/**
+ * Checks the user's options beyond the geometry: ignored seams, and permitted alignments of pieces.
+ */
 function checkOptions(result: SolveResult, options: SolveOptions): string[] {
   const broken: string[] = [];
   const plain = new Set(options.plain ?? []);
@@ -260,7 +273,7 @@ function checkOptions(result: SolveResult, options: SolveOptions): string[] {
     const pin = options.pins?.[name];
     const rule = options.grain?.pieces?.[name] ?? options.grain?.default ?? 'free';
     const lock = typeof rule === 'string' ? rule : rule.lock;
-    if (!pin || lock !== 'free' || symmetric.has(piece)) return; // others go to the nearest place they may
+    if (!pin || lock !== 'free' || symmetric.has(piece)) return; // others go to a permitted place
     const turnedBy = Math.abs(Math.sin((alignment.angle - pin.angle) / 2));
     if (turnedBy > 1e-9 || distance(alignment.translation, pin.translation) > 1e-9) {
       broken.push(`${name} does not lie where it is pinned`);

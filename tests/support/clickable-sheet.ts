@@ -7,7 +7,7 @@ export interface DrawnPiece extends Partial<Omit<SheetPiece, 'outline' | 'holes'
   readonly loop: readonly Point[];
   readonly cutOut?: readonly Point[];
   readonly mirroredFromInput?: boolean;
-  /** Default: as it is shown. */
+  /** Default: equal to the displayed shape. */
   readonly rest?: readonly Point[];
 }
 
@@ -16,7 +16,7 @@ type End = readonly [piece: number, ...vertices: number[]];
 
 const side = ([piece, ...vertices]: End): SeamSide => ({piece, vertices});
 
-/** Pieces at the origin unless they have an offset, called piece_0, piece_1, ... */
+/** Pieces named piece_0, piece_1, ..., at the origin unless they have an offset. */
 export function sheetOf(
   drawn: readonly DrawnPiece[],
   seams: readonly (readonly [End, End])[] = [],
@@ -62,7 +62,7 @@ export const dartedLoop: readonly Point[] = [
   [0, 8],
 ];
 
-/** That square, its legs, edges 3 and 4, sewn to each other from the tip. */
+/** The square of `dartedLoop`; its legs, edges 3 and 4, are sewn to each other from the tip. */
 export const dartedSquare = (): Sheet =>
   sheetOf(
     [{loop: dartedLoop, edges: [0, 1, 2, 3, 4, 5, 6]}],
@@ -75,8 +75,9 @@ export const dartedSquare = (): Sheet =>
   );
 
 /**
- * Two squares of 4 cm, the second 10 cm to the right. The right side of the first is sewn to the left
- * side of the second, both upwards. The file's edges: 2 below, then 3, 0 and 1 counter-clockwise.
+ * Two squares of 4 cm, the second 10 cm to the right. The right side of the first is sewn to the
+ * left side of the second, both upwards. The file's edges: 2 below, then 3, 0 and 1
+ * counter-clockwise.
  */
 export const sewnSquares = (more: Partial<DrawnPiece> = {}): Sheet =>
   sheetOf(
@@ -92,7 +93,7 @@ export const sewnSquares = (more: Partial<DrawnPiece> = {}): Sheet =>
     ],
   );
 
-/** Vertices of the outline of each round piece. */
+/** Number of vertices in the outline of a round piece. */
 const roundSides = 200;
 
 const roundAt = (k: number): Point => [45 * (k % 8), 45 * Math.floor(k / 8)];
@@ -102,7 +103,7 @@ const onCircle = (share: number): Point => [
   20 * Math.sin(2 * Math.PI * share),
 ];
 
-/** Round pieces in rows of eight, each of four edges, and each sewn to the next one. */
+/** Round pieces in rows of eight, each of four edges and sewn to the next one. */
 export function manyRounds(count: number): Sheet {
   const loop = Array.from({length: roundSides}, (_, k) => onCircle(k / roundSides));
   const quarter = roundSides / 4;

@@ -1,14 +1,14 @@
-/** What lies inside of a closed surface, and how deep. */
+/** Inside test of a closed surface, with the depth. */
 import type {Corners, Place} from '@/model/drape-file.js';
 import {at} from './plane.js';
 import {Cells, toTriangle} from './space.js';
 
-/** Of the grid in which triangles are looked up. [cm] */
+/** Cell size of the grid in which triangles are looked up. [cm] */
 const cell = 1;
 
 export class ClosedSurface {
   readonly #triangles: readonly (readonly [Place, Place, Place])[];
-  /** By where they are, and by what lies beside them along x. */
+  /** Indexes of triangles by their position, and by their neighbours along x. */
   readonly #near: Cells;
   readonly #beside: Cells;
 
@@ -26,8 +26,9 @@ export class ClosedSurface {
   }
 
   /**
-   * The winding number about a point: 1 inside, 0 outside. Counts the triangles that a ray along x passes, with
-   * their sides; one that hits an edge is taken as passing just beside it, by the same side for both triangles.
+   * The winding number about a point: 1 inside, 0 outside. Counts the triangles that a ray along x
+   * crosses, with their signs. A ray through an edge counts as passing just beside it, on the same
+   * side for both triangles.
    */
   winding(p: Place): number {
     let count = 0;
@@ -38,7 +39,7 @@ export class ClosedSurface {
       for (let i = 0; i < 3; i++) {
         const [from, to] = [at(corners, i), at(corners, i + 1)];
         if (from[1] > p[1] === to[1] > p[1]) continue;
-        const [low, high] = from[1] < to[1] ? [from, to] : [to, from]; // the same for both triangles
+        const [low, high] = from[1] < to[1] ? [from, to] : [to, from]; // equal for both triangles
         const z = low[2] + ((high[2] - low[2]) * (p[1] - low[1])) / (high[1] - low[1]);
         if (z > p[2]) turns += to[1] < from[1] ? 1 : -1;
       }
@@ -47,7 +48,7 @@ export class ClosedSurface {
     return count;
   }
 
-  /** Negative inside; beyond 1 cm of the surface only as much is known. [cm] */
+  /** Signed distance, negative inside; limited to 1 cm from the surface. [cm] */
   distance(p: Place): number {
     let least = cell;
     for (const k of this.#near.near([p], cell)) {
@@ -57,7 +58,7 @@ export class ClosedSurface {
   }
 }
 
-/** Edges that are not shared by exactly two triangles, once in each direction. */
+/** Number of edges that are not shared by exactly two triangles, once in each direction. */
 export function openEdges(triangles: readonly Corners[]): number {
   const seen = new Set<string>();
   let faults = 0;
@@ -74,7 +75,7 @@ export function openEdges(triangles: readonly Corners[]): number {
 const flat = (points: readonly Place[]): readonly Place[] =>
   points.map(([, y, z]): Place => [0, y, z]);
 
-/** Where the line through `p` along x meets the plane of a triangle. */
+/** Intersection of the line through `p` along x with the plane of a triangle. */
 function crossing([a, b, c]: readonly [Place, Place, Place], p: Place): number {
   const [uy, uz, vy, vz] = [b[1] - a[1], b[2] - a[2], c[1] - a[1], c[2] - a[2]];
   const area = uy * vz - uz * vy;

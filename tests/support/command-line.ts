@@ -1,4 +1,4 @@
-/** The command line as people run it. */
+/** The command line as users run it. */
 import {spawn} from 'node:child_process';
 import {fileURLToPath} from 'node:url';
 

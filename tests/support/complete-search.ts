@@ -1,4 +1,7 @@
-/** The shortest layout of few pieces on a printed cloth, by trying every place; for what plans say is proven. Lengths in cm. */
+/**
+ * The shortest layout of few pieces on printed fabric, by trying every place; checks plans that
+ * claim to be proven. Lengths in cm.
+ */
 import {minus, plus, rotated, type Alignment, type Point} from '@/model/geometry.js';
 import type {LayPlan} from '@/model/lay-plan.js';
 import type {SolveResult} from '@/model/result.js';
@@ -13,31 +16,31 @@ interface Board {
   readonly widthCm: number;
   readonly selvedgeCm: number;
   readonly gapCm: number;
-  /** Of an origin of the print from the left edge. */
+  /** Distance of an origin of the print from the left edge. */
   readonly phaseCm: number;
 }
 
 interface BoardPiece {
-  /** The cut line, on the piece. */
+  /** The cut line, in the piece's coordinates. */
   readonly ring: readonly Point[];
   readonly alignment: Alignment;
   readonly turns: TurnRule;
 }
 
-/** More take too long. */
+/** More pieces take too long. */
 const mostPieces = 5;
-/** Overlaps of no area. [cm2] */
+/** Smaller overlaps count as none. [cm2] */
 const leastShared = 1e-3;
-/** What coordinates lose in sums. */
+/** Rounding error of summed coordinates. */
 const rounding = 1e-6;
 
-/** A piece as a turn of the print lays it, where the print's origin is that of the cloth. */
+/** A piece in one of the print's turns, with the print's origin at the fabric's. */
 interface Turned {
   readonly outline: Outline;
   readonly number: number;
 }
 
-/** A turned piece so many repeats away. */
+/** A turned piece shifted by so many repeats. */
 interface Dot {
   readonly turned: Turned;
   readonly i: number;
@@ -47,13 +50,13 @@ interface Dot {
   readonly upper: number;
 }
 
-/** Whether two may lie so, remembered by their difference. */
+/** Creates a test of two pieces at their places; results are cached by their difference. */
 function compatibility({gapCm}: Board): (a: Dot, b: Dot) => boolean {
   const known = new Map<string, boolean>();
   const mayLie = (a: Dot, b: Dot): boolean => {
     const [one, other] = [a.turned.outline, b.turned.outline];
     const by = minus(b.by, a.by);
-    // as near as rounding puts pieces that keep their distance exactly
+    // allows for rounding errors of pieces that keep the gap exactly
     const wanted = Math.max(rounding, gapCm - rounding);
     const apart = ringDistance(one, other, by, {most: wanted, enough: wanted - rounding / 10});
     if (apart >= wanted) return true;
@@ -70,7 +73,7 @@ function compatibility({gapCm}: Board): (a: Dot, b: Dot) => boolean {
   };
 }
 
-/** All places across the cloth whose lower end lies in a window along it. */
+/** All places across the fabric whose lower end is in a window along it. */
 function dotsOf(
   turned: Turned,
   {print: {w1, w2}, widthCm, selvedgeCm}: Board,
@@ -78,7 +81,7 @@ function dotsOf(
 ): readonly Dot[] {
   const [left, lower, right, upper] = turned.outline.extent;
   const area = w1[0] * w2[1] - w1[1] * w2[0];
-  // whole repeats within the window, by its corners in steps of the print
+  // Whole repeats within the window, from its corners in steps of the print.
   const corners = [selvedgeCm - left, widthCm - selvedgeCm - right].flatMap((x) =>
     [from - lower, to - lower].map((y): Point => [
       (x * w2[1] - y * w2[0]) / area,
@@ -105,7 +108,10 @@ function dotsOf(
     );
 }
 
-/** The best end of a layout above a floor that is less than `most`, by the piece with the fewest places left. */
+/**
+ * The lowest end of a layout above a floor, if below `most`; branches on the piece with the fewest
+ * places left.
+ */
 function lowestEnd(
   domains: readonly (readonly Dot[])[],
   mayLie: (a: Dot, b: Dot) => boolean,
@@ -135,9 +141,9 @@ function lowestEnd(
 }
 
 /**
- * The length of the shortest layout; undefined where there is none shorter than `most`.
- * @param most such as the length of a layout that is known, which need not be found again
- * @throws {RangeError} for more than five pieces, and for a print without a repeat along the cloth
+ * The length of the shortest layout; undefined if there is none shorter than `most`.
+ * @param most  for example the length of a known layout, which need not be found again
+ * @throws {RangeError} for more than five pieces, and for a print without a repeat along the fabric
  */
 export function shortestLength(
   pieces: readonly BoardPiece[],
@@ -150,7 +156,7 @@ export function shortestLength(
   let number = 0;
   const turned = pieces.map(({ring, alignment, turns}) =>
     allowedTurns(board.print.group, turns).map((turn): Turned => {
-      // from the piece to the print, turned about its origin, and with that across the cloth
+      // maps the piece to the print, turned about its origin, and from there across the fabric
       const lie = (p: Point): Point =>
         plus(rotated(minus(p, alignment.translation), turn - alignment.angle), [board.phaseCm, 0]);
       return {outline: outlineOf(ring.map(lie)), number: number++};
@@ -178,7 +184,7 @@ export function shortestLength(
   return best <= most + rounding ? best : undefined;
 }
 
-/** The pieces of a plan, and the cloth that it lies on, for a search of one's own. */
+/** The pieces of a plan and its fabric, for a separate search. */
 export function boardOf(
   {placements, printOrigin, print, widthCm, selvedgeCm, gapCm}: LayPlan,
   results: readonly SolveResult[],

@@ -1,4 +1,4 @@
-/** Sheets of pieces to cut, for tests. */
+/** Cutting sheets for tests. */
 import type {CutLine, CutSheet, LaidPiece} from '@/cutting/cut-sheet.js';
 import {onPiece, type Alignment, type Point} from '@/model/geometry.js';
 
@@ -6,7 +6,7 @@ const outline = (points: readonly Point[], layer: CutLine['layer']): CutLine => 
   ...{kind: 'line', layer, points, isClosed: true, widthMm: 0.5},
 });
 
-/** A rectangle from the sheet's origin on, or from where its place lays it. */
+/** A rectangle at the sheet's origin, or moved to its place. */
 export function laidRectangle(
   width: number,
   height: number,

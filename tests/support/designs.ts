@@ -1,6 +1,6 @@
 import type {StoredDesign} from '@/model/stored-design.js';
 
-/** A design with something in every one of its fields. */
+/** A design with a value in every field. */
 export const storedDesign: StoredDesign = {
   garment: {url: '../garments/tee m.json', sha256: '0f'.repeat(32), size: 'M, größer'},
   print: {

@@ -8,13 +8,13 @@ import {wardrobe} from '@samples/drafting/wardrobe.js';
 const sizes = sizeNames.map(bodyOf);
 export const medium = bodyOf('m');
 
-/** The smallest and the largest of each measurement in the size table. */
+/** The smallest and the largest value of each measurement in the size table. */
 const ranges = (Object.keys(medium) as (keyof Body)[]).map((name) => {
   const values = sizes.map((body) => body[name]);
   return [name, Math.min(...values), Math.max(...values)] as const;
 });
 
-/** A body within the size table: between two of its sizes, each measurement off by up to 3 % of its own. */
+/** A body within the size table: between two of its sizes, each measurement off by up to 3 %. */
 const bodies = fc
   .tuple(
     fc.double({min: 0, max: 1, noNaN: true}),

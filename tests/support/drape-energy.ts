@@ -1,4 +1,4 @@
-/** What a worn garment's cloth resists with and what it weighs, from a drape file alone. SI units. */
+/** Elastic energy and weight of a drape's fabric, from a drape file alone. SI units. */
 import type {DrapeFile, Place} from '@/model/drape-file.js';
 import {distance, dot, minus, norm, towards, type Point} from '@/model/geometry.js';
 import {at, sum} from './plane.js';
@@ -6,17 +6,22 @@ import type {ClothTriangle, SewnCloth} from './sewn-cloth.js';
 import {dot3, middle3, norm3, plus3} from './space.js';
 
 const gravity = 9.81;
-/** What a bend of irregular triangles counts, so that a strip of them sags as a plate does. */
+/**
+ * Factor of the bending energy for irregular triangles, so that a strip of them sags like a plate.
+ */
 const hinge = 1.25;
 
-/** Triangles within so far of the longer side of a gathered seam stand for folds: they give way to compression. [cm] */
+/**
+ * Triangles within this distance of the longer side of a gathered seam represent folds: they yield
+ * to compression. [cm]
+ */
 const besideGathers = 3;
 const gathered = 1.1;
 const gatheredStiffness = 0.002;
 
 type Fabric = DrapeFile['fabric'];
 
-/** A drape, and the ratio of its seams' lengths as drafted, side a over side b. */
+/** A drape, and the ratios of its seams' drafted lengths, side a over side b. */
 export interface RatedDrape {
   readonly file: DrapeFile;
   readonly ratios: readonly number[];
@@ -28,19 +33,19 @@ export interface Energies {
   readonly weight: number;
 }
 
-/** Of the cloth around a vertex, and its weight. */
+/** Force of the fabric around a vertex, and its weight. */
 interface Forces {
   readonly pull: Place;
   readonly weight: number;
 }
 
-/** [cm2] */
+/** Area of a triangle as cut. [cm2] */
 export function cutArea({cut: [a, b, c]}: ClothTriangle): number {
   const [u, v] = [minus(b, a), minus(c, a)];
   return (u[0] * v[1] - u[1] * v[0]) / 2;
 }
 
-/** By how much the image of a direction of the piece as cut grows as each corner moves along it. [1/cm] */
+/** Derivative of the image of a direction in the cut piece with respect to each corner. [1/cm] */
 function hatsOf({cut: [a, b, c]}: ClothTriangle, direction: Point): readonly number[] {
   const [u, v] = [minus(b, a), minus(c, a)];
   const area = u[0] * v[1] - u[1] * v[0];
@@ -52,11 +57,11 @@ function hatsOf({cut: [a, b, c]}: ClothTriangle, direction: Point): readonly num
 const weighted = (places: readonly Place[], weights: readonly number[]): Place =>
   places.reduce((total, place, k) => plus3(total, place, at(weights, k)), [0, 0, 0]);
 
-/** Where a direction of the piece as cut leads in space: as long as it is stretched. */
+/** Image in space of a direction in the cut piece; its length is the stretch. */
 export const imageOf = (triangle: ClothTriangle, direction: Point): Place =>
   weighted(triangle.worn, hatsOf(triangle, direction));
 
-/** Without what presses it on the form, which is too little to be seen in the sum. [J] */
+/** Energies without the contact with the form, which is too small to show in the sum. [J] */
 export function energiesOf(drape: RatedDrape, cloth: SewnCloth): Energies {
   const triangles = wholeOf(cloth);
   const gathers = gathersOf(drape);
@@ -73,7 +78,7 @@ export function energiesOf(drape: RatedDrape, cloth: SewnCloth): Energies {
   };
 }
 
-/** What acts on every vertex of the cloth but what it touches. */
+/** Forces on every vertex of the fabric, except contact. */
 export function forcesOf(drape: RatedDrape, cloth: SewnCloth): ReadonlyMap<number, Forces> {
   const triangles = wholeOf(cloth);
   const gathers = gathersOf(drape);
@@ -97,7 +102,10 @@ export function forcesOf(drape: RatedDrape, cloth: SewnCloth): ReadonlyMap<numbe
   return forces;
 }
 
-/** Which threads of a triangle are gathered: it lies beside the longer side of a gathered seam, which runs along them. */
+/**
+ * Gathered thread directions of a triangle: it is beside the longer side of a gathered seam, which
+ * runs along them.
+ */
 interface Gathers {
   readonly weft: boolean;
   readonly warp: boolean;
@@ -130,18 +138,18 @@ function gathersOf({file, ratios}: RatedDrape): (triangle: ClothTriangle) => Gat
   };
 }
 
-/** Those that sewing leaves an area. */
+/** Triangles that keep an area after sewing. */
 const wholeOf = ({triangles}: SewnCloth): ClothTriangle[] =>
   triangles.filter((one) => new Set(one.corners).size === 3 && cutArea(one) > 0);
 
 const warpOf = ({pieces}: DrapeFile, {piece}: ClothTriangle): Point =>
   towards(at(pieces, piece).grainAngle);
 
-/** [N] */
+/** Weight of a triangle. [N] */
 const weightOf = (triangle: ClothTriangle, {fabric}: DrapeFile): number =>
   fabric.density * gravity * cutArea(triangle) * 1e-4;
 
-/** What stretch and shear of a triangle store, in J, and how they pull at its corners, in N. */
+/** Energy of stretch and shear of a triangle, in J, and its forces on the corners, in N. */
 function membraneOf(
   triangle: ClothTriangle,
   file: DrapeFile,
@@ -173,7 +181,7 @@ function membraneOf(
   };
 }
 
-/** Of a stretch, per area. */
+/** Energy density of a stretch. */
 function spring(
   {stiffFrom, stiffening}: Fabric,
   taut: number,
@@ -192,9 +200,9 @@ function spring(
 interface Wing {
   readonly opposite: number;
   readonly area: number;
-  /** Of its angles at the ends of the edge. */
+  /** Cotangents of its angles at the ends of the edge. */
   readonly cotangents: readonly [number, number];
-  /** How far bending the edge bends the warp. */
+  /** Bend of the warp for a bend of the edge. */
   readonly warp: number;
 }
 
@@ -202,9 +210,9 @@ interface Wing {
 interface Hinge {
   readonly ends: readonly number[];
   readonly weights: readonly number[];
-  /** The weighted sum of the ends' places. [cm] */
+  /** The weighted sum of the ends' positions. [cm] */
   readonly bend: Place;
-  /** Energy is this times the bend squared, over 2. [J/cm2] */
+  /** The energy is this times the bend squared, over 2. [J/cm2] */
   readonly stiffness: number;
 }
 

@@ -1,4 +1,4 @@
-/** Judges a draped garment by its file and the result that it is of; what the file says of itself is not believed. */
+/** Checks a drape by its file and by its result, independently of the file's own figures. */
 import type {SolveResult} from '@/model/result.js';
 import type {DrapeFile, DrapeFilePiece, Place} from '@/model/drape-file.js';
 import {distance, type Point} from '@/model/geometry.js';
@@ -21,43 +21,54 @@ export interface Spread {
   readonly max: number;
 }
 
-/** What was measured of a drape, from its positions. Lengths in cm. */
+/** Measurements of a drape, from its positions. Lengths in cm. */
 export interface DrapeVerdict {
-  /** What is not as the format or the result has it, one sentence each. */
+  /** Violations of the format, or differences from the result, a message each. */
   readonly faults: readonly string[];
-  /** Between vertices that are sewn together. */
+  /** Distance between vertices that are sewn together. */
   readonly gap: number;
-  /** Of vertices and middles of triangles: how deep in the form, and how many keep 0.5 mm of distance. */
+  /**
+   * For vertices and middles of triangles: depth in the form, and share with at least 0.5 mm of
+   * distance.
+   */
   readonly depth: number;
   readonly clear: number;
-  /** Largest principal stretch less 1; 1 less the smallest, and that more than 4 cm from gathers. */
+  /**
+   * Largest principal stretch less 1; 1 less the smallest, and the same more than 4 cm from
+   * gathers.
+   */
   readonly tension: Spread;
   readonly compression: Spread;
   readonly flatCompression: Spread;
-  /** How much edges along seams are longer than both sides as cut, or shorter. */
+  /**
+   * Relative excess of edges along seams over the longer side as cut, or deficit to the shorter
+   * one.
+   */
   readonly sewnLength: Spread;
-  /** Between the mirror image of a place and that of the vertex there. */
+  /** Distance between the mirror image of a vertex and the vertex it maps to. */
   readonly asymmetry: number;
   readonly energies: Energies;
-  /** The file's last energy over that of its places, less 1. */
+  /** The file's last energy over that of its positions, less 1. */
   readonly energyOff: number;
-  /** Stages that end with more energy than they begin with, or than the one before on the same mesh. */
+  /**
+   * Stages that end with more energy than they begin with, or than the one before on the same mesh.
+   */
   readonly rises: readonly string[];
   readonly crossings: number;
-  /** Above the floor. */
+  /** Height above the floor. */
   readonly lowest: number;
-  /** Of the uppermost rim over the waist, where the garment hangs from that. */
+  /** Height of the top edge over the waist, if the garment hangs from the waist. */
   readonly waist?: number;
 }
 
-/** To which a file gives lengths, in two dimensions. [cm] */
+/** Precision of lengths in a file, in two dimensions. [cm] */
 const precision = 1.5e-4;
-/** Farther than the usual distance by more, nothing touches the form. [cm] */
+/** Beyond the contact offset by more than this, nothing touches the form. [cm] */
 const touching = 0.4;
-/** A side that is longer than the other by more is gathered, as the share of its length. */
+/** A side that is longer than the other by more than this share of its length is gathered. */
 const gathered = 0.05;
 const besideGathers = 4;
-/** A garment none of whose vertices lies higher above the waist hangs from it. */
+/** A garment hangs from the waist if none of its vertices is higher above it. */
 const aboveWaist = 8;
 
 export function judgeDrape(file: DrapeFile, result: SolveResult): DrapeVerdict {
@@ -92,7 +103,7 @@ export function judgeDrape(file: DrapeFile, result: SolveResult): DrapeVerdict {
   };
 }
 
-/** How far apart two drapes of one result lie. [cm] */
+/** Distances between two drapes of one result. [cm] */
 export function apart(
   one: DrapeFile,
   other: DrapeFile,
@@ -113,7 +124,7 @@ function spreadOf(values: readonly number[]): Spread {
   return {median: quantile(0.5), p99: quantile(0.99), max: quantile(1)};
 }
 
-/** Of the map from a triangle as cut to its place in space, the smaller first. */
+/** Principal stretches of the map from a triangle as cut to space, the smaller first. */
 function principalStretches(triangle: ClothTriangle): readonly [number, number] {
   const [x, y] = [imageOf(triangle, [1, 0]), imageOf(triangle, [0, 1])];
   const [a, b, c] = [dot3(x, x), dot3(x, y), dot3(y, y)];
@@ -131,7 +142,7 @@ function gapsOf({a, b}: Seam, pieces: readonly DrapeFilePiece[]): number[] {
   return placesOf(pieces, a).map((place, k) => distance3(place, at(other, k)));
 }
 
-/** Eased and gathered sides lie between their two lengths as cut, where nothing counts. */
+/** Eased and gathered sides may have any length between their two lengths as cut. */
 function sewnLengths({a, b}: Seam, pieces: readonly DrapeFilePiece[]): number[] {
   const [one, other] = [a, b].map(({piece, vertices}) =>
     alongLine(vertices).map(([u, v]) => {
@@ -187,9 +198,10 @@ function risesIn({stages}: DrapeFile): string[] {
 }
 
 /**
- * The force on all vertices that the form does not touch, over the weight of the cloth: 0 at rest, where the form
- * bears the whole weight by pressing and rubbing where it touches. Cloth that lies on cloth away from the form counts as
- * not touching. Wants places as exact as they are: cloth is stiff, and the 1e-4 cm of a file show as some percent.
+ * The force on all vertices that the form does not touch, over the weight of the fabric. It is 0 at
+ * rest, where the form bears the whole weight by pressure and friction. Fabric on fabric away from
+ * the form counts as not touching. Requires exact positions: fabric is stiff, and the 1e-4 cm
+ * precision of a file makes some percent.
  */
 export function unborne(file: DrapeFile, result: SolveResult): number {
   const cloth = new SewnCloth(file);
@@ -205,7 +217,7 @@ export function unborne(file: DrapeFile, result: SolveResult): number {
   return norm3(left) / whole;
 }
 
-/** The energy of the cloth in the places of the file. [J] */
+/** The energy of the fabric at the positions of the file. [J] */
 export function restingEnergy(file: DrapeFile, result: SolveResult): number {
   const {membrane, bending, weight} = energiesOf(ratedBy(result, file), new SewnCloth(file));
   return membrane + bending + weight;
@@ -227,7 +239,7 @@ function waistOf({pieces, form}: DrapeFile, cloth: SewnCloth): number | undefine
   return Math.max(...heights) - waistHeight;
 }
 
-/** What cannot be a drape of this result. */
+/** Inconsistencies of a file with this result. */
 function faultsIn(file: DrapeFile, result: SolveResult): string[] {
   const faults: string[] = [];
   const must = (holds: boolean, sentence: string) => {
@@ -273,7 +285,7 @@ function faultsIn(file: DrapeFile, result: SolveResult): string[] {
   return faults;
 }
 
-/** Whether all of a line lie on another in its order, from its first to its last. */
+/** Returns whether a line contains another one in its order, from its first to its last vertex. */
 function runsAlong(part: readonly number[], whole: readonly number[]): boolean {
   let from = 0;
   for (const vertex of part) {

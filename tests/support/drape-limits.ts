@@ -1,15 +1,15 @@
-/** What a draped garment has to keep. */
+/** Limits of a valid drape. */
 import type {DrapeVerdict, Spread} from './drape-judge.js';
 
-/** At the most: strains as shares, lengths in cm. */
+/** Upper limits: strains as shares, lengths in cm. */
 export interface DrapeLimits {
   readonly depth: number;
   readonly tension: Spread;
-  /** Of 99 of 100 triangles that are not beside gathers, and of edges along seams. */
+  /** For 99 of 100 triangles that are not beside gathers, and for edges along seams. */
   readonly compression: number;
   readonly sewnLength: number;
   readonly asymmetry: number;
-  /** Between the last energy that the file states and that of its places, as a share. */
+  /** Relative difference between the file's last energy and that of its positions. */
   readonly energyOff: number;
   readonly crossings: number;
 }
@@ -24,13 +24,13 @@ const usual: DrapeLimits = {
   crossings: 0,
 };
 const greatestGap = 1e-4;
-/** How much of the cloth has to keep 0.5 mm of distance from the form. */
+/** Least share of the fabric that keeps 0.5 mm of distance from the form. */
 const leastClear = 0.99;
 const farthestWaist = 3;
 
 const percent = (share: number): string => `${(100 * share).toFixed(2)} %`;
 
-/** What a drape does not keep, one sentence each. @param given where other limits hold than the usual ones */
+/** Exceeded limits of a drape, a message each. @param given  limits other than the usual ones */
 export function broken(verdict: DrapeVerdict, given: Partial<DrapeLimits> = {}): string[] {
   const limits = {...usual, ...given};
   const list = [...verdict.faults, ...verdict.rises];

@@ -1,6 +1,6 @@
-/** Garments as meshes with texture coordinates, as simulators write them. */
+/** Garments as meshes with texture coordinates, in the format of simulators. */
 
-/** A panel by its rim, counter-clockwise, and where its points are in space. [m] */
+/** A panel by its rim, counter-clockwise, and the positions of its points in space. [m] */
 interface MeshPanel {
   readonly name: string;
   readonly rim: readonly (readonly [number, number])[];
@@ -14,11 +14,11 @@ export interface MeshHabits {
   readonly unwelded?: boolean;
   /** Negative indices. */
   readonly relative?: boolean;
-  /** What texture coordinates are multiplied by, across and up. */
+  /** Factors of the texture coordinates, across and up. */
   readonly flatScale?: readonly [number, number];
-  /** Panels, by number, that lie on their faces in the texture. */
+  /** Numbers of the panels that are face down in the texture. */
   readonly mirrored?: readonly number[];
-  /** Faces of as many corners as a panel has: no middle. */
+  /** Faces with as many corners as the panel, without a middle. */
   readonly polygons?: boolean;
 }
 
@@ -96,11 +96,11 @@ function half(name: string, depth: number): MeshPanel {
 
 const front = half('front', 0.03);
 const back = half('back', -0.03);
-/** Seen from behind: face up, its right is its left. */
+/** Seen from behind: face up, left and right are exchanged. */
 const turned: MeshPanel = {
   ...back,
   rim: back.rim.map(([x, y]) => [2 - x, y] as const).reverse(),
   placed: [...back.placed].reverse(),
 };
-/** Front and back of it. */
+/** Front and back of the tunic. */
 export const tunic = (habits: MeshHabits = {}): string => meshText([front, turned], habits);

@@ -1,6 +1,9 @@
-/** Patterns as SVG in the habits of programs. */
+/** Patterns as SVG in the styles of different programs. */
 
-/** `d` of a bodice half with a curved armhole and neck, in units of `u` to a millimetre: 240 by 400 mm, its fold at x = 0. */
+/**
+ * `d` of a bodice half with a curved armhole and neck, `u` units a millimetre: 240 by 400 mm, its
+ * fold at x = 0.
+ */
 export const bodice = (u = 1, [x, y]: readonly [number, number] = [0, 0]): string => {
   const at = (px: number, py: number): string => `${u * (x + px)},${u * (y + py)}`;
   return [
@@ -10,7 +13,7 @@ export const bodice = (u = 1, [x, y]: readonly [number, number] = [0, 0]): strin
   ].join(' ');
 };
 
-/** The area of the bodice, by an integral of its own. [cm2] */
+/** The area of the bodice, by an independent integral. [cm2] */
 export function bodiceArea(): number {
   const curves = [
     ...[
@@ -42,17 +45,20 @@ export function bodiceArea(): number {
 export const svg = (attributes: string, ...content: readonly string[]): string =>
   [`<svg xmlns="http://www.w3.org/2000/svg" ${attributes}>`, ...content, '</svg>'].join('\n');
 
-/** Of a sheet of 60 by 50 cm, a unit a millimetre. */
+/** Attributes of a sheet of 60 by 50 cm, a unit a millimetre. */
 export const millimetreSheet = 'width="600mm" height="500mm" viewBox="0 0 600 500"';
 
-/** A line as programs draw it that know no fill. */
+/** A line in the style of programs without fills. */
 export const stroked = (d: string, more = ''): string =>
   `<path d="${d}" fill="none" stroke="black" ${more}/>`;
 
 export const words = (x: number, y: number, text: string, size = 10): string =>
   `<text x="${x}" y="${y}" font-size="${size}">${text}</text>`;
 
-/** One part as FreeSewing draws it: on the fold, with allowance along all other edges, a notch, a button and a dart. */
+/**
+ * One part in FreeSewing's style: on the fold, with allowance along all other edges, a notch, a
+ * button and a dart.
+ */
 export const freesewingPart = (name: string, scale = 1): string => {
   const u = scale;
   const dart = `M ${100 * u},250 L ${110 * u},300 L ${100 * u},350 L ${90 * u},300 z`;

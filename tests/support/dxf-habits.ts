@@ -1,4 +1,4 @@
-/** Patterns as programs are known to write them in DXF: the same pieces in the habits of eight of them. */
+/** Patterns as DXF in the styles of eight programs, all with the same pieces. */
 import {cross, middle, minus, type Point} from '@/model/geometry.js';
 import {signedArea} from '@/model/polyline.js';
 import {alongLine, at} from './plane.js';
@@ -6,11 +6,11 @@ import {alongLine, at} from './plane.js';
 /** A piece to write, in cm. */
 export interface PatternPiece {
   readonly name: string;
-  /** Each from corner to corner, so dense that it is the curve. */
+  /** Each from corner to corner, dense enough to represent the curve. */
   readonly edges: readonly (readonly Point[])[];
   readonly notches?: readonly Point[];
   readonly grain?: readonly [Point, Point];
-  /** More of the block, as pairs. */
+  /** Further entities of the block, as pairs. */
   readonly more?: readonly string[];
   readonly quantity?: string;
 }
@@ -19,23 +19,26 @@ export interface Habits {
   /** Units of the file in a cm. */
   readonly perCm: number;
   readonly header?: readonly string[];
-  /** System text of the style; the first word tells how identifiers are spelt. */
+  /** System text of the style; `capitals` writes its identifiers in upper case. */
   readonly style?: readonly string[];
   readonly capitals?: boolean;
-  /** How an outline is drawn: one polyline, flagged as closed or not, its start repeated or not; or many lines. */
+  /**
+   * Format of outlines: one polyline, flagged as closed or not, its start repeated or not; or many
+   * lines.
+   */
   readonly boundary: 'flagged' | 'repeated' | 'unflagged' | 'open' | 'segments' | 'light';
   readonly clockwise?: boolean;
-  /** Steps of a curved edge; without, as dense as it is. */
+  /** Steps of a curved edge; by default all its points. */
   readonly steps?: number;
   readonly turnPoints?: boolean;
   /** Layer 84: corners alone, or all points where layer 1 has key points. */
   readonly check?: 'corners' | 'dense';
   readonly notchLayer?: string;
-  /** Whether blocks are named by their pieces, all alike, or not at all. */
+  /** Names of the blocks: those of their pieces, all the same, or none. */
   readonly blocks: 'own' | 'alike' | 'none';
-  /** Whether blocks are drawn elsewhere, and inserted back. */
+  /** True if blocks are drawn elsewhere and inserted at their place. */
   readonly isMoved?: boolean;
-  /** Sizes, by how large they are; the one of 1 is the sample size. */
+  /** Scale of each size; the one with 1 is the sample size. */
   readonly sizes?: Readonly<Record<string, number>>;
   readonly lineEnd?: string;
 }
@@ -208,7 +211,7 @@ function blockOf(
   };
 }
 
-/** Straight edges stay lines between two points. */
+/** Reduces a curve to key points; straight edges stay lines between two points. */
 function keysOf(edge: readonly Point[], steps: number): Point[] {
   const [first, last] = [at(edge, 0), at(edge, -1)];
   const way = minus(last, first);
@@ -280,7 +283,7 @@ export const segment = ([[ax, ay], [bx, by]]: readonly [Point, Point], layer: st
   ...pair(21, by),
 ];
 
-/** A rectangle with one side bowed out. */
+/** A rectangle with one curved side. */
 export const bowedSquare = (name: string, side: number, [x, y]: Point = [0, 0]): PatternPiece => {
   const corners: Point[] = [
     [x, y],

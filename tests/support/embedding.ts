@@ -1,13 +1,13 @@
-/** What docs/embedding.md says, to be compared with what is so. */
+/** Contents of docs/embedding.md, for comparison with the code. */
 import {readFileSync} from 'node:fs';
 
 const text = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
 
-/** What stands under a heading, up to the next one. */
+/** The text under a heading, up to the next one. */
 export const textOf = (heading: string): string =>
   text.split(/^##+ /m).find((part) => part.startsWith(`${heading}\n`)) ?? '';
 
-/** The rows of the tables whose first column is called so, without their backticks. */
+/** Rows of the tables whose first column has this title, without their backticks. */
 export function rowsOf(column: string): readonly (readonly string[])[] {
   const tables = text.matchAll(/(?:^\|.*\|\n)+/gm);
   const rows = [...tables].map(([table]) => table.trim().split('\n').map(cellsOf));
@@ -20,13 +20,16 @@ const cellsOf = (row: string): string[] =>
     .split('|')
     .map((cell) => cell.trim().replaceAll('`', ''));
 
-/** The snippets in a language, in their order. */
+/** The code examples in a language, in their order. */
 export const snippetsIn = (language: string): readonly string[] =>
   [...text.matchAll(new RegExp(`^\`\`\`${language}\\n([^]*?)^\`\`\`$`, 'gm'))].map(
     ([, code = '']) => code,
   );
 
-/** The one snippet in a language that holds these words. @throws {Error} when there is none, or several */
+/**
+ * The one code example in a language that contains these words. @throws {Error} when there is none,
+ * or several
+ */
 export function snippetWith(language: string, words: string): string {
   const [code, ...more] = snippetsIn(language).filter((snippet) => snippet.includes(words));
   if (code === undefined || more.length > 0) {

@@ -1,4 +1,4 @@
-/** The examples as their readers run them: copied into a folder of their own, where the packed package is installed. */
+/** The examples as readers run them: copied into a new folder with the packed package installed. */
 import {spawn, type ChildProcess} from 'node:child_process';
 import {cp, mkdtemp, rm} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
@@ -12,18 +12,18 @@ import {openBrowser} from './browser.js';
 import {packed, type Packed} from './packed.js';
 
 const at = (path: string): string => fileURLToPath(new URL(`../../${path}`, import.meta.url));
-/** Garments and prints, which the examples do not bring with them. */
+/** Garments and prints, which are not part of the examples. */
 export const samples = at('public');
 
 interface Examples {
-  /** A copy of one, with packages of the project that it needs besides. @returns its folder */
+  /** Copies an example, with further packages of the project that it needs. @returns its folder */
   readonly copy: (name: string, others?: readonly string[]) => Promise<string>;
-  /** Starts a server of Node's. @returns its address, once it has printed that */
+  /** Starts a server in Node. @returns its address, once the server has printed it */
   readonly serve: (folder: string, words: readonly string[]) => Promise<string>;
 }
 
 export function useExamples(): Examples {
-  vi.setConfig({testTimeout: 180_000, hookTimeout: 300_000}); // a busy machine is slow at everything
+  vi.setConfig({testTimeout: 180_000, hookTimeout: 300_000}); // a busy machine is slow
   let all: Packed | undefined;
   const folders: string[] = [];
   const servers: ChildProcess[] = [];
@@ -68,13 +68,14 @@ export function useExamples(): Examples {
 }
 
 interface ChromiumOptions extends BrowserContextOptions {
-  /** What this page may say, where something is broken on purpose. */
+  /** Console messages to accept, where a test breaks something on purpose. */
   readonly maySay?: RegExp;
 }
 
 /**
- * Chromium. Whatever a page says on its console fails the test, and so does a request to another host.
- * @param maySay what is another's, and no fault
+ * Opens pages in Chromium. Any message on the console fails the test, and so does a request to
+ * another host.
+ * @param maySay  harmless messages of other programs
  */
 export function useChromium(
   maySay?: RegExp,
@@ -96,7 +97,7 @@ export function useChromium(
       await browser.newContext({viewport: {width: 1440, height: 900}, ...context})
     ).newPage();
     const hear = (text: string): void => {
-      // software rendering is slow to give pixels back, and says so
+      // software rendering is slow to return pixels, and logs it
       if (!text.includes('GPU stall') && !maySay?.test(text) && !here?.test(text)) said.push(text);
     };
     page.on('console', (message) => {
@@ -113,7 +114,7 @@ export function useChromium(
   };
 }
 
-/** Waits for the answer to what the page's element asks. */
+/** Waits for the answer to the element's current problem. */
 export const solved = async (page: Page): Promise<void> => {
   await page.locator('seamwise-garment:state(ready)').first().waitFor({timeout: 60_000});
 };

@@ -1,4 +1,6 @@
-/** The fits of a result, from its geometry, and distances modulo the symmetries of its print. */
+/**
+ * The mismatches of a result, from its geometry, and distances modulo the symmetries of its print.
+ */
 import type {Alignment, Point, ResultSeam, SolveResult} from 'seamwise/node';
 
 import {apply, printElements, reducedBasis, type PlaneMap, type Repeat} from '@/model/wallpaper.js';
@@ -8,7 +10,7 @@ import {alongLine, at, scale, sum} from './plane.js';
 interface Fits {
   /** Any symmetry of the print, edge by edge. */
   readonly any: number;
-  /** Only those that bring the directions of the two edges together, within 0.1 rad of the best. */
+  /** Only the symmetries that align the directions of the two edges, within 0.1 rad of the best. */
   readonly strict: number;
   /** One symmetry for the whole seam. */
   readonly seam: number;
@@ -16,7 +18,7 @@ interface Fits {
 
 type Lattice = Pick<Repeat, 'w1' | 'w2'>;
 
-/** A vector less the lattice vector next to it. */
+/** A vector less the nearest lattice vector. */
 function modulo(lattice: Lattice): (v: Point) => Point {
   const [a, b] = reducedBasis(lattice.w1, lattice.w2);
   const cell = cross(a, b);
@@ -38,7 +40,10 @@ function modulo(lattice: Lattice): (v: Point) => Point {
 
 const nearby: readonly Point[] = [-1, 0, 1].flatMap((s) => [-1, 0, 1].map((t): Point => [s, t]));
 
-/** The distance of two points of the print modulo some of its symmetries and all its translations. [cm] */
+/**
+ * The distance of two points of the print modulo some of its symmetries and all its translations.
+ * [cm]
+ */
 export function distanceModulo(
   lattice: Lattice,
 ): (x: Point, y: Point, elements: readonly PlaneMap[]) => number {
@@ -79,7 +84,7 @@ function edgesOf(
   });
 }
 
-/** Seams that are switched on and do not join a piece to its own mirror twin. */
+/** Matched seams, except those that join a piece to its own mirror twin. */
 function countedSeams({seams, symmetries}: SolveResult): ResultSeam[] {
   const images = new Map<string, string>();
   for (const symmetry of symmetries) {
@@ -93,7 +98,7 @@ function countedSeams({seams, symmetries}: SolveResult): ResultSeam[] {
   return seams.filter((seam) => seam.matched && !isTwin(seam));
 }
 
-/** The fits of `rest` or `shape` under the given alignments. [cm2] */
+/** The mismatches of `rest` or `shape` under the given alignments. [cm2] */
 export function fitsOf(
   result: SolveResult,
   outline: Outline,
@@ -124,7 +129,7 @@ function parallel({along: [a, b]}: PrintEdge, elements: readonly PlaneMap[]): Pl
   return elements.filter((_, k) => at(turns, k) <= least + 0.1);
 }
 
-/** The cost of a seam whose side b lies on the print by `element` and one lattice vector near the mean. */
+/** The cost of a seam whose side b is moved by `element` and one lattice vector near the mean. */
 function cheapest(seam: readonly PrintEdge[], element: PlaneMap, lattice: Lattice): number {
   const reduce = modulo(lattice);
   const [u1, u2] = reducedBasis(lattice.w1, lattice.w2);
@@ -141,7 +146,9 @@ function cheapest(seam: readonly PrintEdge[], element: PlaneMap, lattice: Lattic
   return Math.min(...costs);
 }
 
-/** The mean fit of `rest` over random alignments, and the standard error of that mean. [cm2] */
+/**
+ * The mean mismatch of `rest` over random alignments, and the standard error of that mean. [cm2]
+ */
 export function randomFit(result: SolveResult): {mean: number; error: number} {
   let state = 2463534242;
   const random = () => {

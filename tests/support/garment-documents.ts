@@ -14,7 +14,7 @@ const corners: readonly Point[] = [
   [0, 4],
 ];
 
-/** A square with sides of 4 cm, as `squarePiece` is. */
+/** A square with sides of 4 cm, like `squarePiece`. */
 export const draftedSquare = (name: string, changes: Partial<GarmentPiece> = {}): GarmentPiece => ({
   name,
   mirroredFromInput: false,

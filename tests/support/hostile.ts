@@ -1,4 +1,4 @@
-/** Files that do harm where nobody is careful. */
+/** Malicious files. */
 import {createServer, type Server} from 'node:http';
 import type {AddressInfo} from 'node:net';
 
@@ -10,7 +10,7 @@ import {twoStrips} from '../wasm/garments.js';
 /** A harmless print. */
 export const print = JSON.parse(sample('prints/p4m.json')) as object;
 
-/** Rectangles, each sewn to the next, by their names. */
+/** Rectangles with these names, each sewn to the next. */
 export function strips(called: readonly string[]): object {
   const {pattern, properties} = twoStrips();
   const {left} = pattern.panels;
@@ -26,7 +26,10 @@ export function strips(called: readonly string[]): object {
   };
 }
 
-/** Serves files that are too large or never end. @returns the address of the host, which has no slash at its end */
+/**
+ * Serves files that are too large or endless. @returns the address of the host, without a slash at
+ * its end
+ */
 export function useCarelessHost(): () => string {
   let host: Server | undefined;
   let url = '';

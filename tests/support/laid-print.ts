@@ -1,4 +1,4 @@
-/** Whether pieces of a lay plan show the print that they should, and lie as grain and nap allow. */
+/** Checks the print under the pieces of a layout, and their grain and nap. */
 import {minus, onPiece, onPrint, towards, type Point} from '@/model/geometry.js';
 import type {LayPlan} from '@/model/lay-plan.js';
 import type {SolveResult} from '@/model/result.js';
@@ -7,11 +7,11 @@ import {at} from './plane.js';
 import {lessRepeats, offNormaliser, offRule, onCloth} from './plan-print.js';
 import {nameOf, pieceOf, type PlanRules} from './plan-rules.js';
 
-/** Of print points, and of lengths that are sums of coordinates. [cm] */
+/** Tolerance for print points, and for lengths that are sums of coordinates. [cm] */
 const exact = 1e-6;
-/** [rad] */
+/** Smallest significant turn. [rad] */
 const leastTurn = 1e-7;
-/** A piece whose grain runs nearly across the cloth has no upside: the sine of what it is off. */
+/** A piece whose grain runs nearly across the fabric has no upside: the sine of its deviation. */
 const leastUpright = 0.2;
 
 /** Three points of a piece, far from each other. */
@@ -25,7 +25,10 @@ function farPoints(shape: readonly Point[]): readonly [Point, Point, Point] {
   return [first, second, furthest([first, second])];
 }
 
-/** Beneath each piece the cloth shows what its alignment says, but for one turn and whole repeats. */
+/**
+ * Checks that the fabric shows the print of each piece's alignment, up to one turn and whole
+ * repeats.
+ */
 export function checkPrint(
   {print, printOrigin: origin, placements}: LayPlan,
   results: readonly SolveResult[],
@@ -67,7 +70,7 @@ export function checkPrint(
   });
 }
 
-/** Pieces that matched seams and lines join have the same number. */
+/** Numbers the pieces; those connected by matched seams and lines get the same number. */
 function componentOf({pieces, seams, matches = []}: SolveResult): (name: string) => number {
   const number = pieces.map((_, k) => k);
   const pairs = [...seams.filter(({matched}) => matched), ...matches];
@@ -84,7 +87,7 @@ function componentOf({pieces, seams, matches = []}: SolveResult): (name: string)
     );
 }
 
-/** The grain runs as it may, and the nap one way where that is asked. */
+/** Checks that the grain has a permitted angle, and the nap one direction where required. */
 export function checkTurns(
   {placements}: LayPlan,
   results: readonly SolveResult[],
@@ -114,7 +117,7 @@ export function checkTurns(
   });
 }
 
-/** The plan is that of the best phase, which is where its print lies. */
+/** Checks that the plan has the best phase, and that its print is at this phase. */
 export function checkPhases({print, printOrigin: origin, phases, lengthCm}: LayPlan): string[] {
   if (!origin) return [];
   const isHere = phases.some(
@@ -130,7 +133,7 @@ export function checkPhases({print, printOrigin: origin, phases, lengthCm}: LayP
   ];
 }
 
-/** Whether some whole repeats lead so far across the cloth. */
+/** Returns whether some combination of repeats has this component across the fabric. */
 function isAcross({w1, w2}: Repeat, across: number): boolean {
   const steps = Array.from({length: 121}, (_, k) => k - 60);
   return steps.some((i) => steps.some((j) => Math.abs(i * w1[0] + j * w2[0] - across) <= exact));

@@ -1,4 +1,4 @@
-/** Garments of rectangles, and lay plans of them made by hand. Lengths in cm. */
+/** Garments of rectangles, and their layouts made by hand. Lengths in cm. */
 import {minus, onPiece, plus, rotated, type Alignment, type Point} from '@/model/geometry.js';
 import type {LaidPlacement, LayPlan} from '@/model/lay-plan.js';
 import type {Print} from '@/model/print.js';
@@ -16,7 +16,7 @@ const corners = (width: number, height: number, more = 0): readonly Point[] => [
   [-more, height + more],
 ];
 
-/** Its lower left corner at the origin, its grain upright. */
+/** A rectangle with its lower left corner at the origin and its grain upright. */
 export const rectangle = (
   name: string,
   width: number,
@@ -37,7 +37,7 @@ export const resultOf = (
   ...more,
 });
 
-/** Where a piece lies by a turn of the print about its origin and so many repeats. */
+/** Place of a piece after a turn of the print about its origin and so many repeats. */
 interface Lying {
   readonly piece: number;
   readonly result?: number;
@@ -45,7 +45,7 @@ interface Lying {
   /** [rad] */
   readonly turn?: number;
   readonly repeats: Point;
-  /** Of the print beneath the piece, before it is turned. */
+  /** Shift of the print under the piece, before its turn. */
   readonly shift?: Point;
 }
 
@@ -69,7 +69,7 @@ export function placementOf(
   return {result, copy, piece: name, ...place, cut};
 }
 
-/** Figures that go with what is laid. */
+/** A plan with consistent figures for these placements. */
 export function planOf(
   results: readonly SolveResult[],
   placements: readonly LaidPlacement[],

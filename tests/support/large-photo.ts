@@ -1,4 +1,4 @@
-/** A photograph of a camera's size, for the sheet. */
+/** A photo of a camera's full resolution, for the dialog. */
 import {mkdtemp, rm, writeFile} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -10,7 +10,7 @@ import {jpegOf} from './photo/files.js';
 import type {Rgba} from './photo/pixels.js';
 import {floralCase} from './photo/print-cases.js';
 
-/** So many times as large each way, which takes less time than a camera's picture takes to be drawn. */
+/** Enlarges by this factor in both directions, which is faster than drawing a full-size image. */
 function enlarged({width, height, data}: Rgba, factor: number): Rgba {
   const [across, down] = [factor * width, factor * height];
   const from = new Uint32Array(data.buffer, data.byteOffset, width * height);
@@ -24,7 +24,7 @@ function enlarged({width, height, data}: Rgba, factor: number): Rgba {
   return {width: across, height: down, data: new Uint8ClampedArray(pixels.buffer)};
 }
 
-/** Writes the photograph for one file of tests. @returns what chooses it in the sheet */
+/** Writes the photo for one test file. @returns a function that chooses it in the dialog */
 export function useLargePhoto(): (page: Page) => Promise<void> {
   let folder: string;
   beforeAll(async () => {
@@ -36,7 +36,7 @@ export function useLargePhoto(): (page: Page) => Promise<void> {
     await writeFile(join(folder, 'large.jpg'), await jpegOf(enlarged(pixels, 5), 90));
   }, 240_000);
   afterAll(() => rm(folder, {recursive: true}));
-  // from a file: bytes would be decoded by a script on the page
+  // uploads a file, as a script on the page would have to decode bytes
   return (page) =>
     page.locator('sw-photo input[type=file]').first().setInputFiles(join(folder, 'large.jpg'));
 }

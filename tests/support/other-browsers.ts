@@ -1,4 +1,6 @@
-/** Browsers as they are installed, beside Chromium: Firefox and WebKit, each driven by what it brings for that. */
+/**
+ * Installed browsers other than Chromium: Firefox and WebKit, each controlled by its own interface.
+ */
 import {spawn, type ChildProcess} from 'node:child_process';
 import {mkdtemp, rm, writeFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';
@@ -14,25 +16,27 @@ import {has} from '../../web/setup/shell.mjs';
 
 /** A page in one of them. */
 interface OtherPage {
-  /** What an expression, or the promise that it is, comes to: a text. @throws {Error} when it fails */
+  /**
+   * Evaluates an expression, or the promise it returns, to a text. @throws {Error} when it fails
+   */
   readonly evaluate: (expression: string) => Promise<string>;
   readonly close: () => Promise<void>;
 }
 
 interface OtherBrowser {
   readonly name: string;
-  /** The programs that it takes. */
+  /** Required programs. */
   readonly needs: readonly string[];
   readonly open: (url: string) => Promise<OtherPage>;
 }
 
-/** Not all of them draw without a display; this is one that nobody sees. */
+/** Starts a program on a virtual display, as not all browsers draw without one. */
 function start(command: string, ...words: readonly string[]): ChildProcess {
   const stdio: ['ignore', 'ignore', 'pipe'] = ['ignore', 'ignore', 'pipe'];
   return spawn('xvfb-run', ['--auto-servernum', command, ...words], {stdio, detached: true});
 }
 
-/** With the display, and whatever else it has started. */
+/** Ends the program with its display and all processes that it has started. */
 async function end(program: ChildProcess): Promise<void> {
   if (program.exitCode !== null || program.pid === undefined) return;
   const ended = new Promise((resolve) => program.once('exit', resolve));
@@ -40,7 +44,7 @@ async function end(program: ChildProcess): Promise<void> {
   await ended;
 }
 
-/** What a program says on standard error, as far as the pattern's first group has it. */
+/** Waits for the first group of a pattern in a program's standard error. */
 const hear = (program: ChildProcess, pattern: RegExp): Promise<string> =>
   new Promise((resolve, reject) => {
     let said = '';
@@ -54,10 +58,10 @@ const hear = (program: ChildProcess, pattern: RegExp): Promise<string> =>
     });
   });
 
-// the class is the module itself, whatever its types say
+// the class is the module itself, contrary to its types
 const Connection = createRequire(import.meta.url)('selenium-webdriver/bidi') as typeof Index;
 
-/** An answer of WebDriver BiDi, as far as it is read here. */
+/** The fields of a WebDriver BiDi answer that are read here. */
 interface Answer {
   readonly type: 'success' | 'error';
   readonly message?: string;
@@ -69,13 +73,16 @@ interface Answer {
   };
 }
 
-/** Firefox speaks WebDriver BiDi by itself; the older protocol would take geckodriver, which Debian does not have. */
+/**
+ * Firefox supports WebDriver BiDi itself; the older protocol would need geckodriver, which Debian
+ * lacks.
+ */
 const firefox: OtherBrowser = {
   name: 'Firefox',
   needs: ['xvfb-run', 'firefox-esr'],
   open: async (url) => {
     const profile = await mkdtemp(join(tmpdir(), 'seamwise-firefox-'));
-    // a machine of tests has no graphics of its own
+    // test machines have no graphics card
     await writeFile(join(profile, 'user.js'), 'user_pref("webgl.force-enabled", true);\n');
     const words = ['--no-remote', '--profile', profile, '--remote-debugging-port', '0'];
     const program = start('firefox-esr', ...words, 'about:blank');
@@ -115,7 +122,7 @@ async function freePort(): Promise<number> {
   return port;
 }
 
-/** WebKit's driver brings a small browser with it. */
+/** WebKit's driver includes a small browser. */
 const webKit: OtherBrowser = {
   name: 'WebKit',
   needs: ['xvfb-run', 'WebKitWebDriver'],
@@ -150,6 +157,6 @@ const webKit: OtherBrowser = {
 
 export const otherBrowsers = [firefox, webKit];
 
-/** The programs that are missing here. */
+/** Required programs that are not installed. */
 export const missingOf = ({needs}: OtherBrowser): readonly string[] =>
   needs.filter((program) => !has(program));

@@ -1,4 +1,4 @@
-/** The package as its users get it: packed, and installed in an empty folder. */
+/** The package as users get it: packed, and installed in an empty folder. */
 import {execFile} from 'node:child_process';
 import {mkdir, mkdtemp, readdir, readFile, rm, symlink} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
@@ -18,28 +18,31 @@ interface Manifest {
   readonly dependencies: Readonly<Record<string, string>>;
 }
 
-/** What a program said and how it ended, all of which may be wrong. */
+/** A program's output, and its errors if it failed or did not end. */
 interface Run {
   readonly output: string;
   readonly complaints: string;
 }
 
 export interface Packed {
-  /** What `npm pack` wrote. */
+  /** File written by `npm pack`. */
   readonly tarball: string;
-  /** Where the package is installed: with its dependencies, without the peers. */
+  /** Folder in which the package is installed, with its dependencies, without the peers. */
   readonly folder: string;
   readonly manifest: Manifest;
   /** Every file by its path in the package, with slashes. */
   readonly files: ReadonlyMap<string, Buffer>;
-  /** Installs the package in another folder, with packages of the project that are not its dependencies. */
+  /**
+   * Installs the package in another folder, with packages of the project that are not its
+   * dependencies.
+   */
   readonly installIn: (folder: string, others: readonly string[]) => Promise<void>;
-  /** Runs a module in Node beside the package. @throws when it fails, or does not end by itself */
+  /** Runs a module in Node with the package installed. @throws when it fails, or does not end */
   readonly node: (source: string) => Promise<Run>;
   readonly remove: () => Promise<void>;
 }
 
-/** Installs the package as it is packed. Dependencies are the project's own, so that no registry is asked. */
+/** Installs the packed package. Dependencies are copied from the project, without a registry. */
 export async function packed(): Promise<Packed> {
   const home = await mkdtemp(join(tmpdir(), 'seamwise-package-'));
   await build('tarball');
@@ -65,7 +68,7 @@ export async function packed(): Promise<Packed> {
   };
 }
 
-/** @returns where the package is */
+/** @returns the package's folder */
 async function install(tarball: string, home: string): Promise<string> {
   const folder = join(home, 'node_modules/seamwise');
   await mkdir(folder, {recursive: true});

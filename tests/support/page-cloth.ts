@@ -1,4 +1,4 @@
-/** The view of the pieces on their cloth, on the page. */
+/** The fabric layout on the page. */
 import type {Locator, Page} from 'playwright-core';
 import {expect} from 'vitest';
 
@@ -9,24 +9,24 @@ export const pane = (page: Page): Locator => page.locator('sw-cloth');
 export const panel = (page: Page): Locator => page.locator('sw-cloth-panel');
 export const status = (page: Page): Promise<string | null> =>
   pane(page).locator('[role=status]').textContent();
-/** What is said below the cloth. */
+/** The message below the fabric. */
 export const said = async (page: Page): Promise<string> =>
   (await pane(page).locator('.said').textContent())?.trim() ?? '';
 export const bought = (page: Page): Promise<string | null> =>
   panel(page).locator('h2').textContent();
-/** What is said of the plan. */
+/** Figures of the plan. */
 export const facts = (page: Page): Promise<string> => panel(page).locator('.facts').innerText();
 export const rowOf = (page: Page, name: string): Locator =>
   panel(page).locator('.pieces').getByRole('row', {name});
 
-/** Until nothing is laid any more. */
+/** Waits until the layout is done. */
 export async function laid(page: Page): Promise<void> {
   const state = () => pane(page).locator('.pane').getAttribute('data-state');
   await expect.poll(state, {timeout: 60_000}).toBe('done');
   await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
 }
 
-/** Lays two of a garment of four pieces. */
+/** Sets the number of garments to two and waits; the garment has four pieces. */
 export async function layTwice(page: Page): Promise<void> {
   const garments = panel(page).getByLabel('Garments');
   await garments.fill('2');
@@ -35,7 +35,7 @@ export async function layTwice(page: Page): Promise<void> {
   await laid(page);
 }
 
-/** A tee in a print that may lie upside down, on its cloth. */
+/** Opens the layout of a tee in a print that may be upside down. */
 export async function clothOf(page: Page): Promise<Page> {
   await solved(page);
   await showSample(page, 'tee');

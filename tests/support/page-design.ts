@@ -1,4 +1,4 @@
-/** What the page works on, read from the page itself. */
+/** The page's current design, read from the page itself. */
 import type {Page} from 'playwright-core';
 
 import type {SeamwisePage} from '@/app/page.js';

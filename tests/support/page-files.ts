@@ -1,4 +1,4 @@
-/** Files as somebody hands them to the page. */
+/** Ways to give files to the page: a button, a drop, the clipboard. */
 import type {Page} from 'playwright-core';
 
 import {button} from './page.js';
@@ -15,7 +15,7 @@ export const jsonFile = (name: string, content: unknown): HandedFile => ({
   content: typeof content === 'string' ? content : JSON.stringify(content),
 });
 
-/** Two squares that are sewn along one side, as GarmentCode writes them. Unit of the length: the file's. */
+/** Two squares sewn along one side, in GarmentCode's format. The length is in the file's unit. */
 export function squares(side: number, unitsInMetre = 100): object {
   const vertices = [
     [0, 0],
@@ -38,7 +38,7 @@ export function squares(side: number, unitsInMetre = 100): object {
   };
 }
 
-/** By a button that asks for a file. */
+/** Chooses a file with a button. */
 export async function choose(
   page: Page,
   name: string,
@@ -51,7 +51,7 @@ export async function choose(
   await chooser.setFiles({...file, buffer: Buffer.from(content)});
 }
 
-/** By a drop on the page, or from the clipboard. */
+/** Drops or pastes a file. */
 export const hand = (page: Page, way: 'drop' | 'paste', file: HandedFile): Promise<void> =>
   page.evaluate(
     ([how, {name, mimeType, content}]) => {

@@ -1,4 +1,4 @@
-/** Where things lie on the screen that somebody would click in the page's pattern. */
+/** Screen positions for clicks in the page's pattern. */
 import type {Locator, Page} from 'playwright-core';
 
 import type {Point} from '@/model/geometry.js';
@@ -13,7 +13,10 @@ interface Place {
   readonly share: number;
 }
 
-/** Runs in the page: a point of a piece, as a share along a side of a seam or in the middle of the piece. */
+/**
+ * Runs in the page: a point of a piece, as a share along a side of a seam or in the middle of the
+ * piece.
+ */
 function locate(pane: PatternPane, {seam, side, piece, share}: Place): Point | null {
   const stage = pane.shadowRoot?.querySelector('.stage');
   const scene = pane.workbench.scenes?.now;
@@ -62,7 +65,9 @@ export const clickSeam = (page: Page, seam: number, side: 'a' | 'b', share = 0.5
 export const clickPiece = (page: Page, piece: string): Promise<void> =>
   clickAt(page, {piece, share: 0});
 
-/** Number of the seam with this name in the garment that is shown, and on which side a piece is. */
+/**
+ * Number of the seam with this name in the displayed garment, and the side that a piece has in it.
+ */
 export async function seamOf(
   page: Page,
   name: string,

@@ -1,9 +1,9 @@
-/** The sheet on which a photograph becomes a print. */
+/** The photo dialog, which turns a photo into a print. */
 import type {Locator, Page} from 'playwright-core';
 
 import {button} from './page.js';
 
-/** The photograph takes as long to read as the machine is busy. */
+/** The time to read a photo depends on the load of the machine. */
 export const patient = {timeout: 120_000};
 
 export const dialogOf = (page: Page): Locator => page.locator('sw-photo').getByRole('dialog');
@@ -21,7 +21,7 @@ export const give = (page: Page, buffer: Buffer, name = 'meadow.jpg'): Promise<v
     .first()
     .setInputFiles({name, mimeType: 'image/jpeg', buffer});
 
-/** As if it were dragged there, or pasted. */
+/** Drops or pastes a photo. */
 export const bring = (
   page: Page,
   bytes: Buffer,
@@ -46,7 +46,7 @@ export const bring = (
 export const found = (dialog: Locator): Promise<string> =>
   dialog.getByText(/Found: /).innerText(patient);
 
-/** Once the swatch shows the tile. */
+/** Waits until the swatch shows the tile. */
 export const tileMade = (dialog: Locator): Promise<void> =>
   dialog
     .locator('sw-photo-swatch image')
@@ -56,7 +56,7 @@ export const tileMade = (dialog: Locator): Promise<void> =>
 export const use = (page: Page): Locator =>
   dialogOf(page).getByRole('button', {name: 'Use this print'});
 
-/** A length into a field of centimetres. */
+/** Enters a length in the first measurement field. */
 export async function measure(dialog: Locator, cm: number): Promise<void> {
   const field = dialog.getByLabel('measure (cm)').first();
   await field.fill(String(cm));

@@ -1,10 +1,10 @@
-/** The page where nothing needs an answer, nor much of a picture. */
+/** The page without automatic solving, for tests that need no answer. */
 import type {Page} from 'playwright-core';
 
 import {designOf} from './page-design.js';
 import type {PageOptions} from './page.js';
 
-/** Solves nothing by itself. */
+/** Opens the page and turns automatic solving off. */
 export async function quiet(
   open: (options?: PageOptions) => Promise<Page>,
   options: PageOptions = {},
@@ -23,7 +23,7 @@ export async function chooseGroup(page: Page, group: string): Promise<void> {
 
 export const groupOf = async (page: Page): Promise<string> => (await designOf(page)).print.group;
 
-/** Once the page is there again. */
+/** Reloads the page and waits until it is ready. */
 export async function reloaded(page: Page): Promise<void> {
   await page.reload();
   await page.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();

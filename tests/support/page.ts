@@ -1,4 +1,4 @@
-/** The page itself in a real browser, as it is built and served for users. */
+/** The page itself in a real browser, as built and served for users. */
 import type {Browser, BrowserContextOptions, Locator, Page} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, expect, inject} from 'vitest';
 
@@ -6,17 +6,17 @@ import type {SeamwisePage} from '@/app/page.js';
 import {bytesOf, openBrowser} from './browser.js';
 
 export interface PageOptions extends BrowserContextOptions {
-  /** What follows the address: `?garment=...`, `#...`. */
+  /** End of the address: `?garment=...`, `#...`. */
   readonly query?: string;
-  /** In whose context, to share its storage. */
+  /** Page whose context, and so whose storage, is shared. */
   readonly beside?: Page;
-  /** As somebody sees it who has not been here yet; usually there is no introduction any more. */
+  /** Simulates a first visit; by default the introduction is off. */
   readonly isFirst?: boolean;
-  /** What the page may say on its console, where something is broken on purpose. */
+  /** Console messages to accept, where a test breaks something on purpose. */
   readonly maySay?: RegExp;
 }
 
-/** Opens the page for one file of tests. Whatever the page says on its console fails the test. */
+/** Opens the page for one test file. Any message on its console fails the test. */
 export function usePage(): (options?: PageOptions) => Promise<Page> {
   let browser: Browser;
   const said: string[] = [];
@@ -36,7 +36,7 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
       beside?.context() ??
       (await browser.newContext({
         viewport: {width: 1440, height: 900},
-        serviceWorkers: 'block', // only a page that goes offline has use for one
+        serviceWorkers: 'block', // only tests of the offline page need one
         ...context,
       }))
     ).newPage();
@@ -46,12 +46,13 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
         try {
           localStorage.setItem('seamwise.introduction', '');
         } catch {
-          // a page that can keep nothing gives no introduction
+          // no storage, no introduction
         }
       });
     }
     const hear = (text: string): void => {
-      // software rendering is slow to give pixels back, and says so; so does who blocks the worker below
+      // Software rendering is slow to return pixels, and logs it. The blocked service worker is
+      // logged, too.
       const isExpected = /GPU stall|Service Worker registration blocked/.test(text);
       if (!isExpected && !maySay?.test(text)) said.push(text);
     };
@@ -69,25 +70,25 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
 export const button = (page: Page, name: string): Locator =>
   page.getByRole('button', {name, exact: true});
 
-/** The button that ends a solve while there is one. */
+/** The button that cancels a running solve. */
 export const cancelButton = (page: Page): Locator => page.locator('sw-editor .solving button');
 
 export const progress = (page: Page): Locator => page.getByRole('status', {name: 'Progress'});
 
-/** Waits until the part of the page that draws this element shows what the workbench has told it. */
+/** Waits until the component that draws this element has rendered the workbench's state. */
 export const drawn = (shown: Locator): Promise<void> =>
   shown.evaluate(async (element) => {
     const {host} = element.getRootNode() as ShadowRoot;
     await (host as Element & {readonly updateComplete: Promise<unknown>}).updateComplete;
   });
 
-/** Waits for the final answer to what is asked now. */
+/** Waits for the final answer to the current problem. */
 export const solved = (page: Page): Promise<void> =>
   progress(page)
     .filter({hasText: /^Aligned in/})
     .waitFor({timeout: 60_000});
 
-/** Shows one of the samples, by the names in public/samples.json. */
+/** Shows one of the samples, by its name in public/samples.json. */
 export async function showSample(page: Page, style: string): Promise<void> {
   await page.getByLabel('Garment', {exact: true}).selectOption(style);
   await page.waitForFunction((wanted) => {
@@ -97,14 +98,16 @@ export async function showSample(page: Page, style: string): Promise<void> {
   await solved(page);
 }
 
-/** What a button of the menu gives to save, as text. */
+/** Text of the file that a button of the menu saves. */
 export async function saved(page: Page, name: string): Promise<string> {
   if (!(await button(page, name).isVisible())) await button(page, 'Save …').click();
   const [download] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
   return (await bytesOf(download)).toString();
 }
 
-/** What the dialog that asks how to cut gives to save, as text; it stays what is asked for the next time. */
+/**
+ * Text of the file that the cutting dialog saves; the dialog keeps the file type for the next time.
+ */
 export async function savedCut(page: Page, file: 'PDF' | 'SVG' | 'DXF' | 'HP-GL'): Promise<string> {
   const dialog = page.locator('sw-cut-dialog').getByRole('dialog');
   if (!(await dialog.isVisible())) {

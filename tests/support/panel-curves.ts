@@ -43,7 +43,7 @@ function bezier(controls: readonly Point[], t: number): Point {
   );
 }
 
-/** Radius, whether the longer of the two arcs is meant, whether it bulges to the right. */
+/** Traces an arc by its radius, large-arc flag, and right-hand flag. */
 function arc(
   from: Point,
   to: Point,

@@ -1,10 +1,10 @@
-/** Edges drawn anew as paths: chains of cubics that lie where they lay. */
+/** Redraws edges as paths: chains of cubics with the same shape. */
 import type {DraftedEdge, GarmentDocument} from '@/model/garment-document.js';
 import {between, type Point} from '@/model/geometry.js';
 
 type Cubic = readonly [Point, Point, Point, Point];
 
-/** A cubic before and after one of its own parameters, by de Casteljau's construction. */
+/** Splits a cubic at a parameter, by de Casteljau's construction. */
 function halves([a, b, c, d]: Cubic, t: number): readonly [Cubic, Cubic] {
   const [ab, bc, cd] = [between(a, b, t), between(b, c, t), between(c, d, t)];
   const [abc, bcd] = [between(ab, bc, t), between(bc, cd, t)];

@@ -1,21 +1,21 @@
-/** A PDF taken apart, for tests: by its table, without any reader of PDF. */
+/** Parses a PDF for tests by its cross-reference table, without a PDF library. */
 import {inflateSync} from 'node:zlib';
 
 interface PdfObject {
   readonly text: string;
-  /** Unpacked where it is packed by Flate alone. */
+  /** Decompressed if Flate is its only filter. */
   readonly stream?: string;
 }
 
 interface ReadPdf {
   readonly objects: ReadonlyMap<number, PdfObject>;
-  /** In their order. */
+  /** Pages in their order. */
   readonly pages: readonly {readonly size: readonly number[]; readonly content: string}[];
 }
 
 const latin = (bytes: Uint8Array): string => Buffer.from(bytes).toString('latin1');
 
-/** @throws {Error} where the table does not lead to objects */
+/** @throws {Error} if the table does not point to objects */
 export function readPdf(bytes: Uint8Array): ReadPdf {
   const whole = latin(bytes);
   const table = Number(/startxref\n(\d+)\n%%EOF\n$/.exec(whole)?.[1]);

@@ -1,11 +1,11 @@
-/** Pictures as files, of as many pixels as a test wants. */
+/** Images as files of any size, for tests. */
 import {deflateSync} from 'node:zlib';
 
 import {crc32} from '@/recognition/file-kind.js';
 import type {Pixels} from '@/recognition/tile-cloth.js';
 
 type Colour = readonly [number, number, number];
-/** From the upper left corner. [px] */
+/** Colour at a place from the upper left corner. [px] */
 export type Painting = (x: number, y: number) => Colour;
 
 export const paper: Colour = [250, 246, 236];
@@ -32,7 +32,7 @@ function chunk(type: string, data: Buffer): Buffer {
   return Buffer.concat([length, body, sum]);
 }
 
-/** @param dpi said in the file, if given */
+/** @param dpi  resolution stored in the file, if given */
 export function pngOf({width, height, data}: Pixels, dpi?: number): Buffer {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(width, 0);
@@ -62,7 +62,9 @@ export const leaf: Painting = (x, y) =>
       ? rose
       : paper;
 
-/** Of 220 x 200: a disc on the left edge goes on at the right one, half the height further down. */
+/**
+ * 220 x 200 px: a disc on the left edge continues at the right one, half the height further down.
+ */
 export const halfDrop: Painting = (x, y) =>
   within(x, y, 0, 60, 40) || within(x, y, 220, 160, 40)
     ? rose
@@ -70,7 +72,7 @@ export const halfDrop: Painting = (x, y) =>
       ? ink
       : paper;
 
-/** Of 220 x 200: discs that are cut at the left and at the upper edge, and go on nowhere. */
+/** 220 x 200 px: discs that the left and the upper edge cut, without a continuation. */
 export const cut: Painting = (x, y) =>
   within(x, y, 0, 60, 45) || within(x, y, 90, 0, 35)
     ? rose
@@ -78,7 +80,10 @@ export const cut: Painting = (x, y) =>
       ? ink
       : paper;
 
-/** Every place of a cell of so many pixels in a colour of its own, which changes by at most 4 from one to the next, also across edges. */
+/**
+ * A cell with a different colour at every place; neighbouring colours differ by at most 4, also
+ * across edges.
+ */
 export const everywhere = {
   width: 420,
   height: 560,

@@ -1,4 +1,6 @@
-/** DXF as the simplest programs write it: a block for each piece, with its outline and its name. */
+/**
+ * DXF in the style of the simplest programs: a block for each piece, with its outline and its name.
+ */
 import type {Point} from '@/model/geometry.js';
 
 export interface PlainPiece {
@@ -8,7 +10,10 @@ export interface PlainPiece {
 
 const pairs = (...of: readonly (string | number)[]): string => of.map((one) => `${one}\n`).join('');
 
-/** @param words on the style, such as `Units: METRIC` @param isClosed whether outlines end where they begin */
+/**
+ * @param words  on the style, such as `Units: METRIC` @param isClosed  whether outlines end at
+ * their start
+ */
 export function plainDxf(
   pieces: readonly PlainPiece[],
   {

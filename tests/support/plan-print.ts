@@ -1,4 +1,7 @@
-/** The turns that carry a print onto itself, by a table of their own, and what they say of a piece on printed cloth. Lengths in cm. */
+/**
+ * Rotations that map a print onto itself, by a separate table, and their checks for pieces on
+ * printed fabric. Lengths in cm.
+ */
 import {
   coordinates,
   combined,
@@ -12,7 +15,10 @@ import type {GroupName} from '@/model/print.js';
 import {apply, printElements, type Repeat} from '@/model/wallpaper.js';
 import {at, greatest} from './plane.js';
 
-/** How many turns of a group lie about the origin; no turn of any of the 17 has another part of a repeat with it. */
+/**
+ * Number of a group's rotations about the origin; in none of the 17 groups do rotations include
+ * part of a repeat.
+ */
 export const turnsOf: Readonly<Record<GroupName, 1 | 2 | 3 | 4 | 6>> = {
   ...{p1: 1, pm: 1, pg: 1, cm: 1},
   ...{p2: 2, pmm: 2, pmg: 2, pgg: 2, cmm: 2},
@@ -21,7 +27,7 @@ export const turnsOf: Readonly<Record<GroupName, 1 | 2 | 3 | 4 | 6>> = {
   ...{p6: 6, p6m: 6},
 };
 
-/** By which of them a piece may be laid that has a grain. */
+/** Permitted rotations of a piece with a grain. */
 export type TurnRule = 'half' | 'quarter' | 'any';
 
 const rightAngles: Readonly<Record<TurnRule, number>> = {
@@ -30,33 +36,39 @@ const rightAngles: Readonly<Record<TurnRule, number>> = {
   any: 0,
 };
 
-/** How far an angle is from one that the rule allows, as the sine of that. */
+/** Deviation of an angle from the nearest permitted one, as a sine. */
 export function offRule(rule: TurnRule, angle: number): number {
   const step = rightAngles[rule];
   return step === 0 ? 0 : Math.abs(Math.sin(angle - step * Math.round(angle / step)));
 }
 
-/** The turns of a print that a rule allows. [rad] */
+/** The rotations of a print that a rule permits. [rad] */
 export const allowedTurns = (group: GroupName, rule: TurnRule): readonly number[] =>
   Array.from({length: turnsOf[group]}, (_, k) => (2 * Math.PI * k) / turnsOf[group]).filter(
     (angle) => offRule(rule, angle) < 1e-9,
   );
 
-/** A vector less a whole number of repeats, so that what rounding leaves is next to nothing. */
+/** A vector less a whole number of repeats, so that only rounding errors remain. */
 export function lessRepeats({w1, w2}: Pick<Repeat, 'w1' | 'w2'>, v: Point): Point {
   const [i, j] = coordinates([w1, w2], v);
   return minus(v, combined([w1, w2], Math.round(i), Math.round(j)));
 }
 
-/** How the points of the print beneath a piece lie to those that its alignment says. */
+/** The print's points under a piece, relative to those of its alignment. */
 interface OnCloth {
-  /** How far they are from a turn of the group, once the first of them is put in its place; mirrored ones are far. */
+  /**
+   * Distance from a rotation of the group, after moving the first point to its place; mirrored ones
+   * are far.
+   */
   readonly off: number;
-  /** The print's own shift beneath the piece, before it is turned, less whole repeats. */
+  /** The print's own shift beneath the piece, before its turn, less whole repeats. */
   readonly shift: Point;
 }
 
-/** @param wanted three points or more of the print by the alignment @param found those that the cloth shows there */
+/**
+ * @param wanted  three or more points of the print by the alignment @param found  the points that
+ * the fabric shows there
+ */
 export function onCloth(
   repeat: Repeat,
   wanted: readonly Point[],
@@ -73,7 +85,10 @@ export function onCloth(
   };
 }
 
-/** How far a shift of the whole print is from one after which it has the same symmetries in the same places. */
+/**
+ * Distance of a shift of the whole print from the nearest one that keeps all symmetries in their
+ * places.
+ */
 export const offNormaliser = (repeat: Repeat, shift: Point): number =>
   greatest(
     printElements(repeat).map((element) =>
@@ -81,12 +96,12 @@ export const offNormaliser = (repeat: Repeat, shift: Point): number =>
     ),
   );
 
-/** The shortest repeat straight along the cloth; undefined where there is none within `most`. */
+/** The shortest repeat straight along the fabric; undefined if there is none within `most`. */
 export function warpPeriod({w1, w2}: Pick<Repeat, 'w1' | 'w2'>, most = 400): number | undefined {
   const reach = Math.ceil(most / Math.min(Math.hypot(...w1), Math.hypot(...w2)));
   const periods: number[] = [];
   for (let i = -reach; i <= reach; i++) {
-    // of the steps along w2, the one that leads back to where it began across
+    // the step along w2 that returns to the start across the fabric
     const steps = w2[0] === 0 ? [-1, 0, 1] : [Math.round((-i * w1[0]) / w2[0])];
     for (const j of steps) {
       const [x, y] = plus([i * w1[0], i * w1[1]], w2, j);

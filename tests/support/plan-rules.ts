@@ -1,33 +1,39 @@
-/** What the checks of lay plans are told beside the plan, and how they call pieces. */
+/** Rules for the checks of layouts, and their names for pieces. */
 import {minus, rotated} from '@/model/geometry.js';
 import type {LaidPlacement} from '@/model/lay-plan.js';
 import type {ResultPiece, SolveResult} from '@/model/result.js';
 import type {TurnRule} from './plan-print.js';
 import type {Ring} from './rings.js';
 
-/** What was asked for, as far as the plan does not say it. */
+/** Settings of a layout that its plan does not contain. */
 export interface PlanRules {
-  /** By the name of a piece. */
+  /** Rule by the name of a piece. */
   readonly turns: (piece: string) => TurnRule;
-  /** How many garments of each result. Default 1. */
+  /** Number of garments of each result. Default 1. */
   readonly copies?: number;
   /** Default none. */
   readonly nap?: 'none' | 'garment' | 'one-way';
-  /** Whether all pieces that matched seams join may lie on the print shifted alike. Default kept. */
+  /**
+   * 'component' if all pieces that matched seams connect may be shifted on the print together.
+   * Default kept.
+   */
   readonly shift?: 'kept' | 'component';
-  /** Polygons of the cloth on which nothing lies: the cut is where it is. */
+  /** Polygons of the fabric that pieces must not cover; the start of the layout is fixed. */
   readonly flaws?: readonly Ring[];
-  /** The cut is where it is, flaws or not. Default false. */
+  /** True if the start of the layout is fixed, with or without flaws. Default false. */
   readonly isStartFixed?: boolean;
-  /** The length is that of whole repeats. Default false. */
+  /** True if the length is a multiple of the repeat. Default false. */
   readonly wholeRepeats?: boolean;
   /** Pieces, by name, that are not cut from the print. */
   readonly plain?: readonly string[];
-  /** The garment says allowances of its own, so that the plan's is none that all edges have. Default false. */
+  /**
+   * True if the garment has its own allowances, so that no single one of the plan applies to all
+   * edges. Default false.
+   */
   readonly hasOwnAllowances?: boolean;
 }
 
-/** Of a garment of a result. */
+/** A piece of a garment of a result. */
 type Named = Pick<LaidPlacement, 'result' | 'copy' | 'piece'>;
 
 export const nameOf = ({result, copy, piece}: Named): string => `${piece} of ${result}.${copy}`;
@@ -38,6 +44,6 @@ export const pieceOf = (
   name: string,
 ): ResultPiece | undefined => results[result]?.pieces.find((piece) => piece.name === name);
 
-/** The cut line where the piece was before it was laid. */
+/** The cut line in the piece's own coordinates. */
 export const ringOnPiece = ({cut, angle, translation}: LaidPlacement): Ring =>
   cut.map((p) => rotated(minus(p, translation), -angle));

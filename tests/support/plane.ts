@@ -1,4 +1,4 @@
-/** Geometry for the checks of results, besides that of the sources. */
+/** Geometry for the checks of results, in addition to that of the sources. */
 import {cross, minus, plus, rotated, type Alignment, type Point} from '@/model/geometry.js';
 
 export const scale = (a: Point, s: number): Point => [a[0] * s, a[1] * s];
@@ -23,7 +23,7 @@ export const alongLine = <T>(line: readonly T[]): [T, T][] =>
   line.slice(1).map((v, k) => [at(line, k), v]);
 
 export const sum = (values: readonly number[]): number => values.reduce((s, v) => s + v, 0);
-/** Zero for an empty list, unlike Math.max. */
+/** The greatest value; 0 for an empty list, unlike Math.max. */
 export const greatest = (values: readonly number[]): number =>
   values.reduce((m, v) => Math.max(m, v), 0);
 
@@ -40,11 +40,14 @@ export function toLine([x, y]: Point, line: readonly Point[]): number {
   return Math.sqrt(least);
 }
 
-/** Whether two of the segments cross in their insides; neighbours, which share an end, never do. */
+/**
+ * Returns whether two of the segments cross in their insides; neighbours, which share an end, never
+ * do.
+ */
 export function crossesItself(lines: readonly (readonly [Point, Point])[]): boolean {
   const side = (a: Point, b: Point, c: Point) => cross(minus(b, a), minus(c, a));
   type Segment = readonly [Point, Point];
-  // Segments far apart on one line are told apart by their boxes, whatever rounding makes of areas.
+  // Boxes separate segments far apart on one line, regardless of rounding errors in areas.
   const meet = ([a, b]: Segment, [c, d]: Segment, axis: 0 | 1) =>
     Math.max(a[axis], b[axis]) >= Math.min(c[axis], d[axis]) &&
     Math.max(c[axis], d[axis]) >= Math.min(a[axis], b[axis]);

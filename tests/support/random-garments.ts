@@ -1,4 +1,4 @@
-/** Random small garments: valid in every respect, and odd in most. */
+/** Random small garments: valid in every respect, but mostly unusual. */
 import * as fc from 'fast-check';
 import type {
   Curvature,
@@ -14,14 +14,17 @@ import type {
 import {distance, minus, plus} from '@/model/geometry.js';
 import {at, scale} from './plane.js';
 
-/** How an edge bends, in edge lengths: along the edge, and to its left. */
+/** Bend of an edge, in edge lengths: along the edge, and to its left. */
 type Bend =
   | {readonly kind: 'straight' | 'null'}
   | {readonly kind: 'point' | 'quadratic'; readonly by: Point}
   | {readonly kind: 'cubic'; readonly by: readonly [Point, Point]}
   | {readonly kind: 'circle'; readonly radius: number; readonly right: boolean};
 
-/** A counter-clockwise panel in cm. Edge k runs from vertex k to the next; `image` is its mirror image. */
+/**
+ * A counter-clockwise panel in cm. Edge k runs from vertex k to the next; `image` is its mirror
+ * image.
+ */
 interface Draft {
   readonly vertices: readonly Point[];
   readonly bends: readonly Bend[];
@@ -35,7 +38,7 @@ export interface DraftedGarment {
   readonly symmetries: Symmetries;
 }
 
-/** Evenly spread, unlike fc.double, which likes to be next to nothing. */
+/** Evenly distributed, unlike fc.double, which prefers tiny numbers. */
 export const between = (min: number, max: number): fc.Arbitrary<number> =>
   fc.nat(10_000).map((k) => min + ((max - min) * k) / 10_000);
 
@@ -55,7 +58,7 @@ const bend: fc.Arbitrary<Bend> = fc.oneof(
   fc.record({kind: fc.constant('circle'), radius: between(0.8, 4), right: fc.boolean()}),
 );
 
-/** Corners around a centre, so that straight outlines never cross themselves. */
+/** A panel with corners around a centre, so that straight outlines never cross themselves. */
 const freePanel: fc.Arbitrary<Draft> = fc.integer({min: 3, max: 7}).chain((n) =>
   fc
     .record({
@@ -95,7 +98,7 @@ function mirrorImage({vertices, bends}: Draft): Draft {
 
 const imageEdge = (n: number, k: number): number => (2 * n - 2 - k) % n;
 
-/** A panel that mirrors onto itself at x = 0: a line from below to above, and its image. */
+/** A panel that mirrors onto itself at x = 0: a line from the bottom to the top, and its image. */
 const symmetricPanel: fc.Arbitrary<Draft> = fc.integer({min: 2, max: 3}).chain((half) =>
   fc
     .record({
@@ -121,7 +124,7 @@ interface EdgeRef {
   readonly edge: number;
 }
 
-/** Random matches of all edges; with mirror images, a match comes together with its image. */
+/** Random matches of all edges; mirror images are matched together. */
 function stitchesOf(
   drafts: readonly Draft[],
   order: readonly number[],
@@ -199,7 +202,7 @@ function curvatureText(
     case 'straight':
       return undefined;
     case 'null':
-      return null as unknown as Curvature; // seen in real files
+      return null as unknown as Curvature; // occurs in real files
     case 'point':
       return control(b.by);
     case 'quadratic':
@@ -234,7 +237,7 @@ function roughened(drafts: readonly Draft[], by: number, noise: readonly Point[]
   });
 }
 
-/** Names as found in files, and as nobody should choose them. */
+/** Names found in files, and very unsuitable ones. */
 const naming = fc.constantFrom(
   'panel',
   'panel',
@@ -244,7 +247,10 @@ const naming = fc.constantFrom(
   'x'.repeat(300),
 );
 
-/** Two to six panels of three to seven edges, some seen from the back, some mirrored, sewn at random. */
+/**
+ * Two to six panels of three to seven edges, some seen from the back, some mirrored, sewn at
+ * random.
+ */
 export const draftedGarment: fc.Arbitrary<DraftedGarment> = fc
   .oneof(freeDrafts, mirroredDrafts)
   .chain((drafts) =>
@@ -272,7 +278,7 @@ export const draftedGarment: fc.Arbitrary<DraftedGarment> = fc
     const end = ({piece, edge}: EdgeRef): StitchEnd => ({panel: at(names, piece), edge});
     const isFree = drafts.every(({twin}) => twin === 'none');
     const stitches = stitchesOf(drafts, order, share).map(([a, b], k): Stitch => {
-      const word = isFree ? wrong[k] : 'absent'; // else images would have to agree
+      const word = isFree ? wrong[k] : 'absent'; // otherwise images would have to agree
       if (word === 'absent' || word === undefined) return [end(a), end(b)];
       return [end(a), end(b), word];
     });

@@ -1,4 +1,4 @@
-/** Ways to lay results on cloth, by chance: the same for the same number. */
+/** Random settings for layouts, the same for the same number. */
 import type {MarkerSettings, Nap} from 'seamwise/node';
 
 import {warpRepeat} from '@/marker/repeats.js';
@@ -8,7 +8,7 @@ import type {Repeat} from '@/model/wallpaper.js';
 import type {PlanRules} from './plan-rules.js';
 import {at} from './plane.js';
 
-/** From 0 to 1, one after the other. */
+/** A sequence of random numbers from 0 to 1. */
 export function chance(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
@@ -21,7 +21,7 @@ export function chance(seed: number): () => number {
 
 interface RandomLay {
   readonly settings: MarkerSettings;
-  /** What a judge has to be told beside the plan. */
+  /** Rules that a check needs in addition to the plan. */
   readonly rules: PlanRules;
 }
 

@@ -15,7 +15,7 @@ import {rotated} from '@/model/geometry.js';
 import {at} from './plane.js';
 import {between, draftedGarment, type DraftedGarment} from './random-garments.js';
 
-/** A problem as JSON texts, the way files are. */
+/** A problem as JSON texts, like files. */
 export interface ProblemText {
   readonly garment: string;
   readonly print: string;
@@ -117,7 +117,7 @@ function symmetry({symmetries: {symmetries}}: DraftedGarment): fc.Arbitrary<Symm
   );
 }
 
-/** A garment with everything a solve may be asked for. */
+/** A garment with random values of all settings of a solve. */
 export const problem: fc.Arbitrary<ProblemText> = draftedGarment.chain((drafted) =>
   fc
     .record({
@@ -139,7 +139,7 @@ export const problem: fc.Arbitrary<ProblemText> = draftedGarment.chain((drafted)
 
 const documents = ['garment', 'garment', 'garment', 'print', 'options', 'symmetry'] as const;
 
-/** What may stand where something else was meant. Texts of numbers that JSON.stringify cannot write. */
+/** Wrong values for any place, as texts, since JSON.stringify cannot write some of the numbers. */
 const nonsense = [
   'null', 'true', '""', '"front"', '"1"', '[]', '{}', '[1]', '[0,0]', '[[]]', '{"a":1}', '-1', '0', '-0', '1',
   '2', '0.5', '1e-9', '1e-300', '1e7', '1e20', '1e308', '1e999', '-1e308', 'NaN', 'Infinity', '2147483648', '4294967296',
@@ -169,7 +169,7 @@ const damage: fc.Arbitrary<Damage> = fc.oneof(
   }),
 );
 
-/** A problem with one or two things wrong, or at least different, in one of its files. */
+/** A problem with one or two errors, or at least differences, in one of its files. */
 export const damagedProblem: fc.Arbitrary<ProblemText> = fc
   .record({
     intact: problem,
@@ -191,7 +191,7 @@ function damaged(text: string, harm: Damage, place: number): string {
   try {
     document = JSON.parse(text);
   } catch {
-    return text; // already past telling its parts
+    return text; // too damaged to have parts
   }
   const slots = slotsOf(document);
   const slot = slots[place % Math.max(slots.length, 1)];
@@ -233,7 +233,7 @@ interface Slot {
   readonly key: string;
 }
 
-/** Every place of a document at which a value stands, but its root. */
+/** Every place of a document that has a value, except its root. */
 function slotsOf(value: unknown): Slot[] {
   if (typeof value !== 'object' || value === null) return [];
   return Object.entries(value).flatMap(([key, inner]) => [{holder: value, key}, ...slotsOf(inner)]);

@@ -1,6 +1,6 @@
 import {deflateSync} from 'node:zlib';
 
-/** A PNG of one colour, however large, in a few kilobytes. */
+/** A PNG of one colour and any size, in a few kilobytes. */
 export function png(width: number, height: number, content = true): Buffer {
   const chunk = (type: string, data: Buffer): Buffer => {
     const head = Buffer.alloc(8);

@@ -1,4 +1,4 @@
-/** Reads a binary glTF file as its specification says, knowing nothing of who wrote it. */
+/** Reads a binary glTF file by its specification, independently of the writer. */
 
 interface GltfPrimitive {
   readonly attributes: Readonly<Record<string, number>>;
@@ -29,7 +29,7 @@ interface Gltf {
 
 interface Glb {
   readonly json: Gltf;
-  /** Of an accessor: one list per vertex, or one number per index. */
+  /** Values of an accessor: one list per vertex, or one number per index. */
   readonly vectors: (accessor: number) => readonly (readonly number[])[];
   readonly bytesOf: (bufferView: number) => Uint8Array;
 }

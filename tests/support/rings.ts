@@ -1,4 +1,4 @@
-/** Closed lines for the checks of lay plans: how near two come, and how much they overlap. Lengths in cm. */
+/** Closed lines for the checks of layouts: their distances and overlaps. Lengths in cm. */
 import {Clipper, FillRule} from 'clipper2-ts';
 
 import {cross, minus, plus, type Point} from '@/model/geometry.js';
@@ -6,7 +6,7 @@ import {aroundLoop, at, greatest} from './plane.js';
 
 export type Ring = readonly Point[];
 
-/** Positive when it runs counter-clockwise. [cm2] */
+/** Signed area, positive if the ring runs counter-clockwise. [cm2] */
 export const ringArea = (ring: Ring): number =>
   aroundLoop(ring).reduce((sum, [p, q]) => sum + cross(p, q), 0) / 2;
 
@@ -34,7 +34,7 @@ interface Segment {
   readonly extent: Extent;
 }
 
-/** A ring taken apart once, to be measured often. */
+/** A ring with precomputed parts for repeated measurements. */
 export interface Outline {
   readonly ring: Ring;
   readonly extent: Extent;
@@ -47,14 +47,17 @@ export const outlineOf = (ring: Ring): Outline => ({
   segments: aroundLoop(ring).map(([from, to]) => ({from, to, extent: extentOf([from, to])})),
 });
 
-/** No less than this far apart; 0 where they share a column and a row. */
+/** Lower bound of the distance; 0 if they share a column and a row. */
 const extentGap = (a: Extent, b: Extent, [dx, dy]: Point): number =>
   Math.hypot(
     Math.max(0, a[0] - b[2] - dx, b[0] + dx - a[2]),
     Math.max(0, a[1] - b[3] - dy, b[1] + dy - a[3]),
   );
 
-/** Square of the distance from a point to a segment. Without arrays, since the checks measure millions. */
+/**
+ * Square of the distance from a point to a segment. Without arrays, since the checks measure
+ * millions.
+ */
 function squareToSegment([x, y]: Point, [ax, ay]: Point, [bx, by]: Point): number {
   const [wx, wy, px, py] = [bx - ax, by - ay, x - ax, y - ay];
   const share = Math.max(0, Math.min(1, (px * wx + py * wy) / (wx * wx + wy * wy || 1)));
@@ -64,7 +67,7 @@ function squareToSegment([x, y]: Point, [ax, ay]: Point, [bx, by]: Point): numbe
 
 const toSegment = (p: Point, a: Point, b: Point): number => Math.sqrt(squareToSegment(p, a, b));
 
-/** From a point to a closed line. */
+/** Distance from a point to a closed line. */
 export function toRing(p: Point, ring: Ring): number {
   let least = Infinity;
   let from = at(ring, -1);
@@ -85,8 +88,8 @@ function betweenSegments(a: Point, b: Point, c: Point, d: Point): number {
 }
 
 /**
- * From one to the other as that is shifted; 0 where they cross, or one holds the other.
- * @param enough any distance below it may be told instead
+ * Distance between a ring and a shifted one; 0 if they cross, or one contains the other.
+ * @param enough  any distance below it may be returned instead
  */
 export function ringDistance(
   a: Outline,
@@ -111,7 +114,7 @@ export function ringDistance(
   return isHeld ? 0 : least;
 }
 
-/** What two rings share, by clipping. [cm2] */
+/** Area that two rings share, by clipping. [cm2] */
 export function sharedArea(a: Ring, b: Ring): number {
   const [p, q] = [a, b].map((ring) => [ring.map(([x, y]) => ({x, y}))]);
   const common = Clipper.intersectD(p ?? [], q ?? [], FillRule.NonZero, 6);
@@ -122,6 +125,8 @@ export function sharedArea(a: Ring, b: Ring): number {
   );
 }
 
-/** How far the points of one ring are from those of another that ought to be the same. */
+/**
+ * Greatest distance between the points of a ring and those of another one, which should be equal.
+ */
 export const ringsApart = (a: Ring, b: Ring): number =>
   a.length === b.length ? greatest(a.map((p, k) => Math.hypot(...minus(p, at(b, k))))) : Infinity;

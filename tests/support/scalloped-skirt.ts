@@ -1,7 +1,10 @@
-/** A garment that is large enough to be solved for seconds. */
+/** A garment large enough for a solve of several seconds. */
 import type {GarmentCodeSpecification, Point} from 'seamwise/node';
 
-/** A skirt of gores whose hems are scallops of many short edges each; its seams run against the grain. */
+/**
+ * A skirt of gores whose hems are scallops of many short edges each; its seams run against the
+ * grain.
+ */
 export function scallopedSkirt(gores: number, edges: number): GarmentCodeSpecification {
   const hem = Array.from({length: edges}, (_, k): Point => {
     const x = (40 * k) / edges - 20;

@@ -1,4 +1,7 @@
-/** How long scripts hold up a page, by the sampling profiler of Chromium: other programs' delays do not count. */
+/**
+ * Times for which scripts block a page, by Chromium's sampling profiler, so that other programs'
+ * delays don't count.
+ */
 import type {Page} from 'playwright-core';
 
 interface Profile {
@@ -8,7 +11,7 @@ interface Profile {
   readonly timeDeltas: readonly number[];
 }
 
-/** What is not script: the browser itself, which waits for the graphics card here, since that is software. */
+/** Samples outside of scripts: the browser itself, which waits for the software renderer here. */
 const others = new Set(['(program)', '(idle)', '(root)', '(garbage collector)']);
 
 function runsOf({nodes, samples, timeDeltas}: Profile): readonly number[] {
@@ -25,7 +28,7 @@ function runsOf({nodes, samples, timeDeltas}: Profile): readonly number[] {
   return runs.sort((a, b) => b - a);
 }
 
-/** How long scripts of the page ran at one go during that, the longest first. [ms] */
+/** Uninterrupted runs of the page's scripts during `act`, the longest first. [ms] */
 export async function scriptRuns(
   page: Page,
   act: () => Promise<unknown>,

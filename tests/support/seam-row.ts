@@ -1,6 +1,6 @@
 import type {SeamRow} from '@/editor/lists/rows.js';
 
-/** A row of the table of seams that says nothing but its number and its mismatch. [cm] */
+/** A row of the table of seams with only its number and its mismatch. [cm] */
 export const seamRow = (seam: number, after: number, counts = true): SeamRow => ({
   ...{
     seam,

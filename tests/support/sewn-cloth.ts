@@ -1,4 +1,4 @@
-/** A drape file's pieces sewn to one cloth by its seams. */
+/** A drape file's pieces, sewn to one fabric by its seams. */
 import type {Corners, DrapeFile, Place} from '@/model/drape-file.js';
 import type {Point} from '@/model/geometry.js';
 import {at} from './plane.js';
@@ -6,15 +6,15 @@ import {Cells, cross3, distance3, dot3, minus3} from './space.js';
 
 export interface ClothTriangle {
   readonly piece: number;
-  /** Of its corners in the piece, and in the cloth. */
+  /** Numbers of its corners in the piece, and in the fabric. */
   readonly vertices: Corners;
   readonly corners: Corners;
-  /** Of its corners on the piece as cut, and in space. [cm] */
+  /** Positions of its corners on the piece as cut, and in space. [cm] */
   readonly cut: readonly [Point, Point, Point];
   readonly worn: readonly [Place, Place, Place];
 }
 
-/** Vertices that seams join are one, as a chain of them says. */
+/** Merges the vertices that seams join, through any chain of them. */
 export class SewnCloth {
   readonly places: readonly Place[];
   readonly triangles: readonly ClothTriangle[];
@@ -46,7 +46,7 @@ export class SewnCloth {
     );
   }
 
-  /** The number in the cloth of a vertex of a piece. */
+  /** The number in the fabric of a piece's vertex. */
   vertex(piece: number, vertex: number): number {
     return this.#root(at(this.#first, piece) + vertex);
   }
@@ -60,7 +60,7 @@ export class SewnCloth {
     return root;
   }
 
-  /** By their ends, lower first, with the triangles that have them. */
+  /** Edges by their ends, lower first, with their triangles. */
   edges(): ReadonlyMap<string, readonly number[]> {
     const found = new Map<string, number[]>();
     this.triangles.forEach(({corners: [a, b, c]}, triangle) => {
@@ -78,7 +78,7 @@ export class SewnCloth {
     return found;
   }
 
-  /** Pairs of an edge and a triangle that it passes through, without a vertex in common. */
+  /** Number of pairs of an edge and a triangle that it crosses, without a common vertex. */
   crossings(): number {
     const edges = [...this.edges().keys()].map(
       (key) => key.split(',').map(Number) as [number, number],
@@ -106,7 +106,7 @@ export class SewnCloth {
     return count;
   }
 
-  /** The lines along which nothing is sewn on, each as the numbers of its vertices. */
+  /** The lines without a seam, each as the numbers of its vertices. */
   rims(): readonly (readonly number[])[] {
     const next = new Map<number, number[]>();
     const link = (u: number, v: number) => next.set(u, [...(next.get(u) ?? []), v]);
@@ -135,10 +135,12 @@ export class SewnCloth {
   }
 }
 
-/** Volumes of what only touches, as files have it: ends of straps that meet in a body's plane. [cm^3] */
+/**
+ * Volume that counts as mere contact in files: ends of straps that meet in a body's plane. [cm^3]
+ */
 const touching = 1e-9;
 
-/** Whether a segment passes through the inside of a triangle. */
+/** Returns whether a segment passes through the inside of a triangle. */
 function passes(p: Place, q: Place, [a, b, c]: readonly [Place, Place, Place]): boolean {
   const volume = (u: Place, v: Place, w: Place, x: Place): number =>
     dot3(minus3(v, u), cross3(minus3(w, u), minus3(x, u)));

@@ -1,4 +1,6 @@
-/** What meets where a garment's seams end: the corners of the panels, and the lines that run on across the seams. */
+/**
+ * Corners that meet at the ends of a garment's seams, and the lines that continue across the seams.
+ */
 import {velocity} from '@samples/drafting/curves.js';
 import {
   findEdge,
@@ -53,21 +55,23 @@ function endsOf(garment: Garment, edge: EdgeName): readonly [Corner, Corner] {
 /** An edge's name in maps. */
 const joined = (panel: string, edge = ''): string => `${panel}:${edge}`;
 
-/** What each sewn edge is sewn to, as panel and edge. */
+/** Maps each sewn edge, as panel and edge, to its partner. */
 function partners({seams}: Garment): ReadonlyMap<string, EdgeName> {
   return new Map(
     seams.flatMap(({a, b}) => [[joined(...a), b] as const, [joined(...b), a] as const]),
   );
 }
 
-/** One end of a seam: the two corners that meet there, and the edge each panel goes on with beyond the seam. */
+/**
+ * One end of a seam: the two corners that meet there, and the panels' next edges beyond the seam.
+ */
 interface SeamEnd {
   readonly seam: string;
   readonly corners: readonly [Corner, Corner];
   readonly beyond: readonly [string, string];
 }
 
-/** The ends of every seam but the tips of darts, where a panel meets itself in one corner. */
+/** The ends of every seam except the tips of darts, where a panel meets itself in one corner. */
 function seamEnds(garment: Garment): SeamEnd[] {
   return garment.seams.flatMap(({name, a, b}) => {
     const [a0, a1] = endsOf(garment, a);
@@ -82,13 +86,14 @@ function seamEnds(garment: Garment): SeamEnd[] {
   });
 }
 
-/** The angle that two panels fill between them at a seam's end: 180 where a line runs straight on. [degrees] */
+/** The angle that two panels fill together at a seam's end: 180 for a straight line. [degrees] */
 export const anglesAt = ({corners: [p, q]}: SeamEnd): number => cornerAngle(p) + cornerAngle(q);
 
 /**
- * The seam ends across which a line runs on: both panels end there unsewn (a hem, a neckline), or both are
- * sewn on to the same panel (a sleeve, a waistband), or to two panels that a seam joins at that very point.
- * Where only three panels meet, one seam ends at the line of the other two: the one that is nearest to that.
+ * The seam ends across which a line continues. Both panels end there unsewn (a hem, a neckline), or
+ * both are sewn to the same panel (a sleeve, a waistband), or to two panels that a seam joins at
+ * that very point. Where only three panels meet, one seam ends at the line of the other two: the
+ * one whose angle is nearest to straight.
  */
 export function crossedEnds(garment: Garment): SeamEnd[] {
   const partner = partners(garment);
@@ -104,7 +109,7 @@ export function crossedEnds(garment: Garment): SeamEnd[] {
     const d = partner.get(joined(q.panel.name, qEdge))?.[0];
     if (!c || !d) return !c && !d;
     const own = [p.panel.name, q.panel.name];
-    // sewn to each other, or a dart beside the seam: no line that crosses it
+    // sewn to each other, or a dart beside the seam: no line crosses it
     if (own.includes(c) || own.includes(d)) return false;
     return c === d || joins(c, d, point(p));
   });
@@ -144,7 +149,7 @@ function sewnPoints(garment: Garment): (corner: Corner) => number {
   return (corner) => numbers.get(keyOf(corner)) ?? -1;
 }
 
-/** The corners that meet at each point with cloth all round it. */
+/** The corners that meet at each point surrounded by fabric. */
 export function closedPoints(garment: Garment): Corner[][] {
   const sewn = partners(garment);
   const point = sewnPoints(garment);

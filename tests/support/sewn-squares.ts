@@ -1,14 +1,14 @@
-/** A garment of two squares that are sewn at one edge, and a drape of it: flat, upright, in front of a form. */
+/** A garment of two squares sewn at one edge, and its drape: flat, upright, in front of a form. */
 import type {Drape, DrapedPiece, Form, Measurements, Surface} from '@/model/drape.js';
 import type {Point} from '@/model/geometry.js';
 import type {ResultPiece, SolveResult} from '@/model/result.js';
 import {at} from './plane.js';
 import {plainMetrics, plainPrint} from './two-squares.js';
 
-/** Per edge of a square, of 1 cm each. */
+/** Cells along an edge of a square, 1 cm each. */
 const cells = 4;
 const side = cells + 1;
-/** Where the squares lie: at the height of a waist, clear of the form. [cm] */
+/** Position of the squares: at the height of a waist, clear of the form. [cm] */
 const height = 100;
 const ahead = 8;
 
@@ -26,7 +26,7 @@ const grid: readonly Point[] = Array.from({length: side * side}, (_, k) => [
   Math.floor(k / side),
 ]);
 
-/** Diagonals lean to the right, or to the left on a twin. */
+/** Triangles whose diagonals lean to the right, or to the left on a twin. */
 const triangles = (isTwin: boolean): readonly (readonly [number, number, number])[] =>
   Array.from({length: cells * cells}, (_, k) => {
     const [i, j] = [k % cells, Math.floor(k / cells)];
@@ -54,7 +54,10 @@ const pieceOf = (name: string, isTwin: boolean): ResultPiece => ({
 const leftEdge = Array.from({length: side}, (_, k) => vertexAt(0, cells - k));
 const rightEdge = Array.from({length: side}, (_, k) => vertexAt(cells, cells - k));
 
-/** What a solve might have answered: the right edge of `right` is sewn to the left one of `left`, which mirrors it. */
+/**
+ * A possible answer of a solve: the right edge of `right` is sewn to the left one of `left`, its
+ * mirror image.
+ */
 export const squaresResult: SolveResult = {
   format: 'seamwise-result/1',
   units: 'cm',
@@ -114,7 +117,7 @@ const form: Form = {
 
 const draped = (piece: number): DrapedPiece => {
   const {name, rest, shape, triangles: corners} = at(squaresResult.pieces, piece);
-  // those along the seam belong to the first piece; all others have numbers of their own
+  // vertices along the seam belong to the first piece; all others get separate numbers
   const sewn = grid.map(([i, j], vertex) => {
     if (piece === 0) return vertex;
     return i === 0 ? vertexAt(cells, j) : side * side + j * cells + i - 1;
@@ -129,7 +132,10 @@ const draped = (piece: number): DrapedPiece => {
   };
 };
 
-/** The drape of `squaresResult` as its own mirror image. The energies are those of its weight, about. */
+/**
+ * The drape of `squaresResult`, which is its own mirror image. The energies are approximately those
+ * of its weight.
+ */
 export function squaresDrape(): Drape {
   const pieces = [draped(0), draped(1)];
   const size = 2 * side * side - side;

@@ -1,4 +1,4 @@
-/** A shirt with sleeves of one piece each, without seams, as programs for patterns write it. */
+/** A shirt with sleeves of one piece each, without seams, in the format of pattern programs. */
 import type {DraftedEdge, GarmentDocument} from '@/model/garment-document.js';
 import {leftOf, minus, plus, type Point} from '@/model/geometry.js';
 import {documentOf, draftedSquare} from './garment-documents.js';
@@ -58,7 +58,7 @@ const sleeve: Panel = {
   },
 };
 
-/** Cut for one arm alone: by its hem. */
+/** The hem makes it fit one arm only. */
 const lopsided: Panel = {
   ...sleeve,
   vertices: [
@@ -73,7 +73,8 @@ const mirrored = ({vertices, bends}: Panel): Panel => {
   const count = vertices.length;
   const flipped = vertices.map(([x, y]): Point => [36 - x, y]);
   return {
-    // from the same corner the other way round, so that edges keep their numbers but for their order
+    // starts at the same corner in the opposite direction, so that only the order of the edges
+    // changes
     vertices: [...flipped.slice(0, 2).reverse(), ...flipped.slice(2).reverse()],
     bends: Object.fromEntries(
       Object.entries(bends).map(([edge, [[x1, y1], [x2, y2]]]) => [
@@ -104,13 +105,13 @@ const edgesOf = ({vertices, bends}: Panel): readonly DraftedEdge[] =>
     return {points: [from, ...controls, to] as unknown as DraftedEdge['points']};
   });
 
-/** @param isLopsided sleeves are mirror images, and not symmetric by themselves */
+/** @param isLopsided  sleeves are mirror images, but not symmetric in themselves */
 export const shirtWithSleeves = ({isLopsided = false} = {}): GarmentDocument =>
   documentOf(
     panelsOf(isLopsided).map(([name, panel]) => draftedSquare(name, {outline: edgesOf(panel)})),
   );
 
-/** The same as a GarmentCode specification. */
+/** The same shirt as a GarmentCode specification. */
 export const shirtSpecification = (): object => ({
   pattern: {
     panels: Object.fromEntries(

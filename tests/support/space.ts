@@ -1,4 +1,4 @@
-/** Geometry in space for the judge of drapes. */
+/** Geometry in space for the checks of drapes. */
 import type {Place} from '@/model/drape-file.js';
 
 export const plus3 = (a: Place, b: Place, factor = 1): Place => [
@@ -24,14 +24,14 @@ export const distance3 = (a: Place, b: Place): number => norm3(minus3(a, b));
 export const middle3 = (...places: readonly Place[]): Place =>
   places.reduce((sum, place) => plus3(sum, place, 1 / places.length), [0, 0, 0]);
 
-/** The point of a segment that is nearest to `p`. */
+/** The point of a segment nearest to `p`. */
 function nearestOnSegment(a: Place, b: Place, p: Place): Place {
   const way = minus3(b, a);
   const share = dot3(minus3(p, a), way) / (dot3(way, way) || 1);
   return plus3(a, way, Math.max(0, Math.min(1, share)));
 }
 
-/** How far `p` lies from a triangle. */
+/** Distance of `p` from a triangle. */
 export function toTriangle([a, b, c]: readonly [Place, Place, Place], p: Place): number {
   const normal = cross3(minus3(b, a), minus3(c, a));
   const isWithin = [
@@ -48,12 +48,12 @@ export function toTriangle([a, b, c]: readonly [Place, Place, Place], p: Place):
   return Math.min(...ends.map((end) => distance3(end, p)));
 }
 
-/** Things in space by the cells of a grid that their boxes reach into. */
+/** Objects in space by the cells of a grid that their boxes overlap. */
 export class Cells {
   readonly #size: number;
   readonly #cells = new Map<number, number[]>();
 
-  /** @param size of a cell; the boxes are those of the points of each thing */
+  /** @param size  of a cell; the boxes are those of each object's points */
   constructor(things: readonly (readonly Place[])[], size: number) {
     this.#size = size;
     things.forEach((points, thing) => {
@@ -65,12 +65,12 @@ export class Cells {
     });
   }
 
-  /** All whose boxes share a cell with that of these points, which is wider by `margin`. */
+  /** All objects whose boxes share a cell with that of these points, enlarged by `margin`. */
   near(points: readonly Place[], margin = 0): ReadonlySet<number> {
     return new Set(this.#keys(points, margin).flatMap((key) => this.#cells.get(key) ?? []));
   }
 
-  /** Cells far apart may share a key: then more is near than need be. */
+  /** Distant cells may share a key, so that the result may include further objects. */
   #keys(points: readonly Place[], margin: number): number[] {
     const range = (axis: 0 | 1 | 2): number[] => {
       const values = points.map((point) => point[axis]);

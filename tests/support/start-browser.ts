@@ -1,4 +1,4 @@
-/** One start for all files of browser tests: what they open is built once, and one browser opens it. */
+/** Shared start of all browser tests: builds their pages once and starts one browser. */
 import {fileURLToPath} from 'node:url';
 
 import {preview} from 'vite';
@@ -11,7 +11,7 @@ declare module 'vitest' {
   interface ProvidedContext {
     /** Address of the browser. */
     readonly browser: string;
-    /** Address of the page as its users get it. */
+    /** Address of the page as users get it. */
     readonly page: string;
     /** Addresses of the folders of tests/page, served from their sources. */
     readonly sources: Readonly<Record<string, string>>;

@@ -5,7 +5,9 @@ import {askedSymmetries} from '@/model/design.js';
 import {designOf} from './page-design.js';
 import {button, showSample, solved} from './page.js';
 
-/** A page with a tee whose front and back are symmetric in themselves, and whose sleeves are a pair. */
+/**
+ * A page with a tee whose front and back are symmetric in themselves, and whose sleeves are a pair.
+ */
 export async function symmetricTee(openPage: () => Promise<Page>): Promise<Page> {
   const page = await openPage();
   await showSample(page, 'tee');

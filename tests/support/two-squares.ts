@@ -5,7 +5,7 @@ import type {Metrics, Pattern, ResultPiece} from '@/model/result.js';
 /** A 10 x 10 cm print without any symmetry. */
 export const plainPrint: Print & Pattern['print'] = {group: 'p1', w1: [10, 0], w2: [0, 10]};
 
-/** For who does not look at the figures of a result. */
+/** Metrics for tests that ignore a result's figures. */
 export const plainMetrics: Metrics = {
   ...{
     fitRandom: 1,
@@ -21,7 +21,7 @@ export const plainMetrics: Metrics = {
   milliseconds: {alignment: 1, deformation: 1, total: 2},
 };
 
-/** 4 cm wide and high, its lower left corner at the origin. */
+/** A square, 4 cm wide and high, its lower left corner at the origin. */
 export const square: readonly Point[] = [
   [0, 0],
   [4, 0],
@@ -29,7 +29,7 @@ export const square: readonly Point[] = [
   [0, 4],
 ];
 
-/** A square whose origin lies on that of the print. */
+/** A square whose origin is at that of the print. */
 export const squarePiece = (name: string, more: Partial<ResultPiece> = {}): ResultPiece => ({
   name,
   rest: square,
@@ -45,7 +45,10 @@ export const squarePiece = (name: string, more: Partial<ResultPiece> = {}): Resu
   ...more,
 });
 
-/** The right side of one square is sewn to the left side of the other; the print runs on across the seam. */
+/**
+ * The right side of one square is sewn to the left side of the other; the print continues across
+ * the seam.
+ */
 export const squarePair = (more: Partial<Pattern> = {}): Pattern => ({
   print: plainPrint,
   pieces: [

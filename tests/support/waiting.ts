@@ -8,14 +8,17 @@ export const frames = (page: Page, count = 2): Promise<void> =>
     for (let k = 0; k < left; k++) await new Promise(requestAnimationFrame);
   }, count);
 
-/** Waits until the page has drawn, and every request it has sent by then has been reported to the test. */
+/**
+ * Waits until the page has drawn, and until the test has been notified of every request sent by
+ * then.
+ */
 export async function caughtUp(page: Page): Promise<void> {
   await frames(page, 3);
-  // answered after all that was sent before
+  // the response arrives after all earlier requests
   await page.evaluate(async () => (await fetch(location.href)).text());
 }
 
-/** Waits until the page itself has this number of workers; workers of theirs end with them. */
+/** Waits until the page itself has this number of workers; their helpers end with them. */
 export async function workersLeft(page: Page, count: number): Promise<void> {
   const atHand = (): Promise<number> =>
     page.evaluate(() => (globalThis as unknown as {workersAtHand: Set<Worker>}).workersAtHand.size);

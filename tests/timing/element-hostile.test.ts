@@ -1,4 +1,4 @@
-/** The time for which a page is held up by files made to do harm. */
+/** The time for which malicious files block a page. */
 import {expect, it} from 'vitest';
 
 import {useElementPage, type ElementPage} from '../page/element/open.js';
@@ -9,11 +9,11 @@ import {twoStrips} from '../wasm/garments.js';
 const openPage = useElementPage('');
 const hostUrl = useCarelessHost();
 
-/** Beyond what the drawing of a harmless garment takes. [ms] */
+/** Limit beyond the time to draw a harmless garment. [ms] */
 const longestPause = 500;
 
 declare global {
-  /** The longest time that the page was not free. [ms] */
+  /** The longest time for which the page was blocked. [ms] */
   var pause: number;
 }
 
@@ -27,7 +27,7 @@ function watch(): void {
   }, 20);
 }
 
-/** The longest time that the page is not free while an element is solved and drawn. [ms] */
+/** The longest time for which the page is blocked while an element is solved and drawn. [ms] */
 const pauseWith = (
   {page}: ElementPage,
   given: {readonly garment: unknown; readonly print: unknown},
@@ -86,7 +86,7 @@ it('is short for pictures', async () => {
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="1000000000" height="1000000000"
     viewBox="0 0 10 10"><script>while (true);</script><rect width="5" height="5"/></svg>`;
   const files: readonly (readonly [name: string, contentType: string, body: Buffer])[] = [
-    ['largest.png', 'image/png', png(4096, 4096)], // the largest texture that there is
+    ['largest.png', 'image/png', png(4096, 4096)], // the largest possible texture
     ['too-large.png', 'image/png', png(20_000, 20_000)],
     ['wide.png', 'image/png', png(20_000, 3000)],
     ['large.svg', 'image/svg+xml', Buffer.from(svg)],

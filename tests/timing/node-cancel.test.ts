@@ -1,4 +1,6 @@
-/** The time from a cancel to its effect in Node, as a quotient by the time of the cancelled work. */
+/**
+ * The time from a cancel to its effect in Node, as a quotient by the time of the cancelled work.
+ */
 import {solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 

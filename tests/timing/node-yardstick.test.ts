@@ -1,4 +1,6 @@
-/** Times of tasks that come with each movement of a pointer, as quotients by the time of a fixed piece of arithmetic. */
+/**
+ * Times of tasks for each movement of a pointer, as quotients by the time of a fixed calculation.
+ */
 import {readFileSync} from 'node:fs';
 
 import {readGarment} from 'seamwise/node';
@@ -18,7 +20,10 @@ function yardstick(): void {
   expect(Math.hypot(...point)).toBeCloseTo(1, 6);
 }
 
-/** The processor time of a task by that of the yardstick, the least of each in several tries that take turns. */
+/**
+ * Processor time of a task over that of the yardstick; the least of each in several alternating
+ * tries.
+ */
 function yardsticks(task: () => void, tries = 12): number {
   const least = [Infinity, Infinity];
   for (let k = 0; k < tries; k++) {
@@ -69,7 +74,7 @@ it('of sixty places for a piece among twelve with 200 vertices', () => {
     place: {angle: 0, translation: [16 + 30 * (k % 4), 18 + 32 * Math.floor(k / 4)]},
   }));
   for (const one of laid) turnsOf(one.piece, cloth);
-  obstaclesTo(laid, 0, {angle: 0, translation: [30, 30]}, cloth); // makes what is kept
+  obstaclesTo(laid, 0, {angle: 0, translation: [30, 30]}, cloth); // fills the cache
   const move = () => {
     for (let k = 0; k < 60; k++)
       obstaclesTo(laid, 0, {angle: 0, translation: plus([70, 50], towards(k), 20)}, cloth);

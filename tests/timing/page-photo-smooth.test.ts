@@ -1,4 +1,4 @@
-/** A photograph of a camera's size holds up nothing, and its reading is ended at once. */
+/** Reading a photo of a camera's full resolution blocks nothing, and cancelling it is immediate. */
 import {expect, it, vi} from 'vitest';
 
 import {useLargePhoto} from '../support/large-photo.js';
@@ -15,14 +15,14 @@ it('of 12 megapixels is read, and its tile made, without a script that runs for 
   const page = await openPage();
   await solved(page);
   const dialog = await openSheet(page);
-  await page.waitForTimeout(3000); // what is looked for after an answer is another matter
+  await page.waitForTimeout(3000); // excludes the searches after an answer
   const runs = await scriptRuns(page, async () => {
     await giveLarge(page);
     await found(dialog);
     await tileMade(dialog);
   });
   expect(runs.length).toBeGreaterThan(10);
-  // a machine that others use takes the processor away once in a while
+  // a shared machine sometimes interrupts the process
   expect(runs[1]).toBeLessThan(50);
 });
 
@@ -49,6 +49,6 @@ it('is given up within 100 ms of Cancel, and the sheet answers', async () => {
     await dialog.locator('sw-photo-work').getByRole('button', {name: 'Cancel'}).click();
     if (k < 2) await dialog.getByRole('button', {name: 'Look again'}).click();
   }
-  // a machine that others use takes the processor away once in a while
+  // a shared machine sometimes interrupts the process
   expect(Math.min(...delays)).toBeLessThan(100);
 });

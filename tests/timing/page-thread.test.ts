@@ -1,4 +1,4 @@
-/** The time for which solving holds up the thread of the page. */
+/** The time for which solving blocks the page's thread. */
 import type {Page} from 'playwright-core';
 import {afterEach, beforeEach, expect, it} from 'vitest';
 
@@ -21,7 +21,7 @@ it('is below 50 ms at a time while a worker solves', async () => {
     });
     const settled = () => new Promise((resolve) => setTimeout(resolve, 200));
     const client = new Client();
-    await client.convert(problem.garment); // the worker has started
+    await client.convert(problem.garment); // starts the worker
     await settled();
     observer.observe({type: 'longtask'});
     await client.solve(problem);
@@ -41,7 +41,7 @@ it('is below 50 ms at a time while a worker solves', async () => {
 it('is a slice of some milliseconds at a time where the page itself solves', async () => {
   const runs = await page.evaluate(async (problem) => {
     const solver = new InPage();
-    await solver.solve(problem); // the module is compiled, the garment meshed
+    await solver.solve(problem); // compiles the module, meshes the garment
     const runs: number[][] = [];
     for (const seed of [2, 3, 4, 5, 6]) {
       const slices: number[] = [];
@@ -57,6 +57,6 @@ it('is a slice of some milliseconds at a time where the page itself solves', asy
     return runs;
   }, tee);
   for (const slices of runs) expect(slices.length).toBeGreaterThan(5);
-  // the system may take the processor away in one run; a long slice of ours is in all of them
+  // the system may interrupt the process in one run; a long slice of ours occurs in all of them
   expect(Math.min(...runs.map((slices) => Math.max(...slices)))).toBeLessThan(16);
 });

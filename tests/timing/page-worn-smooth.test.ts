@@ -1,4 +1,4 @@
-/** The time for which scripts hold up the page while a garment is draped. */
+/** The time for which scripts block the page while a garment is draped. */
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
@@ -15,12 +15,12 @@ const status = (page: Page): Promise<string | null> =>
 it('has no script that runs for more than 50 ms while a drape is shown and settles', async () => {
   const page = await openPage({viewport: {width: 1300, height: 800}});
   await solved(page);
-  await page.waitForTimeout(3000); // what is looked for after an answer is another matter
+  await page.waitForTimeout(3000); // excludes the searches after an answer
   const runs = await scriptRuns(page, async () => {
     await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
     await expect.poll(() => status(page), {timeout: 120_000, interval: 500}).toContain('view.');
   });
   expect(runs.length).toBeGreaterThan(10);
-  // a machine that others use takes the processor away once in a while
+  // a shared machine sometimes interrupts the process
   expect(runs[1]).toBeLessThan(50);
 });

@@ -34,7 +34,7 @@ it.each([
     const {rejected, begun} = await page.evaluate(
       async ([large, small, phase, from]) => {
         const client = new Client();
-        await client.solve(small); // the worker is at hand
+        await client.solve(small); // the worker is ready
         const controller = new AbortController();
         let asked = NaN;
         await client
@@ -59,7 +59,7 @@ it.each([
       [large, strips, phase, from] as const,
     );
     expect(rejected).toBeLessThan(100);
-    expect(begun).toBeLessThan(600); // 100 ms on a machine with a processor to spare
+    expect(begun).toBeLessThan(600); // 100 ms on an idle machine
   },
 );
 

@@ -1,4 +1,7 @@
-/** Bands whose grain runs along them, as in files of others: no seam to them can meet as they lie. */
+/**
+ * Bands with the grain along them, as in files of other programs; their seams cannot match as
+ * drafted.
+ */
 import {readFileSync} from 'node:fs';
 
 import {remedies, solve, type Problem, type SolveResult} from 'seamwise/node';
@@ -40,13 +43,15 @@ function lengthwise(garment: string, bands: readonly string[], print = 'pmm'): P
   };
 }
 
-/** How far the outline of a piece, drafted as a straight band along x, has left its lines. [cm] */
+/**
+ * Greatest deviation of a piece's outline, drafted as a straight band along x, from its lines. [cm]
+ */
 function bent({pieces}: SolveResult, name: string): number {
   const {rest = [], shape = [], outline = []} = pieces.find((piece) => piece.name === name) ?? {};
   return Math.max(...outline.map((v) => Math.abs((shape[v]?.[1] ?? NaN) - (rest[v]?.[1] ?? NaN))));
 }
 
-/** Of all seams of a piece, their mean mismatch. [cm] */
+/** Mean mismatch of each seam of a piece. [cm] */
 const meansAt = ({seams, pieces}: SolveResult, name: string): number[] =>
   seams.flatMap(({a, b, local}) =>
     [a, b].some(({piece}) => pieces[piece]?.name === name) ? [local?.final ?? NaN] : [],

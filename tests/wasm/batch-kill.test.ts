@@ -19,7 +19,7 @@ const jobs = cases(60, 500);
 const kills = cases(3, 20);
 const threads = 2;
 
-/** When to kill: so many milliseconds after the start, or after the first result of the run. */
+/** Moments of the kills: milliseconds after the start, or after the first result of the run. */
 const moments = fc.sample(
   fc.record({afterResult: fc.boolean(), milliseconds: fc.integer({min: 0, max: 150})}),
   {seed: 12, numRuns: kills},
@@ -32,7 +32,7 @@ it('loses nothing and does nothing twice, whenever it is killed', async () => {
     seed,
   }));
   const wrong = {garment: 'checks.json', print: 'checks.json'};
-  // its threads never get beyond these: each kill finds them at work
+  // the threads never finish these jobs, so each kill interrupts them
   const obstacles = Array.from({length: threads}, (_, seed) => ({...endlessJob, seed}));
   const middle = Math.floor(jobs / 2);
   shop.writeJobs('killed.ndjson', [
@@ -47,11 +47,11 @@ it('loses nothing and does nothing twice, whenever it is killed', async () => {
   for (const {afterResult, milliseconds} of moments) {
     const before = count();
     const batch = shop.start(words);
-    // no more results come once all threads are at an endless job
+    // there are no further results once all threads run an endless job
     if (afterResult && before < middle / 2) await until(() => count() > before, batch);
     await sleep(milliseconds);
     batch.child.kill('SIGKILL');
-    expect((await batch.end).code).toBe(null); // it was still at work
+    expect((await batch.end).code).toBe(null); // it was still running
   }
   const survived = count();
   expect(survived).toBeGreaterThan(0);

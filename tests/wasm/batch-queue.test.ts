@@ -1,4 +1,4 @@
-/** A batch that several processes work on, by way of a Redis server that the tests start. */
+/** A batch shared by several processes through a Redis server that the tests start. */
 import {spawn, type ChildProcess} from 'node:child_process';
 import {cpSync, existsSync, mkdirSync, readdirSync, symlinkSync} from 'node:fs';
 import {createServer} from 'node:net';
@@ -53,7 +53,7 @@ const job = {garment: 'strips-8.json', print: 'checks.json'};
 const seeds = (count: number) => Array.from({length: count}, (_, seed) => ({...job, seed}));
 const count = (out: string) => (existsSync(shop.at(out, 'results')) ? shop.results(out).length : 0);
 
-// most of the time is spent on waiting for the time limits of the queue
+// these tests mostly wait for the time limits of the queue
 describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)', () => {
   const queue = (database = 0) => `redis://127.0.0.1:${port}/${database}`;
 
@@ -159,7 +159,7 @@ describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)',
       if (victim === 0) head = lead();
       else workers[victim % 2] = work();
     }
-    expect(count('many')).toBeLessThan(jobs); // all of them were at work
+    expect(count('many')).toBeLessThan(jobs); // all of them took part
     const {code, err} = await head.end;
     expect({code, err}).toEqual({code: 0, err: ''});
     await shop.batch('many.ndjson', 'many-clean');
@@ -204,7 +204,7 @@ describe.skipIf(!has('redis-server')).concurrent('a queue (needs redis-server)',
     const outcomes: unknown[] = [];
     try {
       await events.waitUntilReady();
-      // a job is gone from the queue as soon as it has ended: its event is heard, not its state read
+      // the queue removes a job as soon as it has ended, so the test listens to its event
       events.on('completed', ({returnvalue}) => outcomes.push(returnvalue));
       for (const data of strange) await place.add('solve', data);
       await until(() => outcomes.length === strange.length);

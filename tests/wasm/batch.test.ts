@@ -22,7 +22,7 @@ const job: JobLine = {garment: 'strips-8.json', print: 'checks.json'};
 const seeds = (count: number): JobLine[] =>
   Array.from({length: count}, (_, seed) => ({...job, seed}));
 
-/** A job whose options lie in each other so often. */
+/** A job whose options are nested so deeply. */
 const nested = (times: number): string =>
   JSON.stringify({...job, options: 0}).replace(
     '0',
@@ -219,7 +219,8 @@ it('finds on request which results are not those on record, and solves them agai
 });
 
 it('ends a job that takes too long, records it, and tries it again on request only', async () => {
-  // after the endless job the thorough run has another one, to which the time limit applies as well
+  // The thorough run has another job after the endless one, to which the time limit applies as
+  // well.
   shop.writeJobs('before.ndjson', seeds(cases(3, 2)));
   await shop.batch('before.ndjson', 'endless');
   shop.writeJobs('endless.ndjson', [endlessJob, ...seeds(3)]);
@@ -371,7 +372,7 @@ it('ends with a sentence when a result cannot be put on disk', async () => {
   await shop.batch('few.ndjson', 'full');
   const [name = ''] = shop.results('full');
   rmSync(shop.at('full/results', name));
-  mkdirSync(shop.at('full/results', name)); // a folder is in the way
+  mkdirSync(shop.at('full/results', name)); // a folder blocks the file
   writeFileSync(shop.at('full/results', name, 'x'), '');
   shop.write('full/done.ndjson', '');
   const {code, err} = await shop.batch('few.ndjson', 'full');

@@ -1,4 +1,4 @@
-/** Texts are read in JavaScript, but what is wrong with them is said as native programs say it. */
+/** JavaScript reads the texts, but its error messages must equal those of native programs. */
 import {readFileSync} from 'node:fs';
 
 import {convert} from 'seamwise/node';
@@ -11,7 +11,7 @@ const cases = JSON.parse(readFileSync(file, 'utf8')) as readonly {
 }[];
 
 it.each(cases)('says of $text that it $says', async ({text, says}) => {
-  const bytes = new TextEncoder().encode(text) as unknown as string; // as a file is read
+  const bytes = new TextEncoder().encode(text) as unknown as string; // bytes, as read from a file
   await expect(convert(bytes, 'shirt.json')).rejects.toThrow(`shirt.json ${says}`);
 });
 

@@ -19,7 +19,7 @@ let folder = '';
 const file = (name: string) => join(folder, name);
 const drape = (...words: string[]) => seamwise('drape', file('tee.result.json'), ...words);
 
-/** Pieces that nothing joins hang nowhere. */
+/** A garment without seams, which hangs nowhere. */
 const unsewn = (garment: GarmentCodeSpecification): object => ({
   ...garment,
   pattern: {...garment.pattern, stitches: []},
@@ -41,7 +41,7 @@ it('writes what is worn as a file and as GLB, with figures in one line', async (
   const outputs = (name: string) => ['--out', file(`${name}.json`), '--glb', file(`${name}.glb`)];
   const {code, out, err} = await drape(...words, ...outputs('one'), '--no-times', '--form');
   expect(code).toBe(0);
-  expect(err).toMatch(/^(note: .*\n)*$/); // jersey takes its time
+  expect(err).toMatch(/^(note: .*\n)*$/); // jersey is slow
   expect(out).toMatch(/^\S+: 4 pieces of jersey, \d+ triangles; .*; 0 crossings; 0 ms\n$/);
   const written = JSON.parse(readFileSync(file('one.json'), 'utf8')) as DrapeFile;
   expect(written).toMatchObject({

@@ -1,4 +1,4 @@
-/** What the flags of `align` do to the answer, and what `draw` makes of it. */
+/** Effects of the flags of `align` on the answer, and the output of `draw`. */
 import {copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -103,7 +103,7 @@ describe('draw', () => {
   beforeAll(async () => {
     await aligned('tee-m', '--no-remedies', '--out', file('named.json'));
     copyFileSync(file('named.json'), file('answer_2.json'));
-    // without its design a result has keys for names, and no title
+    // a result without its design has keys for names, and no title
     await aligned('tee-m', '--no-remedies', '--no-times', '--out', file('bare.json'));
     copyFileSync(file('bare.json'), file('bare_answer.json'));
   });
@@ -139,6 +139,6 @@ describe('draw', () => {
     const [full, bare] = [await drawn('named.json'), await drawn('named.json', '--cloth-only')];
     expect(full).toContain('symmetry axis');
     expect(bare).not.toMatch(/symmetry axis|>Front<|stroke-opacity/);
-    expect(bare).toContain('aria-label="Front"'); // for who does not see it
+    expect(bare).toContain('aria-label="Front"'); // for screen readers
   });
 });

@@ -49,7 +49,7 @@ describe('a photograph', () => {
     expect(answer.confidence).not.toBe('uncertain');
     const written = JSON.parse(readFileSync(file('made.json'), 'utf8')) as PrintVectors;
     expect(written).toMatchObject({format: 'seamwise-print/1', group: 'pmg', image: 'made.png'});
-    expect(written).toMatchObject({title: 'Roses'}); // as the picture is called
+    expect(written).toMatchObject({title: 'Roses'}); // the image's name
     expect(written).not.toHaveProperty('unscaled');
     for (const number of [...written.w1, ...written.w2]) {
       expect(String(number)).toMatch(/^-?\d+(\.\d{1,7})?$/);
@@ -70,7 +70,7 @@ describe('a photograph', () => {
     const {code, out, err} = await photo(file('stars.png'), ...words);
     expect({code, err}).toMatchObject({code: 0});
     expect(out).toContain('p31m, one repeat 8.00 x 13.86 cm, w1 8.00 and w2 8.00 cm (+-');
-    // whoever holds a tape has to know along what
+    // the directions show where to hold the tape measure
     expect(out).toMatch(/, w1 (down|up|to the (left|right))[a-z ]* and w2 [a-z ]+ on the picture,/);
     expect(err).not.toContain('disagree');
     const apart = await photo(file('stars.png'), '--measure', 'w1=10/80', '--measure', 'w2=10/40');

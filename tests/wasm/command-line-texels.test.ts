@@ -1,4 +1,7 @@
-/** What a ray through the exported model meets is the colour of the print at that place of the cut piece. */
+/**
+ * The colour of the exported model along a ray is that of the print at the same place of the cut
+ * piece.
+ */
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -39,7 +42,7 @@ afterAll(() => {
   rmSync(folder, {recursive: true});
 });
 
-/** What a viewer shows at texture coordinates of a picture that repeats, (0, 0) its upper left corner. */
+/** A viewer's colour at texture coordinates of a repeating image, (0, 0) its upper left corner. */
 async function texels(bytes: Uint8Array): Promise<(s: number, t: number) => readonly number[]> {
   const image = await loadImage(Buffer.from(bytes));
   const context = createCanvas(image.width, image.height).getContext('2d');
@@ -53,7 +56,7 @@ async function texels(bytes: Uint8Array): Promise<(s: number, t: number) => read
   };
 }
 
-/** Numbers from 0 to 1, the same in every run. */
+/** Random numbers from 0 to 1, the same in every run. */
 function numbers(): () => number {
   let state = 12_345;
   return () => {
@@ -89,7 +92,7 @@ it('shows at a hundred places of the cloth what the print has there', async () =
     const corners = triangles.slice(first, first + 3);
     const [a, b] = [next(), next()].sort((one, other) => one - other) as [number, number];
     const weights = [a, b - a, 1 - b];
-    /** As a card has it between the corners of a triangle. */
+    /** Interpolates between the corners of a triangle, like a graphics card. */
     const here = (list: readonly (readonly number[])[] = []): Point =>
       [0, 1].map((axis) =>
         corners.reduce((sum, one, m) => sum + at(weights, m) * at(at(list, one), axis), 0),

@@ -251,7 +251,7 @@ describe('order', () => {
     expect(err).toMatch(/^note: the answer differs from the one that was sold, .* 0\.000 cm /);
     expect(err).toContain('(npm install seamwise-0.0.7@file:seamwise-0.0.7.tgz)');
     expect(text('new.json')).toBe(text('sold.json').replace('{', '{"reproduced":false,'));
-    // whoever cuts by it must see it, too
+    // the file for cutting must show it, too
     expect(text('new.svg')).toContain('>NOT AS IT WAS SOLD</text>');
     const drawn = await seamwise('draw', file('new.json'), '--print', file('checks.json'));
     expect(drawn.out).toContain('>NOT AS IT WAS SOLD</text>');

@@ -1,4 +1,7 @@
-/** Results that no garment hangs by: one sentence, or a drape that says what is wrong with it, and the next one hangs. */
+/**
+ * Results that cannot be draped: an error, or a drape with a note about its fault; the next drape
+ * works.
+ */
 import {drape, solve, type DrapeSettings, type ResultPiece, type SolveResult} from 'seamwise/node';
 import {beforeAll, describe, expect, it} from 'vitest';
 
@@ -89,7 +92,7 @@ describe('refuses in one sentence a result', () => {
 });
 
 const sleeve = 2;
-/** Its other end first, wherever it is sewn to something else. */
+/** Reverses the sleeve's side of each seam. */
 const insideOut: Change = (result) => ({
   ...result,
   seams: result.seams.map((seam) => {
@@ -116,7 +119,7 @@ it('says that pieces that are not sewn are still moving', async () => {
   const {notes, stages, positions} = await drape({...tee, seams: []});
   expect(notes.join(' ')).toContain('still moving');
   expect(positions.every(Number.isFinite)).toBe(true);
-  // the last step may go beyond the budget
+  // the last step may exceed the budget
   expect(stages.reduce((sum, {work}) => sum + work, 0)).toBeLessThan(110);
 });
 

@@ -1,4 +1,4 @@
-/** A drape must be the same bytes wherever it is made. */
+/** A drape must have the same bytes on all platforms. */
 import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -11,7 +11,7 @@ import {expect, it} from 'vitest';
 import {sampleOf} from '../support/level.js';
 import {checks, sample} from './garments.js';
 
-/** Built with the native tests. */
+/** Program built with the native tests. */
 const native = fileURLToPath(
   new URL('../../build/native/tests/native/seamwise_drape', import.meta.url),
 );

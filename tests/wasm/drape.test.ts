@@ -1,4 +1,4 @@
-/** Samples as they are worn, judged by what their files hold. */
+/** Drapes of samples, checked by the contents of their files. */
 import {
   drape,
   drapeFile,
@@ -34,7 +34,7 @@ type Effort = 1 | 2 | 4;
 
 const draped = new Map<string, Promise<Drape>>();
 
-/** Drape of that result, made once for each effort. */
+/** Drape of that result, computed once for each effort. */
 function drapeOf(name: Sample, effort: Effort = 1): Promise<Drape> {
   const key = `${name} ${effort}`;
   const known = draped.get(key) ?? resultOf(name).then((result) => drape(result, {effort}));
@@ -45,11 +45,11 @@ function drapeOf(name: Sample, effort: Effort = 1): Promise<Drape> {
 const bytesOf = ({buffer, byteOffset, byteLength}: ArrayBufferView) =>
   Buffer.from(buffer, byteOffset, byteLength);
 
-/** Compares in a moment what takes `toEqual` seconds. */
+/** Compares at once; `toEqual` takes seconds. */
 const bytesAlike = (one: ArrayBufferView, other: ArrayBufferView): boolean =>
   bytesOf(one).equals(bytesOf(other));
 
-/** Where a sample keeps less than is asked of all: measured, and rounded up. */
+/** Weaker limits of some samples: measured, and rounded up. */
 const kept: Readonly<Partial<Record<Sample, Partial<DrapeLimits>>>> = {
   tee: {tension: {median: 0.005, p99: 0.035, max: 0.1}},
   'shift-dress': {sewnLength: 0.03},
@@ -139,7 +139,7 @@ it('differs by its texture coordinates alone, where another print leaves the cut
   expect(other?.coordinates).not.toEqual(one?.coordinates);
 });
 
-/** How far twice the effort moves a garment, in cm; folds of skirts may lie otherwise. */
+/** Limits of the movement at twice the effort, in cm; folds of skirts may differ. */
 const moves: readonly (readonly [Sample, {readonly rms: number; readonly max: number}])[] = [
   ['tee', {rms: 0.2, max: 0.8}],
   ['shift-dress', {rms: 0.2, max: 0.8}],
@@ -162,7 +162,7 @@ describe.each(sampleOf(1, moves))('%s', (name, most) => {
   });
 });
 
-/** With numbers in double precision, where the file's are rounded. */
+/** Replaces the file's rounded numbers with those in double precision. */
 const exactly = (file: DrapeFile, {mesh, positions}: Drape): DrapeFile => ({
   ...file,
   pieces: file.pieces.map((piece, k) => {
@@ -218,10 +218,10 @@ it('takes forms of other bodies', async () => {
   const body = {...form.body, bust: 112, waist: 100};
   const large = await drape(await resultOf('tee'), {body});
   expect(large.form.body).toMatchObject({bust: 112, waist: 100});
-  expect(large.check.tension.max).toBeGreaterThan(0.03); // it is drafted for 96 cm
+  expect(large.check.tension.max).toBeGreaterThan(0.03); // the garment is drafted for 96 cm
 });
 
-// the command line takes both in each run
+// the command line tests both in each run
 it.runIf(isThorough)('takes forms of other sizes, and other fabrics', async () => {
   const small = await drape(await resultOf('tee'), {size: 'S', fabric: 'jersey'});
   expect(small.form.body).toMatchObject({bust: 88, waist: 72});

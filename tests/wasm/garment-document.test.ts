@@ -1,10 +1,10 @@
-/** Garments as documents: read from files of both formats, and written as files that read as the same. */
+/** Garments as documents: read from both file formats, written, and read again unchanged. */
 import {readdirSync, readFileSync} from 'node:fs';
 
 import {garmentFile, readGarment, SolverError, type GarmentCodeSpecification} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-/** Numbers of the same document differ in their last digits, as far as units and frames are turned into others. */
+/** Equal documents may differ in their last digits after a conversion of units and frames. */
 function expectNear(one: unknown, other: unknown, at = ''): void {
   if (typeof one === 'number' && typeof other === 'number') {
     expect(Math.abs(one - other), at).toBeLessThan(1e-9 * Math.max(1, Math.abs(one)));
@@ -20,7 +20,7 @@ function expectNear(one: unknown, other: unknown, at = ''): void {
 
 const samples = readdirSync('public/garments').filter((name) => name.endsWith('-m.json'));
 
-/** A panel that shows its back, in inches, with all that a file may say of a panel, and more. */
+/** A panel that shows its back, in inches, with every field that a file may have, and more. */
 const everything = {
   format: 'seamwise-garment/1',
   title: 'Tie',
@@ -233,7 +233,7 @@ describe('a garment document', () => {
       ],
     });
     expectNear(document, await readGarment(garmentFile(document), 'written.json'));
-    // names that look like numbers change their order in an object of JavaScript
+    // names that look like numbers change their order in a JavaScript object
     const turned = {...document, pieces: second && first ? [second, first] : []};
     const seams = document.seams.map((seam) => ({
       ...seam,

@@ -1,4 +1,4 @@
-/** Garments after an edit, as the solver reads them. */
+/** Garments after an edit, as read by the solver. */
 import {readFileSync} from 'node:fs';
 
 import {garmentFile, readGarment, solve, type GarmentDocument} from 'seamwise/node';
@@ -13,7 +13,7 @@ const print = readFileSync('public/prints/p4m.json', 'utf8');
 const fitOf = async (garment: string): Promise<number> =>
   (await solve({garment, print, symmetry: 'none', seed: 1})).metrics.fit;
 
-/** The same seams in the same order, made anew. */
+/** Removes all seams and sews them again in the same order. */
 const sewnAgain = (document: GarmentDocument): GarmentDocument => {
   const bare = document.seams.reduce((next) => unsew(next, 0).document, document);
   return document.seams.reduce((next, {a, b, sameDirection, weight}) => {

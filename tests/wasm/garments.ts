@@ -2,7 +2,7 @@ import {readFileSync} from 'node:fs';
 
 import type {GarmentCodeSpecification, Point, Print} from 'seamwise/node';
 
-/** A checked print that any piece may be mirrored on. */
+/** A checked print on which any piece may be mirrored. */
 export const checks: Print = {group: 'p4m', w1: [4, 0], w2: [0, 4]};
 
 /** Two rectangles side by side, sewn along one vertical seam; 5 cm wide, `height` cm high. */
@@ -31,7 +31,7 @@ export function twoStrips(height = 10): GarmentCodeSpecification {
   };
 }
 
-/** A sample garment of the project: work for many slices. */
+/** A sample garment of the project, which takes many slices. */
 export function sample(
   name:
     | 'tee'

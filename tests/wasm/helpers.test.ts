@@ -26,8 +26,8 @@ const garment = sample(isThorough ? 'hoodie' : 'tee');
 const problem = problemTexts({garment, print, symmetry: 'none'});
 
 /**
- * A thread that goes on with its share after the first slice only once that is cancelled. It sends `pong` by then.
- * Each slice begins after `setImmediate`.
+ * A thread that continues its share after the first slice only after a cancel, and sends `pong` by
+ * then. Each slice begins after `setImmediate`.
  */
 const haltingThread = `
   const {parentPort} = require('node:worker_threads');
@@ -49,7 +49,7 @@ const haltingThread = `
   import(${JSON.stringify(script.href)});
 `;
 
-/** Threads are started and asked without delay. */
+/** Threads start and get requests without delay. */
 const delays = {start: 0, lend: 0, end: 50};
 
 interface Heard {
@@ -62,7 +62,7 @@ let heard: Heard[] = [];
 /** Emits `news` after each message from a thread, and after its end. */
 let news = new EventEmitter();
 
-/** Threads whose messages are recorded. @param sent called after each message to a thread */
+/** Threads whose messages are recorded. @param sent  called after each message to a thread */
 function overheard(
   sent: (message: ToThread<Requests>, thread: Worker) => void = () => undefined,
   begin = () => new Worker(script),
@@ -95,16 +95,19 @@ function overheard(
 const kinds = (all: readonly {readonly kind: string}[], kind: string): number =>
   all.filter((message) => message.kind === kind).length;
 
-/** Waits for the threads, without a limit of its own. */
+/** Waits for the threads, without an additional time limit. */
 async function until(isSo: () => boolean): Promise<void> {
   while (!isSo()) await once(news, 'news');
 }
 
-/** Whether a thread has answered all its requests, or will never answer. */
+/** Returns whether a thread has answered all its requests, or never will. */
 const hasAnswered = ({sent, received, isLost}: Heard): boolean =>
   isLost || kinds(sent, 'request') === kinds(received, 'done') + kinds(received, 'failed');
 
-/** The solver's thread waits for the others after each millisecond of work, so that they certainly take part. */
+/**
+ * The solver's thread waits for the others after each millisecond of work, so that they certainly
+ * take part.
+ */
 const inTurn: Pace = {
   slice: 1,
   pause: async () => {
@@ -221,7 +224,7 @@ it('cancels the share that a thread is at, and ends the thread when nobody needs
   const [helper] = heard;
   if (!helper) throw new Error('No thread was started.');
   await until(() => hasAnswered(helper));
-  const answers = helper.received.slice(2); // after `ready` and `pong`
+  const answers = helper.received.slice(2); // follow `ready` and `pong`
   expect(answers.length).toBeGreaterThan(0);
   for (const answer of answers)
     expect(answer).toMatchObject({kind: 'failed', failure: {code: 'cancelled'}});

@@ -22,19 +22,19 @@ const collectGarbage = runInNewContext('gc') as () => void;
 interface Usage {
   /** Size of the module's heap. [bytes] */
   readonly heap: number;
-  /** What of it is in use. [bytes] */
+  /** Memory in use on that heap. [bytes] */
   readonly live: number;
-  /** What JavaScript still holds on to. [bytes] */
+  /** Memory that JavaScript still references. [bytes] */
   readonly script: number;
 }
 
 async function usage(ofModule: () => Promise<Omit<Usage, 'script'>>): Promise<Usage> {
-  await new Promise((resolve) => setTimeout(resolve, 10)); // timers and listeners are let go
+  await new Promise((resolve) => setTimeout(resolve, 10)); // releases timers and listeners
   collectGarbage();
   return {...(await ofModule()), script: process.memoryUsage().heapUsed};
 }
 
-/** Repeats `attempt` after a warm-up, and expects both heaps to be what they were. */
+/** Repeats `attempt` after a warm-up, and expects both heaps to have their earlier sizes. */
 async function expectFlat(
   count: number,
   attempt: (k: number) => unknown,
@@ -45,12 +45,12 @@ async function expectFlat(
   for (let k = 0; k < count; k++) await attempt(k);
   const after = await usage(ofModule);
   expect(after.heap).toBe(before.heap);
-  // A leak would lose these many times over; scripts take some room as they are compiled.
+  // A leak would exceed these limits many times over; compiled scripts take some memory.
   expect(after.live - before.live).toBeLessThan(1000);
   expect(after.script - before.script).toBeLessThan(1_000_000);
 }
 
-/** Aborts at the report of that number; the first comes before any work. */
+/** Aborts at the report with that number; the first one comes before any work. */
 async function abortedAt(report: number, garment = problem.garment): Promise<void> {
   const controller = new AbortController();
   let reports = 0;
@@ -76,7 +76,7 @@ it(`memory stays as it is over ${many} solves that are aborted early, late or by
 
 it('memory stays as it is over solves of a whole garment that are aborted in the middle', async () => {
   const tee = sample('tee');
-  await solve({...problem, garment: tee}); // all that is kept for the next one is there
+  await solve({...problem, garment: tee}); // creates all that is kept for the next solve
   await expectFlat(cases(12, 30), (k) => abortedAt(1 + (k % 6), tee));
 }, 600_000);
 
@@ -119,7 +119,7 @@ it(`memory stays as it is over ${many} failures of every stage`, async () => {
     const one = broken[k % broken.length] ?? problem;
     await solve(one).catch(() => failed++);
   });
-  expect(failed).toBe(1.2 * many); // with those of the warm-up
+  expect(failed).toBe(1.2 * many); // including those of the warm-up
 }, 600_000);
 
 it(`memory stays as it is over ${many} detected symmetries and conversions`, async () => {

@@ -26,7 +26,7 @@ it('says that the module is missing, what to do, and tries again with the next c
   expect(await solver.answer('convert', request, {})).toBe(await convert(garment));
 });
 
-/** As where a host sends nothing. */
+/** Simulates a host without a response. */
 const never = {sources: {seamwise: () => new Promise<never>(() => undefined)}};
 
 it('does not wait for a module that nobody wants any more', async () => {
@@ -50,6 +50,6 @@ it('takes a solver that is to be warm through all its stages', async () => {
   const results = await Promise.all(warmUpProblems.map((problem) => solve(problem)));
   expect(results.map(({symmetries}) => symmetries.length)).toEqual([1, 4, 4]);
   const reshaped = results.filter(({metrics}) => metrics.factorisations > 0);
-  expect(reshaped).toHaveLength(1); // the others match as they lie
+  expect(reshaped).toHaveLength(1); // the others match as drafted
   for (const {metrics} of reshaped) expect(metrics.fit).toBeLessThan(metrics.fitAligned);
 });

@@ -1,6 +1,6 @@
 /**
- * Garments of the samples on prints of all groups, laid in ways chosen by chance, and judged. `SEAMWISE_SWEEP` says how
- * many are; each is the same for its number.
+ * Random layouts of the sample garments on prints of all groups, with checks. `SEAMWISE_SWEEP` is
+ * their number; each is reproducible by its number.
  */
 import {readFileSync} from 'node:fs';
 
@@ -23,10 +23,10 @@ const count = Number(process.env.SEAMWISE_SWEEP ?? cases(3, 6));
 
 const options = {grain: {default: 'on'}, proof: 0} as const;
 
-/** An apron's ties, which are of its waistband, are longer than most cloth is wide. */
+/** An apron's ties, which are part of its waistband, are longer than the width of most fabrics. */
 const plain = ['waistband'];
 
-/** Only what a garment has may be named. */
+/** Options may only name existing pieces. */
 const optionsFor = (garment: (typeof garments)[number]) =>
   garment === 'apron' ? {...options, plain} : options;
 
@@ -35,7 +35,7 @@ const printOf = (group: string): Print =>
     readFileSync(new URL(`../../public/prints/${group}.json`, import.meta.url), 'utf8'),
   ) as Print;
 
-/** What cloth and print may be in the way of. */
+/** Possible refusals because of fabric or print. */
 const refusals =
   /is [\d.]+ cm wide, more than|fits nowhere across|finds no place between|no mirror image|own mirror image|mirror image of the print|was solved upside down|cannot lie with its upper end up|not cut as mirror images|off its grain|upside down, against the nap|between selvedge and fold/;
 

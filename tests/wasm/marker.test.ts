@@ -28,14 +28,14 @@ const usual: MarkerSettings = {
 };
 
 let tee: SolveResult;
-/** Most tests lay a skirt of two pieces, which takes a seventh of the time of the tee. */
+/** Most tests lay out a skirt of two pieces, which takes a seventh of the tee's time. */
 let usualGarment: SolveResult;
 beforeAll(async () => {
   tee = await solve({garment: sample('tee'), print});
   usualGarment = isThorough ? tee : await solve({garment: sample('gathered-skirt'), print});
 });
 
-/** Three pieces that no seam joins, solved on a print without half turns or with. */
+/** Three pieces that no seam joins, solved on a print with or without half turns. */
 const loose = (group: Print['group'], more: Partial<SolveResult> = {}): SolveResult =>
   resultOf(
     {...print, group},
@@ -48,7 +48,7 @@ const loose = (group: Print['group'], more: Partial<SolveResult> = {}): SolveRes
     more,
   );
 
-/** Lays, and has everything judged. */
+/** Creates a layout, and runs all checks on it. */
 async function laid(
   results: readonly (SolveResult | MarkerGarment)[],
   settings: Partial<MarkerSettings> = {},

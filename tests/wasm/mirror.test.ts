@@ -68,7 +68,7 @@ describe('a symmetry that holds', () => {
 
 describe('a symmetry that does not hold', () => {
   it('is measured as it was clicked, when no mirror is near', async () => {
-    // across x = 1, the right edge x = 5 comes to x = -3
+    // across x = 1, the right edge x = 5 maps to x = -3
     const {residual, mirrors, map} = await mirror(strips, {
       kind: 'piece',
       piece: 'left',
@@ -87,7 +87,7 @@ describe('a symmetry that does not hold', () => {
       pieces: ['left', 'right'],
     });
     expect(mirrors).toBe(false);
-    expect(residual).toBeGreaterThan(0.49); // a centimetre, shared out between both ends at best
+    expect(residual).toBeGreaterThan(0.49); // a centimetre, split between both ends at best
     expect(residual).toBeLessThan(1.01);
   });
 

@@ -34,7 +34,7 @@ const chosen: FiledDesign = {
   seed: 3,
 };
 
-/** What a shop would store of a choice. */
+/** The stored design of a customer's choice, as kept by a shop. */
 async function sold(problem: FiledDesign = chosen): Promise<StoredDesign> {
   return designOf(
     problem,
@@ -62,7 +62,7 @@ describe('an order', () => {
   });
 
   it('is the same whatever its files are called', async () => {
-    // without units a note names the file
+    // a note names a file without units
     const {pattern} = twoStrips();
     const bare = JSON.stringify({pattern});
     const results = await Promise.all(
@@ -142,7 +142,7 @@ describe('an order from the web', () => {
   beforeAll(async () => {
     server = createServer(({url = ''}, response) => {
       const name = url.split('/').at(-1) ?? '';
-      if (name === 'silent.json') return; // never answers
+      if (name === 'silent.json') return; // never responds
       if (name === 'moved.json') {
         response.writeHead(302, {location: redirection}).end();
         return;

@@ -1,6 +1,7 @@
 /**
- * How well seams are found in the samples. The weights were learned from them, too: learned without half of them, they
- * have the partner among the first three for 93 % of the edges of that half, and for 99 % once half of the seams are confirmed.
+ * Quality of the seam suggestions for the samples. Their weights were learned from them, too.
+ * Weights learned without half of the samples rank the partner among the first three for 93 % of
+ * the edges of that half, and for 99 % once half of the seams are confirmed.
  */
 import {readdirSync, readFileSync} from 'node:fs';
 

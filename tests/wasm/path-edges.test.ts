@@ -44,7 +44,7 @@ describe('a garment drawn as paths', () => {
       }
     }
     expect(after.seams.map(({a}) => a.vertices)).toEqual(before.seams.map(({a}) => a.vertices));
-    // the last digits of outlines lead a search other ways
+    // differences in the last digits of outlines change the course of a search
     expect(Math.abs(after.metrics.fit / before.metrics.fit - 1)).toBeLessThan(5e-3);
     expect(after.symmetries).toHaveLength(before.symmetries.length);
   });

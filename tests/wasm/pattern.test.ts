@@ -15,7 +15,7 @@ function clockwiseStrips(): GarmentCodeSpecification {
   return {...front, pattern: {...front.pattern, panels: Object.fromEntries(turned)}};
 }
 
-/** Whether an outline edge lies on the strip's edge that it says it is part of. */
+/** Returns whether every outline edge is on the edge of the strip that it is assigned to. */
 function edgesLieOnTheirOwn({pieces}: MeshedPattern): boolean {
   // bottom, right, top, left of a strip 5 cm wide and 10 cm high
   const distances = [
@@ -41,7 +41,7 @@ describe('a prepared pattern', () => {
     expect(pieces.map(({name}) => name)).toEqual(['left', 'right']);
     for (const {rest, shape, alignment} of pieces) {
       expect(shape).toEqual(rest);
-      expect(Math.sin(alignment.angle)).toBeCloseTo(0, 9); // upright or upside down: both are on grain
+      expect(Math.sin(alignment.angle)).toBeCloseTo(0, 9); // upright and upside down are on grain
     }
     expect(pieces.map(({alignment}) => alignment)).toEqual(drafted);
     expect(seams).toMatchObject([{kind: 'continuous', mismatch: [], lengthRatio: 1}]);

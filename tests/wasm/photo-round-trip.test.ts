@@ -22,7 +22,7 @@ const file = (name: string): Buffer =>
 
 const tee = sample('tee');
 
-/** Which vectors of the print itself the reading's w1 and w2 are. [cm] */
+/** Vectors of the print itself that correspond to the reading's w1 and w2. [cm] */
 function seenVectors({w1, w2}: Pick<Print, 'w1' | 'w2'>, view: LatticeView, reading: PhotoReading) {
   const {homography, lens} = view;
   const vector = (i: number, j: number): Point => {
@@ -39,7 +39,10 @@ function seenVectors({w1, w2}: Pick<Print, 'w1' | 'w2'>, view: LatticeView, read
   return [vector(1, 0), vector(0, 1)] as const;
 }
 
-/** Both vectors of the reading are measured with a tape, and its warp is laid as the print's is. */
+/**
+ * Reads a photo of the print, with both vectors measured by tape and the warp of the original
+ * print.
+ */
 async function readAgain(print: Print, name: string, level: PhotoLevel): Promise<Print> {
   const {group, oneWay = false} = print;
   const chance = new Chance(name.length + 7);
@@ -63,7 +66,7 @@ async function readAgain(print: Print, name: string, level: PhotoLevel): Promise
   };
 }
 
-/** Of the tee, as a share of what chance makes of it. */
+/** Mismatch of the tee, as a share of the random one. */
 async function fitOn({group, w1, w2, oneWay = false}: Print): Promise<number> {
   const print = {format: 'seamwise-print/1', group, w1, w2, oneWay} as const;
   const {metrics} = await solve({garment: tee, print});

@@ -1,4 +1,4 @@
-/** What is done with pictures goes on in steps, between which it can be cancelled. */
+/** Work on images runs in steps, between which it can be cancelled. */
 import {readFile} from 'node:fs/promises';
 import {printFromPixels} from 'seamwise/node';
 import {beforeAll, expect, it} from 'vitest';
@@ -15,7 +15,7 @@ import {
 import {painted, paper, ink, rose, within} from '../support/pictures.js';
 
 const side = 1024;
-/** One cell of a print that has no symmetries. */
+/** One cell of a print without symmetries. */
 const tile = painted(side, side, (x, y) =>
   within(x, y, 0.3 * side, 0.4 * side, 0.2 * side)
     ? ink
@@ -25,7 +25,7 @@ const tile = painted(side, side, (x, y) =>
 );
 const cell = 64;
 const coin = [500, 500] as const;
-/** Many cells of it, a coin on them. */
+/** Many of these cells, and a coin on top. */
 const cloth = painted(side, side, (x, y) =>
   within(x, y, ...coin, 60)
     ? [150, 150, 150]
@@ -45,7 +45,7 @@ beforeAll(async () => {
   module = await new SharedModule(photo, () => wasmBinary).load();
 });
 
-/** How many steps are taken in each stage. */
+/** Number of steps in each stage. */
 function stepsOf(work: ModulePictureWork<unknown>): Record<string, number> {
   const steps: Record<string, number> = {};
   let fraction = 0;

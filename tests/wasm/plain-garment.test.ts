@@ -29,7 +29,7 @@ function pointAt(edge: DraftedEdge | undefined, share: number): Point {
   return splitCurve(edge, Math.min(1 - 1e-12, Math.max(1e-12, share)))[1].points[0];
 }
 
-/** The parts of each edge of the first in the second, whose pieces have more edges. */
+/** The parts in `split` of each edge of `whole`. */
 function partsOf(whole: GarmentDocument, split: GarmentDocument): DraftedEdge[][][] {
   return whole.pieces.map(({outline}, p) => {
     const rest = [...(split.pieces[p]?.outline ?? [])];
@@ -46,7 +46,7 @@ function partsOf(whole: GarmentDocument, split: GarmentDocument): DraftedEdge[][
   });
 }
 
-/** Checks a plain file against the garment that it was made of; gives both as documents. */
+/** Checks a plain file against its original garment; returns both as documents. */
 async function checked(whole: GarmentDocument) {
   const text = await convert(garmentFile(whole), {plain: true});
   const file = JSON.parse(text) as GarmentCodeSpecification;
@@ -97,7 +97,7 @@ async function checked(whole: GarmentDocument) {
   return split;
 }
 
-/** A wavy path of cubics of different lengths along the x axis. */
+/** A wavy path of cubics of different lengths along the direction `way`. */
 function wave(lengths: readonly number[], from: Point, way: Point): DraftedEdge {
   const at = (x: number, y: number): Point => [
     from[0] + x * way[0] - y * way[1],
@@ -116,7 +116,7 @@ function wave(lengths: readonly number[], from: Point, way: Point): DraftedEdge 
   return {points: [from, points[0] ?? from, ...points.slice(1)]};
 }
 
-/** A square of 12 cm whose right side is an edge, sewn to the left side of another one. */
+/** A square of 12 cm with the given right side, sewn to the left side of another one. */
 function sewn(right: DraftedEdge, left: DraftedEdge, sameDirection: boolean): GarmentDocument {
   const rest = (x: number): DraftedEdge[] => [
     {

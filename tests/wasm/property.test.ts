@@ -14,10 +14,10 @@ import {cases, sampleOf} from '../support/level.js';
 import {damagedProblem, problem, type ProblemText} from '../support/random-problems.js';
 import {checks, sample, twoStrips} from './garments.js';
 
-/** One sentence on one line, whatever it quotes. */
+/** One sentence on one line, for any quoted input. */
 const sentence = /^[^\s\p{Cc}][^\p{Cc}\u2028\u2029]*\.$/u;
 
-/** How a solve ended: 'solved', or the failure's code. Throws what must never come out of one. */
+/** Outcome of a solve: 'solved', or the failure's code. Throws for forbidden outcomes. */
 async function ending(problem: ProblemText): Promise<string> {
   let result;
   try {
@@ -38,7 +38,7 @@ async function ending(problem: ProblemText): Promise<string> {
   return 'solved';
 }
 
-/** Solves `count` problems, always the same ones. @returns how many ended in a given way */
+/** Solves `count` problems, always the same ones. @returns the number of each outcome */
 async function solveMany(problems: fc.Arbitrary<ProblemText>, seed: number, count: number) {
   const endings = new Map<string, number>();
   await fc.assert(
@@ -65,7 +65,10 @@ describe('a solve ends in a sound result or in one clear sentence', () => {
   }, 600_000);
 });
 
-/** A panel that mirrors onto itself with a residual of 0.0976 cm: as much as any symmetry may, on a small piece. */
+/**
+ * A panel that mirrors onto itself with a residual of 0.0976 cm: the maximum for a symmetry, on a
+ * small piece.
+ */
 const almostSymmetric: GarmentCodeSpecification = {
   pattern: {
     panels: {

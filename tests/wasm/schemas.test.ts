@@ -22,7 +22,7 @@ const publicFolder = new URL('../../public/', import.meta.url);
 
 const kinds = ['design', 'garment', 'layplan', 'options', 'print', 'symmetries'] as const;
 
-/** What the schema of one kind of file says about a document. */
+/** Validator by the schema of one kind of file. */
 function schema(kind: (typeof kinds)[number]) {
   const ajv = new Ajv2020({strict: true, strictTypes: false, strictTuples: false});
   for (const name of kinds) {

@@ -5,7 +5,7 @@ import {checks, sample, twoStrips} from './garments.js';
 
 const strips = {garment: twoStrips(), print: checks};
 
-/** Everything of a result that equal runs share. */
+/** The parts of a result that equal runs share, as text. */
 function withoutTimes(result: Awaited<ReturnType<typeof solve>>): string {
   const milliseconds = {alignment: 0, deformation: 0, total: 0};
   return JSON.stringify({...result, metrics: {...result.metrics, milliseconds}});
@@ -47,7 +47,7 @@ describe('solve', () => {
   });
 
   it('counts the time spent in each phase', async () => {
-    const seed = 4711; // what was sought before is remembered, and takes no time
+    const seed = 4711; // a new seed, as results of earlier searches are reused
     const {metrics} = await solve({garment: sample('tee'), print: checks, seed});
     const {milliseconds} = metrics;
     expect(milliseconds.alignment).toBeGreaterThan(0);
@@ -112,7 +112,7 @@ describe('cancelling', () => {
 
   it('rejects before the next slice of a solve and gives its memory back', async () => {
     const problem = {garment: sample('princess-dress'), print: checks};
-    await solve(problem); // whose mesh is kept in either case
+    await solve(problem); // keeps the mesh in either case
     const before = (await memory()).live;
     const controller = new AbortController();
     let reportsAfterwards = 0;

@@ -1,4 +1,4 @@
-/** Whether pictures that are opened as prints meet their copies, as the core sees it. */
+/** Checks whether images opened as prints continue at their edges, by the core's measure. */
 import {readdirSync, readFileSync} from 'node:fs';
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 import {printFromPixels} from 'seamwise/node';
@@ -23,7 +23,7 @@ const sidesOf = (edges: readonly {readonly side: Side}[]): readonly Side[] => [
 const folder = new URL('../../public/prints/', import.meta.url);
 const prints = readdirSync(folder).filter((file) => /^[a-z0-9]+\.png$/.test(file));
 
-/** A part of a print from any point of it on, in cells, as small as it is compared. */
+/** A part of a print from any point, in cells, at the resolution of the comparison. */
 async function partOf(file: string, [x, y]: [number, number], [across, up]: [number, number]) {
   const image = await loadImage(readFileSync(new URL(file, folder)));
   const scale = 240 / Math.max(image.width, image.height);
@@ -40,7 +40,7 @@ async function partOf(file: string, [x, y]: [number, number], [across, up]: [num
   return context.getImageData(0, 0, canvas.width, canvas.height);
 }
 
-/** Each third print for a commit. */
+/** A commit checks each third print. */
 const whole = isThorough ? prints : prints.filter((_, k) => k % 3 === 0);
 
 describe.each(whole)('the cell of %s', (file) => {
@@ -61,7 +61,7 @@ it('marks the part of an edge at which a disc is cut', async () => {
   const edges = await openEdges(painted(220, 200, cut));
   expect(sidesOf(edges)).toEqual(['left', 'right', 'top', 'bottom']);
   const [left] = edges;
-  // it is 90 px high about a point that lies 60 px below the corner
+  // it is 90 px high about a point 60 px below the corner
   expect(left?.from).toBeCloseTo(15 / 200, 1);
   expect(left?.to).toBeCloseTo(105 / 200, 1);
 });

@@ -1,4 +1,7 @@
-/** A print of unknown size is aligned, and neither cut, laid nor ordered; the sentence names the remedy. */
+/**
+ * A print of unknown size is aligned, but neither cut, laid out nor ordered; the message gives the
+ * remedy.
+ */
 import {mkdtempSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';

@@ -1,4 +1,4 @@
-/** Every garment that is shipped, read by the built package: what it finds in it, and whether it can be solved. */
+/** Every shipped garment, read by the built package: its contents, and its solve. */
 import {readFileSync} from 'node:fs';
 
 import {solve, symmetries, type GarmentCodeSpecification, type Print} from 'seamwise/node';
@@ -14,18 +14,18 @@ import {at} from '../support/plane.js';
 const file = (path: string): string =>
   readFileSync(new URL(`../../public/${path}`, import.meta.url), 'utf8');
 const printNamed = (group: string): Print => JSON.parse(file(`prints/${group}.json`)) as Print;
-/** As they are compared: in any order. */
+/** Names in a canonical order for comparison. */
 const sorted = (names: readonly (readonly string[])[]): string[] =>
   names.map((one) => one.toSorted().join(' and ')).toSorted();
 
-/** Sizes and groups of the prints in which garments are solved. */
+/** Sizes and print groups of the solves. */
 const solves = [
   ...['pmm', 'p4m', 'pgg'].map((group) => ['m', group] as const),
   ...sizeNames.filter((size) => size !== 'm').map((size) => [size, 'pmm'] as const),
 ];
 
 const garments = wardrobe.map((draft, k) => {
-  // every garment is solved once for a commit, and every case with some garment
+  // a commit solves every garment once, and every case with some garment
   const solved = isThorough ? solves : [at(solves, k % solves.length)];
   return {...draft(bodyOf('m')), solved};
 });

@@ -12,7 +12,7 @@ import {isThorough} from '../support/level.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
-// a warning is an error: a type that is not exported, a link to nowhere
+// a warning is an error: a type that is not exported, a broken link
 it.runIf(isThorough)(
   'can be generated from the sources without a warning',
   {timeout: 300_000},

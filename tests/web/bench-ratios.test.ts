@@ -1,10 +1,10 @@
-/** How the benchmark sums up what it measured. */
+/** The benchmark's summaries of its measurements. */
 import {expect, it} from 'vitest';
 
 import {exponent, median, quotient} from '../bench/numbers.mjs';
 import {ratiosOf, summary} from '../bench/ratios.mjs';
 
-/** A case of the search: what 1000 random starts and the search found, in so much time. */
+/** A case of the search: results of 1000 random starts and of the search, with their times. */
 const searched = (garment: string, fits: readonly [number, number], times = [100, 10]) => ({
   garment,
   group: 'pmm',
@@ -13,7 +13,7 @@ const searched = (garment: string, fits: readonly [number, number], times = [100
   search: {fitSearch: fits[1], milliseconds: times[1]},
 });
 
-/** What a method found and took on every platform. */
+/** A method's result and times on every platform. */
 const solved = (figures: {fit?: number; symmetries?: number; deformation?: number}) => {
   const {fit = 1, symmetries = 0, deformation = 1} = figures;
   const answer = {

@@ -9,7 +9,9 @@ import {sceneOf} from '@/scene/scene.js';
 import type {Target} from '@/workbench/workbench.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';
 
-/** The halves of a front, 4 cm wide each: x = 4 of the left one is sewn to x = 0 of the right one. */
+/**
+ * The halves of a front, 4 cm wide each: x = 4 of the left one is sewn to x = 0 of the right one.
+ */
 const halves: DetectedSymmetry = {
   kind: 'pair',
   pieces: ['left_half', 'right_half'],

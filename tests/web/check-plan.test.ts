@@ -26,7 +26,7 @@ const lie = (piece: number, i: number, j: number, turn: number): LaidPlacement =
 
 const good = planOf(results, [lie(0, 0, 0, Math.PI), lie(1, 3, 0, 0)], {printOrigin: origin});
 
-/** The same plan on other cloth coordinates, from 0. */
+/** The same plan in other fabric coordinates, from 0. */
 const lowered = (plan: LayPlan): LayPlan => {
   const lowest = Math.min(...plan.placements.flatMap(({cut}) => cut.map(([, y]) => y)));
   return moved(plan, [0, -lowest]);
@@ -44,7 +44,7 @@ const shifted = (one: LaidPlacement, by: Point): LaidPlacement => ({
   cut: one.cut.map((p) => plus(p, by)),
 });
 
-/** One of the placements changed, all figures as they were. */
+/** Changes one of the placements; all figures stay. */
 const withOne = (
   plan: LayPlan,
   which: number,
@@ -319,7 +319,7 @@ describe('the complete search', () => {
   it('finds that pieces lie side by side where the print lets them', () => {
     const {pieces, board} = boardOf(plan, results, rules);
     expect(shortestLength(pieces, board, 60)).toBeCloseTo(plan.lengthCm, 9);
-    // no shorter one, and one on top of the other where the cloth is narrow
+    // none is shorter, and on narrow fabric one is above the other
     expect(shortestLength(pieces, board, plan.lengthCm - 0.01)).toBeUndefined();
     expect(shortestLength(pieces, {...board, widthCm: 30}, 60)).toBeCloseTo(26, 9);
     expect(shortestLength(pieces, {...board, widthCm: 20}, 60)).toBeUndefined();
@@ -332,7 +332,8 @@ describe('the complete search', () => {
       ring: shape.map(([x, y]): Point => [x + (x > 0 ? 1 : -1), y + (y > 0 ? 1 : -1)]),
       ...{alignment, turns: 'half' as const},
     }));
-    // turned ones have their edges at -5 and 1 modulo 8, others at -1 and 5: 16 + 6, or less by turns
+    // turned ones have their edges at -5 and 1 modulo 8, others at -1 and 5: 16 + 6, or less by
+    // turns
     expect(shortestLength(pieces, board, 60)).toBeCloseTo(22, 9);
     expect(shortestLength(pieces, {...board, print: {...print, group: 'p1'}}, 60)).toBeCloseTo(
       22,

@@ -1,4 +1,4 @@
-/** How seams are made by clicks and keys, on a piece of four edges and another one. */
+/** Sewing with clicks and keys, on a piece of four edges and another one. */
 import {describe, expect, it} from 'vitest';
 
 import {
@@ -21,7 +21,7 @@ const at = (piece: number, edge: number): EdgeOfPiece => ({piece, edge});
 const bare = documentOf([draftedSquare('one'), draftedSquare('other')]);
 const half = documentOf(bare.pieces, {seams: [draftedSeam()]});
 
-/** What is likeliest is the same edge of the other piece, then the one after it. */
+/** The likeliest candidate is the same edge of the other piece, then the next edge. */
 function sewingOf(garment: GarmentDocument, more: Partial<Sewing> = {}): Sewing {
   const order = [0, 1].flatMap((piece) => [0, 1, 2, 3].map((edge) => at(piece, edge)));
   const candidates = (a: Run): readonly Candidate[] => {
@@ -39,7 +39,7 @@ function sewingOf(garment: GarmentDocument, more: Partial<Sewing> = {}): Sewing 
   return {garment, candidates, ...nothing, order, ...more};
 }
 
-/** All events, one after the other. */
+/** Applies all events in order. */
 function after(
   events: readonly SeamEvent[],
   sewing = sewingOf(bare),
@@ -122,7 +122,7 @@ describe('keys', () => {
     const more = {type: 'stretch', by: 1} as const;
     const before = {type: 'stretch', by: -1} as const;
     expect(after([go(0, 3), more, before]).state.run).toEqual([at(0, 2), at(0, 3), at(0, 0)]);
-    // the next edge is sewn: beyond it the outline of the other piece goes on
+    // the next edge is sewn: the outline of the other piece continues beyond it
     expect(after([go(0, 3), more, more], sewingOf(half)).state.run).toEqual([
       ...[at(0, 3), at(0, 0), at(1, 0)],
     ]);
@@ -241,7 +241,7 @@ it('offers the next edge where a side is too short for what it is sewn to, and s
     })),
   });
   const garment = documentOf([...bare.pieces, wide], {
-    // two squares beside each other, and one of them along a side that is as long as both
+    // two squares side by side, and one of them sewn along a side as long as both
     seams: [draftedSeam(), draftedSeam({a: at(0, 0), b: at(2, 2)})],
   });
   const sewing = sewingOf(garment);
@@ -251,7 +251,7 @@ it('offers the next edge where a side is too short for what it is sewn to, and s
   const answer = afterEvent(state, {type: 'join'}, sewing);
   expect(answer?.edit).toEqual({kind: 'join', seams: [1], ...instead});
   expect(answer?.state.gathered).toEqual([]);
-  // a square is as long as a square: nothing is offered
+  // two squares have equal lengths: there is no offer
   const plain = {...state, gathered: [0]};
   expect(questionOf(plain, sewing)).toEqual({kind: 'gathered', seams: [0]});
 });

@@ -43,7 +43,7 @@ describe('a point in the coordinates of the file', () => {
         ],
       },
     ]);
-    const [x, y] = inputPoint(sheet, 0, [2, 4]); // in the upper left triangle
+    const [x, y] = inputPoint(sheet, 0, [2, 4]); // a point in the upper left triangle
     expect(x).toBeCloseTo(1, 12);
     expect(y).toBeCloseTo(3, 12);
   });

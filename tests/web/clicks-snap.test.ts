@@ -5,7 +5,7 @@ import {snap, type Snapped} from '@/clicks/snap.js';
 import type {Point} from '@/model/geometry.js';
 import {rectangle, sheetOf, type DrawnPiece} from '../support/clickable-sheet.js';
 
-/** 20 cm wide and high, with a vertex in the middle of its lower side. */
+/** A square of 20 cm, with a vertex in the middle of its lower side. */
 const square: DrawnPiece = {
   loop: [
     [0, 0],
@@ -141,9 +141,9 @@ describe('marks in reach of one point', () => {
   });
 
   it('let one that is clearly nearer go first', () => {
-    // the corner is 1.5 away, the notch 0.4: more than half of the reach of 2 between them
+    // corner 1.5 away, notch 0.4: the difference exceeds half of the reach, 2
     expect(snapped([1.5, 0], {notches: [[1.9, 0]]}).snapped).toBe('notch');
-    // 0.6: less than that
+    // the difference is only 0.6
     expect(snapped([1.5, 0], {notches: [[2.1, 0]]}).snapped).toBe('corner');
   });
 

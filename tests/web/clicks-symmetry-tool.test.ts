@@ -16,7 +16,7 @@ import {dartedSquare, rectangle, sewnSquares, sheetOf} from '../support/clickabl
 
 const squares = sewnSquares();
 
-/** What a click on a sheet hits. */
+/** Target of a click on a sheet. */
 function hit(x: number, y: number, sheet: Sheet = squares): Target {
   const [target] = targetsAt(pickIndex(sheet), [x, y], 0.5);
   if (!target) throw new Error(`nothing at ${x}, ${y}`);
@@ -52,7 +52,10 @@ function after(
   return all.reduce((state, event) => afterEvent(state, event, sheet), outside);
 }
 
-/** On the first square: its sides by name. The right one is sewn, as is the left one of the second. */
+/**
+ * Picks on the first square, whose right side is sewn to the left side of the second, and
+ * elsewhere.
+ */
 const left = pick(0.1, 2);
 const right = pick(3.9, 2);
 const below = pick(2, 0.1);

@@ -22,7 +22,7 @@ const piece = (
 ): Parameters<typeof sheetOf>[0][number] => ({loop: rectangle(width, height), offset: [x, y]});
 
 /**
- * Two rows, each standing on a common line:
+ * Two rows, each aligned at its lower edge:
  *   3 (tall)  0 (short)  1 (tall)
  *     4          2
  */
@@ -37,7 +37,10 @@ const rows = (): PickIndex =>
     ]),
   );
 
-/** A square with a dart in its upper side, sewn below to another; the file's numbers as they come. */
+/**
+ * A square with a dart in its upper side, whose lower side is sewn to another; the file's numbers
+ * in order.
+ */
 const darted = (): PickIndex =>
   pickIndex(
     sheetOf(

@@ -1,4 +1,4 @@
-/** What keys do to a piece on its cloth: where it goes, how far that is, and what comes into sight. */
+/** Keyboard moves of a piece in the layout: its new place, the distance, and scrolling. */
 import {describe, expect, it} from 'vitest';
 
 import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/editor/cloth/cloth-moves.js';
@@ -8,7 +8,7 @@ import type {Alignment, Point} from '@/model/geometry.js';
 import type {PieceOnCloth} from '@/workbench/cloth-work.js';
 import {at} from '../support/plane.js';
 
-/** Of squares of 8 cm, places on every fourth of which two do not meet. */
+/** Fabric for squares of 8 cm, with places every 4 cm: neighbours need every second one. */
 const bolt: Bolt = {
   ...{repeat: {group: 'p2', w1: [4, 0], w2: [0, 4]}, origin: [0, 0], flaws: []},
   ...{widthCm: 60, selvedgeCm: 0, gapCm: 0, isOneWay: false},
@@ -53,7 +53,7 @@ describe('an arrow', () => {
 
 describe('a turn', () => {
   const first = square(0, [3, 3]);
-  /** Turned, it lies two centimetres beside where it did, either way. */
+  /** A turn moves it two centimetres from its old place, in either direction. */
   const own = {
     ...first,
     piece: {...first.piece, alignment: {angle: 0, translation: [1, 1]}},
@@ -65,7 +65,7 @@ describe('a turn', () => {
     const move = turned([], reachOfPinned(bolt));
     expect(move?.place.angle).toBeCloseTo(Math.PI);
     expect(move?.fartherCm).toBeUndefined();
-    // it lay from 3 to 11
+    // its old place was from 3 to 11
     for (const x of move?.place.translation ?? []) expect([9, 13]).toContain(Math.round(x));
     const beside = turned([square(1, [11, 3])], reachOfPinned(bolt));
     expect(beside?.place.translation[0]).toBeCloseTo(9);

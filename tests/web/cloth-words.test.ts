@@ -1,4 +1,4 @@
-/** What is said of the pieces on their cloth, on the page and on lay plans, in every language. */
+/** Texts about the fabric layout, on the page and in its files, in every language. */
 import {describe, expect, it} from 'vitest';
 
 import {
@@ -66,7 +66,7 @@ describe('what the print costs', () => {
       'Your pins cost 14 cm more',
     ]);
     expect(said(pinned(90, plan))).toEqual(['The print costs 10 cm', 'Your pins cost no cloth']);
-    // pins that are better than what was found before
+    // pins that give a better layout than the search
     expect(said(pinned(86, plan))).toEqual(['The print costs 6 cm', 'Your pins cost no cloth']);
   });
 
@@ -149,14 +149,14 @@ describe('a flaw', () => {
 
 type Word = string | ((...given: readonly unknown[]) => string);
 
-/** All words below a name, by their paths. */
+/** All texts below a name, by their paths. */
 function wordsOf(texts: object, path = ''): [string, Word][] {
   return Object.entries(texts as Record<string, Word | object>).flatMap(([name, one]) =>
     typeof one === 'object' ? wordsOf(one, `${path}${name}.`) : [[path + name, one]],
   );
 }
 
-/** What notes are told, all at once. */
+/** All data for notes at once. */
 const noted = {
   ...{pieces: '7003', lengths: ['7003'], rounded: ['7003']},
   ...{range: ['7003', '7004'], counts: ['7003', '7004']},
@@ -168,7 +168,7 @@ function said(word: Word | undefined, path: string): string | undefined {
   return word(...Array.from({length: word.length}, (_, k) => given(k)));
 }
 
-/** Alike everywhere, or by chance. */
+/** Texts that are equal in all languages, or by chance. */
 const alike = /^(metres|yards|place|share|none)$/;
 
 describe.each([
@@ -189,7 +189,7 @@ describe.each([
   );
 });
 
-/** Of a figure and of a table's first column, beside the next. [mm] */
+/** Width of a figure, and of the table's first column. [mm] */
 const rooms = {figure: 45, name: 36};
 
 it.each(languages)('has room in %s for what stands on a lay plan', (language) => {

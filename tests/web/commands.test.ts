@@ -1,4 +1,4 @@
-/** The list of commands, and the keys that they have. */
+/** The command palette, and the keys of its commands. */
 import {expect, it} from 'vitest';
 
 import {folded, matching} from '@/app/palette/filter.js';

@@ -13,7 +13,10 @@ import type {ResultPiece, ResultSeam} from '@/model/result.js';
 import {printDistance} from '@/model/wallpaper.js';
 import {plainPrint, squarePiece} from '../support/two-squares.js';
 
-/** A piece with corners at these points, whose first edge is its hem, and vertices at least every 5 cm. */
+/**
+ * A piece with corners at these points, whose first edge is its hem, and vertices at least every 5
+ * cm.
+ */
 function pieceOf(
   name: string,
   corners: readonly Point[],
@@ -72,7 +75,7 @@ function cut(made: readonly Made[], seams: readonly ResultSeam[], hemCm = 3) {
   };
 }
 
-/** From a point in a direction to the cut line. */
+/** Distance from a point to the cut line in a direction. */
 const reach = (line: readonly Point[], [x, y]: Point, [dx, dy]: Point): number => {
   for (let s = 0; s < 20; s += 0.001) if (!isInside(line, [x + s * dx, y + s * dy])) return s;
   return Infinity;
@@ -135,7 +138,8 @@ describe('allowances', () => {
       const folded: Point = [x, -y];
       expect(isInside(line, folded) || distanceTo(line, folded) < 1e-3).toBe(true);
     }
-    // by hand: the side's cut line meets the hem line 1 / sin 60 beyond the corner, and comes back by 3 / tan 60
+    // calculated by hand: the side's cut line meets the hem line 1 / sin 60 beyond the corner, and
+    // returns by 3 / tan 60
     const corner = Math.min(...below.filter(([, y]) => y < -2.9).map(([x]) => x));
     expect(corner).toBeCloseTo(-1 / Math.sin(Math.PI / 3) + 3 / Math.tan(Math.PI / 3), 3);
   });
@@ -154,7 +158,8 @@ describe('allowances', () => {
   });
 
   it('end where those of the other side end: square, at one distance from the seam', () => {
-    // the right edge of one is sewn to the left edge of the other; tops at 60 and at 100 degrees to it
+    // the right edge of one is sewn to the left edge of the other; tops at 60 and at 100 degrees to
+    // it
     const leaning = (angle: number): number => 20 / Math.tan((angle * Math.PI) / 180);
     const one = pieceOf('one', [
       [0, 0],
@@ -175,7 +180,7 @@ describe('allowances', () => {
     const ends = [reach(lines[0] ?? [], [20, 30], up), reach(lines[1] ?? [], [0, 30], up)];
     expect(ends[0]).toBeCloseTo(1 / Math.sin((100 * Math.PI) / 180), 2);
     expect(ends[1]).toBeCloseTo(ends[0] ?? 0, 2);
-    // and beside the seam the acute one is cut at a right angle to it
+    // the acute one is cut at a right angle to the seam
     expect(reach(lines[0] ?? [], [20.9, 30], up)).toBeCloseTo(ends[0] ?? 0, 2);
   });
 });
@@ -216,7 +221,7 @@ describe('ticks', () => {
   const right = made[0]?.edges[1] ?? [];
   const left = [...(made[1]?.edges[3] ?? [])].reverse();
   const repeat = {...plainPrint, group: 'pmm'} as const;
-  /** The second piece continues the first one's print but for `off` upwards. */
+  /** The second piece continues the first one's print, shifted by `off` upwards. */
   const ticksWith = (off: number) => {
     const pieces = [
       {...(made[0]?.piece ?? squarePiece('')), alignment: {angle: 0, translation: [3, 2] as Point}},
@@ -232,7 +237,7 @@ describe('ticks', () => {
 
   it('lie where the print’s lines cross the seam, at one point of the print on both sides', () => {
     const {pieces, one, two} = ticksWith(0.05);
-    // lines through the origin of the print lie at y = 2, 12 and 22 of the first piece
+    // lines through the origin of the print are at y = 2, 12 and 22 of the first piece
     expect(one.map(({at}) => at.map((v) => Number(v.toFixed(9))))).toEqual([
       [20, 2],
       [20, 12],

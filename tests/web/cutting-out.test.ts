@@ -64,7 +64,7 @@ interface Entity {
   readonly values: readonly (readonly [string, string])[];
 }
 
-/** Of every block, what is in it. */
+/** Entities of every block. */
 function blocksOf(dxf: string): ReadonlyMap<string, readonly Entity[]> {
   const lines = dxf.split('\r\n');
   const pairs = lines
@@ -93,7 +93,7 @@ const texts = (entities: readonly Entity[] = []): string[] =>
   entities.flatMap(({type, values}) =>
     type === 'TEXT' ? values.flatMap(([code, value]) => (code === '1' ? [value] : [])) : [],
   );
-/** In centimetres. */
+/** Width and height of entities. [cm] */
 const box2 = (entities: readonly Entity[]): number[] => {
   const xs = entities.map((one) => number(one, '10') / 10);
   const ys = entities.map((one) => number(one, '20') / 10);
@@ -181,7 +181,8 @@ describe('DXF of pieces to cut', () => {
       number(one, '20') / 10,
     ]);
     const [left, low] = [0, 1].map((axis) => Math.min(...line.map((p) => p[axis] ?? 0)));
-    // the middle of the curve, by de Casteljau: 3/8 of 10 + 3/8 of 20 + 1/8 of 30 up, 3/4 of 20 aside
+    // the middle of the curve, by de Casteljau: 3/8 of 10 + 3/8 of 20 + 1/8 of 30 up, 3/4 of 20
+    // aside
     const middle: Point = [(left ?? 0) + side + 15, (low ?? 0) + 15];
     const nearest = [...line].sort((p, q) => distance(p, middle) - distance(q, middle)).slice(0, 2);
     for (const p of nearest) expect(Math.abs(p[0] - middle[0])).toBeLessThan(0.05);

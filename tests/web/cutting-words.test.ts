@@ -1,4 +1,4 @@
-/** What the first page says of a sheet. */
+/** Texts about a cutting sheet on its first page. */
 import {expect, it} from 'vitest';
 
 import {draftedSheet} from '@/cutting/drafted-sheet.js';
@@ -7,7 +7,10 @@ import type {Point} from '@/model/geometry.js';
 
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
 
-/** A square by itself, of whose edges the first, its hem, and the others have these allowances. [cm] */
+/**
+ * A single square; the allowance of its first edge is the hem, the other edges have `others` in
+ * turn. [cm]
+ */
 function sheetOf(hem: number | undefined, others: readonly (number | undefined)[]) {
   const {outline} = draftedSquare('front');
   const edges = outline.map((edge, k): DraftedEdge => {

@@ -33,7 +33,9 @@ const box = (width: number, height: number): Point[] => [
   [0, height],
 ];
 
-/** The cut line where every side of the outline and of its holes is an edge with the same allowance. */
+/**
+ * The cut line if every side of the outline and of its holes is an edge with the same allowance.
+ */
 function cutLine(outline: readonly Point[], holes: readonly (readonly Point[])[], width: number) {
   const loops = [outline, ...holes].map((loop, l) =>
     loop.map((p, k) => ({key: `${l}.${k}`, points: [p, loop[(k + 1) % loop.length] ?? p]})),
@@ -96,7 +98,7 @@ describe('the cut line', () => {
   });
 });
 
-/** 4 cm wide and high, drawn out to 4 x 8 cm. */
+/** A square of 4 cm, stretched to 4 x 8 cm. */
 const drawnOut: ResultPiece = squarePiece('left_half', {shape: box(4, 8)});
 
 describe('a mark of the drafted piece', () => {
@@ -202,12 +204,12 @@ function fileOf({mark, ...options}: Partial<SheetOptions> & {mark?: string} = {}
 }
 
 const numbersIn = (text = ''): number[] => (text.match(/-?[\d.]+/g) ?? []).map(Number);
-/** What is drawn of one of the pieces. */
+/** The drawing of one of the pieces. */
 const group = (svg: string, k: number): string =>
   new RegExp(`<g id="piece-${k}".*`).exec(svg)?.[0] ?? '';
 const paths = (svg: string): number[][] =>
   [...svg.matchAll(/ d="([^"]*)"/g)].map(([, d]) => numbersIn(d));
-/** The line to sew along of one of the pieces, from its corner (0, 0). */
+/** The sewing line of one of the pieces, from its corner (0, 0). */
 const sewn = (svg: string, k: number): number[] =>
   numbersIn(/ d="([^"]*)"[^>]*stroke-dasharray="4 2"/.exec(group(svg, k))?.[1]);
 

@@ -1,4 +1,4 @@
-/** `npm run dev`: what it does at changes, and that it ends as a whole. */
+/** `npm run dev`: reactions to changes, and the end of all its processes. */
 import {spawn} from 'node:child_process';
 import {once} from 'node:events';
 import {createServer, type AddressInfo} from 'node:net';
@@ -82,11 +82,11 @@ it('serves the page from its sources, and ends with all that it has begun', asyn
     stdio: ['ignore', 'ignore', 'pipe'],
   });
   let said = '';
-  const closed = once(child.stderr, 'close'); // once nobody holds it any more
+  const closed = once(child.stderr, 'close'); // the last process has ended
   await new Promise<void>((resolve) => {
     child.stderr.on('data', (chunk: Buffer) => {
       said += chunk.toString();
-      if (said.includes('watch mode')) resolve(); // by then both are at work
+      if (said.includes('watch mode')) resolve(); // both are running by then
     });
     child.stderr.on('close', resolve);
   });

@@ -1,4 +1,4 @@
-/** The files that garments are written to. */
+/** The files of drafted garments. */
 import {readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';

@@ -1,4 +1,4 @@
-/** How wide fitted garments are around the body: their panels are drafted with the waist at y = 0. */
+/** Widths of fitted garments around the body; their panels are drafted with the waist at y = 0. */
 import {describe, expect, it} from 'vitest';
 
 import {distance, minus, type Point} from '@/model/geometry.js';
@@ -9,7 +9,7 @@ import {findEdge, type Panel} from '@samples/drafting/panel.js';
 import {draftPrincessDress} from '@samples/drafting/princess-dress.js';
 import {medium} from '../support/drafts.js';
 
-/** How much cloth a panel has at a height: between every second and third place where its outline passes. [cm] */
+/** Width of a panel at a height: between every two crossings of its outline. [cm] */
 function widthAt({edges}: Panel, height: number): number {
   const steps = 200;
   const points = edges.flatMap(({curve}) =>
@@ -72,7 +72,7 @@ it('shapes the bust of the princess dress in a side dart and in the seam above t
   expect(lower.to).toEqual(upper.from);
   expect(length(lower)).toBeCloseTo(length(upper), 9);
   expect(distance(lower.from, upper.to)).toBeCloseTo(0.027 * medium.bust, 6);
-  // its tip stays short of the bust
+  // its tip ends before the bust
   expect(distance(lower.to, side.to)).toBeGreaterThan(3);
 });
 

@@ -1,4 +1,4 @@
-/** Garments that are cut in many pieces, or in pairs throughout. */
+/** Garments of many pieces, or of pairs only. */
 import {describe, expect, it} from 'vitest';
 
 import {draftPatchworkJacket} from '@samples/drafting/patchwork-jacket.js';

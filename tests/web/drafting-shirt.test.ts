@@ -49,7 +49,7 @@ describe('the shirt', () => {
       2 * (lengthOf('stand', 'yoke left') + lengthOf('stand', 'front left'));
     expect(from[0]).toBe(-to[0]);
     expect(lengthOf('collar', 'stand')).toBeCloseTo(lengthOf('stand', 'collar'), 6);
-    // it lies closer to the neck than the neckline does
+    // it is closer to the neck than the neckline
     expect(lengthOf('stand', 'collar')).toBeLessThan(neckline);
     expect(lengthOf('stand', 'collar')).toBeGreaterThan(medium.neck);
   });

@@ -1,4 +1,4 @@
-/** Set-in sleeves, whatever they are set into: edges of a cap are named so. */
+/** Set-in sleeves of all garments; the name of a cap's edges contains `cap`. */
 import {expect, it} from 'vitest';
 
 import {cross, minus, norm} from '@/model/geometry.js';
@@ -8,7 +8,7 @@ import {findEdge, type Garment} from '@samples/drafting/panel.js';
 import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
 
-/** Curvature where a cubic starts, positive to the left. [1/cm] */
+/** Curvature at the start of a cubic, positive to the left. [1/cm] */
 function startCurvature({from, controls}: Curve): number {
   if (!controls) return 0;
   const [first, second] = [minus(controls[0], from), minus(controls[1], from)];
@@ -36,7 +36,7 @@ it('draws caps without a point: direction and curvature run on from the back to 
   });
 });
 
-/** One side of an armhole, all the edges that a cap is sewn into; 0 without a set-in sleeve. [cm] */
+/** Length of one side of an armhole, all edges sewn to a cap; 0 without a set-in sleeve. [cm] */
 const armhole = (garment: Garment, half: 'Front' | 'Back'): number =>
   garment.seams
     .filter(({name}) => name.startsWith(`${half} armhole`) && name.endsWith('left'))

@@ -20,7 +20,7 @@ describe('the tee', () => {
   it('has sleeves whose front is scooped out further than their back', () => {
     const front = findEdge(tee, ['sleeve_left', 'cap front']).curve;
     const back = findEdge(tee, ['sleeve_left', 'cap back']).curve;
-    // a quarter of the way up from the underarm, in from it
+    // inwards, a quarter of the way up from the underarm
     const [frontIn] = minus(pointAt(front, 0.75), front.to);
     const [backIn] = minus(pointAt(back, 0.25), back.from);
     expect(frontIn).toBeGreaterThan(-backIn + 0.5);

@@ -1,4 +1,7 @@
-/** What must be true of every garment that is shipped, for any body. What is true of one only stands in its own file. */
+/**
+ * Properties of every shipped garment, for any body. Properties of a single garment have separate
+ * test files.
+ */
 import {describe, expect, it} from 'vitest';
 
 import {distance, type Point} from '@/model/geometry.js';
@@ -26,7 +29,7 @@ function flattened({edges}: Panel, perEdge = 24): Point[] {
   );
 }
 
-/** Whether a point lies inside an outline, or on it to 1 mm. */
+/** Returns whether a point is inside an outline, or on it to 1 mm. */
 const covers = (outline: readonly Point[], p: Point): boolean =>
   isInside(outline, p) || aroundLoop(outline).some((edge) => toLine(p, edge) < 0.1);
 
@@ -36,7 +39,10 @@ function notchPoint({edges}: Panel, {edge, at}: Notch): Point {
   return pointAt(curve, parameterAt(curve, at));
 }
 
-/** How far from straight a line may run on across a seam; the eye sees no corner in that. [degrees] */
+/**
+ * Largest deviation from straight for a line across a seam; no corner is visible below it.
+ * [degrees]
+ */
 const nearlyStraight = 5;
 
 describe('every garment, for any body', () => {

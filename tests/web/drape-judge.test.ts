@@ -1,4 +1,4 @@
-/** The judge of drapes must find every fault that it is there for. */
+/** The checks of drapes must find every fault they are made for. */
 import {describe, expect, it} from 'vitest';
 
 import {drapeFile, drapeText, type DrapeFile, type Place} from '@/model/drape-file.js';
@@ -12,7 +12,7 @@ import {plus3} from '../support/space.js';
 
 const sound = drapeFile(squaresResult, squaresDrape());
 
-/** The positions of all pieces at other places. */
+/** Moves the positions of all pieces. */
 const placed = (to: (place: Place, piece: number) => Place, file = sound): DrapeFile => ({
   ...file,
   pieces: file.pieces.map((piece, k) => ({
@@ -21,7 +21,7 @@ const placed = (to: (place: Place, piece: number) => Place, file = sound): Drape
   })),
 });
 
-/** One vertex of one piece at another place. */
+/** Moves one vertex of one piece. */
 const oneMoved = (piece: number, vertex: number, by: Place): DrapeFile => ({
   ...sound,
   pieces: sound.pieces.map((one, k) => ({
@@ -62,7 +62,7 @@ it('writes numbers that mirror each other as such, and the same text for the sam
 
 describe('finds', () => {
   it('a seam that gapes', () => {
-    const file = oneMoved(1, 10, [0, 0, 0.001]); // on the seam of the second piece
+    const file = oneMoved(1, 10, [0, 0, 0.001]); // a vertex on the second piece's seam
     expect(judgeDrape(file, squaresResult).gap).toBeCloseTo(0.001, 9);
     expect(sentences(file).join()).toContain('seams gape by');
   });
@@ -72,10 +72,10 @@ describe('finds', () => {
     expect(judgeDrape(into, squaresResult).depth).toBeCloseTo(0.1, 9);
     expect(sentences(into).join()).toContain('deep in the form');
     const through = placed(([x, y]) => [x, y, 0]);
-    expect(judgeDrape(through, squaresResult).depth).toBe(1); // the judge looks no deeper
+    expect(judgeDrape(through, squaresResult).depth).toBe(1); // the checks measure no deeper
     const near = placed(([x, y]) => [x, y, 5.02]);
     expect(sentences(near)).toEqual(['only 0.00 % of it are 0.5 mm off the form']);
-    // the middles of triangles alone: a spike of the form between vertices
+    // only the middles of triangles: a spike of the form between vertices
     const {vertices, triangles} = sound.form;
     const [x, y, tip] = [-5 / 3, 101 + 2 / 3, vertices.length];
     const spike = {
@@ -169,7 +169,7 @@ describe('finds', () => {
     const verdict = judgeDrape(folded, squaresResult);
     expect(verdict.crossings).toBeGreaterThan(0);
     expect(broken(verdict).join()).toContain('edges cross triangles');
-    // side by side on the same place, but apart
+    // two layers over the same place without contact
     const layers = placed(([x, y, z], piece) => (piece === 0 ? [x, y, z] : [-x, y, z + 0.1 * x]));
     expect(judgeDrape(layers, squaresResult).crossings).toBe(0);
   });
@@ -210,7 +210,7 @@ it('says how far apart two drapes lie', () => {
 });
 
 it('says how much of the weight hangs on nothing', () => {
-  expect(unborne(sound, squaresResult)).toBeCloseTo(1, 9); // in front of the form, at its rest lengths
+  expect(unborne(sound, squaresResult)).toBeCloseTo(1, 9); // clear of the form, at rest lengths
   const touching = placed(([x, y]) => [x, y, 5.1]);
   expect(unborne(touching, squaresResult)).toBe(0);
 });

@@ -1,4 +1,4 @@
-/** What is draped of a workbench, when, and what is shown meanwhile. */
+/** Drapes of a workbench: contents, time, and display in the meantime. */
 import {describe, expect, it, vi} from 'vitest';
 
 import type {Design} from '@/model/design.js';
@@ -16,7 +16,7 @@ const result: SolveResult = {
   ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
   ...squarePair(),
 };
-/** The same pieces, lying otherwise on the print. */
+/** The same pieces with other alignments on the print. */
 const moved: SolveResult = {
   ...result,
   pieces: result.pieces.map((piece) => ({
@@ -46,7 +46,7 @@ interface Asked {
   readonly fail: (error: Error) => void;
 }
 
-/** A workbench that is given its answers, and a solver whose drapes go on as they are told. */
+/** A workbench with given answers, and a solver whose drapes the test controls. */
 function atWork(at: {design: Design | undefined; result: SolveResult | undefined}) {
   const asked: Asked[] = [];
   const drape = vi.fn<SolverService['drape']>(
@@ -105,7 +105,7 @@ describe('a garment as it is worn', () => {
     const {hooks} = asked[0] ?? {};
     hooks?.onForm?.(form);
     hooks?.onMesh?.(meshOf(1));
-    expect(seen()).toEqual(['form']); // a mesh counts once there are places for it
+    expect(seen()).toEqual(['form']); // shown once it has positions
     hooks?.onPositions?.(Float32Array.of(7));
     expect(seen()).toEqual(['mesh 1', 'on the way 7']);
     asked[0]?.answer(draped(8));
@@ -114,7 +114,7 @@ describe('a garment as it is worn', () => {
     expect(draping.state.kind).toBe('done');
     end();
     expect(listeners.size).toBe(0);
-    // whoever comes later sees it at once, and nothing is draped again
+    // a later viewer gets it at once, without another drape
     draping.show(viewer);
     expect(seen()).toEqual(['form', 'mesh 2', 'final 8']);
     expect(asked).toHaveLength(1);
@@ -131,11 +131,11 @@ describe('a garment as it is worn', () => {
     expect([asked.length, seen()]).toEqual([1, []]);
     expect(draping.state.kind).toBe('done');
     become({result: cutOtherwise});
-    expect([asked.length, seen()]).toEqual([2, []]); // what was shown stays
-    expect(asked[1]?.from).toBe(draping.drape); // and goes on from there
+    expect([asked.length, seen()]).toEqual([2, []]); // the old drape stays
+    expect(asked[1]?.from).toBe(draping.drape); // the new one starts from it
     become({result});
     expect(asked[1]?.hooks.signal?.aborted).toBe(true);
-    expect(asked).toHaveLength(2); // what is known is shown
+    expect(asked).toHaveLength(2); // the known drape is shown
     expect(seen()).toEqual(['form', 'final 1']);
     await settle();
     expect(draping.state.kind).toBe('done');
@@ -155,7 +155,7 @@ describe('a garment as it is worn', () => {
     expect(asked[2]?.hooks.signal?.aborted).toBe(true);
     await settle();
     expect(draping.state.kind).toBe('cancelled');
-    become({}); // nobody begins again what was stopped, but who asks for it
+    become({}); // a cancelled drape starts again only on request
     expect(asked).toHaveLength(3);
     draping.again();
     expect(asked).toHaveLength(4);

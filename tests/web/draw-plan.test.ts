@@ -34,7 +34,7 @@ const plan = planOf(
 const words = {units: 'cm'} as const;
 const options = {print, words, results};
 
-/** Every tag is closed in its turn, and no sign stands for itself that XML reads. */
+/** Checks that tags are closed in order, and XML's special characters escaped. */
 function expectXml(text: string): void {
   const open: string[] = [];
   for (const [tag, slash, name = '', end] of text.matchAll(
@@ -136,7 +136,7 @@ describe('the plan as SVG', () => {
       /id="cloth" href="#tile" patternTransform="matrix\(([^)]*)\)/.exec(svg) ?? [];
     const [a, b, c, d, x = NaN, y = NaN] = numbers.split(' ').map(Number);
     expect([a, b, c, d]).toEqual([1, 0, 0, 1]);
-    // the left edge of the cloth and its start, as the rest of the drawing has them
+    // the left edge of the fabric and its start, as in the rest of the drawing
     const [, left = '', top = '', right = '', bottom = ''] =
       /<path d="M([\d.]+) ([\d.]+)L([\d.]+) [\d.]+L[\d.]+ ([\d.]+)L[\d. ]+Z" fill="url\(#cloth\)"/.exec(
         svg,
@@ -235,7 +235,7 @@ describe('the plan as PDF', () => {
     expect(read).toHaveLength(pages);
     return read.map(({size}) => size.map((side) => Math.round(10 * (side / point)) / 10));
   };
-  /** The same pieces after each other, so often. */
+  /** Repeats the same pieces one after the other. */
   const repeated = (count: number): LayPlan =>
     planOf(
       results,
@@ -315,7 +315,8 @@ describe('the plan as DXF', () => {
     const wanted = plan.placements.flatMap((one) => one.cut);
     expect(cut).toHaveLength(wanted.length);
     expect(greatest(cut.map((p, k) => Math.hypot(...minus(p, at(wanted, k)))))).toBeLessThan(1e-4);
-    // the grain runs along the cloth, and three crosses have two lines each, beside the edges of the cloth
+    // the grain runs along the fabric; three crosses have two lines each, besides the edges of the
+    // fabric
     expect(points('7', 'LINE')).toHaveLength(2);
     expect(points('8', 'LINE')).toHaveLength(2 * 6 + 6);
   });

@@ -12,7 +12,7 @@ import {at, toLine} from '../support/plane.js';
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
 const read = (text: string): Drawing => readDrawing(bytesOf(text), 'bad.dxf');
 
-/** What is said of a file; nothing is said of one that can be read. */
+/** The error for a file; empty for a readable one. */
 function complaint(text: string): string {
   try {
     read(text);
@@ -26,7 +26,7 @@ function complaint(text: string): string {
 const square = bowedSquare('front', 60);
 const good = dxfOf([square, bowedSquare('back', 50)], habits.browzwear);
 
-/** Blocks and entities as they are given. */
+/** A file with these blocks and entities. */
 const file = (blocks: readonly string[], entities: readonly string[] = []): string =>
   [
     ['0', 'SECTION', '2', 'BLOCKS'],
@@ -387,7 +387,8 @@ describe('half pieces', () => {
 
   it('have one edge across the fold where it runs on smoothly', () => {
     const {pieces} = garment(half(0));
-    // hem and top run on: hem, two sides and the top, which turns where it is bowed
+    // hem and top continue across the fold: hem, two sides and the top, which has a corner at its
+    // curve
     expect(pieces[0]?.outline.map(({points}) => points.length)).toContain(2);
     expect(pieces[0]?.outline).toHaveLength(5);
   });

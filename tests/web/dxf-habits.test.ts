@@ -38,7 +38,7 @@ function imported(text: string): GarmentDocument {
 const lineOf = ({outline}: GarmentPiece): Point[] =>
   outline.flatMap((edge) => edgeLine(edge, 128).slice(0, -1));
 
-/** How far two closed lines are apart at most, in both directions. [cm] */
+/** Greatest distance between two closed lines, in both directions. [cm] */
 function apart(one: readonly Point[], other: readonly Point[]): number {
   const closed = (line: readonly Point[]): Point[] => [...line, at(line, 0)];
   return greatest([
@@ -47,7 +47,7 @@ function apart(one: readonly Point[], other: readonly Point[]): number {
   ]);
 }
 
-/** @param keyed allowance for what key points leave open [cm] */
+/** @param keyed  tolerance for the gaps between key points [cm] */
 function check(pattern: readonly PatternPiece[], how: Habits, keyed: number): GarmentDocument {
   const garment = imported(dxfOf(pattern, how));
   const {pieces} = garment;
@@ -82,7 +82,7 @@ describe.each(Object.entries(habits))('a file as %s writes it', (_, how: Habits)
 
 const share = fc.integer({min: 0, max: 1000}).map((k) => k / 1000);
 
-/** Corners around a middle, some edges bent, 30 to 90 cm across. */
+/** A piece with corners around a middle and some curved edges, 30 to 90 cm across. */
 const randomPiece = fc
   .integer({min: 3, max: 7})
   .chain((count) => {
@@ -133,7 +133,8 @@ it('reads whatever habits are combined', () => {
   fc.assert(
     fc.property(fc.array(randomPiece, {minLength: 1, maxLength: 3}), randomHabits, (drawn, how) => {
       const pattern = drawn.map((piece, k) => ({...piece, name: `piece ${k + 1}`}));
-      // layer 1 is what a flat file is read by only if it has one; on layer 0 nothing else is drawn here
+      // A flat file is read by layer 1 only if it has one; these files draw nothing else on layer
+      // 0.
       check(
         pattern,
         how.boundary === 'light' && how.blocks !== 'none' ? {...how, boundary: 'flagged'} : how,

@@ -1,4 +1,6 @@
-/** What the tool that sews proposes for a shirt with sleeves of one piece, and what it makes of answers. */
+/**
+ * Proposals of the sewing tool for a shirt with sleeves of one piece, and its reactions to answers.
+ */
 import {expect, it} from 'vitest';
 
 import type {Run} from '@/clicks/run.js';

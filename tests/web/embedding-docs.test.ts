@@ -1,4 +1,4 @@
-/** docs/embedding.md lists what there is, all of it and nothing else, and its programs run. */
+/** docs/embedding.md lists the complete API and nothing else, and its programs run. */
 import {execFile} from 'node:child_process';
 import {readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -25,13 +25,13 @@ const elementFiles = [
 const all = (text: string, pattern: RegExp): string[] =>
   [...new Set([...text.matchAll(pattern)].map(([, name = '']) => name))].sort();
 
-/** The names in the first column of a table, which may hold several. */
+/** The names in the first column of a table, several in one cell. */
 const named = (column: string): string[] =>
   rowsOf(column)
     .flatMap(([names = '']) => names.replaceAll(/\([^)]*\)/g, '').split(', '))
     .sort();
 
-/** What follows the head of a declaration, up to the end of it. */
+/** The body of a declaration after its head. */
 const bodyOf = (text: string, head: string): string =>
   text.slice(text.indexOf(head)).split(/\n}|;\n\n/)[0] ?? '';
 
@@ -95,7 +95,7 @@ it('lists the entries of the package', () => {
   expect(named('entry')).toEqual(entries.map((entry) => `seamwise${entry.slice(1)}`).sort());
 });
 
-/** What a module prints that is run in the project, where the package knows itself by its name. */
+/** Output of a module run in the project, where the package can import itself by its name. */
 async function printed(program: string): Promise<string> {
   const args = ['--input-type=module', '--eval', program];
   return (await promisify(execFile)(process.execPath, args, {cwd: project})).stdout;

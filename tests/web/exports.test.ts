@@ -6,10 +6,10 @@ import {expect, it} from 'vitest';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** Whose exports are looked at; tests may import them, too. */
+/** Folders whose exports are checked; tests may import them, too. */
 const checked = ['web/src', 'web/samples', 'web/setup', 'tests/support'];
 
-/** What people import: entries of the package, and what it gives to frameworks. */
+/** Files that users import: entries of the package, and its integrations for frameworks. */
 const entries = [
   'web/src/index.ts',
   'web/src/node/index.ts',
@@ -27,7 +27,7 @@ const files = ['web', 'tests']
   .filter((file) => !file.includes(`${sep}module${sep}`) && !file.endsWith('.d.mts'));
 const texts = new Map(files.map((file) => [file, readFileSync(file, 'utf8')]));
 
-/** The file that another one imports; undefined for packages. */
+/** The path of an imported file; undefined for packages. */
 function imported(from: string, path: string): string | undefined {
   const whole = path.startsWith('@/')
     ? join(root, 'web/src', path.slice(2))
@@ -41,14 +41,16 @@ function imported(from: string, path: string): string | undefined {
   return [whole, `${typed}.ts`, `${typed}.d.ts`].find((file) => texts.has(file));
 }
 
-/** `Point as P, type Alignment` names Point and Alignment; in a pattern, `a: b` names a. */
+/**
+ * `Point as P, type Alignment` contains Point and Alignment; the destructuring `a: b` contains a.
+ */
 const namesIn = (list: string): string[] =>
   list
     .split(',')
     .map((name) => /^\s*(?:type\s+)?(\w+)/.exec(name)?.[1] ?? '')
     .filter((name) => name !== '');
 
-/** Of every file the names that others import; `*` stands for all. */
+/** Names that other files import, by file; `*` means all. */
 const wanted = new Map(files.map((file) => [file, new Set<string>()]));
 for (const [file, text] of texts) {
   const want = (path: string, names: readonly string[]): void => {
@@ -68,13 +70,13 @@ for (const [file, text] of texts) {
   )) {
     want(path, namesIn(list));
   }
-  // where what comes is taken apart later, any word of the file may be a name
+  // dynamic imports may be destructured later, so any word of the file may be a name
   for (const [, path = ''] of text.matchAll(/\bimport\('([^']+)'\)/g)) {
     want(path, text.match(/\w+/g) ?? []);
   }
 }
 
-// scripts that Vite compiles for those who run them
+// scripts that Vite compiles to run them
 for (const [file, text] of texts) {
   for (const [, path = ''] of text.matchAll(/\brunnerImport\(at\('([^']+)'\)/g)) {
     const target = imported(file, `./${path}`);

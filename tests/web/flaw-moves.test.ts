@@ -1,4 +1,4 @@
-/** Flaws of the cloth moved and made larger or smaller, by keys and by figures. */
+/** Moving and resizing flaws of the fabric, by keys and by figures. */
 import {describe, expect, it} from 'vitest';
 
 import {boxAround, flawAfter, flawAround, flawIn} from '@/editor/cloth/flaw-moves.js';

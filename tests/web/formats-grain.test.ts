@@ -1,4 +1,4 @@
-/** Grain lines of drawings: which end they begin at says nothing. */
+/** Grain lines of drawings; their direction is independent of the end they start at. */
 import {expect, it} from 'vitest';
 
 import {readDrawing} from '@/formats/read-drawing.js';
@@ -16,7 +16,7 @@ import {
 } from '../support/drawn-svg.js';
 import {bowedSquare, dxfOf, habits} from '../support/dxf-habits.js';
 
-/** Where the grain of each piece points, from the x axis. [degrees] */
+/** Direction of each piece's grain, from the x axis. [degrees] */
 function grains(text: string, name: string): number[] {
   const drawing = readDrawing(new TextEncoder().encode(text), name);
   const {pieces} = garmentOf(drawing, defaultChoices(drawing));

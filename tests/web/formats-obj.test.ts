@@ -14,7 +14,7 @@ const read = (text: string): Drawing => readObj(bytesOf(text), 'garment.obj');
 const areas = (drawing: Drawing): number[] =>
   drawing.pieces.map(({sewn}) => Math.abs(signedArea(tracedLoop(sewn, 1e-4))));
 
-/** 50 x 60 cm less half a round neck of 10 cm, as twelve chords. [m2] */
+/** Area of 50 x 60 cm less half a round neck of 10 cm, as twelve chords. [m2] */
 const area = 0.3 - 0.5 * 12 * 0.01 * Math.sin(Math.PI / 12);
 
 describe('the pieces of an OBJ file', () => {

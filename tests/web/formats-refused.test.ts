@@ -8,7 +8,7 @@ import {bodice, millimetreSheet, stroked, svg, words} from '../support/drawn-svg
 const bytesOf = (text: string): Uint8Array =>
   Uint8Array.from(text, (letter) => letter.charCodeAt(0));
 
-/** What is said of a file, after its name. */
+/** The error for a file, without its name. */
 function refusal(content: string | Uint8Array): string {
   const bytes = typeof content === 'string' ? bytesOf(content) : content;
   const start = process.cpuUsage();

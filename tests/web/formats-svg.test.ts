@@ -20,7 +20,7 @@ import {
 
 const read = (text: string): Drawing => readSvg(text, 'pattern.svg');
 
-/** [cm2] */
+/** Area of a loop. [cm2] */
 function areaOf({unit}: Drawing, loop: readonly Run[] | undefined): number {
   const scale = cmPer(unit.unit);
   return Math.abs(signedArea(tracedLoop(loop ?? [], 0.001 / scale))) * scale * scale;
@@ -172,7 +172,7 @@ describe('the size of an SVG', () => {
         stroked(square(50 * drawn)),
         words(502, 410, 'Test square: 5 cm x 5 cm', 4),
       );
-    const small = read(sheet(0.75)); // as by 72 for 96 pixels an inch
+    const small = read(sheet(0.75)); // 72 instead of 96 pixels an inch
     expectBodice(small);
     expect(small.unit.because).toBe('measured');
     expect(small.notes.join(' ')).toMatch(/75\.0 %/);

@@ -1,4 +1,4 @@
-/** Where a worn garment is looked at from, and what lies under a point of its picture. */
+/** Camera positions for a drape, and the piece under a point of its image. */
 import {expect, it} from 'vitest';
 
 import {

@@ -1,4 +1,7 @@
-/** The cloth of a worn garment as it is drawn: shades that run over seams, and a print that lies as on the flat pattern. */
+/**
+ * Rendering of a drape's fabric: shades continue across seams, and the print is that of the flat
+ * pattern.
+ */
 import {expect, it} from 'vitest';
 
 import type {DrapeMesh} from '@/model/drape.js';
@@ -8,7 +11,9 @@ import {coordinates} from '@/model/geometry.js';
 import {imageCell} from '@/model/wallpaper.js';
 import {clothOf, normalsOf, printPlaces, putToDrawn} from '@/viewer/garment/cloth.js';
 
-/** Two squares of 10 cm, side by side and sewn together along the side that they share; they were drafted smaller. */
+/**
+ * Two squares of 10 cm, side by side and sewn along their common side; they were drafted smaller.
+ */
 const shape = Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10);
 const rest = shape.map((value) => 0.98 * value);
 const piece = (name: string, sewn: readonly number[]): DrapeMesh['pieces'][number] => ({
@@ -28,7 +33,7 @@ const mesh: DrapeMesh = {
   mirrors: [],
   size: 6,
 };
-/** A roof: the first square falls to the front, the second to the back; the seam is its ridge. */
+/** A roof: the first square slopes to the front, the second to the back; the seam is the ridge. */
 const roof = Float32Array.of(0, 0, 6, 0, 8, 0, 10, 8, 0, 10, 0, 6, 0, 0, -6, 10, 0, -6);
 
 it('splits what is sewn by piece and keeps it in one place', () => {
@@ -45,11 +50,11 @@ it('shades over a seam as over cloth: by area, the same on both pieces', () => {
   const normals = normalsOf(roof, welded);
   const [x, y, z] = [...normals.slice(3, 6)].map(Math.abs);
   expect(Math.hypot(...normals.slice(3, 6))).toBeCloseTo(1, 6);
-  // the ridge faces up or down, between both sides
+  // the ridge's normal is vertical, between both sides
   expect(x).toBeLessThan(0.5);
   expect(y).toBeGreaterThan(0.8);
   expect(z).toBeLessThan(0.5);
-  // a triangle of nothing has no normal, and breaks none
+  // an empty triangle has no normal, and does not affect others
   expect([...normalsOf(new Float32Array(18), welded)].every((one) => one === 0)).toBe(true);
 });
 

@@ -1,4 +1,4 @@
-/** Changes of garments as documents: what they make of edges and seams, and of what is known by their numbers. */
+/** Edits of garments as documents: edges and seams, and the data that refer to their numbers. */
 import {describe, expect, it} from 'vitest';
 
 import {designAfter} from '@/model/edited-design.js';
@@ -71,7 +71,7 @@ const curves: Readonly<Record<string, DraftedEdge>> = {
   },
 };
 
-/** From a point to a line through points. [cm] */
+/** Distance from a point to a line through points. [cm] */
 const apart = (point: Point, line: readonly Point[]): number =>
   Math.min(
     ...line.slice(1).map((to, k) => {
@@ -96,7 +96,7 @@ describe.each(Object.entries(curves))('a %s', (_, edge) => {
     expect(edgeLength(second)).toBeCloseTo((1 - share) * whole, 8);
     expect(first.points.at(-1)).toEqual(second.points[0]);
     const line = edgeLine(edge);
-    // by which a line through 32 points is off from this curve
+    // error of a line through 32 points for this curve
     for (const point of [...edgeLine(first), ...edgeLine(second)])
       expect(apart(point, line)).toBeLessThan(0.015);
   });

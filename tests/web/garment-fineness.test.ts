@@ -1,4 +1,4 @@
-/** Frames that come late are drawn more coarsely, and as finely as before once there is time. */
+/** Late frames reduce the resolution, and it recovers once there is time. */
 import {expect, it} from 'vitest';
 
 import {coarser, finest, MovingFineness} from '@/viewer/garment/fineness.js';

@@ -6,7 +6,7 @@ const plain = {
   pattern: {panels: {front: {vertices: [[0, 0]], edges: []}}, stitches: []},
   properties: {curvature_coords: 'relative', units_in_meter: 100},
 };
-/** The project's own format with everything it can hold, and with fields nobody knows. */
+/** A garment in the project's own format with every field, and with unknown ones. */
 const rich = {
   parameters: {length: 20.125, note: 'café'},
   ...plain,

@@ -60,7 +60,7 @@ it.each<Print>([
     const [u, v] = coordinates(cell, onPrint(alignment, [x, y]));
     for (const off of [s - u, 1 - t - v])
       expect(Math.abs(off - Math.round(off))).toBeLessThan(1e-5);
-    expect(Math.max(Math.abs(s), Math.abs(t))).toBeLessThan(4); // near the first cell, where floats are fine
+    expect(Math.max(Math.abs(s), Math.abs(t))).toBeLessThan(4); // near the first cell: precise
   });
 });
 
@@ -75,7 +75,7 @@ it('measures in metres, faces the print outwards, and shades smoothly across sea
   for (const normal of normals) expect(normal).toEqual([0, 0, 1]);
 
   const bent = squaresDrape();
-  const apex = bent.mesh.pieces[1]?.sewn[12] ?? 0; // in the middle of a square
+  const apex = bent.mesh.pieces[1]?.sewn[12] ?? 0; // the middle of a square
   bent.positions[3 * apex + 2] = 9;
   const seam = [...(bent.mesh.pieces[0]?.sewn ?? [])];
   const other = readGlb(glb(result, bent, plainPrint));

@@ -6,7 +6,7 @@ import {expect, it} from 'vitest';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** The words of the last columns of the glossary. */
+/** Words in the last column of the glossary's tables. */
 function bannedWords(): string[] {
   const rows = readFileSync(join(root, 'docs/glossary.md'), 'utf8').matchAll(/^\|.*\|(.*)\|$/gm);
   return [...rows]
@@ -21,7 +21,10 @@ function sources(folder: string, extension: RegExp): string[] {
     .map((entry) => join(entry.parentPath, entry.name));
 }
 
-/** Names that a file declares for others: types, functions, constants, public methods and properties. */
+/**
+ * Names that a file declares for others: types, functions, constants, public methods and
+ * properties.
+ */
 function declared(file: string): string[] {
   const text = readFileSync(file, 'utf8');
   const pattern = file.endsWith('.h')
@@ -30,7 +33,7 @@ function declared(file: string): string[] {
   return [...text.matchAll(pattern)].map(([, first, second]) => first ?? second ?? '');
 }
 
-/** "WorkbenchElement" and "workbench_element" hold the words workbench and element. */
+/** "WorkbenchElement" and "workbench_element" contain the words workbench and element. */
 const wordsOf = (name: string): string[] =>
   name.split(/[_.-]|(?<=[a-z])(?=[A-Z])/).map((word) => word.toLowerCase());
 

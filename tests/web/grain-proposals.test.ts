@@ -1,4 +1,4 @@
-/** What is proposed for pieces whose file says nothing about grain. */
+/** Proposed grain lines for pieces of a file without grain. */
 import {describe, expect, it} from 'vitest';
 
 import {grainProposals, wayOf, withImage, type Mirror} from '@/workbench/grain-proposals.js';

@@ -17,7 +17,7 @@ const design: Design = {
   ...{symmetry: 'none', seed: 1, method: 'best', options: {maxChangeCm: 0.5}},
 };
 
-/** Two squares whose seam misses by so much. [cm] */
+/** Two squares whose seam has this mismatch. [cm] */
 const missing = (cm: number): SolveResult => ({
   ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
   ...squarePair({
@@ -28,7 +28,9 @@ const missing = (cm: number): SolveResult => ({
   }),
 });
 
-/** Answers with what a search of each effort would find; one without an answer waits until it is stopped. */
+/**
+ * Returns the result of a search of each effort; a search without one waits until it is stopped.
+ */
 function searching(found: Readonly<Record<number, number>>): SolverService {
   const solve: SolverService['solve'] = ({options}, {signal} = {}) => {
     const cm = found[(options as SolveOptions).effort ?? 1];
@@ -42,7 +44,7 @@ function searching(found: Readonly<Record<number, number>>): SolverService {
   return {solve} as SolverService;
 }
 
-/** A history in which better answers are kept as a workbench does. */
+/** A history that keeps better answers like a workbench. */
 function keeping(found: Readonly<Record<number, number>>) {
   const steps = new Steps();
   steps.begin({past: [], present: {design, view: null}, future: []});

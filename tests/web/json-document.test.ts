@@ -7,7 +7,7 @@ const limits = {maxFileBytes: 1e6, maxValues: 1e6};
 const there = (text: string): Uint8Array => documentBytes(text, limits);
 const andBack = (text: string): unknown => documentValue(there(text) as Uint8Array<ArrayBuffer>);
 
-/** As they stand in memory: how many nodes, what is wrong, line and column. */
+/** The document's head in memory: number of nodes, error, line and column. */
 const headOf = (bytes: Uint8Array): number[] => [...new Uint32Array(bytes.buffer, 0, 4)];
 
 it('brings every value to the module and back', () => {
@@ -40,7 +40,7 @@ it('keeps a member whose name means something to the engine', () => {
 it('reads numbers as numbers are read', () => {
   const tokens = ['0', '1e5', '-1.25E-3', '0.30000000000000004', '12345678901234567890', '1e-400'];
   expect(andBack(`[${tokens.join()}]`)).toEqual(tokens.map(Number));
-  expect(andBack('[-0, -0.0]')).toEqual([0, -0]); // whole numbers know no -0
+  expect(andBack('[-0, -0.0]')).toEqual([0, -0]); // integers have no -0
 });
 
 it('leaves out a mark at the beginning, and no other', () => {

@@ -1,4 +1,4 @@
-/** What the workbench makes of pins, locks and options that a garment cannot have. */
+/** The workbench's handling of pins, locks and options that a garment cannot have. */
 import {describe, expect, it} from 'vitest';
 
 import type {Design} from '@/model/design.js';

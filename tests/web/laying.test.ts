@@ -1,4 +1,4 @@
-/** What is laid of a workbench, when, and what is moved there by hand. */
+/** Layouts of a workbench: contents, time, and manual moves. */
 import {describe, expect, it, vi} from 'vitest';
 
 import type {Design} from '@/model/design.js';
@@ -25,7 +25,7 @@ const result: SolveResult = {
 const other: SolveResult = {...result};
 
 const placed = (x: number, y: number): Alignment => ({angle: 0, translation: [x, y]});
-/** Both beside each other; the cut lines reach 3 cm below the squares, and 1 cm above them. */
+/** Both pieces side by side; the cut lines reach 3 cm below the squares, and 1 cm above them. */
 const layout: MarkerLayout = {
   lengthCm: 8,
   printOrigin: [2, 1],
@@ -46,7 +46,7 @@ interface Asked {
 
 const settled = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 5));
 
-// without pauses, however busy the machine is
+// no pauses, even on a busy machine
 vi.mock('@/solver/answers/slices.js', async (original) => ({
   ...(await original<typeof import('@/solver/answers/slices.js')>()),
   besideThePage: {slice: Infinity, pause: () => Promise.resolve()},
@@ -99,7 +99,7 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
   };
 }
 
-/** Something is laid and settled. */
+/** Creates a layout and waits until it is settled. */
 async function laidOut() {
   const work = atWork({design, result});
   const end = work.laying.show();
@@ -129,7 +129,7 @@ describe('pieces on their cloth', () => {
     expect(listeners.size).toBe(0);
     laying.show();
     await settled();
-    expect(asked).toHaveLength(1); // what is known is not looked for again
+    expect(asked).toHaveLength(1); // the known layout is reused
   });
 
   it('are those of the design before until others are laid, and come back with it', async () => {
@@ -137,7 +137,7 @@ describe('pieces on their cloth', () => {
     become({result: undefined});
     expect([laying.isStale, laying.state.kind]).toEqual([true, 'waiting']);
     expect(laying.pieces).toHaveLength(2);
-    laying.move(0, placed(22, 3)); // is of no use any more
+    laying.move(0, placed(22, 3)); // ignored for a stale layout
     expect(laying.pieces[0]?.place.translation[0]).toBe(2);
     become({result: other});
     await settled();
@@ -221,7 +221,7 @@ describe('pieces on their cloth', () => {
     expect([laying.undo(), laying.names.length, laying.plan?.unplaced]).toEqual([true, 2, []]);
     laying.choose({widthCm: 90});
     expect([laying.isAwaited, source.preferences.cloths]).toMatchObject([true, {}]);
-    laying.move(0, placed(22, 3)); // it is soon laid anew
+    laying.move(0, placed(22, 3)); // ignored before the new layout
     laying.choose({selvedgeCm: 2});
     await settled();
     expect([laying.isAwaited, laying.state.kind, laying.isMoved]).toEqual([true, 'laying', false]);
@@ -305,7 +305,7 @@ describe('pieces on their cloth', () => {
     expect(laying.pieces).toEqual([]);
     laying.choose({widthCm: 30});
     await settled();
-    expect(asked).toHaveLength(2); // it is that already
+    expect(asked).toHaveLength(2); // this is the current width
     expect([laying.undo(), laying.state.kind, laying.pieces.length]).toEqual([true, 'done', 2]);
     expect([laying.redo(), laying.state.kind]).toEqual([true, 'failed']);
   });
@@ -370,7 +370,7 @@ describe('pieces on their cloth', () => {
     await settled();
     asked[1]?.answer({phaseLengthsCm: [8]});
     await settled();
-    laying.move(1, placed(12, 13)); // while offers are sought
+    laying.move(1, placed(12, 13)); // interrupts the search for offers
     for (let k = 2; k < asked.length; k++) {
       asked[k]?.answer({lengthCm: 5});
       await settled();
@@ -393,7 +393,7 @@ describe('pieces on their cloth', () => {
     }
     expect(Object.keys(preferences.cloths ?? {})).toHaveLength(40);
     expect(storedCloth(named(44), preferences)).toMatchObject({widthCm: 115, copies: 1});
-    // what is damaged counts for nothing
+    // invalid values are ignored
     const cloths = {[named(1).title]: {widthCm: -3, gapCm: 'x', isOneWay: true}};
     expect(storedCloth(named(1), {...preferences, cloths})).toMatchObject({
       ...{widthCm: 140, gapCm: 0.2, isOneWay: true},

@@ -4,7 +4,7 @@ import {rulerOf} from '@/editor/lens/ruler.js';
 import {nextWorst, rankOf} from '@/editor/lens/worst-walk.js';
 import {seamRow as row} from '../support/seam-row.js';
 
-/** By mismatch: 2, 0, 1; seam 3 does not count. */
+/** Order by mismatch: 2, 0, 1; seam 3 does not count. */
 const rows = [row(0, 2), row(1, 1), row(2, 3), row(3, 9, false)];
 
 describe('the walk from seam to seam', () => {

@@ -21,15 +21,15 @@ import {plainPrint, square, squarePair, squarePiece} from '../support/two-square
 
 interface Shown {
   readonly pattern?: Pattern;
-  /** What the garment says of its seams. */
+  /** The garment's data about its seams. */
   readonly drafted?: readonly Partial<GarmentSeam>[];
   readonly options?: Design['options'];
-  /** The second piece lies so much too high before, and after. [cm] */
+  /** Vertical offset of the second piece, before and after. [cm] */
   readonly high?: readonly [number, number];
   readonly oneWay?: boolean;
 }
 
-/** What the rows read of a workbench, of two sewn squares unless told. */
+/** The parts of a workbench that the rows read; by default of two sewn squares. */
 function workbench({
   pattern = squarePair(),
   drafted = [],

@@ -1,11 +1,14 @@
-/** What stays as drafted, with mirror images. */
+/** Locked pieces and edges, with their mirror images. */
 import {describe, expect, it} from 'vitest';
 
 import {decisions} from '@/model/design-reader.js';
 import {isKept, keptParts, toggledLock, type LockablePattern} from '@/model/locks.js';
 import {squarePiece} from '../support/two-squares.js';
 
-/** Squares of four edges each, counter-clockwise from below, of which two are a pair that mirrors left and right. */
+/**
+ * Squares of four edges each, counter-clockwise from the lower one, two of which are a pair that
+ * mirrors left and right.
+ */
 const square = (name: string): LockablePattern['pieces'][number] => ({
   ...squarePiece(name),
   edges: [0, 1, 2, 3],

@@ -18,7 +18,7 @@ import {plainMetrics} from '../support/two-squares.js';
 
 const p2: Print = {group: 'p2', w1: [10, 0], w2: [2, 12]};
 
-/** Front and back are sewn, so are the sleeves; a pocket is not. */
+/** A garment whose front and back are sewn together, like its sleeves; a pocket is not sewn. */
 function garment(print: Print = p2, more: Partial<SolveResult> = {}): SolveResult {
   const joined = (a: number, b: number): ResultSeam => ({
     ...{a: {piece: a, vertices: [1, 2]}, b: {piece: b, vertices: [0, 3]}},
@@ -53,7 +53,7 @@ const answerOf = ({pieces, phasesCm}: MarkerProblem, lengthCm: number): MarkerAn
   ...{freeLengthCm: 80, phaseLengthsCm: phasesCm.map(() => lengthCm), widthLengthsCm: []},
 });
 
-/** By how much the print is moved under each piece. */
+/** Shift of the print under each piece. */
 const shiftsIn = ({problem}: MarkerOrder, {pieces}: MarkerProblem): readonly Point[] =>
   pieces.map(({alignment}, k) => {
     const before = at(problem.pieces, k).alignment;
@@ -91,10 +91,10 @@ describe('the print moves under joined pieces', () => {
     }
     expect(shiftsIn(order, shifted.problem).map(isMoved)).toContain(true);
     expect(answer).toMatchObject({lengthCm: 90, proven: false, freeLengthCm: 80});
-    expect(asked.at(-1)?.effort).toBe(1); // as thoroughly as the first
+    expect(asked.at(-1)?.effort).toBe(1); // the first one's effort
     expect(asked.slice(1, -1).every(({effort}) => effort < 0.1)).toBe(true);
     expect(stages).toEqual([...stages].sort((one, other) => one - other));
-    // the bound is one for all places of the print
+    // the bound is the same for all positions of the print
     expect(answer.boundCm).toBeCloseTo(plainBound(order.problem), 9);
     expect(plainBound(order.problem)).toBeCloseTo(45, 1); // the back with its hem
   });
@@ -132,7 +132,7 @@ describe('the print moves under joined pieces', () => {
       await count(orderOf({}, {...p2, group: 'p6', w1: [10, 0], w2: [5, 8.660254037844386]})),
     ).toBe(0);
     expect(await count(orderOf({effort: 0}))).toBe(0);
-    // where shifts run on, few of them are tried
+    // only a few of continuous shifts are tried
     expect(await count(orderOf({}, {...p2, group: 'p1'}))).toBe(1 + 2 * 10);
   });
 
@@ -155,7 +155,7 @@ describe('other designs that fit as well', () => {
     ...plainMetrics,
     localCm: {drafted: 2, placed: 1, final, worst: 2},
   });
-  /** In design n all lies n cm further on the print. */
+  /** Design n is shifted on the print by n cm. */
   const others = [1, 2, 3, 4, 5].map((n) => ({
     pieces: garment().pieces.map(
       ({

@@ -1,4 +1,4 @@
-/** Where pieces may lie on printed cloth, and what is in their way. */
+/** Permitted places of pieces on printed fabric, and their obstacles. */
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
@@ -196,7 +196,7 @@ describe('what is in the way', () => {
             moved.some((p) => isInside(one, p)) ||
             one.some((p) => isInside(other, minus(p, shift)));
           const least = inside ? 0 : Math.min(...moved.map((p) => distanceTo(one, p)));
-          if (Math.abs(least - gap) < 0.05) return; // as near as samples tell
+          if (Math.abs(least - gap) < 0.05) return; // within the sampling error
           expect(areApart(a, b, shift, gap)).toBe(least > gap);
           expect(areApart(b, a, minus([0, 0], shift), gap)).toBe(least > gap);
         },

@@ -90,7 +90,7 @@ describe('shifts after which a print fits as well', () => {
   it.each(groupNames)('of %s keep its group', (group) => {
     const repeat = repeatOf(group);
     for (const v of equalShifts(repeat)) {
-      expect(norm(reduced(repeat, v))).toBeGreaterThan(0.1); // none is no shift
+      expect(norm(reduced(repeat, v))).toBeGreaterThan(0.1); // a zero shift is excluded
       for (const element of printElements(repeat)) {
         const [there, here] = [apply(element, plus([1, 2], v)), plus(apply(element, [1, 2]), v)];
         expect(norm(reduced(repeat, minus(there, here)))).toBeLessThan(1e-6);
@@ -258,7 +258,7 @@ describe('a problem', () => {
         ({shifts}) => shifts.length,
       );
     const count = equalShifts(plainPrint).length;
-    /** Of each of several pieces: sixty at the most are shared among them. */
+    /** Shifts of each of several pieces, which share at most sixty. */
     const each = (pieces: number): number => Math.ceil(count / Math.ceil((count * pieces) / 60));
     expect(counts({}, {})).toEqual([0, 0, 0, 0]);
     expect(counts({}, {shift: 'component'})).toEqual([0, 0, each(2), each(2)]);
@@ -432,7 +432,7 @@ describe('a plan', () => {
     expect(plan.phases[2]).toEqual({phaseCm: 2.5, lengthCm: plan.lengthCm});
     expect(plan.widths.map(({lengthCm}) => lengthCm)).toEqual([
       ...[null, 9, 9],
-      ...[plan.lengthCm, plan.lengthCm, plan.lengthCm], // what lies on 140 cm lies on more
+      ...[plan.lengthCm, plan.lengthCm, plan.lengthCm], // the layout on 140 cm fits wider fabric
     ]);
     expect(plan.unplaced).toEqual([]);
   });

@@ -1,4 +1,4 @@
-/** Where symmetric pieces may lie, on all groups that can carry them. */
+/** Possible alignments of symmetric pieces, in all groups that carry them. */
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
@@ -35,7 +35,10 @@ function reflection([x, y]: Point, axis: number): Alignment {
 }
 const ownMap = fc.tuple(point, number(-1.6, 1.6)).map(([at, axis]) => reflection(at, axis));
 
-/** How far the nearest symmetry of the print that turns it over, one for all points, misses W'(p') = g W(p). [cm] */
+/**
+ * Least error of W'(p') = g W(p) for the orientation-reversing symmetries g of the print, each
+ * applied to all points. [cm]
+ */
 function missed(repeat: Repeat, map: Alignment, first: Alignment, second: Alignment): number {
   const probes: readonly Point[] = [
     [0, 0],

@@ -1,4 +1,4 @@
-/** What stays of a customer's design when the page asks for something else. */
+/** The parts of a customer's design that survive a change of the page's request. */
 import {expect, it} from 'vitest';
 
 import {nextDesign, type Answered} from '@/element/garment/next-design.js';
@@ -17,7 +17,7 @@ interface Read extends Answered {
   readonly read: GarmentDocument;
 }
 
-/** A garment, as it was read for what was asked. */
+/** A garment as read for a request. */
 function answered(garment: string, read: GarmentDocument, change: Partial<Asked> = {}): Read {
   return {
     read,
@@ -35,7 +35,7 @@ function answered(garment: string, read: GarmentDocument, change: Partial<Asked>
 const pieces = (...names: string[]): GarmentDocument =>
   documentOf(names.map((name) => draftedSquare(name, {label: 'front'})));
 
-/** The design of one garment, on which the customer has put the print. */
+/** The design of one garment, with the print placed by the customer. */
 function placedOn(before: Answered): Design {
   const design = nextDesign(before, undefined, undefined);
   return {...design, options: {...design.options, pins}};

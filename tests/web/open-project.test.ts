@@ -1,4 +1,4 @@
-/** Histories as browsers keep them between two visits. */
+/** Histories as browsers store them between two visits. */
 import {expect, it} from 'vitest';
 
 import {historyIn, stateOf} from '@/app/projects/open-project.js';

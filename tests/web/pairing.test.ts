@@ -60,7 +60,7 @@ const skirt = (): GarmentDocument => {
 
 const bare = (garment: GarmentDocument): GarmentDocument => ({...garment, seams: []});
 
-/** All likelihoods by what is called the same before and after a change. */
+/** All likelihoods by names that a change of the garment keeps. */
 function likelihoods(
   garment: GarmentDocument,
   nameOf = (number: number, edge: number) =>
@@ -275,7 +275,10 @@ describe('what is suggested', () => {
   });
 });
 
-/** A shirt with two sleeves of one piece: the armholes of front and back together are as long as a cap. */
+/**
+ * A shirt with two sleeves of one piece: the armholes of front and back together are as long as a
+ * cap.
+ */
 const shirt = shirtWithSleeves();
 const at = (name: string, edge: number, garment = shirt): EdgeOfPiece => ({
   piece: garment.pieces.findIndex((one) => one.name === name),
@@ -308,7 +311,7 @@ describe('a sleeve of one piece', () => {
   it('is set into both armholes, which go on at the shoulder', () => {
     const sides = likeliestSides(shirt).filter(({p}) => p > 0.15);
     const caps = sides.map(({edge, side}) => [edge, ...side]);
-    expect(caps).toHaveLength(4); // each sleeve on either side
+    expect(caps).toHaveLength(4); // each sleeve at either side
     expect(caps).toContainEqual([at('sleeve', 2), at('front', 2), at('back', 6)]);
     expect(caps).toContainEqual([at('sleeve 2', 2), at('back', 2), at('front', 6)]);
   });
@@ -324,7 +327,9 @@ describe('a sleeve of one piece', () => {
 });
 
 describe('what is sure', () => {
-  /** Whether nothing speaks against a seam between an edge of one piece and one of another. */
+  /**
+   * Returns whether no feature contradicts a seam between an edge of one piece and one of another.
+   */
   const isPlainBetween = (
     one: GarmentPiece,
     a: number,
@@ -362,12 +367,12 @@ describe('what is sure', () => {
         [20, 10],
         [-20, 10],
       ]);
-    // face up, the wearer's left of a back is on the left, of a front on the right
+    // face up, the wearer's left is on the left of a back, on the right of a front
     expect(isPlainBetween(halved('back_skirt'), 0, across('left_back', 20), 2)).toBe(true);
     expect(isPlainBetween(halved('back_skirt'), 1, across('left_back', 20), 2)).toBe(false);
     expect(isPlainBetween(halved('front_skirt'), 1, across('left_front', 20), 2)).toBe(true);
     expect(isPlainBetween(halved('front_skirt'), 0, across('left_front', 20), 2)).toBe(false);
-    // but a centre seam does
+    // a centre seam joins both halves
     expect(isPlainBetween(across('right_back', 20), 1, across('left_back', 20), 3)).toBe(true);
   });
 
@@ -391,7 +396,7 @@ it('knows the images of what mirrors in part: the other side has one edge more',
   const mirrored = outline.map(([x, y]): Point => [0 - x, y]).toReversed();
   const [first, ...rest] = mirrored;
   if (!first) throw new Error('no corner');
-  // a corner more where a dart was moved
+  // an additional corner where a dart was moved
   const left = piece('left_back', outline);
   const right = piece('right_back', [...rest.slice(0, 3), [-11, -1], ...rest.slice(3), first]);
   const garment = documentOf([left, right]);

@@ -13,7 +13,7 @@ function paper(name: string): Paper {
   return found;
 }
 
-/** A square ring of the sheet's size, so that pages in its middle have nothing to show. */
+/** A square ring of the sheet's size, so that pages in its middle are empty. */
 const frame = (side: number, width: number) =>
   sheetOf(side, side, [
     laidRectangle(side, width),

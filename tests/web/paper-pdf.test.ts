@@ -29,7 +29,7 @@ function written(
   return cuttingPdf(sheet, {...slanted, tile}, {paper: found, ...options});
 }
 
-/** Where the first matrix of a page lays the sheet. */
+/** Map from the sheet to the page by the page's first matrix. */
 function onPage(content: string): (p: Point) => Point {
   const [a = NaN, , , d = NaN, e = NaN, f = NaN] = (/^q\n([-\d. ]+) cm/.exec(content)?.[1] ?? '')
     .split(' ')

@@ -12,10 +12,10 @@ const chunk = (name: string, data: readonly number[] | Uint8Array): Buffer => {
   const head = Buffer.alloc(8);
   head.writeUInt32BE(body.length);
   head.write(name, 4, 'latin1');
-  return Buffer.concat([head, body, Buffer.alloc(4)]); // whoever reads it does not count on sums
+  return Buffer.concat([head, body, Buffer.alloc(4)]); // readers ignore checksums
 };
 
-/** @param rows each with its filter first */
+/** @param rows  each with its filter first */
 function png(
   [width, height]: Point,
   kind: number,
@@ -43,7 +43,7 @@ describe('pictures of pixels', () => {
   });
 
   it('lie on white where they are see-through', async () => {
-    // the second row differs from the first, as the filter says: alpha 128, then 0
+    // the second row is the difference to the first, by its filter: alpha 128, then 0
     const rows = [
       [0, 0, 0, 0, 255],
       [2, 0, 0, 0, 129],

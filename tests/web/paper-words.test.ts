@@ -1,4 +1,4 @@
-/** Words of pieces on pages: read whole where the piece has room for that. */
+/** Texts of pieces on pages: complete on one page where the piece has room. */
 import {expect, it} from 'vitest';
 
 import {pagesOf} from '@/paper/cutting-pdf.js';

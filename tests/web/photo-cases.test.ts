@@ -1,4 +1,4 @@
-/** What the tests of photographs rest on: prints are what they are said to be, and lie where they are said to lie. */
+/** Assumptions of the tests with photos: prints have their stated properties and positions. */
 import {describe, expect, it} from 'vitest';
 
 import type {Point} from '@/model/geometry.js';
@@ -24,7 +24,7 @@ import {tileCase} from '../support/photo/tile-cases.js';
 
 const wrapped = (x: number): number => x - Math.round(x);
 
-/** Lattices of each shape with w1 = (1, 0), as the tables of the sources have them. */
+/** Lattices of each shape with w1 = (1, 0), as in the tables of the sources. */
 const lattices: Readonly<Record<ReturnType<typeof shapeOf>, Point>> = {
   oblique: [0.3, 1.1],
   rectangular: [0, 1.3],
@@ -33,7 +33,7 @@ const lattices: Readonly<Record<ReturnType<typeof shapeOf>, Point>> = {
   hexagonal: [0.5, Math.sqrt(0.75)],
 };
 
-/** The greatest difference between the cell and its image under an element, of any sample. */
+/** The greatest difference of a sample between the cell and its image under an element. */
 function apart(
   {cell: {n, planes}}: Print,
   {m: [a, b, c, d], a: [x, y]}: ReturnType<typeof elementsOf>[0],
@@ -58,7 +58,7 @@ describe('the list of general positions', () => {
     const others = printElements({group, w1, w2});
     expect(own).toHaveLength(others.length);
     for (const {m, a} of own) {
-      // B m = A B, and the shifts are the same vector but for a repeat
+      // B m = A B, and the shifts are equal up to a repeat
       const found = others.some(({xx, xy, yx, yy, shift}) => {
         const off = [
           m[0] + m[2] * w2[0] - xx,
@@ -120,7 +120,7 @@ describe('a print drawn for a group', () => {
   });
 });
 
-/** Nothing but the view: no light, noise, blur, creases. */
+/** Only the view: no light, noise, blur, creases. */
 const bare = (conditions: Conditions): Conditions => ({
   ...conditions,
   creases: 0,
@@ -231,7 +231,7 @@ describe('the judge', async () => {
   const truth = (await floralCase(asked, 'pmg')).truth as CaseHead & PrintTruth;
   const {w1, w2} = truth;
 
-  /** An answer by another basis and origin, in the print's lattice coordinates, without error. */
+  /** An exact answer in another basis and origin, in the print's lattice coordinates. */
   const answer = (
     [p, q, r, s]: readonly [number, number, number, number],
     [u, v]: Point,
@@ -295,7 +295,7 @@ describe('the judge', async () => {
     for (const group of ['pmm', 'pgg', 'cm', 'p4'] as const) {
       expect(judged(answer([1, 0, 0, 1], [0, 0], group)).falseClaim, group).toBe(true);
     }
-    // mirrors and glides change places with w1 and w2
+    // mirrors and glides are exchanged with w1 and w2
     expect(judged(answer([0, -1, 1, 0], [0, 0], 'pmg')).falseClaim).toBe(true);
   });
 
@@ -304,7 +304,7 @@ describe('the judge', async () => {
     const exact = judged(answer([1, 0, 0, 1], [0, 0], 'pmg')).originError;
     const expected = (0.02 * Math.hypot(...w1)) / Math.sqrt(w1[0] * w2[1] - w1[1] * w2[0]);
     expect(Math.abs(off - expected)).toBeLessThan(exact + 1e-6);
-    // p1 has its origin anywhere
+    // p1 may have any origin
     expect(judged(answer([1, 0, 0, 1], [0.3, 0.1], 'p1')).originError).toBeLessThan(1e-6);
   });
 
@@ -317,7 +317,8 @@ describe('the judge', async () => {
   it('measures how near a tile is to the cell, whatever the light, on the cell it shows', () => {
     const cell = cellPixels(floralPrint('cm', new Chance(6), 128).cell);
     const n = cell.width;
-    // the rectangular cell, twice as large, darker, with its origin at the middle of the cell's first sample
+    // the rectangular cell, twice as large, darker, with its origin at the middle of the cell's
+    // first sample
     const data = new Uint8ClampedArray(4 * n * n).fill(255);
     for (let y = 0; y < n; y++) {
       for (let x = 0; x < n; x++) {
@@ -328,7 +329,7 @@ describe('the judge', async () => {
     }
     const sides = sidesOf('rectangular', 'rhombic');
     const shown = {pixels: {width: n, height: n, data}, sides, basis: [1, 0, 0, 1]} as const;
-    // of pixel (x, y) the middle shows (a - b, a + b) / n
+    // the middle of pixel (x, y) shows (a - b, a + b) / n
     const exact = tilePsnr(cell, {...shown, origin: [0, -1 / n]});
     expect(exact).toBeGreaterThan(32);
     expect(tilePsnr(cell, {...shown, origin: [0.03, -1 / n]})).toBeLessThan(exact - 6);

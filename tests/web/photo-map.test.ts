@@ -8,7 +8,7 @@ import type {PhotoMap} from '@/model/photo.js';
 const size = {width: 900, height: 600};
 const between = (min: number, max: number) => fc.double({min, max, noNaN: true});
 
-/** Tilted by up to about 20 degrees, seen through a lens that bends by up to 4 %. */
+/** Maps tilted by up to about 20 degrees, through a lens with a distortion of up to 4 %. */
 const maps: fc.Arbitrary<PhotoMap> = fc
   .tuple(between(0, 6.28), between(60, 200), between(-3e-2, 3e-2), between(-0.04, 0.04))
   .map(([turn, side, tilt, lens]) => {

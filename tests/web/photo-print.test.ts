@@ -1,4 +1,4 @@
-/** Prints as photographs are read: of the same size in files and on the sheet, in numbers that a person can read. */
+/** Prints read from photos: equal sizes in files and in the dialog, as readable numbers. */
 import {describe, expect, it} from 'vitest';
 
 import {directionSign} from '@/editor/base/direction-sign.js';
@@ -15,7 +15,7 @@ import {printOfPhoto} from '@/recognition/photo-print.js';
 const size = {width: 900, height: 600};
 const map: PhotoMap = {homography: [100, 10, 420, 8, -80, 310, 0, 0, 1], lens: 0};
 
-/** Of a lattice that the group has, turned, with the last digits that calculations leave; |w1| is 1. */
+/** A rotated lattice of the group, with the rounding errors of calculations; |w1| is 1. */
 function read(group: GroupName, turnDeg: number, w1Cm?: number): PhotoReading {
   const vectors = latticeVectors(group, {width: 1.3, height: 0.9, angleDeg: 71.2345678});
   const [w1, w2] = vectors.map((vector) => {

@@ -1,4 +1,4 @@
-/** A photograph on its way to a print, without a page: readings, corrections, lengths, and what undo takes back. */
+/** A photo on its way to a print, without a page: readings, corrections, lengths, and undo. */
 import {describe, expect, it, vi} from 'vitest';
 
 import {brokenPath, brokenPlaces} from '@/editor/photo/breaks-on-photo.js';
@@ -36,7 +36,7 @@ import type {SolverService} from '@/solver/service.js';
 
 const size = {width: 900, height: 600};
 
-/** Cells of 100 x 80 px, seen aslant. */
+/** Cells of 100 x 80 px in perspective. */
 const map: PhotoMap = {homography: [100, 10, 420, 8, -80, 310, 1e-2, -2e-2, 1], lens: 0.01};
 
 const read = (group: GroupName, of = map, more: Partial<PhotoReading> = {}): PhotoReading => ({
@@ -60,7 +60,7 @@ const read = (group: GroupName, of = map, more: Partial<PhotoReading> = {}): Pho
 
 const picture = new Blob([new Uint8Array(64)]);
 
-/** What the solver is asked, to be answered by hand. */
+/** A solver that records requests, answered by the test. */
 function solver() {
   const asked: {
     request: PhotoRequest;
@@ -298,7 +298,7 @@ describe('the print', () => {
     expect(measuresOf({...step, w2Measured: tape}).size.height).toBeCloseTo(6.25, 3);
     const both = {...step, w1Measured: tape, w2Measured: {repeats: 4, cm: 20.4}};
     expect(measuresOf(both).size).toMatchObject({width: 6.25, height: 5.1});
-    // three repeats across and two up, as they lie on the photograph
+    // three repeats across and two up, in the photo's directions
     const between = {from: pixelOf(map, size, [-1, 1]), to: pixelOf(map, size, [2, -1]), cm: 17};
     expect(measuresOf({...step, between}).size.width).toBeCloseTo(17 / Math.hypot(3, 1.6), 3);
   });
@@ -323,12 +323,12 @@ describe('the print', () => {
     expect(tileSettings(chosen).map).toBe(rhombic);
     const measured = {...chosen, w1Measured: {repeats: 1, cm: 11}};
     expect(conflictIn(measured)).toBeUndefined();
-    // less than a tape errs
+    // below the error of a tape measure
     const both = {...measured, w2Measured: {repeats: 1, cm: 11.02}};
     expect(conflictIn(both)).toBeUndefined();
     expect(norm(cellOf(both).w1)).toBeCloseTo(11.01, 3);
     expect(norm(cellOf(both).w2)).toBeCloseTo(11.01, 3);
-    // w1 counts, for both
+    // w1 determines both
     const apart = {...measured, w2Measured: {repeats: 1, cm: 11.2}};
     expect(conflictIn(apart)).toMatchObject({w1: 11, w2: 11.2, isOfGroup: true});
     expect(conflictIn(apart)?.share).toBeCloseTo(0.2 / 11, 9);
@@ -351,7 +351,7 @@ describe('the print', () => {
     expect(conflictIn(of(9))?.expected).toBeCloseTo(8, 9);
     expect(conflictIn(of(9))?.share).toBeCloseTo(1 / 9, 9);
     expect(cellOf(of(9)).w2[1]).toBeCloseTo(80 / 9, 9);
-    // an unknown camera shows proportions less well
+    // proportions are less certain with an unknown camera
     expect(conflictIn(of(9, 0.15))).toBeUndefined();
     expect(conflictIn(of(1, 0.15))?.share).toBeCloseTo(9, 9);
   });
@@ -416,7 +416,7 @@ describe('the lattice over the photograph', () => {
     expect(nodes.every((node) => pixelOf(map, size, node)[0] <= size.width)).toBe(true);
   });
 
-  /** Mirrors, glides, and centres of turns in one cell, by the International Tables. */
+  /** Mirrors, glides, and rotation centres in one cell, by the International Tables. */
   it.each([
     ['p1', 0, 0, ''],
     ['p2', 0, 0, '2222'],

@@ -69,7 +69,7 @@ describe('a picture', () => {
   });
 });
 
-/** A JPEG as it begins, with segments before its pixels. */
+/** The start of a JPEG file, with segments before its pixels. */
 const jpegWith = (...segments: readonly string[]): Uint8Array =>
   letters(`\xff\xd8${segments.join('')}\xff\xda\0\x02..\xff\xd9`);
 const jfif = (unit: number, density: number): string =>

@@ -109,7 +109,7 @@ describe('pieces that a garment places on the body', () => {
       [4, 20],
     ];
     const left = squarePiece('hood_left', {rest: leaning, outline: [0, 1, 2]});
-    const over = leaning.map(([px, py]): Point => [px, -py]).reverse(); // its mirror image, turned over its head
+    const over = leaning.map(([px, py]): Point => [px, -py]).reverse(); // mirrored vertically
     const right = squarePiece('hood_right', {rest: over, outline: [0, 1, 2]});
     const hood = patternOf([left, right]);
     const placements: Placements = new Map([

@@ -35,7 +35,7 @@ function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = [
     notes: [],
   };
 }
-/** The print runs on when the second square lies 4 cm further along it. */
+/** The print continues across the seam if the second square is 4 cm further along it. */
 const runsOn: Alignment = {angle: 0, translation: [-4, 0]};
 const alignments = ({pieces}: SolveResult): Alignment[] => pieces.map(({alignment}) => alignment);
 
@@ -90,7 +90,10 @@ describe('the fit of a result', () => {
 });
 
 describe('the figures of a result', () => {
-  /** Two squares joined by two seams of 4 cm and a third of 8 cm, which miss by 1, 2 and 0.25 cm. */
+  /**
+   * Two squares joined by two seams of 4 cm and a third of 8 cm, with mismatches of 1, 2 and 0.25
+   * cm.
+   */
   const three = (): SolveResult => {
     const [seam] = squarePair().seams;
     if (!seam) throw new Error('no seam');
@@ -130,7 +133,10 @@ describe('the figures of a result', () => {
 });
 
 describe('the fit with one symmetry of the print per seam', () => {
-  /** The seam of two squares in two edges of 2 cm; the second edge of the right side is `off` to the right. */
+  /**
+   * The seam of two squares in two edges of 2 cm; the second edge of the right side is `off` to the
+   * right.
+   */
   function twoEdges(group: 'p1' | 'pm', off: number): SolveResult {
     const left: Point[] = [...square, [4, 2]];
     const right: Point[] = [
@@ -157,7 +163,8 @@ describe('the fit with one symmetry of the print per seam', () => {
   }
 
   it('measures every edge under the symmetry that suits the whole seam', () => {
-    // the second edge of the right side is a whole repeat off: each edge by itself meets, both together do not
+    // the second edge of the right side is off by a whole repeat: each edge matches, but not both
+    // together
     const result = twoEdges('p1', 10);
     const apart = mismatchOf(result, 'shape', alignments(result)).seams[0]?.mismatch;
     apart?.forEach((one) => {
@@ -165,7 +172,7 @@ describe('the fit with one symmetry of the print per seam', () => {
     });
     const [seam] = joinedMismatchOf(result, 'shape', alignments(result)).seams;
     expect(seam?.mismatch[0]).toBeCloseTo(10, 12);
-    expect(seam?.mismatch[1]).toBeCloseTo(0, 12); // that edge is the longer one
+    expect(seam?.mismatch[1]).toBeCloseTo(0, 12); // the longer edge determines the symmetry
   });
 
   it('tells where the print runs off along the seam', () => {
@@ -177,7 +184,7 @@ describe('the fit with one symmetry of the print per seam', () => {
     expect(drift?.start).toBeCloseTo(10, 12);
     expect(drift?.end).toBeCloseTo(0, 12);
     expect(drift?.most).toBeCloseTo(10, 12);
-    // the repeat is 10 by 8: no print that lies anyhow misses by as much
+    // the repeat is 10 by 8: no random alignment has such a mismatch
     expect(drift?.isLost).toBe(true);
     const large = {...result.print, w1: [100, 0], w2: [0, 80]} as const;
     expect(driftOf(local, whole, large)?.isLost).toBe(false);
@@ -235,7 +242,8 @@ describe('the picture', () => {
   });
 
   it('lays the print under a piece as the piece lies on it', () => {
-    // p = R w + t: the print's origin is at (1, 2) of the piece, and w1 points up it, which is down in pixels
+    // p = R w + t: the print's origin is at (1, 2) of the piece, and w1 points up it, which is down
+    // in pixels
     const corner = /fill="url\(#x-after-1\)"/.exec(svg)?.index ?? 0;
     const path = svg.slice(svg.lastIndexOf('<path', corner), corner);
     const [x0 = NaN, y0 = NaN] = (/M([\d.]+) ([\d.]+)/.exec(path) ?? []).slice(1).map(Number);
@@ -257,7 +265,7 @@ describe('the picture', () => {
   it('has the same figures as everything else that shows the result', () => {
     const {mean} = finalMismatch(result);
     expect(svg).toContain(`→ ${(10 * mean).toFixed(1)} mm`);
-    expect(svg).toContain(`worst seam ${(10 * mean).toFixed(1)} mm`); // of one
+    expect(svg).toContain(`worst seam ${(10 * mean).toFixed(1)} mm`); // the only one
   });
 
   it('shows the pieces before as the result says that they were drafted', () => {
@@ -286,7 +294,7 @@ describe('the line along a seam', () => {
     const lines = [0.05, 0.2, 0.5, 2].map((cm) => mismatchLine(cm));
     increase(lines.map(({width}) => width));
     expect(lines[0]?.dash).toBeUndefined();
-    increase(lines.map(({width, dash}) => (dash ? dash[1] - width : 0))); // round caps close none
+    increase(lines.map(({width, dash}) => (dash ? dash[1] - width : 0))); // longer than round caps
   });
 
   it('goes from green at 0 to red at 2 cm and beyond on the scale of the paper', () => {

@@ -1,4 +1,4 @@
-/** What pieces are called where a file says little. */
+/** Names of pieces from files with little information. */
 import {readdirSync, readFileSync} from 'node:fs';
 
 import {readGarment} from 'seamwise/node';

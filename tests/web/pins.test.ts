@@ -15,7 +15,7 @@ import {mirrors} from '@/model/mirror-images.js';
 import {squarePair} from '../support/two-squares.js';
 
 const repeat = {group: 'pmm', w1: [10, 0], w2: [0, 8]} as const;
-/** x -> 4 - x: the axis of the front is x = 2, and the sleeves mirror in it, too. */
+/** x -> 4 - x: the axis of the front is x = 2, in which the sleeves mirror, too. */
 const map: Alignment = {angle: 0, translation: [4, 0]};
 const front: Mirroring = {pieces: ['front', 'front'], map};
 const sleeves: Mirroring = {pieces: ['left', 'right'], map};

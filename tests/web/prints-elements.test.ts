@@ -40,7 +40,7 @@ describe.each(collection.map(({id, cell}) => [id, cell] as const))(
   },
 );
 
-// in a closed cell, corners and sides included
+// numbers in a closed cell, including corners and sides
 it.each([
   ['p2', 9, 0, 0],
   ['pg', 0, 0, 3],

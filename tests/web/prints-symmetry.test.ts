@@ -16,18 +16,18 @@ import {printDistance, printElements, type PlaneMap} from '@/model/wallpaper.js'
 import {seenThrough, type Cloth} from '@/recognition/tile-cloth.js';
 import {isThorough} from '../support/level.js';
 
-/** Each third design for a commit, of which each has a group of its own. */
+/** A commit checks each third design, each of another group. */
 const collection = isThorough ? all : all.filter((_, k) => k % 3 === 0);
 
-/** Differences are means over all pixels and the three colours, of 255. */
+/** Thresholds of mean differences over all pixels and the three colours, of 255. */
 const still = 1;
 const visible = 8;
-/** Between the pixels on both sides of a border: a tip may end in the last one. */
+/** Threshold for pixels on both sides of a border: a tip may end in the last one. */
 const seam = 2;
 
-/** At this density edges are 2 pixels soft, so that what is compared is the print and not the grid. [px/cm] */
+/** At this density edges are 2 pixels soft, so that prints and not grids are compared. [px/cm] */
 const fine = 12;
-/** Whoever looks for a symmetry everywhere looks less closely, at first. [px/cm] */
+/** A search for symmetries everywhere starts at a lower density. [px/cm] */
 const coarse = 4;
 
 const halfTurn: PlaneMap = {xx: -1, xy: 0, yx: 0, yy: -1, shift: [0, 0]};
@@ -41,7 +41,10 @@ async function clothsOf(design: Design, density: number, softened: number): Prom
   );
 }
 
-/** The shift is further from all repeats than a quarter of the shortest one; along a stripe nothing ever changes. */
+/**
+ * Returns whether a shift is further from all repeats than a quarter of the shortest one. Along a
+ * stripe the print is constant.
+ */
 function farFromRepeats({cell, id}: Design): (shift: readonly [number, number]) => boolean {
   const {w1, w2} = cell;
   if (id === 'ticking' || id === 'regatta') {
@@ -67,8 +70,9 @@ describe.each(
     }
   });
 
-  // A larger group has more linear parts on the same lattice or, with the same linear parts, a finer
-  // lattice, or both in steps (Hermann 1929). Either is looked for at every place there is.
+  // A larger group has more linear parts on the same lattice or, with the same linear parts, a
+  // finer lattice, or both in steps (Hermann 1929). The tests search for either at every possible
+  // place.
   it('has no other symmetry: every further turn or reflection that keeps its lattice shows, wherever it lies', async () => {
     for (const cloth of await coarseCloths()) {
       for (const map of cosets(cell)) {
@@ -77,7 +81,7 @@ describe.each(
     }
   });
 
-  // The translations of a finer lattice cannot all lie within a third of the shortest repeat.
+  // The translations of a finer lattice cannot all be within a third of the shortest repeat.
   it('has no finer lattice: every translation far from a repeat shows', async () => {
     const far = farFromRepeats(design);
     for (const cloth of await coarseCloths()) {
@@ -94,7 +98,7 @@ describe.each(
   });
 });
 
-// Plaids and stripes end with their last band; what comes next is the first one.
+// Plaids and stripes end with their last band, which the first one follows.
 describe.each(
   collection
     .filter(({draw}) => draw(palettes.linen).includes('</defs>'))
@@ -115,7 +119,7 @@ describe.each(
   });
 });
 
-/** The tile with the place to its left or below it, where its motifs reach out of it. */
+/** The tile with the area to its left or below it, into which its motifs extend. */
 function withNeighbour(svg: string, left: -1 | 0, below: 0 | 1): string {
   return svg.replace(/viewBox="0 0 ([\d.]+) ([\d.]+)"/, (_, width: string, height: string) => {
     const [w, h] = [Number(width), Number(height)];

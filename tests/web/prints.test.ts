@@ -76,7 +76,7 @@ describe.each(collection)('$id', (design) => {
     expect(printOf(design).image).toBe(printOf(design).colourways?.[0]?.image);
     for (const {name, palette, svg, pixels} of tiles) {
       expect(readFileSync(`${folder}/${name}.svg`, 'utf8')).toBe(svg);
-      // not byte by byte, since compressors differ: the pixels
+      // compares pixels, since bytes depend on the compressor
       const png = await decoded(readFileSync(`${folder}/${name}.png`));
       const drawn = await rendered(svg, ...pixels);
       expect([png.width, png.height]).toEqual(pixels);
@@ -93,7 +93,7 @@ describe.each(collection)('$id', (design) => {
   });
 });
 
-// An empty band would show as a stripe across a body.
+// An empty band would look like a stripe across the body.
 it.each(['p1', 'bouquet', 'ditsy'])(
   'scatters %s without an empty band, 0.5 cm wide',
   async (id) => {
@@ -118,7 +118,7 @@ it.each(['p1', 'bouquet', 'ditsy'])(
   },
 );
 
-/** Over red, green, blue and alpha, of 255; infinite when the sizes differ. */
+/** Mean difference of red, green, blue and alpha, of 255; infinite for different sizes. */
 function meanDifference(one: Uint8ClampedArray, other: Uint8ClampedArray): number {
   if (one.length !== other.length) return Infinity;
   let sum = 0;

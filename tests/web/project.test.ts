@@ -58,7 +58,7 @@ const design: Design = {
   seed: 7,
   fabric: 'denim',
 };
-/** As a file holds it. */
+/** A project in the form of its file. */
 interface Fields {
   readonly design: Record<string, unknown>;
 }

@@ -21,7 +21,7 @@ const result = (metrics: Partial<SolveResult['metrics']> = {}): SolveResult => (
   ...squarePair(),
 });
 
-/** A solver that proves these shares one after the other, of a placing that costs so much. */
+/** A solver that proves these bounds one after the other, for an alignment of cost `searchCost`. */
 function provingSolver(bounds: readonly number[], searchCost = 50) {
   const prove = vi.fn<SolverService['prove']>((_, {signal, onProof} = {}) => {
     for (const bound of bounds) onProof?.({bound, searchCost});

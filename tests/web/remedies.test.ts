@@ -7,7 +7,9 @@ import {remediesOf} from '@/remedies/remedies.js';
 import {withRemedy} from '@/remedies/remedy.js';
 import {plainMetrics, plainPrint, squarePair, squarePiece} from '../support/two-squares.js';
 
-/** A skirt of two large panels, and a band in two halves on them: all squares, sewn side to side. */
+/**
+ * A skirt of two large panels, and a band in two halves on them: all squares, sewn side to side.
+ */
 const names = ['front', 'back', 'band_front', 'band_back'];
 const joins: readonly (readonly [number, number, SeamReason | undefined])[] = [
   [0, 1, undefined],
@@ -17,7 +19,10 @@ const joins: readonly (readonly [number, number, SeamReason | undefined])[] = [
   [2, 3, undefined],
 ];
 
-/** @param high how much higher than where it meets the second piece of every seam with a reason lies [cm] */
+/**
+ * @param high  offset of the second piece of every seam with a reason from where it would match
+ * [cm]
+ */
 function skirt(high: number, more: Partial<SolveResult> = {}, all = joins): SolveResult {
   const [template] = squarePair().seams;
   if (!template) throw new Error('no seam');

@@ -1,4 +1,4 @@
-/** What the page says about groups, against what the solver says. */
+/** The page's rules about groups, compared with the solver's. */
 import {expect, it} from 'vitest';
 
 import {solve, type Problem, type SolverError} from 'seamwise/node';

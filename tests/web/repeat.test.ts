@@ -60,7 +60,7 @@ it('lets the height follow the width on squares and on triangles', () => {
   expect(coupledSize('p6', {width: 10, height: 3, angleDeg: 80}).height).toBeCloseTo(17.3205, 4);
 });
 
-/** What a group becomes on a cell that is a little too high, and on a slanted one. */
+/** The largest fitting group on a cell that is slightly too high, and on a slanted one. */
 const smaller: Partial<
   Record<GroupName, readonly [higher: GroupName | undefined, slanted: GroupName]>
 > = {
@@ -88,7 +88,7 @@ const repeat = (group: GroupName, size: RepeatSize, turnDeg: number): Repeat => 
 
 describe.each([...groupNames])('measured cloth of %s', (group) => {
   const ideal = coupledSize(group, {width: 10, height: 8, angleDeg: 90});
-  /** Off by more than what may be a slip of the ruler, but hardly. */
+  /** Slightly beyond the tolerance for measuring errors. */
   const higher = {...ideal, height: ideal.height * 1.0051};
   const slanted = {...ideal, angleDeg: 90.3};
 

@@ -1,4 +1,6 @@
-/** Requests to a module of its own, through all that requests to the solver go through; in Node, over a channel. */
+/**
+ * Requests to a test module, through all layers of requests to the solver; in Node, over a channel.
+ */
 import {beforeEach, expect, it} from 'vitest';
 
 import {SolverError} from '@/model/failure.js';
@@ -12,10 +14,10 @@ import {serve} from '@/solver/threads/serve.js';
 import type {StartThread} from '@/solver/threads/thread.js';
 import {ThreadClient} from '@/solver/threads/thread-client.js';
 
-/** Exports `half`, which halves a number, and `trap`, which breaks. */
+/** Exports `half`, which halves a number, and `trap`, which traps. */
 const halving = Uint8Array.of(
   ...[0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00],
-  ...[0x01, 0x09, 0x02, 0x60, 0x01, 0x7c, 0x01, 0x7c, 0x60, 0x00, 0x00], // f64 -> f64, nothing -> nothing
+  ...[0x01, 0x09, 0x02, 0x60, 0x01, 0x7c, 0x01, 0x7c, 0x60, 0x00, 0x00], // f64 -> f64, () -> ()
   ...[0x03, 0x03, 0x02, 0x00, 0x01],
   ...[0x07, 0x0f, 0x02, 0x04, 0x68, 0x61, 0x6c, 0x66, 0x00, 0x00],
   ...[0x04, 0x74, 0x72, 0x61, 0x70, 0x00, 0x01],
@@ -35,7 +37,7 @@ interface Numbers {
 
 type TestRequests = {
   halve: {request: Numbers; answer: Numbers; hooks: {onHalf?: (half: Numbers) => void}};
-  /** Goes on until it is cancelled. */
+  /** Runs until it is cancelled. */
   wait: {request: object; answer: null; hooks: {onTurn?: (turn: number) => void}};
   refuse: {request: object; answer: null; hooks: object};
   trap: {request: object; answer: null; hooks: object};
@@ -48,9 +50,9 @@ type TestModules = {
   readonly other: {readonly name: string};
 };
 
-/** Instances that have been made of the modules. */
+/** Instances created of the modules. */
 let made: string[];
-/** What has been answered and reported, as it is left where it was made. */
+/** Answers and reports on the sender's side, after their transfer. */
 let given: Numbers[];
 let heard: FromThread[];
 let threads: number;
@@ -117,7 +119,9 @@ const table: AnswerTable<TestRequests, TestModules> = {
   },
 };
 
-/** A thread at the other end of a channel: what is transferred goes over, what is copied stays. */
+/**
+ * A thread at the other end of a channel: transferred buffers leave the sender, copied ones stay.
+ */
 const channelThread: StartThread<TestRequests> = (owner) => {
   threads += 1;
   const {port1, port2} = new MessageChannel();
@@ -145,7 +149,7 @@ const failure = (reason: string) => workerBlocked('channel', reason);
 const clientOf = (start: StartThread<TestRequests>, patience = 5000) =>
   new ThreadClient({start, patience, failure});
 
-/** Has a client until `use` has ended. */
+/** Runs `use` with a client. */
 async function withClient<T>(
   use: (client: ThreadClient<TestRequests>) => Promise<T>,
   start = channelThread,

@@ -16,7 +16,7 @@ const design: Design = {
   ...{symmetry: 'none', seed: 1, method: 'best', options: {}},
 };
 
-/** A row of squares, each sewn to the next, as they were drafted: each a little higher than that. */
+/** A row of squares as drafted, each sewn to the next and aligned slightly higher. */
 function row(): MeshedPattern {
   const {print, symmetries, seams} = squarePair();
   const pieces = Array.from({length: 9}, (_, k) => ({

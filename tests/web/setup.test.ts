@@ -23,7 +23,7 @@ afterEach(() => {
   rmSync(home, {recursive: true});
 });
 
-/** A checkout that was configured where it lies. */
+/** A checkout that was configured at its current path. */
 function checkout(name: string): string {
   const project = join(home, name);
   mkdirSync(join(project, 'build/wasm'), {recursive: true});
@@ -61,7 +61,7 @@ it('has nothing to forget where nothing was built', () => {
   expect(forgetMoved(join(home, 'build/wasm'), home)).toBe(false);
 });
 
-/** A project that CMake configures without looking for a compiler. */
+/** A project that CMake configures without searching for a compiler. */
 function project(name: string): string {
   const folder = join(home, name);
   mkdirSync(folder);

@@ -1,4 +1,4 @@
-/** What the core says in English, as the page says it in the language of its user. */
+/** The core's English messages, translated by the page to its user's language. */
 import {describe, expect, it} from 'vitest';
 
 import {noteCodes, symmetryReasons, type NoteDetail} from '@/model/notes.js';
@@ -10,7 +10,7 @@ import {languages, type Language} from '@/texts/preferences.js';
 import {spokenFailure} from '@/workbench/spoken-failure.js';
 import type {Workbench} from '@/workbench/workbench.js';
 
-/** As much of a workbench as sentences take names from. */
+/** The part of a workbench from which messages take names. */
 const workbench = {
   design: {print: {group: 'p1'}},
   scenes: {now: {pieces: [{label: 'Front'}, {label: 'Back'}]}},

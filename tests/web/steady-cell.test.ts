@@ -7,7 +7,7 @@ import type {PhotoMap, PhotoReading} from '@/model/photo.js';
 import type {GroupName} from '@/model/print.js';
 
 const size = {width: 800, height: 600};
-/** In perspective, w2 upwards. */
+/** A square in perspective, w2 upwards. */
 const square: PhotoMap = {homography: [90, 10, 380, 8, -85, 310, 0.01, -0.02, 1], lens: 0.01};
 
 const reading = (map: PhotoMap, group: GroupName): PhotoReading => ({
@@ -28,7 +28,7 @@ const reading = (map: PhotoMap, group: GroupName): PhotoReading => ({
   seen: {aspect: 1, error: 0.03},
 });
 
-/** Where the corners of a cell lie. */
+/** Corners of a cell. */
 const cornersOf = (map: PhotoMap): readonly Point[] =>
   (
     [

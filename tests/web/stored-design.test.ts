@@ -20,7 +20,7 @@ type Json = Record<string, unknown>;
 
 const written = (): Json => JSON.parse(writeStoredDesign(storedDesign)) as Json;
 
-/** Every place in a document: the object or list that holds it, and its name there. */
+/** Every place in a document: the object or list that contains it, and its name there. */
 function places(holder: unknown): [object, string][] {
   if (typeof holder !== 'object' || holder === null) return [];
   return Object.entries(holder).flatMap(([name, value]: [string, unknown]) => [
@@ -29,7 +29,7 @@ function places(holder: unknown): [object, string][] {
   ]);
 }
 
-/** What reading says; undefined when it was read. */
+/** The error of reading; undefined if there is none. */
 function complaint(text: string): string | undefined {
   try {
     readStoredDesign(text, 'order.json');

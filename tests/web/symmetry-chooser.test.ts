@@ -1,4 +1,4 @@
-/** What is left of choices and refusals when the design becomes another, by undo above all. */
+/** Choices and refusals after a change of the design, in particular by undo. */
 import {expect, it, vi} from 'vitest';
 
 import type {Choice} from '@/clicks/symmetry-tool.js';

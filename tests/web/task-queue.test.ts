@@ -2,7 +2,7 @@ import {expect, it} from 'vitest';
 
 import {TaskQueue} from '@/solver/answers/task-queue.js';
 
-/** Work that ends when it is told to; what has begun and ended is written down. */
+/** Tasks that the test ends; the record contains their starts. */
 function worker(queue: TaskQueue) {
   const told: string[] = [];
   const ends = new Map<string, (failure?: Error) => void>();

@@ -11,7 +11,7 @@ const samples = JSON.parse(readFileSync('public/samples.json', 'utf8')) as Sampl
 
 type Word = string | ((...given: readonly unknown[]) => string);
 
-/** All words below a name, by their paths. */
+/** All texts below a name, by their paths. */
 function wordsOf(texts: unknown, path = ''): [path: string, word: Word][] {
   if (typeof texts === 'string' || typeof texts === 'function') return [[path, texts as Word]];
   return Object.entries(texts as object).flatMap(([name, one]) =>
@@ -19,7 +19,7 @@ function wordsOf(texts: unknown, path = ''): [path: string, word: Word][] {
   );
 }
 
-/** As everybody writes it, or alike by chance in a neighbouring language. */
+/** Texts that are the same in all languages, or by chance in related ones. */
 const alike = new RegExp(
   `^(?:${[
     'app.name|controls.methods.paper|legend.asPaper|legend.none|pattern.zoom|remedies.effect|lists.weight',
@@ -32,7 +32,7 @@ const counted = new Set([
   ...['pattern.seams', 'symmetry.foundCount', 'remedies.title', 'remedies.more'],
 ]);
 
-/** What stands for the arguments of a word, as figures or as names. */
+/** Sample arguments of a text, as figures or as names. */
 const argumentsOf = (path: string, word: Word): readonly unknown[] =>
   Array.from({length: word.length}, (_, k) => (counted.has(path) ? 7003 + k : `<${k}>`));
 

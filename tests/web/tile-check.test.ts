@@ -24,7 +24,7 @@ const printNamed = (name: string): Print => {
   return found[1];
 };
 
-/** A tile as somebody else's program saves it: other pixels, lossy. */
+/** A tile as saved by another program: resized and lossy. */
 async function asJpeg(name: string, width: number, height: number): Promise<Pixels> {
   const canvas = createCanvas(width, height);
   canvas.getContext('2d').drawImage(await loadImage(png(name)), 0, 0, width, height);
@@ -48,7 +48,7 @@ describe.each(prints)('the tile of %s', (name, print) => {
 });
 
 describe('a tile with a blot', () => {
-  /** Of 1/10 x 1/8 of the cell, its corner at (0.6, 0.25). */
+  /** A tile with a blot of 1/10 x 1/8 of the cell, its corner at (0.6, 0.25). */
   async function blotted(name: string): Promise<Pixels> {
     const image = await loadImage(png(name));
     const canvas = createCanvas(image.width, image.height);

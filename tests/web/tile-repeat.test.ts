@@ -65,7 +65,7 @@ describe('what a picture lacks', () => {
     const pixels = painted(200, 100, stripes);
     const check = checkTile(pixels, 'pmm', size, 'primitive');
     expect(asymmetriesOf(check, 'pmm', 0)).toEqual(['leftRight', 'upsideDown']);
-    // the same picture, lying on its side before whoever looks
+    // the same image, rotated by 90 degrees on the screen
     expect(asymmetriesOf(check, 'pmm', 90)).toEqual(['topBottom', 'upsideDown']);
     expect(isStriped(pixels)).toBe(true);
     expect(isStriped(painted(200, 100, leaf))).toBe(false);

@@ -1,4 +1,4 @@
-/** What undo says that it takes back, for every kind of step. */
+/** The descriptions of undo, for every kind of step. */
 import {expect, it} from 'vitest';
 
 import {changeBetween, type Change} from '@/editor/commands/step.js';
@@ -146,7 +146,7 @@ it('names another step than the effort where both end', () => {
   expect(changeBetween(improved, kept)).toEqual({kind: 'keep', pieces: ['bib']});
 });
 
-/** Of a history with one step back and one forward. */
+/** A workbench whose history has one step back and one forward. */
 const deskOf = (past: Design, present: Design, future: Design): Workbench =>
   ({
     history: {

@@ -2,7 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import {formatLength, fractionOrNumber, numberTyped} from '@/model/units.js';
 
-/** Locales part numbers from units by spaces of different kinds. */
+/** Locales separate numbers and units by different kinds of spaces. */
 const plain = (text: string): string => text.replace(/\s/gu, ' ');
 
 describe('a length', () => {

@@ -1,4 +1,7 @@
-/** The package's name is nobody's yet: whoever registers it could run on the machines of those who believe a text. */
+/**
+ * The package's name is not registered yet: anyone who registers it could run code on the machines
+ * of users who follow a text that installs it by name.
+ */
 import {readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -7,7 +10,10 @@ import {expect, it} from 'vitest';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** What would ask a registry for the package: by npx without --no, by an install of its bare name, or by a range. */
+/**
+ * Commands that would request the package from a registry: npx without --no, an install of its bare
+ * name, or a version range.
+ */
 const asking =
   /\bnpx (?:-y |--yes )?seamwise\b|\b(?:npm (?:i|install|add)|yarn add|pnpm add) (?:\S+ )*seamwise(?=[\s@`'"]|$)(?!@file:)|"seamwise": "[\^~\d]|(?:unpkg|jsdelivr|esm\.sh)[^\s]*seamwise/;
 

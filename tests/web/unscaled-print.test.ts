@@ -1,4 +1,7 @@
-/** Prints of unknown size: kept as such wherever a design goes, cut by nobody, and measured by any size that is entered. */
+/**
+ * Prints of unknown size: they stay unscaled throughout a design's use, are never cut, and any
+ * entered size scales them.
+ */
 import {expect, it} from 'vitest';
 
 import {cutSheet} from '@/cutting/lay-sheet.js';

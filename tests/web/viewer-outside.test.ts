@@ -1,4 +1,4 @@
-/** Lines of an edge lie outside of it. */
+/** Placement of an edge's lines outside of the piece. */
 import {describe, expect, it} from 'vitest';
 
 import type {Point} from '@/model/geometry.js';

@@ -5,7 +5,7 @@ import type {Box} from '@/viewer/chips.js';
 import {spotFor, type Anchor} from '@/viewer/ranks.js';
 
 const size = {width: 400, height: 300};
-/** Of an edge that runs down the screen at x = 100; the piece is on its left. */
+/** Anchors on an edge that runs down the screen at x = 100; the piece is on its left. */
 const anchors: readonly Anchor[] = [
   {at: [100, 100], out: [1, 0]},
   {at: [100, 150], out: [1, 0]},

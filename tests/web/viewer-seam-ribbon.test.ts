@@ -60,7 +60,7 @@ describe('a straightened seam', () => {
   });
 
   it('is bare beyond a corner at which the piece is cut back', () => {
-    // the left side leans in from the foot of the seam
+    // the left side leans in from the lower end of the seam
     const leaning: Point[] = [
       [4, 0],
       [4, 4],
@@ -71,7 +71,7 @@ describe('a straightened seam', () => {
     const seams = scene.seams.map((one) => ({...one, a: {piece: 0, vertices: [0, 1]}}));
     const {columns} = straight({...scene, seams}).a;
     expect(columns[0]?.depth).toBeLessThan(0.1);
-    expect(columns[5]?.depth).toBeCloseTo(0.5, 9); // on the way from (4, 0) to (3, 2)
+    expect(columns[5]?.depth).toBeCloseTo(0.5, 9); // halfway from (4, 0) to (3, 2)
   });
 
   it('does not fold where the line is hollow', () => {

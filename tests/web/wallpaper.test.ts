@@ -48,7 +48,7 @@ const point = fc.tuple(
   fc.double({min: -30, max: 30, noNaN: true}),
 );
 
-/** Symmetries modulo translations, and how many of them are mirrors or glides. */
+/** Numbers of symmetries modulo translations, and of mirrors and glides among them. */
 const orders: Record<GroupName, [number, number]> = {
   p1: [1, 0],
   p2: [2, 0],

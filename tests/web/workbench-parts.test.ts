@@ -1,4 +1,4 @@
-/** A workbench consists of parts, and whoever shows one of them is not called for another. */
+/** Parts of a workbench: a component is only updated for changes of the parts it reads. */
 import {ReactiveElement, type PropertyValues} from 'lit';
 import {afterEach, beforeEach, expect, it, vi} from 'vitest';
 
@@ -26,7 +26,6 @@ const result: SolveResult = {
   ...squarePair(),
 };
 
-/** A workbench whose solves go on as they are told, and who was called of its parts since it was asked last. */
 beforeEach(() => {
   vi.useFakeTimers();
 });
@@ -115,7 +114,7 @@ const {update: updateUnrendered} = ReactiveElement.prototype as unknown as {
   readonly update: (this: ReactiveElement, changed: PropertyValues) => void;
 };
 
-/** A part of an editor without a document: it reads what it would draw. */
+/** An editor component without a document; its reads replace rendering. */
 class Part extends WorkbenchElement {
   updates = 0;
   reads: (workbench: Workbench) => unknown = () => undefined;
@@ -161,7 +160,7 @@ it('draws a part again when what it has read last may be another, and not otherw
   expect(await updates()).toEqual([lists + 1, bars + 1]);
   workbench.cancel();
   expect(await updates()).toEqual([lists + 2, bars + 2]);
-  // what is not solved any more has no progress to show
+  // a cancelled solve shows no further progress
   progress(0.5);
   expect(await updates()).toEqual([lists + 2, bars + 2]);
   list.disconnectedCallback();

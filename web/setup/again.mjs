@@ -1,10 +1,10 @@
 /**
- * Does something again after each change: once for changes that come together, and once more for those that come
- * while it is at work. What fails is said, and the next change tries again.
- * @param work  what to do; it may throw
- * @param told  hears of an error, and what it is
- * @param quiet how long no change may come before it begins [ms]
- * @returns what to call at a change
+ * Repeats a task after changes: once for changes that come together, and once more for those during
+ * the task. After an error, the next change tries again.
+ * @param work  task; may throw
+ * @param told  called with each error
+ * @param quiet  time without changes before the task starts [ms]
+ * @returns function to call at each change
  */
 export function again(work, told, quiet = 100) {
   let timer;

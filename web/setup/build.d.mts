@@ -1,7 +1,7 @@
-/** The package as `npm pack` writes it. */
+/** The package as written by `npm pack`. */
 export const tarball: string;
 
-/** Builds the parts that are missing or out of date, and those that they are made from. */
+/** Builds the missing or outdated parts, and the parts they are made from. */
 export function build(
   ...wanted: readonly ('module' | 'scripts' | 'standalone' | 'tarball' | 'page' | 'fixtures')[]
 ): Promise<void>;

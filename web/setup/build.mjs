@@ -24,19 +24,19 @@ import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const at = (...parts) => join(root, ...parts);
 const moduleFolder = 'web/src/solver/module';
-/** What the modules are; all but the first are fetched only when they are asked: to drape a garment, to lay its pieces. */
+/** Files of the WebAssembly modules. Drape, marker and photo are fetched on demand. */
 const moduleFiles = ['seamwise', 'drape', 'marker', 'photo'].flatMap((name) => [
   `${name}.mjs`,
   `${name}.wasm`,
 ]);
 const declarations = 'build/declarations';
-/** What the module is made from. */
+/** Sources of the modules. */
 export const moduleSources = ['CMakeLists.txt', 'CMakePresets.json', 'wasm'];
 
-/** The package as `npm pack` writes it. */
+/** The package as written by `npm pack`. */
 export const tarball = at('build/package/seamwise.tgz');
 
-/** The parts of a build: each is made from the part that it comes `after`, and from the files in `from`. */
+/** The parts of a build: each is made from the part in `after`, and from the files in `from`. */
 const parts = {
   module: {
     from: moduleSources,
@@ -69,7 +69,7 @@ const parts = {
     make: buildPage,
     products: ['build/page/index.html', 'build/page/service-worker.js'],
   },
-  // pages of tests that import sources of the project
+  // test pages that import sources of the project
   fixtures: {
     after: 'scripts',
     from: ['package-lock.json', 'tests/page/element', 'tests/page/fixture'],
@@ -78,7 +78,7 @@ const parts = {
   },
 };
 
-/** Builds the parts that are missing or out of date, and those that they are made from. */
+/** Builds the missing or outdated parts, and the parts they are made from. */
 export async function build(...wanted) {
   const states = [...new Set(wanted.flatMap(chain))].map((part) => [part, stateOf(part)]);
   if (states.every(([part, state]) => isFresh(part, state))) return;
@@ -94,10 +94,10 @@ export async function build(...wanted) {
   }
 }
 
-/** Builds all that the package contains. */
+/** Builds all parts of the package. */
 const buildPackage = () => build('standalone');
 
-/** A part after all that it is made from. */
+/** A part, preceded by all that it is made from. */
 function chain(part) {
   const {after} = parts[part];
   return after ? [...chain(after), part] : [part];
@@ -123,7 +123,10 @@ async function mustConfigure(preset) {
   if (!(await configure(preset))) throw new SetupError(`failed: cmake --preset ${preset}`);
 }
 
-/** Builds the program of `npm run bench`, 'native' or, for Node, 'wasm'. @returns how to run either */
+/**
+ * Builds the program of `npm run bench`, 'native' or, for Node, 'wasm'. @returns the command line
+ * of each
+ */
 export async function buildBench(platforms) {
   await ensureSystem([...new Set([...forModule, ...forNativeTests])]);
   say('Building the benchmark; the first time takes some minutes ...');
@@ -149,7 +152,8 @@ async function buildScripts() {
   rmSync(at('dist'), {recursive: true, force: true});
   const [node, tsc] = tool('typescript', 'tsc');
   const compile = [tsc, '-p', 'tsconfig.build.json'];
-  // Scripts are downloaded and need no comments; declarations keep them, for editors to show, and maps the sources.
+  // Scripts are downloaded and need no comments; declarations keep them for editors, and maps keep
+  // the sources.
   const maps = ['--sourceMap', '--inlineSources'];
   await must(node, [
     ...compile,
@@ -172,12 +176,12 @@ async function buildStandalone() {
   say('Building the element as one script ...');
   const [node, vite] = tool('vite');
   const build = [vite, 'build', '-c', 'vite.standalone.config.ts', '--logLevel', 'warn'];
-  // also when it is begun by tests, which set another: Lit would come in the build for its developers
+  // Tests set another NODE_ENV, which would select Lit's build for developers.
   await must(node, build, {env: {NODE_ENV: 'production'}});
   copyNotices();
 }
 
-/** Packs the package. Its parts are up to date, so npm's own call of the build is left out. */
+/** Packs the package. Its parts are up to date, so npm's own call of the build is skipped. */
 async function pack() {
   say('Packing ...');
   const folder = dirname(tarball);
@@ -207,7 +211,7 @@ async function buildFixtures() {
   }
 }
 
-/** Stands for the state of files and folders: their names, sizes and times of change. */
+/** Hash of the state of files and folders: names, sizes and modification times. */
 function signature(paths, ...more) {
   const hash = createHash('sha256');
   const visit = (path) => {
@@ -235,7 +239,7 @@ function stamp(part, state) {
   writeFileSync(at('build', `${part}.stamp`), state);
 }
 
-/** Keeps two builds in one folder apart. @returns what ends the exclusion */
+/** Prevents two simultaneous builds in one folder. @returns a function that unlocks */
 async function lock() {
   const file = at('build/lock');
   mkdirSync(at('build'), {recursive: true});
@@ -252,11 +256,11 @@ async function lock() {
   }
 }
 
-/** Whether the process that made the lock has ended without removing it. */
+/** Returns whether the process that created the lock has ended without removing it. */
 function isAbandoned(file) {
   try {
     const owner = Number(readFileSync(file, 'utf8'));
-    if (owner === 0) return false; // about to be written
+    if (owner === 0) return false; // not yet written
     process.kill(owner, 0);
     return false;
   } catch (error) {

@@ -25,14 +25,16 @@ function runTool(name, ...args) {
   return run(node, [program, ...args]);
 }
 
-/** Each native test file runs once for a commit: fast ones under sanitizers, slow ones optimised. */
+/**
+ * Each native test file runs once for a commit: fast ones under sanitizers, slow ones optimised.
+ */
 const nativeTests = {native: 'slow', sanitize: 'fast'};
 
 /** Builds a preset and runs its native tests. */
 async function native(preset, {isThorough, level}, flags = []) {
   await ensureSystem(forNativeTests);
   const chosen = `-DSEAMWISE_TESTS=${isThorough ? 'all' : nativeTests[preset]}`;
-  // Another compiler's new warning is no reason to fail on a user's machine.
+  // A new warning of another compiler should not fail on a user's machine.
   const strict = process.env.SEAMWISE_STRICT ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
   const built =
     (await configure(preset, [chosen, ...strict, ...flags])) &&
@@ -43,21 +45,21 @@ async function native(preset, {isThorough, level}, flags = []) {
   return built && run('ctest', words, {env: {SEAMWISE_TESTS: level}});
 }
 
-/** One build for tests and fuzzer, by clang; another compiler does where that is not to be had. */
+/** One build for tests and fuzzer, by clang; by another compiler if clang is unavailable. */
 async function sanitize(level) {
   const canFuzz = await hasOrInstalls(forFuzzing);
   const clang = [`-DCMAKE_CXX_COMPILER=${clangTool('clang++')}`, '-DSEAMWISE_FUZZ=ON'];
   return native('sanitize', level, canFuzz ? clang : []);
 }
 
-/** Left out where there is no fuzzer. */
+/** Runs the fuzzer; skipped if it is unavailable. */
 async function fuzzed({isThorough}) {
   if (await hasOrInstalls(forFuzzing)) return fuzz(isThorough ? forSeconds(60) : forProblems(2000));
   say('Left out: there is no clang with a fuzzer (in Debian clang and libclang-rt-dev).');
   return true;
 }
 
-/** Layout, of scripts and texts by Prettier, of C++ by clang-format. */
+/** Checks the format of scripts and texts by Prettier, and of C++ by clang-format. */
 async function format({isThorough}) {
   await ensureSystem(forFormat);
   const cache = ['--cache', '--cache-strategy=content', '--cache-location=build/prettier.json'];
@@ -72,7 +74,7 @@ const types = () =>
     ...['-p', 'tsconfig.json', '--incremental', '--tsBuildInfoFile', 'build/types.tsbuildinfo'],
   );
 
-/** ESLint on what changed since it passed, and on all in the thorough run. */
+/** Runs ESLint on files changed since it passed, or on all in the thorough run. */
 function eslint({isThorough}) {
   const cache = ['--cache', '--cache-strategy', 'content', '--cache-location', 'build/eslint/'];
   return runTool('eslint', '.', '--max-warnings=0', ...(isThorough ? [] : cache));
@@ -83,7 +85,7 @@ async function clangTidy({isThorough}) {
   return tidy('build/native', isThorough);
 }
 
-/** Runs a project of vitest.config.ts. @param more arguments */
+/** Runs a project of vitest.config.ts. @param more  arguments */
 function vitest(name, {isThorough, level}, ...more) {
   const levels = isThorough ? [] : ['--tags-filter=!thorough'];
   const times = [
@@ -96,20 +98,23 @@ function vitest(name, {isThorough, level}, ...more) {
   return run(node, words, {env: {SEAMWISE_TESTS: level}});
 }
 
-/** What needs neither compiler nor browser. */
+/** Runs the tests that need neither compiler nor browser. */
 async function web(level, ...files) {
   await ensureSystem(forWebTests);
   return vitest('web', level, `--maxWorkers=${availableParallelism()}`, ...files);
 }
 
-/** What only a browser can show. A page waits for frames and timers, so there is one file more than cores. */
+/**
+ * Runs the tests that need a browser. A page waits for frames and timers, so there is one file more
+ * than cores.
+ */
 async function browser(level) {
   await ensureSystem(forBrowserTests);
   if (level.isThorough) await installOtherBrowsers();
   return vitest('browser', level, `--maxWorkers=${availableParallelism() + 1}`);
 }
 
-/** What measures time; nothing else runs beside it. */
+/** Runs the time measurements, for which nothing else runs at the same time. */
 async function timing(level) {
   await ensureSystem(forBrowserTests);
   return vitest('timing', level);
@@ -121,7 +126,7 @@ async function product() {
   return true;
 }
 
-/** Checks by name, in the order in which they begin; `after` are those whose products they need. */
+/** Checks by name, in the order of their start; `after` are the checks whose products they need. */
 export const checks = {
   build: {run: product},
   native: {run: (level) => native('native', level)},
@@ -136,9 +141,9 @@ export const checks = {
   timing: {after: ['build'], isAlone: true, run: timing},
 };
 
-/** What a commit needs. */
+/** Checks of a commit. */
 export const ordinary = Object.keys(checks).filter((name) => name !== 'timing');
-/** What is left of it while somebody works: below two minutes once all is built. */
+/** Checks while working: below two minutes once all is built. */
 export const fast = ['build', 'sanitize', 'eslint', 'types', 'format', 'scripts'];
 /** Tests of scripts that start no program and solve nothing. */
 checks.scripts = {

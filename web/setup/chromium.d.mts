@@ -1,2 +1,2 @@
-/** The Chromium or Chrome that tests drive: that of CHROME_PATH, else the first installed; or null. */
+/** The Chromium or Chrome for tests: that of CHROME_PATH, else the first installed; or null. */
 export function chromiumPath(): string | null;

@@ -8,7 +8,7 @@ const applications = [
   'Google Chrome.app/Contents/MacOS/Google Chrome',
 ];
 
-/** The Chromium or Chrome that tests drive: that of CHROME_PATH, else the first installed; or null. */
+/** The Chromium or Chrome for tests: that of CHROME_PATH, else the first installed; or null. */
 export function chromiumPath() {
   if (process.env.CHROME_PATH) return process.env.CHROME_PATH;
   const folders = (process.env.PATH ?? '').split(delimiter);
@@ -20,7 +20,7 @@ export function chromiumPath() {
   return places.find((place) => existsSync(place)) ?? null;
 }
 
-/** Where `npx playwright install chromium` puts it, newest first. */
+/** Paths used by `npx playwright install chromium`, newest first. */
 function playwrightPlaces() {
   const caches = [
     process.env.PLAYWRIGHT_BROWSERS_PATH,

@@ -7,13 +7,15 @@ import {promisify} from 'node:util';
 
 import {has, root, run, say} from './shell.mjs';
 
-/** Other versions break lines elsewhere and have other checks: this one decides. */
+/**
+ * The only version whose findings are failures; others break lines elsewhere and have other checks.
+ */
 const version = 14;
 
-/** The program that a machine has of those tools. */
+/** The installed program of those tools, preferably of that version. */
 export const clangTool = (name) => [`${name}-${version}`, name].find(has);
 
-/** Whether what a tool has found is a failure; if not, says so. */
+/** Returns whether a tool's findings are failures; otherwise prints a note. */
 async function decides(program) {
   const {stdout} = await promisify(execFile)(program, ['--version']);
   const found = /version (\d+)/.exec(stdout)?.[1];
@@ -22,7 +24,7 @@ async function decides(program) {
   return false;
 }
 
-/** Whether all C++ sources are laid out as .clang-format says. */
+/** Returns whether all C++ sources are formatted according to .clang-format. */
 export async function checkFormat() {
   const files = ['wasm/src', 'tests'].flatMap((folder) =>
     readdirSync(join(root, folder), {recursive: true})
@@ -81,7 +83,7 @@ function flagsOf({command}) {
 /** The object file that a unit is compiled to, in the build's folder. */
 const objectOf = ({command}) => / -o (\S+)/.exec(command)?.[1] ?? '';
 
-/** Identifies a unit of a build: how it is compiled, and the project's files that it includes. */
+/** Identifies a unit of a build by its command and the project's files that it includes. */
 function stateOf(folder, unit) {
   const {stdout} = spawnSync('ninja', ['-C', folder, '-t', 'deps', objectOf(unit)], {
     cwd: root,
@@ -89,7 +91,7 @@ function stateOf(folder, unit) {
   });
   const files = stdout.split('\n').map((line) => resolve(root, folder, line.trim()));
   const sources = files.filter((file) => file.startsWith(join(root, 'wasm')) && existsSync(file));
-  // without a list of its files, a unit counts as another each time
+  // a unit without a list of its files always counts as changed
   const hash = createHash('sha256').update(`${unit.command} ${sources.length || Date.now()}`);
   for (const file of [join(root, '.clang-tidy'), ...sources]) hash.update(readFileSync(file));
   return hash.digest('hex');

@@ -4,9 +4,9 @@ import {join} from 'node:path';
 import {root, run, say} from './shell.mjs';
 
 /**
- * Configures a build of CMake. One that was made in another folder, from which this one was copied or moved, is begun
- * anew: its files name that folder. One whose settings have become of no use, as when a compiler is gone that it was
- * begun with, is configured anew; what it has compiled stays, as far as the commands are the same.
+ * Configures a build of CMake. A build copied or moved from another folder is started over, as its
+ * files name that folder. A build with invalid settings, for example of a compiler that no longer
+ * exists, is configured again. Compiled files with unchanged commands remain.
  * @returns whether it succeeded
  */
 export async function configure(preset, flags = [], project = root) {
@@ -22,7 +22,7 @@ export async function configure(preset, flags = [], project = root) {
   return run('cmake', words, {output: 'on failure'});
 }
 
-/** Removes a build that was made from another folder than `project`. @returns whether there was one */
+/** Removes a build made from another folder than `project`. @returns whether there was one */
 export function forgetMoved(folder, project) {
   const cache = join(folder, 'CMakeCache.txt');
   if (!existsSync(cache)) return false;
@@ -33,7 +33,7 @@ export function forgetMoved(folder, project) {
   return true;
 }
 
-/** Removes the settings and what is known of the compiler, as `cmake --fresh` would; the rest stays. */
+/** Removes the settings and the data about the compiler, like `cmake --fresh`; the rest stays. */
 function forgetSettings(folder) {
   rmSync(join(folder, 'CMakeCache.txt'), {force: true});
   const notes = join(folder, 'CMakeFiles');

@@ -1,2 +1,2 @@
-/** Counts one piece of work that a test run has a budget for. */
+/** Counts one unit of work that has a budget in a test run. */
 export function count(kind: 'browser start' | 'page build' | 'page solve'): void;

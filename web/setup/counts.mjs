@@ -1,12 +1,12 @@
 import {appendFileSync, existsSync, readFileSync} from 'node:fs';
 
-/** Counts one piece of work that a test run has a budget for, in the file that the run names. */
+/** Counts one unit of work that has a budget in a test run, in the run's file. */
 export function count(kind) {
   const file = process.env.SEAMWISE_COUNTS;
   if (file) appendFileSync(file, `${kind}\n`);
 }
 
-/** The number of pieces of work of each kind that are counted in a file. */
+/** The counts of each kind of work in a file. */
 export function countsIn(path) {
   const counts = {};
   const lines = existsSync(path) ? readFileSync(path, 'utf8').split('\n').filter(Boolean) : [];

@@ -3,7 +3,10 @@ import {dirname, join, posix} from 'node:path';
 
 import {root} from './shell.mjs';
 
-/** Copies from `folder` into dist what the package's entries lead to; the rest would only weigh. */
+/**
+ * Copies the declarations reachable from the package's entries from `folder` to dist; the rest
+ * would be useless weight.
+ */
 export function copyDeclarations(folder) {
   const {exports} = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
   const copied = new Set();
@@ -11,7 +14,7 @@ export function copyDeclarations(folder) {
     const source = [folder, 'web/src']
       .map((place) => join(root, place, file))
       .find((path) => existsSync(path));
-    if (copied.has(file) || source === undefined) return; // the module's, and there already
+    if (copied.has(file) || source === undefined) return; // the module's declaration already exists
     copied.add(file);
     const target = join(root, 'dist', file);
     mkdirSync(dirname(target), {recursive: true});

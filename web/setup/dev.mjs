@@ -1,5 +1,6 @@
-// `npm run dev`: the page, from its sources. A change of TypeScript is seen at once, and its types are checked beside
-// that; a change of C++ builds the module anew and loads the page again. Goes on after errors, until it is stopped.
+// `npm run dev`: serves the page from its sources. Changes of TypeScript show at once, and a type
+// check runs in parallel. A change of C++ rebuilds the module and reloads the page. Errors don't
+// end it; it runs until it is stopped.
 import {spawn} from 'node:child_process';
 import {relative} from 'node:path';
 
@@ -8,7 +9,10 @@ import {build, moduleSources} from './build.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, root, say, SetupError, tool} from './shell.mjs';
 
-/** Compiles the module if it is out of date. @returns whether there is one that fits its sources */
+/**
+ * Compiles the module if it is out of date. @returns whether a module for the current sources
+ * exists
+ */
 async function buildModule() {
   try {
     await build('module');
@@ -20,7 +24,7 @@ async function buildModule() {
   }
 }
 
-/** The compiler of TypeScript, which says after each change what is wrong. */
+/** The TypeScript compiler, which prints errors after each change. */
 function watchTypes() {
   const [node, tsc] = tool('typescript', 'tsc');
   const words = [tsc, '-p', 'tsconfig.json', '--watch', '--preserveWatchOutput', '--pretty'];

@@ -4,9 +4,9 @@ import {join} from 'node:path';
 import {root, run} from './shell.mjs';
 
 const folder = join(root, 'build/sanitize');
-/** What runs find; beside the build, which is begun anew where it was moved. */
+/** Findings of all runs; outside of the build's folder, which is removed after a move. */
 const found = join(root, 'build/fuzz-found');
-/** Between the texts of an input, as in tests/fuzz/problem_fuzz.cpp. */
+/** Separator of the texts in an input, as in tests/fuzz/problem_fuzz.cpp. */
 const separator = '\x1e';
 
 const square = [
@@ -26,7 +26,7 @@ const stitches = [
 const two = {pattern: {panels: {a: panel, b: curved}, stitches}};
 const print = {group: 'pmm', w1: [5, 0], w2: [0, 7]};
 
-/** What there is to begin with: something small of every kind of file, and one of the samples. */
+/** Initial inputs: a small example of every kind of file, and one of the samples. */
 function seeds() {
   const sample = (path) => JSON.parse(readFileSync(join(root, 'public', path), 'utf8'));
   const axis = {
@@ -47,7 +47,7 @@ function seeds() {
   };
 }
 
-/** The names that files have, which chance alone would not find. */
+/** The field names of files, which chance alone would not find. */
 function dictionary() {
   const words = new Set();
   const visit = (schema) => {
@@ -62,7 +62,7 @@ function dictionary() {
   return [...words].map((word) => `"\\"${word.replaceAll(/["\\]/g, '\\$&')}\\""`).join('\n');
 }
 
-/** Ends a run after a time, which goes on from what earlier runs have found. */
+/** Ends a run after a time; it continues from the findings of earlier runs. */
 export const forSeconds = (seconds) => ({
   corpus: join(found, 'corpus'),
   limit: `-max_total_time=${seconds}`,
@@ -77,7 +77,8 @@ export const forProblems = (count) => {
 
 /**
  * Reads and solves random problems in the build with sanitizers.
- * @returns whether the solver survived all of them; a problem that broke it stays in build/fuzz-found
+ * @returns whether the solver survived all of them; a problem that broke it stays in
+ * build/fuzz-found
  */
 export async function fuzz({corpus, limit}) {
   const build = ['--build', '--preset', 'sanitize', '--target', 'problem_fuzz', '--', '--quiet'];

@@ -1,4 +1,4 @@
-// `npm run icons`: draws public/icon.svg as the PNG icons that an installed page needs.
+// `npm run icons`: draws public/icon.svg as the PNG icons of an installed page.
 import {readFileSync, writeFileSync} from 'node:fs';
 
 import {createCanvas, loadImage} from '@napi-rs/canvas';
@@ -6,7 +6,7 @@ import {createCanvas, loadImage} from '@napi-rs/canvas';
 import {root} from './shell.mjs';
 
 const svg = readFileSync(`${root}/public/icon.svg`, 'utf8');
-/** Cut to any shape by the system: the ground goes to the edges. */
+/** The system crops it to any shape, so the ground reaches the edges. */
 const whole = svg.replace(/ rx="[\d.]+"/, '');
 
 for (const [name, side, picture] of [

@@ -3,13 +3,13 @@ import {join} from 'node:path';
 
 import {root} from './shell.mjs';
 
-/** Lies beside whatever is passed on. */
+/** Name of the file with the licences in every distribution. */
 export const noticesFile = 'THIRD-PARTY-NOTICES.md';
 
-/** Packages of the workers that are bundled: Vite's own list leaves them out. */
+/** Packages bundled in workers, which Vite's own list leaves out. */
 const inWorkers = new Set();
 
-/** For the bundles of workers. */
+/** Plugin that lists the packages in bundles of workers. */
 export function workerNotices() {
   return {
     name: 'seamwise-worker-notices',
@@ -24,7 +24,7 @@ export function workerNotices() {
   };
 }
 
-/** What a package says of itself, as Vite writes it. */
+/** A package's notice in Vite's format. */
 function noticeOf(name) {
   const folder = join(root, 'node_modules', name);
   const {version, license} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
@@ -33,7 +33,10 @@ function noticeOf(name) {
   return `## ${name} - ${version} (${license})\n\n${words}`;
 }
 
-/** Vite writes the licences of the packages in a bundle; this puts those of Seamwise and of its module around them. */
+/**
+ * Vite writes the licences of the packages in a bundle; this plugin adds those of Seamwise and of
+ * its module.
+ */
 export function notices() {
   return {
     name: 'seamwise-notices',
@@ -55,7 +58,7 @@ export function notices() {
   };
 }
 
-/** As the headers say that the module was built with; nothing where they are elsewhere. */
+/** Version of Eigen in the headers of the module's build; empty if they are elsewhere. */
 function eigenVersion() {
   const file = join(root, 'build/wasm/include/Eigen/src/Core/util/Macros.h');
   if (!existsSync(file)) return '';
@@ -66,7 +69,7 @@ function eigenVersion() {
   return parts.includes(undefined) ? '' : ` ${parts.join('.')}`;
 }
 
-/** The package holds what is in its standalone script, and that says so. */
+/** Copies the notices of the standalone script, which contains the package's packages. */
 export function copyNotices() {
   copyFileSync(join(root, 'dist/standalone', noticesFile), join(root, 'dist', noticesFile));
 }

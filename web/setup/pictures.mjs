@@ -1,4 +1,5 @@
-// `npm run pictures`: takes docs/page.png and docs/lens.png of the page as it is now. Needs Chromium.
+// `npm run pictures`: takes the screenshots docs/page.png and docs/lens.png of the current page.
+// Needs Chromium.
 import {mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -24,7 +25,7 @@ const browser = await chromium.launch({
   args: [...asRoot, '--enable-unsafe-swiftshader'],
 });
 
-/** The page with a sample, once it is aligned and nothing more is said or looked for. */
+/** The page with a sample, after its alignment, its messages and its searches. */
 async function opened(style, colorScheme) {
   const page = await browser.newPage({
     ...{viewport: {width: 1440, height: 900}, colorScheme, reducedMotion: 'reduce', locale: 'en'},
@@ -50,7 +51,10 @@ async function opened(style, colorScheme) {
   return page;
 }
 
-/** Selects a seam by its name, and goes back to the headline; the pointer does not stay on anything. */
+/**
+ * Selects a seam by its name, and returns to the headline; the pointer does not hover over
+ * anything.
+ */
 async function select(page, name) {
   const seams = page.getByRole('table', {name: 'Seams', exact: true});
   await seams.getByRole('row', {name}).first().click();
@@ -60,7 +64,7 @@ async function select(page, name) {
 }
 
 async function picture(page, name) {
-  await page.waitForTimeout(3000); // pictures of prints are drawn as sharp as they get
+  await page.waitForTimeout(3000); // waits for prints at full resolution
   await page.screenshot({path: `${root}/docs/${name}.png`});
   await page.close();
 }

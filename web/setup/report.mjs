@@ -3,10 +3,10 @@ import {join, relative} from 'node:path';
 
 import {root, say} from './shell.mjs';
 
-/** What the runners write of the seconds that files of tests took. */
+/** Folder of the runners' reports of the seconds that test files took. */
 const folder = join(root, 'build/report');
 
-/** Where a runner writes the times of its files: JSON of Vitest, or JUnit's XML of CTest. */
+/** File for a runner's times: JSON of Vitest, or JUnit's XML of CTest. */
 export const timesOf = (name) => join(folder, name);
 
 export function beginReport() {
@@ -14,7 +14,7 @@ export function beginReport() {
   mkdirSync(folder, {recursive: true});
 }
 
-/** Files of tests with their seconds. */
+/** Test files with their seconds. */
 function vitestFiles(path) {
   const {testResults} = JSON.parse(readFileSync(path, 'utf8'));
   return testResults.map(({name, startTime, endTime}) => ({
@@ -31,7 +31,7 @@ function ctestFiles(path, preset) {
   }));
 }
 
-/** Prints the seconds of each check, the ten slowest files of tests, and the counted work. */
+/** Prints the seconds of each check, the ten slowest test files, and the counted work. */
 export function report(checks, counts, budgets) {
   const rows = checks.map(({name, passed, seconds}) => [
     name,

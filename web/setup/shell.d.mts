@@ -1,5 +1,5 @@
-/** The words that run a program of an installed npm package, on every platform. */
+/** The command that runs a program of an installed npm package, on every platform. */
 export function tool(name: string, program?: string): [node: string, script: string];
 
-/** Whether there is a program of that name. */
+/** Returns whether a program of that name exists. */
 export function has(command: string): boolean;

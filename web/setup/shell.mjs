@@ -7,12 +7,12 @@ import {fileURLToPath} from 'node:url';
 /** The project's folder. */
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** A failed step: its message is all there is to say, no stack. */
+/** A failed step; only its message is printed, without a stack. */
 export class SetupError extends Error {
   name = 'SetupError';
 }
 
-/** Where the output of what runs at the same time as something else is kept until it ends. */
+/** Buffers for the output of simultaneous work until it ends. */
 const outputs = new AsyncLocalStorage();
 
 /** Prints the output of some work when it ends, so that it is not mixed with that of other work. */
@@ -25,14 +25,14 @@ export async function collected(work) {
   }
 }
 
-/** Prints what is going on, on standard error: standard output belongs to results. */
+/** Prints progress on standard error: standard output is for results. */
 export function say(text) {
   const output = outputs.getStore();
   if (output) output.push(Buffer.from(`${text}\n`));
   else process.stderr.write(`${text}\n`);
 }
 
-/** Whether a command can be found on the PATH. */
+/** Returns whether a command is on the PATH. */
 export function has(command) {
   const finder = process.platform === 'win32' ? 'where' : 'which';
   return spawnSync(finder, [command], {stdio: 'ignore'}).status === 0;
@@ -40,8 +40,8 @@ export function has(command) {
 
 /**
  * Runs a command in the project's folder.
- * @param output  whether to show what it says: 'always' (on standard error), only 'on failure', 'never',
- *   or as it comes ('inherit')
+ * @param output  when to show its output: 'always' (on standard error), only 'on failure', 'never',
+ * or unbuffered ('inherit')
  * @returns whether it succeeded
  */
 export function run(command, args, {output = 'always', env = {}} = {}) {
@@ -72,7 +72,7 @@ export async function must(command, args, {env = {}} = {}) {
   }
 }
 
-/** The words that run a program of an installed npm package, on every platform. */
+/** The command that runs a program of an installed npm package, on every platform. */
 export function tool(name, program = name) {
   const folder = join(root, 'node_modules', name);
   const {bin} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));

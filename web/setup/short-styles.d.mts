@@ -1,4 +1,4 @@
 import type {Plugin} from 'vite';
 
-/** Takes out of the styles in scripts what only their readers need. */
+/** Removes the parts of scripts' styles that only readers need. */
 export function shortStyles(): Plugin;

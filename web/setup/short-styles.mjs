@@ -1,4 +1,4 @@
-/** Takes out of the styles in scripts what only their readers need: comments and the room between words. */
+/** Removes comments and whitespace, which only readers need, from the styles in scripts. */
 
 const styles = /(?<=\bcss`)[^`]*(?=`)/g;
 

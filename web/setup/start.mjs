@@ -1,4 +1,4 @@
-// `npm start`: builds what is missing and serves the page, until it is stopped.
+// `npm start`: builds the missing parts and serves the page, until it is stopped.
 import {build} from './build.mjs';
 import {main, root, say, SetupError} from './shell.mjs';
 

@@ -24,7 +24,9 @@ function hasEmscripten() {
   return has('em-config') || folders.some((folder) => existsSync(join(folder, 'em-config')));
 }
 
-/** Clang comes without the library of its fuzzer, as Debian and Apple pack it. */
+/**
+ * Returns whether clang has the library of its fuzzer, which Debian and Apple package separately.
+ */
 function hasFuzzer() {
   const clang = clangTool('clang');
   if (clang === undefined) return false;
@@ -33,7 +35,7 @@ function hasFuzzer() {
   return existsSync(folder) && readdirSync(folder).some((name) => name.includes('fuzzer'));
 }
 
-// What is needed, how to see that it is there, and its package on every platform.
+// Requirements, each with a test of its presence and its package on every platform.
 const cmake = {
   found: () => has('cmake'),
   apt: 'cmake',
@@ -74,7 +76,7 @@ const compiler = {
   apt: 'g++',
   dnf: 'gcc-c++ libasan libubsan',
   pacman: 'gcc',
-  brew: '', // comes with the command line tools that Homebrew itself needs
+  brew: '', // part of the command line tools, which Homebrew itself needs
 };
 const googletest = {
   found: () => header('gtest/gtest.h'),
@@ -98,7 +100,7 @@ const clangTidy = {
   pacman: 'clang',
   brew: 'llvm',
 };
-/** A compiler whose programs can be told what to try by what they have run of themselves. */
+/** A compiler with coverage-guided fuzzing. */
 const fuzzer = {
   found: hasFuzzer,
   apt: 'clang libclang-rt-dev',
@@ -136,7 +138,10 @@ const webKit = {
   apt: 'webkit2gtk-driver',
 };
 
-/** What it takes to build the module, to run the native tests, those in a browser, those of batches, and so on. */
+/**
+ * Requirements of the module's build, of the native tests, of those in a browser, of batches, and
+ * so on.
+ */
 export const forModule = [cmake, ninja, eigen, json, emscripten];
 export const forNativeTests = [cmake, ninja, eigen, json, compiler, googletest];
 export const forBrowserTests = [chromium];
@@ -144,28 +149,31 @@ export const forWebTests = [redis];
 export const forFormat = [clangFormat];
 export const forLint = [cmake, ninja, eigen, json, compiler, googletest, clangTidy];
 export const forFuzzing = [cmake, ninja, eigen, json, fuzzer];
-/** Without one of these, only what needs it is left out. */
+/** If one of these is missing, only the tests that need it are skipped. */
 const forOtherBrowsers = [display, firefox, webKit];
 
-/** Installs what is missing where that is allowed. @throws {SetupError} saying what to install */
+/**
+ * Installs missing requirements where that is allowed. @throws {SetupError} with the packages to
+ * install
+ */
 export async function ensureSystem(needs) {
   await installMissing(needs);
   const missing = needs.filter((need) => !need.found());
   if (missing.length > 0) throw new SetupError(advice(missing));
 }
 
-/** Installs what is missing where that is allowed. @returns whether all is there */
+/** Installs missing requirements where that is allowed. @returns whether all are there */
 export async function hasOrInstalls(needs) {
   await installMissing(needs);
   return needs.every((need) => need.found());
 }
 
-/** One by one, since not every distribution has all of them. */
+/** Installs one by one, since not every distribution has all of them. */
 export async function installOtherBrowsers() {
   for (const need of forOtherBrowsers) await installMissing([need]);
 }
 
-/** Installs what is missing where that is allowed; elsewhere it is done without. */
+/** Installs missing requirements where that is allowed; elsewhere does nothing. */
 async function installMissing(needs) {
   const missing = needs.filter((need) => !need.found());
   if (missing.length === 0 || !has('apt-get')) return;
@@ -176,7 +184,7 @@ async function installMissing(needs) {
   await aptInstall(administrator, names);
 }
 
-/** The words to put before a command that needs root; null where that is not to be had. */
+/** The prefix of a command that needs root; null if there is none. */
 async function asAdministrator() {
   if (process.getuid?.() === 0) return [];
   const allowed = has('sudo') && (await run('sudo', ['-n', 'true'], {output: 'never'}));

@@ -1,6 +1,6 @@
-// `npm test`: installs and builds what is missing, then runs what a commit needs; every check, even when one fails.
-// `npm test -- fast` takes less than two minutes, `npm test -- thorough` runs all there is, and
-// `npm test -- native web` runs only the checks named.
+// `npm test`: installs and builds what is missing, then runs the checks of a commit, all of them
+// even if one fails. `npm test -- fast` takes less than two minutes, `npm test -- thorough` runs
+// all checks, and `npm test -- native web` runs only the named ones.
 import {checks, fast, ordinary, systemNeeds} from './checks.mjs';
 import {countsIn} from './counts.mjs';
 import {ensurePackages} from './packages.mjs';
@@ -11,7 +11,7 @@ import {ensureSystem} from './system.mjs';
 /** Work that a run may do, counted; more of it makes a run slow on every machine. */
 const budgets = {'browser start': 1, 'page build': 3, 'page solve': 450};
 
-/** Runs a check, and tells how it ended. */
+/** Runs a check, and prints its outcome. */
 async function outcome(name, level) {
   const started = performance.now();
   let passed = false;
@@ -53,7 +53,7 @@ async function outcomes(names, level) {
   return ended;
 }
 
-/** The checks of a level, or those named, with what they need. */
+/** The checks of a level, or the named ones, with those they need. */
 function chosen(asked) {
   if (asked.length === 0) return ordinary;
   if (asked.includes('thorough')) return [...ordinary, 'timing'];
@@ -71,7 +71,7 @@ await main(async () => {
   const asked = process.argv.slice(2);
   const names = chosen(asked);
   const isThorough = asked.includes('thorough');
-  // All at once, so that whoever has to install by hand is asked only once.
+  // All at once, so that a manual installation is requested only once.
   if (asked.length === 0 || isThorough) await ensureSystem(systemNeeds);
   await ensurePackages();
   beginReport();

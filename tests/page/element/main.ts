@@ -1,7 +1,7 @@
 import '../../../web/src/element/auto.js';
 import {sequence as run} from './sequences.js';
 
-/** What the graphics card holds for the whole document. */
+/** Resources that the graphics card holds for the whole document. */
 declare global {
   var heldByCard: () => Promise<{readonly geometries: number; readonly textures: number}>;
   var sequence: typeof run;

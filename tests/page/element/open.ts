@@ -1,4 +1,6 @@
-/** A page with elements in it, as it is built for users and under a strict policy, and the files that they name. */
+/**
+ * A page with elements, as built for users and under a strict policy, and the files they refer to.
+ */
 import {readFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
 
@@ -10,7 +12,7 @@ import {openBrowser, serveBuilt, strictPolicy, type Served} from '../../support/
 
 const policy = `${strictPolicy}; style-src 'self'; img-src 'self'`;
 
-/** A file of the samples. */
+/** Text of a sample file. */
 export const sample = (path: string): string =>
   readFileSync(new URL(`../../../public/${path}`, import.meta.url), 'utf8');
 
@@ -18,19 +20,19 @@ export const tee =
   '<seamwise-garment garment="garments/tee-{size}.json" size="m" print="prints/p4m.json" alt="A tee"></seamwise-garment>';
 
 export interface ElementPageOptions extends BrowserContextOptions {
-  /** What the page may say on its console, where something is broken on purpose. */
+  /** Console messages to accept, where a test breaks something on purpose. */
   readonly maySay?: RegExp;
-  /** Before anything of the page runs. */
+  /** Runs before any script of the page. */
   readonly before?: () => void;
 }
 
 export interface ElementPage {
   readonly page: Page;
-  /** Paths of the samples' files that were asked for. */
+  /** Paths of the requested sample files. */
   readonly asked: string[];
-  /** Answers a file in another way. */
+  /** Overrides the response for a file. */
   readonly answer: (path: string, how: (route: Route) => Promise<void>) => Promise<void>;
-  /** Puts markup into the page, and runs something with the first element in it. */
+  /** Puts markup into the page; `run` runs a function with its first element. */
   readonly put: (markup: string) => Promise<void>;
   readonly run: <T, Given = undefined>(
     work: (element: SeamwiseGarment, given: Given) => T | Promise<T>,
@@ -39,8 +41,9 @@ export interface ElementPage {
 }
 
 /**
- * Whatever the page says on its console fails the test, and so does every rejection that nobody handles.
- * @param allowed a content security policy
+ * Opens pages. Any message on the page's console fails the test, and so does every unhandled
+ * rejection.
+ * @param allowed  content security policy
  */
 export function useElementPage(
   allowed = policy,
@@ -66,7 +69,8 @@ export function useElementPage(
     const page = await (await browser.newContext(context)).newPage();
     pages.push(page);
     const hear = (text: string): void => {
-      // software rendering is slow to give pixels back; in a test's build, Lit is not the one of production
+      // software rendering is slow to return pixels; a test's build contains Lit's development
+      // version
       if (!/GPU stall|Lit is in dev mode/.test(text) && !maySay?.test(text)) said.push(text);
     };
     page.on('console', (message) => {

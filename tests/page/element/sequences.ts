@@ -1,4 +1,4 @@
-/** What pages may do with an element, in any order and at any moment: by a seed, so that it can be done again. */
+/** Random sequences of a page's actions on an element, reproducible by their seed. */
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {resultText, sha256Of} from '@/model/result-text.js';
 
@@ -9,7 +9,7 @@ const pair = {kind: 'pair', pieces: ['left', 'right']};
 export interface Sequence {
   readonly seed: number;
   readonly steps: readonly string[];
-  /** What should not be, in words. */
+  /** Descriptions of violations. */
   readonly wrong: readonly string[];
 }
 
@@ -32,10 +32,13 @@ const nameOf = (error: unknown): string => {
   return typeof code === 'string' ? code : name;
 };
 
-/** What may be heard of a promise: cancelled, nothing was named, or a print that has no such symmetry. */
+/**
+ * Possible outcomes of a promise: an answer, cancelled, no garment, or a print without that
+ * symmetry.
+ */
 const allowed = /^(answer|AbortError|notAGarment|symmetryGroup)$/;
 
-/** The answer to what an element asks, and the design, where it can be stored. */
+/** Outcome of the element's solve, and the design, where it can be stored. */
 async function outcomeOf(element: SeamwiseGarment): Promise<string> {
   try {
     const result = await element.solve();
@@ -46,7 +49,7 @@ async function outcomeOf(element: SeamwiseGarment): Promise<string> {
   }
 }
 
-/** Another element, that is only told the last state. */
+/** Another element that only gets the last state. */
 function twinOf(element: SeamwiseGarment): SeamwiseGarment {
   const twin = document.createElement('seamwise-garment');
   for (const name of element.getAttributeNames()) {
@@ -61,7 +64,7 @@ function twinOf(element: SeamwiseGarment): SeamwiseGarment {
 
 const answers = new Map<string, Promise<string>>();
 
-/** Solved once for each state. */
+/** Expected outcome; solved once for each state. */
 function expected(element: SeamwiseGarment): Promise<string> {
   const twin = twinOf(element);
   const asked = ['garment', 'size', 'print', 'colourway', 'symmetry', 'maxChangeMm'] as const;
@@ -78,7 +81,7 @@ async function picture(element: SeamwiseGarment): Promise<Uint8ClampedArray | un
   let blob: Blob | undefined;
   for (let k = 0; k < 100 && !blob; k++) {
     blob = await element.toBlob({width: 200}).catch(() => undefined);
-    if (!blob) await rest(50); // it has not been drawn yet
+    if (!blob) await rest(50); // not drawn yet
   }
   if (!blob) return undefined;
   const bitmap = await createImageBitmap(blob);
@@ -88,7 +91,10 @@ async function picture(element: SeamwiseGarment): Promise<Uint8ClampedArray | un
   return context?.getImageData(0, 0, width, height).data;
 }
 
-/** Undefined where both are as drawn, except for how densely an SVG was drawn on the way. */
+/**
+ * Describes the difference of two images; undefined if they are equal, except for an SVG's
+ * resolution.
+ */
 function unlike(
   a: Uint8ClampedArray | undefined,
   b: Uint8ClampedArray | undefined,
@@ -99,7 +105,7 @@ function unlike(
   return mean < 4 ? undefined : `another picture, by ${mean.toFixed(1)} levels`;
 }
 
-/** @param holder of whatever is put into the page */
+/** @param holder  parent of everything that is put into the page */
 export async function sequence(seed: number, holder: HTMLElement): Promise<Sequence> {
   const next = randomFrom(seed);
   const below = (most: number): number => Math.floor(next() * most);
@@ -212,7 +218,7 @@ export async function sequence(seed: number, holder: HTMLElement): Promise<Seque
   else element.remove();
   const last = designs.at(-1);
   if (last !== undefined && next() < 0.2) {
-    // one that says more than the attributes do
+    // a design with more than the attributes contain
     const stored = JSON.parse(last) as {seed: number; print: object};
     const changed = JSON.stringify({
       ...{...stored, seed: 7},

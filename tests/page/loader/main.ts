@@ -1,4 +1,4 @@
-/** What somebody else's page does with an exported model: three.js and its loader, and nothing of ours. */
+/** A third-party page with an exported model: three.js and its loader, and none of our code. */
 import {
   MeshBasicMaterial,
   OrthographicCamera,
@@ -13,13 +13,13 @@ import {GLTFLoader} from 'three/examples/jsm/loaders/GLTFLoader.js';
 
 type Triple = readonly [number, number, number];
 
-/** What a viewer finds in a model, and what it draws of it. */
+/** A viewer's data about a model, and the colours it draws. */
 export interface Opened {
   readonly names: readonly string[];
   readonly triangles: number;
   readonly repeats: boolean;
   readonly isDoubleSided: boolean;
-  /** At each place, red, green and blue from 0 to 255. */
+  /** Red, green and blue from 0 to 255 at each place. */
   readonly colours: readonly Triple[];
 }
 
@@ -27,7 +27,9 @@ declare global {
   var openModel: (model: string, places: readonly Triple[]) => Promise<Opened>;
 }
 
-/** Of the picture, which shows `seen` metres about the middle of the model from the front. [px] */
+/**
+ * Side of the image, which shows `seen` metres about the middle of the model from the front. [px]
+ */
 const side = 1024;
 const seen = 0.1;
 
@@ -43,7 +45,7 @@ globalThis.openModel = async (model, places) => {
   camera.updateMatrixWorld();
   const renderer = new WebGLRenderer({preserveDrawingBuffer: true});
   renderer.setSize(side, side, false);
-  garment.material = new MeshBasicMaterial({map}); // the ink alone, whatever the light
+  garment.material = new MeshBasicMaterial({map}); // the ink alone, in any light
   const scene = new Scene();
   scene.add(root);
   renderer.render(scene, camera);

@@ -1,7 +1,7 @@
 import {Autosave, type StorageTrouble} from '../../../web/src/app/storage/autosave.js';
 
 declare global {
-  /** What is under test, and what it reported. */
+  /** The storage under test, and the troubles it reported. */
   var Storing: {readonly autosave: Autosave; readonly troubles: StorageTrouble[]};
 }
 

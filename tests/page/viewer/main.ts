@@ -5,7 +5,7 @@ import {Screen} from '../../../web/src/viewer/screen.js';
 import {SeamStrip} from '../../../web/src/viewer/seam-strip.js';
 import {loadTile, svgTile} from '../../../web/src/recognition/tile.js';
 
-/** Where something lies on the page. [CSS px] */
+/** Position and size of an element on the page. [CSS px] */
 export interface Box {
   readonly left?: number;
   readonly top?: number;
@@ -14,20 +14,20 @@ export interface Box {
 }
 
 declare global {
-  /** The view under test, the scene it shows, and what it takes to change that. */
+  /** The view under test, its scene, and functions to change it. */
   var Viewer: {
     readonly view: PatternView;
     scene: PatternScene | undefined;
     readonly realigned: typeof realigned;
-    /** A view of one seam, in a box of its own over the other. */
+    /** Opens a view of one seam, in a separate box over the other. */
     readonly openStrip: (width: number, height: number) => SeamStrip;
-    /** Another view, in a box of its own over the first. */
+    /** Opens another view, in a separate box over the first. */
     readonly openView: (box: Box, options?: PatternViewOptions) => PatternView;
-    /** The shared renderer, as somebody sees it who never draws. */
+    /** Attaches a client to the shared renderer that never draws. */
     readonly openScreen: () => Screen;
-    /** Pictures that are still to be read back from the graphics card. */
+    /** Number of images still to be read back from the graphics card. */
     reading: number;
-    /** Whether the page follows a press itself. */
+    /** True if the page handles a press itself. */
     takesPress: boolean;
     readonly loadTile: typeof loadTile;
     readonly svgTile: typeof svgTile;

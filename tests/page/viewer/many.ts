@@ -1,4 +1,4 @@
-/** Several views on a page, and what is known of the graphics contexts and canvases behind them. */
+/** Several views on a page, and records of their graphics contexts and canvases. */
 import type {Page} from 'playwright-core';
 import {expect} from 'vitest';
 
@@ -10,12 +10,12 @@ import type {Box} from './main.js';
 import {checkered, useViewer} from './open.js';
 
 declare global {
-  /** What happened on the page since it was opened. */
+  /** Records since the page was opened. */
   var Seen: {
     readonly contexts: WebGL2RenderingContext[];
-    /** Pictures copied per frame, by its time. */
+    /** Number of copied images per frame, by its time. */
     readonly copies: Map<number, number>;
-    /** Whether the canvases that came into the page had a picture. */
+    /** True for each canvas added to the page with an image. */
     readonly hung: boolean[];
     readonly lost: boolean[];
   };
@@ -24,7 +24,7 @@ declare global {
 
 export const tile = checkered();
 
-/** Counts contexts and copies, and looks at every canvas that comes into the page. */
+/** Counts contexts and copies, and checks every canvas that is added to the page. */
 function watch(): void {
   const seen: typeof Seen = {contexts: [], copies: new Map(), hung: [], lost: []};
   globalThis.Seen = seen;
@@ -65,7 +65,7 @@ function watch(): void {
     isSampling = false;
     return one?.getImageData(0, 0, 300, 150).data.some((value) => value > 0) ?? false;
   };
-  // called back before the frame is shown
+  // runs before the frame is shown
   new MutationObserver((changes) => {
     for (const node of changes.flatMap(({addedNodes}) => [...addedNodes])) {
       if (node instanceof HTMLCanvasElement) seen.hung.push(sample(node));
@@ -73,7 +73,7 @@ function watch(): void {
   }).observe(document, {childList: true, subtree: true});
 }
 
-/** The pair of squares, lying on the print in a way of its own for each number. */
+/** The pair of squares with different alignments for each number. */
 export const sceneFor = (k: number): PatternScene =>
   sceneOf(squarePair({seams: []}), print, {
     alignments: [
@@ -100,7 +100,7 @@ export function difference(a: Pixels, b: Pixels): number {
   return a.data.reduce((most, value, k) => Math.max(most, Math.abs(value - (b.data[k] ?? 0))), 0);
 }
 
-/** How many colours are seen: a print has many, an empty canvas one. */
+/** Number of colours: a print has many, an empty canvas one. */
 export const colours = ({data}: Pixels): number =>
   new Set(Array.from({length: data.length / 4}, (_, k) => data.slice(4 * k, 4 * k + 3).join()))
     .size;
@@ -111,7 +111,7 @@ export function useManyViews(): () => Promise<Page> {
   return () => openPage({width: 1200, height: 600, before: watch});
 }
 
-/** Opens views in boxes, each with a scene of its own, instead of the first one. */
+/** Opens views in boxes, each with a different scene, instead of the first one. */
 export async function openViews(page: Page, boxes: readonly Box[]): Promise<void> {
   await page.evaluate(
     async ([places, scenes, png]) => {
@@ -136,7 +136,7 @@ export const grid: readonly Box[] = Array.from({length: 24}, (_, k) => ({
 }));
 export const pair = grid.slice(0, 2);
 
-/** How many canvases in the boxes are the renderer's own, and how many are copies. */
+/** Numbers of canvases in the boxes that are the renderer's own, and that are copies. */
 export const canvases = (page: Page): Promise<{direct: number; copied: number}> =>
   page.evaluate(() => {
     const all = [...document.querySelectorAll('canvas')];

@@ -1,4 +1,4 @@
-/** The view of a pattern in a browser, and what a print has to look like in it. */
+/** The pattern view in a browser, and the expected look of a print in it. */
 import {createCanvas} from '@napi-rs/canvas';
 import type {Browser, Page} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
@@ -20,7 +20,7 @@ import {pick} from '@/scene/marks.js';
 import type {PatternScene, ScenePiece} from '@/scene/scene.js';
 import {openBrowser, sourcesOf} from '../../support/browser.js';
 
-/** A browser that draws in software may have to share a busy machine. [ms] */
+/** Software rendering may have to share a busy machine. [ms] */
 const patience = 180_000;
 
 export interface Window {
@@ -32,7 +32,10 @@ export interface Window {
   readonly before?: () => void;
 }
 
-/** Opens the browser once for a file of tests; no page may report an error. @returns what opens the page anew */
+/**
+ * Opens the browser once for a test file; no page may report an error. @returns a function that
+ * opens the page in a fresh state
+ */
 export function useViewer(): (window?: Window) => Promise<Page> {
   let browser: Browser | undefined;
   let pages: Page[] = [];
@@ -63,13 +66,13 @@ export function useViewer(): (window?: Window) => Promise<Page> {
   };
 }
 
-/** Asks again and again until the answer is right. */
+/** Retries until the result is right. */
 export const eventually = <T>(ask: () => Promise<T>) => expect.poll(ask, {timeout: 30_000});
 
-/** Waits until what was asked for is on the screen. */
+/** Waits until all requested changes are on the screen. */
 export const settled = (page: Page): Promise<void> =>
   page.evaluate(async () => {
-    // what was read back may have let something else begin
+    // a readback may have started further work
     for (let quiet = 0; quiet < 3; quiet = Viewer.reading > 0 ? 0 : quiet + 1) {
       await new Promise(requestAnimationFrame);
     }
@@ -83,7 +86,7 @@ export async function show(page: Page, scene: PatternScene): Promise<void> {
   await settled(page);
 }
 
-/** The scene that is shown, with other alignments. */
+/** Shows the same scene with other alignments. */
 export async function realign(page: Page, alignments: readonly Alignment[]): Promise<void> {
   await page.evaluate((next) => {
     if (!Viewer.scene) return;
@@ -93,7 +96,7 @@ export async function realign(page: Page, alignments: readonly Alignment[]): Pro
   await settled(page);
 }
 
-/** A tile of 8 x 8 flat fields, each in a colour of its own. */
+/** A tile of 8 x 8 flat fields of different colours. */
 export function checkered(): {readonly png: string; readonly pixels: Pixels} {
   const field = 20;
   const canvas = createCanvas(8 * field, 8 * field);
@@ -122,10 +125,10 @@ export function colourAt({width, data}: Pixels, x: number, y: number): Colour {
   return [data[at] ?? NaN, data[at + 1] ?? NaN, data[at + 2] ?? NaN];
 }
 
-/** What the browser shows. */
+/** Screenshot of the page. */
 export const screenOf = async (page: Page): Promise<Pixels> => decoded(await page.screenshot());
 
-/** The colour of a tile under a point of a piece that lies on the print by p = R w + t. */
+/** The colour of a tile under a point of a piece that is aligned with the print by p = R w + t. */
 export function printed(print: Print, tile: Pixels, alignment: Alignment, p: Point): Colour {
   const [u, v] = coordinates(imageCell(print), onPrint(alignment, p));
   const column = Math.floor((u - Math.floor(u)) * tile.width);
@@ -145,7 +148,9 @@ function clearance({points, outline, holes}: ScenePiece, p: Point): number {
   );
 }
 
-/** Points inside a piece, away from its lines, with one colour of the tile for `room` around. [cm] */
+/**
+ * Points inside a piece, away from its lines, with one colour of the tile for `room` around. [cm]
+ */
 function flatPoints(scene: PatternScene, piece: ScenePiece, tile: Pixels, room: number): Point[] {
   const loop = pick(piece.points, piece.outline);
   const holes = piece.holes.map((hole) => pick(piece.points, hole));

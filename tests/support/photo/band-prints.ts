@@ -17,7 +17,7 @@ interface Band {
   readonly ink: Ink;
 }
 
-/** Bands under the cell's samples, and mirrored ones where the sett reads the same both ways. */
+/** Bands at the cell's samples, with mirrored ones in a symmetric sett. */
 function settOf(bands: readonly Band[], ground: Ink, even: boolean, n: number): Sett {
   const coverage = (i: number, {middle, half}: Band): number => {
     const off = Math.abs(((((i / n - middle) % 1) + 1.5) % 1) - 0.5);
@@ -41,7 +41,10 @@ function randomBands(inks: readonly Ink[], chance: Chance): readonly Band[] {
   }));
 }
 
-/** Two bands alike but for their colour, half a repeat apart: half the repeat is none. */
+/**
+ * Two bands that differ in colour only, half a repeat apart: half a repeat is no translation of the
+ * print.
+ */
 const halfAlike = (inks: readonly Ink[], chance: Chance): readonly Band[] => {
   const half = chance.between(0.08, 0.2);
   const [first = inks[0], second = inks[1]] = [...inks].sort(() => chance.next() - 0.5);
@@ -52,7 +55,7 @@ const halfAlike = (inks: readonly Ink[], chance: Chance): readonly Band[] => {
   ];
 };
 
-/** Warp along v, so its sett runs along u; each thread is seen half of the time. */
+/** The warp runs along v, so its sett runs along u; each thread is visible half of the time. */
 function woven(warp: Sett, weft: Sett, n: number): Cell {
   const cell = emptyCell(n, [0, 0, 0]);
   cell.planes.forEach((plane, c) => {
@@ -98,7 +101,7 @@ function wovenOf(kind: BandKind, chance: Chance): Woven {
     case 'uneven-plaid':
       return {group: 'p1', square: chance.happens(0.5), sett: along([false, false], false)};
     case 'half-uneven-plaid':
-      // w1 lies along the mirrors, so the even sett runs along w2
+      // w1 is parallel to the mirrors, so the symmetric sett runs along w2
       return {group: 'pm', square: chance.happens(0.5), sett: along([false, true], false)};
   }
 }
@@ -118,7 +121,10 @@ export function bandPrint(kind: BandKind, chance: Chance, n: number): RandomPrin
   throw new RangeError(`no ${kind} breaks what it lacks`);
 }
 
-/** w1 across the stripes, w2 half a centimetre along them: an uneven stripe has mirrors across it only. */
+/**
+ * w1 across the stripes, w2 half a centimetre along them: an asymmetric stripe only has mirrors
+ * perpendicular to it.
+ */
 export function stripePrint(even: boolean, chance: Chance, n: number): RandomPrint {
   for (let attempt = 0; attempt < 200; attempt++) {
     const {ground, inks} = palette(chance);
@@ -143,7 +149,7 @@ export function stripePrint(even: boolean, chance: Chance, n: number): RandomPri
   throw new RangeError('no stripe breaks what it lacks');
 }
 
-/** Share of a sett's energy by which `other` of it differs. */
+/** Share of a sett's energy by which it differs from the permuted sett. */
 function difference(sett: Sett, other: (i: number) => number): number {
   const n = sett.length;
   const mean = [0, 1, 2].map((c) => sett.reduce((sum, x) => sum + (x[c] ?? 0), 0) / n);

@@ -1,4 +1,4 @@
-/** How a flat cloth lies before a camera. */
+/** View of flat fabric through a camera. */
 import type {Point} from '@/model/geometry.js';
 
 /** Row by row. */
@@ -14,7 +14,7 @@ export type Matrix3 = readonly [
   number,
 ];
 
-/** Where lattice coordinates (u, v) lie on the upright picture: lens(H (u, v, 1)); y down. [px] */
+/** Map of lattice coordinates (u, v) to the upright image: lens(H (u, v, 1)); y down. [px] */
 export interface LatticeView {
   readonly homography: Matrix3;
   /** k of lens(y) = c + (1 + k |y - c|^2 / r^2) (y - c) */
@@ -30,14 +30,17 @@ interface Pose {
   readonly height: number;
   /** Focal length for 35 mm film: the frame's longer side is 36 mm. */
   readonly f35: number;
-  /** Of the cloth against the picture's plane, and the axis it turns about in that plane. [rad] */
+  /**
+   * Angle between the fabric and the image plane, and direction of the rotation axis in that plane.
+   * [rad]
+   */
   readonly tilt: number;
   readonly axis: number;
-  /** Of the cloth in its plane, counter-clockwise as it is seen. [rad] */
+  /** Rotation of the fabric in its plane, counter-clockwise as seen. [rad] */
   readonly turn: number;
-  /** At the picture's middle. */
+  /** Resolution at the image's middle. */
   readonly pxPerCm: number;
-  /** What lies in the picture's middle, in lattice coordinates. */
+  /** Lattice coordinates at the image's middle. */
   readonly middle: Point;
 }
 
@@ -67,7 +70,10 @@ export function applied(m: Matrix3, [x, y]: Point): Point {
   return [(m[0] * x + m[1] * y + m[2]) / w, (m[3] * x + m[4] * y + m[5]) / w];
 }
 
-/** Rotation by `tilt` about the axis (cos a, sin a, 0), after a turn in the plane. Camera: x right, y down, z away. */
+/**
+ * Rotation by `tilt` about the axis (cos a, sin a, 0), after a turn in the plane. Camera: x right,
+ * y down, z away.
+ */
 function rotation({tilt, axis, turn}: Pose): Matrix3 {
   const x = Math.cos(axis);
   const y = Math.sin(axis);
@@ -89,7 +95,7 @@ function rotation({tilt, axis, turn}: Pose): Matrix3 {
   return product(tilted, turned);
 }
 
-/** H of a pinhole camera that looks at the middle: K [R | t] on the cloth's plane. */
+/** H of a pinhole camera directed at the middle: K [R | t] on the fabric's plane. */
 export function homographyOf(pose: Pose, w1: Point, w2: Point): Matrix3 {
   const f = (pose.f35 / 36) * Math.max(pose.width, pose.height);
   const away = f / pose.pxPerCm;
@@ -106,13 +112,16 @@ export function homographyOf(pose: Pose, w1: Point, w2: Point): Matrix3 {
   return scaled(product(k, product(placed, onCloth)));
 }
 
-/** With 1 in the last place. */
+/** Scales the matrix so that its last entry is 1. */
 export function scaled(m: Matrix3): Matrix3 {
   const s = 1 / m[8];
   return [m[0] * s, m[1] * s, m[2] * s, m[3] * s, m[4] * s, m[5] * s, m[6] * s, m[7] * s, 1];
 }
 
-/** How far from the middle a ray would land without the lens, over how far it does, by its squared radius on the picture. */
+/**
+ * Distance of a ray from the middle without the lens, over that with it, by its squared radius in
+ * the image.
+ */
 export function unlensed({lens, lensRadius}: LatticeView, squared: number): number {
   if (lens === 0 || squared === 0) return 1;
   const k = lens / (lensRadius * lensRadius);
@@ -124,7 +133,7 @@ export function unlensed({lens, lensRadius}: LatticeView, squared: number): numb
   return flat / r;
 }
 
-/** The same from a table, for every pixel of a picture. */
+/** The same from a table, for every pixel of an image. */
 export function unlensedTable(view: LatticeView): (squared: number) => number {
   if (view.lens === 0) return () => 1;
   const steps = 1024;
@@ -140,7 +149,7 @@ export function unlensedTable(view: LatticeView): (squared: number) => number {
   };
 }
 
-/** d(px) / d(u, v) at a point of the picture's plane before the lens: the columns w1, w2 there. */
+/** d(px) / d(u, v) at a point of the image plane before the lens: the columns w1, w2 there. */
 export function repeatsAt(h: Matrix3, at: Point): readonly [Point, Point] {
   const [u, v] = applied(inverse(h), at);
   const w = h[6] * u + h[7] * v + h[8];

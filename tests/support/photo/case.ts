@@ -1,4 +1,4 @@
-/** A picture whose truth is known, as it is written down. */
+/** An image with known ground truth, in the format of cases.json. */
 import type {Point} from '@/model/geometry.js';
 import type {GroupName} from '@/model/print.js';
 
@@ -10,34 +10,34 @@ import type {Rgba} from './pixels.js';
 
 type Level = PhotoLevel | 'decoy' | 'tile';
 
-/** What a case's entry in cases.json says of its print; lengths in cm. */
+/** Fields of a case's entry in cases.json about its print; lengths in cm. */
 export interface PrintTruth extends LatticeView {
   readonly group: GroupName;
   readonly w1: Point;
   readonly w2: Point;
-  /** Of the group, in lattice coordinates: always [0, 0]. */
+  /** Origin of the group, in lattice coordinates: always [0, 0]. */
   readonly origin: Point;
-  /** The origin that lies nearest the picture's middle. [px] */
+  /** The origin nearest to the image's middle. [px] */
   readonly originPx: Point;
   /** Least share of its energy by which the print breaks a symmetry that it lacks. */
   readonly broken: number;
-  /** True where `broken` is below 6 %: then "almost" is no mistake. */
+  /** True where `broken` is below 6 %: then an almost valid symmetry is no mistake. */
   readonly near: boolean;
-  /** Of a tile, the picture's edges on the cloth, to the right and up. [cm] */
+  /** Edges of a tile's image on the fabric, to the right and up. [cm] */
   readonly right?: Point;
   readonly up?: Point;
 }
 
-/** What is written for every case. */
+/** Fields of every case. */
 export interface CaseHead {
   readonly name: string;
   readonly level: Level;
-  /** Of what: floral, plaid, bricks, ... */
+  /** Kind of subject: floral, plaid, bricks, ... */
   readonly kind: string;
   readonly seed: number;
   readonly width: number;
   readonly height: number;
-  /** Null where nothing says it. */
+  /** Null if unknown. */
   readonly f35: number | null;
 }
 

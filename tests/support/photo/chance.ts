@@ -1,4 +1,4 @@
-/** Chance by seed: the same numbers on every machine. */
+/** Seeded random numbers, the same on every machine. */
 export class Chance {
   private state: number;
 
@@ -6,7 +6,7 @@ export class Chance {
     this.state = seed >>> 0;
   }
 
-  /** In [0, 1): the generator mulberry32. */
+  /** A number in [0, 1): the generator mulberry32. */
   next(): number {
     this.state = (this.state + 0x6d2b79f5) >>> 0;
     let t = this.state;
@@ -19,7 +19,7 @@ export class Chance {
     return low + (high - low) * this.next();
   }
 
-  /** A whole number, both ends included. */
+  /** An integer, both ends included. */
   whole(low: number, high: number): number {
     return low + Math.floor((high - low + 1) * this.next());
   }
@@ -34,12 +34,12 @@ export class Chance {
     return this.next() < share;
   }
 
-  /** Mean 0, variance 1. */
+  /** A normal variate of mean 0 and variance 1. */
   normal(): number {
     return Math.sqrt(-2 * Math.log(1 - this.next())) * Math.cos(2 * Math.PI * this.next());
   }
 
-  /** Another source, which what is drawn from this one later does not change. */
+  /** A new generator, independent of later draws from this one. */
   branch(): Chance {
     return new Chance(Math.floor(this.next() * 4294967296));
   }

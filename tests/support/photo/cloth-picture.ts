@@ -1,4 +1,4 @@
-/** Cloth as light comes from it: the print through the view, with folds, weave and lamps. */
+/** Light reflected by fabric: the print through the view, with folds, weave and lamps. */
 import type {Point} from '@/model/geometry.js';
 
 import {inverse, repeatsAt, unlensedTable, type LatticeView} from './camera.js';
@@ -6,7 +6,7 @@ import {halved, type Cell, type Print} from './drawn-print.js';
 import type {Creases} from './creases.js';
 import {darkPicture, type LightPicture} from './pixels.js';
 
-/** Red, green, blue of a point of cloth into `out`; lattice coordinates. */
+/** Writes red, green, blue of a point of the fabric to `out`; lattice coordinates. */
 export type Sampler = (u: number, v: number, out: Float32Array) => void;
 
 /** The coarsest cell whose samples are no larger than `size`, as a share of the repeat. */
@@ -20,7 +20,7 @@ function fitting(cell: Cell, size: number): {cell: Cell; late: number} {
   return {cell: level, late};
 }
 
-/** Bilinear between samples. @param size of a pixel, as a share of the repeat */
+/** Bilinear interpolation between samples. @param size  of a pixel, as a share of the repeat */
 export function samplerOf(full: Cell, size: number): Sampler {
   const {cell, late} = fitting(full, size);
   const {n, planes} = cell;
@@ -60,7 +60,7 @@ export function samplerOf(full: Cell, size: number): Sampler {
   };
 }
 
-/** A pixel's size as a share of the repeat, in the picture's middle. */
+/** A pixel's size as a share of the repeat, in the image's middle. */
 export function pixelShare(view: LatticeView, width: number, height: number): number {
   const [a, b] = repeatsAt(view.homography, [width / 2, height / 2]);
   return 1 / Math.max(Math.hypot(...a), Math.hypot(...b));
@@ -68,9 +68,9 @@ export function pixelShare(view: LatticeView, width: number, height: number): nu
 
 /** Twill: threads run along a diagonal of w1 and its normal. */
 interface Weave {
-  /** How much lighter and darker threads are, as a share. */
+  /** Relative variation of the threads' brightness. */
   readonly strength: number;
-  /** Waves across a repeat, along u and v. */
+  /** Waves per repeat, along u and v. */
   readonly waves: Point;
 }
 
@@ -81,13 +81,13 @@ interface ClothLook {
   readonly light: (x: number, y: number, out: Float32Array) => void;
 }
 
-/** What the weave's contrast comes to when a pixel averages over it. */
+/** The weave's contrast after averaging over a pixel. */
 function seenWeave({strength, waves}: Weave, pixel: number): number {
   const perPixel = Math.hypot(...waves) * pixel;
   return perPixel < 0.5 ? strength * (1 - perPixel) : 0;
 }
 
-/** @param cloth what is seen at lattice coordinates */
+/** @param cloth  colour at lattice coordinates */
 export function clothPicture(
   cloth: Sampler,
   view: LatticeView,
@@ -139,7 +139,7 @@ export function clothPicture(
   return picture;
 }
 
-/** What a print's cloth shows. */
+/** Sampler of a print's fabric. */
 export const printSampler = (
   print: Print,
   view: LatticeView,

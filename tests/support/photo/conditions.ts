@@ -1,4 +1,4 @@
-/** How photographs are taken, by level. */
+/** Conditions of photos, by level. */
 import {castOf, type Lamps} from './lamps.js';
 import type {Chance} from './chance.js';
 
@@ -11,23 +11,23 @@ export interface Conditions {
   readonly tilt: number;
   readonly axis: number;
   readonly turn: number;
-  /** Repeats across the picture's longer side, of the length of the square of the cell's area. */
+  /** Repeats across the image's longer side; the unit is the square root of the cell's area. */
   readonly repeats: number;
-  /** No cell takes more than one such part of the shorter side: a repeat must be seen twice. */
+  /** A cell takes at most 1 / cellsShown of the shorter side, as a repeat must be visible twice. */
   readonly cellsShown: number;
   /** k of the lens, at half the longer side. */
   readonly lens: number;
   /** Greatest displacement by creases, as a share of a repeat. */
   readonly creases: number;
   readonly lamps: Lamps;
-  /** Of the threads, as a share. */
+  /** Relative strength of the threads' pattern. */
   readonly weave: number;
   /** [px] */
   readonly defocus: number;
   readonly motion: number;
   readonly iso: number;
   readonly halo: number;
-  /** Of the JPEG file, 0 to 100. */
+  /** Quality of the JPEG file, 0 to 100. */
   readonly quality: number;
   /** Share of the frame's sides that is kept; 1 is all. */
   readonly crop: number;

@@ -1,13 +1,16 @@
-/** How far cloth is displaced in its own plane: smooth, small, and not a change of the view. */
+/**
+ * Displacement of fabric in its own plane: smooth, small, and not equivalent to a change of the
+ * view.
+ */
 import type {Point} from '@/model/geometry.js';
 
 import {applied, inverse, type Matrix3} from './camera.js';
 import type {Chance} from './chance.js';
 
 export interface Creases {
-  /** Greatest displacement on the picture, as a share of a repeat. */
+  /** Greatest displacement in the image, as a share of a repeat. */
   readonly most: number;
-  /** What to add to the lattice coordinates seen at a pixel. */
+  /** Writes the offset of the lattice coordinates at a pixel. */
   at(x: number, y: number, out: Float64Array): void;
 }
 
@@ -19,7 +22,10 @@ interface Wave {
   readonly dv: number;
 }
 
-/** Changes of (u, v) that a change of the homography makes; the cloth's own lattice must stay the best fit. */
+/**
+ * Changes of (u, v) by a change of the homography; the fabric's own lattice must remain the best
+ * fit.
+ */
 const projective = (u: number, v: number): readonly (readonly [number, number])[] => [
   [1, 0],
   [u, 0],
@@ -51,7 +57,7 @@ function solved(rows: number[][], right: number[]): number[] {
   return x;
 }
 
-/** @param most greatest displacement, as a share of a repeat */
+/** @param most  greatest displacement, as a share of a repeat */
 export function creases(
   h: Matrix3,
   width: number,
@@ -115,7 +121,7 @@ export function creases(
   return tabled(left, width, height, most / greatest, most);
 }
 
-/** Read from a grid of 8 px: the waves are hundreds of pixels long. */
+/** Interpolates from a grid of 8 px: the waves are hundreds of pixels long. */
 function tabled(
   displacement: (x: number, y: number) => readonly [number, number],
   width: number,

@@ -1,4 +1,4 @@
-/** Pictures in which no print can be found, and those that only seem to show one. */
+/** Images without a recognisable print, and images that only seem to show one. */
 
 import {applied, inverse, type LatticeView} from './camera.js';
 import type {PhotoCase} from './case.js';
@@ -38,7 +38,7 @@ const scenes = {
 
 const sceneSides: Sides = {w1: [sceneSide, 0], w2: [0, sceneSide]};
 
-/** Seven tenths of the scene across: nothing is seen twice. */
+/** Shows seven tenths of the scene, so that nothing is visible twice. */
 const ofScene =
   (kind: keyof typeof scenes): Taking =>
   (conditions, size, chance) => {
@@ -52,7 +52,7 @@ const ofScene =
     );
   };
 
-/** A print so large that the picture is no more than `seen` times as long as its shortest repeat. */
+/** A large print: the image's longer side is at most `seen` times its shortest repeat. */
 const ofLargePrint =
   (seen: number): Taking =>
   (conditions, size, chance) => {
@@ -73,7 +73,7 @@ const ofLargePrint =
     );
   };
 
-/** Two cloths that meet in the picture's middle. */
+/** Two fabrics that meet in the image's middle. */
 const ofTwoPrints: Taking = (conditions, size, chance) => {
   const prints = [0, 1].map(() => floralPrint(chance.of(allGroups), chance.branch(), 512));
   const unit = sceneSide;
@@ -108,7 +108,7 @@ const takings: readonly (readonly [string, number, Taking])[] = [
   ['two-prints', 3, ofTwoPrints],
 ];
 
-/** Forty, in the order of their kinds; each is made when it is asked for. */
+/** Forty cases, in the order of their kinds; each is created on demand. */
 export function decoyCases(seed: number, size: Size): readonly (() => Promise<PhotoCase>)[] {
   return takings.flatMap(([kind, count, take], t) =>
     Array.from({length: count}, (_, k) => async (): Promise<PhotoCase> => {

@@ -1,4 +1,4 @@
-/** Prints as they are on the cloth: one cell, in which every symmetry permutes samples exactly. */
+/** Prints on fabric: one cell, in which every symmetry permutes samples exactly. */
 import type {GroupName} from '@/model/print.js';
 import type {Point} from '@/model/geometry.js';
 
@@ -6,19 +6,22 @@ import {elementsOf} from './group-elements.js';
 import type {Ink} from './inks.js';
 import type {Outline} from './outlines.js';
 
-/** A patch of ink at a place of the cell, and by symmetry at all equivalent ones; later ones cover earlier ones. */
+/**
+ * A patch of ink at a place of the cell, and by symmetry at all equivalent ones; later ones cover
+ * earlier ones.
+ */
 export interface Patch {
   readonly outline: Outline;
-  /** Of the outline's middle, in lattice coordinates. */
+  /** Position of the outline's middle, in lattice coordinates. */
   readonly at: Point;
   readonly ink: Ink;
-  /** By whose symmetries it is repeated, on the same w1, w2; the design's, if not given. */
+  /** Group whose symmetries repeat it, on the same w1, w2; by default the design's. */
   readonly group?: GroupName;
 }
 
 export interface Design {
   readonly group: GroupName;
-  /** [cm], counter-clockwise */
+  /** Counter-clockwise. [cm] */
   readonly w1: Point;
   readonly w2: Point;
   readonly ground: Ink;
@@ -44,7 +47,7 @@ export const emptyCell = (n: number, ground: Ink): Cell => ({
   ],
 });
 
-/** Where sample (i, j) goes under each element of the group. */
+/** Image of sample (i, j) under an element of the group. */
 type Placing = (i: number, j: number) => number;
 
 const placings = (group: GroupName, n: number): readonly Placing[] =>
@@ -53,7 +56,9 @@ const placings = (group: GroupName, n: number): readonly Placing[] =>
     return (i, j) => ((c * i + d * j + y * n) & mask) * n + ((a * i + b * j + x * n) & mask);
   });
 
-/** How much of each sample the patch and its images cover, as a union: so it is exactly symmetric. */
+/**
+ * Coverage of each sample by the patch and its images, as a union, so that it is exactly symmetric.
+ */
 class Cover {
   private readonly share: Float32Array;
   private readonly touched: number[] = [];
@@ -93,7 +98,7 @@ class Cover {
     }
   }
 
-  /** Prints what is covered, and forgets it. */
+  /** Prints the covered samples, and resets the coverage. */
   print(cell: Cell, ink: Ink): void {
     for (const k of this.touched) {
       const covered = this.share[k] ?? 0;
@@ -107,7 +112,7 @@ class Cover {
   }
 }
 
-/** @param n samples along either side, a power of two */
+/** @param n  samples along either side, a power of two */
 export function drawn(design: Design, n: number): Print {
   const cell = emptyCell(n, design.ground);
   const cover = new Cover(n);
@@ -118,7 +123,10 @@ export function drawn(design: Design, n: number): Print {
   return {group: design.group, w1: design.w1, w2: design.w2, cell};
 }
 
-/** The same cell with half as many samples: means of four. Its samples lie half a fine step later. */
+/**
+ * The same cell with half as many samples: means of four. Its samples are offset by half a fine
+ * step.
+ */
 export function halved({n, planes}: Cell): Cell {
   const half = n / 2;
   const mean = (plane: Float32Array): Float32Array => {

@@ -1,4 +1,4 @@
-/** Pictures as files: raw, PNG, JPEG with what a camera writes into it. */
+/** Images as files: raw, PNG, JPEG with a camera's metadata. */
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 
 import type {Rgba} from './pixels.js';
@@ -27,7 +27,7 @@ export async function decoded(file: Buffer): Promise<Rgba> {
   return {width: image.width, height: image.height, data: new Uint8ClampedArray(data)};
 }
 
-/** The pixels after they were kept as a JPEG file. */
+/** The pixels after storage as a JPEG file. */
 export const throughJpeg = async (pixels: Rgba, quality: number): Promise<Rgba> =>
   decoded(await jpegOf(pixels, quality));
 
@@ -39,7 +39,7 @@ export function rawOf({width, height, data}: Rgba): Buffer {
   return Buffer.concat([head, Buffer.from(data.buffer, data.byteOffset, data.byteLength)]);
 }
 
-/** What `rawOf` wrote. */
+/** Reads the format of `rawOf`. */
 export function fromRaw(bytes: Buffer): Rgba {
   const data = new Uint8ClampedArray(bytes.subarray(8));
   return {width: bytes.readInt32LE(0), height: bytes.readInt32LE(4), data};
@@ -47,7 +47,10 @@ export function fromRaw(bytes: Buffer): Rgba {
 
 export type Orientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8;
 
-/** The pixels as a camera stores them that says `orientation`: turned or mirrored, so that its tag undoes it. */
+/**
+ * The pixels in a camera's storage order for `orientation`: turned or mirrored, so that its tag
+ * undoes it.
+ */
 export function stored({width, height, data}: Rgba, orientation: Orientation): Rgba {
   const swaps = orientation >= 5;
   const w = swaps ? height : width;
@@ -64,7 +67,7 @@ export function stored({width, height, data}: Rgba, orientation: Orientation): R
   return {width: w, height: h, data: out};
 }
 
-/** Where a stored pixel belongs (EXIF 2.3, tag 274: what its row 0 and column 0 are). */
+/** Upright position of a stored pixel (EXIF 2.3, tag 274: meaning of row 0 and column 0). */
 function upright(x: number, y: number, w: number, h: number, o: Orientation): [number, number] {
   switch (o) {
     case 1:
@@ -86,7 +89,10 @@ function upright(x: number, y: number, w: number, h: number, o: Orientation): [n
   }
 }
 
-/** A JPEG file with an APP1 segment of the orientation and, where given, the focal length for 35 mm film. */
+/**
+ * A JPEG file with an APP1 segment of the orientation and, if given, the focal length for 35 mm
+ * film.
+ */
 export function withExif(jpeg: Buffer, orientation: Orientation, f35?: number): Buffer {
   const entry = (tag: number, type: number, value: number): Buffer => {
     const bytes = Buffer.alloc(12);

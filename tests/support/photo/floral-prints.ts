@@ -1,4 +1,4 @@
-/** Random prints of motifs in a group, and of no more symmetry than it. */
+/** Random prints of motifs in a group, without further symmetry. */
 import type {GroupName} from '@/model/print.js';
 import type {Point} from '@/model/geometry.js';
 
@@ -9,11 +9,14 @@ import {palette, type Ink} from './inks.js';
 import {blob, disc, flower, leaf, placed, stroke, type Outline} from './outlines.js';
 import {nearSymmetries, SymmetryShares} from './symmetry-shares.js';
 
-/** Lattices whose sides and angle differ by no more than this could be taken for more special ones. */
+/**
+ * Lattices whose sides and angle differ by no more than this could be mistaken for more special
+ * ones.
+ */
 const likeness = 0.05;
-/** A print is without a symmetry that breaks at least this share of its energy. */
+/** A print lacks a symmetry that breaks at least this share of its energy. */
 export const clearlyBroken = 0.06;
-/** Below this nobody can tell; between the two the print almost has the symmetry. */
+/** A smaller share is imperceptible; between the two the print almost has the symmetry. */
 export const barelyBroken = 0.02;
 
 /** w1 along +x, counter-clockwise. [cm] */
@@ -41,7 +44,7 @@ export function randomLattice(shape: Shape, chance: Chance): readonly [Point, Po
   }
 }
 
-/** A lattice the group allows; now and then a more special one, which must not mislead. */
+/** A lattice that the group allows; sometimes a more special one, which must not mislead. */
 function latticeFor(group: GroupName, chance: Chance): readonly [Point, Point] {
   const own = shapeOf(group);
   const special: Readonly<Partial<Record<Shape, readonly Shape[]>>> = {
@@ -62,7 +65,7 @@ function motif(size: number, chance: Chance): Outline {
   return flower(size * 1.1, chance.whole(4, 7), chance);
 }
 
-/** Motifs by chance; @param order of the group, which multiplies them */
+/** Random motifs. @param order  of the group, which multiplies them */
 export function randomPatches(
   w1: Point,
   w2: Point,
@@ -84,7 +87,7 @@ export function randomPatches(
   }).flat();
 }
 
-/** The least share of its energy by which a print breaks any symmetry that is not of its group. */
+/** The least share of its energy by which a print breaks any symmetry that its group lacks. */
 export function leastBroken({group, w1, w2, cell}: Print): number {
   const shares = new SymmetryShares(cell, w1, w2);
   const own = elementsOf(group).map(({m}) => m.join());
@@ -97,11 +100,11 @@ export function leastBroken({group, w1, w2, cell}: Print): number {
 }
 
 export interface RandomPrint extends Print {
-  /** The least share of its energy by which it breaks a symmetry that it lacks. */
+  /** The least share of its energy by which the print breaks a symmetry that it lacks. */
   readonly broken: number;
 }
 
-/** @param n samples along a side of the cell, a power of two, 256 at least */
+/** @param n  samples along a side of the cell, a power of two, 256 at least */
 export function floralPrint(group: GroupName, chance: Chance, n: number): RandomPrint {
   const order = elementsOf(group).length;
   for (let attempt = 0; attempt < 400; attempt++) {

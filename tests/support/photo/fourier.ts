@@ -1,4 +1,4 @@
-/** Fourier transforms of square pictures whose sides are powers of two. */
+/** Fourier transforms of square images whose sides are powers of two. */
 
 export interface Spectrum {
   readonly n: number;
@@ -39,7 +39,7 @@ function transformLine(re: Float64Array, im: Float64Array, sign: number): void {
   }
 }
 
-/** In place, unscaled; @param sign -1 to frequencies, 1 back */
+/** Transforms in place, unscaled. @param sign  -1 to frequencies, 1 back */
 export function transform({n, re, im}: Spectrum, sign: -1 | 1): void {
   const lineRe = new Float64Array(n);
   const lineIm = new Float64Array(n);

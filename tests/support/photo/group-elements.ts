@@ -1,12 +1,12 @@
 /**
- * The 17 wallpaper groups as lists of general positions, one per linear part, written down for the
- * judge alone: the table of the core is made from generators. Lattice coordinates u, v in the
- * conventions of the print file: mirrors of pm, the glides of pg, the mirrors of pmg and those of
- * p31m along w1, the mirror of cm along w1 + w2, 60 degrees between w1 and w2 of a hexagonal lattice.
+ * The 17 wallpaper groups as lists of general positions, one per linear part, independent of the
+ * core, whose table comes from generators. Lattice coordinates u, v follow the conventions of the
+ * print file: mirrors of pm, the glides of pg, the mirrors of pmg and those of p31m along w1, the
+ * mirror of cm along w1 + w2, 60 degrees between w1 and w2 of a hexagonal lattice.
  */
 import type {GroupName} from '@/model/print.js';
 
-/** (u, v) -> (m0 u + m1 v + a0, m2 u + m3 v + a1); of the shift only its part modulo 1 counts. */
+/** (u, v) -> (m0 u + m1 v + a0, m2 u + m3 v + a1); only the shift modulo 1 counts. */
 interface Element {
   readonly m: readonly [number, number, number, number];
   readonly a: readonly [number, number];
@@ -40,7 +40,7 @@ const positions: Readonly<Record<GroupName, readonly string[]>> = {
 
 export const allGroups = Object.keys(positions) as readonly GroupName[];
 
-/** What stands before `letter` in a sum such as -u-v or u+1/2. */
+/** Coefficient of `letter` in a sum such as -u-v or u+1/2. */
 function factor(sum: string, letter: 'u' | 'v'): number {
   const found = new RegExp(`([+-]?)${letter}`).exec(sum);
   return found ? (found[1] === '-' ? -1 : 1) : 0;
@@ -67,7 +67,7 @@ const shapes: Readonly<Record<Shape, readonly GroupName[]>> = {
   hexagonal: ['p3', 'p3m1', 'p31m', 'p6', 'p6m'],
 };
 
-/** What a group asks of its lattice at least. */
+/** Lattice shape that a group requires at least. */
 export function shapeOf(group: GroupName): Shape {
   const found = (Object.keys(shapes) as Shape[]).find((shape) => shapes[shape].includes(group));
   if (!found) throw new RangeError(`no shape for ${group}`);

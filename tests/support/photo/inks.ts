@@ -1,4 +1,4 @@
-/** Colours of inks and cloth. */
+/** Colours of inks and fabrics. */
 import type {Chance} from './chance.js';
 
 /** Red, green, blue, linear light, in [0, 1]. */
@@ -9,10 +9,10 @@ export const toLinear = (x: number): number =>
 export const toGamma = (x: number): number =>
   x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
 
-/** From gamma-coded red, green, blue in [0, 1]. */
+/** Converts gamma-coded red, green, blue in [0, 1]. */
 const ink = (r: number, g: number, b: number): Ink => [toLinear(r), toLinear(g), toLinear(b)];
 
-/** @param hue in turns @param value the greatest of the three, gamma-coded */
+/** @param hue  in turns @param value  the greatest of the three, gamma-coded */
 export function inkOf(hue: number, saturation: number, value: number): Ink {
   const part = (shift: number): number => {
     const k = (shift + 6 * hue) % 6;
@@ -26,7 +26,7 @@ interface Palette {
   readonly inks: readonly Ink[];
 }
 
-/** A light or a dark ground, and four or five inks that stand out from it. */
+/** A light or a dark ground, and four or five inks in contrast to it. */
 export function palette(chance: Chance): Palette {
   const dark = chance.happens(0.3);
   const hue = chance.next();

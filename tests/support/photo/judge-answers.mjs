@@ -1,7 +1,8 @@
-// Judges what was read from the cases that write-cases.mjs wrote:
+// Scores the results for the cases of write-cases.mjs:
 //   node tests/support/photo/judge-answers.mjs CASES ANSWERS [--json]
-// ANSWERS holds NAME.json for each case, as `seamwise photo --json` prints it; none or an empty one where it
-// refused the picture; and NAME.print.json, as `--out` writes it, if tiles, proportions and angles are to be judged.
+// ANSWERS is a folder with NAME.json for each case, in the format of `seamwise photo --json`; the
+// file is missing or empty if the image was refused. NAME.print.json, as written by `--out`, is
+// needed to score tiles, proportions and angles.
 import {fileURLToPath} from 'node:url';
 
 import {runnerImport} from 'vite';

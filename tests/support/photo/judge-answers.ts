@@ -1,4 +1,4 @@
-/** Judges a folder of answers to a folder of cases, and says how many are right, by level. */
+/** Scores a folder of answers for a folder of cases, and counts the right ones by level. */
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
@@ -12,9 +12,9 @@ import {basisFound, judge, latticePoint, type PhotoAnswer, type Verdict} from '.
 import {sidesOf, tilePsnr} from './judge-tile.js';
 
 interface Judged extends Verdict {
-  /** What the group that was found leaves open: both sides' ratio, and their angle. */
+  /** Lattice shape of the group found, which leaves ratio or angle of the sides open. */
   readonly shape: Shape | undefined;
-  /** Of the tile, where the answer has one. [dB] */
+  /** Peak signal-to-noise ratio of the tile, if the answer has one. [dB] */
   readonly psnr: number | undefined;
 }
 
@@ -26,7 +26,7 @@ interface PrintFile {
   readonly cell: 'primitive' | 'rectangular';
 }
 
-/** Against the true cell. */
+/** Peak signal-to-noise ratio against the true cell. */
 async function psnrOf(
   truth: CaseTruth,
   answer: PhotoAnswer,
@@ -50,8 +50,8 @@ const textIn = (file: string): string =>
   existsSync(file) ? readFileSync(file, 'utf8').trim() : '';
 
 /**
- * @param answers with NAME.json as printed by `photo --json`, none where the picture was refused, and NAME.print.json, whose w1
- *   and w2 are in proportion where the answer has none
+ * @param answers  folder with NAME.json as printed by `photo --json`, missing if the image was
+ * refused, and NAME.print.json, whose w1 and w2 are in proportion if the answer has none
  */
 export async function judgeAnswers(cases: string, answers: string): Promise<readonly Judged[]> {
   const truths = JSON.parse(readFileSync(join(cases, 'cases.json'), 'utf8')) as CaseTruth[];
@@ -80,7 +80,7 @@ const spread = (values: readonly number[], unit: string): string =>
 const percent = (part: number, of: number): string =>
   of === 0 ? '-' : `${((100 * part) / of).toFixed(1)} %`;
 
-/** One line per level: what was found, and how well. */
+/** One line per level: number and quality of the right answers. */
 export function summaryOf(judged: readonly Judged[]): string {
   const levels = [...new Set(judged.map(({level}) => level))];
   return levels
@@ -94,7 +94,7 @@ export function summaryOf(judged: readonly Judged[]): string {
 }
 
 function linesOf(level: string, cases: readonly Judged[]): readonly string[] {
-  // decoys and cut tiles have nothing to be found
+  // decoys and cut tiles contain no print
   const empty = cases.filter(({kind}) => level === 'decoy' || kind === 'cut');
   const claimed = empty.filter(({answered}) => answered === 'claimed');
   const full = cases.filter((one) => !empty.includes(one));
@@ -114,7 +114,7 @@ function linesOf(level: string, cases: readonly Judged[]): readonly string[] {
   const falsely = prints.filter(
     ({print, answered}) => print.falseClaim && !print.near && answered === 'claimed',
   );
-  // where the group decides them, nothing was measured
+  // excludes values that the group determines, as they are not measured
   const aspects = right.flatMap(({shape, print: {aspectError}}) =>
     aspectError === undefined || !['oblique', 'rectangular'].includes(shape ?? '')
       ? []

@@ -1,4 +1,4 @@
-/** Whether a group that is claimed, on its basis and origin, is among the symmetries of a print. */
+/** Checks whether a claimed group, on its basis and origin, is among the symmetries of a print. */
 import type {Point} from '@/model/geometry.js';
 import type {GroupName} from '@/model/print.js';
 
@@ -8,16 +8,18 @@ export type Basis = readonly [Point, Point];
 
 interface ClaimedGroup {
   readonly group: GroupName;
-  /** The claimed w1, w2 as columns in the print's lattice coordinates, row by row, determinant 1. */
+  /**
+   * The claimed w1, w2 as columns in the print's lattice coordinates, row by row, determinant 1.
+   */
   readonly basis: readonly [number, number, number, number];
-  /** In the print's lattice coordinates. */
+  /** The claimed origin in the print's lattice coordinates. */
   readonly origin: Point;
 }
 
 interface Agreement {
   /** Every claimed symmetry is one of the print, about some origin. */
   readonly holds: boolean;
-  /** From the nearest such origin, in square roots of the cell's area. */
+  /** Distance from the nearest such origin, in square roots of the cell's area. */
   readonly originError: number;
 }
 
@@ -32,20 +34,20 @@ const times = ([a, b, c, d]: Matrix, [p, q, r, s]: Matrix): Matrix => [
 const on = ([a, b, c, d]: Matrix, [x, y]: Point): Point => [a * x + b * y, c * x + d * y];
 const wrapped = (x: number): number => x - Math.round(x);
 
-/** Per claimed element its linear part m and by how much its shift about the print's origin is off. */
+/** Linear part m of a claimed element, and the error of its shift about the print's origin. */
 interface Pairing {
   readonly m: Matrix;
   readonly off: Point;
 }
 
-/** Undefined where a linear part is claimed that the print lacks. */
+/** Pairs the elements; undefined if a linear part is claimed that the print lacks. */
 function paired(truth: GroupName, {group, basis}: ClaimedGroup): readonly Pairing[] | undefined {
   const [a, b, c, d] = basis;
   const back: Matrix = [d, -b, -c, a];
   const own = new Map(elementsOf(truth).map((element) => [element.m.join(), element.a]));
   const pairs: Pairing[] = [];
   for (const element of elementsOf(group)) {
-    // -0 and 0 have one text
+    // turns -0 into 0, as their texts must be equal
     const m = times(times(basis, element.m), back).map((x) => x + 0) as unknown as Matrix;
     const shift = own.get(m.join());
     if (!shift) return undefined;
@@ -55,7 +57,9 @@ function paired(truth: GroupName, {group, basis}: ClaimedGroup): readonly Pairin
   return pairs;
 }
 
-/** What is left of each element's shift when the claimed origin is `o`: off + (1 - m) o, modulo 1. */
+/**
+ * Remaining error of each element's shift for the claimed origin `o`: off + (1 - m) o, modulo 1.
+ */
 const left = (pairs: readonly Pairing[], o: Point): readonly Point[] =>
   pairs.map(({m, off}) => {
     const image = on(m, o);
@@ -79,7 +83,8 @@ export function agreement(
     for (let i = 0; i < finest; i++) {
       const o: Point = [i / finest, j / finest];
       if (left(pairs, o).some((r) => Math.hypot(...r) > 1e-6)) continue;
-      // from there to the claimed origin, but for directions that the group leaves free
+      // the way from there to the claimed origin, except along directions that the group leaves
+      // free
       const move: Point = [wrapped(claimed.origin[0] - o[0]), wrapped(claimed.origin[1] - o[1])];
       least = Math.min(least, size(bound(pairs, move)));
     }

@@ -1,15 +1,18 @@
-/** How near a print's clean tile is to the print's true cell. */
+/** Compares a print's clean tile with the print's true cell. */
 import type {Point} from '@/model/geometry.js';
 
 import type {Rgba} from './pixels.js';
 import {toGamma, toLinear} from './inks.js';
 
-/** Finer than this no photograph of a case shows a repeat. */
+/** Resolution of the comparison; no photo of a case shows a repeat with more samples. */
 const compared = 96;
 
 const linear = Float64Array.from({length: 256}, (_, x) => toLinear(x / 255));
 
-/** Means over squares of a lattice of places, linear light, per colour; `place` gives where, pixel (0, 0) being at (0, 0). */
+/**
+ * Means over squares of a lattice, linear light, per colour. `place` maps lattice coordinates to
+ * pixels, pixel (0, 0) at (0, 0).
+ */
 function sampled(
   {width, height, data}: Rgba,
   place: (u: number, v: number) => Point,
@@ -23,7 +26,7 @@ function sampled(
       const left = Math.floor(x);
       const top = Math.floor(y);
       const to = Math.floor(j / fine) * compared + Math.floor(i / fine);
-      // bilinear: the pixels are larger than the steps, or hardly smaller
+      // bilinear: pixels are larger than the steps, or hardly smaller
       for (let part = 0; part < 4; part++) {
         const right = part & 1;
         const below = part >> 1;
@@ -41,17 +44,18 @@ function sampled(
 
 interface TileAnswer {
   readonly pixels: Rgba;
-  /** Columns: the picture's edge to the right and its edge up, in the answer's w1, w2; row by row. */
+  /** Columns: the image's edges to the right and up, in the answer's w1, w2; row by row. */
   readonly sides: readonly [number, number, number, number];
   /** Columns: the answer's w1, w2 in the print's lattice coordinates, row by row. */
   readonly basis: readonly [number, number, number, number];
-  /** The picture's lower left corner, in the print's lattice coordinates. */
+  /** The image's lower left corner, in the print's lattice coordinates. */
   readonly origin: Point;
 }
 
 /**
  * Peak signal over the root mean square difference of gamma-coded colours, after a gain per colour.
- * @param cell the case's NAME.cell.rgba: pixel (i, j) at (u, v) = (i / n, j / n)      [dB]
+ * [dB]
+ * @param cell  the case's NAME.cell.rgba: pixel (i, j) at (u, v) = (i / n, j / n)
  */
 export function tilePsnr(cell: Rgba, {pixels, sides, basis, origin}: TileAnswer): number {
   const [a, b, c, d] = sides;
@@ -83,7 +87,9 @@ export function tilePsnr(cell: Rgba, {pixels, sides, basis, origin}: TileAnswer)
   return -10 * Math.log10(sum / (3 * compared * compared));
 }
 
-/** What a print file's picture shows of its w1, w2 (`cell`), as in the contract of print files. */
+/**
+ * The sides of a print file's image in its w1, w2 (`cell`), as in the specification of print files.
+ */
 export function sidesOf(cell: 'primitive' | 'rectangular', shape: string): TileAnswer['sides'] {
   if (cell === 'primitive') return [1, 0, 0, 1];
   if (shape === 'rhombic') return [1, -1, 1, 1];

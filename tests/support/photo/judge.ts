@@ -1,4 +1,4 @@
-/** Compares what `seamwise photo --json` prints with the truth of a case. */
+/** Compares the output of `seamwise photo --json` with the truth of a case. */
 import type {Point} from '@/model/geometry.js';
 import type {GroupName} from '@/model/print.js';
 
@@ -7,10 +7,10 @@ import type {CaseHead, CaseTruth, PrintTruth} from './case.js';
 import {elementsOf} from './group-elements.js';
 import {agreement, type Basis} from './judge-groups.js';
 
-/** The fields that are judged. Nothing instead of it: the program refused the picture. */
+/** The fields that are scored. There is no answer if the program refused the image. */
 export interface PhotoAnswer {
   readonly homography: readonly number[];
-  /** At the picture's middle. [px] */
+  /** The origin nearest to the image's middle. [px] */
   readonly originPx: Point;
   readonly w1: Point | null;
   readonly w2: Point | null;
@@ -29,32 +29,38 @@ export interface Verdict {
   readonly level: CaseTruth['level'];
   readonly kind: string;
   readonly answered: 'refused' | 'uncertain' | 'claimed';
-  /** Undefined where there is nothing to compare. */
+  /** Undefined if there is nothing to compare. */
   readonly print: PrintVerdict | undefined;
 }
 
 interface PrintVerdict {
   /** The basis found spans exactly the print's lattice. */
   readonly primitive: boolean;
-  /** Cells of the print in the cell found; below 1 a translation is claimed that the print lacks. */
+  /**
+   * Cells of the print in the cell found; below 1 the answer claims a translation that the print
+   * lacks.
+   */
   readonly index: number;
-  /** Greatest error of a basis vector at the picture's middle, as a share of its length. */
+  /** Greatest error of a basis vector at the image's middle, as a share of its length. */
   readonly latticeError: number;
   readonly exactGroup: boolean;
-  /** Whether the answer claims a symmetry that the print lacks, a translation included. */
+  /** True if the answer claims a symmetry that the print lacks, including translations. */
   readonly falseClaim: boolean;
-  /** How far the origin lies from one that does as well, in square roots of the cell's area. */
+  /** Distance of the origin from the nearest equivalent one, in square roots of the cell's area. */
   readonly originError: number;
-  /** Of |w1| / |w2|, as a share, and of their angle, in degrees; where the answer has lengths, or a print is given. */
+  /**
+   * Relative error of |w1| / |w2|, and error of their angle in degrees, if the answer has lengths
+   * or a print is given.
+   */
   readonly aspectError: number | undefined;
   readonly angleError: number | undefined;
-  /** Of their lengths, as a share; where the answer has lengths. */
+  /** Relative error of their lengths, if the answer has lengths. */
   readonly scaleError: number | undefined;
-  /** The truth has a symmetry more, almost: then the group is no mistake. */
+  /** The print almost has a further symmetry; then claiming it is no mistake. */
   readonly near: boolean;
 }
 
-/** Columns w1, w2 and whole-number combinations of them. */
+/** Integer combinations of the columns w1, w2. */
 const columns = ([a, b]: Basis, [p, q, r, s]: readonly number[]): Basis => [
   [a[0] * (p ?? 0) + b[0] * (r ?? 0), a[1] * (p ?? 0) + b[1] * (r ?? 0)],
   [a[0] * (q ?? 0) + b[0] * (s ?? 0), a[1] * (q ?? 0) + b[1] * (s ?? 0)],
@@ -68,7 +74,7 @@ function within([a, b]: Basis, other: Basis): readonly number[] {
   return [u(other[0]), u(other[1]), v(other[0]), v(other[1])];
 }
 
-/** Where a pixel's ray would land without the lens. */
+/** Position of a pixel's ray without the lens. */
 function flattened(view: LatticeView, [x, y]: Point): Point {
   const dx = x - view.lensMiddle[0];
   const dy = y - view.lensMiddle[1];
@@ -76,7 +82,7 @@ function flattened(view: LatticeView, [x, y]: Point): Point {
   return [view.lensMiddle[0] + factor * dx, view.lensMiddle[1] + factor * dy];
 }
 
-/** The print's w1, w2 as they are seen at a pixel, lens included. [px] */
+/** The print's w1, w2 as seen at a pixel, including the lens. [px] */
 export function seenRepeats(view: LatticeView, at: Point): Basis {
   const flat = flattened(view, at);
   const [dx, dy] = [flat[0] - view.lensMiddle[0], flat[1] - view.lensMiddle[1]];
@@ -97,14 +103,14 @@ const length = (v: Point): number => Math.hypot(...v);
 const angle = ([a, b]: Basis): number =>
   (Math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) * 180) / Math.PI;
 
-/** How the basis seen at the picture's middle is made of the print's, not rounded. */
+/** The found basis at the image's middle in terms of the print's, not rounded. */
 const changeOf = (truth: CaseHead & PrintTruth, {homography}: PhotoAnswer): readonly number[] => {
   const middle: Point = [truth.width / 2, truth.height / 2];
   const found = repeatsAt(homography as unknown as Matrix3, middle);
   return within(seenRepeats(truth, middle), found);
 };
 
-/** The answer's w1, w2 as whole-number columns in the print's lattice coordinates, row by row. */
+/** The answer's w1, w2 as integer columns in the print's lattice coordinates, row by row. */
 export function basisFound(
   truth: CaseHead & PrintTruth,
   answer: PhotoAnswer,
@@ -158,12 +164,12 @@ function judgePrint(
   };
 }
 
-/** Stripes have one period only: it must be that of the print, across the stripes. */
+/** Stripes have only one period, which must be that of the print, across the stripes. */
 function judgeStripes(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintVerdict {
   const middle: Point = [truth.width / 2, truth.height / 2];
   const [across, along] = seenRepeats(truth, middle);
   const period = (basis: Basis): number => {
-    // of what is found, the vector that leads out of the stripes' direction
+    // the found vector that differs most from the stripes' direction
     const out = basis.map((v) => Math.abs(v[0] * along[1] - v[1] * along[0]) / length(along));
     return Math.max(...out);
   };
@@ -187,8 +193,8 @@ function judgeStripes(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintV
 }
 
 /**
- * @param answer undefined where the program refused the picture
- * @param printed its print as `--out` writes it, in proportion only where the answer has no lengths
+ * @param answer  undefined if the program refused the image
+ * @param printed  its print as written by `--out`, in proportion only if the answer has no lengths
  */
 export function judge(
   truth: CaseTruth,

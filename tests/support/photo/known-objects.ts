@@ -1,19 +1,19 @@
-/** Things of known size that lie on photographed cloth. */
+/** Objects of known size on photographed fabric. */
 import type {Point} from '@/model/geometry.js';
 
 import {applied, inverse, unlensed} from './camera.js';
 import type {PrintTruth} from './case.js';
 import type {Rgba} from './pixels.js';
 
-/** In cm from its middle, x along its width: whether it covers that, and how light it is there, 0 to 255. */
+/** Shape in cm from its middle, x along its width, and its brightness, 0 to 255. */
 interface KnownThing {
-  /** All of it is nearer to its middle. [cm] */
+  /** Greatest distance of its points from the middle. [cm] */
   readonly reach: number;
   readonly covers: (x: number, y: number) => boolean;
   readonly shade: (x: number, y: number) => number;
 }
 
-/** With a ring within, as coins of two metals have. */
+/** A coin with an inner ring, like coins of two metals. */
 export const coin = (diameter: number): KnownThing => ({
   reach: diameter / 2,
   covers: (x, y) => Math.hypot(x, y) < diameter / 2,
@@ -23,19 +23,19 @@ export const coin = (diameter: number): KnownThing => ({
 export const card = (width: number, height: number): KnownThing => ({
   reach: Math.hypot(width, height) / 2,
   covers: (x, y) => {
-    const radius = 0.318; // of the corners, by ISO/IEC 7810
+    const radius = 0.318; // corner radius by ISO/IEC 7810
     const [dx, dy] = [Math.abs(x) - width / 2 + radius, Math.abs(y) - height / 2 + radius];
     return dx < radius && dy < radius && Math.hypot(Math.max(0, dx), Math.max(0, dy)) < radius;
   },
   shade: (_, y) => (y > 0.2 * height ? 90 : 232),
 });
 
-/** More than a pixel is. [cm] */
+/** Larger than a pixel. [cm] */
 const margin = 0.2;
-/** How many samples a pixel has, each way. */
+/** Number of samples in a pixel, in each direction. */
 const samples = 4;
 
-/** The picture with the thing on its cloth, its middle at a pixel. @param turn counter-clockwise. [rad] */
+/** Draws the object on the fabric, its middle at a pixel. @param turn  counter-clockwise. [rad] */
 export function withThing(
   {width, height, data}: Rgba,
   {w1, w2, ...view}: PrintTruth,

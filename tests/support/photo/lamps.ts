@@ -1,17 +1,17 @@
-/** Light over a picture: two lamps, the lens's dark corners, their colour. */
+/** Light over an image: two lamps, the lens's vignetting, their colour. */
 import type {Chance} from './chance.js';
 import type {Ink} from './inks.js';
 
 export interface Lamps {
-  /** Least over greatest light on the picture. */
+  /** Least over greatest light in the image. */
   readonly least: number;
   /** Share of light lost in the corners. */
   readonly vignette: number;
-  /** Per colour, around 1. */
+  /** Factor per colour, around 1. */
   readonly cast: Ink;
 }
 
-/** Per colour, at a pixel; greatest 1 where the cast is. */
+/** Light per colour at a pixel; the greatest is 1 where the cast is. */
 export function lightOf(
   {least, vignette, cast}: Lamps,
   width: number,
@@ -44,7 +44,7 @@ export function lightOf(
       high = Math.max(high, value);
     }
   }
-  // a power that makes the darkest place as dark as asked for
+  // exponent that gives the darkest place the required light
   const power = Math.log(least) / Math.log(low / high);
   const [red, green, blue] = cast;
   return (x, y, out) => {
@@ -55,7 +55,7 @@ export function lightOf(
   };
 }
 
-/** @param most by how much each colour may be off */
+/** @param most  greatest deviation of each colour */
 export const castOf = (most: number, chance: Chance): Ink => [
   chance.between(1 - most, 1 + most),
   chance.between(1 - most, 1 + most),

@@ -1,8 +1,8 @@
-/** Outlines of motifs, by how far a point lies outside. Lengths in cm, around the motif's middle. */
+/** Outlines of motifs as distance functions. Lengths in cm, around the motif's middle. */
 import type {Chance} from './chance.js';
 
 export interface Outline {
-  /** No point of it lies farther from its middle. [cm] */
+  /** Greatest distance of its points from the middle. [cm] */
   readonly reach: number;
   /** Near the outline the distance from it, negative within. [cm] */
   readonly outside: (x: number, y: number) => number;
@@ -13,7 +13,7 @@ export const disc = (radius: number): Outline => ({
   outside: (x, y) => Math.sqrt(x * x + y * y) - radius,
 });
 
-/** @param turn counter-clockwise, radians */
+/** @param turn  counter-clockwise, radians */
 export function placed(outline: Outline, atX: number, atY: number, turn: number): Outline {
   const c = Math.cos(turn);
   const s = Math.sin(turn);
@@ -24,7 +24,7 @@ export function placed(outline: Outline, atX: number, atY: number, turn: number)
   };
 }
 
-/** A round patch whose radius waves around it. */
+/** A round patch with a wavy radius. */
 export function blob(radius: number, chance: Chance): Outline {
   const waves = [1, 2, 3, 4, 5].map((k) => ({
     k,
@@ -50,7 +50,10 @@ export function blob(radius: number, chance: Chance): Outline {
   };
 }
 
-/** Between two arcs, from the middle along +x; `bend` moves its tip aside, so that it has no mirror. */
+/**
+ * A leaf between two arcs, from the middle along +x; `bend` moves its tip aside, so that it has no
+ * mirror.
+ */
 export function leaf(length: number, width: number, bend: number): Outline {
   return {
     reach: Math.hypot(length, Math.abs(bend) * length + width),
@@ -93,7 +96,9 @@ export function stroke(length: number, thickness: number, bend: number): Outline
   };
 }
 
-/** Petals around a middle, the first the longest: no turn and no mirror of its own. */
+/**
+ * Petals around a middle, the first the longest, so that the flower has no rotation and no mirror.
+ */
 export function flower(radius: number, petals: number, chance: Chance): Outline {
   const parts = Array.from({length: petals}, (_, k) =>
     placed(

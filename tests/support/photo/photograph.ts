@@ -1,4 +1,4 @@
-/** A photograph of cloth, with where everything truly is. */
+/** A photo of fabric, with its ground truth. */
 import type {Point} from '@/model/geometry.js';
 
 import {applied, homographyOf, inverse, type LatticeView, type Matrix3} from './camera.js';
@@ -17,7 +17,7 @@ export interface Photograph {
   readonly view: LatticeView;
 }
 
-/** The two vectors by which what is photographed is laid out. [cm] */
+/** The two vectors of the coordinates of the photographed scene. [cm] */
 export type Sides = Pick<Print, 'w1' | 'w2'>;
 
 function viewOf(
@@ -44,7 +44,7 @@ function viewOf(
   };
 }
 
-/** Anything seen at lattice coordinates, as it is photographed. */
+/** Photographs a scene given by lattice coordinates. */
 export async function photographed(
   sampler: (view: LatticeView) => Sampler,
   sides: Sides,
@@ -121,7 +121,7 @@ function moved(view: LatticeView, left: number, top: number): LatticeView {
   };
 }
 
-/** A print as it is photographed. */
+/** Photographs a print. */
 export const photographOf = (
   print: Print,
   conditions: Conditions,
@@ -130,7 +130,7 @@ export const photographOf = (
 ): Promise<Photograph> =>
   photographed((view) => printSampler(print, view, ...size), print, conditions, size, chance);
 
-/** The lattice point of the group's origin that lies nearest the picture's middle. [px] */
+/** The lattice point of the group's origin nearest to the image's middle. [px] */
 export function originNear(view: LatticeView, width: number, height: number): Point {
   const [u, v] = applied(inverse(view.homography), [width / 2, height / 2]);
   return applied(view.homography, [Math.round(u), Math.round(v)]);

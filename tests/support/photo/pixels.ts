@@ -1,10 +1,10 @@
-/** Pictures in linear light, and as files have them. */
+/** Images in linear light, and as in files. */
 import {toGamma} from './inks.js';
 
 export interface LightPicture {
   readonly width: number;
   readonly height: number;
-  /** Red, green, blue, linear, 1 where the sensor is full. */
+  /** Red, green, blue, linear; 1 saturates the sensor. */
   readonly planes: readonly [Float32Array, Float32Array, Float32Array];
 }
 
@@ -22,14 +22,14 @@ export function darkPicture(width: number, height: number): LightPicture {
 const codes = 65535;
 const gammaTable = Float32Array.from({length: codes + 1}, (_, k) => 255 * toGamma(k / codes));
 
-/** Gamma-coded, 0 to 255, not yet rounded; clipped as a sensor does. */
+/** Gamma-coded, 0 to 255, not yet rounded; clipped like a sensor's values. */
 export function coded({planes, ...size}: LightPicture): LightPicture {
   const code = (plane: Float32Array): Float32Array =>
     plane.map((x) => gammaTable[x <= 0 ? 0 : x >= 1 ? codes : Math.round(x * codes)] ?? 0);
   return {...size, planes: [code(planes[0]), code(planes[1]), code(planes[2])]};
 }
 
-/** @param picture coded */
+/** @param picture  gamma-coded */
 export function rgba({width, height, planes}: LightPicture): Rgba {
   const data = new Uint8ClampedArray(4 * width * height);
   planes.forEach((plane, c) => {
@@ -39,7 +39,7 @@ export function rgba({width, height, planes}: LightPicture): Rgba {
   return {width, height, data};
 }
 
-/** Pixels of a rectangle that lies inside. */
+/** Pixels of a rectangle inside the image. */
 export function cropped(
   {width, data}: Rgba,
   left: number,

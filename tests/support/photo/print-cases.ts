@@ -1,4 +1,4 @@
-/** Photographs of prints in the 17 groups. */
+/** Photos of prints in the 17 groups. */
 import type {GroupName} from '@/model/print.js';
 
 import type {CaseHead, PhotoCase, PrintTruth} from './case.js';
@@ -9,7 +9,7 @@ import {clearlyBroken, floralPrint, type RandomPrint} from './floral-prints.js';
 import {originNear, photographOf, type Photograph} from './photograph.js';
 import {almostPrint, isStripe, specialPrints} from './special-prints.js';
 
-/** Samples along a side of a cell: as many as the greatest repeat of a picture has pixels. */
+/** Samples along a side of a cell: as many as the greatest repeat of an image has pixels. */
 const samplesFor = (longerSide: number): number =>
   2 ** Math.max(8, Math.ceil(Math.log2(longerSide / 2.4)));
 
@@ -17,7 +17,7 @@ export interface PrintCase extends PhotoCase {
   readonly truth: CaseHead & PrintTruth;
 }
 
-/** @param broken least share of its energy by which the print breaks what it lacks */
+/** @param broken  least share of its energy by which the print breaks a symmetry that it lacks */
 export function printCase(
   head: Pick<CaseHead, 'name' | 'level' | 'kind' | 'seed' | 'f35'>,
   {pixels, view}: Photograph,
@@ -52,7 +52,7 @@ interface PrintCaseAsked {
   readonly size: readonly [number, number];
 }
 
-/** Takes the picture of a print as the level has it. */
+/** Photographs a print under the conditions of the level. */
 async function taken(
   {name, level, seed, size}: PrintCaseAsked,
   kind: string,
@@ -66,7 +66,7 @@ async function taken(
   return printCase({name, level, kind, seed, f35}, photograph, print, print.broken);
 }
 
-/** Repeats are those across the stripes: along them they have no length of their own. */
+/** Counts repeats across the stripes only, as the length along them is arbitrary. */
 const acrossStripes = (conditions: Conditions, {w1, w2}: Print): Conditions => ({
   ...conditions,
   repeats: conditions.repeats * Math.sqrt(Math.hypot(...w1) / Math.hypot(...w2)),
@@ -78,7 +78,7 @@ export function floralCase(asked: PrintCaseAsked, group: GroupName): Promise<Pho
   return taken(asked, 'floral', print, chance);
 }
 
-/** @param kind of `specialPrints` */
+/** @param kind  of `specialPrints` */
 export function specialCase(asked: PrintCaseAsked, kind: string): Promise<PhotoCase> {
   const chance = new Chance(asked.seed);
   const make = specialPrints[kind];
@@ -86,7 +86,7 @@ export function specialCase(asked: PrintCaseAsked, kind: string): Promise<PhotoC
   return taken(asked, kind, make(chance.branch(), samplesFor(Math.max(...asked.size))), chance);
 }
 
-/** @param number which of the pairs of groups that `almostPrint` knows */
+/** @param number  of the pair of groups in `almostPrint` */
 export function almostCase(asked: PrintCaseAsked, number: number): Promise<PhotoCase> {
   const chance = new Chance(asked.seed);
   const print = almostPrint(number, chance.branch(), samplesFor(Math.max(...asked.size)));

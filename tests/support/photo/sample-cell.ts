@@ -1,4 +1,4 @@
-/** The picture of a sample print's cell as cloth that can be photographed. */
+/** The image of a sample print's cell as fabric for photos. */
 import {combined} from '@/model/geometry.js';
 import type {Print as PrintFile} from '@/model/print.js';
 import {pixelGrid, type Pixels} from '@/recognition/tile-cloth.js';
@@ -8,7 +8,9 @@ import {toLinear} from './inks.js';
 
 const linear = Float32Array.from({length: 256}, (_, x) => toLinear(x / 255));
 
-/** @param n samples along w1 and w2, a power of two; each is bilinear between pixels */
+/**
+ * @param n  samples along w1 and w2, a power of two; each is interpolated bilinearly between pixels
+ */
 export function sampledPrint(
   {group, w1, w2, cell: imageCell = 'primitive'}: PrintFile,
   {width, height, data}: Pixels,

@@ -1,4 +1,4 @@
-/** Cloth, paper and walls without a repeat: one square that a picture shows a part of. */
+/** Fabric, paper and walls without a repeat: one square, of which an image shows a part. */
 import type {Point} from '@/model/geometry.js';
 
 import type {Chance} from './chance.js';
@@ -7,7 +7,7 @@ import {transform} from './fourier.js';
 import {inkOf, palette, toLinear, type Ink} from './inks.js';
 import {blob, disc, flower, leaf, placed, stroke, type Outline} from './outlines.js';
 
-/** Sides of a scene. [cm] */
+/** Side of a scene. [cm] */
 export const sceneSide = 60;
 const samples = 2048;
 
@@ -30,7 +30,7 @@ export const whiteNoise = (chance: Chance): Cell => {
   });
 };
 
-/** Energy falls with the square of the frequency, as in pictures of nature. */
+/** Energy falls with the square of the frequency, as in natural images. */
 export function cloudy(chance: Chance): Cell {
   const n = 512;
   const channels = [0, 1, 2].map(() => {
@@ -58,7 +58,7 @@ export function cloudy(chance: Chance): Cell {
   });
 }
 
-/** Rows of equal height; lengths, offsets and colours of the bricks by chance. */
+/** Rows of equal height with random lengths, offsets and colours of the bricks. */
 export function bricks(chance: Chance): Cell {
   const n = samples;
   const rows = chance.whole(14, 26);
@@ -86,7 +86,7 @@ export function bricks(chance: Chance): Cell {
   });
 }
 
-/** Lines of words of random letters, each letter a pattern of its own. */
+/** Lines of words of random letters, each letter a different pattern. */
 export function textPage(chance: Chance): Cell {
   const n = samples;
   const letters = Array.from({length: 26}, () =>
@@ -142,7 +142,7 @@ export function gradient(chance: Chance): Cell {
   const angle = chance.between(0, 2 * Math.PI);
   const n = 512;
   return filled(n, (i, j) => {
-    // one wave along each side: no edge where the scene ends
+    // one wave along each side, so that the scene has no visible border
     const along = Math.cos((2 * Math.PI * i) / n + angle) + Math.cos((2 * Math.PI * j) / n);
     const t = 0.5 + 0.2 * along;
     return [0, 1, 2].map((c) => (from[c] ?? 0) + t * ((to[c] ?? 0) - (from[c] ?? 0))) as [
@@ -164,7 +164,10 @@ const someMotif = (size: number, chance: Chance): Outline =>
     () => flower(1.2 * size, 5, chance),
   ])();
 
-/** Motifs no nearer to each other than their size, anywhere (Poisson discs by throwing darts). */
+/**
+ * Motifs at random places, no nearer to each other than their size (Poisson discs by dart
+ * throwing).
+ */
 export function scattered(chance: Chance): Cell {
   const {ground, inks} = palette(chance);
   const apart = chance.between(2.5, 5);
@@ -189,7 +192,7 @@ export function scattered(chance: Chance): Cell {
   );
 }
 
-/** One motif on the places of a lattice, each copy turned as it came, in a colour as it came. */
+/** One motif on the places of a lattice, each copy with a random turn and colour. */
 export function turnedAtRandom(chance: Chance): Cell {
   const {ground, inks} = palette(chance);
   const across = chance.whole(8, 12);

@@ -1,4 +1,4 @@
-/** What a camera adds: blur, noise, sharpening. In linear light unless said. */
+/** Effects of a camera: blur, noise, sharpening. In linear light unless noted. */
 import type {Chance} from './chance.js';
 import type {LightPicture} from './pixels.js';
 
@@ -59,7 +59,7 @@ export function defocused(picture: LightPicture, sigma: number): LightPicture {
   );
 }
 
-/** The mean along a short line. @param length px @param angle from +x towards +y, radians */
+/** The mean along a short line. @param length  px @param angle  from +x towards +y, radians */
 export function shaken(picture: LightPicture, length: number, angle: number): LightPicture {
   if (length < 0.5) return picture;
   const {width, height} = picture;
@@ -94,10 +94,15 @@ export function shaken(picture: LightPicture, length: number, angle: number): Li
   });
 }
 
-/** Numbers of mean 0 and variance 1, made once: drawing each anew takes longer than all else. */
+/**
+ * Number of precomputed normal variates; drawing each one separately takes longer than all else.
+ */
 const normals = 1 << 16;
 
-/** Shot noise: variance 1.4e-6 ISO x light, chosen so that ISO 3200 gives 3 % in the middle greys, and read noise. */
+/**
+ * Shot noise: variance 1.4e-6 ISO x light, chosen so that ISO 3200 gives 3 % in the middle greys,
+ * and read noise.
+ */
 export function noisy(picture: LightPicture, iso: number, chance: Chance): LightPicture {
   const table = Float32Array.from({length: normals}, () => chance.normal());
   const shot = 1.4e-6 * iso;
@@ -111,7 +116,9 @@ export function noisy(picture: LightPicture, iso: number, chance: Chance): Light
   });
 }
 
-/** Unsharp mask. @param picture coded @param amount of the difference from its blur that is added */
+/**
+ * Unsharp mask. @param picture  gamma-coded @param amount  factor of the difference from its blur
+ */
 export function sharpened(picture: LightPicture, amount: number): LightPicture {
   if (amount <= 0) return picture;
   const soft = defocused(picture, 1.3);

@@ -1,4 +1,7 @@
-/** Prints that mislead: half-drops, halves of a repeat that differ in colour alone, rows with one motif mirrored. */
+/**
+ * Misleading prints: half-drops, halves of a repeat that differ in colour alone, rows with one
+ * mirrored motif.
+ */
 import type {Point} from '@/model/geometry.js';
 import type {GroupName} from '@/model/print.js';
 
@@ -19,7 +22,7 @@ import {leaf, placed} from './outlines.js';
 
 const tries = 400;
 
-/** The first design that breaks at least 2 % of its energy in all it lacks. */
+/** The first design that breaks every symmetry it lacks by at least 2 % of its energy. */
 function accepted(design: () => Design, n: number): RandomPrint {
   for (let attempt = 0; attempt < tries; attempt++) {
     const one = design();
@@ -43,7 +46,7 @@ function halfDrop(chance: Chance, n: number): RandomPrint {
   }, n);
 }
 
-/** The same shapes half a repeat on, one ink of them another. */
+/** The same shapes half a repeat further, with one ink exchanged. */
 function halfAlike(chance: Chance, n: number): RandomPrint {
   return accepted(() => {
     const group: GroupName = chance.of(['p1', 'p2', 'pm'] as const);
@@ -103,7 +106,7 @@ function oneOfSix(chance: Chance, n: number): RandomPrint {
   }, n);
 }
 
-/** A group and the one that is left when a single motif follows no more than it, on the same w1, w2. */
+/** A group, and the subgroup that a single motif reduces it to, on the same w1, w2. */
 const lessened = [
   ['p4m', 'p4'],
   ['p6m', 'p6'],
@@ -115,7 +118,10 @@ const lessened = [
   ['cm', 'p1'],
 ] as const;
 
-/** A print of one of those groups but for a single motif: it almost has the others' symmetries. */
+/**
+ * A print of one of those groups except for a single motif: it almost has the first group's
+ * symmetries.
+ */
 export function almostPrint(number: number, chance: Chance, n: number): RandomPrint {
   const [group, left] = lessened[number % lessened.length] ?? lessened[0];
   const order = elementsOf(group).length;
@@ -139,7 +145,7 @@ export function almostPrint(number: number, chance: Chance, n: number): RandomPr
   throw new RangeError(`no print of ${left} almost is of ${group}`);
 }
 
-/** By kind, how they are made; `n` samples along a side of the cell. */
+/** Generators by kind; `n` samples along a side of the cell. */
 export const specialPrints: Readonly<Record<string, (chance: Chance, n: number) => RandomPrint>> = {
   ...Object.fromEntries(
     bandKinds.map((kind) => [kind, (chance: Chance, n: number) => bandPrint(kind, chance, n)]),

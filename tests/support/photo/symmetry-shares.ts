@@ -1,4 +1,4 @@
-/** What is symmetric about a cell by its own samples, whatever it was drawn as. */
+/** Symmetries of a cell, measured from its samples alone. */
 import type {Point} from '@/model/geometry.js';
 
 import type {Cell} from './drawn-print.js';
@@ -7,11 +7,14 @@ import {toGamma} from './inks.js';
 
 type Matrix = readonly [number, number, number, number];
 
-/** Frequencies above this many waves a cell are left out: no photograph shows them sharply. */
+/** Frequencies above this many waves a cell are left out: no photo shows them sharply. */
 const finest = 24;
 const coarse = 128;
 
-/** Whole-number matrices that keep the lengths and the angle of w1, w2 within `tolerance`, but the identity. */
+/**
+ * Integer matrices, except the identity, that keep the lengths and the angle of w1, w2 within
+ * `tolerance`.
+ */
 export function nearSymmetries(w1: Point, w2: Point, tolerance: number): readonly Matrix[] {
   const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1];
   const found: Matrix[] = [];
@@ -36,7 +39,9 @@ export function nearSymmetries(w1: Point, w2: Point, tolerance: number): readonl
   return found;
 }
 
-/** The cell's waves per colour channel: brightness, red against blue, green against both; no mean. */
+/**
+ * The cell's waves per colour channel: brightness, red against blue, green against both; no mean.
+ */
 function wavesOf({n, planes}: Cell): readonly Spectrum[] {
   const step = n / coarse;
   const channels = [0, 1, 2].map(() => new Float64Array(coarse * coarse));
@@ -60,7 +65,7 @@ function wavesOf({n, planes}: Cell): readonly Spectrum[] {
 
 const at = (kx: number, ky: number): number => (ky & (coarse - 1)) * coarse + (kx & (coarse - 1));
 
-/** What shares of a cell's energy are broken by a matrix, at each of 128 x 128 shifts. */
+/** Shares of a cell's energy that break a matrix, at each of 128 x 128 shifts. */
 export class SymmetryShares {
   private readonly waves: readonly Spectrum[];
   private readonly used: readonly (readonly [number, number])[];
@@ -71,7 +76,7 @@ export class SymmetryShares {
     this.waves = wavesOf(cell);
     const area = w1[0] * w2[1] - w1[1] * w2[0];
     const used: [number, number][] = [];
-    // frequencies k1 w1* + k2 w2* in a disc: every symmetry of the lattice keeps it
+    // frequencies k1 w1* + k2 w2* in a disc, which every symmetry of the lattice preserves
     for (let ky = -finest; ky <= finest; ky++) {
       for (let kx = -finest; kx <= finest; kx++) {
         const fx = kx * w2[1] - ky * w1[1];
@@ -100,7 +105,7 @@ export class SymmetryShares {
     };
     for (const [kx, ky] of this.used) {
       const k = at(kx, ky);
-      // T(m u) has at m^T k the wave that T has at k
+      // the wave of T(m u) at m^T k is that of T at k
       const q = at(a * kx + c * ky, b * kx + d * ky);
       for (const {re, im} of this.waves) {
         const x = re[q] ?? 0;
@@ -136,7 +141,7 @@ export class SymmetryShares {
 
   /** The share that breaks an element on the cell's own origin. */
   ofElement(m: Matrix, shift: Point): number {
-    // T(m u + a) = T(u) is T(m u) = T(u - m^-1 a') read at the shift -a for T(u + s)
+    // T(m u + a) = T(u) is equivalent to T(m u) = T(u - m^-1 a'); T(u + s) is read at the shift -a
     const shares = this.broken(m);
     const [a, b, c, d] = m;
     const det = a * d - b * c;

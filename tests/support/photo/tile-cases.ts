@@ -13,10 +13,10 @@ import {shapeOf} from './group-elements.js';
 import {coded, cropped, rgba, type Rgba} from './pixels.js';
 import {printCase, type PrintCase} from './print-cases.js';
 
-/** Columns: the picture's edge to the right and its edge up, in w1, w2. */
+/** Columns: the image's edge to the right and its edge up, in w1, w2. */
 type Sides = readonly [a: number, b: number, c: number, d: number];
 
-/** What the picture's edges may be on a lattice: [right u, up u, right v, up v]. */
+/** Possible edges of the image on a lattice: [right u, up u, right v, up v]. */
 function choices(group: GroupName): Readonly<Record<string, Sides>> {
   const primitive: Sides = [1, 0, 0, 1];
   const turned: Sides = [0, -1, 1, 0];
@@ -27,13 +27,13 @@ function choices(group: GroupName): Readonly<Record<string, Sides>> {
     case 'rectangular':
       return {primitive, turned, several};
     case 'rhombic':
-      // to the right w1 + w2, up w2 - w1
+      // right: w1 + w2, up: w2 - w1
       return {primitive, rectangular: [1, -1, 1, 1], turned: [1, 1, -1, 1]};
     case 'square':
-      // to the right 2 w1 + w2, up 2 w2 - w1
+      // right: 2 w1 + w2, up: 2 w2 - w1
       return {primitive, several, 'oblique-lattice': [2, -1, 1, 2], diagonal: [1, -1, 1, 1]};
     case 'hexagonal':
-      // up 2 w2 - w1, or across the other way round
+      // up: 2 w2 - w1, or across for the turned one
       return {primitive, rectangular: [1, -1, 0, 2], turned: [-1, -1, 2, 0]};
   }
 }
@@ -43,7 +43,7 @@ const combined = ({w1, w2}: Print, u: number, v: number): Point => [
   u * w1[1] + v * w2[1],
 ];
 
-/** (u, v) = sides (x / width, 1 - y / height) + shift, the other way round. */
+/** Inverse of (u, v) = sides (x / width, 1 - y / height) + shift. */
 function viewOf([a, b, c, d]: Sides, width: number, height: number, shift: Point): LatticeView {
   // prettier-ignore
   const toLattice: Matrix3 = [
@@ -68,8 +68,8 @@ function painted(print: Print, view: LatticeView, width: number, height: number)
 }
 
 /**
- * A tile of a print in `group`: which cell it shows depends on `number`, its origin on the seed.
- * The truth's `right` and `up` are the picture's edges on the cloth, in cm.
+ * A tile of a print in `group`. `number` selects its cell, and the seed its origin. The truth's
+ * `right` and `up` are the image's edges on the fabric, in cm.
  */
 export async function tileCase(
   name: string,
@@ -98,7 +98,7 @@ export async function tileCase(
   return {...made, truth: {...made.truth, right, up}};
 }
 
-/** A tile from whose right a strip was cut off, so that its edges do not meet. */
+/** A tile without a strip at its right, so that its edges do not meet. */
 export async function cutTileCase(
   name: string,
   group: GroupName,

@@ -1,7 +1,8 @@
-// Writes synthetic photographs of prints whose truth is known:
+// Writes synthetic photos of prints with known truth:
 //   node tests/support/photo/write-cases.mjs FOLDER SEED NORMALS [PART ...]
-// NORMALS: how many of each group at the level `normal`. PART: normal scan hard special almost decoy tile, which are
-// all that is made without one, and large: five of 12 megapixels, as JPEG files.
+// NORMALS is the number of photos of each group at the level `normal`. PART is normal, scan, hard,
+// special, almost, decoy or tile, all of which are written by default, or large: five of 12
+// megapixels, as JPEG files.
 import {fileURLToPath} from 'node:url';
 
 import {runnerImport} from 'vite';

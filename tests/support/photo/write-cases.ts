@@ -1,4 +1,4 @@
-/** Writes cases into a folder: NAME.rgba, NAME.cell.rgba, some as files too, and cases.json. */
+/** Writes cases to a folder: NAME.rgba, NAME.cell.rgba, some as files too, and cases.json. */
 import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
@@ -67,7 +67,7 @@ const large = (seed: number): readonly Making[] =>
     return floralCase({name, level: 'normal', seed: seed + g, size: cameraSize}, group);
   });
 
-/** Parts of a set, each with seeds of its own. */
+/** Parts of a set, each with different seeds. */
 const parts = {
   normal: (seed: number, normals: number) => florals('normal', normals, seed),
   scan: (seed: number) => florals('scan', 1, seed + 10_000),
@@ -89,7 +89,7 @@ const usualParts: readonly Part[] = [
   'tile',
 ];
 
-/** What a folder holds; `cases.json` is written when all are there. */
+/** A folder of cases; `cases.json` is written once all are there. */
 class Folder {
   private readonly truths: CaseTruth[] = [];
 
@@ -97,7 +97,10 @@ class Folder {
     mkdirSync(path, {recursive: true});
   }
 
-  /** Every fifth, and each of more than 4 megapixels, also as a camera's file, turned and tagged by one of the eight orientations; tiles as PNG; the large ones as nothing else. */
+  /**
+   * Writes every fifth case, and each of more than 4 megapixels, also as a camera's file, turned
+   * and tagged by one of the eight orientations; tiles as PNG; the large ones only as files.
+   */
   async add({truth, pixels, cell}: PhotoCase): Promise<void> {
     const write = (ending: string, bytes: Buffer): void => {
       writeFileSync(join(this.path, `${truth.name}${ending}`), bytes);
@@ -115,7 +118,7 @@ class Folder {
     this.truths.push(truth);
   }
 
-  /** Keeps what the list already tells of other cases. */
+  /** Keeps the list's entries for other cases. */
   list(): void {
     const file = join(this.path, 'cases.json');
     const names = new Set(this.truths.map(({name}) => name));
@@ -126,7 +129,7 @@ class Folder {
   }
 }
 
-/** @param normals photographs of each group at the level `normal` */
+/** @param normals  photos of each group at the level `normal` */
 export async function writeCases(
   path: string,
   seed: number,

@@ -15,8 +15,8 @@ struct IdealLines {
 enum class IdealShape : std::uint8_t {
   kTransported,  ///< S2 carried over by the join, then fitted rigidly to S1 (Wolff &
                  ///< Sorkine-Hornung 2019)
-  kAveraged,  ///< turning angles and edge lengths of S1 and of the carried S2 averaged vertex by
-              ///< vertex, then fitted rigidly between the two (Wolff et al. 2019, 3.3)
+  kAveraged,     ///< turning angles and edge lengths of S1 and of the carried S2 averaged vertex by
+                 ///< vertex, then fitted rigidly between the two (Wolff et al. 2019, 3.3)
 };
 
 /// The ideal lines of a seam whose sides the join carries onto each other. [cm]

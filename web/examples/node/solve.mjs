@@ -1,4 +1,5 @@
-// Solves a garment in a print, and writes the result: node solve.mjs GARMENT.json PRINT.json RESULT.json
+// Solves a garment in a print, and writes the result: node solve.mjs GARMENT.json PRINT.json
+// RESULT.json
 import {readFile, writeFile} from 'node:fs/promises';
 
 import {resultText, solve} from 'seamwise/node';

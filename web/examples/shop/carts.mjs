@@ -1,23 +1,33 @@
-// The carts, in memory. Whoever knows a cart's id has the cart, so nobody can guess one: no cookie is needed.
+// The carts, in memory. The id of a cart gives access to it, so ids cannot be guessed; no cookie is
+// needed.
 import {randomBytes} from 'node:crypto';
 
 const newId = () => randomBytes(16).toString('base64url');
 
-/** More than a visitor orders, and more than a small shop has visitors; the oldest carts go first. */
+/**
+ * Limits above a visitor's usual order, and above the visitors of a small shop; the oldest carts
+ * are removed first.
+ */
 const [mostLines, mostCarts] = [50, 10_000];
-/** Of all designs together. They are kept as text, which takes a tenth of what it is read into. [characters] */
+/**
+ * Limit for all designs together. They are stored as text, a tenth of the size of the parsed data.
+ * [characters]
+ */
 const mostText = 50_000_000;
 
 export class Carts {
   #carts = new Map();
   #length = 0;
 
-  /** Lines by their ids; undefined where there is no such cart. */
+  /** Lines by their ids; undefined if there is no such cart. */
   lines(id) {
     return this.#carts.get(id);
   }
 
-  /** A line, whose `design` is text, into a cart, or a new one; in the place of a line, where there is one of that id. @returns the cart's id */
+  /**
+   * Puts a line into a cart, or into a new one; replaces the line with that id, if there is one.
+   * The line's `design` is text. @returns the cart's id
+   */
   put(id, lineId, line) {
     if (!this.#carts.has(id)) {
       id = newId();

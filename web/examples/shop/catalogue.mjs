@@ -1,5 +1,5 @@
-// What the shop sells: four of the sample garments in five sizes, and eight of the sample prints. Nothing but these
-// files is ever read, whatever a design names.
+// The catalogue: four of the sample garments in five sizes, and eight of the sample prints. The
+// server reads only these files, regardless of the URLs in a design.
 import {readFile} from 'node:fs/promises';
 import {join} from 'node:path';
 
@@ -36,7 +36,7 @@ export const garments = [
 
 const printNames = ['p4m', 'p6m', 'cmm', 'ditsy', 'bouquet', 'p4g', 'tartan', 'check'];
 
-/** @param folder with `garments` and `prints`, such as the samples of the package's repository */
+/** @param folder  with `garments` and `prints`, such as the samples of the package's repository */
 export async function openCatalogue(folder) {
   const files = new Map();
   const add = async (path) => {

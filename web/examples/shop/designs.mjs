@@ -1,4 +1,5 @@
-// What comes from a browser is checked here: that it is a design, that it is one of this shop's, and what it costs.
+// Checks input from browsers: whether it is a design, whether it is one of this shop's, and its
+// price.
 import {isDeepStrictEqual} from 'node:util';
 
 import {repeatOf} from 'seamwise';
@@ -8,16 +9,16 @@ import {FileError, order, readStoredDesign} from 'seamwise/node';
 import {garmentPath, printPath, sizes} from './catalogue.mjs';
 import {centsFor, metresFor, money} from './price.mjs';
 
-/** Of the solver that the pages are served with, and that the workshop solves with. */
+/** Version of the solver for both the pages and the workshop. */
 const {version} = manifest;
 
-/** What is said about a design that the shop does not take. */
+/** Error for a design that the shop does not accept; its message is for the customer. */
 export class Refused extends Error {}
 
-/** A print may be made so much smaller or larger than it was drawn. */
+/** Least and greatest factor by which a print may be scaled. */
 const [least, most] = [0.25, 4];
 
-/** @param host of the shop, as the request named it @throws {Refused} with a sentence for the customer */
+/** @param host  of the shop, from the request @throws {Refused} with a message for the customer */
 export function acceptDesign(text, catalogue, host) {
   let design;
   try {
@@ -38,7 +39,7 @@ export function acceptDesign(text, catalogue, host) {
   }
   checkChanges(design, print);
   checkPieces(design, catalogue.pieces.get(garmentAt));
-  // by its path alone, so that the shop may move to another host
+  // keeps only the path, so that the shop may move to another host
   const own = {
     ...design,
     garment: {...design.garment, url: garmentAt},
@@ -63,10 +64,12 @@ function chosenGarment({garments}, path, wanted) {
   return [];
 }
 
-/** What the element asks of the solver by itself; where the print lies is the customer's. */
+/** The element's default options; the alignment is the customer's choice. */
 const usualOptions = {maxChangeCm: 1, grain: {default: 'on'}};
 
-/** A design that names what the garment does not have was not made on our pages, and may be of any length. */
+/**
+ * A design with other pieces than the garment's was not made on our pages, and may have any length.
+ */
 function checkPieces({alignments, options: {pins = {}}}, pieces) {
   const isWhole = Object.keys(alignments).length === pieces.size;
   const named = [...Object.keys(alignments), ...Object.keys(pins)];
@@ -102,10 +105,11 @@ function colourwayOf({print: {colourway}}, {colourways}) {
 }
 
 /**
- * The design solved and laid on its cloth here, from the shop's own files: the browser has no part in its price.
- * @param shownCents what its page has shown, if it has shown a price
- * @returns how much cloth it is cut from, and what that costs
- * @throws {Refused} where the customer was shown another garment or another price
+ * Solves the design and lays it out on its fabric, from the shop's own files: the browser does not
+ * influence the price.
+ * @param shownCents  price shown by the customer's page, if any
+ * @returns length of the fabric, and its price
+ * @throws {Refused} if the customer's page showed another garment or another price
  */
 export async function priced({design, print}, shownCents, catalogue, signal) {
   const {reproduced, plan} = await order(design, {
@@ -123,5 +127,7 @@ export async function priced({design, print}, shownCents, catalogue, signal) {
   return {lengthCm: plan.lengthCm, cents};
 }
 
-/** A bolt of a print, as `cloth-width` and `selvedge` of the page have it; of no other width is anything asked. */
+/**
+ * Fabric of a print, like `cloth-width` and `selvedge` of the page; no other widths are calculated.
+ */
 const clothOf = ({fabric}) => ({widthCm: fabric.usableWidthCm, selvedgeCm: 0, widthsCm: []});

@@ -1,4 +1,4 @@
-// The shop's pages. Whatever stands in `${}` is text, and is written as such, unless `html` made it.
+// The shop's pages. Every value in `${}` is escaped text, unless `html` created it.
 import {printPath, sizes} from './catalogue.mjs';
 import {centsPerMetre, metresFor, money, stepCm} from './price.mjs';
 
@@ -102,7 +102,7 @@ export const shelfPage = (offers, cart) =>
       </ul>`,
   );
 
-/** @param lineId of the line of the cart that is changed here */
+/** @param lineId  of the cart's line that is being changed */
 export const productPage = ({catalogue, garment, chosen, cents, cart, lineId}) =>
   layout(
     garment.title,

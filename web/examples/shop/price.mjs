@@ -1,12 +1,12 @@
-// What a garment costs: the cloth that it is cut from. The page shows it by this rule, and the server asks it by the same.
+// Price of a garment, by the fabric it is cut from; the page and the server use the same rule.
 
-/** Cloth is cut off the bolt in such steps. */
+/** Fabric is sold in steps of this length. */
 export const stepCm = 5;
 export const centsPerMetre = 3400;
-/** What is longer by less is as long. [cm] */
+/** Tolerance of lengths. [cm] */
 const slack = 0.01;
 
-/** What is cut off the bolt for so many centimetres. */
+/** Metres to buy for a length in centimetres. */
 export const metresFor = (lengthCm) => (Math.ceil((lengthCm - slack) / stepCm) * stepCm) / 100;
 
 export const centsFor = (lengthCm) => Math.round(metresFor(lengthCm) * centsPerMetre);

@@ -1,7 +1,8 @@
-// A small shop for clothes whose print meets at the seams. `node server.mjs [--port 8080] [--samples FOLDER]`
+// A small shop for clothes whose print matches at the seams. `node server.mjs [--port 8080]
+// [--samples FOLDER]`
 //
-// Every answer carries the strictest policy that the element works under. No cookies, nothing kept in the browser:
-// a cart is known by an address that cannot be guessed, and gone when the server ends.
+// Every response has the strictest policy that the element supports. There are no cookies, and the
+// browser stores nothing: a cart has an address that cannot be guessed, and ends with the server.
 import {readFile} from 'node:fs/promises';
 import {createServer} from 'node:http';
 import {extname, join} from 'node:path';
@@ -30,19 +31,22 @@ const types = {
   '.wasm': 'application/wasm',
 };
 
-/** A form with one design in it. [bytes] */
+/** Limit for a form with one design in it. [bytes] */
 const mostOfForm = 1e5;
-/** For the workshop's answer. [ms] */
+/** Time limit for the workshop's answer. [ms] */
 const patience = 120_000;
 
 const {values} = parseArgs({options: {port: {type: 'string'}, samples: {type: 'string'}}});
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
-const samples = values.samples ?? here('../../../public'); // in the repository
+const samples = values.samples ?? here('../../../public'); // default of the repository
 const standalone = fileURLToPath(new URL('.', standaloneUrl()));
 const catalogue = await openCatalogue(samples);
 const carts = new Carts();
 
-/** Node itself is given another file of that entry: it has no element. */
+/**
+ * Address of the standalone script. Node's own resolution of that entry is another file, without
+ * the element.
+ */
 function standaloneUrl() {
   return new URL('./dist/standalone/seamwise.js', import.meta.resolve('seamwise/package.json'));
 }
@@ -56,7 +60,10 @@ class HttpError extends Error {
 
 const missing = () => new HttpError(404, 'There is no such page here.');
 
-/** What there is, each with a function from the request, and the parts of its path, to the answer or its promise. */
+/**
+ * All routes, each with a function from the request and the parts of its path to the response or
+ * its promise.
+ */
 const routes = [
   ['GET', /^\/$/, shelf],
   ['GET', /^\/garment\/([\w-]+)$/, product],
@@ -108,7 +115,7 @@ function product({query}, name) {
   return page(productPage({...shown, cart: inCart, lineId: line && lineId}));
 }
 
-/** What the address asks for, as far as there is such a thing. */
+/** The choice in the address, with defaults for unknown values. */
 function choiceIn(query, garment) {
   const named = (list, name, usual) => list.find((one) => one.name === name) ?? usual;
   const {prints} = catalogue;
@@ -151,10 +158,10 @@ function lineDesign(_, id, lineId) {
   return json(lineOf(id, lineId).design);
 }
 
-/** As long as the customer waits, and no longer than anybody should. */
+/** Ends with the customer's request, or at the time limit. */
 const within = (signal) => AbortSignal.any([signal, AbortSignal.timeout(patience)]);
 
-/** What the workshop cuts by: the design solved again here, from the shop's own files. */
+/** The file for the workshop: the design solved again here, from the shop's own files. */
 async function orderFile({signal}, id, lineId) {
   const {design, garment, size} = lineOf(id, lineId);
   const read = (url) => Promise.resolve(catalogue.files.get(url).bytes);
@@ -200,7 +207,7 @@ function refusal(error) {
   if (error instanceof FileError || error instanceof SolverError) {
     return page(messagePage('The workshop cannot make this', error.message), 422);
   }
-  if (error.name !== 'AbortError') console.error(error); // else the customer has left
+  if (error.name !== 'AbortError') console.error(error); // otherwise the customer has left
   return page(messagePage('Our fault', 'Something broke here; please try again.'), 500);
 }
 
@@ -214,7 +221,7 @@ const server = createServer((request, response) => {
         'Content-Security-Policy': policy,
         'Content-Type': types[type],
         'X-Content-Type-Options': 'nosniff',
-        'Referrer-Policy': 'same-origin', // the address of a cart is nobody else's
+        'Referrer-Policy': 'same-origin', // keeps the cart's address private
         'Cache-Control': type === '.html' ? 'no-store' : 'no-cache',
         ...headers,
       });

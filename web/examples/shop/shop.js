@@ -1,5 +1,5 @@
-// The product page: what is chosen goes to the element, and what the element says to the page.
-// Everything works by the element's public attributes, events and methods.
+// The product page: passes choices to the element, and shows its events on the page. It only uses
+// the element's public attributes, events and methods.
 import {centsFor, metresFor, money} from './price.mjs';
 
 const form = document.querySelector('#product');
@@ -26,7 +26,7 @@ function sell(form) {
     const print = chosen('print');
     garment.colourway = chosen(`colourway-${print}`);
     if (garment.dataset.design) return;
-    const address = new URL(location.href); // a reload, or a friend, finds the same
+    const address = new URL(location.href); // for reloads and shared links
     address.searchParams.set('size', chosen('size'));
     address.searchParams.set('print', print);
     address.searchParams.set('colourway', garment.colourway);
@@ -37,7 +37,7 @@ function sell(form) {
     if (status.textContent !== sentence) status.textContent = sentence;
   };
 
-  /** @param error an event's detail, or what a method was refused with */
+  /** @param error  an event's detail, or a method's rejection */
   function complain({code, message}) {
     const isOurs = ['not-found', 'network', 'timeout'].includes(code);
     const apology = isOurs ? 'We could not fetch the pattern or its print. ' : '';
@@ -46,7 +46,10 @@ function sell(form) {
     if (garment.state === 'error') say('The print is not on the pieces yet.');
   }
 
-  /** What the cloth costs; of the design before it was another. */
+  /**
+   * Shows the price of the fabric; no price until it is known, as that of an earlier design no
+   * longer applies.
+   */
   function tellPrice() {
     const {clothLengthCm: lengthCm, clothWidth} = garment;
     const isKnown = lengthCm !== null;
@@ -66,7 +69,7 @@ function sell(form) {
     if (event.target !== garment) choose(event);
   });
   for (const target of form.querySelectorAll('input:checked')) {
-    if (!target.defaultChecked) choose({target}); // before this script could hear of it
+    if (!target.defaultChecked) choose({target}); // changed before this script ran
   }
   garment.addEventListener('load', () => {
     problem.hidden = true;
@@ -84,7 +87,7 @@ function sell(form) {
   garment.addEventListener('error', ({detail}) => {
     complain(detail);
   });
-  // what the element told before this script could hear of it
+  // the element's state before this script ran
   if (garment.error) complain(garment.error);
   if (garment.result) {
     tellFit(garment.result.metrics);
@@ -93,10 +96,10 @@ function sell(form) {
 
   problem.querySelector('button').addEventListener('click', () => {
     problem.hidden = true;
-    garment.solve().catch(() => undefined); // the event has told it
+    garment.solve().catch(() => undefined); // the event reports it
   });
 
-  /** The garment is worn, or lies in its pieces: those are what the print is placed on. */
+  /** Shows the drape or the flat pieces; the print is placed on the flat pieces. */
   function show({isFlat, isPlacing}) {
     garment.view = isFlat ? 'pattern' : 'garment';
     garment.mode = isPlacing ? 'place' : 'preview';

@@ -1,6 +1,7 @@
 /**
- * A bib apron: skirt and bib on a waistband that runs on into the ties, a strap around the neck, and a patch pocket,
- * which is not sewn edge to edge but lies on the skirt. Every piece is its own mirror image.
+ * A bib apron: skirt and bib on a waistband that continues as the ties, a strap around the neck,
+ * and a patch pocket, which is stitched onto the skirt instead of edge to edge. Every piece is its
+ * own mirror image.
  */
 import {plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
@@ -39,7 +40,10 @@ function inFront(body: Body, height: number, away: number): Placement {
   };
 }
 
-/** The quarter turn from a level line that ends at `from` to a line that leaves along `into`; fair rather than circular. */
+/**
+ * The quarter turn from a level line that ends at `from` to a line that leaves along `into`; fair
+ * rather than circular.
+ */
 const roundCorner = (from: Point, to: Point, into: Point, size: number): Curve =>
   curve(from, [1, 0], to, into, 0.55 * size, 0.55 * size);
 
@@ -110,7 +114,10 @@ function bandPanel(body: Body): Panel {
   );
 }
 
-/** Lies behind the neck, seen from behind; its grain goes on up from the bib. Origin: the middle of the lower edge. */
+/**
+ * The strap behind the neck, seen from behind; its grain continues upwards from the bib. Origin:
+ * the middle of the lower edge.
+ */
 function strapPanel(body: Body): Panel {
   const rise = body.backLength + 3 - widths(body).bibHeight;
   const half = rise + body.neck / 4 + 4;
@@ -136,7 +143,10 @@ function strapPanel(body: Body): Panel {
   };
 }
 
-/** Sides and bottom of the pocket's half, from the middle of the bottom. Origin: the middle of the opening. */
+/**
+ * Sides and bottom of the pocket's half, from the middle of the bottom. Origin: the middle of the
+ * opening.
+ */
 function pocketHalf(): {readonly corner: Curve; readonly side: Curve} {
   const {width, height, corner} = pocket;
   const out = width / 2;
@@ -160,7 +170,7 @@ function pocketPanel(body: Body): Panel {
   );
 }
 
-/** The line along which the pocket is stitched down, from opening to opening, where its own origin is put at `at`. */
+/** The stitching line of the pocket, from opening to opening, if its origin is at `at`. */
 function stitchedDown(at: Point): Point[] {
   const {corner, side} = pocketHalf();
   const half = [...Array.from({length: 5}, (_, k) => pointAt(corner, k / 4)), side.to];

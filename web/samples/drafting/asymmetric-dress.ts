@@ -1,7 +1,8 @@
 /**
- * A fitted dress whose front is parted by a diagonal seam, from under the bust at the wearer's right down to the hip
- * at the left: two front pieces without any symmetry, a back that is its own mirror image, and a pair of side panels
- * instead of side seams. The panel seams run into the armholes. The height of the waist is y = 0 throughout.
+ * A fitted dress whose front is divided by a diagonal seam, from under the bust at the wearer's
+ * right down to the hip at the left. It has two front pieces without any symmetry, a back that is
+ * its own mirror image, and a pair of side panels instead of side seams. The panel seams run into
+ * the armholes. The height of the waist is y = 0 throughout.
  */
 import {leftOf, radians, rotated} from '../../src/model/geometry.js';
 import {hung, roundNeckline, type Half} from './bodice.js';
@@ -42,17 +43,26 @@ import {
 import {heading, squareBelow} from './skirt-lines.js';
 
 const neckDepth = {front: 10, back: 3};
-/** Where the diagonal ends: below the bust at the right and below the waist at the left, along the panel seam. */
+/**
+ * Ends of the diagonal: below the bust at the right and below the waist at the left, along the
+ * panel seam. [cm]
+ */
 const diagonal = {belowBust: 8, belowWaist: 15};
-/** How far the diagonal bends away from straight at its ends. */
+/** Angle of the diagonal to the straight line at its ends. */
 const bend = radians(9);
 
 const partNames = ['hem', 'hip', 'waist', 'bust', 'top'] as const;
-/** Each part of a panel seam is marked below its middle, once at the front and twice at the back, from the hem up. */
+/**
+ * Each part of a panel seam is marked below its middle, once at the front and twice at the back,
+ * from the hem up.
+ */
 const frontNotch = 0.4;
 const backNotches = {skirt: [0.4, 0.42], bodice: [0.38, 0.44], top: [0.34, 0.44]} as const;
 
-/** The five edges of a front panel seam: it is parted where the diagonal ends, at either side of the body. */
+/**
+ * The five edges of a front panel seam: it is divided where the diagonal ends, on either side of
+ * the body.
+ */
 function frontEdges({skirt, bodice, top}: PanelSeam): readonly Curve[] {
   const parted = (what: string, whole: Curve, rest: number): Curve[] =>
     splitAtLengths(what, whole, [length(whole) - rest]);
@@ -174,7 +184,7 @@ function sidePanels(body: Body): readonly [Panel, Panel] {
   );
 }
 
-/** Each part of a front panel seam is sewn to the front piece that it lies beside. */
+/** The seams between the parts of a front panel seam and the front piece beside each of them. */
 function frontSeams(): Seam[] {
   const upper = {left: ['hip', 'waist', 'bust', 'top'], right: ['bust', 'top']};
   return (['left', 'right'] as const).flatMap((side) =>

@@ -1,4 +1,7 @@
-/** The panel seams of the asymmetric dress, from the hem up into the armholes. The height of the waist is y = 0. */
+/**
+ * The panel seams of the asymmetric dress, from the hem up into the armholes. The height of the
+ * waist is y = 0.
+ */
 import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import type {Half} from './bodice.js';
 import type {Body} from './body.js';
@@ -8,26 +11,35 @@ import {heading} from './skirt-lines.js';
 
 const ease = {bust: 5, waist: 6, hip: 6};
 const seamLength = 54;
-/** What each panel seam leans out by at the hem. */
+/** Outward angle of each panel seam at the hem. */
 const flare = radians(5);
 export const shoulderSlope = radians(19);
-/** How far in from the shoulder point the shoulder seam ends. */
+/** Distance from the end of the shoulder seam to the shoulder point. */
 const inFromShoulder = 3.4;
-/** From the nape down to the underarm, beyond a tenth of the bust. */
+/** Distance from the nape down to the underarm, in excess of a tenth of the bust. */
 const armholeDepth = 11.5;
 
-/** How the panel seam of a half runs, and where it meets the armhole. [cm, radians] */
+/** Shape of the panel seam of a half, and its end at the armhole. [cm, radians] */
 export const shapes = {
   front: {
-    /** x of the seam, as a part of the waist; its share of what the bust is wider; how high that is. */
+    /**
+     * x of the seam, as a part of the waist; its share of the extra width at the bust; the height
+     * of the bust.
+     */
     waist: 0.115,
     out: 0.24,
     bust: 0.41,
-    /** Where the armhole is met: in from the shoulder point and up from the underarm; how the armhole leans in there. */
+    /**
+     * End at the armhole: in from the shoulder point and up from the underarm; inward angle of the
+     * armhole there.
+     */
     inward: 3,
     up: 6.5,
     lean: radians(13),
-    /** The side panel's edge: its share of what the bust is wider, and how far it comes back up to the armhole. */
+    /**
+     * The side panel's edge: its share of the extra width at the bust, and its return up to the
+     * armhole.
+     */
     sideOut: 0.28,
     sideBack: 6.5,
   },
@@ -43,7 +55,10 @@ export const shapes = {
   },
 } as const;
 
-/** The edges of a panel seam from the hem up: hem to waist, waist to the height of the bust, on to the armhole. */
+/**
+ * The edges of a panel seam from the hem up: hem to waist, waist to the height of the bust, on to
+ * the armhole.
+ */
 export interface PanelSeam {
   readonly skirt: Curve;
   readonly bodice: Curve;
@@ -59,10 +74,10 @@ export function shoulderTip(body: Body): Point {
   return [x, neck[1] - (x - neck[0]) * Math.tan(shoulderSlope)];
 }
 
-/** What half the bust is wider than half the waist; the four edges of that half share it. */
+/** Excess of half the bust over half the waist, shared by the four edges of that half. */
 const bustWider = (body: Body): number => (body.bust + ease.bust - body.waist - ease.waist) / 2;
 
-/** A panel seam below a waist at the origin: all eight edges make the hip. */
+/** A panel seam below a waist at the origin; all eight edges together make the hip. */
 function skirtOf(body: Body): Curve {
   const wider = body.hip + ease.hip - body.waist - ease.waist;
   const {hipDepth} = body;
@@ -82,7 +97,10 @@ export function centreSeam(body: Body, half: Half): PanelSeam {
   };
 }
 
-/** The side panel's edge of that seam, for a waist at the origin and cloth at +x: every part is trued to the other side. */
+/**
+ * The side panel's edge of that seam, for a waist at the origin and fabric at +x: every part is
+ * trued to the other side.
+ */
 export function sideEdge(body: Body, half: Half): PanelSeam {
   const shape = shapes[half];
   const centre = centreSeam(body, half);
@@ -108,6 +126,6 @@ export function sideEdge(body: Body, half: Half): PanelSeam {
   };
 }
 
-/** The waist of a side panel: what the centre panels leave of half the waist. */
+/** The waist of a side panel: half the waist less the centre panels. */
 export const sidePanelWaist = (body: Body): number =>
   (body.waist + ease.waist) / 2 - (shapes.front.waist + shapes.back.waist) * body.waist;

@@ -1,4 +1,7 @@
-/** The upper body that tops are cut from, without darts. Origin of front and back: the middle of the waist line. */
+/**
+ * The upper body without darts, from which tops are cut. Origin of front and back: the middle of
+ * the waist line.
+ */
 import {leftOf, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
 import {across, curve, leaning, line, type Curve} from './curves.js';
@@ -6,27 +9,33 @@ import type {Placement} from './panel.js';
 
 export type Half = 'front' | 'back';
 
-/** What a top makes of the body. Lengths in cm, angles in radians. */
+/** Style of a top relative to the body. Lengths in cm, angles in radians. */
 export interface BodiceStyle {
   readonly bustEase: number;
   readonly hipEase: number;
-  /** From the nape down to the underarm, beyond a tenth of the bust. */
+  /** Distance from the nape down to the underarm, in excess of a tenth of the bust. */
   readonly armholeDepth: number;
-  /** How far the shoulder seam runs on beyond the shoulder point. */
+  /** Extension of the shoulder seam beyond the shoulder point. */
   readonly shoulderOut: number;
   readonly shoulderSlope: number;
-  /** How much wider each half of the neckline is than a fifth of the neck. */
+  /** Excess of each half of the neckline over a fifth of the neck. */
   readonly neckOut: number;
-  /** Below the end of the shoulder seam. */
+  /** Depth below the end of the shoulder seam. */
   readonly neckDepth: Readonly<Record<Half, number>>;
-  /** How much lower the front's shoulder lies than the back's: the seam is in front of the top of the shoulder. */
+  /**
+   * Height of the back's shoulder over the front's: the seam is in front of the top of the
+   * shoulder.
+   */
   readonly frontLower: number;
   readonly hemBelowWaist: number;
-  /** How the side seam leans out at the underarm. */
+  /** Outward angle of the side seam at the underarm. */
   readonly sideLean: number;
-  /** The front is cut this much wider than the back, at each side seam. */
+  /** Excess of the front's width over the back's, at each side seam. */
   readonly forward: number;
-  /** How far the middle of the armhole lies inside the end of the shoulder: further in front than behind. */
+  /**
+   * Distance of the armhole's middle inwards from the end of the shoulder: greater in front than
+   * behind.
+   */
   readonly scoop: Readonly<Record<Half, number>>;
 }
 
@@ -56,11 +65,11 @@ export function bodiceHalf(body: Body, half: Half, style: BodiceStyle): BodiceHa
   const tipX = body.shoulderWidth / 2 + style.shoulderOut;
   const tip: Point = [tipX, neck[1] - (tipX - neck[0]) * Math.tan(shoulderSlope)];
 
-  // up the side, hollowed at the waist and square to a level hem
+  // up the side, curved in at the waist and square to a level hem
   const up = underarm[1] - hem[1];
   const side = curve(hem, [0, 1], underarm, leaning(sideLean), 0.46 * up, 0.35 * up);
-  // the armhole is square to the side seam and to the shoulder, so that it runs on from front to back;
-  // the middle of a cubic follows from its ends and handles
+  // The armhole is square to the side seam and to the shoulder, so that it continues smoothly from
+  // front to back. The middle of a cubic follows from its ends and handles.
   const atShoulder = armholeHandle[half] * (tip[1] - underarm[1]);
   const atUnderarm =
     (8 / 3) * ((underarm[0] - tip[0]) / 2 + style.scoop[half]) -
@@ -76,7 +85,9 @@ export function bodiceHalf(body: Body, half: Half, style: BodiceStyle): BodiceHa
   return {side, armhole, shoulder: line(tip, neck)};
 }
 
-/** The whole neckline from -x to +x, square to the shoulders; a cubic sinks to 3/4 of its handles. */
+/**
+ * The whole neckline from -x to +x, square to the shoulders; a cubic sinks to 3/4 of its handles.
+ */
 export function roundNeckline(neck: Point, depth: number, shoulderSlope: number): Curve {
   return across(neck, leaning(shoulderSlope), depth / 0.75 / Math.cos(shoulderSlope));
 }
@@ -93,7 +104,7 @@ export function halfNeckline(neck: Point, depth: number, shoulderSlope: number):
   );
 }
 
-/** Where front and back hang: `away` cm off the body, the waist at its height. */
+/** Placement of front and back: `away` cm off the body, the waist at its height. */
 export function hung(body: Body, half: Half, away: number, x = 0): Placement {
   const z = radiusOf(body.bust) + away;
   return half === 'front'

@@ -1,14 +1,14 @@
 import type {Measurements} from '../../src/model/drape.js';
 
-/** The measurements a garment is drafted from, in cm, of a standing body that faces +z with the floor at y = 0. */
+/** Measurements for drafting, in cm, of a standing body that faces +z with the floor at y = 0. */
 export type Body = Measurements;
 
 export const sizeNames = ['xs', 's', 'm', 'l', 'xl'] as const;
 export type SizeName = (typeof sizeNames)[number];
 
 /**
- * Women's girths of EN 13402-3 (Size designation of clothes, part 3), one row in the range of each letter code:
- * bust 74-82 is XS, 82-90 S, 90-98 M, 98-107 L, 107-119 XL.
+ * Women's girths of EN 13402-3 (Size designation of clothes, part 3), one row in the range of each
+ * letter code: bust 74-82 is XS, 82-90 S, 90-98 M, 98-107 L, 107-119 XL.
  */
 const girths: Readonly<Record<SizeName, Pick<Body, 'bust' | 'waist' | 'hip'>>> = {
   xs: {bust: 80, waist: 64, hip: 88},
@@ -19,8 +19,9 @@ const girths: Readonly<Record<SizeName, Pick<Body, 'bust' | 'waist' | 'hip'>>> =
 };
 
 /**
- * What the standard leaves open: the average woman of the FreeSewing models (freesewing.org, package
- * "models", MIT) with a bust of 92.5, and how much of a change of girth each measurement follows there.
+ * Measurements that the standard leaves open: the average woman of the FreeSewing models
+ * (freesewing.org, package "models", MIT) with a bust of 92.5, and the share of a change of girth
+ * that each measurement follows there.
  */
 const averageBust = 92.5;
 const others = {
@@ -45,7 +46,7 @@ const others = {
 
 type Other = keyof typeof others;
 
-/** The body that a size is drafted for. */
+/** The body measurements of a size. */
 export function bodyOf(size: SizeName): Body {
   const more = girths[size].bust / averageBust - 1;
   const graded = ([average, share]: readonly [number, number]): number =>
@@ -54,5 +55,5 @@ export function bodyOf(size: SizeName): Body {
   return {...girths[size], ...(Object.fromEntries(entries) as Record<Other, number>)};
 }
 
-/** The radius of a body as round as this girth: how far from the middle a piece has to hang. */
+/** The radius of a round body of this girth: the distance of a piece from the middle. */
 export const radiusOf = (girth: number): number => girth / (2 * Math.PI);

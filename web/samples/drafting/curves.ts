@@ -1,4 +1,7 @@
-/** Curves for drafting: straight and cubic Bezier edges, their length, and truing one length to another. Lengths in cm. */
+/**
+ * Curves for drafting: straight and cubic Bezier edges, their length, and truing one length to
+ * another. Lengths in cm.
+ */
 import {between, distance, minus, norm, plus, type Point} from '../../src/model/geometry.js';
 
 /** A straight edge, or a cubic Bezier curve when it has controls. */
@@ -8,17 +11,18 @@ export interface Curve {
   readonly controls?: readonly [Point, Point];
 }
 
-/** The unit vector that leans from straight up towards +x by `angle` (radians). */
+/** The unit vector at `angle` (radians) from straight up towards +x. */
 export const leaning = (angle: number): Point => [Math.sin(angle), Math.cos(angle)];
 
-/** x -> -x, which is how the two sides of a body relate. Exact. */
+/** x -> -x, the map between the two sides of a body. Exact. */
 export const mirror = (a: Point): Point => [-a[0], a[1]];
 
 export const line = (from: Point, to: Point): Curve => ({from, to});
 
 /**
- * A curve that leaves `from` along `out` and arrives at `to` along `into` (unit vectors, both in the direction of travel),
- * with handles of the given lengths in cm; by default a third of the chord, which gives the fairest curve.
+ * A curve that leaves `from` along `out` and arrives at `to` along `into` (unit vectors, both in
+ * the direction of travel), with handles of the given lengths in cm. The default is a third of the
+ * chord, which gives the fairest curve.
  */
 export function curve(
   from: Point,
@@ -56,7 +60,7 @@ export function mapped({from, to, controls}: Curve, map: (p: Point) => Point): C
 
 export const mirrored = (curve: Curve): Curve => mapped(curve, mirror);
 
-/** A curve that starts as this one does and is exactly its own mirror image, for one that is nearly so. */
+/** A curve with the same start that is exactly its own mirror image, for one that is nearly so. */
 export function evened({from, controls}: Curve): Curve {
   const ends = {from, to: mirror(from)};
   return controls ? {...ends, controls: [controls[0], mirror(controls[0])]} : ends;
@@ -64,7 +68,10 @@ export function evened({from, controls}: Curve): Curve {
 
 export const moved = (curve: Curve, by: Point): Curve => mapped(curve, (p) => plus(p, by));
 
-/** The mirror image in the line through `a` and `b`: how the cloth beyond a seam lies once that is unfolded. */
+/**
+ * The mirror image in the line through `a` and `b`: the position of the fabric beyond a seam after
+ * unfolding.
+ */
 export function reflectedIn(a: Point, b: Point): (p: Point) => Point {
   const along = minus(b, a);
   const square = norm(along) ** 2;
@@ -116,9 +123,10 @@ export function length(curve: Curve): number {
 }
 
 /**
- * The argument between `low` and `high` at which `measure` takes the value `target`: how a pattern is trued.
- * By the Illinois rule: the secant, but an end that stays twice counts half.
- * @throws {RangeError} if the target lies outside: the measurements ask for something that cannot be drafted.
+ * The argument between `low` and `high` at which `measure` takes the value `target`; trues a
+ * pattern. Uses the Illinois rule: the secant method, but an end that stays twice counts half.
+ * @throws {RangeError} if the target is out of range: the pattern cannot be drafted for these
+ * measurements
  */
 export function trueTo(
   what: string,
@@ -142,7 +150,7 @@ export function trueTo(
   return b;
 }
 
-/** The two parts of a curve before and after parameter t; together they are the curve itself. */
+/** The two parts of a curve before and after parameter t, exactly. */
 function split({from, to, controls}: Curve, t: number): readonly [Curve, Curve] {
   if (!controls) {
     const at = between(from, to, t);
@@ -158,7 +166,7 @@ function split({from, to, controls}: Curve, t: number): readonly [Curve, Curve] 
   ];
 }
 
-/** A curve parted where `measure`, a function of the point, takes the value `target`. */
+/** Splits a curve where `measure`, a function of the point, takes the value `target`. */
 export function splitWhere(
   what: string,
   whole: Curve,
@@ -171,7 +179,7 @@ export function splitWhere(
   );
 }
 
-/** A curve parted into pieces of the given lengths, in cm from its start, and what is left. */
+/** Splits a curve into pieces of the given lengths, in cm from its start, and the rest. */
 export function splitAtLengths(what: string, whole: Curve, lengths: readonly number[]): Curve[] {
   const [first, ...others] = lengths;
   if (first === undefined) return [whole];
@@ -182,7 +190,7 @@ export function splitAtLengths(what: string, whole: Curve, lengths: readonly num
   return [piece, ...splitAtLengths(what, rest, others)];
 }
 
-/** The parameter at which a share of a curve's length lies behind; 0 and 1 are its ends. */
+/** The parameter after a share of a curve's length; 0 and 1 are its ends. */
 export function parameterAt(whole: Curve, share: number): number {
   if (share <= 0 || share >= 1) return Math.round(share);
   const target = share * length(whole);
@@ -190,8 +198,9 @@ export function parameterAt(whole: Curve, share: number): number {
 }
 
 /**
- * How long the handle of a cubic's end has to be for the given curvature (1/cm) there, if the other control
- * lies `offset` cm off the tangent: curves with the same end and curvature run on into each other without a bump.
+ * Handle length at a cubic's end for the given curvature (1/cm) there, if the other control is
+ * `offset` cm off the tangent. Curves with the same end and curvature continue into each other
+ * without a bump.
  */
 export const handleFor = (curvature: number, offset: number): number =>
   Math.sqrt((2 * offset) / (3 * curvature));

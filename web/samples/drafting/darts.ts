@@ -20,8 +20,9 @@ export interface DartedEdge {
 }
 
 /**
- * Opens a dart in an edge that runs counter-clockwise around its panel: `share` along it, so wide and so deep (cm). What
- * is left of the edge is square to the legs, so that it runs on when the dart is sewn.
+ * Opens a dart in an edge that runs counter-clockwise around its panel, at `share` of its length,
+ * with `intake` and `depth` in cm. The rest of the edge is square to the legs, so that it continues
+ * smoothly once the dart is sewn.
  */
 export function withDart(whole: Curve, share: number, intake: number, depth: number): DartedEdge {
   const along = heading(whole, share);
@@ -42,18 +43,21 @@ export function withDart(whole: Curve, share: number, intake: number, depth: num
 
 /** A dart from the side seam towards the bust. */
 interface BustDart {
-  /** From the side to the tip and back to the side, the lower leg first. */
+  /** The legs from the side to the tip and back to the side, the lower leg first. */
   readonly legs: readonly [Curve, Curve];
-  /** What the side seam is turned by above the dart, so that it runs straight on once that is sewn. [radians] */
+  /**
+   * Rotation of the side seam above the dart, so that it is straight once the dart is sewn.
+   * [radians]
+   */
   readonly opening: number;
 }
 
-/** How far the tip of a bust dart stays short of the bust, as a part of the way to it. */
+/** Distance from the tip of a bust dart to the bust, as a part of the way there. */
 const shortOfBust = 0.24;
 
 /**
- * Turns the panel above `lower`, a point of its side seam at the +x side, about the bust, by as much as opens a dart of
- * the given intake (cm).
+ * Rotates the panel above `lower`, a point of its side seam at the +x side, about the bust, so that
+ * a dart of the given intake (cm) opens.
  */
 export function bustDart(lower: Point, bust: Point, intake: number): BustDart {
   const opening = (centre: Point): number => 2 * Math.asin(intake / 2 / distance(lower, centre));

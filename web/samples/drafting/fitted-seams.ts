@@ -1,22 +1,25 @@
-/** Seams of fitted garments, upright and hollowed at the waist, from the hem up. */
+/** Seams of fitted garments, upright and curved in at the waist, from the hem up. */
 import {distance, type Point} from '../../src/model/geometry.js';
 import {curve, leaning, length, pointAt, trueTo, type Curve} from './curves.js';
 
 export const upright: Point = [0, 1];
-/** Handles: at the hem as a part of the drop, at the waist below it in cm, above it as a part of the chord. */
+/**
+ * Handles: at the hem as a part of the drop, at the waist below it in cm, above it as a part of the
+ * chord.
+ */
 const handles = {hem: 0.33, below: 7, above: 0.5};
 
-/** How a skirt's seam runs below a waist at the origin, for cloth at its -x side. [cm, radians] */
+/** Shape of a skirt's seam below a waist at the origin, for fabric at its -x side. [cm, radians] */
 interface SkirtSeam {
   /** x of the seam at the depth of the hip. */
   readonly atHip: number;
   readonly hipDepth: number;
-  /** What the seam leans out by at the hem. */
+  /** Outward angle of the seam at the hem. */
   readonly flare: number;
   readonly seamLength: number;
 }
 
-/** From the hem to the waist, through the hip, as long as asked for; round over the hip. */
+/** A seam of the given length from the hem to the waist, through the hip; round over the hip. */
 export function skirtSeam(what: string, {atHip, hipDepth, flare, seamLength}: SkirtSeam): Curve {
   const from = (drop: number): Curve => {
     const flaring = (hemX: number): Curve =>
@@ -30,7 +33,7 @@ export function skirtSeam(what: string, {atHip, hipDepth, flare, seamLength}: Sk
   return from(trueTo(what, seamLength, (drop) => length(from(drop)), 0.7 * seamLength, seamLength));
 }
 
-/** From the waist up, upright at both ends unless told; hollowed at the waist. */
+/** A seam from the waist up, upright at both ends by default; curved in at the waist. */
 export function bodiceSeam(waist: Point, to: Point, into = upright): Curve {
   const chord = distance(to, waist);
   return curve(waist, upright, to, into, handles.above * chord, chord / 3);

@@ -1,4 +1,6 @@
-/** The garment file (seamwise-garment/1, a superset of the GarmentCode specification) that a draft is written as. */
+/**
+ * The garment file (seamwise-garment/1, a superset of the GarmentCode specification) of a draft.
+ */
 import {minus, norm, plus, type Point} from '../../src/model/geometry.js';
 import type {SizeName} from './body.js';
 import {length, pointAt, type Curve} from './curves.js';
@@ -8,7 +10,10 @@ import {seamWeights} from './seam-kinds.js';
 const rounded = (value: number, digits: number): number => Number(value.toFixed(digits)) + 0;
 const roundedPoint = ([x, y]: Point): [number, number] => [rounded(x, 6), rounded(y, 6)];
 
-/** A control point as GarmentCode has it: along the edge and to its left, both as fractions of the edge. */
+/**
+ * A control point in GarmentCode's form: along the edge and to its left, both as fractions of the
+ * edge.
+ */
 function relative(control: Point, {from, to}: Curve): [number, number] {
   const [ex, ey] = minus(to, from);
   const [cx, cy] = minus(control, from);
@@ -16,13 +21,16 @@ function relative(control: Point, {from, to}: Curve): [number, number] {
   return [rounded((cx * ex + cy * ey) / square, 12), rounded((cy * ex - cx * ey) / square, 12)];
 }
 
-/** Points along the outline, close enough to place marks by. */
+/** Points along the outline, dense enough for the placement of marks. */
 const traced = ({edges}: Panel): Point[] =>
   edges.flatMap(({curve}) =>
     Array.from({length: curve.controls ? 16 : 1}, (_, k) => pointAt(curve, k / 16)),
   );
 
-/** A line along the grain through the middle of the panel: two thirds of the longest way it has inside the outline. */
+/**
+ * A line along the grain through the middle of the panel: two thirds of the longest stretch inside
+ * the outline.
+ */
 export function grainLine(panel: Panel): [Point, Point] {
   const {grain = [0, 1]} = panel;
   const along = plus([0, 0], grain, 1 / norm(grain));
@@ -54,7 +62,10 @@ export interface Notch {
   readonly at: number;
 }
 
-/** The marks on the panel's edges; a mark lies as far from the start of one side as from the end of the other. */
+/**
+ * The marks on the panel's edges. A mark has the same distance from the start of one side and from
+ * the end of the other.
+ */
 export function notchesOf(panel: Panel, {seams}: Garment): Notch[] {
   const on = ([name, part]: EdgeName): number =>
     name === panel.name ? panel.edges.findIndex((candidate) => candidate.name === part) : -1;
@@ -65,7 +76,7 @@ export function notchesOf(panel: Panel, {seams}: Garment): Notch[] {
   return marks.filter(({edge}) => edge >= 0).sort((p, q) => p.edge - q.edge || p.at - q.at);
 }
 
-/** What a panel is called on paper. */
+/** A panel's name on paper. */
 export const titled = (name: string): string =>
   name.charAt(0).toUpperCase() + name.slice(1).replaceAll('_', ' ');
 

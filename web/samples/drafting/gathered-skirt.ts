@@ -1,4 +1,7 @@
-/** An A-line skirt gathered into a waistband. Origin of each skirt panel: the height of its side waist, in the middle. */
+/**
+ * An A-line skirt gathered into a waistband. Origin of each skirt panel: the height of its side
+ * waist, in the middle.
+ */
 import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
 import {across, leaning, length, line, reversed, trueTo, type Curve} from './curves.js';
@@ -11,7 +14,7 @@ const waistEase = 2;
 const bandHeight = 4;
 const sideLength = 58;
 const flare = radians(9);
-/** The front is cut this much wider than the back, at each side seam. */
+/** Excess of the front's width over the back's, at each side seam. */
 const forward = 0.75;
 
 type Half = 'front' | 'back';

@@ -1,4 +1,7 @@
-/** A hood in three pieces: two sides, and a strip between them from the nape over the head to the face. */
+/**
+ * A hood in three pieces: two sides, and a strip between them from the nape over the head to the
+ * face.
+ */
 import {distance, leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
 import {
@@ -13,26 +16,26 @@ import {
 } from './curves.js';
 import {edge, pairOf, symmetricPanel, type Panel} from './panel.js';
 
-/** One side of the neckline that the hood is sewn to. [cm] */
+/** Lengths of one side of the neckline to which the hood is sewn. [cm] */
 interface HoodNeckline {
   readonly front: number;
-  /** From the shoulder to the strip. */
+  /** Length from the shoulder to the strip. */
   readonly back: number;
 }
 
-/** How wide the strip is at the nape and at the face. [cm] */
+/** Width of the strip at the nape and at the face. [cm] */
 export const strip = {nape: 7, face: 10};
-/** How the hood leans back where it leaves the nape. */
+/** Backward angle of the hood at the nape. */
 const lean = radians(12);
-/** How the face edge leans forward towards its top. */
+/** Forward angle of the face edge towards its top. */
 const faceLean = radians(4);
-/** How much lower the hood is at the centre front than at the nape. [cm] */
+/** Height of the nape over the hood's centre front. [cm] */
 const frontDrop = 2.5;
 
 /** Height and depth follow the head. */
 const height = ({head}: Body): number => 0.6 * head;
 
-/** The edges of the left side, the face at -x. Origin: where the neckline, the strip and the nape meet. */
+/** The edges of the left side, the face at -x. Origin: the corner of neckline, strip and nape. */
 function side(body: Body, neckline: HoodNeckline): {neck: Curve; centre: Curve; face: Curve} {
   const faceUp = leaning(-faceLean);
   const across = plus([0, 0], leftOf(faceUp), -1);

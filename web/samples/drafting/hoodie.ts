@@ -1,6 +1,6 @@
 /**
- * A hooded sweatshirt with dropped shoulders: front, back, sleeves, a hood of three pieces, ribs at wrists and hem,
- * and a kangaroo pocket that lies on the front.
+ * A hooded sweatshirt with dropped shoulders: front, back, sleeves, a hood of three pieces, ribs at
+ * wrists and hem, and a kangaroo pocket on the front.
  */
 import {radians, type Point} from '../../src/model/geometry.js';
 import {
@@ -38,7 +38,7 @@ import {
 import {setInOutline, setInSeams} from './set-in-sleeve.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
-/** What each centimetre of rib holds in. */
+/** Length of fabric that each centimetre of rib holds in. */
 const ribStretch = {cuff: 1.3, band: 1.15};
 const ribHeight = 6.5;
 const cuffEase = 4;
@@ -62,10 +62,10 @@ const styleOf = (body: Body): BodiceStyle => ({
 /** The pocket on the front, above the hem: half widths and heights. [cm] */
 const pocket = {foot: 16, side: 6, top: 9.5, height: 19};
 
-/** A dropped shoulder: the necklines of both halves, each from the shoulder on. */
+/** Necklines of both halves with a dropped shoulder, each from the shoulder on. */
 interface Necklines {
   readonly front: Curve;
-  /** As far as the strip of the hood, and across below it. */
+  /** The neckline up to the strip of the hood, and across below it. */
   readonly back: Curve;
   readonly nape: Curve;
 }
@@ -108,8 +108,8 @@ function bodyPanel(
 }
 
 /**
- * A straight strip of rib, for a wrist or the hem; origin: the middle of its lower edge. Its grain runs across the strip,
- * as the ribs do: so it stretches around the body.
+ * A straight strip of rib, for a wrist or the hem; origin: the middle of its lower edge. Its grain
+ * runs across the strip, like the ribs, so that it stretches around the body.
  */
 function ribEdges(width: number): Edge[] {
   const low: Point = [width / 2, 0];
@@ -167,12 +167,12 @@ function sleevesAndCuffs(body: Body, halves: Readonly<Record<Half, BodiceHalf>>)
   ];
 }
 
-/** Drawn where it lies on the front, whose coordinates it shares. */
+/** The pocket, drawn in the coordinates of the front. */
 function pocketPanel(body: Body, hem: number): {readonly panel: Panel; readonly matches: Match[]} {
   const foot: Point = [pocket.foot, hem];
   const mouth: Point = [pocket.foot, hem + pocket.side];
   const top: Point = [pocket.top, hem + pocket.height];
-  // the opening for the hand is hollow
+  // the opening for the hand is concave
   const opening = curve(mouth, [-0.7, 0.71], top, [-0.2, 0.98]);
   const {translation, rotation} = hung(body, 'front', 14);
   const on = (name: string, line: readonly Point[]): Match => ({

@@ -1,30 +1,39 @@
-/** Panels and seams: what a garment is drafted as. */
+/** Panels and seams of a drafted garment. */
 import type {Point} from '../../src/model/geometry.js';
 import {length, mirror, mirrored, reversed, type Curve} from './curves.js';
 import type {SeamKind} from './seam-kinds.js';
 
-/** Sides are the wearer's. */
+/** The wearer's sides. */
 export type Side = 'left' | 'right';
 const other = (side: Side): Side => (side === 'left' ? 'right' : 'left');
 
-/** Where a panel hangs before it is sewn: turned about the fixed axes x, y, z in this order (degrees), then moved (cm). */
+/**
+ * Placement of a panel before sewing: rotated about the fixed axes x, y, z in this order (degrees),
+ * then moved (cm).
+ */
 export interface Placement {
   readonly translation: readonly [number, number, number];
   readonly rotation: readonly [number, number, number];
 }
 
-/** One edge of an outline. Its name is unique in its panel and says what it is sewn as. */
+/** One edge of an outline. Its name is unique in its panel and describes its seam. */
 export interface Edge {
   readonly name: string;
   readonly curve: Curve;
 }
 
-/** A cut piece, face side up, in its own coordinates: a counter-clockwise outline that starts with its lowest edge. */
+/**
+ * A cut piece, face side up, in its own coordinates: a counter-clockwise outline that starts with
+ * its lowest edge.
+ */
 export interface Panel {
   readonly name: string;
   readonly edges: readonly Edge[];
   readonly placement: Placement;
-  /** The direction of the grain in the panel; +y when left out, as on a band, whose print so runs on from what it is sewn to. */
+  /**
+   * The direction of the grain in the panel; +y by default, as on a band, whose print so continues
+   * that of the piece it is sewn to.
+   */
   readonly grain?: Point;
 }
 
@@ -32,25 +41,28 @@ export type EdgeName = readonly [panel: string, edge: string];
 
 /** Two edges sewn to each other: the start of one meets the end of the other. */
 export interface Seam extends SeamManner {
-  /** What a sewist calls it, unique in the garment. */
+  /** A sewist's name of it, unique in the garment. */
   readonly name: string;
   readonly kind: SeamKind;
   readonly a: EdgeName;
   readonly b: EdgeName;
 }
 
-/** How two edges are sewn together. */
+/** Sewing details of two edges. */
 interface SeamManner {
-  /** How much longer `a` is drafted than `b`, as a factor (gathers), or in cm (ease). Neither: equal. */
+  /**
+   * Excess of `a` over `b` as drafted, as a factor (gathers), or in cm (ease). Neither: equal
+   * lengths.
+   */
   readonly gathers?: number;
   readonly ease?: number;
   /** Marks on both sides, as fractions of the length from the start of `a`. */
   readonly notches?: readonly number[];
-  /** Marks on `a` only, counted likewise: what meets the end of another seam. */
+  /** Marks on `a` only, measured in the same way: they meet the end of another seam. */
   readonly ownNotches?: readonly number[];
 }
 
-/** Two marked lines that lie on each other without being sewn, in panel coordinates, start on start. */
+/** Two marked lines that coincide without being sewn, in panel coordinates, start on start. */
 export interface Match {
   readonly name: string;
   readonly a: {readonly panel: string; readonly line: readonly Point[]};
@@ -60,32 +72,38 @@ export interface Match {
 /** The corner of a panel where two of its edges meet, in either order. */
 export type CornerName = readonly [panel: string, edge: string, edge: string];
 
-/** A seam's end where the line beyond the seam turns on purpose, so that the cloth does not run straight on over it. */
+/**
+ * A seam's end where the line beyond the seam turns on purpose, so that it does not continue
+ * straight across.
+ */
 interface Turn {
   /** One of the corners that meet there. */
   readonly corner: CornerName;
-  /** What a sewist calls it: the point of a V neck, a slit, the crotch. */
+  /** A sewist's name of it: the point of a V neck, a slit, the crotch. */
   readonly reason: string;
 }
 
 export interface Garment {
   readonly name: string;
-  /** What it is called in a list. */
+  /** Its name in lists. */
   readonly title: string;
   readonly panels: readonly Panel[];
   readonly seams: readonly Seam[];
   readonly matches?: readonly Match[];
-  /** Everywhere else lines run on across the seams: hems, necklines, waistlines, armholes. */
+  /** Everywhere else lines continue across the seams: hems, necklines, waistlines, armholes. */
   readonly turns?: readonly Turn[];
-  /** The mirror symmetries it is drafted with: one panel, or two. The file leaves them to be found or clicked. */
+  /**
+   * The mirror symmetries of the draft: of one panel, or of two. The file does not contain them;
+   * they are detected or clicked.
+   */
   readonly symmetries: readonly (readonly [string] | readonly [string, string])[];
 }
 
 export const edge = (name: string, curve: Curve): Edge => ({name, curve});
 
 /**
- * A panel that is its own mirror image: `half` runs up its +x side, from the end of `bottom` to the start of `top`,
- * or to the middle when there is no edge across the top.
+ * A panel that is its own mirror image. `half` runs up its +x side, from the end of `bottom` to the
+ * start of `top`, or to the middle when there is no edge across the top.
  */
 export function symmetricPanel(
   name: string,
@@ -105,7 +123,9 @@ export function symmetricPanel(
   return {name, edges: [parts.bottom, ...near, ...top, ...far.reverse()], placement};
 }
 
-/** The panel drafted on one side of the body and its mirror image for the other. Edge names stay. */
+/**
+ * The panel drafted on one side of the body, and its mirror image for the other. Edge names stay.
+ */
 export function pairOf(
   name: string,
   side: Side,
@@ -139,8 +159,9 @@ export const sew = (
 ): Seam => ({kind, name, a, b, ...how});
 
 /**
- * The same seam on both sides of the body. `*` in a panel or edge name stands for the side. Outlines all run
- * counter-clockwise, so an edge and its mirror image start at opposite ends: notches are counted for the left.
+ * The same seam on both sides of the body. `*` in a panel or edge name represents the side. All
+ * outlines run counter-clockwise, so an edge and its mirror image start at opposite ends; notches
+ * are measured on the left.
  */
 export function onBothSides(
   kind: SeamKind,
@@ -187,7 +208,7 @@ export function findEdge(
   return {index, curve: found.curve};
 }
 
-/** What the two sides of a seam differ by beyond what is stated. [cm] */
+/** Length difference of the two sides of a seam in excess of the stated one. [cm] */
 export function untrue(garment: Garment, {a, b, gathers = 1, ease = 0}: Seam): number {
   const [lengthA, lengthB] = [a, b].map((names) => length(findEdge(garment, names).curve));
   return Math.abs((lengthA ?? NaN) - (lengthB ?? NaN) * gathers - ease);

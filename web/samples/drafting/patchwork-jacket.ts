@@ -126,7 +126,7 @@ function sleeveSeams(): Seam[] {
   return [...rows, ...along];
 }
 
-/** The two front edges lie side by side when the jacket is closed. */
+/** Matches of the two front edges, which are side by side when the jacket is closed. */
 function frontEdges(garment: Pick<Garment, 'panels'>): Match[] {
   return bodyRows.map((row) => {
     const onEdge = (panel: string): Match['a'] => {

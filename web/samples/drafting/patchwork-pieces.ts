@@ -1,7 +1,8 @@
 /**
- * The patches of the jacket. A front or back is parted by rows, level lines at the same heights on both, and by one
- * column on each side, which bends to meet the shoulder square. Sleeves are parted along the top of the arm and by
- * rows that are square to the underarm seam. So wherever four patches meet, all their lines run on.
+ * The patches of the jacket. A front or back is divided by rows, level lines at the same heights on
+ * both, and by one column on each side, which bends to meet the shoulder square. Sleeves are
+ * divided along the top of the arm and by rows that are square to the underarm seam. Where four
+ * patches meet, all their lines continue.
  */
 import {minus, plus, radians, type Point} from '../../src/model/geometry.js';
 import {
@@ -33,7 +34,7 @@ export const sleeveRows = ['wrist', 'elbow', 'cap'] as const;
 export const capEase: Readonly<Record<Half, number>> = {front: 0.8, back: 1.2};
 const wristEase = 13;
 
-/** A straight jacket: as wide at the hem as at the underarm. */
+/** A straight jacket: hem and underarm are equally wide. */
 const styleOf = (body: Body): BodiceStyle => ({
   bustEase: 24,
   hipEase: body.bust + 24 - body.hip,
@@ -49,12 +50,12 @@ const styleOf = (body: Body): BodiceStyle => ({
   scoop: {front: 1, back: 0.4},
 });
 
-/** The lines that part a front or a back. */
+/** The lines that divide a front or a back. */
 interface Division {
   readonly half: Half;
   /** The lower edge of each row. */
   readonly heights: readonly [number, number, number, number];
-  /** Of the column, as far up as it is straight. */
+  /** x of the column's straight part. */
   readonly x: number;
   readonly underarm: Point;
   readonly armhole: {readonly chest: Curve; readonly shoulder: Curve};
@@ -76,7 +77,7 @@ export function divisionOf(body: Body, half: Half): Division {
   const [low, high] = splitWhere('the patches', armhole, ([, y]) => y, chest);
   const x = 0.47 * underarm[0];
   const slope = styleOf(body).shoulderSlope;
-  // as far out as a bend from upright to square on the shoulder takes it
+  // the end of a bend from upright to square on the shoulder
   const meets = plus(neck, minus(tip, neck), (x + 1.8 - neck[0]) / (tip[0] - neck[0]));
   return {
     half,
@@ -89,7 +90,9 @@ export function divisionOf(body: Body, half: Half): Division {
   };
 }
 
-/** The edges of a patch beside the side seam or armhole, from its lower edge round to the column. */
+/**
+ * The edges of a patch beside the side seam or armhole, from its lower edge round to the column.
+ */
 function sidePatch(
   {heights, x, underarm, armhole, column, shoulder}: Division,
   row: number,
@@ -117,7 +120,9 @@ function sidePatch(
   ];
 }
 
-/** The edges of a patch between the middle of the body and the column, without those in the middle. */
+/**
+ * The edges of a patch between the middle of the body and the column, without those in the middle.
+ */
 function centrePatch({heights, x, column, shoulder}: Division, row: number): Edge[] {
   const low: Point = [x, heights[row] ?? 0];
   const high = heights[row + 1];
@@ -183,7 +188,7 @@ export const bodyPatches = (body: Body): readonly Panel[] => [
   ...backPatches(body, divisionOf(body, 'back')),
 ];
 
-/** The part of an armhole that the uppermost row makes, and so the part of the cap that is sewn to it. */
+/** Share of the uppermost row in an armhole, and so of the part of the cap sewn to it. */
 export function shoulderShare({armhole}: Division): number {
   const onShoulder = length(armhole.shoulder);
   return onShoulder / (onShoulder + length(armhole.chest));
@@ -199,7 +204,7 @@ export function sleevePatches(body: Body): readonly Panel[] {
     body.wrist + wristEase,
   );
   const seam = length(tube.underarmBack);
-  // along the underarm seam, from the wrist up; the uppermost row takes in the cap
+  // along the underarm seam, from the wrist up; the uppermost row includes the cap
   const levels = [0, 0.44, 0.84].map((share) => {
     const {hem} = sleeveTube(cap, taper, seam * (1 - share));
     return splitWhere('the sleeve', hem, ([x]) => x, 0);

@@ -1,8 +1,9 @@
 /**
- * A fitted, sleeveless princess dress: centre front, two side fronts, two side backs, two centre backs. The princess seams
- * take up the darts of waist and shoulder blade and part of the bust's; the rest of that is in a dart from each side
- * seam. Every panel is its own mirror image or has a partner.
- * With an edge length of 0.53 cm (the option `edgeLengthCm`), the mesh of size M has 16.4 thousand triangles.
+ * A fitted, sleeveless princess dress: centre front, two side fronts, two side backs, two centre
+ * backs. The princess seams absorb the darts of waist and shoulder blade and part of the bust's; a
+ * dart from each side seam takes the rest of that. Every panel is its own mirror image or has a
+ * partner. With an edge length of 0.53 cm (the option `edgeLengthCm`), the mesh of size M has 16.4
+ * thousand triangles.
  */
 import type {Body} from './body.js';
 import {onBothSides, sew, type Garment} from './panel.js';

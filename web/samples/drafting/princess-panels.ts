@@ -1,6 +1,6 @@
 /**
- * The panels of the princess dress, each drafted for the +x side of the view onto its face; the height of the waist is
- * y = 0 throughout.
+ * The panels of the princess dress, each drafted for the +x side of the view onto its face; the
+ * height of the waist is y = 0 throughout.
  */
 import {leftOf, minus, plus, rotated, type Point} from '../../src/model/geometry.js';
 import {halfNeckline, hung, roundNeckline} from './bodice.js';
@@ -23,14 +23,19 @@ import {
 import {heading, squareBelow} from './skirt-lines.js';
 
 const neckDepth = {front: 12.5, back: 3};
-/** What the front is longer than the back above the bust, as a part of the bust. */
+/** Excess length of the front over the back above the bust, as a part of the bust. */
 const frontLonger = 0.018;
-/** The part of the shoulder seam on the centre panel, and how far in from the shoulder point the whole ends. */
+/**
+ * The part of the shoulder seam on the centre panel, and the distance from the end of the whole to
+ * the shoulder point.
+ */
 const innerLength = 3.8;
 const inFromShoulder = 3.9;
-/** Handle of the armhole at the underarm: a front armhole is scooped out further. */
+/** Handle of the armhole at the underarm; a front armhole curves in further. */
 const scoop = {front: 6.4, back: 4.6};
-/** What the bust dart takes, as a part of the bust; the princess seam takes the rest of the shaping. */
+/**
+ * Intake of the bust dart, as a part of the bust; the princess seam takes the rest of the shaping.
+ */
 const dartIntake = 0.027;
 
 const neckPoint = (body: Body, half: Half): Point => [
@@ -38,11 +43,11 @@ const neckPoint = (body: Body, half: Half): Point => [
   body.backLength + 1.6 + (half === 'front' ? frontLonger * body.bust : 0),
 ];
 
-/** Down a shoulder seam that slopes away to +x. */
+/** A point down a shoulder seam that slopes away to +x. */
 const downShoulder = (from: Point, slope: number, distance: number): Point =>
   plus(from, [Math.cos(slope), -Math.sin(slope)], distance);
 
-/** Where the princess seam of a half meets the shoulder, on the centre panel. */
+/** The end of a half's princess seam at the shoulder, on the centre panel. */
 const innerShoulder = (body: Body, half: Half): Curve => {
   const neck = neckPoint(body, half);
   return line(downShoulder(neck, shoulderSlope, innerLength), neck);
@@ -96,7 +101,7 @@ const outerLength = (body: Body): number =>
   (body.shoulderWidth / 2 - inFromShoulder - neckPoint(body, 'back')[0]) / Math.cos(shoulderSlope) -
   innerLength;
 
-/** Where the side panels hang: turned by 40 degrees out of the plane of the centre panel. */
+/** Placement of the side panels: rotated by 40 degrees out of the plane of the centre panel. */
 function beside(body: Body, half: Half): Placement {
   const [x, z] = [0.8 * radiusOf(body.bust), radiusOf(body.bust) + 4];
   return half === 'front'
@@ -104,7 +109,7 @@ function beside(body: Body, half: Half): Placement {
     : {translation: [-x, body.waistHeight, -z], rotation: [0, -140, 0]};
 }
 
-/** The bust dart of a side front, and its side seam above that: the one given, which starts where the dart does. */
+/** The bust dart of a side front, and the side seam above it. `upper` starts at the dart. */
 function darted(
   body: Body,
   bust: Point,
@@ -118,7 +123,10 @@ function darted(
   };
 }
 
-/** Origin: the waist at the princess seam. The armhole is square to the side seam and to the shoulder. */
+/**
+ * The side panels. Origin: the waist at the princess seam. The armhole is square to the side seam
+ * and to the shoulder.
+ */
 export function sidePanels(body: Body, half: Half): readonly [Panel, Panel] {
   const seam = sideLine(body, half, centreLine(body, half, innerShoulder(body, half).from));
   const side = sideSeam(body);

@@ -1,29 +1,37 @@
-/** The seam lines of the princess dress: each is drafted once and the panel it is sewn to is trued to it. */
+/**
+ * The seam lines of the princess dress: each is drafted once, and the panel sewn to it is trued to
+ * it.
+ */
 import {minus, plus, radians, rotated, type Point} from '../../src/model/geometry.js';
 import type {Body} from './body.js';
 import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';
 import {curve, leaning, length, mirrored, moved, splitWhere, trueTo, type Curve} from './curves.js';
 
-/** What the dress is wider than the body, all round. */
+/** Excess of the dress over the body, all round. */
 const ease = {bust: 5, waist: 4, hip: 5};
-/** From the waist to the hem, along the seams. */
+/** Length from the waist to the hem, along the seams. */
 const skirtLength = 58;
-/** What each seam leans out by at the hem. */
+/** Outward angle of each seam at the hem. */
 const flare = radians(3.5);
 const sideLean = radians(4);
 export const shoulderSlope = radians(19);
-/** What the centre back seam takes at the waist, on each side. */
+/** Intake of the centre back seam at the waist, on each side. */
 export const centreTaken = 1.2;
 
-/** The measures that shape a princess seam, on the centre panel and on the side panel. [cm, radians] */
+/**
+ * The measures that shape a princess seam, on the centre panel and on the side panel. [cm, radians]
+ */
 interface Princess {
-  /** x of the centre panel's edge at the waist and at the fullest height; that height. */
+  /** x of the centre panel's edge at the waist and at the fullest height, and that height. */
   readonly centreWaist: number;
   readonly centreFull: number;
   readonly fullHeight: number;
-  /** What the side panel's edge goes out by from the waist to the fullest height. */
+  /** Outward shift of the side panel's edge from the waist to the fullest height. */
   readonly sideOut: number;
-  /** What the side panel leans away from the centre panel above that: what the seam takes for bust or shoulder blade. */
+  /**
+   * Angle of the side panel away from the centre panel above that height: the seam's intake for
+   * bust or shoulder blade.
+   */
   readonly dart: number;
 }
 
@@ -47,18 +55,24 @@ function princessOf(body: Body, half: Half): Princess {
       };
 }
 
-/** The slope of the shoulder on the side panel, as it lies on the table. */
+/** The slope of the shoulder on the flat side panel. */
 export const sideSlope = (body: Body, half: Half): number =>
   shoulderSlope + princessOf(body, half).dart;
 
-/** The three edges of a seam, from the hem up: hem to waist, waist to the fullest height, on to the shoulder. */
+/**
+ * The three edges of a seam, from the hem up: hem to waist, waist to the fullest height, on to the
+ * shoulder.
+ */
 interface SeamLine {
   readonly skirt: Curve;
   readonly waist: Curve;
   readonly top: Curve;
 }
 
-/** Every edge below a waist at the origin: with the centre back, which is straight there, all twelve make the hip. */
+/**
+ * An edge below a waist at the origin: with the centre back, which is straight there, all twelve
+ * make the hip.
+ */
 function skirtOf(body: Body): Curve {
   const wider = (body.hip + ease.hip - body.waist - ease.waist) / 2;
   return skirtSeam('the skirt', {
@@ -69,7 +83,10 @@ function skirtOf(body: Body): Curve {
   });
 }
 
-/** The centre back below the waist: back in the middle at the hip, it flares like the other seams. */
+/**
+ * The centre back below the waist: it is back in the middle at the hip, and flares like the other
+ * seams.
+ */
 export function centreBackSkirt(body: Body): Curve {
   const seam = skirtSeam('the centre back', {
     atHip: centreTaken,
@@ -91,7 +108,9 @@ export function centreLine(body: Body, half: Half, shoulderPoint: Point): SeamLi
   };
 }
 
-/** The side panel's edge of the seam, for a waist at the origin: another shape, trued part by part. */
+/**
+ * The side panel's edge of the seam, for a waist at the origin: another shape, trued part by part.
+ */
 export function sideLine(body: Body, half: Half, centre: SeamLine): SeamLine {
   const {sideOut, dart} = princessOf(body, half);
   const waistAt = (height: number): Curve => bodiceSeam([0, 0], [-sideOut, height]);
@@ -122,14 +141,15 @@ export function sideLine(body: Body, half: Half, centre: SeamLine): SeamLine {
 /** The side seam of a side panel, for its waist at the origin; one line for front and back. */
 interface SideSeam {
   readonly skirt: Curve;
-  /** From the waist up to the bust dart, and on to the underarm. */
+  /** Parts from the waist up to the bust dart, and on to the underarm. */
   readonly lower: Curve;
   readonly upper: Curve;
 }
 
 export function sideSeam(body: Body): SideSeam {
   const underarm = body.backLength - (body.bust / 10 + 12);
-  // what the princess seams and the centre back do not add from waist to bust is shared by the two side panels
+  // the two side panels share the width from waist to bust that the princess seams and the centre
+  // back do not add
   const gain = ({centreFull, centreWaist, sideOut}: Princess): number =>
     centreFull - centreWaist + sideOut;
   const added = gain(princessOf(body, 'front')) + gain(princessOf(body, 'back')) + centreTaken;
@@ -140,7 +160,7 @@ export function sideSeam(body: Body): SideSeam {
   return {skirt: skirtOf(body), lower, upper};
 }
 
-/** A quarter of the body: what the centre panel leaves is the side panel's. */
+/** Waist of a side panel: a quarter of the body less the centre panel. */
 export function sidePanelWaist(body: Body, half: Half): number {
   const centre = princessOf(body, half).centreWaist - (half === 'back' ? centreTaken : 0);
   return (body.waist + ease.waist) / 4 - centre;

@@ -1,7 +1,7 @@
 /**
- * A short-sleeved raglan shirt cut in pairs throughout: seams at the centre front and the centre back, and sleeves
- * parted along the top of the arm. Each half of a sleeve is drawn onto the body it is cut away from, then turned
- * so that the arm hangs down.
+ * A short-sleeved raglan shirt cut in pairs throughout, with seams at the centre front and the
+ * centre back, and sleeves divided along the top of the arm. Each half of a sleeve is drawn onto
+ * the body that it is cut from, then rotated so that the arm hangs down.
  */
 import {
   distance,
@@ -43,22 +43,22 @@ const style: BodiceStyle = {
   forward: 0.5,
   scoop: {front: 1.2, back: 0.6}, // the raglan line replaces the armhole
 };
-/** Where the raglan seam meets the neckline: from the shoulder along it. [cm] */
+/** Distance of the raglan seam's end from the shoulder, along the neckline. [cm] */
 const onNeckline: Readonly<Record<Half, number>> = {front: 3.6, back: 2.4};
-/** How the raglan seam leans towards the neck where it meets the neckline. */
+/** Angle of the raglan seam towards the neck, at the neckline. */
 const raglanLean: Readonly<Record<Half, number>> = {front: radians(30), back: radians(24)};
 const sleeve = {ease: 9, length: 24, taper: radians(6)};
-/** How far the arm is lifted down from level: the flatter, the more room to move. */
+/** Angle of the arm below level: the smaller, the more room to move. */
 const armSlope = radians(42);
 const along: Point = [Math.cos(armSlope), -Math.sin(armSlope)];
-/** From the top of the arm towards the underarm. */
+/** Direction from the top of the arm to the underarm. */
 const down = plus([0, 0], leftOf(along), -1);
 
 interface HalfDraft {
   readonly side: Curve;
   readonly tip: Point;
   readonly raglan: Curve;
-  /** From the shoulder to the raglan seam, and on to the centre. */
+  /** Parts of the neckline from the shoulder to the raglan seam, and on to the centre. */
   readonly neckline: {readonly sleeve: Curve; readonly body: Curve};
 }
 
@@ -79,7 +79,10 @@ function halfOf(body: Body, half: Half): HalfDraft {
   return {side, tip: shoulder.from, raglan, neckline: {sleeve: onSleeve, body: onBody}};
 }
 
-/** The sleeve's edge of the raglan seam; it leaves the underarm seam at a right angle, as the body's leaves the side. */
+/**
+ * The sleeve's edge of the raglan seam; it leaves the underarm seam at a right angle, as the body's
+ * leaves the side.
+ */
 function sleeveRaglan(half: Half, neck: Point, underarm: Point): Curve {
   const chord = distance(neck, underarm);
   return curve(
@@ -92,7 +95,10 @@ function sleeveRaglan(half: Half, neck: Point, underarm: Point): Curve {
   );
 }
 
-/** A half of a sleeve: how wide it is at the underarm, and how far that lies from the hem along the arm. */
+/**
+ * The underarm point of half a sleeve, by its width there and its distance from the hem along the
+ * arm.
+ */
 function underarmPoint({tip}: HalfDraft, width: number, fromHem: number): Point {
   return plus(plus(tip, along, sleeve.length - fromHem), down, width);
 }
@@ -100,7 +106,7 @@ function underarmPoint({tip}: HalfDraft, width: number, fromHem: number): Point 
 const raglanLength = (half: Half, draft: HalfDraft, width: number, fromHem: number): number =>
   length(sleeveRaglan(half, draft.raglan.to, underarmPoint(draft, width, fromHem)));
 
-/** Half sleeves are between these widths. [cm] */
+/** Limits of a half sleeve's width. [cm] */
 const widths = {least: 10, most: 40};
 
 function widthAt(half: Half, draft: HalfDraft, fromHem: number): number {
@@ -113,7 +119,7 @@ function widthAt(half: Half, draft: HalfDraft, fromHem: number): number {
   );
 }
 
-/** How far from the hem the underarm lies at least: nearer to it the raglan seam would be too long. [cm] */
+/** Least distance of the underarm from the hem; the raglan seam would be too long below it. [cm] */
 function leastFromHem(half: Half, draft: HalfDraft): number {
   return trueTo(
     `the ${half} raglan seam`,
@@ -127,7 +133,7 @@ function leastFromHem(half: Half, draft: HalfDraft): number {
 function bodyPanels(body: Body, half: Half, draft: HalfDraft): readonly [Panel, Panel] {
   const {side, raglan, neckline} = draft;
   const top = neckline.body.to;
-  // the centre back leans in towards the hem, square to it and to the neckline
+  // the centre back slants in towards the hem, square to it and to the neckline
   const foot: Point = [half === 'front' ? 0 : 1, side.from[1]];
   const centre = half === 'front' ? line(top, foot) : curve(top, [0, -1], foot, [0, -1], 18, 24);
   return pairOf(
@@ -181,7 +187,7 @@ function sleevePanels(
     `sleeve_${half}`,
     side,
     edges.map(([name, drawn]) => edge(name, mapped(drawn, hanging))),
-    // turned out a little from straight ahead, or from straight back on the other side
+    // rotated slightly from straight ahead, or from straight back on the other side
     half === 'front'
       ? {translation: [x, y, 9], rotation: [0, 20, rotation[2]]}
       : {translation: [-x, y, -9], rotation: [0, -160, -rotation[2]]},

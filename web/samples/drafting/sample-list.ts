@@ -1,4 +1,4 @@
-/** The list of everything that is shipped, for whoever offers a choice: public/samples.json. */
+/** The list of all shipped samples, for menus: public/samples.json. */
 import {collection} from '../prints/collection.js';
 import {printOf} from '../prints/print-files.js';
 import {bodyOf, sizeNames} from './body.js';

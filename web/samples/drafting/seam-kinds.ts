@@ -1,11 +1,11 @@
 /**
- * How much each kind of seam counts by default, as a cutter ranks them: the eye runs down the middle of the
- * body first, then along the sides; a seam under the arm or between the legs is rarely seen. A gathered seam
- * cannot match all along, since its two sides differ in length.
+ * Default weight of each kind of seam, by a cutter's priorities. The middle of the body is the most
+ * visible, then its sides; a seam under the arm or between the legs is rarely seen. A gathered seam
+ * cannot match along its whole length, since its two sides differ in length.
  */
 export const seamWeights = {
   centre: 2,
-  front: 2, // a button front, a zip, a wrap: the two sides lie side by side before the eye
+  front: 2, // a button front, a zip, a wrap: two sides next to each other in plain view
   princess: 1,
   side: 1,
   panel: 1, // gores, yokes, patches

@@ -1,9 +1,9 @@
-/** Sleeves that are set into a closed armhole: the outline of one, and how it is sewn. */
+/** Sleeves that are set into a closed armhole: their outline and seams. */
 import type {Half} from './bodice.js';
 import {edge, onBothSides, type Edge, type EdgeName, type Seam} from './panel.js';
 import type {Cap, Tube} from './sleeve.js';
 
-/** From the lower edge, which is called `hem`, up the back and down the front. */
+/** The outline from the lower edge, which is called `hem`, up the back and down the front. */
 export const setInOutline = (cap: Cap, tube: Tube, hem = 'hem'): Edge[] => [
   edge(hem, tube.hem),
   edge('underarm back', tube.underarmBack),
@@ -13,8 +13,8 @@ export const setInOutline = (cap: Cap, tube: Tube, hem = 'hem'): Edge[] => [
 ];
 
 /**
- * The crown of the cap, where its halves meet, is marked: it meets the shoulder seam.
- * @param ease of the cap over either half of the armhole, in cm
+ * The seams of a cap. The crown, where its halves meet, is marked, as it meets the shoulder seam.
+ * @param ease  of the cap over either half of the armhole, in cm
  */
 export const setInSeams = (
   ease: Readonly<Record<Half, number>>,

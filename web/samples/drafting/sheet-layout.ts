@@ -1,13 +1,16 @@
-/** Where the pieces of a garment lie on a sheet: on shelves, at the largest scale at which they fit. y runs down. */
+/**
+ * Places of a garment's pieces on a sheet: in rows, at the largest scale at which they fit. y runs
+ * down.
+ */
 import type {Point} from '../../src/model/geometry.js';
 import {pointAt} from './curves.js';
 import type {Garment, Panel} from './panel.js';
 
 export interface Placed {
   readonly panel: Panel;
-  /** Panel coordinates (cm) -> the page (px). */
+  /** Map from panel coordinates (cm) to the page (px). */
   readonly toPage: (p: Point) => Point;
-  /** The middle of the lower edge of the room it takes, where its name goes. [px] */
+  /** The middle of the lower edge of its box, the place of its name. [px] */
   readonly foot: Point;
 }
 
@@ -19,7 +22,7 @@ interface SheetLayout {
   readonly scale: number;
 }
 
-/** Room for a sheet, and what a piece's name needs. [px] */
+/** Room of a sheet and of a piece's name. [px] */
 interface SheetRoom {
   readonly width: number;
   readonly height: number;
@@ -50,7 +53,8 @@ const tallness = ({low, high}: Box): number => high[1] - low[1];
 const seenFromBehind = ({placement}: Panel): boolean => Math.abs(placement.rotation[1]) > 90;
 
 /**
- * Mirrored pairs stay side by side, the wearer's left at the right of a front and at the left of a back; the tallest pieces come first.
+ * Mirrored pairs stay side by side, the wearer's left at the right of a front and at the left of a
+ * back; the tallest pieces come first.
  */
 function groupsOf({panels: all, symmetries}: Garment): readonly (readonly Box[])[] {
   const find = (name: string): Panel[] => all.filter((panel) => panel.name === name);
@@ -87,7 +91,7 @@ function shelvesAt(
   return {shelves, roomOf};
 }
 
-/** Lays a garment out below `top`, between `left` and `left + room.width`. */
+/** Places a garment's pieces below `top`, between `left` and `left + room.width`. */
 export function layOutSheet(
   garment: Garment,
   [left, top]: Point,
@@ -105,7 +109,7 @@ export function layOutSheet(
   };
   let scale = largest;
   while (!fits(scale)) scale *= 0.98;
-  // a little smaller if that saves a shelf with nearly nothing on it
+  // slightly smaller if that avoids an almost empty row
   const count = shelvesAt(scale, groups, room).shelves.length;
   const compact = 0.92 * scale;
   if (shelvesAt(compact, groups, room).shelves.length < count) scale = compact;

@@ -1,4 +1,7 @@
-/** One picture of several garments, every piece flat: names, grain, notches, and which edges are sewn to which. */
+/**
+ * One image of several garments with every piece flat: names, grain, notches, and the numbers of
+ * seams.
+ */
 import {leftOf, middle, minus, norm, plus, unit, type Point} from '../../src/model/geometry.js';
 import {escaped, short, text} from '../../src/picture/svg.js';
 import {grainLine, notchesOf, titled} from './garment-file.js';
@@ -30,7 +33,7 @@ function outline({panel, toPage}: Placed): string {
   return `<path d="M${dot(toPage(start))}${edges.join('')}Z"/>`;
 }
 
-/** The middle half of the grain line, with a head at both ends. */
+/** The middle four fifths of the grain line, with a head at both ends. */
 function grain({panel, toPage}: Placed): string {
   const [low, high] = grainLine(panel);
   const span = minus(high, low);
@@ -50,7 +53,7 @@ function onEdge({toPage}: Placed, curve: Curve, share: number): readonly [Point,
   return [toPage(pointAt(curve, t)), [x, -y]];
 }
 
-/** Where one edge ends and the next begins: a tick across the outline, on its outer side. */
+/** Ticks at the ends of edges, across the outline, on its outer side. */
 function edgeEnds(placed: Placed): string {
   return placed.panel.edges
     .map(({curve}, k, edges) => {
@@ -74,7 +77,7 @@ function notches(placed: Placed, garment: Garment): string {
     .join('');
 }
 
-/** A dart has one number, before its mouth and in line with its tip. */
+/** The place of a dart's only number, at its mouth and in line with its tip. */
 function dartNumber({toPage}: Placed, garment: Garment, {a, b}: Seam): Point {
   const legs = [a, b].map((leg) => findEdge(garment, leg));
   const [first, second] = legs.toSorted((one, other) => one.index - other.index);
@@ -84,7 +87,7 @@ function dartNumber({toPage}: Placed, garment: Garment, {a, b}: Seam): Point {
   return plus(mouth, out, numberSize / norm(out));
 }
 
-/** Left and right are one seam to a sewist. */
+/** Name of a seam without its side, as left and right are one seam for a sewist. */
 const bothSides = ({name}: Seam): string => name.replace(/, (left|right)$/, '');
 
 const seamNames = ({seams}: Garment): string[] => [...new Set(seams.map(bothSides))];
@@ -107,10 +110,10 @@ function numbers(placed: Placed, garment: Garment): string {
     .join('');
 }
 
-/** How far inside the outline a line is drawn that lies on it. [px] */
+/** Distance from the outline to a line drawn inside of it. [px] */
 const insideOutline = 4;
 
-/** A straight line of two points that lies on an edge, moved into the piece so that it can be seen. */
+/** A straight line of two points on an edge, moved into the piece so that it is visible. */
 function offOutline(placed: Placed, points: readonly Point[]): Point[] {
   const onPage = points.map(placed.toPage);
   const [from, to] = points;
@@ -134,13 +137,15 @@ function matchLines(placed: Placed, {matches = []}: Garment): string {
     .join('');
 }
 
-/** What a piece is called, and how often it is cut: one of a mirrored pair says so. */
+/** A piece's name, and the number to cut: a mirrored pair is marked as such. */
 const pieceLine = ({name}: Panel, {symmetries}: Garment): string =>
   `${titled(name)}, ${symmetries.some((names) => names.length === 2 && names.includes(name)) ? 'pair' : 'cut 1'}`;
 
 const lineWidth = (content: string): number => 0.56 * nameSize * content.length;
 
-/** "3  Front armhole, ease 1.0 cm (stitches 4, 5)", in columns; options name a seam by its stitch. */
+/**
+ * "3  Front armhole, ease 1.0 cm (stitches 4, 5)", in columns; options name a seam by its stitch.
+ */
 function legend(garment: Garment, top: number): {readonly svg: string; readonly height: number} {
   const lines = seamNames(garment).map((name, k) => {
     const seam = garment.seams.find((one) => bothSides(one) === name);
@@ -210,7 +215,7 @@ function garmentBlock(
   };
 }
 
-/** The garments one below the other, each at a scale of its own. */
+/** The garments one below the other, each at a separate scale. */
 export function garmentSheet(garments: readonly Garment[], title: string, note: string): string {
   const blocks: string[] = [];
   let top = 110;

@@ -1,4 +1,7 @@
-/** A shift dress with short sleeves: a front with side bust darts, a back in two halves with a centre back seam. */
+/**
+ * A shift dress with short sleeves: a front with side bust darts, a back in two halves with a
+ * centre back seam.
+ */
 import {leftOf, plus, radians, rotated, type Point} from '../../src/model/geometry.js';
 import {halfNeckline, hung, roundNeckline, type Half} from './bodice.js';
 import type {Body} from './body.js';
@@ -16,22 +19,31 @@ const flare = radians(2);
 const sideLean = radians(6);
 const neckOut = 2.2;
 const neckDepth = {front: 9, back: 2.6};
-/** What the bust dart takes, as a part of the bust, and how much of that the front is longer by above the bust. */
+/**
+ * Intake of the bust dart, as a part of the bust, and its share by which the front is longer above
+ * the bust.
+ */
 const dartIntake = 0.031;
 const frontLonger = 0.6;
-/** What the centre back seam takes from the waist down. */
+/** Intake of the centre back seam from the waist down. */
 const centreTaken = 1.2;
 const capEase = {front: 1.1, back: 1.4};
 const sleeve = {ease: 8, length: 22, taper: radians(6)};
 const away = 8;
 
-/** Where front and back differ. Handles of the armhole at the underarm and at the shoulder. [cm, radians] */
+/**
+ * Differences of front and back. Handles of the armhole at the underarm and at the shoulder. [cm,
+ * radians]
+ */
 const shapes = {
   front: {wider: 0.5, slope: radians(22), scoop: [7.6, 9]},
   back: {wider: -0.5, slope: radians(17), scoop: [5.4, 10.5]},
 } as const;
 
-/** The side seam up to the height of the dart, hollowed at the waist, and how far it goes on from there to the underarm. */
+/**
+ * The side seam up to the height of the dart, curved in at the waist, and its remaining length to
+ * the underarm.
+ */
 function sideOf(body: Body, half: Half): {readonly lower: Curve; readonly upper: number} {
   const {wider} = shapes[half];
   const dartHeight = 0.27 * body.backLength;
@@ -52,7 +64,7 @@ interface Top {
   readonly shoulder: Curve;
 }
 
-/** @param raised by how much the shoulder lies higher than the back's */
+/** @param raised  height of the shoulder over the back's */
 function topOf(body: Body, half: Half, underarm: Point, lean: Point, raised = 0): Top {
   const {slope, scoop} = shapes[half];
   const neck: Point = [body.neck / 5 + neckOut, body.backLength + 1.8 + raised];

@@ -1,4 +1,7 @@
-/** A shirt collar on a stand, each in one piece that is its own mirror image. Origin: the middle of the lower edge. */
+/**
+ * A shirt collar on a stand, each in one piece that is its own mirror image. Origin: the middle of
+ * the lower edge.
+ */
 import {leftOf, norm, plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
 import {
@@ -16,24 +19,27 @@ import {
 } from './curves.js';
 import {edge, symmetricPanel, type Panel, type Placement} from './panel.js';
 
-/** The neckline that the stand is sewn to, one side of it from the middle of the back to the button stand. [cm] */
+/**
+ * Lengths of one side of the neckline to which the stand is sewn, from the middle of the back to
+ * the button stand. [cm]
+ */
 interface NecklineLengths {
-  /** Across the back, both sides of it. */
+  /** Length across the back, both sides. */
   readonly back: number;
-  /** The part of the yoke that lies on the front. */
+  /** Length of the yoke's part on the front. */
   readonly yoke: number;
-  /** On to the centre front. */
+  /** Length from there to the centre front. */
   readonly front: number;
   readonly buttonStand: number;
 }
 
 const standHeight = {back: 3.1, front: 2.7};
-/** How the stand leans up at its ends, so that it lies close to the neck. */
+/** Upward angle of the stand at its ends, so that it is close to the neck. */
 const standRise = radians(14);
-/** The collar is hollow where it is sewn on, so that it falls over the stand. */
+/** The collar's seam is concave, so that the collar falls over the stand. */
 const collarFall = radians(8);
 const collarHeight = 4.4;
-/** From the end of the collar's seam to its point. */
+/** Vector from the end of the collar's seam to its point. */
 const collarPoint: Point = [1.3, 6.9];
 const collarEdge = radians(8);
 
@@ -48,7 +54,8 @@ export function standPanel(body: Body, neckline: NecklineLengths): Panel {
   const {back, yoke, front, buttonStand} = neckline;
   const middle: Point = [back / 2, 0];
   const along: Point = leaning(Math.PI / 2 - standRise);
-  // straight across the back; the second handle ends on that line, so that the curve begins without a bend
+  // straight across the back; the second handle ends on that line, so that the curve begins without
+  // a bend
   const lowerAt = (width: number): Curve =>
     curve(
       middle,
@@ -94,7 +101,7 @@ export function standPanel(body: Body, neckline: NecklineLengths): Panel {
   );
 }
 
-/** @param seamLength of the upper edge of the stand, in cm */
+/** @param seamLength  of the upper edge of the stand, in cm */
 export function collarPanel(body: Body, seamLength: number): Panel {
   const seamAt = (x: number): Curve => across([x, 0], leaning(Math.PI / 2 + collarFall));
   const seam = seamAt(

@@ -1,4 +1,6 @@
-/** The pieces of the shirt but its collar: one front and one back, parted where the yoke begins. */
+/**
+ * The pieces of the shirt except its collar: one front and one back, divided where the yoke begins.
+ */
 import {leftOf, minus, norm, plus, radians, type Point} from '../../src/model/geometry.js';
 import {
   bodiceHalf,
@@ -25,17 +27,17 @@ import {
 import {edge, pairOf, symmetricPanel, type Panel} from './panel.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
-/** What is pleated into each centimetre of cuff. */
+/** Fabric pleated into each centimetre of cuff. [cm] */
 export const cuffPleats = 1.25;
 const cuff = {ease: 6, height: 6.5};
-/** The cuff opens here: the part of the wrist in front of the slit. */
+/** Position of the cuff's opening: the part of the wrist in front of the slit. */
 const slit = 0.72;
 export const capEase = {front: 0.9, back: 1.2};
-/** From the centre front to the edge of the button stand. */
+/** Distance from the centre front to the edge of the button stand. */
 export const buttonStand = 1.75;
-/** How far the yoke reaches: below the shoulder on the front, below the nape on the back. */
+/** Extent of the yoke: below the shoulder on the front, below the nape on the back. */
 const yokeReach = {front: 3.5, back: 9};
-/** How much longer than the side seams the tails are. */
+/** Length of the tails below the side seams. */
 export const tails = {front: 6, back: 8};
 
 const styleOf = (body: Body): BodiceStyle => ({
@@ -53,11 +55,11 @@ const styleOf = (body: Body): BodiceStyle => ({
   scoop: {front: 1.3, back: 0.5},
 });
 
-/** Front and back as one would draw them without a yoke, and parted where the yoke begins. */
+/** Front and back drafted without a yoke, and divided where the yoke begins. */
 interface Cut {
   readonly halves: Readonly<Record<Half, BodiceHalf>>;
   readonly armhole: Readonly<Record<Half, {readonly body: Curve; readonly yoke: Curve}>>;
-  /** From the shoulder down to the centre front. */
+  /** The neckline from the shoulder down to the centre front. */
   readonly neckline: {readonly yoke: Curve; readonly body: Curve};
 }
 
@@ -135,7 +137,10 @@ function backPanel(body: Body, {halves, armhole}: Cut): Panel {
 export const backNeckline = (body: Body, {halves}: Cut): Curve =>
   roundNeckline(halves.back.shoulder.to, styleOf(body).neckDepth.back, styleOf(body).shoulderSlope);
 
-/** Drawn as the back; what reaches over the shoulder is the front, unfolded about the shoulder line. */
+/**
+ * The yoke, drawn as part of the back; the part over the shoulder is the front's, unfolded about
+ * the shoulder line.
+ */
 function yokePanel(body: Body, cut: Cut): Panel {
   const {halves, armhole, neckline} = cut;
   const {from: tip, to: neck} = halves.front.shoulder;
@@ -163,7 +168,7 @@ function yokePanel(body: Body, cut: Cut): Panel {
   );
 }
 
-/** The part of the cap's length, and of its ease, that is sewn to the yoke. */
+/** Share of the cap's length, and of its ease, that is sewn to the yoke. */
 export function yokeShare({armhole}: Cut, half: Half): number {
   const onYoke = length(armhole[half].yoke);
   return onYoke / (onYoke + length(armhole[half].body));

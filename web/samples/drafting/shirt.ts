@@ -1,6 +1,6 @@
 /**
- * A shirt with a button front, a yoke that reaches over the shoulders, a collar on a stand, and long sleeves
- * pleated into cuffs with links.
+ * A shirt with a button front, a yoke that reaches over the shoulders, a collar on a stand, and
+ * long sleeves pleated into cuffs with links.
  */
 import type {Point} from '../../src/model/geometry.js';
 import type {Body} from './body.js';
@@ -28,7 +28,7 @@ export function draftShirt(body: Body): Garment {
   });
   const collarSeam = stand.edges.find(({name}) => name === 'collar');
   if (!collarSeam) throw new Error('the stand carries a collar');
-  // from just above the hem, which is a little higher here than at the edge
+  // starts just above the hem, which is slightly higher here than at the edge
   const low = cut.halves.front.side.from[1] - tails.front + 1;
   const centreFront: readonly Point[] = [[0, low], cut.neckline.body.to];
   const armholes = (['front', 'back'] as const).flatMap((half) => {
@@ -50,7 +50,7 @@ export function draftShirt(body: Body): Garment {
         ['yoke', `armhole ${half} *`],
         {
           ease: capEase[half] * share,
-          // where the crown of the cap meets the top of the shoulder
+          // the crown of the cap meets the top of the shoulder here
           ...(half === 'front' && {notches: [0]}),
         },
       ),

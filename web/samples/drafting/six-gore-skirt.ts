@@ -1,6 +1,7 @@
 /**
- * A six-gore skirt on a straight waistband: centre front, two side fronts, two side backs, centre back. Fitted to the
- * hip, it flares from there. The two edges of a seam have one shape. Origin of a gore: the middle of its waist.
+ * A six-gore skirt on a straight waistband: centre front, two side fronts, two side backs, centre
+ * back. It is fitted to the hip and flares from there. The two edges of a seam have one shape.
+ * Origin of a gore: the middle of its waist.
  */
 import {radians} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
@@ -18,21 +19,24 @@ import {
 import {bandPanel, hipSeam, squareAbove, squareBelow} from './skirt-lines.js';
 
 const waistEase = 2;
-/** With the waists drawn straight; drawn hollow, as they are, they take up to half a centimetre of it. */
+/** Ease for straight waists; the actual curved ones reduce it by up to half a centimetre. */
 const hipEase = 6;
 const bandHeight = 3.5;
 const seamDrop = 60;
 const flare = radians(8);
-/** How the twelve edges of the seams share what the hip is wider than the waist, as parts of the mean. */
+/**
+ * Share of each of the seams' twelve edges in the hip's excess over the waist, relative to the
+ * mean.
+ */
 const shaping = {front: 0.8, side: 1.25, back: 0.95};
-/** The part of half the waist that is the centre gore's. */
+/** The centre gore's share of half the waist. */
 const centreShare = {front: 0.37, back: 0.35};
-/** The front is cut this much wider than the back, at each side seam. */
+/** Excess of the front's width over the back's, at each side seam. */
 const forward = 0.75;
 
 type Half = 'front' | 'back';
 
-/** What the gores and the band of a half are sewn by. [cm] */
+/** Waist lengths of the gores and the band of a half. [cm] */
 function waistParts(body: Body, half: Half): {readonly centre: number; readonly side: number} {
   const whole = (body.waist + waistEase) / 2 + (half === 'front' ? forward : -forward);
   const centre = centreShare[half] * whole;
@@ -49,7 +53,10 @@ function seamOf(body: Body, which: keyof typeof shaping): Curve {
   });
 }
 
-/** The seams of a gore, the one at -x first, both upwards, as far apart as makes its waist this long. */
+/**
+ * The seams of a gore, the one at -x first, both upwards, with the distance that gives its waist
+ * this length.
+ */
 function goreSeams(what: string, inner: Curve, outer: Curve, waist: number): [Curve, Curve] {
   const apart = (width: number): [Curve, Curve] => [
     moved(mirrored(inner), [-width / 2, 0]),
@@ -59,7 +66,10 @@ function goreSeams(what: string, inner: Curve, outer: Curve, waist: number): [Cu
   return apart(trueTo(what, waist, (width) => waistOf(apart(width)), waist / 2, waist));
 }
 
-/** As it hangs around the hip: `angle` (degrees) from the middle of the front towards the wearer's left. */
+/**
+ * Placement around the hip: `angle` (degrees) from the middle of the front towards the wearer's
+ * left.
+ */
 function around(body: Body, angle: number): Placement {
   const away = radiusOf(body.hip) + 12;
   const [x, z] = [Math.sin(radians(angle)), Math.cos(radians(angle))];

@@ -1,4 +1,4 @@
-/** Lines that skirts are made of: seams over the hip, hems and waists square to them, straight waistbands. */
+/** Lines of skirts: seams over the hip, hems and waists square to them, straight waistbands. */
 import {leftOf, norm, plus, type Point} from '../../src/model/geometry.js';
 import {curve, leaning, line, mirror, pointAt, trueTo, velocity, type Curve} from './curves.js';
 import {edge, symmetricPanel, type Edge, type Panel, type Placement, type Side} from './panel.js';
@@ -15,25 +15,33 @@ export function squareBelow(from: Curve, to: Curve): Curve {
   return curve(from.from, onward(from), to.from, onward(to));
 }
 
-/** The upper edge from one seam back to the one before it, square to both; both are given upwards. */
+/**
+ * The upper edge from one seam back to the one before it, square to both; both are given upwards.
+ */
 export function squareAbove(from: Curve, to: Curve): Curve {
   return curve(from.to, leftOf(heading(from, 1)), to.to, leftOf(heading(to, 1)));
 }
 
-/** How a seam runs over the hip, for its waist at the origin and the cloth at its -x side. [cm, radians] */
+/**
+ * Shape of a seam over the hip, for its waist at the origin and the fabric at its -x side. [cm,
+ * radians]
+ */
 interface HipSeam {
   /** x of the seam at the depth of the hip. */
   readonly atHip: number;
   readonly hipDepth: number;
-  /** What the seam leans out by at the hem; it flares more and more on the way down to there. */
+  /** Outward angle of the seam at the hem; the flare increases on the way down. */
   readonly flare: number;
   readonly drop: number;
 }
 
-/** The lean between hip and hem, as a part of that at the hem. */
+/** Angle between hip and hem, as a part of that at the hem. */
 const meanFlare = 0.72;
 
-/** From the hem up to the waist as one fair curve: hollow below the hip, where it flares, and round above. */
+/**
+ * A seam from the hem up to the waist as one fair curve: concave below the hip, where it flares,
+ * and round above.
+ */
 export function hipSeam({atHip, hipDepth, flare, drop}: HipSeam): Curve {
   const hem: Point = [atHip + (drop - hipDepth) * Math.tan(meanFlare * flare), -drop];
   const leant = (lean: number): Curve =>
@@ -57,8 +65,8 @@ export function strip(from: Point, parts: readonly (readonly [string, number])[]
 }
 
 /**
- * Half a waistband that is its own mirror image: the lower edge in the parts it is sewn in, the middle one and those
- * towards the end. Origin: the middle of the lower edge.
+ * Half a waistband that is its own mirror image. Its lower edge is divided for its seams: the
+ * middle part, and the parts towards the end. Origin: the middle of the lower edge.
  */
 export function bandPanel(
   name: string,

@@ -1,6 +1,6 @@
 /**
- * Set-in sleeves. Drafted for the wearer's left, whose front half lies at -x. Origin: on the line across both
- * underarms, below the top of the cap.
+ * Set-in sleeves, drafted for the wearer's left, with the front half at -x. Origin: on the line
+ * across both underarms, below the top of the cap.
  */
 import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import type {Body} from './body.js';
@@ -20,11 +20,11 @@ import {
 import type {Placement} from './panel.js';
 
 interface CapStyle {
-  /** Across the sleeve at the underarm. [cm] */
+  /** Width across the sleeve at the underarm. [cm] */
   readonly width: number;
-  /** How far each half of the cap is drafted longer than the armhole it is sewn into. [cm] */
+  /** Excess of each half of the cap over its armhole, as drafted. [cm] */
   readonly ease: Readonly<Record<Half, number>>;
-  /** How the underarm seams lean in towards the wrist. [radians] */
+  /** Inward angle of the underarm seams towards the wrist. [radians] */
   readonly taper: number;
 }
 
@@ -35,15 +35,20 @@ export interface Cap {
   readonly height: number;
 }
 
-/** Handles at the underarm, as parts of the half width: the front of a cap is scooped out further. */
+/** Handles at the underarm, as parts of the half width: the front of a cap curves in further. */
 const scoop = {front: 0.5, back: 0.34};
-/** Handle at the top of a cap whose halves are alike, as a part of the half width: how round the top is. */
+/**
+ * Handle at the top of a cap with equal halves, as a part of the half width: the roundness of the
+ * top.
+ */
 const roundness = 0.57;
 
-/** Lower caps than this are not drafted. [cm] */
+/** Least height of a cap. [cm] */
 const lowestCap = 6;
 
-/** Half a cap on its +x side; both halves share the curvature at the top, so that it has no point. */
+/**
+ * Half a cap on its +x side; both halves share the curvature at the top, so that it has no point.
+ */
 function capHalf(half: Half, style: CapStyle, width: number, height: number): Curve {
   const atUnderarm = scoop[half] * width;
   const curvature = (2 * height) / (3 * ((roundness * style.width) / 2) ** 2);
@@ -52,7 +57,10 @@ function capHalf(half: Half, style: CapStyle, width: number, height: number): Cu
   return curve([width, 0], out, [0, height], [-1, 0], atUnderarm, atTop);
 }
 
-/** The cap for a pair of armholes: a lower cap is wider, so its height follows from the width of the sleeve. */
+/**
+ * The cap for a pair of armholes: a lower cap is wider, so its height follows from the width of the
+ * sleeve.
+ */
 export function sleeveCap(armholes: Readonly<Record<Half, number>>, style: CapStyle): Cap {
   const goal = (half: Half): number => armholes[half] + style.ease[half];
   const narrowest = 0.3 * style.width;
@@ -93,15 +101,18 @@ export const armholeLengths = (
   back: length(halves.back.armhole),
 });
 
-/** What hangs below a cap. */
+/** The part of a sleeve below its cap. */
 export interface Tube {
-  /** From front to back, square to both edges of the underarm seam; hollow, since the sleeve narrows. */
+  /**
+   * The hem from front to back, square to both edges of the underarm seam; concave, since the
+   * sleeve narrows.
+   */
   readonly hem: Curve;
   readonly underarmBack: Curve;
   readonly underarmFront: Curve;
 }
 
-/** @param seamLength of the underarm seam, in cm */
+/** @param seamLength  of the underarm seam, in cm */
 export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
   const down: Point = plus([0, 0], leaning(taper), -seamLength);
   const hemBack = plus(cap.back.from, down);
@@ -117,13 +128,13 @@ export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
 interface LongSleeve {
   readonly cap: Cap;
   readonly tube: Tube;
-  /** How the underarm seams lean in towards the wrist. [radians] */
+  /** Inward angle of the underarm seams towards the wrist. [radians] */
   readonly taper: number;
 }
 
 /**
- * A sleeve that narrows so far that its hem is as long as asked for.
- * @param sleeveLength from the top of the cap to the hem, in cm
+ * A sleeve with the taper that gives its hem the required length.
+ * @param sleeveLength  from the top of the cap to the hem, in cm
  */
 export function taperedSleeve(
   armholes: Readonly<Record<Half, number>>,
@@ -150,13 +161,13 @@ export function taperedSleeve(
   );
 }
 
-/** The angle at which sleeves stand out from the body. */
+/** Angle between sleeves and body. */
 const hang = radians(45);
 const clear = 6;
 
 /**
- * Where the left sleeve hangs: its cap a little outside the shoulder, its front towards +z.
- * @param below how far down the sleeve, from the origin of the draft, the panel's own origin is
+ * Placement of the left sleeve: its cap slightly outside the shoulder, its front towards +z.
+ * @param below  distance of the panel's origin below the draft's, along the sleeve
  */
 export function hungSleeve(body: Body, tip: Point, height: number, below = 0): Placement {
   const reach = height + below;

@@ -1,4 +1,7 @@
-/** One leg of the straight trousers, front or back. Origin: the height of the waist, on the crease; its centre seam lies at -x. */
+/**
+ * One leg of the straight trousers, front or back. Origin: the height of the waist, on the crease;
+ * its centre seam is at -x.
+ */
 import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import type {Body} from './body.js';
 import {withDart, type DartedEdge} from './darts.js';
@@ -11,21 +14,24 @@ const hipEase = 5;
 const riseEase = 1;
 const kneeEase = 11.5;
 const hemAboveFloor = 3;
-/** What the waist lies higher at the side than at the height it is measured. */
+/** Height of the waist's side over the measured waist. */
 const sideRise = 0.8;
-/** What the outseam takes of what the hip is wider than the waist, on each of its four edges. */
+/** Share of each of the outseam's four edges in the hip's excess over the waist. */
 const sideShare = 0.08;
 
 export type Half = 'front' | 'back';
 
-/** Where front and back differ. [cm, radians, parts of the hip] */
+/** Differences of front and back. [cm, radians, parts of the hip] */
 const shapes = {
   front: {
-    /** What a quarter of the hip, the waist and a half of the leg are cut wider by. */
+    /** Extra width of a quarter of the hip, of the waist, and of half the leg. */
     hip: -1,
     waist: 0.25,
     leg: -1,
-    /** How far the crotch reaches out beyond the centre line, and how much further from the crease it lies than the side. */
+    /**
+     * Extent of the crotch beyond the centre line, and its excess distance from the crease over the
+     * side's.
+     */
     crotch: 0.058,
     inward: 0,
     /** The lean of the centre line, and the height of the waist on it. */
@@ -33,10 +39,13 @@ const shapes = {
     centreRise: -0.8,
     /** The lean of the inseam at the crotch; the crotch curve is square to it. */
     inseamLean: radians(12),
-    /** Where the crotch curve starts above the crotch, as a part of its reach, and its handles, of height and reach. */
+    /**
+     * Start of the crotch curve above the crotch, as a part of its reach, and its handles, as parts
+     * of height and reach.
+     */
     curveStart: 1.25,
     handles: [0.6, 0.56],
-    /** Where the dart lies from the side, and how deep it is. */
+    /** Position of the dart from the side, and its depth. */
     dartAt: 0.55,
     dartDepth: 9.5,
   },
@@ -65,7 +74,10 @@ interface LegSeams {
   readonly inThigh: Curve;
 }
 
-/** The widths a leg is drawn on. x of the crotch, of the centre line at the crotch curve, of the side, and half the leg. */
+/**
+ * Widths of a leg: x of the crotch, of the centre line at the crotch curve, of the side, and half
+ * the leg.
+ */
 export function frameOf(
   body: Body,
   half: Half,
@@ -84,7 +96,10 @@ export function frameOf(
 
 const riseOf = (body: Body): number => body.bodyRise + riseEase;
 
-/** Seams with hip and crotch at the given heights below the waist: upright from hem to knee and at the hip. */
+/**
+ * Seams with hip and crotch at the given heights below the waist: upright from hem to knee and at
+ * the hip.
+ */
 function seamsAt(body: Body, half: Half, hip: number, rise: number): LegSeams {
   const {crotchX, sideX, legHalf} = frameOf(body, half);
   const upright: Point = [0, 1];
@@ -107,7 +122,10 @@ function seamsAt(body: Body, half: Half, hip: number, rise: number): LegSeams {
   };
 }
 
-/** The back's hip and crotch are lowered until its seams are as long as the front's. */
+/**
+ * Seams of a half. The back's hip and crotch are lowered until its seams are as long as the
+ * front's.
+ */
 function legSeams(body: Body, half: Half): LegSeams {
   const front = seamsAt(body, 'front', body.hipDepth, riseOf(body));
   if (half === 'front') return front;
@@ -127,7 +145,10 @@ function legSeams(body: Body, half: Half): LegSeams {
   );
 }
 
-/** The centre seam from the waist down to the crotch: the straight of fly or seat, and the curve. */
+/**
+ * The centre seam from the waist down to the crotch: the straight part of fly or seat, and the
+ * curve.
+ */
 function centreSeam(body: Body, half: Half, crotch: Point): {straight: Curve; curved: Curve} {
   const shape = shapes[half];
   const {centreX, crotchX} = frameOf(body, half);
@@ -149,7 +170,10 @@ function centreSeam(body: Body, half: Half, crotch: Point): {straight: Curve; cu
   };
 }
 
-/** The waist from the side to the centre: the dart takes what centre and side have left of the width of the hip. */
+/**
+ * The waist from the side to the centre; the dart takes the hip's excess width that centre and side
+ * do not.
+ */
 function waistOf(body: Body, half: Half, side: Curve, centre: Curve): DartedEdge {
   const {waist, dartAt, dartDepth} = shapes[half];
   const whole = squareAbove(side, reversed(centre));
@@ -161,7 +185,9 @@ function waistOf(body: Body, half: Half, side: Curve, centre: Curve): DartedEdge
   );
 }
 
-/** The outline of the leg of a half, from the hem up its outseam, and its waist as it is sewn to the band. */
+/**
+ * The outline of the leg of a half, from the hem up its outseam, and its waist as sewn to the band.
+ */
 export function legOf(
   body: Body,
   half: Half,

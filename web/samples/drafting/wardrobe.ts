@@ -1,4 +1,4 @@
-/** Every garment that is shipped. */
+/** All shipped garments. */
 import type {Body} from './body.js';
 import {draftPrincessDress} from './princess-dress.js';
 import {draftGatheredSkirt} from './gathered-skirt.js';

@@ -6,7 +6,7 @@ import {sampleList} from './sample-list.js';
 import {wardrobe} from './wardrobe.js';
 
 const folder = 'public/garments';
-// all are drafted before the first is written: one that cannot be leaves the folder as it is
+// drafts all before writing the first, so that a failing draft leaves the folder unchanged
 const files = wardrobe.flatMap((draft) =>
   sizeNames.map((size) => {
     const garment = draft(bodyOf(size));

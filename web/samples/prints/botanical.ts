@@ -90,7 +90,10 @@ export const daisy: Motif = together(
   grown(blossom(), [0, 0], 0, 0.66),
 );
 
-/** Half a wave of a trailing branch, which a half turn about either end carries on. From (0, 0) to (1.3, 4.75). */
+/**
+ * Half a wave of a trailing branch, which a half turn about either end continues. From (0, 0) to
+ * (1.3, 4.75).
+ */
 export const trail: Motif = stem(
   '0,0 1.35,1.1 1.75,2.5 1.2,3.7 1.3,4.75',
   [0.13, 0.13],
@@ -142,7 +145,7 @@ const tendril: Motif = [
   stroke('line', '0,0 0.1,0.7 0.7,1.1 1.1,0.75 0.9,0.4 0.62,0.55 0.7,0.75', 0.09, 0.05),
 ];
 
-/** Half a wave of a climbing vine, which a glide along it carries on. From (0, 0) to (0, 5.5). */
+/** Half a wave of a climbing vine, which a glide along it continues. From (0, 0) to (0, 5.5). */
 export const vine: Motif = [
   ...together(
     stem(

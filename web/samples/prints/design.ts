@@ -1,4 +1,4 @@
-/** What a designer writes down for a print: its group, its lattice, its colourways and its motifs. */
+/** A designer's description of a print: its group, its lattice, its colourways and its motifs. */
 import type {Point} from '../../src/model/geometry.js';
 import type {GroupName, Print} from '../../src/model/print.js';
 import {latticeType} from '../../src/model/wallpaper.js';
@@ -8,7 +8,7 @@ import {groundOf, printed, type Cell} from './tile.js';
 
 type Family = NonNullable<Print['family']>;
 
-/** The three colourways of a print; the first is the one it is known by. */
+/** The three colourways of a print; the first is its main one. */
 export type Colourways = readonly [PaletteName, PaletteName, PaletteName];
 
 export interface Design {
@@ -18,7 +18,7 @@ export interface Design {
   readonly family: Family;
   readonly cell: Cell;
   readonly colourways: Colourways;
-  /** What lies in one cell: elements of an SVG file, in cm, y down. */
+  /** Contents of one cell: elements of an SVG file, in cm, y down. */
   readonly draw: (palette: Palette) => string[];
 }
 
@@ -28,7 +28,7 @@ export const upright = (width: number, height: number): Lattice => [
   [width, 0],
   [0, height],
 ];
-/** w1 along the warp. */
+/** A lattice with w1 along the warp. */
 export const warpwise = (along: number, across: number): Lattice => [
   [0, along],
   [-across, 0],
@@ -44,7 +44,7 @@ export const hexagonalWarpwise = (side: number): Lattice => [
   [0, side],
   [(-side * Math.sqrt(3)) / 2, side / 2],
 ];
-/** w1 + w2 upright: the mirror lines of cm run along the warp. */
+/** A lattice with w1 + w2 upright: the mirror lines of cm run along the warp. */
 export const rhombic = (width: number, height: number): Lattice => [
   [width / 2, height / 2],
   [-width / 2, height / 2],
@@ -54,7 +54,7 @@ export const rhombicLevel = (width: number, height: number): Lattice => [
   [width / 2, height / 2],
 ];
 
-/** The motif in its place on the print: its foot [cm], its heading and its size. */
+/** The motif at its place on the print: its foot [cm], its heading and its size. */
 export const place = (motif: Motif, x: number, y: number, heading = 0, size = 1): Motif =>
   grown(motif, [x, y], heading, size);
 

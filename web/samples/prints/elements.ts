@@ -1,4 +1,4 @@
-/** The symmetry elements of a print within a part of the plane, drawn with the usual signs. */
+/** The symmetry elements of a print within a part of the plane, drawn with the usual symbols. */
 import {
   angleOf,
   cross,
@@ -13,13 +13,15 @@ import {determinant, latticeAround, printElements} from '../../src/model/wallpap
 import {polyline, short} from '../../src/picture/svg.js';
 import type {Cell} from './tile.js';
 
-/** The turns about a point are those by multiples of 1 / `order` of a full turn. */
+/** A rotation centre: its rotations are multiples of 1 / `order` of a full turn. */
 interface Centre {
   readonly at: Point;
   readonly order: number;
 }
 
-/** The line of a mirror, or of a glide that is no mirror, from border to border of the part that is looked at. */
+/**
+ * The line of a mirror, or of a glide that is no mirror, from border to border of the visible part.
+ */
 interface Axis {
   readonly from: Point;
   readonly to: Point;
@@ -33,7 +35,10 @@ export interface Elements {
 
 const tiny = 1e-6;
 
-/** The part of a line within a convex area whose corners run counter-clockwise; none when it only touches. */
+/**
+ * The part of a line within a convex area whose corners run counter-clockwise; none when it only
+ * touches.
+ */
 function within(
   area: readonly Point[],
   through: Point,
@@ -92,7 +97,7 @@ export function elementsWithin(cell: Cell, area: readonly Point[]): Elements {
   return {centres: [...centres.values()], axes: [...axes.values()]};
 }
 
-/** The sign of a centre, whose place is given on the page. */
+/** The symbol of a centre at a place on the page. */
 function sign({at: [x, y], order}: Centre, size: number): string {
   if (order === 2) {
     const bow = short(1.5 * size);
@@ -111,11 +116,14 @@ function sign({at: [x, y], order}: Centre, size: number): string {
 interface Style {
   readonly line: string;
   readonly casing: string;
-  /** Radius of the signs. [px] */
+  /** Radius of the symbols. [px] */
   readonly size: number;
 }
 
-/** Mirrors as solid lines, glides as dashed ones; centres as lens, triangle, square and hexagon. */
+/**
+ * Draws mirrors as solid lines, glides as dashed ones; centres as lens, triangle, square and
+ * hexagon.
+ */
 export function drawElements(
   {centres, axes}: Elements,
   toPage: (p: Point) => Point,

@@ -13,7 +13,7 @@ const light: Motif = [
   ...dartRow('leaf', lozenge, 0.42, 0.74, 5),
   ...diamond('line', lozenge, 0.8, 0.84),
 ];
-/** A quarter of the dark diamond: darts cut into it. */
+/** A quarter of the dark diamond, with darts cut into it. */
 const dark: Motif = [
   ...diamond('leaf', lozenge, 0, 0.86),
   ...dartRow('ground', lozenge, 0.46, 0.76, 5),

@@ -1,4 +1,7 @@
-/** The geometric figures of the collection: sails, darts, bands and kites, cut like the plants. */
+/**
+ * The geometric figures of the collection: sails, darts, bands and kites, in the style of the
+ * plants.
+ */
 import type {Point} from '../../src/model/geometry.js';
 import {
   ahead,
@@ -25,7 +28,10 @@ export const sail = (ink: Ink): Motif => [
   stroke('ground', '0.09,0.14 0.16,0.45 0.04,0.74 -0.16,0.88', 0.03, 0.012),
 ];
 
-/** A triangular vane of a windmill, its foot at the origin, its long side along +x, with slanting cuts. */
+/**
+ * A triangular vane of a windmill, its foot at the origin, its long side along +x, with slanting
+ * cuts.
+ */
 export function vane(ink: Ink, long: number, high: number, cuts: number): Motif {
   const edge = (x: number, y: number): Point => [x, y];
   const slits = Array.from({length: cuts}, (_, k) => {
@@ -35,7 +41,9 @@ export function vane(ink: Ink, long: number, high: number, cuts: number): Motif 
   return [polygon(ink, [edge(0, 0), edge(long, 0), edge(long, high)]), ...joined(slits)];
 }
 
-/** A kite along +y from its foot, its right half a little fuller, with a smaller one cut into it. */
+/**
+ * A kite along +y from its foot, its right half a little fuller, with a smaller one cut into it.
+ */
 export function kite(ink: Ink, long: number, wide: number, waist: number): Motif {
   const area = (size: number, foot: number): Point[] => [
     [0, foot],
@@ -46,7 +54,10 @@ export function kite(ink: Ink, long: number, wide: number, waist: number): Motif
   return [polygon(ink, area(1, 0)), polygon('ground', area(0.42, waist * 0.62))];
 }
 
-/** A quarter of a diamond around the origin with the half axes a and b, or the band between two of its sizes. */
+/**
+ * A quarter of a diamond around the origin with the half axes a and b, or the band between two of
+ * its sizes.
+ */
 export function diamond(ink: Ink, [a, b]: Point, from: number, to: number): Motif {
   const over = 0.06; // across the axes, so that the mirror images join
   const outer: Point[] = [
@@ -64,7 +75,7 @@ export function diamond(ink: Ink, [a, b]: Point, from: number, to: number): Moti
   return [polygon(ink, [...outer, ...(from > 0 ? inner : [ahead([0, 0], 135, over)])])];
 }
 
-/** Darts in a quarter of a diamond, standing on the diamond of size `from` and reaching to that of size `to`. */
+/** Darts in a quarter of a diamond, from the diamond of size `from` to that of size `to`. */
 export function dartRow(ink: Ink, [a, b]: Point, from: number, to: number, count: number): Motif {
   const length = ((to - from) * a * b) / Math.hypot(a, b);
   const heading = (Math.atan2(-b, a) * 180) / Math.PI + 4;
@@ -75,7 +86,10 @@ export function dartRow(ink: Ink, [a, b]: Point, from: number, to: number, count
   return together(...feet.map((foot) => grown(dart(ink), foot, heading, length, 1.3 * length)));
 }
 
-/** The half of a fan right of x = 0: its blades, inks in turn, `reach` high at the axis and `spread` wide at its foot. */
+/**
+ * The half of a fan right of x = 0: its blades in alternating inks, `reach` high at the axis and
+ * `spread` wide at its foot.
+ */
 export function halfFan(
   inks: readonly [Ink, Ink],
   blades: number,
@@ -92,7 +106,7 @@ export function halfFan(
   return [...together(...fan), dot('spark', [0, 0], 0.3)];
 }
 
-/** A convex area without what lies further than `reach` along a direction. */
+/** A convex area without the part further than `reach` along a direction. */
 function clipped(area: readonly Point[], n: Point, reach: number): Point[] {
   const beyond = ([x, y]: Point): number => x * n[0] + y * n[1] - reach;
   return area.flatMap((from, k) => {
@@ -106,7 +120,10 @@ function clipped(area: readonly Point[], n: Point, reach: number): Point[] {
   });
 }
 
-/** Slanting bars within a block of `width` by `height` around the origin; their inks, and widths with the gap after them, run across. */
+/**
+ * Slanting bars within a block of `width` by `height` around the origin; inks, widths and following
+ * gaps run across.
+ */
 export function thatch(
   [width, height]: Point,
   heading: number,

@@ -25,7 +25,10 @@ const lattices: Readonly<Record<LatticeType, Lattice>> = {
   hexagonal: hexagonal(7.6),
 };
 
-/** Where the middle of the leaf lies, in parts of w1 and w2, its heading and its size, so that its copies keep apart. */
+/**
+ * Place of the leaf's middle, in parts of w1 and w2, its heading and its size, so that its copies
+ * stay apart.
+ */
 type Spot = readonly [u: number, v: number, heading: number, size: number];
 const usual: Spot = [0.25, 0.25, -30, 1];
 const spots: Readonly<Partial<Record<GroupName, Spot>>> = {
@@ -48,10 +51,10 @@ const leaf = joined([
   dot('line', [0.6, -0.45], 0.2),
 ]);
 
-/** Copies by a turn or a shift alone, and those that show the other hand. */
+/** Colours of copies by a rotation or shift alone, and of mirrored copies. */
 const colours = {same: '#4b6a5a', mirrored: '#d08f63', cell: '#ece6da'};
 const elementStyle = {line: inkColour, casing: '#fbf9f5', size: 3.2};
-/** What a panel is wide. [cm] */
+/** Width of the visible part in a panel. [cm] */
 const seen = 12.5;
 
 function panel(group: GroupName, corner: Point, side: number): string {
@@ -90,7 +93,7 @@ function panel(group: GroupName, corner: Point, side: number): string {
     `<rect ${box} rx="3" fill="#fff"/>`,
     `<path d="${polyline(corners.map(at))}Z" fill="${colours.cell}"/>`,
     `<path d="${polyline(corners.map(at))}Z" fill="none" stroke="${inkColour}" stroke-width=".5" stroke-opacity=".5"/>`,
-    // below the leaves, which only glides run through
+    // below the leaves, as only glides run through them
     drawElements(elementsWithin(cell, corners), at, elementStyle),
     `<g clip-path="url(#window-${group})"><g transform="matrix(${short(window.scale)} 0 0 ${short(-window.scale)} ${short(ox)} ${short(oy)})" fill="${colours.same}">${copies.join('')}</g></g>`,
     text([corner[0], corner[1] + side + 21], group, {size: 16, weight: 600, fill: inkColour}),
@@ -103,7 +106,7 @@ function panel(group: GroupName, corner: Point, side: number): string {
   ].join('');
 }
 
-/** What the signs mean, in the last place. */
+/** The legend of the symbols, in the last place. */
 function key([x, y]: Point): string {
   const rows: readonly (readonly [name: string, elements: Elements])[] = [
     ['turns by 180°', {centres: [{at: [14, 0], order: 2}], axes: []}],

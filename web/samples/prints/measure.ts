@@ -1,4 +1,4 @@
-/** Compares a print with itself moved, on its pixels: what is a symmetry, and what is none. */
+/** Compares a print with its moved copies by their pixels, to find its symmetries. */
 import {combined, cross, dot, type Point} from '../../src/model/geometry.js';
 import {
   after,
@@ -15,8 +15,8 @@ export const finerCloth = (cell: Cell, image: Pixels, times: number): Cloth =>
   clothOf(cell, image, [image.width / 2, image.height / 2], times);
 
 /**
- * Mean absolute difference of two cloths, the second moved right and up by whole pixels. [0, 255]
- * @param enough from here on the exact value does not matter
+ * Mean absolute difference of two fabrics, the second moved right and up by whole pixels. [0, 255]
+ * @param enough  a difference above it need not be exact
  */
 export function difference(
   one: Cloth,
@@ -59,11 +59,14 @@ export function leastDifference(
   return least;
 }
 
-/** Same linear part. */
+/** Returns whether the linear parts are equal. */
 const alike = (one: PlaneMap, other: PlaneMap): boolean =>
   Math.hypot(one.xx - other.xx, one.xy - other.xy, one.yx - other.yx, one.yy - other.yy) < 1e-6;
 
-/** All turns and reflections that keep the lattice, as its lengths and angles are. The basis must be of shortest vectors. */
+/**
+ * All rotations and reflections that keep the lattice, by its lengths and angles. The basis must
+ * consist of shortest vectors.
+ */
 function holohedry({w1, w2}: Cell): PlaneMap[] {
   const area = cross(w1, w2);
   const short = latticeAround([w1, w2], 1);
@@ -83,8 +86,8 @@ function holohedry({w1, w2}: Cell): PlaneMap[] {
 }
 
 /**
- * The linear parts that keep the lattice but are not in the group: one for each coset of the group's, since
- * the others differ from it by a symmetry of the print only.
+ * The linear parts that keep the lattice but are not in the group, one for each coset of the
+ * group's; the others differ from it only by a symmetry of the print.
  */
 export function cosets(cell: Cell): PlaneMap[] {
   const own = printElements(cell);
@@ -98,7 +101,7 @@ export function cosets(cell: Cell): PlaneMap[] {
   return found;
 }
 
-/** The size of an image that makes a cloth of about this density, twice as fine as it. [px per cm] */
+/** The size of an image for a fabric of about this density, at twice its resolution. [px per cm] */
 export function imageFor(cell: Cell, density: number): readonly [width: number, height: number] {
   const [width, height] = imageSize(cell);
   const even = (length: number): number => 2 * Math.max(4, Math.round(length * density));

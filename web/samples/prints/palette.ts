@@ -1,4 +1,4 @@
-/** The colours of the collection. Every print is made in three of these colourways, its own first. */
+/** The colours of the collection. Every print has three of these colourways, its main one first. */
 import type {Ink} from './shape.js';
 
 export type Palette = Readonly<Record<Ink, string>>;

@@ -1,4 +1,6 @@
-/** Stripes and plaids: bands of colour along the warp, across it, or both, and the group that follows from them. */
+/**
+ * Stripes and plaids: bands of colour along the warp, across it, or both, and the resulting group.
+ */
 import type {Point} from '../../src/model/geometry.js';
 import type {GroupName} from '../../src/model/print.js';
 import {cellOf, upright} from './design.js';
@@ -9,10 +11,10 @@ import type {Cell} from './tile.js';
 /** A band of one colour and its width. [cm] */
 type Band = readonly [ink: Ink, width: number];
 
-/** The bands of one repeat, from the group's origin on. */
+/** The bands of one repeat, from the group's origin. */
 export type Sett = readonly Band[];
 
-/** Bands as text, colour and width in turn, as a weaver writes them down: `leaf 2 ground 0.5`. */
+/** Parses bands in a weaver's notation, colour and width in turn: `leaf 2 ground 0.5`. */
 export function sett(text: string): Sett {
   return [...text.matchAll(/(\w+) ([\d.]+)/g)].map(([, ink = '', width]): Band => {
     if (!isInk(ink)) throw new Error(`no ink is called ${ink}`);
@@ -22,7 +24,9 @@ export function sett(text: string): Sett {
 
 const repeatOf = (sett: Sett): number => sett.reduce((sum, [, width]) => sum + width, 0);
 
-/** A sett that reads the same both ways: `half`, from the middle of its first band to the middle of its last, and back. */
+/**
+ * A symmetric sett: `half`, from the middle of its first band to the middle of its last, and back.
+ */
 export function even(half: string): Sett {
   const bands = sett(half).map(([ink, width], k, {length}): Band => [
     ink,
@@ -37,8 +41,9 @@ const sameBands = (a: Sett, b: Sett): boolean =>
 const isEven = (sett: Sett): boolean => sameBands(sett, sett.toReversed());
 
 /**
- * The group of a plaid whose colours blend evenly where warp and weft cross. Its weave is not drawn: the
- * diagonals of a twill would take all mirrors. Setts count as even when they are so about the origin.
+ * The group of a plaid whose colours blend evenly where warp and weft cross. The weave is not
+ * drawn: the diagonals of a twill would remove all mirrors. Setts count as symmetric only about the
+ * origin.
  */
 export function plaidCell(warp: Sett, weft: Sett): Cell {
   const w1: Point = [repeatOf(warp), 0];
@@ -54,10 +59,10 @@ export function plaidCell(warp: Sett, weft: Sett): Cell {
   return sameBands(warp, weft) ? of('cm', w1, w2) : of('p1', w1, w2);
 }
 
-/** How far a stripe is drawn along itself, where every length is a repeat. [cm] */
+/** Length of a drawn stripe, along which every length is a repeat. [cm] */
 const stripeLength = 0.5;
 
-/** Bands along the warp: pmm when they read the same both ways, else pm with its mirrors across the bands. */
+/** Bands along the warp: pmm if they are symmetric, else pm with its mirrors across the bands. */
 export function stripeCell(warp: Sett): Cell {
   const group = isEven(warp) ? 'pmm' : 'pm';
   return cellOf(group, upright(repeatOf(warp), stripeLength));
@@ -66,8 +71,8 @@ export function stripeCell(warp: Sett): Cell {
 const short = (value: number): string => String(Number(value.toFixed(4)));
 
 /**
- * One repeat of bands: each is drawn on to the end, and the next one over it, so that neighbours meet without
- * a gap.
+ * One repeat of bands: each is drawn to the end, and the next one over it, so that neighbours meet
+ * without a gap.
  */
 function bands(sett: Sett, palette: Palette, pathFrom: (from: number) => string): string[] {
   let from = 0;
@@ -86,7 +91,7 @@ export const drawStripe =
   (palette: Palette): string[] =>
     warpBands(warp, stripeLength, palette);
 
-/** The warp, and half transparent over it the weft, which is the even blend. */
+/** Draws the warp, and over it the weft with half opacity, which gives the even blend. */
 export function drawPlaid(warp: Sett, weft: Sett): (palette: Palette) => string[] {
   const [width, height] = [repeatOf(warp), repeatOf(weft)];
   return (palette) => [

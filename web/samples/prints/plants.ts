@@ -1,4 +1,6 @@
-/** Parts of plants in the hand of a block print: flat areas, with veins and folds cut out of them. */
+/**
+ * Parts of plants in the style of a block print: flat areas, with veins and folds cut out of them.
+ */
 import type {Point} from '../../src/model/geometry.js';
 import {
   ahead,
@@ -17,7 +19,10 @@ import {
 
 const origin: Point = [0, 0];
 
-/** A leaf of length 1, fuller to its left, its tip bent to the right, with a cut rib and pairs of side veins. */
+/**
+ * A leaf of length 1, fuller to its left, its tip bent to the right, with a cut rib and pairs of
+ * side veins.
+ */
 export function leaf(ink: Ink = 'leaf', veins = 3): Motif {
   const vein = (from: Point, to: Point) => stroke('ground', [from, to], 0.022, 0.008);
   const sides = Array.from({length: veins}, (_, k) => {
@@ -101,10 +106,13 @@ export const bud = (ink: Ink = 'bloom', sepal: Ink = 'line'): Motif => [
   ]),
 ];
 
-/** What grows from a stem: how far along it (0 to 1), at what angle to it, how large; a negative angle is to the right. */
+/**
+ * A shoot of a stem: its motif, its place along the stem (0 to 1), its angle to it, its size; a
+ * negative angle is to the right.
+ */
 type Shoot = readonly [motif: Motif, where: number, angle: number, size: number];
 
-/** A tapering stem through points, with what grows on it; what grows to the right is mirrored. */
+/** A tapering stem through points, with its shoots; those to the right are mirrored. */
 export function stem(
   points: Trace,
   [width, end]: readonly [number, number],
@@ -118,7 +126,10 @@ export function stem(
   return joined([stroke('line', points, width, end), ...together(...parts)]);
 }
 
-/** The same leaf on both sides of a stem in turn, evenly `from` .. `to` along it, its size going from `size` to `last`. */
+/**
+ * The same leaf on alternating sides of a stem, evenly from `from` to `to` along it, with sizes
+ * from `size` to `last`.
+ */
 export function foliage(
   motif: Motif,
   count: number,

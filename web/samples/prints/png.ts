@@ -1,11 +1,15 @@
-/** Writes flat artwork as small PNG files: a palette of its colours and of their blends along edges. */
+/**
+ * Writes flat artwork as small PNG files: a palette of its colours and of their blends along edges.
+ */
 import {crc32, deflateSync} from 'node:zlib';
 
 import type {Pixels} from './raster.js';
 
 type Colour = readonly [red: number, green: number, blue: number];
 
-/** Steps from one colour to another, where an edge runs through a pixel or warp crosses weft. */
+/**
+ * Steps of blends between two colours, at an edge through a pixel or a crossing of warp and weft.
+ */
 const blends = [1 / 4, 1 / 2, 3 / 4];
 
 function colour(hex: string): Colour {
@@ -38,7 +42,10 @@ function chunk(type: string, data: Uint8Array): Buffer {
   return Buffer.concat([length, body, sum]);
 }
 
-/** @param hexes the colours of the artwork, as `#rrggbb`; 10 at most, so that with their blends they fit a byte */
+/**
+ * @param hexes  the colours of the artwork, as `#rrggbb`; 10 at most, so that with their blends
+ * they fit a byte
+ */
 export function indexedPng({width, height, data}: Pixels, hexes: readonly string[]): Buffer {
   const colours = palette(hexes);
   const known = new Map<number, number>();
@@ -51,7 +58,7 @@ export function indexedPng({width, height, data}: Pixels, hexes: readonly string
     known.set(key, index);
     return index;
   };
-  // every row starts with its filter: none, since neighbouring indices say nothing about each other
+  // every row starts with its filter: none, since neighbouring indices are unrelated
   const rows = new Uint8Array(height * (width + 1));
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {

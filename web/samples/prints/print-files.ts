@@ -1,4 +1,4 @@
-/** What the collection ships for each print: its description, and a tile in every colourway. */
+/** The files of each print in the collection: its description, and a tile in every colourway. */
 import type {Colourway, Print} from '../../src/model/print.js';
 import {printElements} from '../../src/model/wallpaper.js';
 import type {Design} from './design.js';
@@ -8,10 +8,12 @@ import {imageSize, tileFile, type Cell} from './tile.js';
 /** The density of the raster tiles. [px per cm] */
 const density = {least: 28, usual: 32, most: 36};
 
-/** Pixels of the vector tiles for each of the raster tiles. */
+/** Pixels of the vector tiles for each pixel of the raster tiles. */
 const vectorScale = 3;
 
-/** The whole numbers of pixels, near the usual density, that come closest to the cell's proportions. */
+/**
+ * The integer numbers of pixels near the usual density that are closest to the cell's proportions.
+ */
 export function pixelsOf(cell: Cell): readonly [width: number, height: number] {
   const [width, height] = imageSize(cell);
   const usual = Math.round(width * density.usual);
@@ -24,7 +26,7 @@ export function pixelsOf(cell: Cell): readonly [width: number, height: number] {
   return near.reduce((best, one) => (error(one) < error(best) - 1e-9 ? one : best));
 }
 
-/** Whether cloth turned by 180 degrees shows another print. */
+/** Returns whether fabric turned by 180 degrees shows another print. */
 const hasUpside = (cell: Cell): boolean =>
   !printElements(cell).some(({xx, yy, xy}) => xx < 0 && yy < 0 && Math.abs(xy) < 1e-9);
 
@@ -64,7 +66,7 @@ export function printFile(design: Design): string {
 }
 
 interface TileFiles {
-  /** Without extension. */
+  /** File name without its extension. */
   readonly name: string;
   readonly palette: PaletteName;
   readonly svg: string;

@@ -6,8 +6,8 @@ import type {Pixels} from '../../src/recognition/tile-cloth.js';
 export type {Pixels};
 
 /**
- * @param svg a file whose first width and height are those of its root
- * @param ground what shows where the file leaves out everything
+ * @param svg  a file whose first width and height are those of its root
+ * @param ground  colour of transparent parts
  */
 export async function rendered(
   svg: string,

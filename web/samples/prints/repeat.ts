@@ -1,9 +1,9 @@
-/** How a maker names the repeat of a print: by the rectangle it is printed in. */
+/** A manufacturer's name of a print's repeat: the rectangle in which it is printed. */
 import {norm} from '../../src/model/geometry.js';
 import {imageCell} from '../../src/model/wallpaper.js';
 import type {Cell} from './tile.js';
 
-/** Repeats shorter than this are those of a stripe along itself, where every length is one. [cm] */
+/** Shorter repeats are those of a stripe along itself, where every length is a repeat. [cm] */
 const shortest = 1;
 
 export const isStripe = ({w2}: Cell): boolean => norm(w2) < shortest;
@@ -11,8 +11,9 @@ export const isStripe = ({w2}: Cell): boolean => norm(w2) < shortest;
 const rounded = (cm: number): string => String(Number(cm.toFixed(2)));
 
 /**
- * Width across the cloth by height along it: of a centred cell its rectangle, which repeats in half-drop; of
- * a slanted one its base and its height, and how far aside the next row begins. A stripe has its width only.
+ * Width across the fabric by height along it. A centred cell has its rectangle, which repeats in
+ * half-drop; a slanted one its base, its height, and the offset of the next row. A stripe has its
+ * width only.
  */
 export function repeatName(cell: Cell): string {
   const [a, b] = imageCell(cell);

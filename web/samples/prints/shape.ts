@@ -1,7 +1,13 @@
-/** Flat areas to print with, drawn in cm with y up: outlines, the strokes of a tapering tool, and motifs made of both. */
+/**
+ * Flat areas to print, drawn in cm with y up: outlines, the strokes of a tapering tool, and motifs
+ * made of both.
+ */
 import type {Point} from '../../src/model/geometry.js';
 
-/** What a colourway gives a colour to. Cuts into a motif show the ground, as in a block print. */
+/**
+ * Inks, to which a colourway assigns colours. Cuts into a motif show the ground, as in a block
+ * print.
+ */
 const inks = ['ground', 'line', 'leaf', 'bloom', 'soft', 'spark'] as const;
 export type Ink = (typeof inks)[number];
 
@@ -21,20 +27,20 @@ interface Shape {
   readonly outlines: readonly Outline[];
 }
 
-/** Shapes in the order in which they are printed, growing from the origin along +y. */
+/** Shapes in the order of printing, growing from the origin along +y. */
 export type Motif = readonly Shape[];
 
 /** Degrees, counter-clockwise from +y. */
 type Heading = number;
 
-/** The point `along` ahead of `from`, and `aside` to its left. */
+/** The point at `along` ahead of `from`, and at `aside` to its left. */
 export function ahead([x, y]: Point, heading: Heading, along: number, aside = 0): Point {
   const a = (heading * Math.PI) / 180;
   const [s, c] = [Math.sin(a), Math.cos(a)];
   return [x - s * along - c * aside, y + c * along - s * aside];
 }
 
-/** Points to draw through; as text, `x,y` after `x,y`. [cm] */
+/** Points of a curve; as text, `x,y` after `x,y`. [cm] */
 export type Trace = string | readonly Point[];
 
 function via(trace: Trace): readonly Point[] {
@@ -45,7 +51,7 @@ function via(trace: Trace): readonly Point[] {
   });
 }
 
-/** Whether a curve comes back to where it starts. */
+/** 'closed' if a curve returns to its start. */
 type Ends = 'open' | 'closed';
 
 /** Cubic curves through all points (Catmull-Rom). */
@@ -80,7 +86,10 @@ export function pebble(ink: Ink, through: Trace): Shape {
   return {ink, outlines: [outline(points[0] ?? origin, ...smoothSides(points, 'closed'))]};
 }
 
-/** An area with two corners, its foot and its tip: the left edge from one to the other, the right one between them. */
+/**
+ * An area with two corners, its foot and its tip: the left edge from one to the other, the right
+ * one between them.
+ */
 export function blade(ink: Ink, left: Trace, right: Trace): Shape {
   const up = via(left);
   const [foot, tip] = [up[0] ?? origin, up.at(-1) ?? origin];
@@ -88,9 +97,8 @@ export function blade(ink: Ink, left: Trace, right: Trace): Shape {
   return {ink, outlines: [outline(foot, ...smoothSides(up, 'open'), ...down)]};
 }
 
-/** A dot. */
 export function dot(ink: Ink, [x, y]: Point, radius: number): Shape {
-  const k = radius * 0.5523; // the cubic that follows a quarter of a circle to 3 parts in 10 000
+  const k = radius * 0.5523; // approximates a quarter of a circle to 3 parts in 10 000
   const r = radius;
   const quarter = (a: Point, b: Point, to: Point): Side => [a, b, to];
   return {
@@ -107,7 +115,9 @@ export function dot(ink: Ink, [x, y]: Point, radius: number): Shape {
   };
 }
 
-/** The points of a smooth curve through `points`, `steps` for each of its parts, with the heading there. */
+/**
+ * Points of a smooth curve through `points`, `steps` for each of its parts, with their headings.
+ */
 export function along(trace: Trace, steps: number): {at: Point; heading: Heading}[] {
   const points = via(trace);
   let from = points[0] ?? origin;
@@ -169,7 +179,7 @@ function mapped(motif: Motif, to: Mapping): Motif {
   }));
 }
 
-/** The motif grown from another foot, in another heading and size; a negative `width` mirrors it. */
+/** The motif from another foot, in another heading and size; a negative `width` mirrors it. */
 export const grown = (motif: Motif, foot: Point, heading: Heading, size = 1, width = size): Motif =>
   mapped(motif, ([x, y]) => ahead(foot, heading, y * size, -x * width));
 
@@ -180,7 +190,7 @@ export function together(...motifs: Motif[]): Motif {
   return joined(levels.flat());
 }
 
-/** Blocks of the same ink that follow each other are one block. */
+/** Merges consecutive blocks of the same ink. */
 export function joined(motif: Motif): Motif {
   const blocks: Shape[] = [];
   for (const shape of motif) {

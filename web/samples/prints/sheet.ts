@@ -1,4 +1,7 @@
-/** The contact sheet: every print over three cells and more in its colourways, one cell with its symmetry elements. */
+/**
+ * The contact sheet: every print over three cells and more in its colourways, one cell with its
+ * symmetry elements.
+ */
 import {norm, plus, type Point} from '../../src/model/geometry.js';
 import {boxOf} from '../../src/model/polyline.js';
 import {escaped, polyline, short, text} from '../../src/picture/svg.js';
@@ -17,7 +20,7 @@ export interface Window {
   /** Upper left corner, width and height. [px] */
   readonly corner: Point;
   readonly size: Point;
-  /** The point of the print in its middle [cm], and the scale. [px/cm] */
+  /** The point of the print in the window's middle [cm], and the scale. [px/cm] */
   readonly middle: Point;
   readonly scale: number;
 }
@@ -58,7 +61,10 @@ const margin = 40;
 const headHeight = 116;
 const pageWidth = 1240;
 
-/** The corner of every place on a page of `columns`, as wide as they can be with `gap` between them, and as high as `heightOf` their width. */
+/**
+ * The corners of all places on a page of `columns`. Their width is the largest with `gap` between
+ * them, and `heightOf` returns their height.
+ */
 export function places(
   count: number,
   columns: number,
@@ -103,10 +109,10 @@ function seen(tile: Pixels, cell: Cell, window: Window): Pixels {
   return {width, height, data};
 }
 
-/** Pixels of the pictures on the sheet for each of its own. */
+/** Pixels of the images for each pixel of the sheet. */
 const pictureDensity = 1.8;
 
-/** One colourway of a print as an embedded picture. */
+/** One colourway of a print as an embedded image. */
 async function picture(design: Design, palette: PaletteName, window: Window): Promise<string> {
   const tile = tilesOf(design).find((one) => one.palette === palette);
   if (!tile) throw new Error(`${design.id} does not come in ${palette}`);
@@ -118,11 +124,17 @@ async function picture(design: Design, palette: PaletteName, window: Window): Pr
   return `<image x="${short(corner[0])}" y="${short(corner[1])}" width="${short(size[0])}" height="${short(size[1])}" href="data:image/png;base64,${png.toString('base64')}"/>`;
 }
 
-/** Between the pictures of a print, and from the border of the large one to the marked cell. [px] */
+/**
+ * Gap between the images of a print, and distance of the marked cell from the border of the large
+ * one. [px]
+ */
 const pictureGap = 8;
 const inset = 11;
 
-/** The windows of the three colourways: a large square, and right of it two small ones above each other, at the same scale. */
+/**
+ * The windows of the three colourways: a large square, and right of it two small ones above each
+ * other, at the same scale.
+ */
 function windowsOf(cell: Cell, [left, top]: Point, side: number, width: number): Window[] {
   const [west, south] = boxOf(cornersOf(cell)).low;
   const scale = side / (3 * Math.max(norm(cell.w1), norm(cell.w2)));
@@ -143,7 +155,7 @@ function windowsOf(cell: Cell, [left, top]: Point, side: number, width: number):
   }));
 }
 
-/** A bar as long as 5 cm of the print, which ends at a point of the page. */
+/** A bar with the length of 5 cm of the print, which ends at a point of the page. */
 function scaleBar([x, y]: Point, scale: number): string {
   const [from, to] = [short(x - 5 * scale), short(x)];
   const ends = [from, to].map((end) => `M${end} ${short(y - 3)}v6`).join('');
@@ -155,11 +167,11 @@ function scaleBar([x, y]: Point, scale: number): string {
 
 const captionHeight = 66;
 const elementStyle = {line: inkColour, casing: '#fff', size: 2.7};
-/** The large picture's part of a panel's width. */
+/** Share of the large image in a panel's width. */
 const share = 0.735;
 
 async function panel(design: Design, corner: Point, width: number): Promise<string> {
-  // a stripe is the same all along: on the sheet its cell is as long as it is wide
+  // a stripe is constant along itself: its cell on the sheet is a square
   const cell: Cell = isStripe(design.cell)
     ? {...design.cell, w2: [0, design.cell.w1[0]]}
     : design.cell;

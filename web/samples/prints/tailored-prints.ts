@@ -25,7 +25,10 @@ const medallion: Motif = together(
   [dot('spark', [0, 0], 0.26)],
 );
 
-/** Half of a garland's side: a half turn about its foot carries it on, and a mirror at its tip. */
+/**
+ * Half of a garland's side: a half turn about its foot continues it, and so does a mirror at its
+ * tip.
+ */
 const garland: Motif = [
   ...stem(
     '0,0 0.2,0.7 0.1,1.6 0,2.9',

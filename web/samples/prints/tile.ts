@@ -1,4 +1,4 @@
-/** Builds one seamless cell of a print: the group's symmetries applied to motifs. */
+/** Builds one seamless cell of a print by applying the group's symmetries to motifs. */
 import {cross, norm, plus, type Point} from '../../src/model/geometry.js';
 import {boxOf} from '../../src/model/polyline.js';
 import {
@@ -14,7 +14,7 @@ import type {Motif, Outline} from './shape.js';
 
 export type {Cell};
 
-/** Without the zeros that say nothing: .5, -.25, 3. */
+/** Formats a number without superfluous zeros: .5, -.25, 3. */
 function short(value: number, digits: number): string {
   const [whole = '', fraction = ''] = Math.abs(value).toFixed(digits).split('.');
   const decimals = fraction.replace(/0+$/, '');
@@ -24,7 +24,10 @@ function short(value: number, digits: number): string {
 const list = (values: readonly number[], digits: number): string =>
   values.map((value) => short(value, digits)).join(' ');
 
-/** As SVG, in steps from point to point on a grid of 0.01 cm, which is finer than a printer's. */
+/**
+ * SVG path of an outline, in steps from point to point on a grid of 0.01 cm, which is finer than a
+ * printer's.
+ */
 export function pathData({start, sides}: Outline): string {
   const grid = 100;
   const snapped = ([x, y]: Point): Point => [Math.round(x * grid), Math.round(y * grid)];
@@ -51,7 +54,10 @@ export function imageSize(cell: Cell): readonly [width: number, height: number] 
   return [norm(a), norm(b)];
 }
 
-/** From the print to the image of one cell, in which y runs down; a slanted cell is drawn upright. [cm] */
+/**
+ * Map from the print to the image of one cell, in which y runs down; a slanted cell is drawn
+ * upright. [cm]
+ */
 function intoImage(cell: Cell): PlaneMap {
   const [a, b] = imageCell(cell);
   const area = cross(a, b);
@@ -65,12 +71,12 @@ function intoImage(cell: Cell): PlaneMap {
   };
 }
 
-/** Every copy of a motif that can be seen in the image of the cell, as a map of the print. */
+/** Every copy of a motif that is visible in the image of the cell, as a map of the print. */
 function copies(motif: Motif, cell: Cell): readonly PlaneMap[] {
   const {w1, w2} = cell;
   const [width, height] = imageSize(cell);
   const image = intoImage(cell);
-  // a Bezier curve stays among its control points
+  // the control points of a Bezier curve enclose it
   const hull = motif.flatMap(({outlines}) =>
     outlines.flatMap(({start, sides}) => [start, ...sides.flat()]),
   );
@@ -88,7 +94,7 @@ function copies(motif: Motif, cell: Cell): readonly PlaneMap[] {
   );
 }
 
-/** As the value of an SVG attribute; the linear part to 1 in 100 000, the shift to 0.001 cm. */
+/** The value of an SVG attribute; the linear part to 1 in 100 000, the shift to 0.001 cm. */
 function transform({xx, yx, xy, yy, shift}: PlaneMap): string {
   const linear = list([xx, yx, xy, yy], 5);
   return linear === '1 0 0 1'
@@ -110,8 +116,8 @@ export const groundOf = (palette: Palette): string =>
   `<rect width="100%" height="100%" fill="${palette.ground}"/>`;
 
 /**
- * The motifs in one cell. Each block is printed in all its copies before the next one, so that copies may
- * overlap without one lying on top of the other, which would break the symmetry.
+ * The motifs in one cell. Each block is printed in all its copies before the next one. Overlapping
+ * copies would otherwise cover each other in some order, which would break the symmetry.
  */
 export function printed(cell: Cell, motifs: readonly Motif[], palette: Palette): string[] {
   const definitions: string[] = [];

@@ -1,4 +1,7 @@
-/** Writes docs/prints.svg, the contact sheet of the collection, and docs/groups.svg, the figure of the 17 groups. */
+/**
+ * Writes docs/prints.svg, the contact sheet of the collection, and docs/groups.svg, the figure of
+ * the 17 groups.
+ */
 import {writeFileSync} from 'node:fs';
 
 import {collection} from './collection.js';
