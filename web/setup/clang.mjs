@@ -74,9 +74,10 @@ export async function tidy(folder, isAnew) {
 
 /** Definitions, include folders and standard of a unit; the optimisation and its precompiled header are left out. */
 function flagsOf({command}) {
-  const words = command.match(/"(?:[^"\\]|\\.)*"|\S+/g).map((word) => word.replaceAll('"', ''));
-  return words.flatMap((word, k) =>
-    word === '-isystem' ? [word, words[k + 1]] : /^-(I|D|std=)/.test(word) ? [word] : [],
+  const words = command.match(/(?:[^\s"\\]|\\.|"(?:[^"\\]|\\.)*")+/g);
+  const plain = words.map((word) => word.replaceAll(/\\(.)|"/g, '$1'));
+  return plain.flatMap((word, k) =>
+    word === '-isystem' ? [word, plain[k + 1]] : /^-(I|D|std=)/.test(word) ? [word] : [],
   );
 }
 
