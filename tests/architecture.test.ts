@@ -24,7 +24,7 @@ const coreRooms = [
   'mesh',
   'deform',
   'drape',
-  'nesting',
+  'marker',
   'recognition/base',
   'recognition/lattice',
   'recognition/cloth',

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "nesting/marker.h"
-#include "nesting_samples.h"
+#include "marker/marker.h"
+#include "marker_outlines.h"
 
 namespace seamwise::testing {
 

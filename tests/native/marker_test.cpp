@@ -1,4 +1,4 @@
-#include "nesting/marker.h"
+#include "marker/marker.h"
 
 #include <gtest/gtest.h>
 
