@@ -8,8 +8,8 @@ namespace {
 
 Vec2 pointOf(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
 
-NestingPiece pieceOf(const Json& json) {
-  NestingPiece piece;
+MarkerPiece pieceOf(const Json& json) {
+  MarkerPiece piece;
   piece.name = json.value("name", "piece");
   piece.garment = json.value("garment", 0);
   for (const Json& point : json.at("outline")) piece.outline.push_back(pointOf(point));
@@ -23,11 +23,11 @@ NestingPiece pieceOf(const Json& json) {
 
 }  // namespace
 
-Json nestTask(const Json& task) {
+Json markerTask(const Json& task) {
   auto group = WallpaperGroup::make(task.value("group", "p2"), pointOf(task.at("w1")),
                                     pointOf(task.at("w2")));
   if (!group.ok()) return {{"failure", group.error().message}};
-  NestingProblem problem{std::move(group).value()};
+  MarkerProblem problem{std::move(group).value()};
   for (const Json& piece : task.at("pieces")) problem.pieces.push_back(pieceOf(piece));
   problem.width = task.at("width");
   problem.selvedge = task.value("selvedge", 0.0);

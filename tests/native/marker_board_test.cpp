@@ -39,7 +39,7 @@ std::vector<Lattice> someLattices() {
   return all;
 }
 
-TEST(NestingBoard, HasTheLatticesOwnDots) {
+TEST(MarkerBoard, HasTheLatticesOwnDots) {
   for (const auto& [w1, w2, is_level] : someLattices()) {
     const Board board = Board::ofLattice(w1, w2, 0.5);
     for (const Vec2& v : {board.along, board.up}) EXPECT_TRUE(isCombination(w1, w2, v));
@@ -52,7 +52,7 @@ TEST(NestingBoard, HasTheLatticesOwnDots) {
   }
 }
 
-TEST(NestingBoard, HasLevelRowsWhereTheLatticeHasThem) {
+TEST(MarkerBoard, HasLevelRowsWhereTheLatticeHasThem) {
   for (const auto& [w1, w2, is_level] : someLattices()) {
     const Board board = Board::ofLattice(w1, w2, 0.5);
     // exactly: what looks through rows asks for that
@@ -60,7 +60,7 @@ TEST(NestingBoard, HasLevelRowsWhereTheLatticeHasThem) {
   }
 }
 
-TEST(NestingBoard, TakesASublatticeOfStepsThatAreLongEnough) {
+TEST(MarkerBoard, TakesASublatticeOfStepsThatAreLongEnough) {
   for (const auto& [w1, w2, is_level] : someLattices()) {
     for (const double least : {4.0, 15.0, 33.3}) {
       const Board board = Board::ofLattice(w1, w2, least);
@@ -91,7 +91,7 @@ double periodBySearch(const Vec2& w1, const Vec2& w2, int axis) {
   return least;
 }
 
-TEST(NestingBoard, KnowsRepeatsAlongAndAcross) {
+TEST(MarkerBoard, KnowsRepeatsAlongAndAcross) {
   const double h = std::sqrt(3.0) / 2;
   const auto expect = [](const Vec2& w1, const Vec2& w2, double across, double along) {
     EXPECT_NEAR(latticePeriod(w1, w2, false).value_or(0), across, 1e-6);

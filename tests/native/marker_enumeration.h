@@ -18,10 +18,10 @@ inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 class Enumeration {
  public:
   /// @param longest   that a layout is looked for up to. [cm]
-  Enumeration(const NestingProblem& problem, double longest)
+  Enumeration(const MarkerProblem& problem, double longest)
       : problem_(problem), best_(longest), placed_(problem.pieces.size()) {
     const Vec2 origin(problem.phases[0], problem.start.value_or(0));
-    for (const NestingPiece& piece : problem.pieces) {
+    for (const MarkerPiece& piece : problem.pieces) {
       places_.emplace_back();
       if (piece.pin) {
         add({moved(piece.outline, *piece.pin), isUp(piece.pin->linear(), piece)}, longest);
@@ -49,7 +49,7 @@ class Enumeration {
     bool is_up;
   };
 
-  static bool isUp(const Mat2& turn, const NestingPiece& piece) {
+  static bool isUp(const Mat2& turn, const MarkerPiece& piece) {
     return (turn * piece.up).y() > -1e-6;
   }
 
@@ -110,7 +110,7 @@ class Enumeration {
     return at->second;
   }
 
-  const NestingProblem& problem_;
+  const MarkerProblem& problem_;
   double best_;
   std::vector<std::vector<Place>> places_;  ///< per piece
   std::vector<std::size_t> placed_;
@@ -118,7 +118,7 @@ class Enumeration {
 };
 
 /// What the search that looks at all layouts finds, in steps to ever shorter ones. [cm]
-inline double completely(const NestingProblem& problem, double longest) {
+inline double completely(const MarkerProblem& problem, double longest) {
   PiecesOnBoard pieces(problem, false);
   while (pieces.makeTable()) continue;
   LayCloth cloth;

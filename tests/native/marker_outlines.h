@@ -131,8 +131,8 @@ inline WallpaperGroup groupOf(const char* name, const Vec2& w1, const Vec2& w2) 
   return std::move(group).value();
 }
 
-inline NestingPiece pieceOf(std::string name, Polyline outline, const RigidMotion& alignment = {}) {
-  NestingPiece piece;
+inline MarkerPiece pieceOf(std::string name, Polyline outline, const RigidMotion& alignment = {}) {
+  MarkerPiece piece;
   piece.name = std::move(name);
   piece.outline = std::move(outline);
   piece.alignment = alignment;

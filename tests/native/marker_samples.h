@@ -10,8 +10,8 @@
 namespace seamwise::testing {
 
 /// Random pieces that take a moment to be laid.
-inline NestingProblem someProblem(WallpaperGroup group, int count, double width, unsigned seed) {
-  NestingProblem problem{std::move(group)};
+inline MarkerProblem someProblem(WallpaperGroup group, int count, double width, unsigned seed) {
+  MarkerProblem problem{std::move(group)};
   Random random(seed);
   for (int k = 0; k < count; ++k) {
     const double far = random.between(5, 9);
@@ -29,7 +29,7 @@ inline NestingProblem someProblem(WallpaperGroup group, int count, double width,
   return problem;
 }
 
-inline std::unique_ptr<Marker> laid(const NestingProblem& problem) {
+inline std::unique_ptr<Marker> laid(const MarkerProblem& problem) {
   auto made = Marker::make(problem);
   EXPECT_TRUE(made.ok()) << made.error().message;
   if (!made.ok()) return nullptr;
@@ -44,7 +44,7 @@ inline std::unique_ptr<Marker> laid(const NestingProblem& problem) {
 }
 
 /// Why nothing is laid; empty when it is.
-inline std::string refusalOf(const NestingProblem& problem) {
+inline std::string refusalOf(const MarkerProblem& problem) {
   auto made = Marker::make(problem);
   if (!made.ok()) return made.error().message;
   Marker& marker = *made.value();
@@ -53,7 +53,7 @@ inline std::string refusalOf(const NestingProblem& problem) {
 }
 
 /// Whether one turn or shift of the print, and no reflection, brings it to the cloth under a piece.
-inline bool showsPrint(const NestingProblem& problem, const NestingPiece& piece,
+inline bool showsPrint(const MarkerProblem& problem, const MarkerPiece& piece,
                        const RigidMotion& place, const Vec2& origin) {
   const RigidMotion to_print = piece.alignment.inverse();
   std::vector<Vec2> shifts = piece.shifts;
@@ -77,12 +77,12 @@ inline bool showsPrint(const NestingProblem& problem, const NestingPiece& piece,
 }
 
 /// Places that keep to the cloth, the print and the gap.
-inline void expectValid(const NestingProblem& problem, const Marker& marker) {
+inline void expectValid(const MarkerProblem& problem, const Marker& marker) {
   ASSERT_EQ(marker.places().size(), problem.pieces.size());
   std::vector<Polyline> rings;
   double top = 0, bottom = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < problem.pieces.size(); ++k) {
-    const NestingPiece& piece = problem.pieces[k];
+    const MarkerPiece& piece = problem.pieces[k];
     const RigidMotion& place = marker.places()[k];
     EXPECT_FALSE(place.mirrored);
     if (!problem.ignores_print && !piece.pin) {

@@ -32,8 +32,8 @@ const WallpaperGroup& someGroup(int k) {
 }
 
 /// A few pieces on cloth that is hardly wide enough for two.
-NestingProblem fewPieces(int k) {
-  NestingProblem problem{someGroup(k)};
+MarkerProblem fewPieces(int k) {
+  MarkerProblem problem{someGroup(k)};
   Random random(100 + k);
   const int count = 2 + k % 3;
   for (int n = 0; n < count; ++n) {
@@ -51,7 +51,7 @@ NestingProblem fewPieces(int k) {
 
 TEST(CompleteSearch, FindsTheShortestOfAllLayouts) {
   for (int k = 0; k < 12; ++k) {
-    NestingProblem problem = fewPieces(k);
+    MarkerProblem problem = fewPieces(k);
     if (k >= 6) problem.start = 0.1 * k;
     const double found = completely(problem, 40);
     EXPECT_LT(found, 40) << k;
@@ -61,7 +61,7 @@ TEST(CompleteSearch, FindsTheShortestOfAllLayouts) {
 
 TEST(CompleteSearch, LooksAtEqualPiecesOnceButFindsTheirBest) {
   for (int k = 0; k < 6; ++k) {
-    NestingProblem problem = fewPieces(k);
+    MarkerProblem problem = fewPieces(k);
     problem.pieces.resize(2);
     problem.pieces.push_back(problem.pieces[0]);
     if (k < 3) problem.pieces.push_back(problem.pieces[0]);
@@ -71,7 +71,7 @@ TEST(CompleteSearch, LooksAtEqualPiecesOnceButFindsTheirBest) {
 }
 
 TEST(CompleteSearch, FindsNothingBelowTheShortest) {
-  NestingProblem problem = fewPieces(1);
+  MarkerProblem problem = fewPieces(1);
   const double shortest = Enumeration(problem, 40).length();
   EXPECT_EQ(completely(problem, shortest - 0.01), kNowhere);
   EXPECT_NEAR(completely(problem, shortest), shortest, 1e-4);
@@ -80,7 +80,7 @@ TEST(CompleteSearch, FindsNothingBelowTheShortest) {
 TEST(MarkerProof, IsOfTheShortestOfAllLayouts) {
   int proven = 0;
   for (int k = 0; k < 18; ++k) {
-    NestingProblem problem = fewPieces(k);
+    MarkerProblem problem = fewPieces(k);
     if (k % 5 == 0) problem.start = 0.7;
     const auto marker = laid(problem);
     ASSERT_TRUE(marker) << k;
@@ -97,7 +97,7 @@ TEST(MarkerProof, IsOfTheShortestOfAllLayouts) {
 
 TEST(MarkerProof, IsMadeOnLatticesHoweverTheyAreTurned) {
   for (const double angle : {0.0, kPi / 3, kPi / 2, 2 * kPi / 3}) {
-    NestingProblem problem = fewPieces(0);
+    MarkerProblem problem = fewPieces(0);
     problem.group = groupOf("p6", 9 * unit(angle), 9 * unit(angle + kPi / 3));
     const auto marker = laid(problem);
     ASSERT_TRUE(marker);
@@ -108,7 +108,7 @@ TEST(MarkerProof, IsMadeOnLatticesHoweverTheyAreTurned) {
 
 TEST(MarkerProof, HoldsOnPrintsThatRepeatMoreOftenThanPiecesAreTried) {
   for (const double repeat : {0.2, 0.3, 0.45}) {
-    NestingProblem problem{groupOf("p1", {9, 0}, {0, repeat})};
+    MarkerProblem problem{groupOf("p1", {9, 0}, {0, repeat})};
     problem.pieces = {pieceOf("a", box(7, 5), {0, {0, 0}}),
                       pieceOf("b", box(8, 3.1), {0, {1, 0.1}}),
                       pieceOf("c", {{0, 0}, {6, 0}, {0, 7}}, {0, {0, 0.15}})};
@@ -132,7 +132,7 @@ TEST(MarkerProof, EndsWhereLengthsAreWholeTenthsOfAMillimetre) {
     const auto tenths = [&](double low, double high) {
       return std::round(100 * random.between(low, high)) / 100;
     };
-    NestingProblem problem{groupOf("p2", {10, 0}, {0, 5})};
+    MarkerProblem problem{groupOf("p2", {10, 0}, {0, 5})};
     for (int k = 0; k < 4; ++k) {
       const double width = tenths(3, 9), height = tenths(3, 9);
       const Vec2 shift(tenths(0, 10), 0.01 * std::round(random.between(0, 4)));
@@ -147,11 +147,11 @@ TEST(MarkerProof, EndsWhereLengthsAreWholeTenthsOfAMillimetre) {
 }
 
 TEST(MarkerProof, IsOfPiecesThatAreTallerOneWayThanTheOther) {
-  NestingProblem problem{groupOf("p4", {6, 0}, {0, 6})};
+  MarkerProblem problem{groupOf("p4", {6, 0}, {0, 6})};
   problem.pieces = {pieceOf("facing", box(21, 4)), pieceOf("pocket", box(5, 5))};
   problem.width = 18;
   problem.effort = 0.002;
-  for (NestingPiece& piece : problem.pieces) piece.turns = LayTurns::kQuarter;
+  for (MarkerPiece& piece : problem.pieces) piece.turns = LayTurns::kQuarter;
   for (int count = 1; count < 3; ++count) {
     const auto marker = laid(problem);
     ASSERT_TRUE(marker);
@@ -163,7 +163,7 @@ TEST(MarkerProof, IsOfPiecesThatAreTallerOneWayThanTheOther) {
 }
 
 TEST(LayoutSearch, FindsShorterAndShorterLayouts) {
-  NestingProblem problem = fewPieces(2);
+  MarkerProblem problem = fewPieces(2);
   PiecesOnBoard pieces(problem, false);
   while (pieces.makeTable()) continue;
   LayCloth cloth;

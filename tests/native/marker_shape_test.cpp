@@ -185,7 +185,7 @@ TEST(SimplifiedOutlines, DoNotRunFarOffAtTheEndOfANeedle) {
   }
 }
 
-TEST(NestingShapes, AreTheTurnedOutlineOnAFineGrid) {
+TEST(MarkerShapes, AreTheTurnedOutlineOnAFineGrid) {
   const Polyline ring = blob(1);
   const Mat2 turn = rotation(0.7);
   const Shape shape = shapeOf(ring, turn);

@@ -40,8 +40,8 @@ Polyline longPiece(Random& random) {
 }
 
 /// Three or four long pieces, and a short one, on cloth that is hardly wide enough.
-NestingProblem longPieces(int k) {
-  NestingProblem problem{someGroup(k)};
+MarkerProblem longPieces(int k) {
+  MarkerProblem problem{someGroup(k)};
   Random random(500 + k);
   const int count = 3 + k % 2;
   for (int n = 0; n < count; ++n) {
@@ -57,9 +57,9 @@ NestingProblem longPieces(int k) {
     problem.pieces.back().garment = 1;
   }
   if (k % 6 == 4)
-    for (NestingPiece& piece : problem.pieces) piece.turns = LayTurns::kQuarter;
+    for (MarkerPiece& piece : problem.pieces) piece.turns = LayTurns::kQuarter;
   if (k % 6 == 3)
-    for (NestingPiece& piece : problem.pieces) piece.turns = LayTurns::kAny;
+    for (MarkerPiece& piece : problem.pieces) piece.turns = LayTurns::kAny;
   problem.width = random.between(4.5, 6.5) * count;
   problem.selvedge = k % 3 * 0.3;
   problem.gap = k % 4 == 1 ? 0.3 : 0;
@@ -71,7 +71,7 @@ NestingProblem longPieces(int k) {
 
 /// That the search finds what brute force does, from lengths on at which long pieces lie side by
 /// side. @returns whether there is a layout
-bool expectSame(const NestingProblem& problem, double longest, const std::string& what) {
+bool expectSame(const MarkerProblem& problem, double longest, const std::string& what) {
   const double shortest = Enumeration(problem, longest).length();
   const double found = completely(problem, longest - 1e-5);
   if (shortest < longest - 2e-5) {
@@ -92,7 +92,7 @@ TEST(TallPieces, LieSideBySideAsShortAsInAnyLayout) {
 TEST(TallPieces, LieSideBySideFromACutWithFlawsAndPins) {
   int found = 0;
   for (int k = 0; k < 90; ++k) {
-    NestingProblem problem = longPieces(k);
+    MarkerProblem problem = longPieces(k);
     Random random(900 + k);
     problem.start = random.between(0, 4);
     const double x = random.between(1, problem.width - 2), y = random.between(0, 20);
@@ -111,7 +111,7 @@ TEST(TallPieces, LieSideBySideFromACutWithFlawsAndPins) {
 TEST(TallPieces, KeepTheNapOfTheirGarments) {
   int found = 0;
   for (int k = 0; k < 40; ++k) {
-    NestingProblem problem = longPieces(k);
+    MarkerProblem problem = longPieces(k);
     problem.nap = Nap::kGarment;
     found += expectSame(problem, 27, std::to_string(k)) ? 1 : 0;
   }
@@ -122,7 +122,7 @@ TEST(TallPieces, KeepTheNapOfTheirGarments) {
 TEST(TallPieces, AreProvenInAllWaysThatTheirGarmentsMayBeTurned) {
   int proven = 0;
   for (int k = 0; k < 12; ++k) {
-    NestingProblem problem = longPieces(k);
+    MarkerProblem problem = longPieces(k);
     problem.nap = Nap::kGarment;
     problem.width += 4;
     // four garments may be turned in more ways than are tried at first
@@ -149,7 +149,7 @@ TEST(TallPieces, AreProvenInAllWaysThatTheirGarmentsMayBeTurned) {
 }
 
 TEST(TallPieces, AreProvenBesidePins) {
-  NestingProblem problem = longPieces(0);
+  MarkerProblem problem = longPieces(0);
   problem.start = 0.5;
   problem.pieces[3].pin = RigidMotion{0.3, {10.3, 1.7}};
   const auto marker = laid(problem);

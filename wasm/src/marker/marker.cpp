@@ -24,7 +24,7 @@ double lengthOf(const LayoutSearch& search) {
 
 }  // namespace
 
-Marker::Marker(NestingProblem problem)
+Marker::Marker(MarkerProblem problem)
     : problem_(std::move(problem)), pieces_(problem_, problem_.ignores_print) {}
 
 LayCloth Marker::clothOf(double width, double phase) const {
@@ -40,8 +40,7 @@ LayCloth Marker::clothOf(double width, double phase) const {
 std::vector<std::vector<int>> Marker::naps() const {
   if (problem_.nap != Nap::kGarment) return {{}};
   int garments = 0;
-  for (const NestingPiece& piece : problem_.pieces)
-    garments = std::max(garments, piece.garment + 1);
+  for (const MarkerPiece& piece : problem_.pieces) garments = std::max(garments, piece.garment + 1);
   constexpr int kAll = 3;  // if there are more garments, every second one points as the first
   const int free = garments <= kAll ? garments : 2;
   std::vector<std::vector<int>> naps;
@@ -64,7 +63,7 @@ void Marker::makeVariants() {
   }
 }
 
-double Marker::budget() const { return NestingTuning::kLayReads * problem_.effort; }
+double Marker::budget() const { return MarkerTuning::kLayReads * problem_.effort; }
 
 double Marker::spent() const {
   double reads = 0;
@@ -133,7 +132,7 @@ void Marker::lay() {
 
 void Marker::makeTables() {
   const double dots = pieces_.makeTable();
-  reads_ += NestingTuning::kReadsOfTable + NestingTuning::kReadsOfDot * dots;
+  reads_ += MarkerTuning::kReadsOfTable + MarkerTuning::kReadsOfDot * dots;
   if (dots > 0) return;
   makeVariants();
   stage_ = Stage::kLay;

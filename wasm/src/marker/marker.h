@@ -20,7 +20,7 @@ class Marker {
   enum class Stage : std::uint8_t { kTables, kLay, kProve, kFree, kWidths, kDone };
 
   /// Errors: kOptions, a sentence that names the piece that does not fit, and a remedy.
-  static Outcome<std::unique_ptr<Marker>> make(NestingProblem problem);
+  static Outcome<std::unique_ptr<Marker>> make(MarkerProblem problem);
 
   /// Works for about `work` million table reads. Returns false when finished.
   bool advance(double work);
@@ -57,7 +57,7 @@ class Marker {
     bool is_done = false;
   };
 
-  explicit Marker(NestingProblem problem);
+  explicit Marker(MarkerProblem problem);
   LayCloth clothOf(double width, double phase) const;
   std::vector<std::vector<int>> naps() const;
   void makeTables();
@@ -78,7 +78,7 @@ class Marker {
   double roundedUp(double length) const;
   double spent() const;
 
-  NestingProblem problem_;
+  MarkerProblem problem_;
   PiecesOnBoard pieces_;
   Stage stage_ = Stage::kTables;
   std::optional<Error> error_;

@@ -22,12 +22,12 @@ std::string widthNeeded(double width) {
 
 }  // namespace
 
-Outcome<std::unique_ptr<Marker>> Marker::make(NestingProblem problem) {
+Outcome<std::unique_ptr<Marker>> Marker::make(MarkerProblem problem) {
   if (problem.pieces.empty()) return Error{Failure::kOptions, "There is no piece to lay."};
   const double room = problem.width - 2 * problem.selvedge;
   std::unique_ptr<Marker> marker(new Marker(std::move(problem)));
   for (std::size_t k = 0; k < marker->problem_.pieces.size(); ++k) {
-    const NestingPiece& piece = marker->problem_.pieces[k];
+    const MarkerPiece& piece = marker->problem_.pieces[k];
     const std::vector<LayWay>& ways = marker->pieces_.items()[k].ways;
     if (ways.empty())
       return Error{
@@ -50,7 +50,7 @@ Outcome<std::unique_ptr<Marker>> Marker::make(NestingProblem problem) {
 void Marker::fail() {
   const LayoutSearch& search = *variants_.front().search;
   const int item = std::max(search.homeless(), 0);
-  const NestingPiece& piece = problem_.pieces[item];
+  const MarkerPiece& piece = problem_.pieces[item];
   stage_ = Stage::kDone;
   if (piece.pin) {
     error_ =

@@ -18,12 +18,12 @@ void Marker::layFree() {
   }
   if (!free_pieces_) {
     free_pieces_ = std::make_unique<PiecesOnBoard>(problem_, true);
-    reads_ += NestingTuning::kReadsOfShapes;
+    reads_ += MarkerTuning::kReadsOfShapes;
     return;
   }
   if (!free_search_) {
     const double dots = free_pieces_->makeTable();
-    reads_ += NestingTuning::kReadsOfTable + NestingTuning::kReadsOfDot * dots;
+    reads_ += MarkerTuning::kReadsOfTable + MarkerTuning::kReadsOfDot * dots;
     if (dots > 0) return;
     LayCloth cloth = clothOf(problem_.width, 0);
     cloth.origin = {cloth.left, 0};
@@ -52,7 +52,7 @@ void Marker::layWidths() {
     if (narrower_ && narrower_->best() && width >= problem_.widths[width_ - 1])
       width_search_->offer(*narrower_->best());
   }
-  if (goOn(*width_search_, NestingTuning::kWidthReads * problem_.effort)) return;
+  if (goOn(*width_search_, MarkerTuning::kWidthReads * problem_.effort)) return;
   const auto& found = width_search_->best();
   const bool is_same = std::abs(width - problem_.width) < 1e-9;
   width_lengths_.push_back(is_same ? length()

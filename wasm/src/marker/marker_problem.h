@@ -17,7 +17,7 @@ enum class LayTurns : std::uint8_t { kHalf, kQuarter, kAny };
 enum class Nap : std::uint8_t { kNone, kGarment, kOneWay };
 
 /// A piece to place on printed fabric, face up. [cm, radians]
-struct NestingPiece {
+struct MarkerPiece {
   std::string name;
   int garment = 0;
   Polyline outline;       ///< cut line, counter-clockwise, in the coordinates of the piece's shape
@@ -30,9 +30,9 @@ struct NestingPiece {
 
 /// Pieces and fabric of a layout: x is across from the left edge, y along the warp from the cut.
 /// Lengths are in cm.
-struct NestingProblem {
+struct MarkerProblem {
   WallpaperGroup group;
-  std::vector<NestingPiece> pieces = {};
+  std::vector<MarkerPiece> pieces = {};
   double width = 0;             ///< width between the edges
   double selvedge = 0;          ///< width of the unusable strip along each edge
   double gap = 0;               ///< distance between cut lines
@@ -51,6 +51,6 @@ struct NestingProblem {
   std::uint64_t seed = 1;
 };
 
-inline constexpr std::size_t kMostNestingPieces = 500;
+inline constexpr std::size_t kMostMarkerPieces = 500;
 
 }  // namespace seamwise

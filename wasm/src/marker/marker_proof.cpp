@@ -49,7 +49,7 @@ void Marker::beginProof() {
 /// the best, unless that has failed for this length. The others are that none is shorter than the
 /// mean of bound and best.
 bool Marker::beginNextProof() {
-  const double all = NestingTuning::kProofRows * problem_.effort;
+  const double all = MarkerTuning::kProofRows * problem_.effort;
   const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
   const bool is_worth = proofs_ < kMostProofs && best_->length() - bound_ > kWorthProving;
   if (!is_first && !is_worth) return false;
@@ -99,7 +99,7 @@ void Marker::prove() {
   constexpr double kStep = 1e5;
   const double before = proof_->reads();
   const bool more = proof_->step(kStep);
-  reads_ += NestingTuning::kReadsOfRow * (proof_->reads() - before) + 1;
+  reads_ += MarkerTuning::kReadsOfRow * (proof_->reads() - before) + 1;
   if (more && proof_->reads() < proof_work_) return;
   const bool is_open = more;
   if (const auto& found = proof_->found()) {

@@ -33,7 +33,7 @@ struct Turn {
 };
 
 /// The allowed rotations of the print under a piece, as motions of the print.
-std::vector<Turn> turnsOf(const NestingProblem& problem, bool ignores_print, LayTurns allowed) {
+std::vector<Turn> turnsOf(const MarkerProblem& problem, bool ignores_print, LayTurns allowed) {
   if (ignores_print) {
     const Mat2 half = -Mat2::Identity();
     return {{Mat2::Identity(), 0, Vec2::Zero(), 0}, {half, kPi, Vec2::Zero(), 0}};
@@ -59,7 +59,7 @@ bool Domain::empty() const {
   return std::all_of(runs.begin(), runs.end(), [](const DotRun& run) { return run.empty(); });
 }
 
-PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
+PiecesOnBoard::PiecesOnBoard(const MarkerProblem& problem, bool ignores_print)
     : spacing_{problem.gap, ignores_print ? 0 : problem.repeat_tolerance, false},
       ignores_print_(ignores_print) {
   const WallpaperGroup& group = problem.group;
@@ -70,7 +70,7 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
   if (!ignores_print) period_ = latticePeriod(group.w1(), group.w2(), true);
   items_ = std::vector<LayItem>(problem.pieces.size());
   for (std::size_t k = 0; k < items_.size(); ++k) {
-    const NestingPiece& piece = problem.pieces[k];
+    const MarkerPiece& piece = problem.pieces[k];
     LayItem& item = items_[k];
     item.garment = piece.garment;
     // Pins do not affect the length without the print, with which the print's cost is measured.
@@ -128,8 +128,7 @@ int PiecesOnBoard::addPlaced(int shape, const Vec2& offset, int item) {
   return static_cast<int>(placed_.size()) - 1;
 }
 
-void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& problem,
-                            LayItem* item) {
+void PiecesOnBoard::addWays(const MarkerPiece& piece, const MarkerProblem& problem, LayItem* item) {
   const Mat2 back = piece.alignment.linear().transpose();
   std::vector<Vec2> shifts = {Vec2::Zero()};
   if (!ignores_print_)
@@ -168,8 +167,7 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
   }
 }
 
-void PiecesOnBoard::addPin(const NestingPiece& piece, const NestingProblem& problem,
-                           LayItem* item) {
+void PiecesOnBoard::addPin(const MarkerPiece& piece, const MarkerProblem& problem, LayItem* item) {
   LayWay way;
   way.linear = piece.pin->linear();
   way.angle = piece.pin->angle;

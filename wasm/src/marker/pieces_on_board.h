@@ -56,7 +56,7 @@ struct LayItem {
 /// one.
 class PiecesOnBoard {
  public:
-  PiecesOnBoard(const NestingProblem& problem, bool ignores_print);
+  PiecesOnBoard(const MarkerProblem& problem, bool ignores_print);
 
   const Board& board() const { return board_; }
   const std::vector<LayItem>& items() const { return items_; }
@@ -100,8 +100,8 @@ class PiecesOnBoard {
   int addShape(const Polyline& outline, const Mat2& turn);
   int numberOf(const LayItem* item) const { return static_cast<int>(item - items_.data()); }
   int addPlaced(int shape, const Vec2& offset, int item);
-  void addWays(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
-  void addPin(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
+  void addWays(const MarkerPiece& piece, const MarkerProblem& problem, LayItem* item);
+  void addPin(const MarkerPiece& piece, const MarkerProblem& problem, LayItem* item);
 
   Board board_;
   Spacing spacing_;

@@ -4,7 +4,7 @@ namespace seamwise {
 
 /// Budgets of a marker's stages in table reads. Each stage takes about half a second of one core in
 /// WebAssembly for a dozen pieces. Costs were measured on five garments.
-struct NestingTuning {
+struct MarkerTuning {
   // --- at effort 1
 
   static constexpr double kLayReads = 1e9;
