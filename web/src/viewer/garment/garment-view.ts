@@ -4,7 +4,7 @@
 import type {DrapeMesh, Form} from '../../model/drape.js';
 import type {Point} from '../../model/geometry.js';
 import {imageCell} from '../../model/wallpaper.js';
-import type {Tile} from '../../recognition/tile.js';
+import type {Tile} from '../../image/tile.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {navigate} from '../navigation.js';
 import {Screen} from '../screen.js';
