@@ -4,7 +4,7 @@ import {createHash} from 'node:crypto';
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {WornPane} from '@/editor/worn/worn-pane.js';
+import type {WornPane} from '@/editor/drape/drape-pane.js';
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {frames} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';

@@ -12,10 +12,10 @@ import {
   presetNames,
   presetOrbit,
   turned,
-} from '@/viewer/garment/camera.js';
-import {projected, rayThrough} from '@/viewer/garment/garment-picker.js';
-import {firstHit, nearestSeam} from '@/viewer/garment/pick.js';
-import type {Box3, Vector} from '@/viewer/garment/space.js';
+} from '@/viewer/drape/camera.js';
+import {projected, rayThrough} from '@/viewer/drape/drape-picker.js';
+import {firstHit, nearestSeam} from '@/viewer/drape/pick.js';
+import type {Box3, Vector} from '@/viewer/drape/space.js';
 
 const box: Box3 = {low: [-30, 60, -15], high: [30, 150, 18]};
 const size = {width: 600, height: 450};

@@ -6,7 +6,7 @@ import {onPrint, type Alignment} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';
 import {coordinates} from '@/model/geometry.js';
 import {imageCell} from '@/model/wallpaper.js';
-import {clothOf, normalsOf, printPlaces, putToDrawn} from '@/viewer/garment/cloth.js';
+import {clothOf, normalsOf, printPlaces, putToDrawn} from '@/viewer/drape/cloth.js';
 
 /** Two squares of 10 cm, side by side and sewn together along the side that they share; they were drafted smaller. */
 const shape = Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10);

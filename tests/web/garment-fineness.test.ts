@@ -1,7 +1,7 @@
 /** Frames that come late are drawn more coarsely, and as finely as before once there is time. */
 import {expect, it} from 'vitest';
 
-import {coarser, finest, MovingFineness} from '@/viewer/garment/fineness.js';
+import {coarser, finest, MovingFineness} from '@/viewer/drape/fineness.js';
 
 const after = (times: readonly number[], fineness = new MovingFineness()): MovingFineness => {
   for (const time of times) fineness.took(time);

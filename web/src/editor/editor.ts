@@ -14,7 +14,7 @@ import type {LensCursor} from './pattern/marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
 import type {PhotoWanted} from './print/print-files.js';
 import type {PrintPanel} from './print/print-panel.js';
-import type {WornPane} from './worn/worn-pane.js';
+import type {WornPane} from './drape/drape-pane.js';
 import {register} from './base/register.js';
 import {solvingButton, stepButtons, viewButtons} from './shell/head-buttons.js';
 import type {KeyMap} from './shell/key-map.js';

@@ -16,7 +16,7 @@ export const loadLaterParts = (): Promise<void> => (loading ??= load());
 
 /** Loads the drape. @throws {Error} if its module cannot be loaded */
 export async function loadWorn(): Promise<void> {
-  const {defineWorn} = await import('./worn/define-worn.js');
+  const {defineWorn} = await import('./drape/define-drape.js');
   defineWorn();
 }
 

@@ -49,7 +49,7 @@ export type {PrintOffer} from './garment/offered-prints.js';
 export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';
 export type {SewTexts} from '../texts/sew/en.js';
-export type {WornTexts} from '../texts/worn-texts.js';
+export type {WornTexts} from '../texts/drape-texts.js';
 
 export class SeamwiseGarment extends AttributeElement {
   /** The page may set the variables of `style/tokens.ts`. */

@@ -1,6 +1,7 @@
 /**
  * Commands that save files of the view beside the pattern; loaded with the list that shows them.
  */
+import {wornFiles} from '../../editor/drape/drape-files.js';
 import {
   toFailure,
   type ClothPane,
@@ -8,7 +9,6 @@ import {
   type Workbench,
   type WornPane,
 } from '../../editor/index.js';
-import {wornFiles} from '../../editor/worn/worn-files.js';
 
 /** @param save receives the content and the ending of the file's name */
 export const viewSaves = (

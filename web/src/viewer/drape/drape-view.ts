@@ -12,12 +12,12 @@ import {inks, type Appearance} from '../strokes.js';
 import {TileTexture} from '../tile-texture.js';
 import type {Wipe} from '../wipe-layers.js';
 import {fieldOfView, turned, type Orbit} from './camera.js';
-import {GarmentCamera} from './garment-camera.js';
+import {GarmentCamera} from './drape-camera.js';
 import {finest, MovingFineness} from './fineness.js';
-import {GarmentPicker, type GarmentTarget} from './garment-picker.js';
+import {GarmentPicker, type GarmentTarget} from './drape-picker.js';
 import {garmentPicture, type Paper} from './picture.js';
 import {followPointer} from './pointer.js';
-import {WornScene, type Marked} from './worn-scene.js';
+import {WornScene, type Marked} from './drape-scene.js';
 
 /**
  * Delay after the last change before it is drawn at full detail, and an SVG tile at the density of

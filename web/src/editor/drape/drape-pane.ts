@@ -3,9 +3,9 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {fabricOf, usualFabric} from '../../model/design.js';
 import {fabricNames, type FabricName} from '../../model/drape.js';
-import {presetNames, type CameraPreset} from '../../viewer/garment/camera.js';
-import type {GarmentView} from '../../viewer/garment/garment-view.js';
-import {wornTexts, type WornTexts} from '../../texts/worn-texts.js';
+import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
+import type {GarmentView} from '../../viewer/drape/drape-view.js';
+import {wornTexts, type WornTexts} from '../../texts/drape-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {commandFor, keysOf, type KeyList} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
@@ -14,9 +14,9 @@ import type {Target} from '../../workbench/workbench.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {wornCommands} from './worn-commands.js';
-import {WornDrawing} from './worn-drawing.js';
-import {wornStyle} from './worn-style.js';
+import {wornCommands} from './drape-commands.js';
+import {WornDrawing} from './drape-drawing.js';
+import {wornStyle} from './drape-style.js';
 
 /** Zoom step of a button; a key zooms less. */
 const zoomFactor = 1.4;

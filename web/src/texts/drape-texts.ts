@@ -1,13 +1,13 @@
 /** Texts of the drape in all languages, loaded with its view. */
+import {worn as de} from './drape/de.js';
+import {worn as en, type WornTexts} from './drape/en.js';
+import {worn as es} from './drape/es.js';
+import {worn as fr} from './drape/fr.js';
+import {worn as it} from './drape/it.js';
 import {withMessages, type Messages} from './messages.js';
 import type {Language} from './preferences.js';
-import {worn as de} from './worn/de.js';
-import {worn as en, type WornTexts} from './worn/en.js';
-import {worn as es} from './worn/es.js';
-import {worn as fr} from './worn/fr.js';
-import {worn as it} from './worn/it.js';
 
-export type {WornTexts} from './worn/en.js';
+export type {WornTexts} from './drape/en.js';
 
 const wornTables: Readonly<Record<Language, WornTexts>> = {en, de, fr, es, it};
 

@@ -1,8 +1,8 @@
 /** Drape of a workbench's garment without tools; it is simulated while it is in view. */
 import type {PropertyValues} from 'lit';
 
-import type {GarmentView} from '../../viewer/garment/garment-view.js';
-import type {CameraPreset} from '../../viewer/garment/camera.js';
+import type {GarmentView} from '../../viewer/drape/drape-view.js';
+import type {CameraPreset} from '../../viewer/drape/camera.js';
 import {drapingOf, type Draping} from '../../workbench/draping.js';
 import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
 
@@ -72,7 +72,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
   }
 
   protected override async load(): Promise<OpenView<GarmentView>> {
-    const {GarmentView} = await import('../../viewer/garment/garment-view.js');
+    const {GarmentView} = await import('../../viewer/drape/drape-view.js');
     return (stage, options) => {
       const view = new GarmentView(stage, {...options, ...this.viewOptions()});
       view.camera.look(this.camera);

@@ -4,13 +4,13 @@ import {cellPicture, glb, type CellPicture} from '../../model/glb.js';
 import {norm} from '../../model/geometry.js';
 import {titleOfFile} from '../../model/piece-names.js';
 import {imageCell} from '../../model/wallpaper.js';
-import {wornTexts} from '../../texts/worn-texts.js';
+import {wornTexts} from '../../texts/drape-texts.js';
 import {pngOf} from '../../viewer/read-back.js';
 import {onWhite} from '../../viewer/tile-texture.js';
 import {film, filmType} from './film.js';
 import {drapingOf} from '../../workbench/draping.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import type {WornPane} from './worn-pane.js';
+import type {WornPane} from './drape-pane.js';
 
 interface WornFile {
   readonly id: string;

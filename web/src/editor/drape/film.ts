@@ -1,5 +1,5 @@
 /** Records a film of one turn around a drape, in real time. */
-import type {GarmentView} from '../../viewer/garment/garment-view.js';
+import type {GarmentView} from '../../viewer/drape/drape-view.js';
 
 /** Duration of one turn. [ms] */
 const turnTime = 8000;

@@ -1,10 +1,10 @@
 /** Commands of the drape, by key or by name. */
 import {fabricOf} from '../../model/design.js';
 import {fabricNames} from '../../model/drape.js';
+import type {WornTexts} from '../../texts/drape-texts.js';
 import type {Texts} from '../../texts/texts.js';
-import type {WornTexts} from '../../texts/worn-texts.js';
-import {presetNames} from '../../viewer/garment/camera.js';
-import type {GarmentView} from '../../viewer/garment/garment-view.js';
+import {presetNames} from '../../viewer/drape/camera.js';
+import type {GarmentView} from '../../viewer/drape/drape-view.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {Command} from '../commands/command.js';
 
