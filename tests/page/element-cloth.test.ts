@@ -57,7 +57,7 @@ function markerFiles(page: Page): readonly string[] {
   const files: string[] = [];
   page.on('request', (request) => {
     const file = new URL(request.url()).pathname;
-    if (/marker|cloth-layer/.test(file)) files.push(file);
+    if (/marker-layer|marker.*\.wasm$/.test(file)) files.push(file);
   });
   return files;
 }
@@ -109,7 +109,7 @@ it(
       element.clothWidth = 140;
     });
     await expect.poll(() => run((element) => element.clothLengthCm), patient).toBeGreaterThan(50);
-    for (const part of [/cloth-layer.*\.js$/, /marker.*\.wasm$/]) {
+    for (const part of [/marker-layer.*\.js$/, /marker.*\.wasm$/]) {
       expect(files.some((file) => part.test(file))).toBe(true);
     }
   },

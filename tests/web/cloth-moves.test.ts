@@ -1,11 +1,11 @@
 /** What keys do to a piece on its cloth: where it goes, how far that is, and what comes into sight. */
 import {describe, expect, it} from 'vitest';
 
-import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/editor/cloth/cloth-moves.js';
-import {missed} from '@/editor/cloth/scroll-to.js';
+import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/editor/marker/marker-moves.js';
+import {missed} from '@/editor/marker/scroll-to.js';
 import {isFree, obstaclesTo, type Bolt} from '@/marker/places.js';
 import type {Alignment, Point} from '@/model/geometry.js';
-import type {PieceOnCloth} from '@/workbench/cloth-work.js';
+import type {PieceOnCloth} from '@/workbench/marker-work.js';
 import {at} from '../support/plane.js';
 
 /** Of squares of 8 cm, places on every fourth of which two do not meet. */

@@ -1,6 +1,7 @@
 /** What is said of the pieces on their cloth, on the page and on lay plans, in every language. */
 import {describe, expect, it} from 'vitest';
 
+import {FlawTool} from '@/editor/marker/flaw-tool.js';
 import {
   costWords,
   lengthRange,
@@ -9,15 +10,14 @@ import {
   pointWords,
   roundedLength,
   soldLength,
-} from '@/editor/cloth/cloth-words.js';
-import {FlawTool} from '@/editor/cloth/flaw-tool.js';
+} from '@/editor/marker/marker-words.js';
 import type {Bolt} from '@/marker/places.js';
 import type {LayPlan} from '@/model/lay-plan.js';
 import {aroundPins} from '@/model/pinned-plan.js';
 import {signedArea} from '@/model/polyline.js';
 import {inFontLetters, widthOf} from '@/paper/pdf-text.js';
-import {clothTexts} from '@/texts/cloth-texts.js';
 import {formatFor} from '@/texts/format.js';
+import {clothTexts} from '@/texts/marker-texts.js';
 import {planTextsIn} from '@/texts/plan-texts.js';
 import {languages} from '@/texts/preferences.js';
 

@@ -1,7 +1,7 @@
 /** Flaws of the cloth moved and made larger or smaller, by keys and by figures. */
 import {describe, expect, it} from 'vitest';
 
-import {boxAround, flawAfter, flawAround, flawIn} from '@/editor/cloth/flaw-moves.js';
+import {boxAround, flawAfter, flawAround, flawIn} from '@/editor/marker/flaw-moves.js';
 import type {Flaw} from '@/workbench/lay-step.js';
 
 const bolt = {widthCm: 140};

@@ -7,7 +7,7 @@ import type {KeyList} from './commands/command-for.js';
 import type {ShortcutId} from './commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
-import type {ClothPane} from './cloth/cloth-pane.js';
+import type {ClothPane} from './marker/marker-pane.js';
 import {loadCloth, loadLaterParts, loadPhoto, loadWorn} from './load-later-parts.js';
 import {defineParts} from './parts.js';
 import type {LensCursor} from './pattern/marks.js';

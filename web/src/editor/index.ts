@@ -33,7 +33,7 @@ export {improvementOffer} from './remedies/keep-improving.js';
 export {remedyWords} from './remedies/stays-off.js';
 export type {GarmentChoice} from './shell/garment-choice.js';
 export type {PatternPane} from './pattern/pattern-pane.js';
-export type {ClothPane} from './cloth/cloth-pane.js';
+export type {ClothPane} from './marker/marker-pane.js';
 export type {WornPane} from './drape/drape-pane.js';
 export type {Format} from '../texts/format.js';
 export {loadTexts, textsOf, type Texts} from '../texts/texts.js';

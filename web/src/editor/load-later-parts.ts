@@ -28,6 +28,6 @@ export async function loadPhoto() {
 
 /** Loads the fabric layout. @throws {Error} if its module cannot be loaded */
 export async function loadCloth(): Promise<void> {
-  const {defineCloth} = await import('./cloth/define-cloth.js');
+  const {defineCloth} = await import('./marker/define-marker.js');
   defineCloth();
 }

@@ -22,7 +22,7 @@ import {
   type GarmentView,
 } from './garment/attributes.js';
 import {Beginning} from './garment/beginning.js';
-import {Cloth} from './garment/cloth.js';
+import {Cloth} from './garment/marker.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
 import {keepInside} from './garment/inner-events.js';

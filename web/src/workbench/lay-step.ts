@@ -4,7 +4,7 @@ import type {Failure} from '../model/failure.js';
 import type {Alignment, Point} from '../model/geometry.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {MarkerProblem} from '../model/marker.js';
-import type {ClothChoices} from './cloth-choices.js';
+import type {ClothChoices} from './marker-choices.js';
 
 export type Flaw = readonly Point[];
 

@@ -13,8 +13,8 @@ import {amended, mapped, redone, stepped, undone, type History} from '../model/h
 import type {LayPlan} from '../model/lay-plan.js';
 import type {SolveResult} from '../model/result.js';
 import {allowancesIn} from './allowances.js';
-import {storedCloth, withCloth, type ClothChoices} from './cloth-choices.js';
-import {ClothWork, type PieceOnCloth} from './cloth-work.js';
+import {storedCloth, withCloth, type ClothChoices} from './marker-choices.js';
+import {ClothWork, type PieceOnCloth} from './marker-work.js';
 import {laid, offersFor, ownAllowancesOf, type ToLay} from './lay-run.js';
 import {noPins, type Flaw, type LayStep} from './lay-step.js';
 import {toFailure} from './latest-solve.js';

@@ -7,7 +7,7 @@ import {lastOf} from '../../workbench/last-of.js';
 import type {Emit} from './announcer.js';
 import {asError} from './as-error.js';
 import type {AttributeElement} from './attribute-element.js';
-import {layOnCloth, type LaidAnswer} from './lay-on-cloth.js';
+import {layOnCloth, type LaidAnswer} from './lay-marker.js';
 import type {GarmentSession} from './session.js';
 import type {Texts} from '../../texts/texts.js';
 

@@ -3,9 +3,9 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 import type {LayPlan} from '../../model/lay-plan.js';
 import type {Units} from '../../model/units.js';
-import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Format} from '../../texts/format.js';
-import {roundedLength} from './cloth-words.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
+import {roundedLength} from './marker-words.js';
 
 interface Widths {
   readonly units: Units;

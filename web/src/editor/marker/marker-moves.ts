@@ -10,7 +10,7 @@ import {
 } from '../../marker/places.js';
 import {minus, norm, wrapped, type Alignment, type Point} from '../../model/geometry.js';
 import {reducedBasis} from '../../model/wallpaper.js';
-import type {PieceOnCloth} from '../../workbench/cloth-work.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
 import {placesOf} from './piece-drag.js';
 
 export const ways: Readonly<Record<string, Point>> = {

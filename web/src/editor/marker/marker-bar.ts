@@ -1,7 +1,7 @@
 /** Buttons above and below the fabric layout. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Texts} from '../../texts/texts.js';
 import {drawn, icon} from '../style/icons.js';
 

@@ -4,7 +4,7 @@ import {decidedOf, noPicture, printOf, type DesignPrint} from '../../model/desig
 import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import {readable} from '../../model/piece-names.js';
-import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
 import {planTextsIn} from '../../texts/plan-texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {embeddedTile, pixelsOfTile} from '../cut/cell-picture.js';

@@ -1,6 +1,6 @@
 /** Fabric layout of the answer; loads its code on first use. */
 import type {SolverError} from '../../model/failure.js';
-import type {ClothLayer, ClothOwner} from './cloth-layer.js';
+import type {ClothLayer, ClothOwner} from './marker-layer.js';
 
 export class Cloth {
   /** Undefined until the first layout. */
@@ -30,7 +30,7 @@ export class Cloth {
   /** @throws {SolverError} if the code cannot be loaded */
   async load(): Promise<ClothLayer> {
     this.#isAsked = true;
-    const {ClothLayer} = await import('./cloth-layer.js').catch((error: unknown) => {
+    const {ClothLayer} = await import('./marker-layer.js').catch((error: unknown) => {
       throw this.#lost(error);
     });
     this.layer ??= new ClothLayer(this.#owner);

@@ -1,5 +1,5 @@
 /** Commands of the fabric layout, by key or by name. */
-import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Texts} from '../../texts/texts.js';
 import {keysOf, type KeyList} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';

@@ -2,11 +2,11 @@
 import type {PropertyValues} from 'lit';
 
 import type {Alignment, Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/cloth-work.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
-import {ClothElement} from './cloth-element.js';
-import {canTurn, placeOn, placeTurned, reachOfPinned} from './cloth-moves.js';
+import {ClothElement} from './marker-element.js';
+import {canTurn, placeOn, placeTurned, reachOfPinned} from './marker-moves.js';
 
 export abstract class PieceActions extends ClothElement {
   static override properties = {

@@ -14,9 +14,9 @@ import {degrees, type Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import {boxOf} from '../../model/polyline.js';
 import {fractionOrNumber, type Units} from '../../model/units.js';
-import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
-import type {PieceOnCloth} from '../../workbench/cloth-work.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
 
 /** Steps of the lengths that shops sell: 5 cm, an eighth of a yard. */
 const soldCm = 5;

@@ -2,9 +2,9 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {OwnShare} from '../../cutting/allowances.js';
-import {clothLimits, usualWidths, type ClothChoices} from '../../workbench/cloth-choices.js';
+import {clothLimits, usualWidths, type ClothChoices} from '../../workbench/marker-choices.js';
 import type {Units} from '../../model/units.js';
-import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
 import {lengthUnit} from '../controls/number-field.js';

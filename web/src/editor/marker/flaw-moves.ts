@@ -4,7 +4,7 @@ import type {Point} from '../../model/geometry.js';
 import {boxOf} from '../../model/polyline.js';
 import type {Units} from '../../model/units.js';
 import type {Flaw} from '../../workbench/lay-step.js';
-import {ways} from './cloth-moves.js';
+import {ways} from './marker-moves.js';
 
 /** Bounding box of a flaw: `left` from the left edge of the fabric, `start` from its cut edge. */
 export interface FlawBox {

@@ -3,8 +3,8 @@ import type {PropertyValues} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
 import type {Flaw} from '../../workbench/lay-step.js';
-import {flawSizeWords, flawWords} from './cloth-words.js';
 import {flawAfter, flawAround} from './flaw-moves.js';
+import {flawSizeWords, flawWords} from './marker-words.js';
 import {PieceActions} from './piece-actions.js';
 
 export abstract class FlawActions extends PieceActions {

@@ -1,8 +1,8 @@
 /** Status of the fabric layout: progress, failures and conflicts, place of the selected piece. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Format} from '../../texts/format.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Laying} from '../../workbench/laying.js';
 
 interface Status {

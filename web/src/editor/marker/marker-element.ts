@@ -1,7 +1,7 @@
 /** Base class of the parts of the fabric layout. */
-import {clothTexts, type ClothTexts} from '../../texts/cloth-texts.js';
-import type {PieceOnCloth} from '../../workbench/cloth-work.js';
+import {clothTexts, type ClothTexts} from '../../texts/marker-texts.js';
 import {layingOf, type Laying} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 
 export abstract class ClothElement extends WorkbenchElement {

@@ -6,8 +6,8 @@ import {isFree, turnedRing, type Bolt, type Obstacles} from '../../marker/places
 import {imageCell} from '../../model/wallpaper.js';
 import {norm, onPiece, plus, type Alignment, type Point} from '../../model/geometry.js';
 import type {Units} from '../../model/units.js';
-import type {ClothTexts} from '../../texts/cloth-texts.js';
-import type {PieceOnCloth} from '../../workbench/cloth-work.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
 import {
   closed,
   frameSize,

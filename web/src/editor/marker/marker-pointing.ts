@@ -1,9 +1,9 @@
 /** Drags pieces over the fabric and draws flaws by pointer. */
 import type {Bolt} from '../../marker/places.js';
 import {minus, type Alignment, type Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/cloth-work.js';
-import type {Dragged} from './cloth-sheet.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
 import {FlawTool} from './flaw-tool.js';
+import type {Dragged} from './marker-sheet.js';
 import {PieceDrag} from './piece-drag.js';
 import {offSheet, type SheetFrame} from './sheet-frame.js';
 

@@ -1,5 +1,5 @@
 /** Names of the history steps of the fabric layout. */
-import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {LayStep} from '../../workbench/lay-step.js';
 
 function changeBetween(from: LayStep, to: LayStep): keyof ClothTexts['steps'] {

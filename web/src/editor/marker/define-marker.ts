@@ -1,8 +1,8 @@
 /** Registers the fabric layout; loaded on demand. */
 import {registerAll} from '../base/register.js';
-import {ClothFlaws} from './cloth-flaws.js';
-import {ClothPane} from './cloth-pane.js';
-import {ClothPanel} from './cloth-panel.js';
+import {ClothFlaws} from './marker-flaws.js';
+import {ClothPane} from './marker-pane.js';
+import {ClothPanel} from './marker-panel.js';
 
 export const defineCloth = (): void => {
   registerAll({

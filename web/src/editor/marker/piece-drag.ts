@@ -10,8 +10,8 @@ import {
   type LaidPiece,
 } from '../../marker/places.js';
 import {minus, plus, type Alignment, type Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/cloth-work.js';
-import type {Dragged} from './cloth-sheet.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
+import type {Dragged} from './marker-sheet.js';
 
 /** Returns the places of a piece at its present turn. @param k index of the piece */
 export function placesOf(pieces: readonly LaidPiece[], k: number, bolt: Bolt): Places | undefined {

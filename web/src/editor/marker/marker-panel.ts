@@ -11,10 +11,10 @@ import {planTextsIn} from '../../texts/plan-texts.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {ClothElement} from './cloth-element.js';
-import {clothFields} from './cloth-fields.js';
-import {clothWidths} from './cloth-widths.js';
-import {costWords, leastCost, lengthRange, placeWords, soldLength} from './cloth-words.js';
+import {ClothElement} from './marker-element.js';
+import {clothFields} from './marker-fields.js';
+import {clothWidths} from './marker-widths.js';
+import {costWords, leastCost, lengthRange, placeWords, soldLength} from './marker-words.js';
 import type {FlawActions} from './flaw-actions.js';
 import {panelStyle} from './panel-style.js';
 

@@ -5,8 +5,8 @@ import type {Flaw} from '../../workbench/lay-step.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
-import {ClothElement} from './cloth-element.js';
-import {flawWords} from './cloth-words.js';
+import {ClothElement} from './marker-element.js';
+import {flawWords} from './marker-words.js';
 import {boxAround, flawAfter, flawIn, leastFlaw, mostStart, type FlawBox} from './flaw-moves.js';
 import type {FlawActions} from './flaw-actions.js';
 
