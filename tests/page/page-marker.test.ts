@@ -17,7 +17,7 @@ import {
   rowOf,
   said,
   status,
-} from '../support/page-cloth.js';
+} from '../support/page-marker.js';
 import {symmetricTee} from '../support/symmetric-tee.js';
 
 const openPage = usePage();

@@ -5,7 +5,7 @@ import {expect, it} from 'vitest';
 import type {LayPlan} from '@/model/lay-plan.js';
 import {barriers} from '../support/barriers.js';
 import {button, saved, usePage} from '../support/page.js';
-import {clothOf, laid, pane, panel, status} from '../support/page-cloth.js';
+import {clothOf, laid, pane, panel, status} from '../support/page-marker.js';
 
 const openPage = usePage();
 

@@ -4,7 +4,16 @@ import {expect, it} from 'vitest';
 
 import type {LayPlan} from '@/model/lay-plan.js';
 import {button, saved, usePage} from '../support/page.js';
-import {bought, clothOf, facts, laid, layTwice, pane, panel, rowOf} from '../support/page-cloth.js';
+import {
+  bought,
+  clothOf,
+  facts,
+  laid,
+  layTwice,
+  pane,
+  panel,
+  rowOf,
+} from '../support/page-marker.js';
 
 const openPage = usePage();
 
