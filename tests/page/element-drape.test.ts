@@ -4,7 +4,7 @@ import {createHash} from 'node:crypto';
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {WornPane} from '@/editor/drape/drape-pane.js';
+import type {DrapePane} from '@/editor/drape/drape-pane.js';
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {frames} from '../support/waiting.js';
 import {tee, useElementPage} from './element/open.js';
@@ -217,7 +217,7 @@ it('is drawn as finely after it has moved as before', {tags: ['thorough']}, asyn
   await expect.poll(() => status.textContent(), patient).toContain('Back view.');
   await page.evaluate(() => {
     const {view} =
-      document.querySelector('seamwise-garment')?.shadowRoot?.querySelector<WornPane>('sw-worn') ??
+      document.querySelector('seamwise-garment')?.shadowRoot?.querySelector<DrapePane>('sw-worn') ??
       {};
     view?.camera.setTurntable(true);
   });

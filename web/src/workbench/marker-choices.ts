@@ -21,7 +21,7 @@ interface KeptChoices {
   readonly phaseCm: number | null;
 }
 
-export interface ClothChoices extends KeptChoices, ChosenAllowances {
+export interface MarkerChoices extends KeptChoices, ChosenAllowances {
   /** Number of garments cut from the fabric. */
   readonly copies: number;
 }
@@ -69,7 +69,7 @@ const isRight: {readonly [Name in keyof KeptChoices]: (value: unknown) => boolea
  * Last choices for a print, as far as they are valid. Otherwise, width and gap are those of the
  * last fabric, and the rest is as usual.
  */
-export function storedCloth(print: DesignPrint, preferences: Preferences): ClothChoices {
+export function storedCloth(print: DesignPrint, preferences: Preferences): MarkerChoices {
   const all = Object.entries(preferences.cloths ?? {});
   const own = all.find(([name]) => name === nameOf(print))?.[1];
   const known = (names: readonly (keyof KeptChoices)[], from: unknown): Partial<KeptChoices> =>
@@ -89,7 +89,7 @@ export function storedCloth(print: DesignPrint, preferences: Preferences): Cloth
 /** Preferences with these choices. */
 export function withCloth(
   print: DesignPrint,
-  {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, ...rest}: ClothChoices,
+  {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, ...rest}: MarkerChoices,
   preferences: Preferences,
 ): Pick<Preferences, 'cloths' | 'allowances'> {
   const name = nameOf(print);

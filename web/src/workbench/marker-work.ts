@@ -17,7 +17,7 @@ export interface PieceOnCloth extends LaidPiece {
   readonly name: string;
 }
 
-export class ClothWork {
+export class MarkerWork {
   readonly result: SolveResult;
   readonly print: DesignPrint;
   history: History<LayStep>;
@@ -33,11 +33,11 @@ export class ClothWork {
    * same; it also keeps the number of garments.
    */
   static after(
-    before: ClothWork | undefined,
+    before: MarkerWork | undefined,
     result: SolveResult,
     print: DesignPrint,
     choices: LayStep['choices'],
-  ): ClothWork {
+  ): MarkerWork {
     const {flaws = [], plan} = before?.print === print ? before.step : {};
     const {copies} = before?.step.choices ?? choices;
     const step = {
@@ -45,7 +45,7 @@ export class ClothWork {
       ...{failure: undefined, order: undefined},
       plan: flaws.length > 0 ? plan : undefined,
     };
-    return new ClothWork(result, print, begun(step));
+    return new MarkerWork(result, print, begun(step));
   }
 
   get step(): LayStep {

@@ -4,14 +4,14 @@ import {fabricNames} from '../../model/drape.js';
 import type {WornTexts} from '../../texts/drape-texts.js';
 import type {Texts} from '../../texts/texts.js';
 import {presetNames} from '../../viewer/drape/camera.js';
-import type {GarmentView} from '../../viewer/drape/drape-view.js';
+import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {Command} from '../commands/command.js';
 
 /** State and functions that keys and commands of the drape use. */
 interface CommandedGarment {
   readonly workbench: Workbench;
-  readonly view: GarmentView | undefined;
+  readonly view: DrapeView | undefined;
   toggleForm(): void;
   toggleSeams(): void;
   toggleWipe(): void;
@@ -127,7 +127,7 @@ function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): rea
 }
 
 /** @param edits true if the user can change the garment */
-export const wornCommands = (
+export const drapeCommands = (
   garment: CommandedGarment,
   edits: boolean,
   texts: Texts,

@@ -1,7 +1,7 @@
 /** Drape of a workbench's garment without tools; it is simulated while it is in view. */
 import type {PropertyValues} from 'lit';
 
-import type {GarmentView} from '../../viewer/drape/drape-view.js';
+import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import type {CameraPreset} from '../../viewer/drape/camera.js';
 import {drapingOf, type Draping} from '../../workbench/draping.js';
 import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
@@ -17,7 +17,7 @@ interface DrapeNews {
   readonly notes: readonly string[];
 }
 
-export class WornDrawing extends SceneDrawing<GarmentView> {
+export class DrapeDrawing extends SceneDrawing<DrapeView> {
   static override properties = {
     ...SceneDrawing.properties,
     camera: {},
@@ -67,14 +67,14 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
   }
 
   /** Additional options of a drape with tools. */
-  protected viewOptions(): ConstructorParameters<typeof GarmentView>[1] {
+  protected viewOptions(): ConstructorParameters<typeof DrapeView>[1] {
     return {leavesWheel: true};
   }
 
-  protected override async load(): Promise<OpenView<GarmentView>> {
-    const {GarmentView} = await import('../../viewer/drape/drape-view.js');
+  protected override async load(): Promise<OpenView<DrapeView>> {
+    const {DrapeView} = await import('../../viewer/drape/drape-view.js');
     return (stage, options) => {
-      const view = new GarmentView(stage, {...options, ...this.viewOptions()});
+      const view = new DrapeView(stage, {...options, ...this.viewOptions()});
       view.camera.look(this.camera);
       view.camera.setTurntable(this.turntable);
       return view;
@@ -92,7 +92,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
     if (changed.has('turntable')) this.view.camera.setTurntable(this.turntable);
   }
 
-  protected override drew(view: GarmentView): void {
+  protected override drew(view: DrapeView): void {
     view.setForm(this.form !== 'hidden');
     this.#tellNews();
   }
@@ -116,7 +116,7 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
   }
 
   /** @returns function that ends the draping */
-  #begin(view: GarmentView): () => void {
+  #begin(view: DrapeView): () => void {
     const quiet = matchMedia('(prefers-reduced-motion: reduce)');
     let shown = false;
     return this.draping.show({

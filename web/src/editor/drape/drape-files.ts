@@ -10,7 +10,7 @@ import {onWhite} from '../../viewer/tile-texture.js';
 import {film, filmType} from './film.js';
 import {drapingOf} from '../../workbench/draping.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import type {WornPane} from './drape-pane.js';
+import type {DrapePane} from './drape-pane.js';
 
 interface WornFile {
   readonly id: string;
@@ -25,7 +25,7 @@ interface WornFile {
 const greatestSide = 2048;
 
 /** Returns the files that can be saved at present. */
-export function wornFiles({workbench, view}: WornPane): readonly WornFile[] {
+export function drapeFiles({workbench, view}: DrapePane): readonly WornFile[] {
   const {language, messages} = workbench.preferences;
   const words = wornTexts(language, messages);
   const {drape} = drapingOf(workbench);

@@ -4,7 +4,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {fabricOf, usualFabric} from '../../model/design.js';
 import {fabricNames, type FabricName} from '../../model/drape.js';
 import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
-import type {GarmentView} from '../../viewer/drape/drape-view.js';
+import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {wornTexts, type WornTexts} from '../../texts/drape-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {commandFor, keysOf, type KeyList} from '../commands/command-for.js';
@@ -14,9 +14,9 @@ import type {Target} from '../../workbench/workbench.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {wornCommands} from './drape-commands.js';
-import {WornDrawing} from './drape-drawing.js';
-import {wornStyle} from './drape-style.js';
+import {drapeCommands} from './drape-commands.js';
+import {DrapeDrawing} from './drape-drawing.js';
+import {drapeStyle} from './drape-style.js';
 
 /** Zoom step of a button; a key zooms less. */
 const zoomFactor = 1.4;
@@ -24,12 +24,12 @@ const zoomFactor = 1.4;
 /** Failures that a second attempt may avoid; all others are caused by the garment. */
 const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
 
-export class WornPane extends WornDrawing {
+export class DrapePane extends DrapeDrawing {
   static override properties = {
-    ...WornDrawing.properties,
+    ...DrapeDrawing.properties,
     purpose: {},
   };
-  static override styles = [...WornDrawing.styles, controls, wornStyle];
+  static override styles = [...DrapeDrawing.styles, controls, drapeStyle];
   /** `show`: for display only, in a page that scrolls. */
   declare purpose: 'show' | 'edit';
   #showsSeams = false;
@@ -76,7 +76,7 @@ export class WornPane extends WornDrawing {
 
   /** Commands, with the keys that work while the pane has the focus. */
   get commands(): readonly Command[] {
-    return wornCommands(this, this.purpose === 'edit', this.texts, this.#words);
+    return drapeCommands(this, this.purpose === 'edit', this.texts, this.#words);
   }
 
   /** Focuses the drape, so that its keys work. */
@@ -88,7 +88,7 @@ export class WornPane extends WornDrawing {
     return this.#showsSeams;
   }
 
-  protected override viewOptions(): ConstructorParameters<typeof GarmentView>[1] {
+  protected override viewOptions(): ConstructorParameters<typeof DrapeView>[1] {
     const onMoved = (): void => {
       this.#preset = this.view?.camera.preset ?? this.#preset;
       this.requestUpdate();
@@ -119,7 +119,7 @@ export class WornPane extends WornDrawing {
     if (selected) this.view?.face(selected);
   }
 
-  protected override drew(view: GarmentView): void {
+  protected override drew(view: DrapeView): void {
     super.drew(view);
     view.setSeams(this.#showsSeams);
     const {selected, pointed, scenes} = this.workbench;

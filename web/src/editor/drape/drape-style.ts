@@ -3,7 +3,7 @@ import {css} from 'lit';
 import {progressLine} from '../style/progress-line.js';
 import {viewFrame} from '../style/view-frame.js';
 
-export const wornStyle = css`
+export const drapeStyle = css`
   ${viewFrame} ${progressLine}
   :host {
     display: grid;

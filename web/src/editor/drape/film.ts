@@ -1,5 +1,5 @@
 /** Records a film of one turn around a drape, in real time. */
-import type {GarmentView} from '../../viewer/drape/drape-view.js';
+import type {DrapeView} from '../../viewer/drape/drape-view.js';
 
 /** Duration of one turn. [ms] */
 const turnTime = 8000;
@@ -18,7 +18,7 @@ export const filmType = (): string | undefined =>
     : undefined;
 
 /** @throws {Error} if drawing or recording is impossible, or while the graphics context is lost */
-export async function film(view: GarmentView, type: string): Promise<Blob> {
+export async function film(view: DrapeView, type: string): Promise<Blob> {
   const width = 2 * Math.floor(Math.min(widest, view.widestPicture) / 2);
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');

@@ -1,13 +1,13 @@
 /** Registers the fabric layout; loaded on demand. */
 import {registerAll} from '../base/register.js';
-import {ClothFlaws} from './marker-flaws.js';
-import {ClothPane} from './marker-pane.js';
-import {ClothPanel} from './marker-panel.js';
+import {MarkerFlaws} from './marker-flaws.js';
+import {MarkerPane} from './marker-pane.js';
+import {MarkerPanel} from './marker-panel.js';
 
-export const defineCloth = (): void => {
+export const defineMarker = (): void => {
   registerAll({
-    'sw-cloth': ClothPane,
-    'sw-cloth-panel': ClothPanel,
-    'sw-cloth-flaws': ClothFlaws,
+    'sw-cloth': MarkerPane,
+    'sw-cloth-panel': MarkerPanel,
+    'sw-cloth-flaws': MarkerFlaws,
   });
 };

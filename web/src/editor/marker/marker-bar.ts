@@ -50,7 +50,7 @@ const tool = ({label, picture, key, isPossible, isOn, act}: Tool): TemplateResul
     ${picture} <span>${label}</span>
   </button>`;
 
-export function clothBar(cloth: BarredCloth, words: ClothTexts): TemplateResult {
+export function markerBar(cloth: BarredCloth, words: ClothTexts): TemplateResult {
   const {isReady, canMark, chosen, hasPins, isMarking} = cloth;
   const isPossible = isReady && chosen !== undefined;
   const isPinned = chosen?.isPinned ?? false;
@@ -86,7 +86,7 @@ export function clothBar(cloth: BarredCloth, words: ClothTexts): TemplateResult 
   </div>`;
 }
 
-export function clothZoom(cloth: BarredCloth, {pattern}: Texts): TemplateResult {
+export function markerZoom(cloth: BarredCloth, {pattern}: Texts): TemplateResult {
   const part = (label: string, picture: TemplateResult, act: () => void): TemplateResult =>
     html`<button class="icon" aria-label=${label} title=${label} @click=${act}>${picture}</button>`;
   return html`<div class="group" role="group" aria-label=${pattern.view}>

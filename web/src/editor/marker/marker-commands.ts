@@ -101,7 +101,7 @@ function handling(cloth: CommandedCloth, {commands}: Texts, words: ClothTexts): 
   ];
 }
 
-export const clothCommands = (
+export const markerCommands = (
   cloth: CommandedCloth,
   texts: Texts,
   words: ClothTexts,
@@ -111,7 +111,7 @@ export const clothCommands = (
 ];
 
 /** All keys of the view, including those without use at present. */
-export function clothKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
+export function markerKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
   const {move, moveOnto, turnOnto, leave, closeFlaw, sizeFlaw} = words.keys;
   const arrows = '←  →  ↑  ↓';
   const {Shift} = texts.keyNames;

@@ -4,7 +4,7 @@ import {layingOf, type Laying} from '../../workbench/laying.js';
 import type {PieceOnCloth} from '../../workbench/marker-work.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 
-export abstract class ClothElement extends WorkbenchElement {
+export abstract class MarkerElement extends WorkbenchElement {
   protected get laying(): Laying {
     return layingOf(this.workbench).read;
   }

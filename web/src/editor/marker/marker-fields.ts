@@ -2,7 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {OwnShare} from '../../cutting/allowances.js';
-import {clothLimits, usualWidths, type ClothChoices} from '../../workbench/marker-choices.js';
+import {clothLimits, usualWidths, type MarkerChoices} from '../../workbench/marker-choices.js';
 import type {Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
@@ -10,7 +10,7 @@ import type {Texts} from '../../texts/texts.js';
 import {lengthUnit} from '../controls/number-field.js';
 
 interface Fields {
-  readonly choices: ClothChoices;
+  readonly choices: MarkerChoices;
   /** Start of the print in the displayed marker. [cm] */
   readonly startCm: number | undefined;
   /** True if the user enters a width outside the list. */
@@ -24,7 +24,7 @@ interface Fields {
   readonly format: Format;
   readonly texts: Texts;
   readonly words: ClothTexts;
-  readonly choose: (change: Partial<ClothChoices>) => void;
+  readonly choose: (change: Partial<MarkerChoices>) => void;
   readonly askOwnWidth: () => void;
   readonly askAllowances: () => void;
 }
@@ -145,7 +145,7 @@ function phaseField(fields: Fields): TemplateResult {
     ${isKnown ? lengthField(fields, 'phaseCm', words.phaseIn) : nothing}`;
 }
 
-export function clothFields(fields: Fields): TemplateResult {
+export function markerFields(fields: Fields): TemplateResult {
   const {choices, words, choose, isOneWay} = fields;
   return html`<div class="fields">
     ${widthFields(fields)}

@@ -38,7 +38,7 @@ async function drawnWith({design, garment, result, preferences}: Workbench, prin
 }
 
 /** @param print print of the fabric */
-export function clothFiles(
+export function markerFiles(
   plan: LayPlan,
   {
     words,

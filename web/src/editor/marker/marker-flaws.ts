@@ -5,14 +5,14 @@ import type {Flaw} from '../../workbench/lay-step.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
-import {ClothElement} from './marker-element.js';
+import {MarkerElement} from './marker-element.js';
 import {flawWords} from './marker-words.js';
 import {boxAround, flawAfter, flawIn, leastFlaw, mostStart, type FlawBox} from './flaw-moves.js';
 import type {FlawActions} from './flaw-actions.js';
 
-export class ClothFlaws extends ClothElement {
+export class MarkerFlaws extends MarkerElement {
   static override properties = {
-    ...ClothElement.properties,
+    ...MarkerElement.properties,
     actions: {attribute: false},
     chosen: {attribute: false},
   };

@@ -9,15 +9,15 @@ import {commandFor, type KeyList} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
 import {wantSize} from '../print/size-wanted.js';
 import {controls} from '../style/controls.js';
-import {clothBar, clothZoom} from './marker-bar.js';
-import {clothCommands, clothKeys} from './marker-commands.js';
+import {markerBar, markerZoom} from './marker-bar.js';
+import {markerCommands, markerKeys} from './marker-commands.js';
 import {FlawActions} from './flaw-actions.js';
 import {ways} from './marker-moves.js';
-import {clothFiles} from './marker-files.js';
-import {ClothPointing, type PointedCloth} from './marker-pointing.js';
-import {clothSheet, type Dragged} from './marker-sheet.js';
-import {clothStatus, spokenStatus} from './marker-status.js';
-import {clothStyle} from './marker-style.js';
+import {markerFiles} from './marker-files.js';
+import {MarkerPointing, type PointedCloth} from './marker-pointing.js';
+import {markerSheet, type Dragged} from './marker-sheet.js';
+import {markerStatus, spokenStatus} from './marker-status.js';
+import {markerStyle} from './marker-style.js';
 import {conflicts, conflictWords, lyingWords, roundedLength} from './marker-words.js';
 import {layStepWords} from './lay-step-words.js';
 import {scrollTo} from './scroll-to.js';
@@ -31,10 +31,10 @@ const beyond = 14;
 const leastLength = 50;
 /** Least scale of long fabric, as a share of the scale at which the width fills the view. */
 const leastShare = 0.6;
-export class ClothPane extends FlawActions {
-  static override styles = [controls, clothStyle, sheetStyle];
+export class MarkerPane extends FlawActions {
+  static override styles = [controls, markerStyle, sheetStyle];
   readonly #conflictsOf = lastOf(conflicts);
-  readonly #pointing = new ClothPointing(this);
+  readonly #pointing = new MarkerPointing(this);
   #observer: ResizeObserver | undefined;
   #end: (() => void) | undefined;
   /** Size of the drawing's container. [CSS px] */
@@ -61,20 +61,20 @@ export class ClothPane extends FlawActions {
 
   /** Commands, with the keys that work while the pane has the focus. */
   get commands(): readonly Command[] {
-    return clothCommands(this, this.texts, this.words);
+    return markerCommands(this, this.texts, this.words);
   }
 
   /** All keys of the pane. */
   get keys(): KeyList {
-    return clothKeys(this, this.texts, this.words);
+    return markerKeys(this, this.texts, this.words);
   }
 
   /** Files to save at present; none while a piece has a conflict. */
-  get files(): ReturnType<typeof clothFiles> {
+  get files(): ReturnType<typeof markerFiles> {
     const {words, workbench} = this;
     const {plan, print} = this.laying;
     const isGood = plan?.placements.length && print && this.isReady && this.#conflicts.size === 0;
-    return isGood ? clothFiles(plan, {words, workbench, print}) : [];
+    return isGood ? markerFiles(plan, {words, workbench, print}) : [];
   }
 
   /** Name of the step that undo reverts here. */
@@ -158,7 +158,7 @@ export class ClothPane extends FlawActions {
     const {laying, words} = this;
     const {state} = laying;
     return html`<div class="pane" data-state=${state.kind}>
-      ${clothBar(this, words)}
+      ${markerBar(this, words)}
       <div
         class="application"
         role="application"
@@ -181,8 +181,8 @@ export class ClothPane extends FlawActions {
       </div>
       <slot name="notice"></slot>
       <div class="foot">
-        <div class="said">${clothStatus(this.#status)}</div>
-        ${clothZoom(this, this.texts)}
+        <div class="said">${markerStatus(this.#status)}</div>
+        ${markerZoom(this, this.texts)}
       </div>
       <progress
         aria-hidden="true"
@@ -229,7 +229,7 @@ export class ClothPane extends FlawActions {
     const usedCm = usedLength(pieces);
     const {units} = this.workbench.preferences;
     const frame = this.#pointing.frame ?? this.#frame(bolt.widthCm, usedCm);
-    return clothSheet({
+    return markerSheet({
       ...{frame, bolt, image: print.image, usedCm, pieces, words, units},
       usedWords: roundedLength(usedCm, units, this.format),
       label: this.labelOf,
@@ -259,7 +259,7 @@ export class ClothPane extends FlawActions {
     return `${this.labelOf(piece)}: ${place}${pinned}${went}`;
   }
 
-  get #status(): Parameters<typeof clothStatus>[0] {
+  get #status(): Parameters<typeof markerStatus>[0] {
     const {laying, words, format} = this;
     const {state} = laying;
     const {dragged} = this.#pointing;

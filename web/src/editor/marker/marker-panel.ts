@@ -11,16 +11,16 @@ import {planTextsIn} from '../../texts/plan-texts.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {ClothElement} from './marker-element.js';
-import {clothFields} from './marker-fields.js';
-import {clothWidths} from './marker-widths.js';
+import {MarkerElement} from './marker-element.js';
+import {markerFields} from './marker-fields.js';
+import {markerWidths} from './marker-widths.js';
 import {costWords, leastCost, lengthRange, placeWords, soldLength} from './marker-words.js';
 import type {FlawActions} from './flaw-actions.js';
 import {panelStyle} from './panel-style.js';
 
-export class ClothPanel extends ClothElement {
+export class MarkerPanel extends MarkerElement {
   static override properties = {
-    ...ClothElement.properties,
+    ...MarkerElement.properties,
     selected: {attribute: false},
     conflicts: {attribute: false},
     actions: {attribute: false},
@@ -195,7 +195,7 @@ export class ClothPanel extends ClothElement {
     const {choices, plan} = laying;
     const {design, preferences} = workbench;
     if (!choices || !design) return nothing;
-    return clothFields({
+    return markerFields({
       ...{choices, units: preferences.units, format: this.format},
       ...{texts: this.texts, words: this.words, hasOwnWidth: this.hasOwnWidth},
       startCm: plan?.printOrigin?.[0],
@@ -283,7 +283,7 @@ export class ClothPanel extends ClothElement {
     const {laying, words, format} = this;
     const {packed, unpinned} = words.widthsOf;
     const isPinned = pins.size > 0 || plan.unpinnedLengthCm !== undefined;
-    return clothWidths(plan, {
+    return markerWidths(plan, {
       ...{units: this.workbench.preferences.units, words, format},
       of: isPinned ? unpinned : laying.isMoved ? packed : undefined,
       take: (widthCm) => {

@@ -38,7 +38,7 @@ interface Press {
   readonly frame: SheetFrame | undefined;
 }
 
-export class ClothPointing {
+export class MarkerPointing {
   readonly #cloth: PointedCloth;
   #press: Press | undefined;
   #drag: PieceDrag | undefined;

@@ -214,7 +214,7 @@ function dots({dots: all}: Dragged, frame: SheetFrame): TemplateResult {
     <path class="dots" d=${d} stroke-width=${pixels(frame, 5)} />`;
 }
 
-export function clothSheet(state: SheetState): TemplateResult {
+export function markerSheet(state: SheetState): TemplateResult {
   const {frame, bolt, pieces, dragged, draft} = state;
   const [width, height] = frameSize(frame);
   const [right, top] = onSheet([bolt.widthCm, frame.lengthCm]);

@@ -28,7 +28,7 @@ interface Status {
 /** Failures that a second attempt may avoid; all others are caused by the garment or the fabric. */
 const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
 
-export function clothStatus(status: Status): TemplateResult {
+export function markerStatus(status: Status): TemplateResult {
   const {laying, words, format, why} = status;
   const {state} = laying;
   if (status.isMarking) return html`<p class="told">${words.flawHint}</p>`;

@@ -5,7 +5,7 @@ import {progressLine} from '../style/progress-line.js';
 import {wordlessTools} from '../style/tool-group.js';
 import {viewFrame} from '../style/view-frame.js';
 
-export const clothStyle = css`
+export const markerStyle = css`
   ${viewFrame} ${progressLine}
   :host {
     display: grid;

@@ -17,7 +17,7 @@ interface Widths {
   readonly take: (widthCm: number) => void;
 }
 
-export function clothWidths(
+export function markerWidths(
   {widths, widthCm}: LayPlan,
   {units, words, format, of, take}: Widths,
 ): TemplateResult | typeof nothing {

@@ -5,12 +5,12 @@ import type {Alignment, Point} from '../../model/geometry.js';
 import type {PieceOnCloth} from '../../workbench/marker-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
-import {ClothElement} from './marker-element.js';
+import {MarkerElement} from './marker-element.js';
 import {canTurn, placeOn, placeTurned, reachOfPinned} from './marker-moves.js';
 
-export abstract class PieceActions extends ClothElement {
+export abstract class PieceActions extends MarkerElement {
   static override properties = {
-    ...ClothElement.properties,
+    ...MarkerElement.properties,
     selected: {state: true},
   };
   /** Number of the selected piece. */

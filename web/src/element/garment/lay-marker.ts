@@ -19,7 +19,7 @@ export interface LaidAnswer extends Pick<Design, 'garment' | 'options' | 'names'
  * @throws {SolverError} if a piece does not fit on the fabric, with the piece's name; the signal's
  * reason
  */
-export async function layOnCloth(
+export async function layMarker(
   workbench: Workbench,
   {result, garment, options, names, print, widthCm, selvedgeCm}: LaidAnswer,
   signal: AbortSignal,

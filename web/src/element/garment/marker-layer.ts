@@ -7,11 +7,11 @@ import {lastOf} from '../../workbench/last-of.js';
 import type {Emit} from './announcer.js';
 import {asError} from './as-error.js';
 import type {AttributeElement} from './attribute-element.js';
-import {layOnCloth, type LaidAnswer} from './lay-marker.js';
+import {layMarker, type LaidAnswer} from './lay-marker.js';
 import type {GarmentSession} from './session.js';
 import type {Texts} from '../../texts/texts.js';
 
-export interface ClothOwner {
+export interface MarkerOwner {
   readonly element: Pick<AttributeElement, 'clothWidth' | 'selvedge' | 'isConnected'>;
   readonly session: GarmentSession;
   readonly texts: () => Texts;
@@ -27,8 +27,8 @@ interface Laying {
   hasFailed: boolean;
 }
 
-export class ClothLayer {
-  readonly #owner: ClothOwner;
+export class MarkerLayer {
+  readonly #owner: MarkerOwner;
   /** Returns the same object for the same answer on the same fabric. */
   readonly #answerOf = lastOf(
     (
@@ -47,7 +47,7 @@ export class ClothLayer {
   #laying: Laying | undefined;
   #waiting = 0;
 
-  constructor(owner: ClothOwner) {
+  constructor(owner: MarkerOwner) {
     this.#owner = owner;
   }
 
@@ -130,7 +130,7 @@ export class ClothLayer {
   #begin(answer: LaidAnswer): Laying {
     const ending = new AbortController();
     const {emit, session} = this.#owner;
-    const plan = layOnCloth(session.workbench, answer, ending.signal);
+    const plan = layMarker(session.workbench, answer, ending.signal);
     const laying: Laying = {answer, ending, plan, lengthCm: null, hasFailed: false};
     plan.then(
       ({lengthCm, proven, notes}) => {

@@ -1,16 +1,16 @@
 /** Fabric layout of the answer; loads its code on first use. */
 import type {SolverError} from '../../model/failure.js';
-import type {ClothLayer, ClothOwner} from './marker-layer.js';
+import type {MarkerLayer, MarkerOwner} from './marker-layer.js';
 
-export class Cloth {
+export class Marker {
   /** Undefined until the first layout. */
-  layer: ClothLayer | undefined;
-  readonly #owner: ClothOwner;
+  layer: MarkerLayer | undefined;
+  readonly #owner: MarkerOwner;
   readonly #lost: (error: unknown) => SolverError;
   #isAsked = false;
 
   /** @param lost converts a failed import to an error */
-  constructor(owner: ClothOwner, lost: (error: unknown) => SolverError) {
+  constructor(owner: MarkerOwner, lost: (error: unknown) => SolverError) {
     this.#owner = owner;
     this.#lost = lost;
   }
@@ -28,12 +28,12 @@ export class Cloth {
   }
 
   /** @throws {SolverError} if the code cannot be loaded */
-  async load(): Promise<ClothLayer> {
+  async load(): Promise<MarkerLayer> {
     this.#isAsked = true;
-    const {ClothLayer} = await import('./marker-layer.js').catch((error: unknown) => {
+    const {MarkerLayer} = await import('./marker-layer.js').catch((error: unknown) => {
       throw this.#lost(error);
     });
-    this.layer ??= new ClothLayer(this.#owner);
+    this.layer ??= new MarkerLayer(this.#owner);
     this.layer.follow();
     return this.layer;
   }

@@ -31,7 +31,7 @@ interface Room {
   readonly aspect: number;
 }
 
-export class GarmentCamera {
+export class DrapeCamera {
   readonly #room: () => Room;
   readonly #changed: () => void;
   readonly #flight: Flight;

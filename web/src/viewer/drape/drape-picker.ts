@@ -11,7 +11,7 @@ import {firstHit, nearestSeam, type Ray} from './pick.js';
 import {seamVertices} from './ribbons.js';
 import {dot3, minus3, plus3, pointOf, unit3, type Vector} from './space.js';
 
-export type GarmentTarget =
+export type DrapeTarget =
   | {readonly kind: 'piece'; readonly piece: number}
   | {readonly kind: 'seam'; readonly seam: number; readonly side: 'a' | 'b'};
 
@@ -55,8 +55,8 @@ export function projected(
   };
 }
 
-export class GarmentPicker {
-  at(at: Point, {layer, orbit, size, form, reach}: Look): GarmentTarget | undefined {
+export class DrapePicker {
+  at(at: Point, {layer, orbit, size, form, reach}: Look): DrapeTarget | undefined {
     const {cloth, positions} = layer;
     const ray = rayThrough(at, orbit, size);
     const hit = firstHit(ray, positions, cloth.welded);
@@ -73,7 +73,7 @@ export class GarmentPicker {
   }
 
   /** Returns the mean direction that a target's surface faces. */
-  facing({cloth, normals}: ClothLayer, target: GarmentTarget): Vector {
+  facing({cloth, normals}: ClothLayer, target: DrapeTarget): Vector {
     const vertices =
       target.kind === 'seam'
         ? seamVertices(cloth.mesh)[target.seam]

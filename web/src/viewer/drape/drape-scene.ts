@@ -8,7 +8,7 @@ import {inks, type Appearance} from '../strokes.js';
 import type {Wipe} from '../wipe-layers.js';
 import type {Orbit} from './camera.js';
 import {ClothLayer} from './cloth-layer.js';
-import type {GarmentTarget} from './drape-picker.js';
+import type {DrapeTarget} from './drape-picker.js';
 import {bodyOf, standOf, type Solid, type Stand} from './dummy.js';
 import type {Fineness} from './fineness.js';
 import {outlineVertices, Ribbons, seamLines, seamVertices, type RibbonLine} from './ribbons.js';
@@ -23,11 +23,11 @@ const markWidths = {selected: 5, pointed: 4};
 
 /** Selection and target of the pointer. */
 export interface Marked {
-  readonly selected?: GarmentTarget | undefined;
-  readonly pointed?: GarmentTarget | undefined;
+  readonly selected?: DrapeTarget | undefined;
+  readonly pointed?: DrapeTarget | undefined;
 }
 
-export class WornScene {
+export class DrapeScene {
   readonly studio = new Studio();
   readonly #seams = new Ribbons(this.studio.ribbonMaterial);
   /** Seams as drafted. */
@@ -239,13 +239,13 @@ export class WornScene {
   #layMarks(): void {
     const {selected, pointed} = this.#marked;
     const {accent} = inks[this.#appearance];
-    const piece = (target: GarmentTarget | undefined): number | undefined =>
+    const piece = (target: DrapeTarget | undefined): number | undefined =>
       target?.kind === 'piece' ? target.piece : undefined;
     this.studio.mark(piece(selected), piece(pointed), accent);
     const layer = this.#layer;
     if (!layer) return;
     const colour = `#${accent.map((one) => one.toString(16).padStart(2, '0')).join('')}`;
-    const line = (target: GarmentTarget | undefined, width: number): readonly RibbonLine[] => {
+    const line = (target: DrapeTarget | undefined, width: number): readonly RibbonLine[] => {
       const vertices = target && verticesOf(layer.cloth.mesh, target);
       if (!vertices || vertices.length < 2) return [];
       return [{vertices, edges: Array.from(vertices.slice(1), () => ({colour, width}))}];
@@ -258,5 +258,5 @@ export class WornScene {
   }
 }
 
-const verticesOf = (mesh: DrapeMesh, target: GarmentTarget): Uint32Array | undefined =>
+const verticesOf = (mesh: DrapeMesh, target: DrapeTarget): Uint32Array | undefined =>
   target.kind === 'seam' ? seamVertices(mesh)[target.seam] : outlineVertices(mesh, target.piece);

@@ -12,12 +12,12 @@ import {inks, type Appearance} from '../strokes.js';
 import {TileTexture} from '../tile-texture.js';
 import type {Wipe} from '../wipe-layers.js';
 import {fieldOfView, turned, type Orbit} from './camera.js';
-import {GarmentCamera} from './drape-camera.js';
+import {DrapeCamera} from './drape-camera.js';
 import {finest, MovingFineness} from './fineness.js';
-import {GarmentPicker, type GarmentTarget} from './drape-picker.js';
+import {DrapePicker, type DrapeTarget} from './drape-picker.js';
 import {garmentPicture, type Paper} from './picture.js';
 import {followPointer} from './pointer.js';
-import {WornScene, type Marked} from './drape-scene.js';
+import {DrapeScene, type Marked} from './drape-scene.js';
 
 /**
  * Delay after the last change before it is drawn at full detail, and an SVG tile at the density of
@@ -35,8 +35,8 @@ interface GarmentViewOptions {
   /** The wheel scrolls the page, and zooms with ctrl only; a vertical swipe scrolls, too. */
   readonly leavesWheel?: boolean;
   readonly onLost?: (isLost: boolean) => void;
-  readonly onPoint?: (target: GarmentTarget | undefined) => void;
-  readonly onPick?: (target: GarmentTarget | undefined) => void;
+  readonly onPoint?: (target: DrapeTarget | undefined) => void;
+  readonly onPick?: (target: DrapeTarget | undefined) => void;
   /** Called when the camera comes to rest, and during a turntable. */
   readonly onMoved?: () => void;
 }
@@ -48,12 +48,12 @@ interface Seen {
   readonly hasWipe?: boolean;
 }
 
-export class GarmentView {
+export class DrapeView {
   readonly #screen: Screen;
   readonly #tile: TileTexture;
-  readonly #worn: WornScene;
-  readonly #camera: GarmentCamera;
-  readonly #picker = new GarmentPicker();
+  readonly #worn: DrapeScene;
+  readonly #camera: DrapeCamera;
+  readonly #picker = new DrapePicker();
   readonly #options: GarmentViewOptions;
   #appearance: Appearance;
   #scene: PatternScene | undefined;
@@ -71,9 +71,9 @@ export class GarmentView {
   constructor(host: HTMLElement, options: GarmentViewOptions = {}) {
     this.#options = options;
     this.#appearance = options.appearance ?? 'light';
-    this.#worn = new WornScene(this.#appearance);
+    this.#worn = new DrapeScene(this.#appearance);
     const quiet = matchMedia('(prefers-reduced-motion: reduce)');
-    this.#camera = new GarmentCamera(
+    this.#camera = new DrapeCamera(
       () => ({box: this.#worn.box, aspect: this.#aspect}),
       () => quiet.matches,
       () => {
@@ -115,7 +115,7 @@ export class GarmentView {
 
   /** The camera's public controls. */
   get camera(): Pick<
-    GarmentCamera,
+    DrapeCamera,
     'key' | 'look' | 'turn' | 'zoomBy' | 'setTurntable' | 'isTurning' | 'preset'
   > {
     return this.#camera;
@@ -194,13 +194,13 @@ export class GarmentView {
   }
 
   /** Turns the camera to face a piece or a seam. */
-  face(target: GarmentTarget): void {
+  face(target: DrapeTarget): void {
     const {layer} = this.#worn;
     if (layer) this.#camera.face(this.#picker.facing(layer, target));
   }
 
   /** Returns the seam or piece at a point of the host. [CSS px] */
-  targetAt(at: Point): GarmentTarget | undefined {
+  targetAt(at: Point): DrapeTarget | undefined {
     const {layer, body: form} = this.#worn;
     const {orbit} = this.#camera;
     const {size} = this.#screen;
