@@ -24,13 +24,13 @@ const coreRooms = [
   'mesh',
   'deform',
   'drape',
-  'nesting',
-  'recognition/base',
-  'recognition/lattice',
-  'recognition/cloth',
-  'recognition/symmetry',
-  'recognition/tile',
-  'recognition/photo',
+  'marker',
+  'photo/base',
+  'photo/lattice',
+  'photo/fabric',
+  'photo/symmetry',
+  'photo/tile',
+  'photo/steps',
   'problem',
   'methods',
   'solve',
@@ -42,29 +42,29 @@ const coreRooms = [
 const webRooms: Readonly<Record<string, readonly string[]>> = {
   model: [],
   solver: ['model'],
-  recognition: ['model'],
+  image: ['model'],
   layout: ['model'],
   formats: ['model'], // no DOM: it runs in Node and in workers, too
   clicks: ['model'],
   pairing: ['model'],
   scene: ['model', 'layout'], // no GL, no SVG, no DOM
-  picture: ['model', 'recognition', 'layout', 'scene'],
+  picture: ['model', 'image', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
-  paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
-  marker: ['model', 'layout', 'scene', 'recognition', 'picture', 'cutting', 'paper'], // no DOM
+  paper: ['model', 'image', 'picture', 'cutting'], // no DOM: files of pages in Node, too
+  marker: ['model', 'layout', 'scene', 'image', 'picture', 'cutting', 'paper'], // no DOM
   remedies: ['model', 'scene'],
-  viewer: ['model', 'recognition', 'scene'], // never the solver: views only read a result
+  viewer: ['model', 'image', 'scene'], // never the solver: views only read a result
   texts: ['model', 'scene', 'marker'], // marker: for the texts printed on a layout
-  workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'marker', 'remedies', 'texts'],
+  workbench: ['model', 'solver', 'image', 'layout', 'scene', 'marker', 'remedies', 'texts'],
   editor: [
-    ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'marker'],
+    ...['model', 'solver', 'image', 'layout', 'clicks', 'scene', 'cutting', 'marker'],
     ...['remedies', 'picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
   ],
-  element: ['model', 'solver', 'recognition', 'paper', 'marker', 'texts', 'workbench', 'editor'],
-  app: ['model', 'recognition', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
+  element: ['model', 'solver', 'image', 'paper', 'marker', 'texts', 'workbench', 'editor'],
+  app: ['model', 'image', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
   node: [
     'model',
-    'recognition',
+    'image',
     'formats',
     'solver',
     'scene',
@@ -77,7 +77,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   ],
   cli: [
     'model',
-    'recognition',
+    'image',
     'formats',
     'layout',
     'scene',

@@ -13,7 +13,7 @@ Json answered(const std::string& line) {
   static const std::map<std::string, Json (*)(const Json&)> kTasks = {
       {"solve", solveTask},   {"mesh", meshTask},     {"factorise", factoriseTask},
       {"starts", startsTask}, {"search", searchTask}, {"edit", editTask},
-      {"drape", drapeTask},   {"nest", nestTask}};
+      {"drape", drapeTask},   {"nest", markerTask}};
   try {
     const Json task = Json::parse(line);
     return kTasks.at(task.at("task").get<std::string>())(task);

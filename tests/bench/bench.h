@@ -89,6 +89,6 @@ Json startsTask(const Json& task);
 Json searchTask(const Json& task);
 Json editTask(const Json& task);
 Json drapeTask(const Json& task);
-Json nestTask(const Json& task);
+Json markerTask(const Json& task);
 
 }  // namespace seamwise::bench

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "recognition/base/cell_picture.h"
+#include "photo/base/cell_picture.h"
 #include "wallpaper/group.h"
 
 namespace seamwise::testing {

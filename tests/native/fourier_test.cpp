@@ -1,4 +1,4 @@
-#include "recognition/base/fourier.h"
+#include "photo/base/fourier.h"
 
 #include <gtest/gtest.h>
 

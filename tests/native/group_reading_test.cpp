@@ -1,11 +1,11 @@
-#include "recognition/symmetry/group_reading.h"
+#include "photo/symmetry/group_reading.h"
 
 #include <gtest/gtest.h>
 
 #include "cell_samples.h"
+#include "photo/fabric/tile_symmetry.h"
 #include "print_picture.h"
 #include "print_samples.h"
-#include "recognition/cloth/tile_symmetry.h"
 
 namespace seamwise {
 namespace {

@@ -1,13 +1,13 @@
-#include "recognition/lattice/lattice_search.h"
+#include "photo/lattice/lattice_search.h"
 
 #include <gtest/gtest.h>
 
 #include <complex>
 
+#include "photo/lattice/autocorrelation.h"
+#include "photo/lattice/cell_tests.h"
+#include "photo/lattice/channels.h"
 #include "photographed_prints.h"
-#include "recognition/lattice/autocorrelation.h"
-#include "recognition/lattice/cell_tests.h"
-#include "recognition/lattice/channels.h"
 
 namespace seamwise {
 namespace {

@@ -22,8 +22,8 @@ double lastLength(const std::string& sentence) {
   return last;
 }
 
-NestingProblem oneBar(const char* group, double width, double height) {
-  NestingProblem problem{groupOf(group, {10, 0}, {0, 10})};
+MarkerProblem oneBar(const char* group, double width, double height) {
+  MarkerProblem problem{groupOf(group, {10, 0}, {0, 10})};
   problem.pieces = {pieceOf("front", box(width, height))};
   problem.selvedge = 1;
   problem.effort = 0.001;
@@ -31,7 +31,7 @@ NestingProblem oneBar(const char* group, double width, double height) {
 }
 
 TEST(MarkerErrors, NameAPieceThatIsTooWideAndAWidthThatIsEnough) {
-  NestingProblem problem = oneBar("p2", 30.04, 12);
+  MarkerProblem problem = oneBar("p2", 30.04, 12);
   problem.width = 28;
   const std::string refusal = refusalOf(problem);
   EXPECT_NE(refusal.find("front is 30.1 cm wide"), std::string::npos) << refusal;
@@ -43,7 +43,7 @@ TEST(MarkerErrors, NameAPieceThatIsTooWideAndAWidthThatIsEnough) {
 }
 
 TEST(MarkerErrors, NameAWidthAtWhichAPieceFindsADotOfThePrint) {
-  NestingProblem problem = oneBar("p1", 25, 12);
+  MarkerProblem problem = oneBar("p1", 25, 12);
   problem.pieces[0].alignment.shift = {4, 0};  // at 6, 16, ... from an origin of the print
   problem.width = 30;                          // room 28, from 1 to 29
   const std::string refusal = refusalOf(problem);
@@ -55,7 +55,7 @@ TEST(MarkerErrors, NameAWidthAtWhichAPieceFindsADotOfThePrint) {
 
 TEST(MarkerErrors, AreNoneWhereAnyTurnOfThePrintMakesAPieceFit) {
   const double h = std::sqrt(3.0) / 2;
-  NestingProblem problem{groupOf("p6", {10, 0}, {5, 10 * h})};
+  MarkerProblem problem{groupOf("p6", {10, 0}, {5, 10 * h})};
   problem.pieces = {pieceOf("binding", box(4, 60))};
   problem.pieces[0].turns = LayTurns::kAny;
   problem.width = 30;
@@ -68,7 +68,7 @@ TEST(MarkerErrors, AreNoneWhereAnyTurnOfThePrintMakesAPieceFit) {
 }
 
 TEST(MarkerErrors, NameTheLeastWidthOfAPieceThatMayBeTurned) {
-  NestingProblem problem = oneBar("p4", 30, 20);
+  MarkerProblem problem = oneBar("p4", 30, 20);
   problem.pieces[0].turns = LayTurns::kQuarter;
   problem.width = 15;
   problem.phases = {1};
@@ -78,7 +78,7 @@ TEST(MarkerErrors, NameTheLeastWidthOfAPieceThatMayBeTurned) {
 }
 
 TEST(MarkerErrors, NameAPieceThatCannotPointUp) {
-  NestingProblem problem = oneBar("p1", 8, 12);
+  MarkerProblem problem = oneBar("p1", 8, 12);
   problem.width = 30;
   problem.nap = Nap::kOneWay;
   EXPECT_EQ(refusalOf(problem), "");
@@ -90,7 +90,7 @@ TEST(MarkerErrors, NameAPieceThatCannotPointUp) {
 }
 
 TEST(MarkerErrors, SayThatFlawsLeaveNoRoom) {
-  NestingProblem problem = oneBar("p2", 8, 12);
+  MarkerProblem problem = oneBar("p2", 8, 12);
   problem.width = 30;
   problem.start = 0;
   problem.flaws = {{{12, -10}, {14, -10}, {14, 9000}, {12, 9000}},
@@ -101,14 +101,14 @@ TEST(MarkerErrors, SayThatFlawsLeaveNoRoom) {
 }
 
 TEST(MarkerErrors, SayThatThereIsNothingToLay) {
-  NestingProblem problem = oneBar("p2", 8, 12);
+  MarkerProblem problem = oneBar("p2", 8, 12);
   problem.width = 30;
   problem.pieces.clear();
   EXPECT_EQ(refusalOf(problem), "There is no piece to lay.");
 }
 
 TEST(MarkerErrors, SayThatPinnedPiecesOverlapOrLeaveTheCloth) {
-  NestingProblem problem = oneBar("p2", 8, 12);
+  MarkerProblem problem = oneBar("p2", 8, 12);
   problem.width = 30;
   problem.start = 0;
   problem.pieces.push_back(pieceOf("back", box(8, 12)));

@@ -4,14 +4,14 @@
 #include <utility>
 #include <vector>
 
-#include "nesting/marker.h"
-#include "nesting_samples.h"
+#include "marker/marker.h"
+#include "marker_outlines.h"
 
 namespace seamwise::testing {
 
 /// Random pieces whose layout takes a moment.
-inline NestingProblem someProblem(WallpaperGroup group, int count, double width, unsigned seed) {
-  NestingProblem problem{std::move(group)};
+inline MarkerProblem someProblem(WallpaperGroup group, int count, double width, unsigned seed) {
+  MarkerProblem problem{std::move(group)};
   Random random(seed);
   for (int k = 0; k < count; ++k) {
     const double far = random.between(5, 9);
@@ -29,7 +29,7 @@ inline NestingProblem someProblem(WallpaperGroup group, int count, double width,
   return problem;
 }
 
-inline std::unique_ptr<Marker> laid(const NestingProblem& problem) {
+inline std::unique_ptr<Marker> laid(const MarkerProblem& problem) {
   auto made = Marker::make(problem);
   EXPECT_TRUE(made.ok()) << made.error().message;
   if (!made.ok()) return nullptr;
@@ -44,7 +44,7 @@ inline std::unique_ptr<Marker> laid(const NestingProblem& problem) {
 }
 
 /// The error of a layout; empty when it succeeds.
-inline std::string refusalOf(const NestingProblem& problem) {
+inline std::string refusalOf(const MarkerProblem& problem) {
   auto made = Marker::make(problem);
   if (!made.ok()) return made.error().message;
   Marker& marker = *made.value();
@@ -54,7 +54,7 @@ inline std::string refusalOf(const NestingProblem& problem) {
 
 /// Returns whether a rotation or shift of the print, but no reflection, maps it to the fabric under
 /// a piece.
-inline bool showsPrint(const NestingProblem& problem, const NestingPiece& piece,
+inline bool showsPrint(const MarkerProblem& problem, const MarkerPiece& piece,
                        const RigidMotion& place, const Vec2& origin) {
   const RigidMotion to_print = piece.alignment.inverse();
   std::vector<Vec2> shifts = piece.shifts;
@@ -78,12 +78,12 @@ inline bool showsPrint(const NestingProblem& problem, const NestingPiece& piece,
 }
 
 /// Expects places within the fabric, in register with the print and with the gap between them.
-inline void expectValid(const NestingProblem& problem, const Marker& marker) {
+inline void expectValid(const MarkerProblem& problem, const Marker& marker) {
   ASSERT_EQ(marker.places().size(), problem.pieces.size());
   std::vector<Polyline> rings;
   double top = 0, bottom = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < problem.pieces.size(); ++k) {
-    const NestingPiece& piece = problem.pieces[k];
+    const MarkerPiece& piece = problem.pieces[k];
     const RigidMotion& place = marker.places()[k];
     EXPECT_FALSE(place.mirrored);
     if (!problem.ignores_print && !piece.pin) {

@@ -1,4 +1,4 @@
-#include "nesting/marker.h"
+#include "marker/marker.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ WallpaperGroup tiles() { return groupOf("p2", {8, 0}, {0, 6}); }
 TEST(Marker, LaysPiecesOfAnyGroupWhereThePrintIsTheirs) {
   for (const GroupData& data : wallpaperGroups()) {
     for (const double turn : {0.0, kPi / 2}) {
-      NestingProblem problem = someProblem(testing::sampleGroup(data, turn), 4, 55, 3);
+      MarkerProblem problem = someProblem(testing::sampleGroup(data, turn), 4, 55, 3);
       problem.phases = {2.3};
       problem.pieces[1].turns = LayTurns::kAny;
       problem.pieces[1].alignment.angle = 0.3;
@@ -37,12 +37,12 @@ TEST(Marker, LaysPiecesOfAnyGroupWhereThePrintIsTheirs) {
 }
 
 TEST(Marker, UsesTheShiftsThatFitAsWell) {
-  NestingProblem problem{groupOf("p1", {20, 0}, {0, 20})};
+  MarkerProblem problem{groupOf("p1", {20, 0}, {0, 20})};
   for (int k = 0; k < 3; ++k) problem.pieces.push_back(pieceOf("bar", box(9.5, 9)));
   problem.width = 40;
   problem.effort = 0.002;
   const auto without = laid(problem);
-  for (NestingPiece& piece : problem.pieces) piece.shifts = {{10, 0}};
+  for (MarkerPiece& piece : problem.pieces) piece.shifts = {{10, 0}};
   const auto with = laid(problem);
   ASSERT_TRUE(without && with);
   EXPECT_NEAR(without->length(), 29, 1e-6);
@@ -51,7 +51,7 @@ TEST(Marker, UsesTheShiftsThatFitAsWell) {
 }
 
 TEST(Marker, KeepsPinnedPiecesWhereTheyAre) {
-  NestingProblem problem = someProblem(tiles(), 4, 50, 5);
+  MarkerProblem problem = someProblem(tiles(), 4, 50, 5);
   problem.start = 1.5;
   problem.phases = {0.7};
   problem.pieces[1].pin = RigidMotion{kPi, {26.123, 51.77}};
@@ -66,7 +66,7 @@ TEST(Marker, KeepsPinnedPiecesWhereTheyAre) {
 }
 
 TEST(Marker, LaysPiecesFreelyWithoutRegardToPins) {
-  NestingProblem problem = someProblem(tiles(), 4, 50, 5);
+  MarkerProblem problem = someProblem(tiles(), 4, 50, 5);
   problem.start = 1.5;
   problem.phases = {0.7};
   problem.also_free = true;
@@ -79,7 +79,7 @@ TEST(Marker, LaysPiecesFreelyWithoutRegardToPins) {
 }
 
 TEST(Marker, KeepsPinnedPiecesWhereTheyAreWithoutAPrintToo) {
-  NestingProblem problem = someProblem(tiles(), 3, 50, 5);
+  MarkerProblem problem = someProblem(tiles(), 3, 50, 5);
   problem.start = 1.5;
   problem.phases = {0.7};
   problem.ignores_print = true;
@@ -90,7 +90,7 @@ TEST(Marker, KeepsPinnedPiecesWhereTheyAreWithoutAPrintToo) {
 }
 
 TEST(Marker, LaysNothingOnFlaws) {
-  NestingProblem problem = someProblem(tiles(), 4, 44, 6);
+  MarkerProblem problem = someProblem(tiles(), 4, 44, 6);
   problem.start = 0;
   const auto without = laid(problem);
   problem.flaws = {{{0, 10}, {44, 14}, {44, 15}, {0, 11}}, {{20, 0}, {21, 0}, {21, 60}, {20, 60}}};
@@ -101,12 +101,12 @@ TEST(Marker, LaysNothingOnFlaws) {
 }
 
 /// Returns whether a piece's grain line points up the fabric.
-bool isUp(const NestingPiece& piece, const RigidMotion& place) {
+bool isUp(const MarkerPiece& piece, const RigidMotion& place) {
   return (place(piece.up) - place(Vec2::Zero())).y() > 0;
 }
 
 TEST(Marker, KeepsTheNapOfAGarmentOrOfAll) {
-  NestingProblem problem = someProblem(tiles(), 6, 50, 7);
+  MarkerProblem problem = someProblem(tiles(), 6, 50, 7);
   problem.pieces[3].up = {0, -1};
   for (const Nap nap : {Nap::kGarment, Nap::kOneWay}) {
     problem.nap = nap;
@@ -121,7 +121,7 @@ TEST(Marker, KeepsTheNapOfAGarmentOrOfAll) {
 }
 
 TEST(Marker, TurnsQuartersOnlyWhereAPieceMay) {
-  NestingProblem problem{groupOf("p4", {10, 0}, {0, 10})};
+  MarkerProblem problem{groupOf("p4", {10, 0}, {0, 10})};
   problem.pieces = {pieceOf("long", box(9, 39))};
   problem.width = 41;
   problem.effort = 0.002;
@@ -134,7 +134,7 @@ TEST(Marker, TurnsQuartersOnlyWhereAPieceMay) {
 }
 
 TEST(Marker, RoundsUpToWholeRepeats) {
-  NestingProblem problem = someProblem(groupOf("cmm", {6, -4}, {6, 4}), 4, 44, 8);
+  MarkerProblem problem = someProblem(groupOf("cmm", {6, -4}, {6, 4}), 4, 44, 8);
   const auto plain = laid(problem);
   problem.whole_repeats = true;
   const auto whole = laid(problem);
@@ -153,10 +153,10 @@ TEST(Marker, RoundsUpToWholeRepeats) {
 TEST(Marker, IsTheSameWhereverAnAlignmentsRepeatIsCountedFromAndHoweverPiecesAreNamed) {
   for (const char* name : {"p2", "pgg", "cmm", "p6m"}) {
     const GroupData* data = findGroup(name);
-    NestingProblem problem = someProblem(testing::sampleGroup(*data), 4, 50, 9);
+    MarkerProblem problem = someProblem(testing::sampleGroup(*data), 4, 50, 9);
     const auto before = laid(problem);
     Random random(10);
-    for (NestingPiece& piece : problem.pieces) {
+    for (MarkerPiece& piece : problem.pieces) {
       const double i = std::round(random.between(-4, 4)), j = std::round(random.between(-4, 4));
       piece.alignment.shift +=
           piece.alignment.linear() * (i * problem.group.w1() + j * problem.group.w2());
@@ -170,7 +170,7 @@ TEST(Marker, IsTheSameWhereverAnAlignmentsRepeatIsCountedFromAndHoweverPiecesAre
 
 TEST(Marker, LaysPiecesAnywhereWhereThePrintDoesNotMatter) {
   for (unsigned seed = 20; seed < 24; ++seed) {
-    NestingProblem problem = someProblem(tiles(), 8, 50, seed);
+    MarkerProblem problem = someProblem(tiles(), 8, 50, seed);
     problem.ignores_print = true;
     problem.effort = 0.05;
     const auto marker = laid(problem);
@@ -180,12 +180,12 @@ TEST(Marker, LaysPiecesAnywhereWhereThePrintDoesNotMatter) {
 }
 
 TEST(Marker, TakesTheSameWithoutThePrintWhateverOfItAPieceShows) {
-  NestingProblem problem = someProblem(tiles(), 6, 50, 9);
+  MarkerProblem problem = someProblem(tiles(), 6, 50, 9);
   problem.ignores_print = true;
   problem.effort = 0.05;
   const auto before = laid(problem);
   Random random(10);
-  for (NestingPiece& piece : problem.pieces) {
+  for (MarkerPiece& piece : problem.pieces) {
     const double turn = random.between(0, 1) < 0.5 ? 0 : kPi;
     piece.alignment = {turn, {random.between(-9, 9), random.between(-9, 9)}, false};
   }
@@ -195,7 +195,7 @@ TEST(Marker, TakesTheSameWithoutThePrintWhateverOfItAPieceShows) {
 }
 
 TEST(Marker, GivesTheSamePlanTwice) {
-  NestingProblem problem = someProblem(tiles(), 6, 50, 11);
+  MarkerProblem problem = someProblem(tiles(), 6, 50, 11);
   problem.phases = {0, 2.5};
   const auto first = laid(problem), second = laid(problem);
   ASSERT_TRUE(first && second);
@@ -209,7 +209,7 @@ TEST(Marker, GivesTheSamePlanTwice) {
 }
 
 TEST(Marker, StopsAtTheFirstLayoutWithoutEffort) {
-  NestingProblem problem = someProblem(tiles(), 6, 50, 12);
+  MarkerProblem problem = someProblem(tiles(), 6, 50, 12);
   const auto sought = laid(problem);
   problem.effort = 0;
   const auto first = laid(problem);
@@ -222,7 +222,7 @@ TEST(Marker, StopsAtTheFirstLayoutWithoutEffort) {
 }
 
 TEST(Marker, ChoosesTheBestOfSeveralPhases) {
-  NestingProblem problem{groupOf("p1", {20, 0}, {0, 20})};
+  MarkerProblem problem{groupOf("p1", {20, 0}, {0, 20})};
   problem.pieces = {pieceOf("left", box(18, 5), {0, {0, 0}}),
                     pieceOf("right", box(18, 5), {0, {19, 1}})};
   problem.width = 39;
@@ -238,7 +238,7 @@ TEST(Marker, ChoosesTheBestOfSeveralPhases) {
 }
 
 TEST(Marker, IsNeverMuchLongerOnWiderCloth) {
-  NestingProblem problem = someProblem(groupOf("p2", {5, 0}, {0, 5}), 6, 50, 13);
+  MarkerProblem problem = someProblem(groupOf("p2", {5, 0}, {0, 5}), 6, 50, 13);
   problem.effort = 0.01;
   problem.also_free = true;
   problem.widths = {40, 45, 50, 60, 70, 80};
@@ -253,7 +253,7 @@ TEST(Marker, IsNeverMuchLongerOnWiderCloth) {
 }
 
 TEST(Marker, OffersPlacesThatAreFree) {
-  NestingProblem problem = someProblem(groupOf("pgg", {7, 0}, {0, 5}), 4, 40, 14);
+  MarkerProblem problem = someProblem(groupOf("pgg", {7, 0}, {0, 5}), 4, 40, 14);
   problem.start = 0;
   problem.flaws = {{{20, 20}, {22, 20}, {22, 22}, {20, 22}}};
   const auto marker = laid(problem);

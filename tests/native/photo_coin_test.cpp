@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "photo/base/map_inverse.h"
+#include "photo/fabric/coin.h"
 #include "photo_samples.h"
-#include "recognition/base/map_inverse.h"
-#include "recognition/cloth/coin.h"
 
 namespace seamwise::testing {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "photo/fabric/metric.h"
 #include "photo_samples.h"
-#include "recognition/cloth/metric.h"
 
 namespace seamwise::testing {
 namespace {

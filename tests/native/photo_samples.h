@@ -7,9 +7,9 @@
 
 #include "base/random.h"
 #include "geometry/vec2.h"
-#include "recognition/base/lattice_map.h"
-#include "recognition/base/picture.h"
-#include "recognition/cloth/srgb.h"
+#include "photo/base/lattice_map.h"
+#include "photo/base/picture.h"
+#include "photo/fabric/srgb.h"
 
 namespace seamwise::testing {
 

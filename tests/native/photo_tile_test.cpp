@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "photo/base/map_inverse.h"
+#include "photo/fabric/cell_mean.h"
+#include "photo/fabric/copy_fields_fit.h"
+#include "photo/fabric/tile_symmetry.h"
 #include "photo_samples.h"
-#include "recognition/base/map_inverse.h"
-#include "recognition/cloth/cell_mean.h"
-#include "recognition/cloth/copy_fields_fit.h"
-#include "recognition/cloth/tile_symmetry.h"
 
 namespace seamwise::testing {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/random.h"
-#include "recognition/base/map_inverse.h"
-#include "recognition/base/picture.h"
-#include "recognition/lattice/tilted_lattice.h"
+#include "photo/base/map_inverse.h"
+#include "photo/base/picture.h"
+#include "photo/lattice/tilted_lattice.h"
 
 namespace seamwise::testing {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <algorithm>
 
-#include "recognition/base/cell_picture.h"
-#include "recognition/base/picture.h"
-#include "recognition/base/repeating_place.h"
+#include "photo/base/cell_picture.h"
+#include "photo/base/picture.h"
+#include "photo/base/repeating_place.h"
 
 namespace seamwise::testing {
 

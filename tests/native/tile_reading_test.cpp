@@ -1,4 +1,4 @@
-#include "recognition/tile/tile_reading.h"
+#include "photo/tile/tile_reading.h"
 
 #include <gtest/gtest.h>
 

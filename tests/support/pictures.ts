@@ -1,8 +1,8 @@
 /** Images as files of any size, for tests. */
 import {deflateSync} from 'node:zlib';
 
-import {crc32} from '@/recognition/file-kind.js';
-import type {Pixels} from '@/recognition/tile-cloth.js';
+import {crc32} from '@/image/file-kind.js';
+import type {Pixels} from '@/image/tile-cloth.js';
 
 type Colour = readonly [number, number, number];
 /** Colour at a place from the upper left corner. [px] */

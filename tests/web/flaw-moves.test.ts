@@ -1,7 +1,7 @@
 /** Moving and resizing flaws of the fabric, by keys and by figures. */
 import {describe, expect, it} from 'vitest';
 
-import {boxAround, flawAfter, flawAround, flawIn} from '@/editor/cloth/flaw-moves.js';
+import {boxAround, flawAfter, flawAround, flawIn} from '@/editor/marker/flaw-moves.js';
 import type {Flaw} from '@/workbench/lay-step.js';
 
 const bolt = {widthCm: 140};

@@ -5,12 +5,12 @@ import {directionSign} from '@/editor/base/direction-sign.js';
 import {areSame} from '@/editor/photo/same-picture.js';
 import {namePlace} from '@/editor/photo/stage-marks.js';
 import {measuresOf, stepOf} from '@/editor/print/photo-step.js';
+import {printOfPhoto} from '@/image/photo-print.js';
 import {norm, radians, rotated, type Point} from '@/model/geometry.js';
 import {vectorsAtMiddle} from '@/model/photo-map.js';
 import type {PhotoMap, PhotoReading} from '@/model/photo.js';
 import {groupNames, type GroupName} from '@/model/print.js';
 import {latticeVectors, repeatOf} from '@/model/repeat.js';
-import {printOfPhoto} from '@/recognition/photo-print.js';
 
 const size = {width: 900, height: 600};
 const map: PhotoMap = {homography: [100, 10, 420, 8, -80, 310, 0, 0, 1], lens: 0};

@@ -2,9 +2,9 @@ import {readFileSync} from 'node:fs';
 import {createCanvas} from '@napi-rs/canvas';
 import {describe, expect, it} from 'vitest';
 
-import {fileKind, isWhole} from '@/recognition/file-kind.js';
-import {dpiOf, lengthOnPaper, resolutionOf} from '@/recognition/printed-size.js';
-import {rootAttribute, sizedSvg} from '@/recognition/svg-size.js';
+import {fileKind, isWhole} from '@/image/file-kind.js';
+import {dpiOf, lengthOnPaper, resolutionOf} from '@/image/printed-size.js';
+import {rootAttribute, sizedSvg} from '@/image/svg-size.js';
 import {leaf, painted, pngOf} from '../support/pictures.js';
 
 const png = pngOf(painted(12, 8, leaf), 300);

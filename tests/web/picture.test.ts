@@ -2,7 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {Alignment, Point} from '@/model/geometry.js';
 import type {ResultSymmetry, SolveResult} from '@/model/result.js';
-import {hasOutsidePictures} from '@/recognition/svg-picture.js';
+import {hasOutsidePictures} from '@/image/svg-picture.js';
 import {mismatchLine} from '@/scene/colours.js';
 import {drawResult} from '@/picture/draw-result.js';
 import {

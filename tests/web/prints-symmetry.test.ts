@@ -13,7 +13,7 @@ import {printOf, tilesOf} from '@samples/prints/print-files.js';
 import {palettes} from '@samples/prints/palette.js';
 import {rendered, type Pixels} from '@samples/prints/raster.js';
 import {printDistance, printElements, type PlaneMap} from '@/model/wallpaper.js';
-import {seenThrough, type Cloth} from '@/recognition/tile-cloth.js';
+import {seenThrough, type Cloth} from '@/image/tile-cloth.js';
 import {isThorough} from '../support/level.js';
 
 /** A commit checks each third design, each of another group. */

@@ -6,8 +6,8 @@ import {decoded} from '@samples/prints/raster.js';
 import type {GroupName, Print} from '@/model/print.js';
 import {repeatOf} from '@/model/repeat.js';
 import {imageCell, latticeType} from '@/model/wallpaper.js';
-import {checkTile, visibleDifference, wholeCell} from '@/recognition/tile-check.js';
-import type {Pixels} from '@/recognition/tile-cloth.js';
+import {checkTile, visibleDifference, wholeCell} from '@/image/tile-check.js';
+import type {Pixels} from '@/image/tile-cloth.js';
 
 const folder = new URL('../../public/prints/', import.meta.url);
 const prints = readdirSync(folder)

@@ -4,8 +4,8 @@ import {printOf, type DesignPrint} from '@/model/design.js';
 import {pictureIn, resized, tileSize} from '@/model/tile-repeat.js';
 import {tileRepeats, type TileRepeat} from '@/model/print-tile.js';
 import {imageCell, printDistance} from '@/model/wallpaper.js';
-import {asymmetriesOf, isStriped} from '@/recognition/asymmetry.js';
-import {checkTile, wholeCell} from '@/recognition/tile-check.js';
+import {asymmetriesOf, isStriped} from '@/image/asymmetry.js';
+import {checkTile, wholeCell} from '@/image/tile-check.js';
 import {ink, leaf, painted, paper, rose, within, type Painting} from '../support/pictures.js';
 
 const print = (repeat: TileRepeat, change: Partial<DesignPrint> = {}): DesignPrint => ({

@@ -3,7 +3,7 @@ import type {PatternScene} from '../../../web/src/scene/scene.js';
 import {realigned} from '../../../web/src/scene/scene.js';
 import {Screen} from '../../../web/src/viewer/screen.js';
 import {SeamStrip} from '../../../web/src/viewer/seam-strip.js';
-import {loadTile, svgTile} from '../../../web/src/recognition/tile.js';
+import {loadTile, svgTile} from '../../../web/src/image/tile.js';
 
 /** Position and size of an element on the page. [CSS px] */
 export interface Box {

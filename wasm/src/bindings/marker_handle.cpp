@@ -24,9 +24,9 @@ Polyline points(const val& list) {
   return line;
 }
 
-NestingPiece pieceOf(const val& given) {
+MarkerPiece pieceOf(const val& given) {
   const auto number = [&](const char* field) { return given[field].as<double>(); };
-  NestingPiece piece;
+  MarkerPiece piece;
   piece.name = given["name"].as<std::string>();
   piece.garment = given["garment"].as<int>();
   piece.outline = points(given["outline"]);
@@ -42,14 +42,14 @@ NestingPiece pieceOf(const val& given) {
   return piece;
 }
 
-Outcome<NestingProblem> problemOf(const val& request) {
+Outcome<MarkerProblem> problemOf(const val& request) {
   const auto number = [&](const char* field) { return request[field].as<double>(); };
   auto group = WallpaperGroup::make(request["group"].as<std::string>(),
                                     {number("w1x"), number("w1y")}, {number("w2x"), number("w2y")});
   if (!group.ok()) return group.error();
-  NestingProblem problem{std::move(group).value()};
+  MarkerProblem problem{std::move(group).value()};
   const val pieces = request["pieces"], flaws = request["flaws"];
-  problem.pieces = std::vector<NestingPiece>(pieces["length"].as<std::size_t>());
+  problem.pieces = std::vector<MarkerPiece>(pieces["length"].as<std::size_t>());
   for (std::size_t k = 0; k < problem.pieces.size(); ++k) problem.pieces[k] = pieceOf(pieces[k]);
   problem.flaws = std::vector<Polyline>(flaws["length"].as<std::size_t>());
   for (std::size_t k = 0; k < problem.flaws.size(); ++k) problem.flaws[k] = points(flaws[k]);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bindings/values.h"
-#include "nesting/marker.h"
+#include "marker/marker.h"
 
 namespace seamwise {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "recognition/cloth/coin.h"
-#include "recognition/photo/photo.h"
-#include "recognition/photo/photo_tile.h"
+#include "photo/fabric/coin.h"
+#include "photo/steps/photo.h"
+#include "photo/steps/photo_tile.h"
 
 namespace seamwise {
 namespace {

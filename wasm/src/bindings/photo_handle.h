@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bindings/values.h"
-#include "recognition/base/picture.h"
+#include "photo/base/picture.h"
 
 namespace seamwise {
 

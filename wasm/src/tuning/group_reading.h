@@ -2,8 +2,8 @@
 
 namespace seamwise {
 
-/// Constants of the recognition of a cell's wallpaper group. Shares refer to the pattern's energy
-/// without mean and noise.
+/// Constants for finding a cell's wallpaper group. Shares refer to the pattern's energy without
+/// mean and noise.
 struct GroupReadingTuning {
   // --- comparison
 

@@ -2,7 +2,7 @@
 
 namespace seamwise {
 
-/// Constants of the recognition of a print in a photo as a whole.
+/// Constants for reading a print from a photo as a whole.
 struct PhotoTuning {
   /// Samples along a cell's side for its symmetries; no prime factor is above 5.
   static constexpr int kSamples = 120;

@@ -2,7 +2,7 @@
 
 namespace seamwise {
 
-/// Constants of the recognition of an image that repeats edge to edge. Colours are in [0, 255].
+/// Constants for reading an image that repeats edge to edge. Colours are in [0, 255].
 struct TileReadingTuning {
   /// Share of the time for the comparison of edges, at 2048 x 2048 pixels.
   static constexpr double kEdgesShare = 0.2;

@@ -1,4 +1,5 @@
 /** Compares a print with its moved copies by their pixels, to find its symmetries. */
+import {clothOf, type Cell, type Cloth, type Pixels} from '../../src/image/tile-cloth.js';
 import {combined, cross, dot, type Point} from '../../src/model/geometry.js';
 import {
   after,
@@ -7,7 +8,6 @@ import {
   printElements,
   type PlaneMap,
 } from '../../src/model/wallpaper.js';
-import {clothOf, type Cell, type Cloth, type Pixels} from '../../src/recognition/tile-cloth.js';
 import {imageSize} from './tile.js';
 
 /** The cell, each of its pixels the mean of 2 x 2 of the image's, softened `times` times. */

@@ -2,10 +2,10 @@
  * The contact sheet: every print over three cells and more in its colourways, one cell with its
  * symmetry elements.
  */
+import {pixelGrid} from '../../src/image/tile-cloth.js';
 import {norm, plus, type Point} from '../../src/model/geometry.js';
 import {boxOf} from '../../src/model/polyline.js';
 import {escaped, polyline, short, text} from '../../src/picture/svg.js';
-import {pixelGrid} from '../../src/recognition/tile-cloth.js';
 import type {Design} from './design.js';
 import {drawElements, elementsWithin} from './elements.js';
 import {palettes, type PaletteName} from './palette.js';

@@ -1,4 +1,5 @@
 /** Builds one seamless cell of a print by applying the group's symmetries to motifs. */
+import type {Cell} from '../../src/image/tile-cloth.js';
 import {cross, norm, plus, type Point} from '../../src/model/geometry.js';
 import {boxOf} from '../../src/model/polyline.js';
 import {
@@ -8,7 +9,6 @@ import {
   printElements,
   type PlaneMap,
 } from '../../src/model/wallpaper.js';
-import type {Cell} from '../../src/recognition/tile-cloth.js';
 import type {Palette} from './palette.js';
 import type {Motif, Outline} from './shape.js';
 

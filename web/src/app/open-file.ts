@@ -4,7 +4,7 @@ import {SolverError} from '../model/failure.js';
 import {FileError, isProject, readProject} from '../model/project.js';
 import {longestName, withoutEnding} from '../model/project-name.js';
 import {fieldOf} from '../model/read.js';
-import {isDocument} from '../recognition/file-kind.js';
+import {isDocument} from '../image/file-kind.js';
 import {
   kindOf,
   looksLikePicture,

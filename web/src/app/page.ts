@@ -14,8 +14,8 @@ import {
   type PatternPane,
   type PhotoKeeper,
   type Samples,
-  type WornPane,
-  type ClothPane,
+  type DrapePane,
+  type MarkerPane,
 } from '../editor/index.js';
 import {chooseFile, takeFiles} from './files.js';
 import {keepHints, type Hint} from './introduction/kept.js';
@@ -57,7 +57,7 @@ export class SeamwisePage extends WorkbenchElement {
   }
 
   readonly #shownEditor = (): Editor | null => this.#editor;
-  readonly #shownView = (): WornPane | ClothPane | undefined =>
+  readonly #shownView = (): DrapePane | MarkerPane | undefined =>
     this.#editor?.worn ?? this.#editor?.cloth;
 
   /** Commands with keyboard shortcuts outside the editor. */

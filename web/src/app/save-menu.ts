@@ -7,8 +7,8 @@ import {
   icon,
   placeUnder,
   type Command,
-  type WornPane,
-  type ClothPane,
+  type DrapePane,
+  type MarkerPane,
 } from '../editor/index.js';
 import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
@@ -24,7 +24,7 @@ export class SaveMenu extends WorkbenchElement {
   };
   declare projects: Projects;
   /** View beside the pattern or in its place; undefined while there is none. */
-  declare view: () => WornPane | ClothPane | undefined;
+  declare view: () => DrapePane | MarkerPane | undefined;
   declare protected ofView: readonly Command[];
 
   static override styles = [

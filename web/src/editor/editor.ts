@@ -7,14 +7,14 @@ import type {KeyList} from './commands/command-for.js';
 import type {ShortcutId} from './commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
-import type {ClothPane} from './cloth/cloth-pane.js';
-import {loadCloth, loadLaterParts, loadPhoto, loadWorn} from './load-later-parts.js';
+import type {MarkerPane} from './marker/marker-pane.js';
+import {loadDrape, loadLaterParts, loadMarker, loadPhoto} from './load-later-parts.js';
 import {defineParts} from './parts.js';
 import type {LensCursor} from './pattern/marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
 import type {PhotoWanted} from './print/print-files.js';
 import type {PrintPanel} from './print/print-panel.js';
-import type {WornPane} from './worn/worn-pane.js';
+import type {DrapePane} from './drape/drape-pane.js';
 import {register} from './base/register.js';
 import {solvingButton, stepButtons, viewButtons} from './shell/head-buttons.js';
 import type {KeyMap} from './shell/key-map.js';
@@ -111,13 +111,13 @@ export class Editor extends WorkbenchElement {
   }
 
   /** The drape; undefined while it is hidden or still loads. */
-  get worn(): WornPane | undefined {
-    return this.renderRoot.querySelector<WornPane>('sw-worn:defined') ?? undefined;
+  get worn(): DrapePane | undefined {
+    return this.renderRoot.querySelector<DrapePane>('sw-worn:defined') ?? undefined;
   }
 
   /** The fabric layout; undefined while it is hidden or still loads. */
-  get cloth(): ClothPane | undefined {
-    return this.renderRoot.querySelector<ClothPane>('sw-cloth:defined') ?? undefined;
+  get cloth(): MarkerPane | undefined {
+    return this.renderRoot.querySelector<MarkerPane>('sw-cloth:defined') ?? undefined;
   }
 
   show(view: EditorView): void {
@@ -278,7 +278,7 @@ export class Editor extends WorkbenchElement {
 
   async #load(): Promise<void> {
     try {
-      await (this.shows === 'cloth' ? loadCloth : loadWorn)();
+      await (this.shows === 'cloth' ? loadMarker : loadDrape)();
     } catch (error) {
       this.shows = 'pattern';
       this.workbench.say({tone: 'error', text: toFailure(error).message});

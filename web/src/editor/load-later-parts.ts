@@ -15,9 +15,9 @@ async function load(): Promise<void> {
 export const loadLaterParts = (): Promise<void> => (loading ??= load());
 
 /** Loads the drape. @throws {Error} if its module cannot be loaded */
-export async function loadWorn(): Promise<void> {
-  const {defineWorn} = await import('./worn/define-worn.js');
-  defineWorn();
+export async function loadDrape(): Promise<void> {
+  const {defineDrape} = await import('./drape/define-drape.js');
+  defineDrape();
 }
 
 /** Loads the photo dialog. @throws {Error} if its module cannot be loaded */
@@ -27,7 +27,7 @@ export async function loadPhoto() {
 }
 
 /** Loads the fabric layout. @throws {Error} if its module cannot be loaded */
-export async function loadCloth(): Promise<void> {
-  const {defineCloth} = await import('./cloth/define-cloth.js');
-  defineCloth();
+export async function loadMarker(): Promise<void> {
+  const {defineMarker} = await import('./marker/define-marker.js');
+  defineMarker();
 }

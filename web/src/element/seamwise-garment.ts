@@ -22,7 +22,7 @@ import {
   type GarmentView,
 } from './garment/attributes.js';
 import {Beginning} from './garment/beginning.js';
-import {Cloth} from './garment/cloth.js';
+import {Marker} from './garment/marker.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
 import {keepInside} from './garment/inner-events.js';
@@ -49,7 +49,7 @@ export type {PrintOffer} from './garment/offered-prints.js';
 export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';
 export type {SewTexts} from '../texts/sew/en.js';
-export type {WornTexts} from '../texts/worn-texts.js';
+export type {WornTexts} from '../texts/drape-texts.js';
 
 export class SeamwiseGarment extends AttributeElement {
   /** The page may set the variables of `style/tokens.ts`. */
@@ -67,15 +67,15 @@ export class SeamwiseGarment extends AttributeElement {
   });
   readonly #speech: Speech;
   readonly #answering: Answering;
-  readonly #cloth: Cloth;
+  readonly #marker: Marker;
   #shown: GarmentMode = 'preview';
   #shownView: GarmentView = 'pattern';
   #isDrawn = false;
   /** Releases shared resources unless the element soon returns to the document. */
   readonly #rest = new Rest(
-    () => !this.isConnected && !this.#session.isAwaited && !this.#cloth.layer?.isAwaited,
+    () => !this.isConnected && !this.#session.isAwaited && !this.#marker.layer?.isAwaited,
     () => {
-      this.#cloth.layer?.pause();
+      this.#marker.layer?.pause();
       this.#offers.stop();
       if (this.#session.pause()) this.#beginning.askAgain();
     },
@@ -120,7 +120,7 @@ export class SeamwiseGarment extends AttributeElement {
         code: 'network',
         message: this.#texts.garment.noTools(asError(error).message),
       });
-    this.#cloth = new Cloth(
+    this.#marker = new Marker(
       {element: this, session: this.#session, texts: () => this.#texts, emit},
       lost,
     );
@@ -171,7 +171,7 @@ export class SeamwiseGarment extends AttributeElement {
 
   /** Length of the answer's layout on fabric of width `clothWidth`; null until it is there. [cm] */
   get clothLengthCm(): number | null {
-    return this.#cloth.layer?.lengthCm ?? null;
+    return this.#marker.layer?.lengthCm ?? null;
   }
 
   /** The design as JSON text; empty if there is no answer, or none that can be stored. */
@@ -218,14 +218,14 @@ export class SeamwiseGarment extends AttributeElement {
       if (this.clothWidth === null) {
         throw new SolverError({code: 'options', message: this.#texts.garment.noCloth});
       }
-      const layer = await this.#cloth.load();
+      const layer = await this.#marker.load();
       return layer.plan(() => this.solve(signal && {signal}), signal);
     });
   }
 
   /** Ends running work; the shown result stays. */
   cancel(): void {
-    this.#cloth.layer?.cancel();
+    this.#marker.layer?.cancel();
     this.#session.cancel();
   }
 
@@ -276,7 +276,7 @@ export class SeamwiseGarment extends AttributeElement {
     this.#speech.prefer();
     this.#beginning.watch();
     this.#beginning.schedule();
-    this.#cloth.follow();
+    this.#marker.follow();
   }
 
   override disconnectedCallback(): void {
@@ -371,7 +371,7 @@ export class SeamwiseGarment extends AttributeElement {
     const isPicture = this.mode === 'preview' && this.view === 'pattern' && !this.isMissing;
     this.describe(isPicture ? 'img' : 'group', this.alt || garment.label);
     this.requestUpdate();
-    this.#cloth.follow();
+    this.#marker.follow();
   }
 
   get #texts(): Texts {

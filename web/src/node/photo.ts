@@ -1,4 +1,5 @@
 /** Reads prints from photos of their fabric. */
+import {isSymmetric, printOfPhoto} from '../image/photo-print.js';
 import type {
   PhotoHooks,
   PhotoPixels,
@@ -8,7 +9,6 @@ import type {
   PhotoTileRequest,
 } from '../model/photo.js';
 import type {Print} from '../model/print.js';
-import {isSymmetric, printOfPhoto} from '../recognition/photo-print.js';
 
 export interface PrintFromPixelsSettings extends PhotoSettings {
   /** Makes the symmetries of the detected group exact. Default false. */

@@ -2,11 +2,11 @@
 import {readFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';
 
+import {exifTags, type ExifTags} from '../image/exif.js';
+import {fileKind, isWhole, type FileKind} from '../image/file-kind.js';
+import {upright} from '../image/upright.js';
 import type {PhotoPixels} from '../model/photo.js';
 import {FileError} from '../model/versioned-file.js';
-import {exifTags, type ExifTags} from '../recognition/exif.js';
-import {fileKind, isWhole, type FileKind} from '../recognition/file-kind.js';
-import {upright} from '../recognition/upright.js';
 
 /** Upright pixels, and the camera's focal length. */
 interface PictureFile {

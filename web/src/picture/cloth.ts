@@ -3,7 +3,7 @@ import {norm, rotated, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {imageCell} from '../model/wallpaper.js';
 import {escaped, short} from './svg.js';
-import {imageHref} from '../recognition/svg-picture.js';
+import {imageHref} from '../image/svg-picture.js';
 
 /**
  * A print with the image of its cell: SVG text, or a URL. Without an image, only the cell is

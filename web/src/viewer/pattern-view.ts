@@ -19,7 +19,7 @@ import type {ScreenSize} from '../scene/sheet-view.js';
 import {framed, sheetOnPaper, snapshot, widestPicture, type Drawing} from './snapshot.js';
 import type {Appearance} from './strokes.js';
 import {TileTexture} from './tile-texture.js';
-import type {Tile} from '../recognition/tile.js';
+import type {Tile} from '../image/tile.js';
 import {Viewport} from './viewport.js';
 import {WipeLayers, type Wipe} from './wipe-layers.js';
 import {Words} from './words.js';

@@ -19,7 +19,7 @@ import {
 import {StripMesh} from './strip-mesh.js';
 import {inks, type Appearance} from './strokes.js';
 import {TileTexture} from './tile-texture.js';
-import type {Tile} from '../recognition/tile.js';
+import type {Tile} from '../image/tile.js';
 
 /** [CSS px per cm] */
 const greatestScale = 40;

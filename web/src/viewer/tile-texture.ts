@@ -10,8 +10,8 @@ import {
   type WebGLRenderer,
 } from 'three';
 
+import type {Tile} from '../image/tile.js';
 import {norm, type Point} from '../model/geometry.js';
-import type {Tile} from '../recognition/tile.js';
 
 /** Longest side of a texture. [px] */
 const greatestSide = 4096;

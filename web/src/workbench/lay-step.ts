@@ -4,13 +4,13 @@ import type {Failure} from '../model/failure.js';
 import type {Alignment, Point} from '../model/geometry.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {MarkerProblem} from '../model/marker.js';
-import type {ClothChoices} from './cloth-choices.js';
+import type {MarkerChoices} from './marker-choices.js';
 
 export type Flaw = readonly Point[];
 
 /** State that undo restores. Pieces are given by their numbers. */
 export interface LayStep {
-  readonly choices: ClothChoices;
+  readonly choices: MarkerChoices;
   /** Polygons of the fabric that pieces must avoid. */
   readonly flaws: readonly Flaw[];
   readonly pins: ReadonlySet<number>;

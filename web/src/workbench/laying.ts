@@ -13,8 +13,8 @@ import {amended, mapped, redone, stepped, undone, type History} from '../model/h
 import type {LayPlan} from '../model/lay-plan.js';
 import type {SolveResult} from '../model/result.js';
 import {allowancesIn} from './allowances.js';
-import {storedCloth, withCloth, type ClothChoices} from './cloth-choices.js';
-import {ClothWork, type PieceOnCloth} from './cloth-work.js';
+import {storedCloth, withCloth, type MarkerChoices} from './marker-choices.js';
+import {MarkerWork, type PieceOnCloth} from './marker-work.js';
 import {laid, offersFor, ownAllowancesOf, type ToLay} from './lay-run.js';
 import {noPins, type Flaw, type LayStep} from './lay-step.js';
 import {toFailure} from './latest-solve.js';
@@ -35,10 +35,10 @@ type Source = Pick<
 export class Laying extends Observable {
   readonly #source: Source;
   /** Layout on display, and the one that replaces it as soon as it has pieces. */
-  #work: ClothWork | undefined;
-  #next: ClothWork | undefined;
+  #work: MarkerWork | undefined;
+  #next: MarkerWork | undefined;
   /** Layouts of results that the user may return to. */
-  readonly #known = new WeakMap<SolveResult, ClothWork>();
+  readonly #known = new WeakMap<SolveResult, MarkerWork>();
   #state: LayingState = {kind: 'waiting'};
   #running: AbortController | undefined;
   /** True if the fabric was changed and has no layout yet: the display shows the fabric before. */
@@ -107,7 +107,7 @@ export class Laying extends Observable {
   }
 
   /** Choices on display, or about to be. */
-  get choices(): ClothChoices | undefined {
+  get choices(): MarkerChoices | undefined {
     const {design, preferences} = this.#source;
     const work = this.#next ?? this.#work;
     return work?.step.choices ?? (design && storedCloth(design.print, preferences));
@@ -173,7 +173,7 @@ export class Laying extends Observable {
   }
 
   /** Changes fabric or rules, so that no piece keeps its place. */
-  choose(change: Partial<ClothChoices>): void {
+  choose(change: Partial<MarkerChoices>): void {
     const {choices} = this;
     if (!choices) return;
     const next = {...choices, ...change};
@@ -229,7 +229,7 @@ export class Laying extends Observable {
     return true;
   }
 
-  #remember(choices: ClothChoices): void {
+  #remember(choices: MarkerChoices): void {
     const {design, preferences} = this.#source;
     if (design) this.#source.prefer(withCloth(design.print, choices, preferences));
   }
@@ -281,7 +281,7 @@ export class Laying extends Observable {
   }
 
   /** Shows the known layout of a result, or computes it. @param before the layout on display */
-  #begin(result: SolveResult, before: ClothWork | undefined): void {
+  #begin(result: SolveResult, before: MarkerWork | undefined): void {
     const {design, preferences} = this.#source;
     if (!design) return;
     this.#leave();
@@ -293,18 +293,18 @@ export class Laying extends Observable {
       return;
     }
     const choices = storedCloth(design.print, preferences);
-    this.#next = ClothWork.after(before, result, design.print, choices);
+    this.#next = MarkerWork.after(before, result, design.print, choices);
     this.#known.set(result, this.#next);
     void this.#run(this.#next);
   }
 
-  #toLay({result, step}: ClothWork): ToLay | undefined {
+  #toLay({result, step}: MarkerWork): ToLay | undefined {
     const {garment, design} = this.#source;
     return garment && design && {design, garment, result, step};
   }
 
   /** @param before a plan of the same pieces on the same fabric */
-  async #run(work: ClothWork, before?: LayPlan): Promise<void> {
+  async #run(work: MarkerWork, before?: LayPlan): Promise<void> {
     const toLay = this.#toLay(work);
     if (!toLay) return;
     const {step} = toLay;
@@ -346,7 +346,7 @@ export class Laying extends Observable {
   }
 
   /** Adds offers to the plan in all steps that have moved its pieces since. */
-  #offer(work: ClothWork, plan: LayPlan, cheaper: LayPlan['cheaper']): void {
+  #offer(work: MarkerWork, plan: LayPlan, cheaper: LayPlan['cheaper']): void {
     if (cheaper.length === 0) return;
     const offering = withOffers(plan, cheaper);
     work.history = mapped(work.history, (step) =>

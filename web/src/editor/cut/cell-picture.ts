@@ -1,7 +1,7 @@
 /** Image of a print's cell for cutting sheets. */
-import {dataUrlOf} from '../../recognition/data-url.js';
-import {imageHref} from '../../recognition/svg-picture.js';
-import {fetchPicture} from '../../recognition/tile.js';
+import {dataUrlOf} from '../../image/data-url.js';
+import {imageHref} from '../../image/svg-picture.js';
+import {fetchPicture} from '../../image/tile.js';
 
 /**
  * Returns an image as SVG text or a `data:` URL, to embed in a file.

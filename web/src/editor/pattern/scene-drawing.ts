@@ -3,7 +3,7 @@ import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
 import type {Motion} from '../../viewer/morph.js';
-import type {Tile} from '../../recognition/tile.js';
+import type {Tile} from '../../image/tile.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Appearance} from '../../viewer/strokes.js';
 import {AppearanceController, colourScheme} from '../base/appearance.js';

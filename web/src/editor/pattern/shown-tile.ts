@@ -1,7 +1,7 @@
 /** The tile of a workbench's print in a view: fetched once, and again when the network is back. */
 import type {LitElement} from 'lit';
 
-import type {Tile} from '../../recognition/tile.js';
+import type {Tile} from '../../image/tile.js';
 import type {Texts} from '../../texts/texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Notice, Workbench} from '../../workbench/workbench.js';

@@ -4,7 +4,7 @@ import {pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
 import type {DesignPrint} from '../../model/design.js';
 import {latticeType} from '../../model/wallpaper.js';
-import type {TileBreak} from '../../recognition/tile-check.js';
+import type {TileBreak} from '../../image/tile-check.js';
 import {boxOf, isInside, type PhotoSize} from './lattice-lines.js';
 
 /** Broken places of one cell, in lattice coordinates. */

@@ -2,7 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {PhotoMap} from '../../model/photo.js';
-import {dataUrlOf} from '../../recognition/data-url.js';
+import {dataUrlOf} from '../../image/data-url.js';
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {focused} from '../base/focused.js';

@@ -1,4 +1,5 @@
 /** A photo on its way to a print: the reading, the user's changes, and the tile. */
+import {exifTags} from '../../image/exif.js';
 import type {Failure} from '../../model/failure.js';
 import type {Point} from '../../model/geometry.js';
 import {begun, redone, stepped, undone, type History} from '../../model/history.js';
@@ -11,7 +12,6 @@ import type {
   PointsMeasured,
   RepeatsMeasured,
 } from '../../model/photo.js';
-import {exifTags} from '../../recognition/exif.js';
 import type {SolverService} from '../../solver/service.js';
 import {NewestTask} from '../../workbench/background-task.js';
 import {toFailure} from '../../workbench/latest-solve.js';

@@ -3,7 +3,7 @@
  */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {TileBreak} from '../../recognition/tile-check.js';
+import type {TileBreak} from '../../image/tile-check.js';
 import {printOf, type DesignPrint} from '../../model/design.js';
 import {outlineOf, markedTile, markedTileStyle} from '../print/marked-tile.js';
 import {swatch} from '../print/swatch.js';
@@ -141,7 +141,7 @@ async function breaksIn(
   canvas: OffscreenCanvas,
   {group, size, cell}: ReturnType<typeof measuresOf>,
 ): Promise<readonly TileBreak[]> {
-  const {checkTile} = await import('../../recognition/tile-check.js');
+  const {checkTile} = await import('../../image/tile-check.js');
   const scale = Math.min(1, compared / Math.max(canvas.width, canvas.height));
   const small = new OffscreenCanvas(
     Math.max(1, Math.round(scale * canvas.width)),

@@ -2,7 +2,7 @@
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {TileRepeat} from '../../model/print-tile.js';
-import {blobOf} from '../../recognition/data-url.js';
+import {blobOf} from '../../image/data-url.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../../workbench/state.js';

@@ -1,8 +1,8 @@
 /** Printed size of an image according to its file. */
-import {fileKind} from '../../recognition/file-kind.js';
-import {dpiOf, lengthOnPaper, resolutionOf} from '../../recognition/printed-size.js';
-import {rootAttribute} from '../../recognition/svg-size.js';
-import {blobOf} from '../../recognition/data-url.js';
+import {fileKind} from '../../image/file-kind.js';
+import {dpiOf, lengthOnPaper, resolutionOf} from '../../image/printed-size.js';
+import {rootAttribute} from '../../image/svg-size.js';
+import {blobOf} from '../../image/data-url.js';
 import {leastRepeat, mostRepeat} from './limits.js';
 import {loadPicture} from './picture.js';
 

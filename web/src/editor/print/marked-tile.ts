@@ -1,7 +1,7 @@
 /** The image of a print with its mismatches marked. */
 import {css, html, svg, type TemplateResult} from 'lit';
 
-import type {TileBreak} from '../../recognition/tile-check.js';
+import type {TileBreak} from '../../image/tile-check.js';
 import type {OpenEdge} from '../../model/photo.js';
 
 /** Returns the outline of adjacent places: the sides that belong to one place only. */

@@ -1,4 +1,7 @@
 /** Groups of the user's own image, their positions in it, and its open edges. */
+import {blobOf} from '../../image/data-url.js';
+import type {WholeCell} from '../../image/tile-check.js';
+import type {Pixels} from '../../image/tile-cloth.js';
 import {SolverError} from '../../model/failure.js';
 import {cross, norm} from '../../model/geometry.js';
 import type {
@@ -12,9 +15,6 @@ import {groupNames, type GroupName} from '../../model/print.js';
 import type {PrintTile, TileRepeat} from '../../model/print-tile.js';
 import type {RepeatSize} from '../../model/repeat.js';
 import {printElements} from '../../model/wallpaper.js';
-import {blobOf} from '../../recognition/data-url.js';
-import type {WholeCell} from '../../recognition/tile-check.js';
-import type {Pixels} from '../../recognition/tile-cloth.js';
 import type {SolverService} from '../../solver/service.js';
 import {stepOf, type PhotoStep} from './photo-step.js';
 import {isVector, loadPicture, pixelsOf} from './picture.js';
@@ -174,7 +174,7 @@ export async function groupsIn(
 ): Promise<readonly FoundGroup[]> {
   const [read, {wholeCell}, pixels] = await Promise.all([
     readOnce(solver, image),
-    import('../../recognition/tile-check.js'),
+    import('../../image/tile-check.js'),
     pixelsIn(image),
   ]);
   if (!read) return [plain(size)];

@@ -4,9 +4,9 @@ import {coupledSize, type FittingGroup, type RepeatSize} from '../../model/repea
 import {cellTurn, copiesIn, pictureIn, type OwnPicture} from '../../model/tile-repeat.js';
 import type {PrintTile, TileRepeat} from '../../model/print-tile.js';
 import {isCentred} from '../../model/wallpaper.js';
-import {dataUrlOf} from '../../recognition/data-url.js';
-import type {TileCheck, WholeCell} from '../../recognition/tile-check.js';
-import type {Pixels} from '../../recognition/tile-cloth.js';
+import {dataUrlOf} from '../../image/data-url.js';
+import type {TileCheck, WholeCell} from '../../image/tile-check.js';
+import type {Pixels} from '../../image/tile-cloth.js';
 import {cellPicture, pngOf} from './photo-picture.js';
 import {measuresOf, tileSettings, wrappedTurn} from './photo-step.js';
 import {alongStripe, groupOf, turnsOver, type Choice} from './choices.js';
@@ -26,7 +26,7 @@ const tilePixels = lastOf(async (image = '') => pixelsOf(await loadPicture(image
 /** Compares the image of a print with itself under its group. */
 export async function checked({image, group, size, cell}: DesignPrint): Promise<TileCheck> {
   const [{checkTile}, pixels] = await Promise.all([
-    import('../../recognition/tile-check.js'),
+    import('../../image/tile-check.js'),
     pixelsIn(image),
   ]);
   return checkTile(pixels, group, size, cell);

@@ -1,4 +1,5 @@
 /** The user's decisions about the print on a photo, and the resulting print. */
+import {assumedWidth, readableRepeat} from '../../image/photo-print.js';
 import type {DesignPrint} from '../../model/design.js';
 import {combined, minus, norm, type Point} from '../../model/geometry.js';
 import {latticeOf, pixelOf, vectorsAtMiddle} from '../../model/photo-map.js';
@@ -16,7 +17,6 @@ import {
 } from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
 import {isCentred, latticeType} from '../../model/wallpaper.js';
-import {assumedWidth, readableRepeat} from '../../recognition/photo-print.js';
 import {alongStripe, turnsOver} from './choices.js';
 
 /** A step of the history. */

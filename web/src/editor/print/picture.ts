@@ -1,7 +1,7 @@
 /** The image of a print's cell as pixels, from any source in a design. */
 import {copiesIn} from '../../model/tile-repeat.js';
 import type {TileRepeat} from '../../model/print-tile.js';
-import type {Pixels} from '../../recognition/tile-cloth.js';
+import type {Pixels} from '../../image/tile-cloth.js';
 
 /** Longest side of a compared image, and of a redrawn one. [px] */
 const compared = 320;

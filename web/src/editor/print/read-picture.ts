@@ -1,8 +1,8 @@
 /** Reads a file as the image of a print; the message for any other file names its kind. */
-import {fileKind, isWhole, type FileKind} from '../../recognition/file-kind.js';
-import {dataUrlOf} from '../../recognition/data-url.js';
-import {hasOutsidePictures} from '../../recognition/svg-picture.js';
-import {sizedSvg} from '../../recognition/svg-size.js';
+import {fileKind, isWhole, type FileKind} from '../../image/file-kind.js';
+import {dataUrlOf} from '../../image/data-url.js';
+import {hasOutsidePictures} from '../../image/svg-picture.js';
+import {sizedSvg} from '../../image/svg-size.js';
 import type {Texts} from '../../texts/en.js';
 import {loadPicture} from './picture.js';
 import {pictureEndings} from './print-files.js';

@@ -6,8 +6,8 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {noPicture, type DesignPrint} from '../../model/design.js';
 import {pictureIn} from '../../model/tile-repeat.js';
 import type {TileRepeat} from '../../model/print-tile.js';
-import type {Asymmetry} from '../../recognition/asymmetry.js';
-import type {TileCheck} from '../../recognition/tile-check.js';
+import type {Asymmetry} from '../../image/asymmetry.js';
+import type {TileCheck} from '../../image/tile-check.js';
 import type {OpenEdge} from '../../model/photo.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
@@ -37,7 +37,7 @@ interface Report {
 async function reportOf(solver: ReadsPictures, print: DesignPrint): Promise<Report> {
   const own = pictureIn(print);
   const [{asymmetriesOf, isStriped}, check, groups, pixels, edges, repeats] = await Promise.all([
-    import('../../recognition/asymmetry.js'),
+    import('../../image/asymmetry.js'),
     checked(print),
     groupsOfOwn(solver, own),
     pixelsOfTile(own),

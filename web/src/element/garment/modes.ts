@@ -1,5 +1,5 @@
 /** Loads the code behind the modes and views on first use. */
-import {loadWorn} from '../../editor/load-later-parts.js';
+import {loadDrape} from '../../editor/load-later-parts.js';
 import type {GarmentMode, GarmentView} from './attributes.js';
 
 export class Modes {
@@ -20,7 +20,7 @@ export class Modes {
 
   load(mode: GarmentMode, view: GarmentView): void {
     void this.#load(mode);
-    if (view !== 'pattern') loadWorn().catch(this.#failed);
+    if (view !== 'pattern') loadDrape().catch(this.#failed);
   }
 
   /** Loads once; a failed import is repeated only after another mode was selected. */

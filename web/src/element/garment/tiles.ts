@@ -1,10 +1,10 @@
 /** Images of an element's prints. Each image is fetched once while the element is in use. */
 import {SolverError} from '../../model/failure.js';
 import {noPicture} from '../../model/design.js';
-import {svgTile, type Tile} from '../../recognition/tile.js';
-import {hasOutsidePictures} from '../../recognition/svg-picture.js';
+import {svgTile, type Tile} from '../../image/tile.js';
+import {hasOutsidePictures} from '../../image/svg-picture.js';
 import type {Texts} from '../../texts/texts.js';
-import {blobOf} from '../../recognition/data-url.js';
+import {blobOf} from '../../image/data-url.js';
 import {fetchBlob} from './files.js';
 import {pictureSize, type PictureSize} from './picture-size.js';
 

@@ -1,5 +1,5 @@
 /** German texts of the cutting dialog. */
-import {cloth} from '../cloth/de.js';
+import {cloth} from '../marker/de.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {

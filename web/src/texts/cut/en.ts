@@ -1,5 +1,5 @@
 /** English texts of the cutting dialog. */
-import {cloth} from '../cloth/en.js';
+import {cloth} from '../marker/en.js';
 
 export const cutting = {
   title: 'Cut',

@@ -1,5 +1,5 @@
 /** Spanish texts of the cutting dialog. */
-import {cloth} from '../cloth/es.js';
+import {cloth} from '../marker/es.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {

@@ -1,5 +1,5 @@
 /** French texts of the cutting dialog. */
-import {cloth} from '../cloth/fr.js';
+import {cloth} from '../marker/fr.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {

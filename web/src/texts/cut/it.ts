@@ -1,5 +1,5 @@
 /** Italian texts of the cutting dialog. */
-import {cloth} from '../cloth/it.js';
+import {cloth} from '../marker/it.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {

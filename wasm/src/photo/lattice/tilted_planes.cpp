@@ -1,0 +1,89 @@
+#include "photo/lattice/tilted_planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seamwise {
+namespace {
+
+constexpr int kPowerSteps = 30;         // power iterations; two equal axes may mix, which is fine
+constexpr double kWidest = 1.7;         // maximum extent of the tilted part, in its own half sides
+constexpr double kLeastNearness = 0.2;  // minimum nearness of fabric, relative to the middle
+
+}  // namespace
+
+std::array<std::array<float, 3>, 2> principalAxes(const ChannelImage& image) {
+  Mat3 covariance = Mat3::Zero();
+  for (std::size_t i = 0; i < image.samples.size(); i += 4) {
+    const Vec3 pixel(image.samples[i], image.samples[i + 1], image.samples[i + 2]);
+    covariance += pixel * pixel.transpose();
+  }
+  std::array<std::array<float, 3>, 2> axes{};
+  for (auto& axis : axes) {
+    Vec3 v(1, 0.8, 0.6);
+    for (int k = 0; k < kPowerSteps; ++k) {
+      const Vec3 next = covariance * v;
+      const double length = next.norm();
+      if (!(length > 0)) break;
+      v = next / length;
+    }
+    for (int c = 0; c < 3; ++c) axis[c] = static_cast<float>(v[c]);
+    covariance -= v.dot(covariance * v) * v * v.transpose();
+  }
+  return axes;
+}
+
+WeightedPlanes tiltedPlanes(const ChannelImage& image,
+                            const std::array<std::array<float, 3>, 2>& axes,
+                            const TiltedPart& part) {
+  const double radius = std::max(image.width, image.height) / 2.0;  // [pixels of the image]
+  const Vec2 half = part.share * Vec2(image.width, image.height) / (2 * radius);
+  Vec2 low(1e9, 1e9), high(-1e9, -1e9);
+  for (int k = 0; k < 4; ++k) {
+    const Vec2 p((k & 1) != 0 ? half.x() : -half.x(), (k & 2) != 0 ? half.y() : -half.y());
+    const Vec2 q = p / std::max(kLeastNearness, 1 - part.tilt.dot(p));
+    low = low.cwiseMin(q), high = high.cwiseMax(q);
+  }
+  low = low.cwiseMax(-kWidest * half), high = high.cwiseMin(kWidest * half);
+  WeightedPlanes planes;
+  planes.width = static_cast<int>((high.x() - low.x()) * radius);
+  planes.height = static_cast<int>((high.y() - low.y()) * radius);
+  const std::size_t count = static_cast<std::size_t>(planes.width) * planes.height;
+  planes.first.assign(count, 0);
+  planes.second.assign(count, 0);
+  planes.weight.assign(count, 0);
+  const float pixels = static_cast<float>(radius / image.scale);
+  const float mx = static_cast<float>(image.width) / (2 * image.scale);
+  const float my = static_cast<float>(image.height) / (2 * image.scale);
+  // Sines over the part's sides come from tables, because computing them would take longer than
+  // everything else here.
+  constexpr int kTable = 512;
+  std::array<float, kTable + 1> sines{};
+  for (int k = 0; k <= kTable; ++k) sines[k] = static_cast<float>(std::sin(kPi * k / kTable));
+  const auto window = [&](float p, double side) {
+    const float at = (p / static_cast<float>(side) + 1) * (kTable / 2.0F);
+    return at > 0 && at < kTable ? sines[static_cast<int>(at)] : 0.0F;
+  };
+  const float tx = static_cast<float>(part.tilt.x()), ty = static_cast<float>(part.tilt.y());
+  for (int y = 0; y < planes.height; ++y) {
+    const float qy = static_cast<float>(low.y() + (y + 0.5) / radius);
+    for (int x = 0; x < planes.width; ++x) {
+      const float qx = static_cast<float>(low.x() + (x + 0.5) / radius);
+      const float z = 1 + tx * qx + ty * qy;
+      if (z < static_cast<float>(kLeastNearness)) continue;
+      const float px = qx / z, py = qy / z;
+      const float weight = window(px, half.x()) * window(py, half.y());
+      ChannelImage::Patch patch;
+      if (weight == 0 || !image.look(mx + pixels * px, my + pixels * py, patch)) continue;
+      const std::size_t i = static_cast<std::size_t>(y) * planes.width + x;
+      planes.weight[i] = weight;
+      for (int c = 0; c < 3; ++c) {
+        planes.first[i] += axes[0][c] * patch.value[c];
+        planes.second[i] += axes[1][c] * patch.value[c];
+      }
+    }
+  }
+  return planes;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,160 @@
+/** Drape of a workbench's garment without tools; it is simulated while it is in view. */
+import type {PropertyValues} from 'lit';
+
+import type {DrapeView} from '../../viewer/drape/drape-view.js';
+import type {CameraPreset} from '../../viewer/drape/camera.js';
+import {drapingOf, type Draping} from '../../workbench/draping.js';
+import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
+
+/** Detail of a `drapeEvent`. */
+interface DrapeNews {
+  readonly stage: 'sew' | 'hang' | 'settle' | 'done';
+  /** 0 to 1 */
+  readonly fraction: number;
+  /** True once the drape no longer moves. */
+  readonly settled: boolean;
+  /** Notes for the user, one sentence each. */
+  readonly notes: readonly string[];
+}
+
+export class DrapeDrawing extends SceneDrawing<DrapeView> {
+  static override properties = {
+    ...SceneDrawing.properties,
+    camera: {},
+    form: {},
+    turntable: {type: Boolean},
+  };
+  /** Initial view of the camera, to which it returns. */
+  declare camera: CameraPreset;
+  declare form: 'shown' | 'hidden';
+  /** True for a turntable, which runs until the user touches the drape. */
+  declare turntable: boolean;
+  #observer: IntersectionObserver | undefined;
+  #isInView = false;
+  /** Ends the draping. */
+  #end: (() => void) | undefined;
+  #isPrinted = false;
+  #isShaped = false;
+  #told = '';
+
+  constructor() {
+    super();
+    this.camera = 'front';
+    this.form = 'shown';
+    this.turntable = false;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#observer = new IntersectionObserver((entries) => {
+      this.#isInView = entries.at(-1)?.isIntersecting ?? false;
+      this.#drapeInView();
+    });
+    this.#observer.observe(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#observer?.disconnect();
+    this.#isInView = false;
+    this.#drapeInView();
+    this.#isPrinted = false;
+    this.#isShaped = false;
+  }
+
+  protected get draping(): Draping {
+    return drapingOf(this.workbench);
+  }
+
+  /** Additional options of a drape with tools. */
+  protected viewOptions(): ConstructorParameters<typeof DrapeView>[1] {
+    return {leavesWheel: true};
+  }
+
+  protected override async load(): Promise<OpenView<DrapeView>> {
+    const {DrapeView} = await import('../../viewer/drape/drape-view.js');
+    return (stage, options) => {
+      const view = new DrapeView(stage, {...options, ...this.viewOptions()});
+      view.camera.look(this.camera);
+      view.camera.setTurntable(this.turntable);
+      return view;
+    };
+  }
+
+  protected override opened(): void {
+    this.#drapeInView();
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    if (!this.view) return;
+    if (changed.has('camera')) this.view.camera.look(this.camera);
+    if (changed.has('turntable')) this.view.camera.setTurntable(this.turntable);
+  }
+
+  protected override drew(view: DrapeView): void {
+    view.setForm(this.form !== 'hidden');
+    this.#tellNews();
+  }
+
+  /** The poster stays until the drape has a shape and a print. */
+  protected override printed(): void {
+    this.#isPrinted = true;
+    this.#tellDrawn();
+  }
+
+  #tellDrawn(): void {
+    if (this.#isPrinted && this.#isShaped) this.tell(drawnEvent);
+  }
+
+  #drapeInView(): void {
+    const {view} = this;
+    if (this.#isInView && view) this.#end ??= this.#begin(view);
+    if (this.#isInView) return;
+    this.#end?.();
+    this.#end = undefined;
+  }
+
+  /** @returns function that ends the draping */
+  #begin(view: DrapeView): () => void {
+    const quiet = matchMedia('(prefers-reduced-motion: reduce)');
+    let shown = false;
+    return this.draping.show({
+      form: (form) => {
+        view.form = form;
+      },
+      mesh: (mesh) => {
+        view.mesh = mesh;
+      },
+      positions: (positions, isFinal) => {
+        // reduced motion: only the first shape and the last
+        if (shown && quiet.matches && !isFinal) return;
+        shown = !isFinal;
+        view.pose(positions);
+        this.#isShaped = true;
+        this.#tellDrawn();
+      },
+      clear: () => {
+        view.clear();
+      },
+    });
+  }
+
+  #tellNews(): void {
+    const {state, drape} = this.draping.read;
+    if (state.kind === 'draping') {
+      const {stage, fraction} = state.progress;
+      // the end is reported with the final positions
+      if (stage !== 'done') this.#tellOnce({stage, fraction, settled: false, notes: []});
+    } else if (state.kind === 'done') {
+      this.#tellOnce({stage: 'done', fraction: 1, settled: true, notes: drape?.notes ?? []});
+    }
+  }
+
+  #tellOnce(news: DrapeNews): void {
+    const told = JSON.stringify(news);
+    if (told === this.#told) return;
+    this.#told = told;
+    this.tell(drapeEvent, news);
+  }
+}

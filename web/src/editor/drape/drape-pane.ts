@@ -1,0 +1,352 @@
+/** The drape with its tools: drawing, settings, and text for screen readers. */
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import {fabricOf, usualFabric} from '../../model/design.js';
+import {fabricNames, type FabricName} from '../../model/drape.js';
+import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
+import type {DrapeView} from '../../viewer/drape/drape-view.js';
+import {wornTexts, type WornTexts} from '../../texts/drape-texts.js';
+import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {commandFor, keysOf, type KeyList} from '../commands/command-for.js';
+import type {Command} from '../commands/command.js';
+import {sameTarget} from '../../workbench/state.js';
+import type {Target} from '../../workbench/workbench.js';
+import {seamRows, worstSeams} from '../lists/rows.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import {drapeCommands} from './drape-commands.js';
+import {DrapeDrawing} from './drape-drawing.js';
+import {drapeStyle} from './drape-style.js';
+
+/** Zoom step of a button; a key zooms less. */
+const zoomFactor = 1.4;
+
+/** Failures that a second attempt may avoid; all others are caused by the garment. */
+const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
+
+export class DrapePane extends DrapeDrawing {
+  static override properties = {
+    ...DrapeDrawing.properties,
+    purpose: {},
+  };
+  static override styles = [...DrapeDrawing.styles, controls, drapeStyle];
+  /** `show`: for display only, in a page that scrolls. */
+  declare purpose: 'show' | 'edit';
+  #showsSeams = false;
+  /** Share of the width that shows the garment before the solve; undefined for none. */
+  #split: number | undefined;
+  /** The preset nearest to the camera; a change of it is announced. */
+  #preset: CameraPreset = 'front';
+  /** Last selected target, here or elsewhere. */
+  #selected: Target | undefined;
+
+  constructor() {
+    super();
+    this.purpose = 'edit';
+  }
+
+  /**
+   * Shows the garment before the solve on a share of the width, for example on all of it while a
+   * key is held.
+   */
+  set split(split: number | undefined) {
+    this.#split = split;
+    this.requestUpdate();
+  }
+
+  /** Shows or hides the garment before the solve on one half. */
+  toggleWipe(): void {
+    this.split = this.#split === undefined ? 0.5 : undefined;
+  }
+
+  toggleSeams(): void {
+    this.#showsSeams = !this.#showsSeams;
+    this.requestUpdate();
+  }
+
+  /** Shows or hides the form under the garment. */
+  toggleForm(): void {
+    this.form = this.form === 'hidden' ? 'shown' : 'hidden';
+  }
+
+  /** Keys of the commands. */
+  get keys(): KeyList {
+    return keysOf(this.commands);
+  }
+
+  /** Commands, with the keys that work while the pane has the focus. */
+  get commands(): readonly Command[] {
+    return drapeCommands(this, this.purpose === 'edit', this.texts, this.#words);
+  }
+
+  /** Focuses the drape, so that its keys work. */
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
+  }
+
+  protected override hasSeams(): boolean {
+    return this.#showsSeams;
+  }
+
+  protected override viewOptions(): ConstructorParameters<typeof DrapeView>[1] {
+    const onMoved = (): void => {
+      this.#preset = this.view?.camera.preset ?? this.#preset;
+      this.requestUpdate();
+    };
+    if (this.purpose === 'show') return {leavesWheel: true, onMoved};
+    return {
+      onMoved,
+      onPoint: (target) => {
+        this.workbench.point(target);
+      },
+      onPick: (target) => {
+        this.#selected = target;
+        this.workbench.select(target);
+      },
+    };
+  }
+
+  protected override opened(stage?: HTMLElement): void {
+    super.opened();
+    if (stage) stage.tabIndex = -1; // the whole drape has the focus
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const {selected} = this.workbench;
+    if (sameTarget(selected, this.#selected)) return;
+    this.#selected = selected;
+    if (selected) this.view?.face(selected);
+  }
+
+  protected override drew(view: DrapeView): void {
+    super.drew(view);
+    view.setSeams(this.#showsSeams);
+    const {selected, pointed, scenes} = this.workbench;
+    const split = this.#split;
+    view.setWipe(split === undefined || !scenes ? undefined : {before: scenes.before, split});
+    view.setMarked(this.purpose === 'edit' ? {selected, pointed} : {});
+  }
+
+  protected override render(): TemplateResult {
+    const words = this.#words;
+    const {state} = this.draping.read;
+    const edits = this.purpose === 'edit';
+    return html`
+      <div
+        class="application"
+        role="application"
+        aria-label=${words.label}
+        aria-description=${words.description}
+        tabindex="0"
+        @keydown=${this.#press}
+        @keyup=${({key}: KeyboardEvent) => {
+          if (key.toLowerCase() === 'w') this.split = undefined;
+        }}
+      >
+        <div class="stage"></div>
+      </div>
+      ${this.#split === undefined ? nothing : this.#wiping(this.#split)}
+      ${edits ? this.#bar(words) : nothing}
+      <slot name="notice"></slot>
+      <div class="foot">
+        <div class="said">${this.#told(words)}</div>
+        ${this.#looking(words, edits)}
+      </div>
+      <progress
+        aria-hidden="true"
+        max="1"
+        ?hidden=${state.kind !== 'draping'}
+        .value=${state.kind === 'draping' ? state.progress.fraction : 0}
+      ></progress>
+      <p class="hidden" role="status">${this.#spoken(words)}</p>
+    `;
+  }
+
+  get #words(): WornTexts {
+    const {language, messages} = this.workbench.preferences;
+    return wornTexts(language, messages);
+  }
+
+  #bar(words: WornTexts): TemplateResult {
+    const {design} = this.workbench;
+    const fabric = design ? fabricOf(design) : usualFabric;
+    return html`<div class="bar">
+      <div class="group">
+        <select
+          aria-label=${words.fabric}
+          title=${words.fabric}
+          .value=${fabric}
+          @change=${({target}: Event) => {
+            this.workbench.change({fabric: (target as HTMLSelectElement).value as FabricName});
+          }}
+        >
+          ${fabricNames.map(
+            (name) =>
+              html`<option value=${name} ?selected=${name === fabric}>
+                ${words.fabrics[name]}
+              </option>`,
+          )}
+        </select>
+        ${this.#toggle(words.form, this.form !== 'hidden', () => {
+          this.toggleForm();
+        })}
+        ${this.#toggle(words.seams, this.#showsSeams, () => {
+          this.toggleSeams();
+        })}
+      </div>
+    </div>`;
+  }
+
+  #wiping(split: number): TemplateResult {
+    return html`<div class="wipe">
+      <sw-wipe-handle
+        .workbench=${this.workbench}
+        .split=${split}
+        @input=${({detail}: CustomEvent<number>) => {
+          this.split = detail;
+        }}
+      ></sw-wipe-handle>
+    </div>`;
+  }
+
+  /** Controls of the camera: view, zoom and turntable. */
+  #looking(words: WornTexts, edits: boolean): TemplateResult {
+    const {pattern} = this.texts;
+    const isTurning = this.view?.camera.isTurning ?? false;
+    const preset = this.view?.camera.preset ?? this.#preset;
+    return html`<div class="group" role="group" aria-label=${pattern.view}>
+      ${
+        edits
+          ? html`<button
+                class="icon"
+                aria-label=${pattern.wipe}
+                title=${pattern.wipe}
+                aria-pressed=${this.#split !== undefined}
+                @click=${() => {
+                  this.toggleWipe();
+                }}
+              >
+                ${icon.before}</button
+              ><select
+                aria-label=${words.look}
+                title=${words.look}
+                .value=${preset}
+                @change=${({target}: Event) => {
+                  this.view?.camera.look((target as HTMLSelectElement).value as CameraPreset);
+                }}
+              >
+                ${presetNames.map(
+                  (name) =>
+                    html`<option value=${name} ?selected=${name === preset}>
+                      ${words.looks[name]}
+                    </option>`,
+                )}
+              </select>`
+          : nothing
+      }
+      <button
+        class="icon turntable"
+        aria-label=${words.turntable}
+        title=${words.turntable}
+        aria-pressed=${isTurning}
+        @click=${() => {
+          this.view?.camera.setTurntable(!isTurning);
+        }}
+      >
+        ${icon.turntable}
+      </button>
+      ${this.#icon(pattern.zoomOut, icon.minus, 'zoom', () => this.view?.camera.zoomBy(1 / zoomFactor))}
+      ${this.#icon(pattern.fit, icon.fit, '', () => this.view?.camera.look())}
+      ${this.#icon(pattern.zoomIn, icon.plus, 'zoom', () => this.view?.camera.zoomBy(zoomFactor))}
+    </div>`;
+  }
+
+  /** Progress, failure or notes. */
+  #told(words: WornTexts): TemplateResult | typeof nothing {
+    if (this.undrawable !== undefined) return html`<p class="told">${this.undrawable}</p>`;
+    const {draping} = this;
+    const {state, drape} = draping;
+    const again = html`<button
+      class="outlined"
+      @click=${() => {
+        draping.again();
+      }}
+    >
+      ${words.again}
+    </button>`;
+    switch (state.kind) {
+      case 'waiting':
+        return drape ? nothing : html`<p class="told">${words.waiting}</p>`;
+      case 'draping':
+        return html`<p class="told">
+          <span class="numbers"
+            >${words.draping(this.format.percent(state.progress.fraction))}</span
+          >
+          <button
+            @click=${() => {
+              draping.cancel();
+            }}
+          >
+            ${words.stop}
+          </button>
+        </p>`;
+      case 'cancelled':
+        return html`<p class="told">${words.stopped} ${again}</p>`;
+      case 'failed': {
+        const {failure} = state;
+        const why = spokenFailure(failure, this.workbench, this.texts);
+        const isPassing = passing.has(failure.code);
+        return html`<p class="told bad" role="alert">${why} ${isPassing ? again : nothing}</p>`;
+      }
+      case 'done': {
+        const notes = drape?.notes ?? [];
+        if (this.#showsSeams && notes.length === 0)
+          return html`<sw-legend .workbench=${this.workbench}></sw-legend>`;
+        return notes.length > 0
+          ? html`<p class="told">${notes.join(' ')}</p>`
+          : html`<span class="truth">${words.truth}</span>`;
+      }
+    }
+  }
+
+  /** "Front view. 10 seams; worst 4 mm at left side seam." */
+  #spoken(words: WornTexts): string {
+    const {state, drape} = this.draping;
+    if (!drape && state.kind === 'waiting') return words.waiting;
+    if (state.kind === 'draping')
+      return words.draping(this.format.percent(Math.floor(state.progress.fraction * 4) / 4));
+    const view = words.seen[this.view?.camera.preset ?? this.#preset];
+    const {selected, scenes} = this.workbench;
+    const piece =
+      selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece]?.label : undefined;
+    const seen = piece === undefined ? view : `${piece}. ${view}`;
+    const rows = seamRows(this.workbench, this.texts);
+    const [worst] = worstSeams(rows, 1);
+    if (!drape || !worst || !this.workbench.result) return seen;
+    const {pattern} = this.texts;
+    const most = this.format.fine(worst.after);
+    return `${seen} ${words.worst(pattern.seams(rows.length), most, worst.name)}`;
+  }
+
+  readonly #press = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    const command = commandFor(this.commands, event.key);
+    if (command) command.run();
+    else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.split = 1;
+    else if (event.key === 'Escape' && this.workbench.selected) this.workbench.select(undefined);
+    else if (!this.view?.camera.key(event.key, event.shiftKey)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  #toggle(label: string, on: boolean, act: () => void): TemplateResult {
+    return html`<button aria-pressed=${on} @click=${act}>${label}</button>`;
+  }
+
+  #icon(label: string, picture: TemplateResult, kind: string, act: () => void): TemplateResult {
+    return html`<button class="icon ${kind}" aria-label=${label} title=${label} @click=${act}>
+      ${picture}
+    </button>`;
+  }
+}

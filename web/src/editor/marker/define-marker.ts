@@ -1,0 +1,13 @@
+/** Registers the fabric layout; loaded on demand. */
+import {registerAll} from '../base/register.js';
+import {MarkerFlaws} from './marker-flaws.js';
+import {MarkerPane} from './marker-pane.js';
+import {MarkerPanel} from './marker-panel.js';
+
+export const defineMarker = (): void => {
+  registerAll({
+    'sw-cloth': MarkerPane,
+    'sw-cloth-panel': MarkerPanel,
+    'sw-cloth-flaws': MarkerFlaws,
+  });
+};

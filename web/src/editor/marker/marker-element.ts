@@ -1,0 +1,29 @@
+/** Base class of the parts of the fabric layout. */
+import {clothTexts, type ClothTexts} from '../../texts/marker-texts.js';
+import {layingOf, type Laying} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/marker-work.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
+
+export abstract class MarkerElement extends WorkbenchElement {
+  protected get laying(): Laying {
+    return layingOf(this.workbench).read;
+  }
+
+  protected get words(): ClothTexts {
+    const {language, messages} = this.workbench.preferences;
+    return clothTexts(language, messages);
+  }
+
+  /** Returns the label of a piece of the garment. */
+  protected nameOf(name: string): string {
+    return this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name;
+  }
+
+  /** Returns the label of a piece on the fabric, numbered if the marker contains several of it. */
+  protected readonly labelOf = ({name, number}: Pick<PieceOnCloth, 'name' | 'number'>): string => {
+    const label = this.nameOf(name);
+    const {names} = this.laying;
+    const same = names.flatMap((one, k) => (one === name ? [k] : []));
+    return same.length > 1 ? `${label} ${same.indexOf(number) + 1}` : label;
+  };
+}

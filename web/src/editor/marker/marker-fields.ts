@@ -1,0 +1,173 @@
+/** Fields of the fabric layout: width, edges, copies, allowances, start of the print, nap. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import type {OwnShare} from '../../cutting/allowances.js';
+import {clothLimits, usualWidths, type MarkerChoices} from '../../workbench/marker-choices.js';
+import type {Units} from '../../model/units.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {Format} from '../../texts/format.js';
+import type {Texts} from '../../texts/texts.js';
+import {lengthUnit} from '../controls/number-field.js';
+
+interface Fields {
+  readonly choices: MarkerChoices;
+  /** Start of the print in the displayed marker. [cm] */
+  readonly startCm: number | undefined;
+  /** True if the user enters a width outside the list. */
+  readonly hasOwnWidth: boolean;
+  /** True if the fields for allowances are open. */
+  readonly hasAllowances: boolean;
+  readonly ownAllowances: OwnShare;
+  /** True if the print looks different upside down. */
+  readonly isOneWay: boolean;
+  readonly units: Units;
+  readonly format: Format;
+  readonly texts: Texts;
+  readonly words: ClothTexts;
+  readonly choose: (change: Partial<MarkerChoices>) => void;
+  readonly askOwnWidth: () => void;
+  readonly askAllowances: () => void;
+}
+
+const other = 'other';
+
+const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
+
+type Length = Exclude<keyof typeof clothLimits, 'copies'>;
+
+/** Steps of the arrow keys other than half a unit. */
+const fineSteps: Partial<Record<Length, number>> = {gapCm: 0.1, allowanceCm: 0.1, hemCm: 0.1};
+
+function lengthField(
+  {units, format, texts, choices, choose}: Fields,
+  name: Length,
+  label: (unit: string) => string,
+): TemplateResult {
+  const {name: unit, cm} = lengthUnit[units];
+  const [least, most] = clothLimits[name];
+  return html`<sw-number-field
+    .label=${label(unit)}
+    .value=${(choices[name] ?? 0) / cm}
+    .least=${least / cm}
+    .most=${most / cm}
+    .step=${fineSteps[name] ?? 0.5}
+    .digits=${units === 'inch' ? 3 : 2}
+    .fractions=${units === 'inch'}
+    .wrong=${texts.controls.between(format.length(least), format.length(most))}
+    @entered=${({detail}: CustomEvent<number>) => {
+      choose({[name]: detail * cm});
+    }}
+  ></sw-number-field>`;
+}
+
+function widthFields(fields: Fields): TemplateResult {
+  const {choices, format, words, texts, choose, hasOwnWidth, askOwnWidth} = fields;
+  const isOwn = hasOwnWidth || !usualWidths.includes(choices.widthCm);
+  const [fewest, most] = clothLimits.copies;
+  return html`<div class="pair">
+      <label>
+        ${words.width}
+        <select
+          class="width"
+          @change=${(event: Event) => {
+            const value = chosen(event);
+            if (value === other) askOwnWidth();
+            else choose({widthCm: Number(value)});
+          }}
+        >
+          ${usualWidths.map(
+            (width) =>
+              html`<option value=${width} .selected=${!isOwn && width === choices.widthCm}>
+                ${format.length(width)}
+              </option>`,
+          )}
+          <option value=${other} .selected=${isOwn}>${words.otherWidth}</option>
+        </select>
+      </label>
+      <sw-number-field
+        class="copies"
+        .label=${words.copies}
+        .value=${choices.copies}
+        .least=${fewest}
+        .most=${most}
+        .digits=${0}
+        .wrong=${texts.controls.between(String(fewest), String(most))}
+        @entered=${({detail}: CustomEvent<number>) => {
+          choose({copies: Math.round(detail)});
+        }}
+      ></sw-number-field>
+    </div>
+    ${isOwn ? lengthField(fields, 'widthCm', words.widthIn) : nothing}`;
+}
+
+/** Cutting sheets use the same allowances. The allowances of the pattern itself take precedence. */
+function allowanceFields(fields: Fields): TemplateResult {
+  const {choices, format, words, ownAllowances, hasAllowances, askAllowances} = fields;
+  if (ownAllowances === 'all')
+    return html`<p class="soft allowances">${words.ownAllowances.all}</p>`;
+  const said = words.allowances(format.length(choices.allowanceCm), format.length(choices.hemCm));
+  return html`<p class="soft allowances">
+      ${said}
+      <button class="link" aria-expanded=${hasAllowances} @click=${askAllowances}>
+        ${words.changeAllowances}
+      </button>
+      ${ownAllowances === 'some' ? html`<br />${words.ownAllowances.some}` : nothing}
+    </p>
+    ${
+      hasAllowances
+        ? html`<div class="pair">
+            ${lengthField(fields, 'allowanceCm', words.allowance)}
+            ${lengthField(fields, 'hemCm', words.hem)}
+          </div>`
+        : nothing
+    }`;
+}
+
+function phaseField(fields: Fields): TemplateResult {
+  const {choices, startCm = 0, words, choose} = fields;
+  const isKnown = choices.phaseCm !== null;
+  return html`<label>
+      ${words.phase}
+      <select
+        class="phase"
+        @change=${(event: Event) => {
+          choose({phaseCm: chosen(event) === 'known' ? Math.max(0, startCm) : null});
+        }}
+      >
+        ${(['unknown', 'known'] as const).map(
+          (name) =>
+            html`<option value=${name} .selected=${isKnown === (name === 'known')}>
+              ${words.phases[name]}
+            </option>`,
+        )}
+      </select>
+    </label>
+    ${isKnown ? lengthField(fields, 'phaseCm', words.phaseIn) : nothing}`;
+}
+
+export function markerFields(fields: Fields): TemplateResult {
+  const {choices, words, choose, isOneWay} = fields;
+  return html`<div class="fields">
+    ${widthFields(fields)}
+    <div class="pair">
+      ${lengthField(fields, 'selvedgeCm', words.selvedge)}
+      ${lengthField(fields, 'gapCm', words.gap)}
+    </div>
+    ${allowanceFields(fields)} ${phaseField(fields)}
+    <div>
+      <label class="inline">
+        <input
+          type="checkbox"
+          aria-describedby="nap"
+          .checked=${choices.isOneWay || isOneWay}
+          ?disabled=${isOneWay}
+          @change=${({target}: Event) => {
+            choose({isOneWay: (target as HTMLInputElement).checked});
+          }}
+        />
+        ${words.oneWay}
+      </label>
+      <p id="nap" class="soft note">${isOneWay ? words.oneWayPrint : words.oneWayNote}</p>
+    </div>
+  </div>`;
+}

@@ -1,0 +1,321 @@
+/** The fabric layout: pieces of the result on the fabric as a drawing and a list, with tools. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import {usedLength} from '../../marker/places.js';
+import type {Point} from '../../model/geometry.js';
+import {lastOf} from '../../workbench/last-of.js';
+import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {commandFor, type KeyList} from '../commands/command-for.js';
+import type {Command} from '../commands/command.js';
+import {wantSize} from '../print/size-wanted.js';
+import {controls} from '../style/controls.js';
+import {markerBar, markerZoom} from './marker-bar.js';
+import {markerCommands, markerKeys} from './marker-commands.js';
+import {FlawActions} from './flaw-actions.js';
+import {ways} from './marker-moves.js';
+import {markerFiles} from './marker-files.js';
+import {MarkerPointing, type PointedCloth} from './marker-pointing.js';
+import {markerSheet, type Dragged} from './marker-sheet.js';
+import {markerStatus, spokenStatus} from './marker-status.js';
+import {markerStyle} from './marker-style.js';
+import {conflicts, conflictWords, lyingWords, roundedLength} from './marker-words.js';
+import {layStepWords} from './lay-step-words.js';
+import {scrollTo} from './scroll-to.js';
+import {margin, middleInSight, type SheetFrame} from './sheet-frame.js';
+import {sheetStyle} from './sheet-style.js';
+
+const zooms = {least: 1, most: 12} as const;
+/** Length of fabric displayed beyond the used length. [cm] */
+const beyond = 14;
+/** Least used length in the drawing. [cm] */
+const leastLength = 50;
+/** Least scale of long fabric, as a share of the scale at which the width fills the view. */
+const leastShare = 0.6;
+export class MarkerPane extends FlawActions {
+  static override styles = [controls, markerStyle, sheetStyle];
+  readonly #conflictsOf = lastOf(conflicts);
+  readonly #pointing = new MarkerPointing(this);
+  #observer: ResizeObserver | undefined;
+  #end: (() => void) | undefined;
+  /** Size of the drawing's container. [CSS px] */
+  #room: Point = [0, 0];
+  #zoom = 1;
+  #isAtStart = false;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#observer = new ResizeObserver(([entry]) => {
+      const {width = 0, height = 0} = entry?.contentRect ?? {};
+      this.#room = [width, height];
+      this.requestUpdate();
+    });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#observer?.disconnect();
+    this.#end?.();
+    this.#end = undefined;
+    this.#pointing.cancel();
+  }
+
+  /** Commands, with the keys that work while the pane has the focus. */
+  get commands(): readonly Command[] {
+    return markerCommands(this, this.texts, this.words);
+  }
+
+  /** All keys of the pane. */
+  get keys(): KeyList {
+    return markerKeys(this, this.texts, this.words);
+  }
+
+  /** Files to save at present; none while a piece has a conflict. */
+  get files(): ReturnType<typeof markerFiles> {
+    const {words, workbench} = this;
+    const {plan, print} = this.laying;
+    const isGood = plan?.placements.length && print && this.isReady && this.#conflicts.size === 0;
+    return isGood ? markerFiles(plan, {words, workbench, print}) : [];
+  }
+
+  /** Name of the step that undo reverts here. */
+  get undoWords(): string | undefined {
+    const {past = [], present} = this.laying.history ?? {};
+    return layStepWords(past.at(-1), present, this.words);
+  }
+
+  get redoWords(): string | undefined {
+    const {future = [], present} = this.laying.history ?? {};
+    return layStepWords(present, future[0], this.words);
+  }
+
+  /** @returns true if there was a step to undo */
+  undo(): boolean {
+    this.#pointing.cancel();
+    this.say(''); // the message may no longer be true
+    return this.laying.undo();
+  }
+
+  redo(): boolean {
+    this.say('');
+    return this.laying.redo();
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
+  }
+
+  zoomBy(factor: number): void {
+    this.#zoom = Math.min(zooms.most, Math.max(zooms.least, this.#zoom * factor));
+    this.requestUpdate();
+  }
+
+  fit(): void {
+    this.#zoom = 1;
+    this.#isAtStart = false;
+    this.requestUpdate();
+  }
+
+  toggleFlawTool(): void {
+    if (this.canMark) this.#pointing.toggleFlawTool();
+  }
+
+  protected override get middle(): Point | undefined {
+    const {renderRoot, laying} = this;
+    const [view, sheet] = [
+      renderRoot.querySelector('.application'),
+      renderRoot.querySelector<SVGSVGElement>('.sheet'),
+    ];
+    return view && sheet && laying.bolt
+      ? middleInSight(view, sheet, laying.bolt.widthCm)
+      : undefined;
+  }
+
+  get isMarking(): boolean {
+    return this.#pointing.isMarking;
+  }
+
+  /** The displayed state, for pointer events. */
+  get shown(): PointedCloth['shown'] {
+    const {pieces, bolt} = this.laying;
+    return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
+  }
+
+  /** Starts packing once the pane is visible, and scrolls to the cut edge first. */
+  protected override updated(): void {
+    if (this.isConnected) this.#end ??= this.laying.show();
+    const application = this.renderRoot.querySelector('.application');
+    if (application) this.#observer?.observe(application);
+    if (!application || !this.renderRoot.querySelector('.sheet')) return;
+    if (!this.#isAtStart) application.scrollTop = application.scrollHeight;
+    this.#isAtStart = true;
+    const piece = this.renderRoot.querySelector('.piece.selected .line');
+    if (this.toBeSeen && piece) scrollTo(application, piece);
+    if (this.toBeSeen === 'on page') application.scrollIntoView({block: 'nearest'});
+    this.toBeSeen = undefined;
+  }
+
+  protected override render(): TemplateResult {
+    const {laying, words} = this;
+    const {state} = laying;
+    return html`<div class="pane" data-state=${state.kind}>
+      ${markerBar(this, words)}
+      <div
+        class="application"
+        role="application"
+        aria-label=${words.label}
+        aria-description=${words.description}
+        tabindex="0"
+        @keydown=${this.#press}
+      >
+        <div
+          class="stage ${laying.isStale ? 'stale' : ''} ${this.isMarking ? 'marking' : ''}"
+          @pointerdown=${this.#pointing.press}
+          @pointermove=${this.#pointing.move}
+          @pointerup=${this.#pointing.release}
+          @pointercancel=${this.#pointing.cancel}
+          @pointerleave=${this.#pointing.leave}
+          @dblclick=${this.#pointing.closeFlaw}
+        >
+          ${this.#sheet()}
+        </div>
+      </div>
+      <slot name="notice"></slot>
+      <div class="foot">
+        <div class="said">${markerStatus(this.#status)}</div>
+        ${markerZoom(this, this.texts)}
+      </div>
+      <progress
+        aria-hidden="true"
+        max="1"
+        ?hidden=${state.kind !== 'laying'}
+        .value=${state.kind === 'laying' ? state.fraction : 0}
+      ></progress>
+      <sw-cloth-panel
+        .workbench=${this.workbench}
+        .selected=${this.selected}
+        .conflicts=${this.#conflicts}
+        .actions=${this}
+        .chosenFlaw=${this.chosenFlaw}
+        @sw-piece-chosen=${({detail}: CustomEvent<number>) => {
+          this.choose(detail);
+          this.toBeSeen = 'on cloth';
+        }}
+        @keydown=${this.#pressInList}
+      ></sw-cloth-panel>
+      <p class="hidden" role="status">${spokenStatus(this.#status)}</p>
+    </div>`;
+  }
+
+  get #conflicts(): ReadonlyMap<number, string> {
+    const {pieces, bolt, isMoved} = this.laying;
+    // packed pieces have no conflicts
+    return bolt && isMoved ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
+  }
+
+  /** The largest scale that fits into the view, times the user's zoom. */
+  #frame(widthCm: number, usedCm: number): SheetFrame {
+    const [width, height] = this.#room;
+    const lengthCm = Math.max(usedCm, leastLength) + beyond;
+    const across = (width - margin.left - margin.right) / widthCm;
+    const along = (height - margin.top - margin.bottom) / lengthCm;
+    const scale = Math.max(Math.min(across, along), leastShare * across, 1);
+    return {widthCm, lengthCm, scale: scale * this.#zoom};
+  }
+
+  #sheet(): TemplateResult | typeof nothing {
+    const {laying, words} = this;
+    const {bolt, pieces, step, print} = laying;
+    if (!bolt || !step || !print || this.#room[0] === 0) return nothing;
+    const usedCm = usedLength(pieces);
+    const {units} = this.workbench.preferences;
+    const frame = this.#pointing.frame ?? this.#frame(bolt.widthCm, usedCm);
+    return markerSheet({
+      ...{frame, bolt, image: print.image, usedCm, pieces, words, units},
+      usedWords: roundedLength(usedCm, units, this.format),
+      label: this.labelOf,
+      pins: step.pins,
+      selected: this.selected,
+      pointed: this.numberOf(this.workbench.pointed),
+      bad: new Set(this.#conflicts.keys()),
+      dragged: this.#pointing.dragged,
+      chosenFlaw: this.chosenFlaw,
+      draft: this.#pointing.draft,
+    });
+  }
+
+  #inWay({piece, inWay}: Dragged): string | undefined {
+    return conflictWords(piece, inWay, this.laying.pieces, this.labelOf, this.words);
+  }
+
+  /** Place of the selected piece in words; during a drag, the place that it would take. */
+  get #placeOfSelected(): string | undefined {
+    const {bolt} = this.laying;
+    const {dragged} = this.#pointing;
+    const piece = dragged ? {...dragged.piece, place: dragged.place} : this.selectedPiece;
+    if (!piece || !bolt) return undefined;
+    const place = lyingWords(piece, bolt, this.words, this.format);
+    const pinned = this.chosen?.isPinned ? `, ${this.words.pinned}` : '';
+    const went = dragged || this.went === '' ? '' : ` (${this.went})`;
+    return `${this.labelOf(piece)}: ${place}${pinned}${went}`;
+  }
+
+  get #status(): Parameters<typeof markerStatus>[0] {
+    const {laying, words, format} = this;
+    const {state} = laying;
+    const {dragged} = this.#pointing;
+    const conflicts = this.#conflicts;
+    const own = this.selected === undefined ? undefined : conflicts.get(this.selected);
+    const why =
+      state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
+    return {
+      ...{laying, words, format, why, said: this.said, told: this.told},
+      unaligned: this.workbench.state.kind === 'failed' ? this.texts.progress.failed : undefined,
+      isMarking: this.isMarking,
+      isDragging: dragged !== undefined,
+      toSize: this.#toSize,
+      ...{conflict: dragged ? this.#inWay(dragged) : (own ?? [...conflicts.values()][0])},
+      place: this.#placeOfSelected,
+    };
+  }
+
+  readonly #toSize = (): void => {
+    wantSize(this);
+  };
+
+  /** Keys also work in the list of pieces, except the keys that press its buttons. */
+  readonly #pressInList = (event: KeyboardEvent): void => {
+    const [target] = event.composedPath();
+    const isField = target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
+    if (!isField && !['Enter', ' '].includes(event.key)) this.#press(event);
+  };
+
+  readonly #press = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey) return;
+    if (!this.#handled(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  #handled(event: KeyboardEvent): boolean {
+    const {key, altKey, shiftKey} = event;
+    if (this.pressForFlaw(event)) return true;
+    const way = ways[key];
+    if (way) return this.nudge(way, altKey);
+    if (key === 'Escape') return this.#pointing.cancel() || this.letGo();
+    if (key === 'Enter' && this.isMarking) {
+      this.#pointing.closeFlaw();
+      return true;
+    }
+    if (altKey) {
+      if (key.toUpperCase() !== 'R') return false;
+      this.turn(true);
+      return true;
+    }
+    const command = commandFor(
+      this.commands,
+      shiftKey && /^[nx]$/i.test(key) ? `Shift ${key.toUpperCase()}` : key,
+    );
+    command?.run();
+    return command !== undefined;
+  }
+}

@@ -1,0 +1,81 @@
+/** Status of the fabric layout: progress, failures and conflicts, place of the selected piece. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import type {Format} from '../../texts/format.js';
+import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {Laying} from '../../workbench/laying.js';
+
+interface Status {
+  readonly laying: Laying;
+  /** Message of a failure. */
+  readonly why: string;
+  /** Message of the last change to a flaw; displayed even while the solver lays pieces. */
+  readonly told: string;
+  /** Message of the last action. */
+  readonly said: string;
+  readonly conflict: string | undefined;
+  readonly place: string | undefined;
+  /** Message if the print cannot be aligned; the panel shows the reason. */
+  readonly unaligned: string | undefined;
+  readonly isMarking: boolean;
+  readonly isDragging: boolean;
+  /** Opens the field for the size of the print. */
+  readonly toSize: () => void;
+  readonly words: ClothTexts;
+  readonly format: Format;
+}
+
+/** Failures that a second attempt may avoid; all others are caused by the garment or the fabric. */
+const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
+
+export function markerStatus(status: Status): TemplateResult {
+  const {laying, words, format, why} = status;
+  const {state} = laying;
+  if (status.isMarking) return html`<p class="told">${words.flawHint}</p>`;
+  const act = (label: string, run: () => void): TemplateResult =>
+    html`<button class="outlined" @click=${run}>${label}</button>`;
+  const again = act(words.again, () => {
+    laying.pack();
+  });
+  if (status.isDragging) return doneWords(status);
+  switch (state.kind) {
+    case 'waiting':
+      return html`<p class="told">
+        ${status.unaligned ?? (laying.step ? words.stale : words.waiting)}
+      </p>`;
+    case 'laying':
+      return html`<p class="told">
+        <span class="numbers">${words.laying(format.percent(state.fraction))}</span>
+        ${act(words.cancel, () => {
+          laying.cancel();
+        })}
+      </p>`;
+    case 'cancelled':
+      return html`<p class="told">${words.cancelled} ${again}</p>`;
+    case 'failed':
+      return html`<p class="told bad" role="alert">
+        ${why} ${passing.has(state.failure.code) ? again : nothing}
+        ${state.failure.code === 'unscaled' ? act(words.toSize, status.toSize) : nothing}
+      </p>`;
+    case 'done':
+      return doneWords(status);
+  }
+}
+
+function doneWords({told, said, conflict, place, words}: Status): TemplateResult {
+  if (told !== '') return html`<p class="told">${told}</p>`;
+  if (said !== '') return html`<p class="told">${said}</p>`;
+  if (conflict !== undefined) return html`<p class="told bad">${conflict}</p>`;
+  return html`<span class="place">${place ?? words.hint}</span>`;
+}
+
+/** Status for screen readers. */
+export function spokenStatus({laying, told, said, conflict, place, words, format}: Status): string {
+  const {state} = laying;
+  if (told !== '') return told;
+  if (state.kind === 'laying') {
+    return words.laying(format.percent(Math.floor(state.fraction * 4) / 4));
+  }
+  if (said !== '') return said;
+  return [place, conflict].filter((one) => one !== undefined).join('. ');
+}

@@ -1,8 +1,0 @@
-/** Registers the drape; loaded on demand. */
-import {registerAll} from '../base/register.js';
-import {Legend} from '../pattern/legend.js';
-import {WornPane} from './worn-pane.js';
-
-export const defineWorn = (): void => {
-  registerAll({'sw-legend': Legend, 'sw-worn': WornPane});
-};
