@@ -2,6 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
+import type {ProjectList} from '@/app/projects/project-list.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {hand, jsonFile, squares} from '../support/page-files.js';
@@ -140,6 +141,11 @@ it('calls window and files by the name that somebody gives a project', async () 
   await drop(page, 'scarf.json');
   const list = await listOf(page);
   await list.getByRole('textbox').fill('For Ada: 1/2');
+  await page.locator('sw-project-list').evaluate(async (element) => {
+    const list = element as ProjectList;
+    list.requestUpdate(); // as a preview image does that arrives meanwhile
+    await list.updateComplete;
+  });
   await page.keyboard.press('Enter');
   await expect.poll(() => page.title()).toBe('For Ada: 1/2 – Seamwise');
   await page.keyboard.press('Escape');

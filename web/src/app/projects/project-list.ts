@@ -1,6 +1,5 @@
 /** All projects of this browser with preview images: to open, rename, duplicate and delete. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
-import {live} from 'lit/directives/live.js';
 import {repeat} from 'lit/directives/repeat.js';
 
 import {controls, WorkbenchElement, icon} from '../../editor/index.js';
@@ -130,9 +129,8 @@ export class ProjectList extends WorkbenchElement {
         maxlength=${longestName}
         autocomplete="off"
         spellcheck="false"
-        .value=${live(name)}
-        @change=${(event: Event) =>
-          void this.projects.rename(id, (event.target as HTMLInputElement).value)}
+        .value=${name}
+        @change=${(event: Event) => void this.#rename(id, event.target as HTMLInputElement)}
         @keydown=${(event: KeyboardEvent) => {
           this.#nameKey(event, name);
         }}
@@ -202,6 +200,13 @@ export class ProjectList extends WorkbenchElement {
   async #take(id: string): Promise<void> {
     if (await this.projects.open(id)) this.#dialog?.close();
     else this.workbench.say({tone: 'error', text: this.texts.projects.gone});
+  }
+
+  /** Shows the name as it is stored; an update of the list does not replace a name being typed. */
+  async #rename(id: string, input: HTMLInputElement): Promise<void> {
+    await this.projects.rename(id, input.value);
+    await this.#list();
+    input.value = this.entries.find((entry) => entry.id === id)?.name ?? input.value;
   }
 
   async #remove(id: string): Promise<void> {
