@@ -60,30 +60,42 @@ describe('a photograph', () => {
     expect(readFileSync(file('made.png')).subarray(1, 4).toString()).toBe('PNG');
   });
 
-  it('of a hexagonal lattice is as wide as on the page, and w1 is told beside', async () => {
-    const {pixels} = await floralCase(
-      {name: 'stars', level: 'normal', seed: 8, size: [800, 640]},
-      'p31m',
-    );
-    writeFileSync(file('stars.png'), await pngOf(pixels));
-    const words = ['--measure', 'w1=10/80', '--out', file('read.json')];
-    const {code, out, err} = await photo(file('stars.png'), ...words);
-    expect({code, err}).toMatchObject({code: 0});
-    expect(out).toContain('p31m, one repeat 8.00 x 13.86 cm, w1 8.00 and w2 8.00 cm (+-');
-    // the directions show where to hold the tape measure
-    expect(out).toMatch(/, w1 (down|up|to the (left|right))[a-z ]* and w2 [a-z ]+ on the picture,/);
-    expect(err).not.toContain('disagree');
-    const apart = await photo(file('stars.png'), '--measure', 'w1=10/80', '--measure', 'w2=10/40');
-    expect(apart.err).toMatch(
-      /The lengths disagree by 50 %: with 8\.00 cm along w1, .* 8\.0. cm along w2, not 4\.00 cm/,
-    );
-    const print = JSON.parse(readFileSync(file('read.json'), 'utf8')) as PrintVectors;
-    const {size: repeat} = repeatOf({group: 'p31m', ...print});
-    expect(repeat.width).toBeCloseTo(8, 6);
-    expect(repeat.height).toBeCloseTo(8 * Math.sqrt(3), 6);
-    const told = JSON.parse((await photo(file('stars.png'), ...words, '--json')).out) as object;
-    expect(told).toMatchObject({size: {angleDeg: 90}});
-  });
+  it(
+    'of a hexagonal lattice is as wide as on the page, and w1 is told beside',
+    {tags: ['thorough']},
+    async () => {
+      const {pixels} = await floralCase(
+        {name: 'stars', level: 'normal', seed: 8, size: [800, 640]},
+        'p31m',
+      );
+      writeFileSync(file('stars.png'), await pngOf(pixels));
+      const words = ['--measure', 'w1=10/80', '--out', file('read.json')];
+      const {code, out, err} = await photo(file('stars.png'), ...words);
+      expect({code, err}).toMatchObject({code: 0});
+      expect(out).toContain('p31m, one repeat 8.00 x 13.86 cm, w1 8.00 and w2 8.00 cm (+-');
+      // the directions show where to hold the tape measure
+      expect(out).toMatch(
+        /, w1 (down|up|to the (left|right))[a-z ]* and w2 [a-z ]+ on the picture,/,
+      );
+      expect(err).not.toContain('disagree');
+      const apart = await photo(
+        file('stars.png'),
+        '--measure',
+        'w1=10/80',
+        '--measure',
+        'w2=10/40',
+      );
+      expect(apart.err).toMatch(
+        /The lengths disagree by 50 %: with 8\.00 cm along w1, .* 8\.0. cm along w2, not 4\.00 cm/,
+      );
+      const print = JSON.parse(readFileSync(file('read.json'), 'utf8')) as PrintVectors;
+      const {size: repeat} = repeatOf({group: 'p31m', ...print});
+      expect(repeat.width).toBeCloseTo(8, 6);
+      expect(repeat.height).toBeCloseTo(8 * Math.sqrt(3), 6);
+      const told = JSON.parse((await photo(file('stars.png'), ...words, '--json')).out) as object;
+      expect(told).toMatchObject({size: {angleDeg: 90}});
+    },
+  );
 
   it('is one in proportion only while nobody has measured it', async () => {
     const {code, out} = await photo(file('roses.jpg'), '--out', file('loose.json'));
