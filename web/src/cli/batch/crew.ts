@@ -21,6 +21,14 @@ export interface Crew {
 /** Time for running jobs to finish on close. [ms] */
 const farewell = 1000;
 
+/**
+ * Keeps threads from loading modules synchronously: Node 20 aborts the whole process if such a
+ * thread is ended meanwhile.
+ */
+const asynchronous = ['--no-experimental-require-module'].filter((flag) =>
+  process.allowedNodeEnvironmentFlags.has(flag),
+);
+
 export class Threads implements Crew {
   readonly atOnce: number;
   readonly #store: Store;
@@ -44,6 +52,7 @@ export class Threads implements Crew {
       filename: new URL('./solve-job.js', import.meta.url).href,
       ...{minThreads: threads, maxThreads: threads},
       closeTimeout: farewell,
+      execArgv: [...process.execArgv, ...asynchronous],
     });
     this.#pool.on('error', () => undefined); // jobs of a broken thread reject on their own
   }
