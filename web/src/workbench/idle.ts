@@ -8,9 +8,12 @@ const patience = 2000;
 
 const inputs = ['keydown', 'pointerdown', 'pointermove', 'wheel', 'input'];
 
-/** Waits until the user has paused for a while, counted from the call, and the page is idle. */
-export async function paused(): Promise<void> {
-  if (typeof document !== 'undefined') await noInput(pause);
+/**
+ * Waits until the user has paused for a while, counted from the call, and the page is idle.
+ * @param signal ends the wait early, so that waits of superseded work do not add up
+ */
+export async function paused(signal: AbortSignal): Promise<void> {
+  if (typeof document !== 'undefined') await noInput(pause, signal);
   await idle();
 }
 
@@ -25,14 +28,16 @@ export const idle = (): Promise<void> =>
     else setTimeout(done, 100);
   });
 
-function noInput(time: number): Promise<void> {
+function noInput(time: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve) => {
     const listening = new AbortController();
     const end = (): void => {
+      clearTimeout(timer);
       listening.abort();
       resolve();
     };
     let timer = setTimeout(end, time);
+    signal.addEventListener('abort', end, {signal: listening.signal});
     const restart = (): void => {
       clearTimeout(timer);
       timer = setTimeout(end, time);

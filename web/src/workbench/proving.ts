@@ -36,7 +36,7 @@ export class Proving {
     const {method, searchBound, searchCost} = metrics;
     if (method !== 'best' || searchBound === 1 || this.#bounds.isFinished(design)) return;
     const running = this.#task.begin();
-    await paused();
+    await paused(running.signal);
     const late = setTimeout(() => {
       this.#bounds.finish(design); // a longer proof is not worth it
       running.abort();

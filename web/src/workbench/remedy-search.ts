@@ -29,7 +29,7 @@ export class RemedySearch {
     const {signal} = this.#task.begin();
     const found: Remedy[] = [];
     try {
-      await paused();
+      await paused(signal);
       signal.throwIfAborted();
       const {remediesOf} = await import('../remedies/remedies.js');
       signal.throwIfAborted();
