@@ -220,7 +220,7 @@ export function worstOf({
 
 /** A seam under a single symmetry of the print, as seen by the eye. */
 export interface JoinedSeam extends SeamMismatch {
-  /** Returns whether the symmetry continues the print or mirrors it. */
+  /** Effect of the symmetry at the seam: it continues the print, or mirrors it. */
   readonly kind: 'continuous' | 'mirrored';
 }
 
