@@ -4,6 +4,7 @@ import {build} from './build.mjs';
 import {checkFormat, clangTool, tidy} from './clang.mjs';
 import {configure} from './cmake.mjs';
 import {forProblems, forSeconds, fuzz} from './fuzz.mjs';
+import {unlessPassed} from './passed.mjs';
 import {timesOf} from './report.mjs';
 import {run, say, tool} from './shell.mjs';
 import {
@@ -39,11 +40,18 @@ async function native(preset, {isThorough, level}, flags = []) {
   const built =
     (await configure(preset, [chosen, ...strict, ...flags])) &&
     (await run('cmake', ['--build', '--preset', preset, '--', '--quiet'], {output: 'on failure'}));
+  if (!built) return false;
   const parallel = ['-j', String(availableParallelism())];
   const times = ['--output-junit', timesOf(`${preset}.xml`)];
   const words = ['--preset', preset, ...parallel, ...times];
-  return built && run('ctest', words, {env: {SEAMWISE_TESTS: level}});
+  const programs = [`build/${preset}/tests/native/seamwise_tests`, ...nativeTestFiles];
+  return unlessPassed(`${preset} ${chosen}`, programs, isThorough, () =>
+    run('ctest', words, {env: {SEAMWISE_TESTS: level}}),
+  );
 }
+
+/** Files that native tests read. */
+const nativeTestFiles = ['tests/fixtures', 'public/garments', 'web/src/model/core-tables.ts'];
 
 /** One build for tests and fuzzer, by clang; by another compiler if clang is unavailable. */
 async function sanitize(level) {
@@ -54,7 +62,11 @@ async function sanitize(level) {
 
 /** Runs the fuzzer; skipped if it is unavailable. */
 async function fuzzed({isThorough}) {
-  if (await hasOrInstalls(forFuzzing)) return fuzz(isThorough ? forSeconds(60) : forProblems(2000));
+  if (await hasOrInstalls(forFuzzing)) {
+    if (isThorough) return fuzz(forSeconds(60));
+    const read = ['build/sanitize/tests/fuzz/problem_fuzz', 'public', 'web/setup/fuzz.mjs'];
+    return unlessPassed('fuzz', read, false, () => fuzz(forProblems(2000)));
+  }
   say('Left out: there is no clang with a fuzzer (in Debian clang and libclang-rt-dev).');
   return true;
 }

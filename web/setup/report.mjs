@@ -14,24 +14,49 @@ export function beginReport() {
   mkdirSync(folder, {recursive: true});
 }
 
-/** Test files with their seconds. */
+/** Test files with their seconds and their failures, each a test and what it said. */
 function vitestFiles(path) {
   const {testResults} = JSON.parse(readFileSync(path, 'utf8'));
-  return testResults.map(({name, startTime, endTime}) => ({
-    name: relative(root, name),
-    seconds: (endTime - startTime) / 1000,
-  }));
+  return testResults.map(({name, startTime, endTime, status, message, assertionResults}) => {
+    const failures = assertionResults
+      .filter((result) => result.status === 'failed')
+      .map(({fullName, failureMessages}) => ({test: fullName, said: failureMessages.join('\n')}));
+    const isBroken = status === 'failed' && failures.length === 0;
+    return {
+      name: relative(root, name),
+      seconds: (endTime - startTime) / 1000,
+      failures: isBroken ? [{test: 'the file itself', said: message}] : failures,
+    };
+  });
 }
 
 function ctestFiles(path, preset) {
-  const cases = readFileSync(path, 'utf8').matchAll(/<testcase name="(\w+)".*? time="([\d.]+)"/g);
-  return [...cases].map(([, name, time]) => ({
-    name: `tests/native/${name}.cpp (${preset})`,
-    seconds: Number(time),
-  }));
+  const cases = readFileSync(path, 'utf8').matchAll(
+    /<testcase name="(\w+)".*? time="([\d.]+)" status="(\w+)"[^]*?<\/testcase>/g,
+  );
+  return [...cases].map(([text, name, time, status]) => {
+    const [, said = ''] = /<system-out>([^]*?)<\/system-out>/.exec(text) ?? [];
+    return {
+      name: `tests/native/${name}.cpp (${preset})`,
+      seconds: Number(time),
+      failures: status === 'fail' ? [{test: name, said: said.trim().slice(-4000)}] : [],
+    };
+  });
 }
 
-/** Prints the seconds of each check, the ten slowest test files, and the counted work. */
+/** Prints each failed test with what it said: at the end, where a long output is read. */
+function reportFailures(files) {
+  for (const {name, failures} of files) {
+    for (const {test, said} of failures) {
+      const lines = said.split('\n').slice(0, 40);
+      say(`\nFAILED ${name}\n  ${test}\n${lines.map((line) => `    ${line}`).join('\n')}`);
+    }
+  }
+}
+
+/**
+ * Prints the seconds of each check, the ten slowest test files, the counted work, and the failures.
+ */
 export function report(checks, counts, budgets) {
   const rows = checks.map(({name, passed, seconds}) => [
     name,
@@ -53,6 +78,7 @@ export function report(checks, counts, budgets) {
     `${counts[kind] ?? 0} of ${most}`,
   ]);
   if (Object.keys(counts).length > 0) say(`\nWork:\n${table(work)}`);
+  reportFailures(files);
 }
 
 function read(name, ending, files) {

@@ -6,11 +6,11 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSame = 1e-9;     // cm
-constexpr double kApart = 1e-3;    // cm; distance that different nodes keep if possible
-constexpr double kSettled = 1e-6;  // cm
-constexpr double kWithin = 0.25;   // cm; corners within paths match in spite of this much ease
-constexpr int kMostSweeps = 150;   // contradictory symmetries would move nodes without end
+constexpr double kSamePlace = 1e-9;      // cm
+constexpr double kApart = 1e-3;          // cm; distance that different nodes keep if possible
+constexpr double kPlacesSettled = 1e-6;  // cm
+constexpr double kWithin = 0.25;  // cm; corners within paths match in spite of this much ease
+constexpr int kMostSweeps = 150;  // contradictory symmetries would move nodes without end
 
 }  // namespace
 
@@ -34,11 +34,11 @@ int TiedNodes::add(int loop, double position, bool pinned) {
   const double p = loopOf(loop).wrapped(position);
   const auto next = order.begin() + static_cast<std::ptrdiff_t>(indexAt(loop, p));
   for (const auto at : {next, next == order.begin() ? order.end() : next - 1})
-    if (at != order.end() && std::abs(nodes_[*at].position - p) <= kSame) {
+    if (at != order.end() && std::abs(nodes_[*at].position - p) <= kSamePlace) {
       nodes_[*at].pinned = nodes_[*at].pinned || pinned;
       return *at;
     }
-  if (!order.empty() && loopOf(loop).length() - p <= kSame) return order.front();
+  if (!order.empty() && loopOf(loop).length() - p <= kSamePlace) return order.front();
   const int node = static_cast<int>(nodes_.size());
   nodes_.push_back({loop, p, pinned, false});
   order.insert(next, node);
@@ -178,7 +178,7 @@ void TiedNodes::place(Tie& tie, int side, int node, double tolerance, const doub
 void TiedNodes::anchor(Tie& tie, const Correspondence& map, double tolerance) {
   const int a = tie.side[0].loop, b = tie.side[1].loop;
   const auto same = [&](const Correspondence::Anchor& x) {
-    return tie.self && std::abs(std::remainder(x.from - x.to, loopOf(a).length())) <= kSame;
+    return tie.self && std::abs(std::remainder(x.from - x.to, loopOf(a).length())) <= kSamePlace;
   };
   for (const Correspondence::Anchor& x : map.anchors) {
     if (!x.certain) continue;
@@ -262,7 +262,7 @@ void TiedNodes::settle() {
       moved = std::max(moved, std::abs(position - nodes_[f.node].position));
       nodes_[f.node].position = position;
     }
-    if (moved < kSettled) return;
+    if (moved < kPlacesSettled) return;
   }
 }
 

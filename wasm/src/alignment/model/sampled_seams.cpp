@@ -12,7 +12,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSquare = 1e-12;  ///< greatest cosine of a right angle
+constexpr double kRightAngle = 1e-12;  ///< greatest cosine of a right angle
 
 }  // namespace
 
@@ -25,7 +25,7 @@ SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing)
   const Mat2 to_reduced = to_pose_ = basis.inverse();
   const auto real = [](double v) { return static_cast<Real>(v); };
   u0x_ = real(u1.x()), u0y_ = real(u1.y()), u1x_ = real(u2.x()), u1y_ = real(u2.y());
-  rectangular_ = std::abs(u1.dot(u2)) < kSquare * u1.squaredNorm();
+  rectangular_ = std::abs(u1.dot(u2)) < kRightAngle * u1.squaredNorm();
   g11_ = real(u1.squaredNorm()), g12_ = real(rectangular_ ? 0 : u1.dot(u2));
   g22_ = real(u2.squaredNorm());
   for (const seamwise::Element& e : group.elements()) {

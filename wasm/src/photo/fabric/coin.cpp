@@ -35,7 +35,7 @@ constexpr int kWindowSamples = 12;                 // samples to each side
 constexpr float kUnclear = 0.3f;                   // minimum edge of the coverage of an object
 constexpr float kFaintCover = 0.12f;  // minimum edge of the coverage of one bit in refinement
 constexpr float kFaint = 12;          // the same for the difference itself, of 3 x 255
-constexpr float kAsGood = 0.8f;  // share of the best outline's clearness: coins have inner rings
+constexpr float kAsClear = 0.8f;  // share of the best outline's clearness: coins have inner rings
 constexpr double kPixelError = 0.2;   // error of outlines in the compared image. [px]
 constexpr double kThickness = 0.007;  // error of the size caused by the height of a coin
 constexpr double kCorner = 0.12;      // share of a card's side omitted at rounded corners
@@ -176,7 +176,7 @@ void ObjectSearch::trySize() {
         const ObjectPlacing placing{tapped_ + kCenterStep * size_ * Vec2(i, j), size_,
                                     turn * kPi / kTurnSteps};
         const float clear =
-            clearness(placing, std::max({kUnclear, kAsGood * best_, clearest.first}));
+            clearness(placing, std::max({kUnclear, kAsClear * best_, clearest.first}));
         if (clear > clearest.first) clearest = {clear, placing};
       }
     }
@@ -189,7 +189,7 @@ void ObjectSearch::trySize() {
 /// Chooses the largest outline that is nearly as clear as the clearest; returns false without any.
 bool ObjectSearch::chooseSize() {
   for (int k = count_; k-- > 0;) {
-    if (sizes_[k].first <= kUnclear || sizes_[k].first < kAsGood * best_) continue;
+    if (sizes_[k].first <= kUnclear || sizes_[k].first < kAsClear * best_) continue;
     // The clearest of neighbouring sizes is used.
     while (k > 0 && sizes_[k - 1].first > sizes_[k].first) --k;
     placing_ = sizes_[k].second;

@@ -9,11 +9,11 @@
 namespace seamwise {
 namespace {
 
-constexpr int kLongestPart = 330;       // longer side of an autocorrelated part. [pixels]
-constexpr double kShortestPixels = 6;   // minimum repeat; the weave is shorter. [pixels]
-constexpr double kShiftReach = 0.55;    // maximum shift, in widths and heights of the part
-constexpr double kLeastMeeting = 0.04;  // minimum share of weights that overlap at a shift
-constexpr double kMiddle = 0.5;         // share of width and height
+constexpr int kLongestVotingPart = 330;  // longer side of an autocorrelated part. [pixels]
+constexpr double kShortestPixels = 6;    // minimum repeat; the weave is shorter. [pixels]
+constexpr double kShiftReach = 0.55;     // maximum shift, in widths and heights of the part
+constexpr double kLeastMeeting = 0.04;   // minimum share of weights that overlap at a shift
+constexpr double kMiddle = 0.5;          // share of width and height
 constexpr int kLatticesOfEach = 3;
 constexpr double kSame = 0.06;  // share of w1 and w2 for lattices voted for twice
 
@@ -47,7 +47,7 @@ TiltVotes::TiltVotes(const std::vector<ChannelImage>& levels)
     : levels_(levels), parts_(allParts()) {
   std::size_t level = 0;
   while (level + 1 < levels.size() &&
-         std::max(levels[level].width, levels[level].height) > kLongestPart)
+         std::max(levels[level].width, levels[level].height) > kLongestVotingPart)
     ++level;
   axes_ = principalAxes(levels[level]);
 }
@@ -56,7 +56,7 @@ void TiltVotes::vote(int k) {
   const TiltedPart& part = parts_[k];
   std::size_t level = 0;
   while (level + 1 < levels_.size() &&
-         part.share * std::max(levels_[level].width, levels_[level].height) > kLongestPart)
+         part.share * std::max(levels_[level].width, levels_[level].height) > kLongestVotingPart)
     ++level;
   const ChannelImage& image = levels_[level];
   const Autocorrelation correlation = autocorrelation(
