@@ -238,7 +238,9 @@ TEST(DrapeWrap, HangsStrapsFromTheNeckWithoutAFold) {
     };
     for (const auto& a : triangles)
       for (const auto& b : triangles)
-        if (common(a, b) == 2) EXPECT_GT(dot(face(a), face(b)), 0.3) << size;
+        if (common(a, b) == 2) {
+          EXPECT_GT(dot(face(a), face(b)), 0.3) << size;
+        }
   }
 }
 

@@ -85,12 +85,12 @@ class FourierPlan {
 }  // namespace
 
 void transformLines(std::vector<ComplexFloat>& plane, const FourierLines& lines, bool inverse) {
-  constexpr int kLanes = Lanes<float>::kCount;
+  constexpr int kTogether = Lanes<float>::kCount;
   FourierPlan plan(lines.length, inverse);
   std::vector<ComplexLanes> x(lines.length);
-  for (int first = 0; first < lines.count; first += kLanes) {
+  for (int first = 0; first < lines.count; first += kTogether) {
     ComplexFloat* const from = plane.data() + static_cast<std::size_t>(first) * lines.apart;
-    const int count = std::min(kLanes, lines.count - first);
+    const int count = std::min(kTogether, lines.count - first);
     for (int k = 0; k < lines.length; ++k) {
       for (int j = 0; j < count; ++j) {
         const ComplexFloat& number = from[j * lines.apart + k * lines.step];
