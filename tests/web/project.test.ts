@@ -1,3 +1,4 @@
+import {drawingTitle} from '@/model/drawing.js';
 import {deflateRawSync} from 'node:zlib';
 
 import {describe, expect, it} from 'vitest';
@@ -6,7 +7,7 @@ import type {Design} from '@/model/design.js';
 import {LinkError, linkOf, readLink} from '@/model/link.js';
 import {FileError, isProject, readProject, writeProject} from '@/model/project.js';
 import {written} from '@/model/written-design.js';
-import {drawingTitle, fileNameOf, nameOf, shortened} from '@/model/project-name.js';
+import {fileNameOf, nameOf, shortened} from '@/model/project-name.js';
 
 const design: Design = {
   garment: {name: 'tee-m.json', text: '{"pattern": {}}', sample: {style: 'tee', size: 'm'}},

@@ -11,6 +11,7 @@ export type {LayNote, LayNoteCode} from './model/lay-note.js';
 export type * from './model/lay-plan.js';
 export * from './model/marker.js';
 export type * from './model/options.js';
+export type * from './model/grain.js';
 export * from './model/print.js';
 export * from './model/method.js';
 export * from './model/problem.js';
@@ -33,6 +34,7 @@ export type {
   DesignGarment,
   DesignPrint,
   DesignPrintFile,
+  StoredFile,
 } from './model/design.js';
 export {problemOf, problemOfStored} from './model/design-problem.js';
 export {LinkError, linkOf, readLink} from './model/link.js';
@@ -45,7 +47,6 @@ export type {CellOf, Repeat} from './model/wallpaper.js';
 export {resultText} from './model/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/solved-design.js';
 export * from './model/stored-design.js';
-export type * from './model/stored-file.js';
 
 export * from './solver/client.js';
 export * from './solver/main-thread.js';

@@ -1,8 +1,9 @@
 /** Checks every value of a design from outside, so that the rest of the page can trust it. */
+import type {GrainRule} from './grain.js';
 import {optionLimits} from './core-tables.js';
 import {askingFor, type AskedSymmetry, type Decisions, type Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
-import type {GrainRule, Lock, SolveOptions} from './options.js';
+import type {Lock, SolveOptions} from './options.js';
 import {fabricNames} from './drape.js';
 import {groupNames, printCells} from './print.js';
 import {methods} from './method.js';

@@ -9,9 +9,15 @@ import type {PieceNames} from './piece-names.js';
 import type {GroupName, Print, PrintCell} from './print.js';
 import type {Method} from './method.js';
 import {latticeVectors, type RepeatSize} from './repeat.js';
-import type {StoredFile} from './stored-file.js';
 import type {Symmetry} from './symmetries.js';
 import type {PrintTile} from './print-tile.js';
+
+/** A file by its URL, and by the sha256 of its bytes in lower-case hexadecimal digits. */
+export interface StoredFile {
+  /** An http:, https: or file: URL, or a path relative to the design. */
+  readonly url: string;
+  readonly sha256: string;
+}
 
 export interface DesignGarment {
   /** Name of its file, used in messages. */

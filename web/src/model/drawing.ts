@@ -84,3 +84,22 @@ export interface DrawingOptions {
   /** Unit of the drawing; it overrides the unit in the file. */
   readonly units?: FileUnit;
 }
+
+const drawingEnding =
+  /(\.(aama|astm|browzwear|clo|flat|gerber|lectra|optitex|polypattern|richpeace|valentina))?\.(dxf|obj|svg)$/i;
+
+/** Name of a drawing file without the endings that programs add: "tee-m" of "tee-m.gerber.dxf". */
+export const drawingName = (file: string): string =>
+  file.replace(/^.*[/\\]/, '').replace(drawingEnding, '') || file;
+
+/** Least length at which programs cut names off. [characters] */
+const shortestCut = 20;
+
+/**
+ * Title of a drawing. The stated title may be a file name, or the cut-off beginning of this file's
+ * own name.
+ */
+export function drawingTitle(stated: string, file: string): string {
+  const [title, own] = [drawingName(stated.trim()), drawingName(file)];
+  return title.length >= shortestCut && own.startsWith(title) ? own : title;
+}

@@ -4,7 +4,7 @@
  * outlines run counter-clockwise.
  */
 import type {Point} from './geometry.js';
-import type {GrainLock} from './options.js';
+import type {GrainLock} from './grain.js';
 import type {Symmetry} from './symmetries.js';
 
 /** Members of the file that this program does not know, unchanged. */

@@ -1,7 +1,15 @@
 /** Writes garment documents as seamwise-garment/1 files, in centimetres. */
-import type {DraftedEdge, EdgeOfPiece, GarmentDocument, GarmentPiece} from './garment-document.js';
+import {
+  unitsInMetre,
+  type DraftedEdge,
+  type EdgeOfPiece,
+  type FileUnit,
+  type GarmentDocument,
+  type GarmentPiece,
+} from './garment-document.js';
 import type {Curvature, PanelEdge, PathCubic, Stitch} from './garment.js';
 import type {Point} from './geometry.js';
+import {fieldOf} from './read.js';
 
 /** Maps a point to the coordinates of the file. */
 type Frame = (point: Point) => Point;
@@ -189,4 +197,12 @@ export function garmentFile(document: GarmentDocument): string {
     ],
     ...texts(top),
   ])}\n`;
+}
+
+/** The same file with its numbers taken in another unit. @param text of a readable file */
+export function inUnit(text: string, unit: FileUnit): string {
+  const garment = JSON.parse(text) as object;
+  const stated = fieldOf(garment, 'properties');
+  const properties = {...(stated as object | undefined), units_in_meter: unitsInMetre[unit]};
+  return JSON.stringify({...garment, properties});
 }

@@ -1,7 +1,7 @@
 /** Properties of a garment's pieces that a result does not repeat. */
 import type {GarmentDocument, GarmentPiece, Placement} from './garment-document.js';
 import type {Point} from './geometry.js';
-import {angleOf, type GrainRule} from './options.js';
+import {angleOf, type GrainRule} from './grain.js';
 import {pieceNames, titleOfFile, type PieceNames} from './piece-names.js';
 import {fieldOf} from './read.js';
 

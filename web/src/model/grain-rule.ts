@@ -2,7 +2,7 @@
 import type {Design} from './design.js';
 import {angleOf, minus, radians, wrapped, type Point} from './geometry.js';
 import {isAllowed, type AngleRule} from './mirror-lines.js';
-import type {GrainLock} from './options.js';
+import type {GrainLock} from './grain.js';
 
 /** Grain line of files that give none. */
 const upright: readonly [Point, Point] = [

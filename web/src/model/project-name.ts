@@ -13,25 +13,6 @@ export const projectTitle = text(new RegExp(`^.{1,${longestName}}$`, 'su'), 'a n
 export const withoutEnding = (file: string): string =>
   file.replace(/(\.(seamwise|result))?\.json$/i, '') || file;
 
-const drawingEnding =
-  /(\.(aama|astm|browzwear|clo|flat|gerber|lectra|optitex|polypattern|richpeace|valentina))?\.(dxf|obj|svg)$/i;
-
-/** Name of a drawing file without the endings that programs add: "tee-m" of "tee-m.gerber.dxf". */
-export const drawingName = (file: string): string =>
-  file.replace(/^.*[/\\]/, '').replace(drawingEnding, '') || file;
-
-/** Least length at which programs cut names off. [characters] */
-const shortestCut = 20;
-
-/**
- * Title of a drawing. The stated title may be a file name, or the cut-off beginning of this file's
- * own name.
- */
-export function drawingTitle(stated: string, file: string): string {
-  const [title, own] = [drawingName(stated.trim()), drawingName(file)];
-  return title.length >= shortestCut && own.startsWith(title) ? own : title;
-}
-
 /** Shortens a name; a longer one ends in an ellipsis. */
 export function shortened(name: string, most: number = longestName): string {
   const letters = Array.from(name);

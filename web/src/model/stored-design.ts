@@ -1,5 +1,5 @@
 /** A design as shops store it: decisions, their files, and the result. */
-import {decisionsOf, type Design, type DesignPrint} from './design.js';
+import {decisionsOf, type Design, type DesignPrint, type StoredFile} from './design.js';
 import {
   askedSymmetry,
   decisionFields,
@@ -15,7 +15,6 @@ import {fail, recordOf, shape, text, type Read} from './read.js';
 import {latticeVectors, repeatOf} from './repeat.js';
 import {resultText, sha256Of} from './result-text.js';
 import type {SolveResult} from './result.js';
-import type {StoredFile} from './stored-file.js';
 import {FileError, readVersioned, type FileKind} from './versioned-file.js';
 import {packageVersion} from './version.js';
 

@@ -9,6 +9,7 @@ export type * from '../model/garment.js';
 export type * from '../model/garment-document.js';
 export {garmentFile} from '../model/garment-file.js';
 export type * from '../model/options.js';
+export type * from '../model/grain.js';
 export type * from '../model/photo.js';
 export type * from '../model/print.js';
 export type * from '../model/method.js';
@@ -26,7 +27,7 @@ export type {
 export {SolverError, type Failure, type FailureCode} from '../model/failure.js';
 export {problemOfStored} from '../model/design-problem.js';
 export * from '../model/stored-design.js';
-export type * from '../model/stored-file.js';
+export type {StoredFile} from '../model/design.js';
 export {resultText, sha256Of} from '../model/result-text.js';
 export {FileError} from '../model/versioned-file.js';
 export type {OwnShare} from '../cutting/allowances.js';

@@ -16,8 +16,7 @@ import {
   type GarmentDocument,
   type GarmentPiece,
 } from '../model/garment-document.js';
-import {garmentFile} from '../model/garment-file.js';
-import {inUnit} from '../model/garment-units.js';
+import {garmentFile, inUnit} from '../model/garment-file.js';
 import {angleOf, degrees, minus, type Point} from '../model/geometry.js';
 import {boxOf, signedArea} from '../model/polyline.js';
 import {fieldOf} from '../model/read.js';

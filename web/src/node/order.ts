@@ -16,7 +16,7 @@ import {
   writeStoredDesign,
   type StoredDesign,
 } from '../model/stored-design.js';
-import type {StoredFile} from '../model/stored-file.js';
+import type {StoredFile} from '../model/design.js';
 import {FileError} from '../model/versioned-file.js';
 import {printDistance} from '../model/wallpaper.js';
 import type {SolverService} from '../solver/service.js';

@@ -1,6 +1,7 @@
 /** Proposes changes that may improve seams with a mismatch. `remedies.ts` tests whether they do. */
+import type {GrainLock, GrainRule} from '../model/grain.js';
 import {dot, unit} from '../model/geometry.js';
-import type {GrainLock, GrainRule, SolveOptions} from '../model/options.js';
+import type {SolveOptions} from '../model/options.js';
 import type {GroupName, Print} from '../model/print.js';
 import type {Problem} from '../model/problem.js';
 import type {SeamReason, SolveResult} from '../model/result.js';

@@ -1,6 +1,7 @@
 /** Opens a drawing of another program with the choices of the user. */
+import {drawingName} from '../../model/drawing.js';
 import {spokenFailure, textsOf, toFailure, type Workbench} from '../../editor/index.js';
-import {drawingName, shortened} from '../../model/project-name.js';
+import {shortened} from '../../model/project-name.js';
 import {importTexts} from '../../texts/import-texts.js';
 import {WorkerComplaint} from '../worker/ask.js';
 import {ImportSheet, type FileUse} from './import-sheet.js';

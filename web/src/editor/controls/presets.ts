@@ -1,6 +1,7 @@
 /** Presets for makers, each a set of solver settings. */
+import type {GrainLock} from '../../model/grain.js';
 import type {Design} from '../../model/design.js';
-import type {GrainLock, SolveOptions} from '../../model/options.js';
+import type {SolveOptions} from '../../model/options.js';
 import type {Method} from '../../model/method.js';
 
 export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] as const;

@@ -1,7 +1,7 @@
 /** Settings of the solver: greatest change of pieces, grain, cutting and method. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {GrainLock} from '../../model/options.js';
+import type {GrainLock} from '../../model/grain.js';
 import {methods, type Method} from '../../model/method.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';

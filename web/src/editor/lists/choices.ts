@@ -1,5 +1,6 @@
 /** Changes of the solver's options that the user makes for one seam or one piece. */
-import {angleOf, type GrainLock, type GrainRule, type SolveOptions} from '../../model/options.js';
+import {angleOf, type GrainLock, type GrainRule} from '../../model/grain.js';
+import {type SolveOptions} from '../../model/options.js';
 import type {PieceNames} from '../../model/piece-names.js';
 import type {SeamRow} from './rows.js';
 

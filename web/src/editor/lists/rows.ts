@@ -3,7 +3,7 @@ import type {Design} from '../../model/design.js';
 import type {GarmentDocument, GarmentSeam} from '../../model/garment-document.js';
 import {degrees, distance, minus, rotated} from '../../model/geometry.js';
 import {seamLetter} from '../../model/letters.js';
-import type {GrainLock} from '../../model/options.js';
+import type {GrainLock} from '../../model/grain.js';
 import type {Pattern, SeamReason, SeamSide} from '../../model/result.js';
 import {mismatchSteps, severity} from '../../scene/colours.js';
 import {boxOf, lengthOf} from '../../model/polyline.js';

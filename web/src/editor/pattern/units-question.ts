@@ -4,7 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import type {DesignGarment} from '../../model/design.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {inUnit} from '../../model/garment-units.js';
+import {inUnit} from '../../model/garment-file.js';
 
 export class UnitsQuestion extends WorkbenchElement {
   static override styles = [

@@ -2,7 +2,7 @@
 import {SolverError, type FailureCode} from '../../model/failure.js';
 import {fetchedBy} from '../../model/fetched.js';
 import {sha256Of} from '../../model/result-text.js';
-import type {StoredFile} from '../../model/stored-file.js';
+import type {StoredFile} from '../../model/design.js';
 import type {Texts} from '../../texts/texts.js';
 
 export type FileWords = Texts['garment'];

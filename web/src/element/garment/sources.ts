@@ -5,6 +5,7 @@ import {
   type AskedSymmetry,
   type DesignGarment,
   type DesignPrint,
+  type StoredFile,
 } from '../../model/design.js';
 import {symmetryList} from '../../model/design-reader.js';
 import type {FabricName} from '../../model/drape.js';
@@ -13,7 +14,6 @@ import {colourwayOf, type Print} from '../../model/print.js';
 import {fieldOf, Malformed} from '../../model/read.js';
 import {repeatOf} from '../../model/repeat.js';
 import {printOfStored} from '../../model/stored-design.js';
-import type {StoredFile} from '../../model/stored-file.js';
 import {FileError} from '../../model/versioned-file.js';
 import {jsonText} from '../../solver/requests/texts.js';
 import {fetchText, type FileWords} from './files.js';

@@ -1,6 +1,5 @@
 /** Reads DXF files of pattern programs, AAMA and ASTM, as drawings. */
-import type {Drawing, DrawingOptions} from '../../model/drawing.js';
-import {drawingTitle} from '../../model/project-name.js';
+import {type Drawing, type DrawingOptions, drawingTitle} from '../../model/drawing.js';
 import {FileError} from '../../model/versioned-file.js';
 import {cmPer} from '../base/units.js';
 import {Blocks} from './blocks.js';
