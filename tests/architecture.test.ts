@@ -47,6 +47,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   formats: ['model'], // no DOM: it runs in Node and in workers, too
   clicks: ['model'],
   pairing: ['model'],
+  photo: ['model', 'image'], // the print on a photo
   scene: ['model', 'layout'], // no GL, no SVG, no DOM
   picture: ['model', 'image', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
@@ -55,13 +56,22 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   remedies: ['model', 'scene'],
   viewer: ['model', 'image', 'scene'], // never the solver: views only read a result
   texts: ['model', 'scene', 'marker'], // marker: for the texts printed on a layout
-  workbench: ['model', 'solver', 'image', 'layout', 'scene', 'marker', 'remedies', 'texts'],
+  print: ['model', 'solver', 'image', 'photo', 'texts'], // an opened picture or file as a print
+  sewing: ['model', 'clicks', 'pairing', 'scene', 'texts'], // no DOM
+  workbench: [
+    ...['model', 'solver', 'image', 'layout', 'clicks', 'photo', 'scene', 'picture', 'cutting'],
+    ...['paper', 'marker', 'remedies', 'texts', 'print', 'sewing'],
+  ],
+  commands: ['model', 'clicks', 'viewer', 'texts', 'workbench'], // by key or by name
   editor: [
-    ...['model', 'solver', 'image', 'layout', 'clicks', 'scene', 'cutting', 'marker'],
-    ...['remedies', 'picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
+    ...['model', 'image', 'layout', 'clicks', 'photo', 'scene', 'cutting', 'marker'],
+    ...['remedies', 'viewer', 'texts', 'print', 'workbench', 'commands'],
   ],
   element: ['model', 'solver', 'image', 'paper', 'marker', 'texts', 'workbench', 'editor'],
-  app: ['model', 'image', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
+  app: [
+    ...['model', 'solver', 'image', 'formats', 'photo', 'cutting', 'paper', 'viewer', 'texts'],
+    ...['print', 'workbench', 'commands', 'editor'],
+  ],
   node: [
     'model',
     'image',

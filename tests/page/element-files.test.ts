@@ -5,8 +5,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {ElementPage} from './element/open.js';
-import {sample, tee, useElementPage} from './element/open.js';
+import {sample, tee, useElementPage, type ElementPage} from './element/open.js';
 import {frames} from '../support/waiting.js';
 
 const openPage = useElementPage();

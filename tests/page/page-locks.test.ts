@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import type {PatternPane} from '@/editor/index.js';
+import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import type {Point} from '@/model/geometry.js';
 import type {SolveOptions} from '@/model/options.js';
 import type {SolveResult} from '@/model/result.js';

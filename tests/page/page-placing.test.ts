@@ -6,7 +6,7 @@ import {mirrors} from '@/model/mirror-images.js';
 import {printOf, type Design} from '@/model/design.js';
 import type {Alignment, Point} from '@/model/geometry.js';
 import type {Workbench} from '@/workbench/workbench.js';
-import type {PatternPane} from '@/editor/index.js';
+import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {clickSeam, middleOfPiece, seamOf} from '../support/page-pattern.js';

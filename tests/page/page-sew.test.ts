@@ -6,7 +6,7 @@ import type {GarmentCodeSpecification, StitchEnd} from 'seamwise/node';
 import {expect, it, vi} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
-import type {PatternPane} from '@/editor/index.js';
+import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import type {GarmentDocument} from '@/model/garment-document.js';
 import type {Point} from '@/model/geometry.js';
 import {barriers} from '../support/barriers.js';

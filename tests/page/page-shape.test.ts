@@ -2,7 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import type {PatternPane} from '@/editor/index.js';
+import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import {sampleOf} from '../support/level.js';
 import {designOf} from '../support/page-design.js';
 import {button, solved, usePage} from '../support/page.js';

@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import type {PatternPane} from '@/editor/index.js';
+import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import {solved, usePage} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything

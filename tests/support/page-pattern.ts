@@ -2,7 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 
 import type {Point} from '@/model/geometry.js';
-import type {PatternPane} from '@/editor/index.js';
+import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 
 const pattern = (page: Page): Locator => page.locator('sw-pattern');
 

@@ -1,4 +1,4 @@
-import type {SeamRow} from '@/editor/lists/rows.js';
+import type {SeamRow} from '@/workbench/lists/rows.js';
 
 /** A row of the table of seams with only its number and its mismatch. [cm] */
 export const seamRow = (seam: number, after: number, counts = true): SeamRow => ({

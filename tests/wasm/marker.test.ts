@@ -5,8 +5,10 @@ import {
   type LayPlan,
   type MarkerSettings,
   type Point,
+  type MarkerGarment,
+  type Print,
+  type SolveResult,
 } from 'seamwise/node';
-import type {MarkerGarment, Print, SolveResult} from 'seamwise/node';
 import {beforeAll, describe, expect, it} from 'vitest';
 
 import {plus, rotated} from '@/model/geometry.js';

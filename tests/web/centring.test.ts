@@ -4,7 +4,7 @@ import type {Placement} from '@/model/garment-document.js';
 import type {PanelMarks} from '@/model/garment-marks.js';
 import type {MeshedPattern, Pattern} from '@/model/result.js';
 import type {DetectedSymmetry} from '@/model/symmetries.js';
-import {centred, middleToCentre} from '@/editor/pattern/centring.js';
+import {centred, middleToCentre} from '@/workbench/tools/centring.js';
 import {sceneOf} from '@/scene/scene.js';
 import type {Target} from '@/workbench/workbench.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';

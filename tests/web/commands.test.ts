@@ -2,8 +2,8 @@
 import {expect, it} from 'vitest';
 
 import {folded, matching} from '@/app/palette/filter.js';
-import type {Command} from '@/editor/commands/command.js';
-import {keyOf, shortcutFor, shortcutIds, shortcuts, titleOf} from '@/editor/commands/shortcuts.js';
+import type {Command} from '@/commands/editor-command.js';
+import {keyOf, shortcutFor, shortcutIds, shortcuts, titleOf} from '@/commands/shortcuts.js';
 import {loadTexts, textsOf} from '@/texts/texts.js';
 import {languages} from '@/texts/preferences.js';
 

@@ -1,7 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import type {PanelMarks} from '@/model/garment-marks.js';
-import {garmentTitle, panelMarks} from '@/model/garment-marks.js';
+import {garmentTitle, panelMarks, type PanelMarks} from '@/model/garment-marks.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
 import {onPrint, type Alignment, type Point} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';

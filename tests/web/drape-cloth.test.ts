@@ -5,9 +5,8 @@
 import {expect, it} from 'vitest';
 
 import type {DrapeMesh} from '@/model/drape.js';
-import {onPrint, type Alignment} from '@/model/geometry.js';
+import {onPrint, coordinates, type Alignment} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';
-import {coordinates} from '@/model/geometry.js';
 import {imageCell} from '@/model/wallpaper.js';
 import {clothOf, normalsOf, printPlaces, putToDrawn} from '@/viewer/drape/cloth.js';
 

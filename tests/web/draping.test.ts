@@ -5,7 +5,7 @@ import type {Design} from '@/model/design.js';
 import type {Drape, DrapeHooks, DrapeMesh, Form} from '@/model/drape.js';
 import type {SolveResult} from '@/model/result.js';
 import type {SolverService} from '@/solver/service.js';
-import {Draping, type DrapingViewer} from '@/workbench/draping.js';
+import {Draping, type DrapingViewer} from '@/workbench/drape/draping.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import {bareCloth, newDesign} from '@/workbench/samples.js';
 import {plainMetrics, square, squarePair} from '../support/two-squares.js';

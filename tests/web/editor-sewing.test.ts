@@ -5,8 +5,8 @@ import {expect, it} from 'vitest';
 
 import type {Run} from '@/clicks/run.js';
 import type {Suggestion} from '@/clicks/seam-tool.js';
-import {editedBy} from '@/editor/sewing/seam-edits.js';
-import {sewingOf} from '@/editor/sewing/sewing.js';
+import {editedBy} from '@/sewing/seam-edits.js';
+import {sewingOf} from '@/sewing/sewing.js';
 import type {EdgeOfPiece} from '@/model/garment-document.js';
 import {shirtWithSleeves} from '../support/shirts.js';
 

@@ -1,7 +1,7 @@
 /** Proposed grain lines for pieces of a file without grain. */
 import {describe, expect, it} from 'vitest';
 
-import {grainProposals, wayOf, withImage, type Mirror} from '@/workbench/grain-proposals.js';
+import {grainProposals, wayOf, withImage, type Mirror} from '@/workbench/tools/grain-proposals.js';
 import type {Placement} from '@/model/garment-document.js';
 import type {PanelMarks} from '@/model/garment-marks.js';
 import {squarePiece} from '../support/two-squares.js';

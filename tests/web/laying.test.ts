@@ -9,8 +9,8 @@ import type {MarkerAnswer, MarkerHooks, MarkerLayout, MarkerProblem} from '@/mod
 import type {SolveResult} from '@/model/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {preferencesFor, type Preferences} from '@/texts/preferences.js';
-import {storedCloth, withCloth} from '@/workbench/marker-choices.js';
-import {Laying} from '@/workbench/laying.js';
+import {storedCloth, withCloth} from '@/workbench/marker/marker-choices.js';
+import {Laying} from '@/workbench/marker/laying.js';
 import {bareCloth, newDesign} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import {plainMetrics, squarePair} from '../support/two-squares.js';

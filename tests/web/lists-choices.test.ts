@@ -8,8 +8,8 @@ import {
   withoutPin,
   withPrinted,
   withQuarterTurn,
-} from '@/editor/lists/choices.js';
-import {inOrder} from '@/editor/lists/order.js';
+} from '@/workbench/lists/changed-options.js';
+import {inOrder} from '@/workbench/lists/row-order.js';
 
 const seam = {seam: 3, ownWeight: 1};
 

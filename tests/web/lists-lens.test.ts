@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {rulerOf} from '@/editor/lens/ruler.js';
-import {nextWorst, rankOf} from '@/editor/lens/worst-walk.js';
+import {rulerOf} from '@/scene/ruler.js';
+import {nextWorst, rankOf} from '@/workbench/lists/rows.js';
 import {seamRow as row} from '../support/seam-row.js';
 
 /** Order by mismatch: 2, 0, 1; seam 3 does not count. */

@@ -9,7 +9,7 @@ import {
   worstSeams,
   type PieceRow,
   type SeamRow,
-} from '@/editor/lists/rows.js';
+} from '@/workbench/lists/rows.js';
 import {de} from '@/texts/de.js';
 import {en} from '@/texts/en.js';
 import {formatFor} from '@/texts/format.js';

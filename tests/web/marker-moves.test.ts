@@ -1,11 +1,11 @@
 /** Keyboard moves of a piece in the layout: its new place, the distance, and scrolling. */
 import {describe, expect, it} from 'vitest';
 
-import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/editor/marker/marker-moves.js';
+import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/workbench/marker/marker-moves.js';
 import {missed} from '@/editor/marker/scroll-to.js';
 import {isFree, obstaclesTo, type Bolt} from '@/marker/places.js';
 import type {Alignment, Point} from '@/model/geometry.js';
-import type {PieceOnCloth} from '@/workbench/marker-work.js';
+import type {PieceOnCloth} from '@/workbench/marker/marker-work.js';
 import {at} from '../support/plane.js';
 
 /** Fabric for squares of 8 cm, with places every 4 cm: neighbours need every second one. */

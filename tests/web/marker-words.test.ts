@@ -1,7 +1,7 @@
 /** Texts about the fabric layout, on the page and in its files, in every language. */
 import {describe, expect, it} from 'vitest';
 
-import {FlawTool} from '@/editor/marker/flaw-tool.js';
+import {FlawTool} from '@/clicks/flaw-tool.js';
 import {
   costWords,
   lengthRange,
@@ -10,7 +10,7 @@ import {
   pointWords,
   roundedLength,
   soldLength,
-} from '@/editor/marker/marker-words.js';
+} from '@/workbench/marker/marker-words.js';
 import type {Bolt} from '@/marker/places.js';
 import type {LayPlan} from '@/model/lay-plan.js';
 import {aroundPins} from '@/model/pinned-plan.js';

@@ -1,10 +1,10 @@
 /** Prints read from photos: equal sizes in files and in the dialog, as readable numbers. */
 import {describe, expect, it} from 'vitest';
 
-import {directionSign} from '@/editor/base/direction-sign.js';
-import {areSame} from '@/editor/photo/same-picture.js';
+import {directionSign} from '@/texts/direction-sign.js';
+import {areSame} from '@/photo/same-picture.js';
 import {namePlace} from '@/editor/photo/stage-marks.js';
-import {measuresOf, stepOf} from '@/editor/print/photo-step.js';
+import {measuresOf, stepOf} from '@/photo/photo-step.js';
 import {printOfPhoto} from '@/image/photo-print.js';
 import {norm, radians, rotated, type Point} from '@/model/geometry.js';
 import {vectorsAtMiddle} from '@/model/photo-map.js';

@@ -1,10 +1,10 @@
 /** A photo on its way to a print, without a page: readings, corrections, lengths, and undo. */
 import {describe, expect, it, vi} from 'vitest';
 
-import {brokenPath, brokenPlaces} from '@/editor/photo/breaks-on-photo.js';
-import {boxOf, cellLines, nodesOf} from '@/editor/photo/lattice-lines.js';
-import {movedNode} from '@/editor/photo/moved-node.js';
-import {PhotoSession} from '@/editor/photo/photo-session.js';
+import {brokenPath, brokenPlaces} from '@/photo/breaks-on-photo.js';
+import {boxOf, cellLines, nodesOf} from '@/photo/lattice-lines.js';
+import {movedNode} from '@/photo/moved-node.js';
+import {PhotoSession} from '@/workbench/photo/photo-session.js';
 
 import {
   cellOf,
@@ -15,9 +15,9 @@ import {
   scaledStep,
   stepOf,
   tileSettings,
-} from '@/editor/print/photo-step.js';
-import {axesOf, centresOf, marksOn} from '@/editor/photo/symmetry-marks.js';
-import {gainsFor} from '@/editor/photo/white-spot.js';
+} from '@/photo/photo-step.js';
+import {axesOf, centresOf, marksOn} from '@/photo/symmetry-marks.js';
+import {gainsFor} from '@/photo/white-spot.js';
 import {norm} from '@/model/geometry.js';
 import {SolverError} from '@/model/failure.js';
 import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';

@@ -1,17 +1,12 @@
 import {describe, expect, it} from 'vitest';
 
-import {choiceOf, choices, groupOf, missing, turnsOver} from '@/editor/print/choices.js';
-import {noPicture} from '@/model/design.js';
-import {printFrom} from '@/editor/print/own-tile.js';
-import {
-  solveSettingsOf,
-  presetOf,
-  withSolveSettings,
-  withPreset,
-} from '@/editor/controls/presets.js';
+import {choiceOf, choices, groupOf, missing} from '@/print/group-choice.js';
+import {turnsOver} from '@/model/repeat.js';
+import {noPicture, type Design} from '@/model/design.js';
+import {printFrom} from '@/print/read-print.js';
+import {solveSettingsOf, presetOf, withSolveSettings, withPreset} from '@/workbench/presets.js';
 import {storedPreferences} from '@/app/storage/preferences.js';
 import {en} from '@/texts/en.js';
-import type {Design} from '@/model/design.js';
 import {groupNames} from '@/model/print.js';
 import type {Symmetry} from '@/model/symmetries.js';
 

@@ -3,7 +3,7 @@ import {describe, expect, it} from 'vitest';
 
 import {noteCodes, symmetryReasons, type NoteDetail} from '@/model/notes.js';
 import {failureCodes, type Failure} from '@/model/failure.js';
-import {spokenNote} from '@/editor/shell/spoken-note.js';
+import {spokenNote} from '@/workbench/lists/spoken-note.js';
 import {formatFor} from '@/texts/format.js';
 import {loadTexts, textsOf} from '@/texts/texts.js';
 import {languages, type Language} from '@/texts/preferences.js';

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import {steadied} from '@/editor/photo/steady-cell.js';
+import {steadied} from '@/photo/steady-cell.js';
 import type {Point} from '@/model/geometry.js';
 import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
 import type {PhotoMap, PhotoReading} from '@/model/photo.js';

@@ -2,7 +2,7 @@
 import {expect, it, vi} from 'vitest';
 
 import type {Choice} from '@/clicks/symmetry-tool.js';
-import {SymmetryChooser} from '@/editor/pattern/symmetry-chooser.js';
+import {SymmetryChooser} from '@/workbench/tools/symmetry-chooser.js';
 import {en} from '@/texts/en.js';
 import {formatFor} from '@/texts/format.js';
 import type {Workbench} from '@/workbench/workbench.js';

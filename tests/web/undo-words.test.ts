@@ -1,9 +1,9 @@
 /** The descriptions of undo, for every kind of step. */
 import {expect, it} from 'vitest';
 
-import {changeBetween, type Change} from '@/editor/commands/step.js';
-import {redoWords, undoWords} from '@/editor/commands/step-words.js';
-import {withSolveSettings, withPreset, solveSettingsOf} from '@/editor/controls/presets.js';
+import {changeBetween, type Change} from '@/workbench/history/step-change.js';
+import {redoWords, undoWords} from '@/workbench/history/step-words.js';
+import {withSolveSettings, withPreset, solveSettingsOf} from '@/workbench/presets.js';
 import {
   withGrain,
   withGrainLines,
@@ -12,7 +12,7 @@ import {
   withoutPin,
   withPrinted,
   withQuarterTurn,
-} from '@/editor/lists/choices.js';
+} from '@/workbench/lists/changed-options.js';
 import {en} from '@/texts/en.js';
 import {samplePrint, type SamplePrint} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';

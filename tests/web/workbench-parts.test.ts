@@ -3,7 +3,7 @@ import {ReactiveElement, type PropertyValues} from 'lit';
 import {afterEach, beforeEach, expect, it, vi} from 'vitest';
 
 import {WorkbenchElement} from '@/editor/base/workbench-element.js';
-import {seamRows} from '@/editor/lists/rows.js';
+import {seamRows} from '@/workbench/lists/rows.js';
 import {begun} from '@/model/history.js';
 import type {SolveHooks} from '@/model/problem.js';
 import type {SolveResult} from '@/model/result.js';

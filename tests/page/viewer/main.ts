@@ -1,6 +1,5 @@
 import {PatternView, type PatternViewOptions} from '../../../web/src/viewer/pattern-view.js';
-import type {PatternScene} from '../../../web/src/scene/scene.js';
-import {realigned} from '../../../web/src/scene/scene.js';
+import {realigned, type PatternScene} from '../../../web/src/scene/scene.js';
 import {Screen} from '../../../web/src/viewer/screen.js';
 import {SeamStrip} from '../../../web/src/viewer/seam-strip.js';
 import {loadTile, svgTile} from '../../../web/src/image/tile.js';

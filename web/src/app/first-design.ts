@@ -7,10 +7,10 @@ import {
   sampleGarment,
   samplePrint,
   welcome,
-  withAll,
   type Samples,
-  type Workbench,
-} from '../editor/index.js';
+} from '../workbench/samples.js';
+import {withAll} from '../workbench/symmetry-steps.js';
+import type {Workbench} from '../workbench/workbench.js';
 
 /** @throws {Error} if a sample cannot be read; the message is one sentence */
 export const firstDesign = (samples: Promise<Samples>): Promise<Design> =>
@@ -64,7 +64,7 @@ async function askedPrint(
   solver: Workbench['solver'],
 ): Promise<Design['print']> {
   const file = await fetched(path, address);
-  const {readPrint} = await import('../editor/print/own-tile.js');
+  const {readPrint} = await import('../print/read-print.js');
   const print = await readPrint(solver, file);
   if (!path.endsWith('.json')) return print;
   const {image} = readPrintFile(await file.text(), path);

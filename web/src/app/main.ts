@@ -1,15 +1,11 @@
 /** Assembles the page. */
-import {
-  defineEditor,
-  leaseSolver,
-  loadSamples,
-  loadTexts,
-  spokenFailure,
-  textsOf,
-  type Texts,
-  toFailure,
-  Workbench,
-} from '../editor/index.js';
+import {defineEditor} from '../editor/editor.js';
+import {leaseSolver} from '../solver/pool.js';
+import {loadSamples} from '../workbench/samples.js';
+import {loadTexts, textsOf, type Texts} from '../texts/texts.js';
+import {spokenFailure} from '../workbench/spoken-failure.js';
+import {toFailure} from '../workbench/latest-solve.js';
+import {Workbench} from '../workbench/workbench.js';
 import type {Design} from '../model/design.js';
 import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
 import {showBeforeAndAfter} from './introduction/before-and-after.js';

@@ -5,16 +5,12 @@ import {FileError, isProject, readProject} from '../model/project.js';
 import {longestName, withoutEnding} from '../model/project-name.js';
 import {fieldOf} from '../model/read.js';
 import {isDocument} from '../image/file-kind.js';
-import {
-  kindOf,
-  looksLikePicture,
-  openPrint,
-  spokenFailure,
-  textsOf,
-  toFailure,
-  type Texts,
-  type Workbench,
-} from '../editor/index.js';
+import {kindOf, looksLikePicture} from '../print/read-picture.js';
+import {openPrint} from '../workbench/print/open-print.js';
+import {spokenFailure} from '../workbench/spoken-failure.js';
+import {textsOf, type Texts} from '../texts/texts.js';
+import {toFailure} from '../workbench/latest-solve.js';
+import type {Workbench} from '../workbench/workbench.js';
 import type {DrawingPlace} from './import/open-drawing.js';
 import type {Projects} from './projects/projects.js';
 

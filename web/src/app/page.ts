@@ -2,21 +2,19 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Design} from '../model/design.js';
-import {
-  controls,
-  WorkbenchElement,
-  icon,
-  keyOf,
-  printFiles,
-  tokens,
-  type Editor,
-  type GarmentChoice,
-  type PatternPane,
-  type PhotoKeeper,
-  type Samples,
-  type DrapePane,
-  type MarkerPane,
-} from '../editor/index.js';
+import {controls} from '../editor/style/controls.js';
+import {WorkbenchElement} from '../editor/base/workbench-element.js';
+import {icon} from '../editor/style/icons.js';
+import {keyOf} from '../commands/shortcuts.js';
+import {printFiles} from '../print/openable-files.js';
+import {tokens} from '../editor/style/tokens.js';
+import type {Editor} from '../editor/editor.js';
+import type {GarmentChoice} from '../editor/shell/garment-choice.js';
+import type {PatternPane} from '../editor/pattern/pattern-pane.js';
+import type {PhotoKeeper} from '../photo/photo-keeper.js';
+import type {Samples} from '../workbench/samples.js';
+import type {DrapePane} from '../editor/drape/drape-pane.js';
+import type {MarkerPane} from '../editor/marker/marker-pane.js';
 import {chooseFile, takeFiles} from './files.js';
 import {keepHints, type Hint} from './introduction/kept.js';
 import type {How} from './open-file.js';

@@ -1,5 +1,5 @@
 /** Prints the page: the whole pattern on white, without the controls. */
-import type {Workbench} from '../editor/index.js';
+import type {Workbench} from '../workbench/workbench.js';
 
 /**
  * Adds the pattern's sheet for each print of the page, until `signal` fires; page.css hides the

@@ -1,15 +1,13 @@
 /** Menu of files to save. */
 import {css, html, type TemplateResult} from 'lit';
 
-import {
-  controls,
-  WorkbenchElement,
-  icon,
-  placeUnder,
-  type Command,
-  type DrapePane,
-  type MarkerPane,
-} from '../editor/index.js';
+import {controls} from '../editor/style/controls.js';
+import {WorkbenchElement} from '../editor/base/workbench-element.js';
+import {icon} from '../editor/style/icons.js';
+import {placeUnder} from '../editor/style/place-under.js';
+import type {Command} from '../commands/editor-command.js';
+import type {DrapePane} from '../editor/drape/drape-pane.js';
+import type {MarkerPane} from '../editor/marker/marker-pane.js';
 import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveFile} from './files.js';

@@ -2,7 +2,7 @@
 import {fileNameOf} from '../model/project-name.js';
 import {writeProject} from '../model/project.js';
 import {written} from '../model/written-design.js';
-import type {Workbench} from '../editor/index.js';
+import type {Workbench} from '../workbench/workbench.js';
 import {saveFile} from './files.js';
 import type {Projects} from './projects/projects.js';
 

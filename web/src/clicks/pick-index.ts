@@ -140,3 +140,26 @@ export const pickIndex = (sheet: Sheet): PickIndex => ({
   sheet,
   pieces: sheet.pieces.map((piece, number) => pieceIndex(sheet, number, piece)),
 });
+
+/** A sheet of one size, drafted or as solved. */
+type SizedSheet = Sheet & {readonly outline: unknown; readonly size: unknown};
+
+/** Index for clicks; it stays valid while only the alignments change. */
+export class SheetIndex {
+  #for: Pick<SizedSheet, 'pattern' | 'outline' | 'size'> | undefined;
+  #index: PickIndex | undefined;
+
+  of(sheet: SizedSheet): PickIndex {
+    const {pattern, outline, size} = sheet;
+    const known = this.#for;
+    if (
+      this.#index &&
+      known?.pattern === pattern &&
+      known.outline === outline &&
+      known.size === size
+    )
+      return this.#index;
+    this.#for = {pattern, outline, size};
+    return (this.#index = pickIndex(sheet));
+  }
+}

@@ -2,17 +2,17 @@
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries} from '../model/design.js';
-import {redoWords, undoWords} from './commands/step-words.js';
-import type {KeyList} from './commands/command-for.js';
-import type {ShortcutId} from './commands/shortcuts.js';
+import {redoWords, undoWords} from '../workbench/history/step-words.js';
+import type {KeyList} from '../commands/editor-command.js';
+import type {ShortcutId} from '../commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
 import type {MarkerPane} from './marker/marker-pane.js';
 import {loadDrape, loadLaterParts, loadMarker, loadPhoto} from './load-later-parts.js';
 import {defineParts} from './parts.js';
-import type {LensCursor} from './pattern/marks.js';
+import type {LensCursor} from '../workbench/tools/pattern-marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
-import type {PhotoWanted} from './print/print-files.js';
+import type {PhotoWanted} from '../print/openable-files.js';
 import type {PrintPanel} from './print/print-panel.js';
 import type {DrapePane} from './drape/drape-pane.js';
 import {register} from './base/register.js';
@@ -24,9 +24,9 @@ import type {Samples} from '../workbench/samples.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import {sameTarget} from '../workbench/state.js';
 import type {Target} from '../workbench/workbench.js';
-import {editorKeys, isFree, type KeyCommands} from './editor-keys.js';
+import {editorKeys, isFree, type KeyCommands} from '../commands/editor-keys.js';
 import {editorLayout} from './editor-layout.js';
-import type {PhotoKeeper} from './photo/photo-keeper.js';
+import type {PhotoKeeper} from '../photo/photo-keeper.js';
 import {KeptHeight} from './kept-height.js';
 
 /** Views of the garment: pattern pieces, drape, both side by side, or fabric layout. */

@@ -19,6 +19,7 @@ import {TileReport} from './print/tile-report.js';
 import {registerAll} from './base/register.js';
 import {KeepImproving} from './remedies/keep-improving.js';
 import {StaysOff} from './remedies/stays-off.js';
+import {SewBar} from './sewing/sew-bar.js';
 import {KeyMap} from './shell/key-map.js';
 import {WaysOut} from './shell/ways-out.js';
 import {SymmetryPanel} from './symmetry/symmetry-panel.js';
@@ -36,6 +37,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-measure': MeasureDialog,
   'sw-piece-table': PieceTable,
   'sw-seam-table': SeamTable,
+  'sw-sew-bar': SewBar,
   'sw-stays-off': StaysOff,
   'sw-symmetry-panel': SymmetryPanel,
   'sw-tables': Tables,

@@ -11,7 +11,7 @@ import {
   type Point,
 } from './geometry.js';
 import {groupNames, type GroupName, type PrintCell} from './print.js';
-import {latticeType, type CellOf} from './wallpaper.js';
+import {latticeType, printElements, type CellOf} from './wallpaper.js';
 
 /**
  * Sides of the cell that a maker measures: of the rectangular cell of a rhombic or hexagonal
@@ -193,3 +193,18 @@ export const carries = (group: GroupName, kind: SymmetryKind): boolean =>
 
 export const groupsThatCarry = (kind: SymmetryKind): readonly GroupName[] =>
   groupNames.filter((group) => carries(group, kind));
+
+/** Sides of a repeat that can be printed and sewn. [cm] */
+export const leastRepeat = 0.2;
+export const mostRepeat = 200;
+
+/** Any repeat is valid along a stripe; this one represents all. [cm] */
+export const alongStripe = 0.5;
+
+/** Returns whether every print of this group looks the same upside down. */
+export function turnsOver(group: GroupName): boolean {
+  const [w1, w2] = latticeVectors(group, {width: 1, height: 1, angleDeg: 90});
+  return printElements({group, w1, w2}).some(
+    ({xx, yy}) => Math.abs(xx + 1) < 1e-9 && Math.abs(yy + 1) < 1e-9,
+  );
+}

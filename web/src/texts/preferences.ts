@@ -6,6 +6,15 @@ import type {Messages} from './messages.js';
 export const languages = ['en', 'de', 'fr', 'es', 'it'] as const;
 export type Language = (typeof languages)[number];
 
+/** Each language in its own words, for users who read no other. */
+export const languageNames = {
+  en: 'English',
+  de: 'Deutsch',
+  fr: 'Français',
+  es: 'Español',
+  it: 'Italiano',
+} as const satisfies Readonly<Record<Language, string>>;
+
 /** Allowances of edges without their own in the pattern. [cm] */
 export interface ChosenAllowances {
   readonly allowanceCm: number;

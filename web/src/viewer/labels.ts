@@ -5,7 +5,7 @@
 import type {Point} from '../model/geometry.js';
 import {boxOf} from '../model/polyline.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
-import {onSheet} from './overlay.js';
+import {onSheet} from './overlay-strokes.js';
 import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';

@@ -6,7 +6,8 @@ import {Scene} from 'three';
 
 import {LineLayer, type LineMaterial} from './line-layer.js';
 import {movementStrokes} from './movement.js';
-import {overlayStrokes, type Overlay} from './overlay.js';
+import {overlayStrokes} from './overlay-strokes.js';
+import type {Overlay} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';
 import type {Appearance} from './strokes.js';
 

@@ -10,7 +10,7 @@ import {LineMaterial} from './line-layer.js';
 import {Morph, morphTime, type Motion} from './morph.js';
 import {navigate, type TakesPress} from './navigation.js';
 import {OverLayers} from './over-layers.js';
-import type {Overlay} from './overlay.js';
+import type {Overlay} from '../scene/overlay.js';
 import {PrintMaterial} from './print-layer.js';
 import {SceneLayers} from './scene-layers.js';
 import {pieceAt, type PatternScene} from '../scene/scene.js';

@@ -5,7 +5,7 @@
 import {between, distance, minus, plus, unit, type Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
 import {pick} from '../scene/marks.js';
-import type {OnPiece} from './overlay.js';
+import type {OnPiece} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';
 
 /** Depth of a ribbon in a piece. */

@@ -4,7 +4,7 @@ import {OrthographicCamera, Scene} from 'three';
 import type {Point} from '../model/geometry.js';
 import {imageCell} from '../model/wallpaper.js';
 import {LineLayer, LineMaterial, type Stroke} from './line-layer.js';
-import type {OnPiece} from './overlay.js';
+import type {OnPiece} from '../scene/overlay.js';
 import type {Wipe} from './wipe-layers.js';
 import {PrintMaterial} from './print-layer.js';
 import type {PatternScene} from '../scene/scene.js';

@@ -4,7 +4,7 @@
  */
 import {Labels} from './labels.js';
 import {OverlayChips} from './overlay-chips.js';
-import type {Overlay} from './overlay.js';
+import type {Overlay} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';
 import {SeamNotes} from './seam-notes.js';
 import type {ScreenSize, SheetView} from '../scene/sheet-view.js';

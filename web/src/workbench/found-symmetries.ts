@@ -2,7 +2,7 @@
 import type {DesignGarment} from '../model/design.js';
 import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
 import type {SolverService} from '../solver/service.js';
-import {lastOf} from './last-of.js';
+import {lastOf} from '../model/last-of.js';
 import type {Pattern} from '../model/result.js';
 import {asked, concernsSame} from './symmetry-steps.js';
 

@@ -16,7 +16,7 @@ import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {MismatchScale} from '../scene/colours.js';
 import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../scene/scene.js';
 import {keptLines} from './kept-lines.js';
-import {lastOf} from './last-of.js';
+import {lastOf} from '../model/last-of.js';
 
 export interface Scenes {
   /** The pieces as drafted, cut on grain as if the print did not matter; the same in any window. */

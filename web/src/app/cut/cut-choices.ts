@@ -1,10 +1,7 @@
 /** Settings of the cutting sheet, stored by the browser. */
-import {
-  allowancesIn,
-  withAllowances,
-  type ChosenAllowances,
-  type Workbench,
-} from '../../editor/index.js';
+import {allowancesIn, withAllowances} from '../../workbench/allowances.js';
+import type {ChosenAllowances} from '../../texts/preferences.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import {fieldOf} from '../../model/read.js';
 import type {Units} from '../../model/units.js';
 import type {CutFileKind} from '../../paper/cut-file.js';

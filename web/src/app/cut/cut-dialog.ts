@@ -4,7 +4,10 @@
  */
 import {html, type TemplateResult} from 'lit';
 
-import {controls, WorkbenchElement, icon, type NumberField} from '../../editor/index.js';
+import {controls} from '../../editor/style/controls.js';
+import {WorkbenchElement} from '../../editor/base/workbench-element.js';
+import {icon} from '../../editor/style/icons.js';
+import type {NumberField} from '../../editor/controls/number-field.js';
 import {wantSize} from '../../editor/print/size-wanted.js';
 import type {SolveResult} from '../../model/result.js';
 import type {CutTexts} from '../../texts/cut-texts.js';

@@ -2,9 +2,9 @@
 import type {CutSheet} from '../../cutting/cut-sheet.js';
 import type {Point} from '../../model/geometry.js';
 import type {Box} from '../../model/polyline.js';
-import type {Workbench} from '../../editor/index.js';
-import {pixelsOfTile} from '../../editor/cut/cell-picture.js';
-import {cutMaterial, type CutMaterial} from '../../editor/cut/cut-material.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {pixelsOfTile} from '../../image/embedded-tile.js';
+import {cutMaterial, type CutMaterial} from '../../workbench/cutting/cut-material.js';
 import {ask} from '../worker/ask.js';
 import type {CutChoices} from './cut-choices.js';
 

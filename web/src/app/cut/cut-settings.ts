@@ -1,7 +1,8 @@
 /** Controls for the settings of a cutting sheet. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {greatestAllowance, lengthUnit} from '../../editor/index.js';
+import {greatestAllowance} from '../../workbench/allowances.js';
+import {lengthUnit} from '../../editor/controls/number-field.js';
 import type {Units} from '../../model/units.js';
 import {paperOf} from '../../paper/papers.js';
 import type {CutTexts} from '../../texts/cut-texts.js';

@@ -1,5 +1,5 @@
 /** Opens the dialog for a cutting sheet; loaded on first use. */
-import type {Workbench} from '../../editor/index.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import {cutTexts} from '../../texts/cut-texts.js';
 import {CutDialog} from './cut-dialog.js';
 

@@ -1,7 +1,9 @@
 /** Import dialog: the contents of another program's drawing, and choices before it is opened. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {controls, WorkbenchElement, icon} from '../../editor/index.js';
+import {controls} from '../../editor/style/controls.js';
+import {WorkbenchElement} from '../../editor/base/workbench-element.js';
+import {icon} from '../../editor/style/icons.js';
 import type {FileUnit} from '../../model/garment-document.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import {chosenAlso, type PieceChoice} from './choices.js';

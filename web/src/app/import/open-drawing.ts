@@ -1,6 +1,9 @@
 /** Opens a drawing of another program with the choices of the user. */
 import {drawingName} from '../../model/drawing.js';
-import {spokenFailure, textsOf, toFailure, type Workbench} from '../../editor/index.js';
+import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {textsOf} from '../../texts/texts.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import {shortened} from '../../model/project-name.js';
 import {importTexts} from '../../texts/import-texts.js';
 import {WorkerComplaint} from '../worker/ask.js';

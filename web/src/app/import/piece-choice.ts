@@ -4,7 +4,7 @@ import {html, nothing, svg, type TemplateResult} from 'lit';
 import type {FileUnit} from '../../model/garment-document.js';
 import {readable} from '../../model/piece-names.js';
 import type {Units} from '../../model/units.js';
-import type {Format} from '../../editor/index.js';
+import type {Format} from '../../texts/format.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import {cmOf, largestOf, type PieceChoice} from './choices.js';
 import type {PieceShape} from './piece-shape.js';

@@ -2,7 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {unitsInMetre, type FileUnit} from '../../model/garment-document.js';
-import type {Format} from '../../editor/index.js';
+import type {Format} from '../../texts/format.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import {largestOf} from './choices.js';
 import type {ShownDrawing} from './reading.js';

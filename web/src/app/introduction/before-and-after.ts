@@ -1,5 +1,6 @@
 /** Introduction that is shown once: the garment as drafted, then its transition to the answer. */
-import type {PatternPane, Workbench} from '../../editor/index.js';
+import type {PatternPane} from '../../editor/pattern/pattern-pane.js';
+import type {Workbench} from '../../workbench/workbench.js';
 
 /** Durations of the draft and of the transition. [ms] */
 const look = 1100;

@@ -4,7 +4,10 @@
  */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {controls, WorkbenchElement, icon, type Editor} from '../../editor/index.js';
+import {controls} from '../../editor/style/controls.js';
+import {WorkbenchElement} from '../../editor/base/workbench-element.js';
+import {icon} from '../../editor/style/icons.js';
+import type {Editor} from '../../editor/editor.js';
 import {hints, type Hint} from './kept.js';
 
 export class Hints extends WorkbenchElement {

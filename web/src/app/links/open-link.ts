@@ -1,14 +1,10 @@
 /** Opens the project in a link. Nothing in it is trusted. */
 import type {Design, DesignPrint} from '../../model/design.js';
 import {LinkError, readLink, type LinkedGarment, type LinkedPrint} from '../../model/link.js';
-import {
-  pictureOfTile,
-  sampleGarment,
-  samplePrint,
-  textsOf,
-  type Samples,
-  type Workbench,
-} from '../../editor/index.js';
+import {pictureOfTile} from '../../print/own-print.js';
+import {sampleGarment, samplePrint, type Samples} from '../../workbench/samples.js';
+import {textsOf} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import type {Projects} from '../projects/projects.js';
 import {loaded} from './pictures.js';
 

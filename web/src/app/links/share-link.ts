@@ -1,7 +1,8 @@
 /** Copies a link to the current project to the clipboard. */
 import type {Design} from '../../model/design.js';
 import {linkOf, longestLink} from '../../model/link.js';
-import {textsOf, type Workbench} from '../../editor/index.js';
+import {textsOf} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import type {Projects} from '../projects/projects.js';
 import {smaller} from './pictures.js';
 

@@ -1,6 +1,7 @@
 /** Offline use of the page, and notices about new versions. */
 import {trustedScript} from '../../model/trusted.js';
-import {textsOf, type Workbench} from '../../editor/index.js';
+import {textsOf} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
 
 /** Delay that keeps caching from slowing down the first drawing. [ms] */
 const patience = 3000;

@@ -1,21 +1,18 @@
 /** Commands that change the design: undo and redo, solver settings, garment and print. */
+import {canAlign} from '../../workbench/can-align.js';
 import {
-  canAlign,
   solveSettingsOf,
-  improvementOffer,
-  inColours,
-  missing,
   presetNames,
   presetOf,
-  redoWords,
-  remedied,
-  remedyWords,
-  samplePrint,
-  undoWords,
   withSolveSettings,
   withPreset,
-  type Command,
-} from '../../editor/index.js';
+} from '../../workbench/presets.js';
+import {improvementOffer} from '../../workbench/remedies/improvement-offer.js';
+import {inColours, samplePrint} from '../../workbench/samples.js';
+import {missing} from '../../print/group-choice.js';
+import {redoWords, undoWords} from '../../workbench/history/step-words.js';
+import {remedied, remedyWords} from '../../workbench/remedies/remedied.js';
+import type {Command} from '../../commands/editor-command.js';
 import {withKey, type PageParts} from './page-parts.js';
 
 const grains = ['on', 'across', 'bias', 'free'] as const;

@@ -1,5 +1,5 @@
 /** Searches commands by a few words. */
-import type {Command} from '../../editor/index.js';
+import type {Command} from '../../commands/editor-command.js';
 
 /** Folds a text for comparison: no capitals and no diacritics. */
 export const folded = (text: string): string =>

@@ -1,5 +1,5 @@
 /** The command palette, loaded when it is first opened. */
-import type {Workbench} from '../../editor/index.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import {allCommands} from './page-list.js';
 import type {PageParts} from './page-parts.js';
 import {CommandPalette} from './palette.js';

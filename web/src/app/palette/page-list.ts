@@ -1,5 +1,6 @@
 /** All commands of the page, the likeliest first. */
-import {languageNames, languages, type Command, type Preferences} from '../../editor/index.js';
+import {languageNames, languages, type Preferences} from '../../texts/preferences.js';
+import type {Command} from '../../commands/editor-command.js';
 import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
 import {viewSaves} from '../saves/view-saves.js';
 import {withKey, type PageParts} from './page-parts.js';

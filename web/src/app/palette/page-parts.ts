@@ -1,14 +1,11 @@
-import type {
-  Command,
-  Editor,
-  Format,
-  GarmentChoice,
-  Samples,
-  ShortcutId,
-  Texts,
-  Workbench,
-} from '../../editor/index.js';
-import {keyOf, titleOf} from '../../editor/index.js';
+import type {Command} from '../../commands/editor-command.js';
+import type {Editor} from '../../editor/editor.js';
+import type {Format} from '../../texts/format.js';
+import type {GarmentChoice} from '../../editor/shell/garment-choice.js';
+import type {Samples} from '../../workbench/samples.js';
+import {keyOf, titleOf, type ShortcutId} from '../../commands/shortcuts.js';
+import type {Texts} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
 
 /** Parts of the page that commands use. */
 export interface PageParts {

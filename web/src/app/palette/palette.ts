@@ -1,7 +1,10 @@
 /** Command palette: a search field, and a list to choose from. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {controls, WorkbenchElement, focused, type Command} from '../../editor/index.js';
+import {controls} from '../../editor/style/controls.js';
+import {WorkbenchElement} from '../../editor/base/workbench-element.js';
+import {focused} from '../../editor/base/focused.js';
+import type {Command} from '../../commands/editor-command.js';
 import {matching} from './filter.js';
 import {paletteStyle} from './palette-style.js';
 

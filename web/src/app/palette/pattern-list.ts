@@ -1,15 +1,11 @@
 /** Commands for the pattern: tools, pieces, seams and views. */
-import {
-  editorViews,
-  patternCommands,
-  pieceRows,
-  seamRows,
-  togglePart,
-  turnPiece,
-  withoutPin,
-  worstSeams,
-  type Command,
-} from '../../editor/index.js';
+import {editorViews} from '../../editor/editor.js';
+import {patternCommands} from '../../commands/pattern-commands.js';
+import {pieceRows, seamRows, worstSeams} from '../../workbench/lists/rows.js';
+import {togglePart} from '../../workbench/tools/keeping.js';
+import {turnPiece} from '../../workbench/lists/turn-piece.js';
+import {withoutPin} from '../../workbench/lists/changed-options.js';
+import type {Command} from '../../commands/editor-command.js';
 import {withKey, type PageParts} from './page-parts.js';
 
 const tools = ['sew', 'piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;

@@ -4,7 +4,7 @@ import {mapped, type History} from '../../model/history.js';
 import {nameOf} from '../../model/project-name.js';
 import {fieldOf} from '../../model/read.js';
 import {heldOf, written, type Written} from '../../model/written-design.js';
-import type {Step} from '../../editor/index.js';
+import type {Step} from '../../workbench/state.js';
 import type {Autosave} from '../storage/autosave.js';
 
 /** Version of the stored history; others are not read. */

@@ -2,7 +2,9 @@
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {repeat} from 'lit/directives/repeat.js';
 
-import {controls, WorkbenchElement, icon} from '../../editor/index.js';
+import {controls} from '../../editor/style/controls.js';
+import {WorkbenchElement} from '../../editor/base/workbench-element.js';
+import {icon} from '../../editor/style/icons.js';
 import type {Design} from '../../model/design.js';
 import {longestName} from '../../model/project-name.js';
 import {labelled} from '../style/page-layout.js';

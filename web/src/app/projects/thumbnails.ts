@@ -1,6 +1,6 @@
 /** Preview images of projects, drawn in idle time. */
 import type {Design} from '../../model/design.js';
-import type {Workbench} from '../../editor/index.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import type {Projects} from './projects.js';
 
 /** Least time without a change. [ms] */

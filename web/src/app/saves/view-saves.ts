@@ -1,14 +1,12 @@
 /**
  * Commands that save files of the view beside the pattern; loaded with the list that shows them.
  */
-import {drapeFiles} from '../../editor/drape/drape-files.js';
-import {
-  toFailure,
-  type MarkerPane,
-  type Command,
-  type Workbench,
-  type DrapePane,
-} from '../../editor/index.js';
+import {drapeFiles} from './drape-files.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import type {MarkerPane} from '../../editor/marker/marker-pane.js';
+import type {Command} from '../../commands/editor-command.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import type {DrapePane} from '../../editor/drape/drape-pane.js';
 
 /** @param save receives the content and the ending of the file's name */
 export const viewSaves = (

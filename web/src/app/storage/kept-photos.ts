@@ -1,6 +1,6 @@
 /** Photos behind prints, kept in this browser beside the projects and in no design. */
-import type {KeptPhoto} from '../../editor/photo/photo-keeper.js';
-import {scaledStep} from '../../editor/print/photo-step.js';
+import type {KeptPhoto} from '../../photo/photo-keeper.js';
+import {scaledStep} from '../../photo/photo-step.js';
 import {fieldOf} from '../../model/read.js';
 
 interface PhotoRecord extends KeptPhoto {

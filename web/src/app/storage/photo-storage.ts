@@ -1,5 +1,5 @@
 /** Storage of photos in this browser. */
-import type {PhotoKeeper} from '../../editor/photo/photo-keeper.js';
+import type {PhotoKeeper} from '../../photo/photo-keeper.js';
 import {keepPhoto, keptPhoto} from './kept-photos.js';
 import {forgetUnfinished, keepUnfinished, unfinished} from './unfinished-photo.js';
 

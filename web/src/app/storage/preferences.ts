@@ -1,12 +1,12 @@
 /** Preferences belong to the browser, not to a design. */
+import {greatestAllowance} from '../../workbench/allowances.js';
 import {
-  greatestAllowance,
   languages,
   preferencesFor,
   type ChosenAllowances,
   type Preferences,
-  type Workbench,
-} from '../../editor/index.js';
+} from '../../texts/preferences.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import {fieldOf} from '../../model/read.js';
 
 const key = 'seamwise.preferences';

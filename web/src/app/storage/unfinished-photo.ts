@@ -1,7 +1,7 @@
 /** The photo of a tab without a print so far, kept in this browser until there is one. */
 import {openDB, type DBSchema, type IDBPDatabase} from 'idb';
 
-import type {FoundPhoto, UnfinishedPhoto} from '../../editor/photo/photo-keeper.js';
+import type {FoundPhoto, UnfinishedPhoto} from '../../photo/photo-keeper.js';
 import {keyOf} from './kept-photos.js';
 
 interface Schema extends DBSchema {

@@ -1,8 +1,7 @@
 /** Base class of every part: an element that shows a workbench and redraws after changes to it. */
 import {LitElement} from 'lit';
 
-import type {Format} from '../../texts/format.js';
-import {formatFor} from '../../texts/format.js';
+import {formatFor, type Format} from '../../texts/format.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
 import {Observable} from '../../workbench/observable.js';
 import type {Workbench} from '../../workbench/workbench.js';

@@ -5,16 +5,7 @@ import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {placeUnder} from '../style/place-under.js';
 import {icon} from '../style/icons.js';
-import type {Preferences} from '../../texts/preferences.js';
-
-/** Each language in its own words, for users who read no other. */
-export const languageNames = {
-  en: 'English',
-  de: 'Deutsch',
-  fr: 'Français',
-  es: 'Español',
-  it: 'Italiano',
-} as const;
+import {languageNames, type Preferences} from '../../texts/preferences.js';
 
 export class Settings extends WorkbenchElement {
   static override styles = [

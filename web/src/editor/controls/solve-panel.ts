@@ -12,7 +12,7 @@ import {
   withSolveSettings,
   withPreset,
   type SolveSettings,
-} from './presets.js';
+} from '../../workbench/presets.js';
 import {section} from './section.js';
 
 const grainLocks: readonly GrainLock[] = ['on', 'across', 'bias', 'free'];

@@ -3,7 +3,7 @@ import type {PropertyValues} from 'lit';
 
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import type {CameraPreset} from '../../viewer/drape/camera.js';
-import {drapingOf, type Draping} from '../../workbench/draping.js';
+import {drapingOf, type Draping} from '../../workbench/drape/draping.js';
 import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
 
 /** Detail of a `drapeEvent`. */

@@ -7,14 +7,13 @@ import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {wornTexts, type WornTexts} from '../../texts/drape-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
-import {commandFor, keysOf, type KeyList} from '../commands/command-for.js';
-import type {Command} from '../commands/command.js';
+import {commandFor, keysOf, type KeyList, type Command} from '../../commands/editor-command.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
-import {seamRows, worstSeams} from '../lists/rows.js';
+import {seamRows, worstSeams} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {drapeCommands} from './drape-commands.js';
+import {drapeCommands} from '../../commands/drape-commands.js';
 import {DrapeDrawing} from './drape-drawing.js';
 import {drapeStyle} from './drape-style.js';
 

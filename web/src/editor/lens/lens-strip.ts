@@ -6,10 +6,10 @@ import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 
 import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
 import {AppearanceController, colourScheme} from '../base/appearance.js';
 import {WorkbenchElement, PatientElement} from '../base/workbench-element.js';
-import type {SeamRow} from '../lists/rows.js';
-import type {LensCursor} from '../pattern/marks.js';
+import type {SeamRow} from '../../workbench/lists/rows.js';
+import type {LensCursor} from '../../workbench/tools/pattern-marks.js';
 import {controls} from '../style/controls.js';
-import {rulerOf} from './ruler.js';
+import {rulerOf} from '../../scene/ruler.js';
 
 /**
  * Fires `sw-lens-cursor` with the position of the pointer along the seam; undefined off the seam.

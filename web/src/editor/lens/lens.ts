@@ -3,10 +3,16 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
 import {PatientElement} from '../base/workbench-element.js';
-import {remarkOn, seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
+import {
+  remarkOn,
+  seamRows,
+  worstSeams,
+  nextWorst,
+  rankOf,
+  type SeamRow,
+} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {nextWorst, rankOf} from './worst-walk.js';
 
 export class SeamLens extends PatientElement {
   /** `wide`: the user wants a tall strip; the editor shows one if it has room. */

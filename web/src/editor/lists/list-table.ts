@@ -5,7 +5,7 @@ import {repeat} from 'lit/directives/repeat.js';
 
 import {PatientElement} from '../base/workbench-element.js';
 import type {Target} from '../../workbench/workbench.js';
-import {inOrder, type Order, type SortKey} from './order.js';
+import {inOrder, type Order, type SortKey} from '../../workbench/lists/row-order.js';
 
 export interface Column<Row> {
   readonly title: string;

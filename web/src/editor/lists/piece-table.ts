@@ -3,16 +3,21 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 
 import type {GrainLock} from '../../model/grain.js';
-import {togglePart} from './keeping.js';
+import {togglePart} from '../../workbench/tools/keeping.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Target} from '../../workbench/workbench.js';
-import {withGrain, withName, withoutPin, withPrinted} from './choices.js';
+import {
+  withGrain,
+  withName,
+  withoutPin,
+  withPrinted,
+} from '../../workbench/lists/changed-options.js';
 import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
 import {nameField} from './name-field.js';
-import {pieceRows, type PieceRow} from './rows.js';
-import {turnPiece} from './turn-piece.js';
+import {pieceRows, type PieceRow} from '../../workbench/lists/rows.js';
+import {turnPiece} from '../../workbench/lists/turn-piece.js';
 
 const grains = ['all', 'on', 'across', 'bias', 'free'] as const satisfies readonly (
   GrainLock | 'all'

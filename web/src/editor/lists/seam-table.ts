@@ -5,10 +5,10 @@ import {mismatchLine, type MismatchScale} from '../../scene/colours.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Target} from '../../workbench/workbench.js';
-import {matches, matchOf, withMatch} from './choices.js';
+import {matches, matchOf, withMatch} from '../../workbench/lists/changed-options.js';
 import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
-import {remarkOn, seamRows, type SeamRow} from './rows.js';
+import {remarkOn, seamRows, type SeamRow} from '../../workbench/lists/rows.js';
 
 /** A seam that does not count has no match to sort by, good or bad. */
 const counted =

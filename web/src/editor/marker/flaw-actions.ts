@@ -2,9 +2,9 @@
 import type {PropertyValues} from 'lit';
 
 import type {Point} from '../../model/geometry.js';
-import type {Flaw} from '../../workbench/lay-step.js';
-import {flawAfter, flawAround} from './flaw-moves.js';
-import {flawSizeWords, flawWords} from './marker-words.js';
+import type {Flaw} from '../../workbench/marker/lay-step.js';
+import {flawAfter, flawAround} from '../../workbench/marker/flaw-moves.js';
+import {flawSizeWords, flawWords} from '../../workbench/marker/marker-words.js';
 import {PieceActions} from './piece-actions.js';
 
 export abstract class FlawActions extends PieceActions {

@@ -1,7 +1,7 @@
 /** Base class of the parts of the fabric layout. */
 import {clothTexts, type ClothTexts} from '../../texts/marker-texts.js';
-import {layingOf, type Laying} from '../../workbench/laying.js';
-import type {PieceOnCloth} from '../../workbench/marker-work.js';
+import {layingOf, type Laying} from '../../workbench/marker/laying.js';
+import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 
 export abstract class MarkerElement extends WorkbenchElement {

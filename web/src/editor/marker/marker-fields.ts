@@ -2,7 +2,11 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {OwnShare} from '../../cutting/allowances.js';
-import {clothLimits, usualWidths, type MarkerChoices} from '../../workbench/marker-choices.js';
+import {
+  clothLimits,
+  usualWidths,
+  type MarkerChoices,
+} from '../../workbench/marker/marker-choices.js';
 import type {Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';

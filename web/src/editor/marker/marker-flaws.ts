@@ -1,13 +1,20 @@
 /** List of the flaws of the fabric by position, to move by arrow keys or numbers, or to remove. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {Flaw} from '../../workbench/lay-step.js';
+import type {Flaw} from '../../workbench/marker/lay-step.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
 import {MarkerElement} from './marker-element.js';
-import {flawWords} from './marker-words.js';
-import {boxAround, flawAfter, flawIn, leastFlaw, mostStart, type FlawBox} from './flaw-moves.js';
+import {flawWords} from '../../workbench/marker/marker-words.js';
+import {
+  boxAround,
+  flawAfter,
+  flawIn,
+  leastFlaw,
+  mostStart,
+  type FlawBox,
+} from '../../workbench/marker/flaw-moves.js';
 import type {FlawActions} from './flaw-actions.js';
 
 export class MarkerFlaws extends MarkerElement {

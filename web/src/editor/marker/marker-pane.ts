@@ -3,25 +3,30 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 import {usedLength} from '../../marker/places.js';
 import type {Point} from '../../model/geometry.js';
-import {lastOf} from '../../workbench/last-of.js';
+import {lastOf} from '../../model/last-of.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
-import {commandFor, type KeyList} from '../commands/command-for.js';
-import type {Command} from '../commands/command.js';
+import {commandFor, type KeyList, type Command} from '../../commands/editor-command.js';
 import {wantSize} from '../print/size-wanted.js';
 import {controls} from '../style/controls.js';
 import {markerBar, markerZoom} from './marker-bar.js';
-import {markerCommands, markerKeys} from './marker-commands.js';
+import {markerCommands, markerKeys} from '../../commands/marker-commands.js';
 import {FlawActions} from './flaw-actions.js';
-import {ways} from './marker-moves.js';
-import {markerFiles} from './marker-files.js';
+import {ways} from '../../workbench/marker/marker-moves.js';
+import {markerFiles} from '../../workbench/marker/marker-files.js';
 import {MarkerPointing, type PointedCloth} from './marker-pointing.js';
-import {markerSheet, type Dragged} from './marker-sheet.js';
+import {markerSheet} from './marker-sheet.js';
+import type {Dragged} from '../../workbench/marker/piece-drag.js';
 import {markerStatus, spokenStatus} from './marker-status.js';
 import {markerStyle} from './marker-style.js';
-import {conflicts, conflictWords, lyingWords, roundedLength} from './marker-words.js';
-import {layStepWords} from './lay-step-words.js';
-import {scrollTo} from './scroll-to.js';
-import {margin, middleInSight, type SheetFrame} from './sheet-frame.js';
+import {
+  conflicts,
+  conflictWords,
+  lyingWords,
+  roundedLength,
+} from '../../workbench/marker/marker-words.js';
+import {layStepWords} from '../../workbench/marker/lay-step.js';
+import {scrollTo, middleInSight} from './scroll-to.js';
+import {margin, type SheetFrame} from '../../marker/sheet-frame.js';
 import {sheetStyle} from './sheet-style.js';
 
 const zooms = {least: 1, most: 12} as const;

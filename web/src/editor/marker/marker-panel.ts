@@ -5,7 +5,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {isOfPhases} from '../../model/lay-note.js';
 import type {CheaperDesign, LayPlan} from '../../model/lay-plan.js';
-import type {LayStep} from '../../workbench/lay-step.js';
+import type {LayStep} from '../../workbench/marker/lay-step.js';
 import {saidNote} from '../../marker/draw/note-texts.js';
 import {planTextsIn} from '../../texts/plan-texts.js';
 import {section} from '../controls/section.js';
@@ -14,7 +14,13 @@ import {icon} from '../style/icons.js';
 import {MarkerElement} from './marker-element.js';
 import {markerFields} from './marker-fields.js';
 import {markerWidths} from './marker-widths.js';
-import {costWords, leastCost, lengthRange, placeWords, soldLength} from './marker-words.js';
+import {
+  costWords,
+  leastCost,
+  lengthRange,
+  placeWords,
+  soldLength,
+} from '../../workbench/marker/marker-words.js';
 import type {FlawActions} from './flaw-actions.js';
 import {panelStyle} from './panel-style.js';
 

@@ -1,11 +1,10 @@
 /** Drags pieces over the fabric and draws flaws by pointer. */
 import type {Bolt} from '../../marker/places.js';
 import {minus, type Alignment, type Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/marker-work.js';
-import {FlawTool} from './flaw-tool.js';
-import type {Dragged} from './marker-sheet.js';
-import {PieceDrag} from './piece-drag.js';
-import {offSheet, type SheetFrame} from './sheet-frame.js';
+import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
+import {FlawTool} from '../../clicks/flaw-tool.js';
+import {PieceDrag, type Dragged} from '../../workbench/marker/piece-drag.js';
+import {offSheet, type SheetFrame} from '../../marker/sheet-frame.js';
 
 /** A shorter movement is a click. [CSS px] */
 const leastWay = 4;

@@ -1,13 +1,14 @@
 /** Drawing of the fabric in its print, with edges, rulers and the pieces on it. */
+import type {Dragged} from '../../workbench/marker/piece-drag.js';
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import {nameLines, textWidth} from '../../layout/name-lines.js';
-import {isFree, turnedRing, type Bolt, type Obstacles} from '../../marker/places.js';
+import {isFree, turnedRing, type Bolt} from '../../marker/places.js';
 import {imageCell} from '../../model/wallpaper.js';
-import {norm, onPiece, plus, type Alignment, type Point} from '../../model/geometry.js';
+import {norm, onPiece, plus, type Point} from '../../model/geometry.js';
 import type {Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
-import type {PieceOnCloth} from '../../workbench/marker-work.js';
+import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
 import {
   closed,
   frameSize,
@@ -17,20 +18,7 @@ import {
   unit,
   viewBox,
   type SheetFrame,
-} from './sheet-frame.js';
-
-/** A dragged piece: its offset, and the place that it would take. */
-export interface Dragged {
-  readonly piece: PieceOnCloth;
-  /** [cm] */
-  readonly by: Point;
-  readonly place: Alignment;
-  readonly inWay: Obstacles;
-  /** The cut line at the place that the piece would take. */
-  readonly target: readonly Point[];
-  /** Free places, each as the middle of the piece. */
-  readonly dots: readonly Point[];
-}
+} from '../../marker/sheet-frame.js';
 
 interface SheetState {
   readonly frame: SheetFrame;

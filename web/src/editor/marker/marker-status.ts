@@ -3,7 +3,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Format} from '../../texts/format.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
-import type {Laying} from '../../workbench/laying.js';
+import type {Laying} from '../../workbench/marker/laying.js';
 
 interface Status {
   readonly laying: Laying;

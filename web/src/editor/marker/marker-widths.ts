@@ -5,7 +5,7 @@ import type {LayPlan} from '../../model/lay-plan.js';
 import type {Units} from '../../model/units.js';
 import type {Format} from '../../texts/format.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
-import {roundedLength} from './marker-words.js';
+import {roundedLength} from '../../workbench/marker/marker-words.js';
 
 interface Widths {
   readonly units: Units;

@@ -2,11 +2,11 @@
 import type {PropertyValues} from 'lit';
 
 import type {Alignment, Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/marker-work.js';
+import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {MarkerElement} from './marker-element.js';
-import {canTurn, placeOn, placeTurned, reachOfPinned} from './marker-moves.js';
+import {canTurn, placeOn, placeTurned, reachOfPinned} from '../../workbench/marker/marker-moves.js';
 
 export abstract class PieceActions extends MarkerElement {
   static override properties = {

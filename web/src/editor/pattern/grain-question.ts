@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
-import {withGrainLines} from '../lists/choices.js';
+import {withGrainLines} from '../../workbench/lists/changed-options.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {
@@ -14,7 +14,7 @@ import {
   upwards,
   wayOf,
   withImage,
-} from '../../workbench/grain-proposals.js';
+} from '../../workbench/tools/grain-proposals.js';
 
 /** A piece that has no grain line yet. */
 interface Asked {

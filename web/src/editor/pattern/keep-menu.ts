@@ -6,9 +6,9 @@ import type {MeshedPattern} from '../../model/result.js';
 import {lengthOf} from '../../model/polyline.js';
 import {pick} from '../../scene/marks.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
-import {seamRows} from '../lists/rows.js';
+import {seamRows} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
-import {togglePart} from '../lists/keeping.js';
+import {togglePart} from '../../workbench/tools/keeping.js';
 
 interface Edge {
   readonly edge: number;

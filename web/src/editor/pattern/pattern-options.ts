@@ -3,7 +3,7 @@ import {html, type TemplateResult} from 'lit';
 
 import type {PickIndex} from '../../clicks/pick-index.js';
 import {readingOrder, seamsRound} from '../../clicks/walk.js';
-import {pieceRows, seamRows, seamText, type PieceRow} from '../lists/rows.js';
+import {pieceRows, seamRows, seamText, type PieceRow} from '../../workbench/lists/rows.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
 import type {Target, Workbench} from '../../workbench/workbench.js';

@@ -1,24 +1,24 @@
 /** The pattern: drawing, tools and overlay, and a list for screen readers. */
+import {edgeOptions} from '../sewing/edge-options.js';
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {PickIndex} from '../../clicks/pick-index.js';
+import {SheetIndex, type PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import {movementOf} from '../../viewer/movement.js';
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
 import type {WorkbenchElement} from '../base/workbench-element.js';
-import {seamRows} from '../lists/rows.js';
+import {seamRows} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {lastOf} from '../../workbench/last-of.js';
+import {lastOf} from '../../model/last-of.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {PatternDrawing} from './drawing.js';
-import {overlayOf, type LensCursor} from './marks.js';
-import {patternKeys} from './pattern-keys.js';
+import {overlayOf, type LensCursor} from '../../workbench/tools/pattern-marks.js';
+import {patternKeys} from '../../commands/pattern-keys.js';
 import {optionId, patternOptions} from './pattern-options.js';
 import {paneStyle} from './pane-style.js';
-import {PatternTools, pointedAt} from './pattern-tools.js';
+import {PatternTools, pointedAt} from '../../workbench/tools/pattern-tools.js';
 import {Pointing} from './pointing.js';
-import {SheetIndex} from './sheet-index.js';
 import {emptyNote, noteStyle, stateNote, undrawableNote} from './state-note.js';
 import type {ZoomMenu} from './zoom-menu.js';
 
@@ -217,7 +217,7 @@ export class PatternPane extends PatternDrawing {
             ></sw-wipe-handle>`
       }
       <div class="foot" ?hidden=${empty}>
-        ${this.tools.sewing?.bar() ?? nothing}
+        ${this.#sewBar()}
         ${
           this.tools.active
             ? html`<sw-tool-hint
@@ -252,10 +252,22 @@ export class PatternPane extends PatternDrawing {
   /** Pieces and seams as text, or edges while the sewing tool is active. */
   #options(index: PickIndex): TemplateResult {
     const {pattern} = this.texts;
-    return (
-      this.tools.sewing?.options(pattern.contents) ??
-      patternOptions(this.workbench, index, this.texts, this.format)
-    );
+    const {sewing} = this.tools;
+    return sewing
+      ? edgeOptions(sewing, pattern.contents)
+      : patternOptions(this.workbench, index, this.texts, this.format);
+  }
+
+  #sewBar(): TemplateResult | typeof nothing {
+    const {workbench} = this;
+    const {chooser} = this.tools.sewing ?? {};
+    return chooser
+      ? html`<sw-sew-bar
+          .workbench=${workbench}
+          .chooser=${chooser}
+          .state=${chooser.state}
+        ></sw-sew-bar>`
+      : nothing;
   }
 
   #comparing(): TemplateResult {

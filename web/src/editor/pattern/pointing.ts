@@ -5,7 +5,7 @@ import type {Point} from '../../model/geometry.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
 import {holdWhilePressed} from '../base/hold.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import {pointedAt, reachOf, type PatternTools} from './pattern-tools.js';
+import {pointedAt, reachOf, type PatternTools} from '../../workbench/tools/pattern-tools.js';
 
 /** The pane that receives pointer events. */
 interface Pointable {

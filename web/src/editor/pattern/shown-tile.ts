@@ -5,7 +5,7 @@ import type {Tile} from '../../image/tile.js';
 import type {Texts} from '../../texts/texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Notice, Workbench} from '../../workbench/workbench.js';
-import {onceOnline} from '../base/once-online.js';
+import {onceOnline} from '../../workbench/once-online.js';
 
 interface TileView {
   setTile(tile: Tile | undefined): void;

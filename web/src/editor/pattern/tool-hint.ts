@@ -3,9 +3,9 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import type {PatternTools} from './pattern-tools.js';
-import {centred, middleToCentre} from './centring.js';
-import {pin, unpin} from './print-mover.js';
+import type {PatternTools} from '../../workbench/tools/pattern-tools.js';
+import {centred, middleToCentre} from '../../workbench/tools/centring.js';
+import {pin, unpin} from '../../workbench/tools/print-mover.js';
 
 export class ToolHint extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, tools: {attribute: false}};

@@ -5,7 +5,7 @@ import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {toolGroup, wordlessTools} from '../style/tool-group.js';
-import type {PatternTools} from './pattern-tools.js';
+import type {PatternTools} from '../../workbench/tools/pattern-tools.js';
 
 export class Toolbar extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, tools: {attribute: false}};

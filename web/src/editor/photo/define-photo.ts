@@ -1,9 +1,9 @@
 /** Registers the photo dialog; loaded on demand. */
 import {registerAll} from '../base/register.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import type {PhotoOfCloth} from '../print/print-files.js';
+import type {PhotoOfCloth} from '../../print/openable-files.js';
 import {PhotoDialog} from './photo-dialog.js';
-import type {PhotoKeeper} from './photo-keeper.js';
+import type {PhotoKeeper} from '../../photo/photo-keeper.js';
 import {PhotoMeasures} from './photo-measures.js';
 import {PhotoPanel} from './photo-panel.js';
 import {PhotoStage} from './photo-stage.js';

@@ -7,21 +7,21 @@ import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {focused} from '../base/focused.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
-import type {PhotoOfCloth} from '../print/print-files.js';
+import type {PhotoOfCloth} from '../../print/openable-files.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {sheetDialog} from '../style/sheet-dialog.js';
 import {dialogStyle} from './dialog-style.js';
-import {startLattice, type PhotoSize} from './lattice-lines.js';
-import type {PhotoKeeper} from './photo-keeper.js';
-import {cellPicture, pngOf} from '../print/photo-picture.js';
-import {PhotoSession} from './photo-session.js';
-import {isDoubtful, measuresOf, type PhotoStep} from '../print/photo-step.js';
+import {startLattice, type PhotoSize} from '../../photo/lattice-lines.js';
+import type {PhotoKeeper} from '../../photo/photo-keeper.js';
+import {cellPicture, pngOf} from '../../photo/photo-picture.js';
+import {PhotoSession} from '../../workbench/photo/photo-session.js';
+import {isDoubtful, measuresOf, type PhotoStep} from '../../photo/photo-step.js';
 import {photoFoot} from './photo-foot.js';
 import {photoIntake} from './photo-intake.js';
-import {areSame} from './same-picture.js';
-import {shownPicture} from './shown-picture.js';
-import {UnfinishedWork, type PhotoBefore} from './unfinished-work.js';
+import {areSame} from '../../photo/same-picture.js';
+import {shownPicture} from '../../print/read-picture.js';
+import {UnfinishedWork, type PhotoBefore} from '../../workbench/photo/unfinished-work.js';
 
 export class PhotoDialog extends WorkbenchElement {
   static override properties = {

@@ -2,7 +2,7 @@
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import type {Said} from './photo-progress.js';
-import type {PhotoSession} from './photo-session.js';
+import type {PhotoSession} from '../../workbench/photo/photo-session.js';
 
 export abstract class PhotoElement extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, session: {attribute: false}};

@@ -5,8 +5,8 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {PhotoTexts} from '../../texts/photo-texts.js';
-import {isDoubtful} from '../print/photo-step.js';
-import type {PhotoSession} from './photo-session.js';
+import {isDoubtful} from '../../photo/photo-step.js';
+import type {PhotoSession} from '../../workbench/photo/photo-session.js';
 import {pictureButton} from './picture-button.js';
 
 interface PhotoFoot {

@@ -4,7 +4,7 @@ import {html, nothing, svg, type TemplateResult} from 'lit';
 import type {PhotoGroup} from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
 import type {PhotoTexts} from '../../texts/photo-texts.js';
-import {groupOf, type PhotoStep} from '../print/photo-step.js';
+import {groupOf, type PhotoStep} from '../../photo/photo-step.js';
 
 /** Deviations of a full bar: twice those of the verdict "has not". */
 const fullBar = {rho: 0.12, worst: 0.8};

@@ -4,14 +4,14 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {norm, type Point} from '../../model/geometry.js';
 import {vectorsAtMiddle} from '../../model/photo-map.js';
 import {knownObjects, type KnownObject} from '../../model/photo.js';
-import {directionSign} from '../base/direction-sign.js';
+import {directionSign} from '../../texts/direction-sign.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {panelStyle} from './panel-style.js';
 import {PhotoElement} from './photo-element.js';
 import {progressNote} from './photo-progress.js';
-import type {PhotoSession} from './photo-session.js';
+import type {PhotoSession} from '../../workbench/photo/photo-session.js';
 import type {TwoPoints} from './photo-stage.js';
 import {
   cellOf,
@@ -21,9 +21,9 @@ import {
   measuresOf,
   unmeasured,
   type PhotoStep,
-} from '../print/photo-step.js';
+} from '../../photo/photo-step.js';
 import {progressStyle} from './progress-style.js';
-import {saidFailure} from './said-failure.js';
+import {saidFailure} from '../../texts/photo-texts.js';
 import {vectors, type Vector} from './stage-marks.js';
 
 /** Ways to measure. */

@@ -5,7 +5,7 @@ import type {Point} from '../../model/geometry.js';
 import {rebased} from '../../model/photo-map.js';
 import type {GroupName} from '../../model/print.js';
 import {controls} from '../style/controls.js';
-import type {BrokenPlaces} from './breaks-on-photo.js';
+import type {BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import {panelStyle} from './panel-style.js';
 import {PhotoElement} from './photo-element.js';
 import {photoGroups} from './photo-groups.js';
@@ -16,7 +16,7 @@ import {
   isOneWay,
   measuresOf,
   type PhotoStep,
-} from '../print/photo-step.js';
+} from '../../photo/photo-step.js';
 import {overlayNames, vectors, type Overlays} from './stage-marks.js';
 
 /** Other bases of the lattice, or bases of a coarser or finer one. */

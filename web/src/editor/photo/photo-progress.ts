@@ -2,9 +2,8 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {PhotoProgress} from '../../model/photo.js';
-import type {PhotoTexts} from '../../texts/photo-texts.js';
-import type {PhotoSession} from './photo-session.js';
-import {saidFailure} from './said-failure.js';
+import {saidFailure, type PhotoTexts} from '../../texts/photo-texts.js';
+import type {PhotoSession} from '../../workbench/photo/photo-session.js';
 
 export interface Said {
   readonly words: PhotoTexts;

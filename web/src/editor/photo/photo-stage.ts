@@ -9,9 +9,9 @@ import type {PhotoTexts} from '../../texts/photo-texts.js';
 import {arrowSteps} from '../base/arrow-steps.js';
 import {controls} from '../style/controls.js';
 import {dragHandle} from '../style/drag-handle.js';
-import {ringPath, type BrokenPlaces} from './breaks-on-photo.js';
-import {middleNode, nodesOf, type PhotoSize} from './lattice-lines.js';
-import {movedNode} from './moved-node.js';
+import {ringPath, type BrokenPlaces} from '../../photo/breaks-on-photo.js';
+import {middleNode, nodesOf, type PhotoSize} from '../../photo/lattice-lines.js';
+import {movedNode} from '../../photo/moved-node.js';
 import {stageMarks, type Overlays, type Vector} from './stage-marks.js';
 import {stageStyle} from './stage-style.js';
 

@@ -8,10 +8,10 @@ import {printOf, type DesignPrint} from '../../model/design.js';
 import {outlineOf, markedTile, markedTileStyle} from '../print/marked-tile.js';
 import {swatch} from '../print/swatch.js';
 import {controls} from '../style/controls.js';
-import {brokenPlaces, type BrokenPlaces} from './breaks-on-photo.js';
+import {brokenPlaces, type BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import {PhotoElement} from './photo-element.js';
-import {cellPicture, pngOf} from '../print/photo-picture.js';
-import {groupIn, measuresOf, tileSettings} from '../print/photo-step.js';
+import {cellPicture, pngOf} from '../../photo/photo-picture.js';
+import {groupIn, measuresOf, tileSettings} from '../../photo/photo-step.js';
 
 /** Changes within this time are shown together. [ms] */
 const pause = 250;

@@ -5,9 +5,9 @@ import {combined, distance, minus, norm, plus, type Point} from '../../model/geo
 import {pixelOf} from '../../model/photo-map.js';
 import type {PhotoMap} from '../../model/photo.js';
 import type {GroupName} from '../../model/print.js';
-import {brokenPath, ringPath, type BrokenPlaces} from './breaks-on-photo.js';
-import {cellLines, nodesOf, type PhotoSize} from './lattice-lines.js';
-import {marksOn} from './symmetry-marks.js';
+import {brokenPath, ringPath, type BrokenPlaces} from '../../photo/breaks-on-photo.js';
+import {cellLines, nodesOf, type PhotoSize} from '../../photo/lattice-lines.js';
+import {marksOn} from '../../photo/symmetry-marks.js';
 
 /** Kinds of marks over the photo. */
 export const overlayNames = ['cells', 'axes', 'differing', 'breaks'] as const;

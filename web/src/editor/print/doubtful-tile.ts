@@ -7,9 +7,9 @@ import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../../workbench/state.js';
 import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';
-import {closedRepeats, openPairs} from './own-groups.js';
-import {printOfPicture} from './own-print.js';
-import type {PhotoOfCloth} from './print-files.js';
+import {closedRepeats, openPairs} from '../../print/own-groups.js';
+import {printOfPicture} from '../../print/own-print.js';
+import type {PhotoOfCloth} from '../../print/openable-files.js';
 import {remedies} from './remedies.js';
 
 /**

@@ -5,8 +5,8 @@ import type {DesignPrint} from '../../model/design.js';
 import {pictureIn, resized, tileSize} from '../../model/tile-repeat.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {isUnasked, sizeInFile, type FileSize} from './file-size.js';
-import {firstWidth} from './own-tile.js';
+import {isUnasked, sizeInFile, type FileSize} from '../../print/file-size.js';
+import {firstWidth} from '../../print/read-print.js';
 
 /** Greatest difference between equal sizes. [cm] */
 const same = 0.005;

@@ -1,19 +1,19 @@
 /** Sets the size of a print by the distance between two points on its image. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import {noPicture, type DesignPrint} from '../../model/design.js';
-import type {Point} from '../../model/geometry.js';
+import {noPicture, printOf, type DesignPrint} from '../../model/design.js';
+import {norm, type Point} from '../../model/geometry.js';
 import {resized, tileSize} from '../../model/tile-repeat.js';
+import {imageCell} from '../../model/wallpaper.js';
 import {arrowSteps} from '../base/arrow-steps.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {dragHandle} from '../style/drag-handle.js';
 import {icon} from '../style/icons.js';
-import {alongStripe, choiceOf} from './choices.js';
-import {leastRepeat, mostRepeat} from './limits.js';
+import {alongStripe, leastRepeat, mostRepeat} from '../../model/repeat.js';
+import {choiceOf} from '../../print/group-choice.js';
 import {measureStyle} from './measure-style.js';
-import {windowOn} from './measure-window.js';
 
 /** Steps of a point per arrow key, without and with Shift, as shares of the longer side. */
 const step = 1 / 500;
@@ -228,4 +228,27 @@ export class MeasureDialog extends WorkbenchElement {
   readonly #close = (): void => {
     this.renderRoot.querySelector('dialog')?.close();
   };
+}
+
+/** Least shorter side of the window, as a share of the longer one. */
+const narrowest = 0.4;
+
+/** Returns the displayed part of a print: one cell on the fabric, turned by whole quarters. [cm] */
+function windowOn(print: DesignPrint) {
+  const [a, b] = imageCell(printOf({...print, turnDeg: 90 * Math.round(print.turnDeg / 90)}));
+  const reach = (k: 0 | 1): readonly [number, number] => {
+    const corners = [0, a[k], b[k], a[k] + b[k]];
+    return [Math.min(...corners), Math.max(...corners)];
+  };
+  const [[left, right], [bottom, top]] = [reach(0), reach(1)];
+  // shows enough of a stripe to point at, since it may repeat after a few millimetres
+  const longest = Math.max(right - left, top - bottom);
+  const side = (length: number): number => Math.max(length, narrowest * longest);
+  const sides = [norm(a), norm(b)] as const;
+  // y points down in the image, against the second side of the cell
+  const matrix = [
+    ...[a[0] / sides[0], -a[1] / sides[0], -b[0] / sides[1], b[1] / sides[1]],
+    ...[b[0] - left, top - b[1]],
+  ];
+  return {width: side(right - left), height: side(top - bottom), sides, matrix};
 }

@@ -8,7 +8,14 @@ import {carries, groupsThatCarry} from '../../model/repeat.js';
 import {PatientElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';
-import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';
+import {
+  choiceOf,
+  choices,
+  groupOf,
+  missing,
+  sampleOf,
+  type Choice,
+} from '../../print/group-choice.js';
 import {swatch} from './swatch.js';
 import {swatches} from './swatch-style.js';
 
@@ -238,7 +245,7 @@ export class PrintGallery extends PatientElement {
   }
 
   async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
-    const {ownPrintAs} = await import('./own-print.js');
+    const {ownPrintAs} = await import('../../print/own-print.js');
     const regrouped = await ownPrintAs(this.workbench.solver, print, choice);
     if (this.workbench.design?.print === print) this.workbench.change({print: regrouped}, 'print');
   }

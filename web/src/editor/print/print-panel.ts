@@ -9,7 +9,7 @@ import {icon} from '../style/icons.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Samples} from '../../workbench/samples.js';
 import type {RepeatFields} from './repeat-fields.js';
-import {OpenEdgesError, printFiles, type PhotoOfCloth} from './print-files.js';
+import {OpenEdgesError, printFiles, type PhotoOfCloth} from '../../print/openable-files.js';
 
 export class PrintPanel extends WorkbenchElement {
   static override properties = {
@@ -105,7 +105,7 @@ export class PrintPanel extends WorkbenchElement {
     if (!file) return;
     this.problem = undefined;
     try {
-      const {openPrint} = await import('./own-tile.js');
+      const {openPrint} = await import('../../workbench/print/open-print.js');
       await openPrint(this.workbench, file);
     } catch (error) {
       // the panel shows remedies for an image with open edges

@@ -3,17 +3,23 @@ import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit'
 
 import {radians, towards, type Point} from '../../model/geometry.js';
 import {noPicture, type DesignPrint} from '../../model/design.js';
-import {fittingGroup, isCoupled, type FittingGroup, type RepeatSize} from '../../model/repeat.js';
+import {
+  fittingGroup,
+  isCoupled,
+  leastRepeat,
+  mostRepeat,
+  type FittingGroup,
+  type RepeatSize,
+} from '../../model/repeat.js';
 import {cellSize, cellTurn, resized, tileSize, tileTurn} from '../../model/tile-repeat.js';
 import {latticeType} from '../../model/wallpaper.js';
 import {lengthUnit} from '../controls/number-field.js';
-import {directionSign} from '../base/direction-sign.js';
+import {directionSign} from '../../texts/direction-sign.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';
-import {choiceOf, missing} from './choices.js';
-import {leastRepeat, mostRepeat} from './limits.js';
+import {choiceOf, missing} from '../../print/group-choice.js';
 
 /** Returns the arrow of a side on the fabric, unless its direction is the usual one. */
 function signOfLying(direction: Point, usual: string): string {
@@ -278,7 +284,7 @@ export class RepeatFields extends WorkbenchElement {
   }
 
   async #take(print: DesignPrint, fitting: FittingGroup): Promise<void> {
-    const {withGroup} = await import('./own-print.js');
+    const {withGroup} = await import('../../print/own-print.js');
     const smaller = await withGroup(print, fitting);
     if (this.workbench.design?.print === print) this.workbench.change({print: smaller});
   }

@@ -5,7 +5,7 @@ import {pictureIn} from '../../model/tile-repeat.js';
 import {tileRepeats, type TileRepeat} from '../../model/print-tile.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {printOfPicture} from './own-print.js';
+import {printOfPicture} from '../../print/own-print.js';
 
 /** A leaf without symmetry, in a square of side 10. */
 const leaf = 'M2.2 8.2C1.6 4.4 4 1.8 8.2 1.6C8.4 4.6 6.6 7.2 3.4 7.2z';

@@ -11,7 +11,7 @@ import type {TileCheck} from '../../image/tile-check.js';
 import type {OpenEdge} from '../../model/photo.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {choiceOf, missing} from './choices.js';
+import {choiceOf, missing} from '../../print/group-choice.js';
 import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';
 import {
   closedRepeats,
@@ -19,8 +19,14 @@ import {
   openPairs,
   type FoundGroup,
   type ReadsPictures,
-} from './own-groups.js';
-import {checked, groupsOfOwn, pixelsOfTile, printOfPicture, withFound} from './own-print.js';
+} from '../../print/own-groups.js';
+import {
+  checked,
+  groupsOfOwn,
+  pixelsOfTile,
+  printOfPicture,
+  withFound,
+} from '../../print/own-print.js';
 import {remedies} from './remedies.js';
 
 interface Report {

@@ -3,28 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {mostEffort} from '../../workbench/improvement.js';
-import type {Workbench} from '../../workbench/workbench.js';
-
-/** Returns the available action: begin a search, or stop a running one. */
-export function improvementOffer({
-  afterwards,
-  design,
-  result,
-  state,
-}: Workbench): {readonly kind: 'begin' | 'stop'; readonly act: () => void} | undefined {
-  if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return undefined;
-  const improving = afterwards.improving(design);
-  if (improving?.isRunning) {
-    const act = (): void => {
-      afterwards.stopImproving();
-    };
-    return {kind: 'stop', act};
-  }
-  const isDone = 2 * (design.options.effort ?? 1) > mostEffort;
-  if (improving || isDone || design.method !== 'best') return undefined;
-  return {kind: 'begin', act: () => void afterwards.improve(design, result)};
-}
+import {improvementOffer} from '../../workbench/remedies/improvement-offer.js';
 
 export class KeepImproving extends WorkbenchElement {
   static override styles = [

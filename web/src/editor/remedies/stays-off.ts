@@ -3,29 +3,13 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Remedy} from '../../remedies/remedy.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
-import {offSeams, seamRows, type SeamRow} from '../lists/rows.js';
+import {offSeams, seamRows, type SeamRow} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
-import type {Format} from '../../texts/format.js';
-import type {Texts} from '../../texts/texts.js';
 import type {Samples} from '../../workbench/samples.js';
-import type {Workbench} from '../../workbench/workbench.js';
-import {remedied} from './apply.js';
+import {remedied, remedyWords} from '../../workbench/remedies/remedied.js';
 
 /** Greatest number of listed seams; any others are only counted. */
 const mostSeams = 3;
-
-/** "Turn Waistband by 90°: 20.5 mm → 0 mm" */
-export function remedyWords(
-  {kind, pieces, before, after}: Remedy,
-  {scenes}: Workbench,
-  {remedies}: Texts,
-  format: Format,
-): string {
-  const labels = new Map(scenes?.now.pieces.map(({name, label}) => [name, label]));
-  const names = pieces.map((name) => labels.get(name) ?? name).join(', ');
-  const effect = remedies.effect(format.fine(before), format.fine(after));
-  return `${remedies.what[kind](names)}: ${effect}`;
-}
 
 export class StaysOff extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, samples: {attribute: false}};

@@ -4,7 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import type {SeamEvent, SeamState} from '../../clicks/seam-tool.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import type {SeamChooser} from './seam-chooser.js';
+import type {SeamChooser} from '../../workbench/sewing/seam-chooser.js';
 
 export class SewBar extends WorkbenchElement {
   static override properties = {

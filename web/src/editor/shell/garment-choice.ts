@@ -4,7 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {toFailure} from '../../workbench/latest-solve.js';
-import {onceOnline} from '../base/once-online.js';
+import {onceOnline} from '../../workbench/once-online.js';
 import {sampleGarment, Unreachable, type Samples} from '../../workbench/samples.js';
 
 export class GarmentChoice extends WorkbenchElement {

@@ -3,7 +3,7 @@ import {html, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import {canAlign} from '../commands/can-align.js';
+import {canAlign} from '../../workbench/can-align.js';
 import {icon} from '../style/icons.js';
 
 export function viewButtons<View extends keyof Texts['pattern']['views'] & keyof typeof icon>(

@@ -6,10 +6,10 @@ import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../../scene/mismatch.js';
-import {seamRows} from '../lists/rows.js';
-import {lastOf} from '../../workbench/last-of.js';
+import {seamRows} from '../../workbench/lists/rows.js';
+import {lastOf} from '../../model/last-of.js';
 import type {Samples} from '../../workbench/samples.js';
-import {spokenNote} from './spoken-note.js';
+import {spokenNote} from '../../workbench/lists/spoken-note.js';
 
 export class Headline extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, samples: {attribute: false}};

@@ -2,8 +2,8 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
-import type {KeyList} from '../commands/command-for.js';
-import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../commands/shortcuts.js';
+import type {KeyList} from '../../commands/editor-command.js';
+import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../../commands/shortcuts.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {focused} from '../base/focused.js';
 import {controls} from '../style/controls.js';

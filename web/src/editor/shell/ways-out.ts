@@ -9,7 +9,7 @@ import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-images.j
 import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
-import {withGrain, withoutPin} from '../lists/choices.js';
+import {withGrain, withoutPin} from '../../workbench/lists/changed-options.js';
 import {controls} from '../style/controls.js';
 import {cleanedOptions} from '../../workbench/cleaned-options.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';

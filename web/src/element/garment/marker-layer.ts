@@ -3,7 +3,7 @@ import type {Design} from '../../model/design.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import type {SolveResult} from '../../model/result.js';
 import {unlessAborted} from '../../solver/answers/unless-aborted.js';
-import {lastOf} from '../../workbench/last-of.js';
+import {lastOf} from '../../model/last-of.js';
 import type {Emit} from './announcer.js';
 import {asError} from './as-error.js';
 import type {AttributeElement} from './attribute-element.js';

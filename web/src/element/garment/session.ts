@@ -8,7 +8,7 @@ import type {SolveResult} from '../../model/result.js';
 import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js';
 import type {LeasePlaces} from '../../solver/pool.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
-import {lastOf} from '../../workbench/last-of.js';
+import {lastOf} from '../../model/last-of.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {spokenError} from '../../workbench/spoken-failure.js';
 import {Workbench} from '../../workbench/workbench.js';

@@ -1,0 +1,129 @@
+/** Commands of the fabric layout, by key or by name. */
+import type {ClothTexts} from '../texts/marker-texts.js';
+import type {Texts} from '../texts/texts.js';
+import {keysOf, type KeyList, type Command} from './editor-command.js';
+
+/** State and functions that commands and keys of the fabric layout use. */
+interface CommandedCloth {
+  /** True if there is a marker of the present design. */
+  readonly isReady: boolean;
+  zoomBy(factor: number): void;
+  fit(): void;
+  walk(step: 1 | -1): void;
+  turn(): void;
+  togglePin(): void;
+  takeOff(): void;
+  pack(): void;
+  toggleFlawTool(): void;
+  /** Adds a flaw in the visible part, to be moved by keys. */
+  putFlaw(): void;
+}
+
+/** Zoom step of a key. */
+const notch = 1.25;
+
+function looking(cloth: CommandedCloth, {commands, pattern}: Texts): readonly Command[] {
+  const {zoom} = commands.also;
+  return [
+    {
+      ...{id: 'fit cloth', title: pattern.fit, key: '0', words: zoom},
+      run: () => {
+        cloth.fit();
+      },
+    },
+    {
+      ...{id: 'zoom cloth in', title: pattern.zoomIn, key: '+', words: zoom},
+      run: () => {
+        cloth.zoomBy(notch);
+      },
+    },
+    {
+      ...{id: 'zoom cloth out', title: pattern.zoomOut, key: '−', words: zoom},
+      run: () => {
+        cloth.zoomBy(1 / notch);
+      },
+    },
+  ];
+}
+
+function handling(cloth: CommandedCloth, {commands}: Texts, words: ClothTexts): readonly Command[] {
+  const {view} = commands.also;
+  return [
+    {
+      ...{id: 'next laid piece', title: words.nextPiece, key: 'N', words: view},
+      run: () => {
+        cloth.walk(1);
+      },
+    },
+    {
+      ...{id: 'laid piece before', title: words.pieceBefore, key: 'Shift N', words: view},
+      run: () => {
+        cloth.walk(-1);
+      },
+    },
+    {
+      ...{id: 'turn laid piece', title: words.turn, key: 'R', words: commands.also.turn},
+      run: () => {
+        cloth.turn();
+      },
+    },
+    {
+      ...{id: 'pin laid piece', title: words.pin, key: 'P', words: commands.also.keep},
+      run: () => {
+        cloth.togglePin();
+      },
+    },
+    {
+      ...{id: 'take laid piece off', title: words.takeOff, key: 'Delete'},
+      run: () => {
+        cloth.takeOff();
+      },
+    },
+    {
+      ...{id: 'pack', title: words.packRest, key: 'A'},
+      run: () => {
+        cloth.pack();
+      },
+    },
+    {
+      ...{id: 'flaw', title: words.flaw, key: 'X'},
+      run: () => {
+        cloth.toggleFlawTool();
+      },
+    },
+    {
+      ...{id: 'add flaw', title: words.addFlaw, key: 'Shift X'},
+      run: () => {
+        cloth.putFlaw();
+      },
+    },
+  ];
+}
+
+export const markerCommands = (
+  cloth: CommandedCloth,
+  texts: Texts,
+  words: ClothTexts,
+): readonly Command[] => [
+  ...looking(cloth, texts),
+  ...(cloth.isReady ? handling(cloth, texts, words) : []),
+];
+
+/** All keys of the view, including those without use at present. */
+export function markerKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
+  const {move, moveOnto, turnOnto, leave, closeFlaw, sizeFlaw} = words.keys;
+  const arrows = '←  →  ↑  ↓';
+  const {Shift} = texts.keyNames;
+  const shown = (key: string): string =>
+    key.replace('Shift', Shift).replace('Delete', words.deleteKey);
+  const commands = keysOf([...handling(cloth, texts, words), ...looking(cloth, texts)]);
+  return [
+    [arrows, move],
+    [`Alt ${arrows}`, moveOnto],
+    ...commands.map(([key, meaning]) => [shown(key), meaning] as const),
+    ['Alt R', turnOnto],
+    [`${Shift} ${arrows}`, sizeFlaw],
+    ['Enter', closeFlaw],
+    ['Esc', leave],
+  ];
+}

@@ -1,0 +1,99 @@
+/** Reads a file as a print: a print file, or the image of one cell. */
+import {noPicture, type DesignPrint} from '../model/design.js';
+import {distance, norm} from '../model/geometry.js';
+import type {Print} from '../model/print.js';
+import {readPrintFile} from '../model/print-file.js';
+import {fieldOf} from '../model/read.js';
+import {latticeVectors, repeatOf} from '../model/repeat.js';
+import type {OwnPicture} from '../model/tile-repeat.js';
+import {FileError} from '../model/versioned-file.js';
+import {en, type Texts} from '../texts/en.js';
+import {sizeInFile} from './file-size.js';
+import type {ReadsPictures} from './own-groups.js';
+import {printOfPicture} from './own-print.js';
+import {looksLikePicture, readPicture} from './read-picture.js';
+
+/** Greatest length of a print file. [bytes] */
+const mostBytes = 12 * 2 ** 20;
+/** Width of an image until its file or the user sets another one. [cm] */
+export const firstWidth = 10;
+
+type Words = Texts['print']['files'];
+
+/**
+ * Reads an image as opened: straight, in the size from its file.
+ * @throws {Error} with one sentence as message
+ */
+export async function readOwnPicture(file: File, words: Words): Promise<OwnPicture> {
+  const {image, width, height} = await readPicture(file, words);
+  const said = await sizeInFile(image);
+  const across = said?.width ?? firstWidth;
+  return {
+    ...{title: file.name.replace(/\.[^.]*$/, ''), image, repeat: 'straight', turnDeg: 0},
+    size: {width: across, height: (across * height) / width, angleDeg: 90},
+  };
+}
+
+/**
+ * Returns a print as a design contains it. An image has the first of its groups. A print file names
+ * its image, which cannot be read from here; the fabric is bare until the user opens the image,
+ * too.
+ * @throws {Error} with one sentence about the problem
+ */
+export async function readPrint(
+  solver: ReadsPictures,
+  file: File,
+  words: Words = en.print.files,
+): Promise<DesignPrint> {
+  if (await looksLikePicture(file))
+    return printOfPicture(solver, await readOwnPicture(file, words));
+  if (file.size > mostBytes) throw new Error(words.tooLarge(file.name));
+  return printFrom(await file.text(), file.name, words);
+}
+
+/** Reads the text of a print file. @throws {Error} one sentence about the problem */
+export function printFrom(text: string, name: string, words: Words): DesignPrint {
+  const {
+    title,
+    group,
+    w1,
+    w2,
+    cell = 'primitive',
+    oneWay = false,
+    image,
+    unscaled,
+  } = read(text, name, words);
+  const repeat = repeatOf({group, w1, w2, cell});
+  const again = latticeVectors(group, repeat.size, repeat.turnDeg, cell);
+  const off = Math.max(distance(w1, again[0]), distance(w2, again[1]));
+  // also false for NaN, as from vectors without length
+  if (!(off < 0.001 * norm(w1)) || repeat.size.angleDeg <= 0) {
+    throw new Error(words.wrongLattice(name, group));
+  }
+  return {
+    title: typeof title === 'string' ? title : name.replace(/\.[^.]*$/, ''),
+    ...{group, ...repeat, oneWay, cell, ...(unscaled && {unscaled})},
+    image: image?.startsWith('data:image/') ? image : noPicture,
+  };
+}
+
+function read(text: string, name: string, words: Words): Print {
+  try {
+    return readPrintFile(text, name);
+  } catch (cause) {
+    if (!(cause instanceof FileError)) throw cause;
+    throw new Error(isPattern(text) ? words.pattern(name) : words.noPrint(name), {cause});
+  }
+}
+
+/** Returns whether a file is a sewing pattern: it has pieces, or the format of one. */
+function isPattern(text: string): boolean {
+  try {
+    const file: unknown = JSON.parse(text);
+    const has = (field: string): boolean => fieldOf(file, field) !== undefined;
+    const isOwn = String(fieldOf(file, 'format')).startsWith('seamwise-garment/');
+    return has('pattern') || has('panels') || isOwn;
+  } catch {
+    return false;
+  }
+}

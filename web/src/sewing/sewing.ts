@@ -1,0 +1,102 @@
+/** A garment in the sewing tool: matching edges, computed once per garment and answer. */
+import {has, type Run} from '../clicks/run.js';
+import type {Candidate, Sewing, Suggestion} from '../clicks/seam-tool.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import {edgeOf, isOpen, seamAt, sideLength} from '../model/garment-edit.js';
+import {rankPartners} from '../pairing/rank.js';
+import {likeliestSides} from '../pairing/sides.js';
+import {likeliestSeams, sureSeams} from '../pairing/suggest.js';
+import {lastOf} from '../model/last-of.js';
+
+/** Least likelihood of a seam in a question. */
+const leastLikely = 0.15;
+/** Least likelihood of a partner that the tool names. */
+const leastNamed = 0.3;
+/** Greatest number of displayed candidates, which have keys. */
+const mostCandidates = 5;
+
+export const allEdges = ({pieces}: GarmentDocument): readonly EdgeOfPiece[] =>
+  pieces.flatMap(({outline}, piece) => outline.map((_, edge) => ({piece, edge})));
+
+/**
+ * Ranks single edges for a run of several edges by length, since no edge has the shape of several.
+ */
+function byLength(garment: GarmentDocument, run: Run): readonly Candidate[] {
+  const length = sideLength(garment, run);
+  return allEdges(garment)
+    .filter(
+      (edge) =>
+        !has(run, edge) && seamAt(garment, edge) === undefined && !isOpen(edgeOf(garment, edge)),
+    )
+    .map((edge) => {
+      const ratio = Math.abs(Math.log(sideLength(garment, [edge]) / length));
+      return {a: run, b: [edge], p: Math.exp(-10 * ratio), sameDirection: false};
+    });
+}
+
+/** Returns pairs of single edges, since sides of several edges are not ranked by their shapes. */
+const pairsOf = ({a: [a, ...moreA], b: [b, ...moreB]}: Suggestion) =>
+  a && b && moreA.length + moreB.length === 0 ? [[a, b] as const] : [];
+
+const sameRun = (one: Run, other: Run): boolean =>
+  one.length === other.length && one.every((edge) => has(other, edge));
+
+const sameSides = (one: Suggestion, other: Suggestion): boolean =>
+  (sameRun(one.a, other.a) && sameRun(one.b, other.b)) ||
+  (sameRun(one.a, other.b) && sameRun(one.b, other.a));
+
+/** @param refused pairs of sides that the user rejected */
+export function sewingOf(garment: GarmentDocument, refused: readonly Suggestion[]): Sewing {
+  const hooks = {refused: refused.flatMap(pairsOf)};
+  const isLeft = (one: Suggestion): boolean => !refused.some((other) => sameSides(one, other));
+  const sides = lastOf((): readonly Candidate[] =>
+    likeliestSides(garment, hooks)
+      .map(({edge, side, p}) => ({a: side, b: [edge], p, sameDirection: false}))
+      .filter(isLeft),
+  );
+  /**
+   * Candidates with sides of several edges: the run is the partner of such a side, or part of it.
+   */
+  const sidesWith = (run: Run): readonly Candidate[] =>
+    sides().flatMap((one): Candidate[] => {
+      if (sameRun(one.b, run)) return [{...one, a: one.b, b: one.a}];
+      return run.every((edge) => has(one.a, edge)) ? [one] : [];
+    });
+  const candidates = lastOf((run: Run): readonly Candidate[] => {
+    const [first] = run;
+    if (!first) return [];
+    const single =
+      run.length === 1
+        ? rankPartners(garment, first, hooks).map(({edge, p, sameDirection}) => ({
+            ...{a: run, b: [edge], p, sameDirection},
+          }))
+        : byLength(garment, run).filter(isLeft);
+    const more = sidesWith(run).filter(
+      ({b}) => run.length === 1 || !single.some((one) => sameRun(one.b, b)),
+    );
+    return [...more, ...single].sort((one, other) => other.p - one.p).slice(0, mostCandidates);
+  });
+  const likeliest = lastOf(() => {
+    const [single] = likeliestSeams(garment, leastLikely, hooks);
+    const [side] = sides();
+    if (side && side.p >= leastLikely && side.p > (single?.p ?? 0)) return side;
+    return single && sided(single);
+  });
+  const sure = lastOf(() => sureSeams(garment, hooks).map(sided));
+  const best = (run: Run): Candidate | undefined => {
+    const [first] = candidates(run);
+    return first && first.p >= leastNamed ? first : undefined;
+  };
+  return {garment, candidates, best, sure, likeliest, order: allEdges(garment)};
+}
+
+/** Returns a suggestion with one edge on each side. */
+const sided = ({
+  a,
+  b,
+  sameDirection,
+}: {
+  readonly a: EdgeOfPiece;
+  readonly b: EdgeOfPiece;
+  readonly sameDirection: boolean;
+}): Suggestion => ({a: [a], b: [b], sameDirection});

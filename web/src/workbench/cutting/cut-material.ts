@@ -1,0 +1,46 @@
+/** Input of a cutting sheet, available after a solve. */
+import {decidedOf, noPicture, printOf} from '../../model/design.js';
+import {SolverError} from '../../model/failure.js';
+import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
+import type {SolveResult} from '../../model/result.js';
+import type {AllowanceRule} from '../../cutting/allowances.js';
+import type {CuttingMarks, SheetOptions} from '../../cutting/lay-sheet.js';
+import type {PrintWithTile} from '../../picture/cloth.js';
+import {textsOf} from '../../texts/texts.js';
+import type {Workbench} from '../workbench.js';
+import {embeddedTile} from '../../image/embedded-tile.js';
+
+/** Plain data, which can be posted to a worker. */
+export interface CutMaterial {
+  readonly result: SolveResult;
+  readonly print: PrintWithTile;
+  readonly marks: CuttingMarks;
+  readonly options: SheetOptions;
+}
+
+/**
+ * Returns the input; undefined before there is a result.
+ * @throws {SolverError} `unscaled`; {Error} if the print's image cannot be read
+ */
+export async function cutMaterial(
+  {design, garment, result, preferences}: Workbench,
+  rule: AllowanceRule,
+): Promise<CutMaterial | undefined> {
+  if (!design || !garment || !result) return undefined;
+  const {units, language: locale, messages} = preferences;
+  if (design.print.unscaled) {
+    const message = textsOf(locale, messages).print.unscaled;
+    throw new SolverError({code: 'unscaled', message});
+  }
+  const {image} = design.print;
+  const tile = image === noPicture ? undefined : await embeddedTile(image);
+  return {
+    result,
+    print: {...printOf(design.print), ...(tile !== undefined && {tile})},
+    marks: {
+      ...garmentTitle(garment, design.garment.name),
+      panels: panelMarks(garment, decidedOf(design)),
+    },
+    options: {...rule, units, locale, plain: design.options.plain ?? []},
+  };
+}

@@ -1,0 +1,265 @@
+/** Drape of the present result, computed while it is on display. */
+import type {
+  Drape,
+  DrapeMesh,
+  DrapeProgress,
+  DrapeSettings,
+  FabricName,
+  Form,
+} from '../../model/drape.js';
+import {fabricOf, type Design, type DesignGarment} from '../../model/design.js';
+import type {Failure} from '../../model/failure.js';
+import type {Point} from '../../model/geometry.js';
+import type {SolveResult} from '../../model/result.js';
+import {toFailure} from '../latest-solve.js';
+import {Observable} from '../observable.js';
+import type {Workbench} from '../workbench.js';
+
+/**
+ * `waiting`: there is no result to drape; `draping`: the previous drape stays on display until the
+ * first positions arrive.
+ */
+type DrapingState =
+  | {readonly kind: 'waiting' | 'done' | 'cancelled'}
+  | {readonly kind: 'draping'; readonly progress: DrapeProgress}
+  | {readonly kind: 'failed'; readonly failure: Failure};
+
+/** A view of the drape, which receives all data of a running drape. */
+export interface DrapingViewer {
+  form(form: Form): void;
+  /** Receives the mesh of the next positions. */
+  mesh(mesh: DrapeMesh): void;
+  /**
+   * Receives x, y, z per vertex of the mesh. [cm]
+   * @param isFinal true if the mesh does not move any more
+   */
+  positions(positions: Float32Array, isFinal: boolean): void;
+  /** Clears the display, which shows another garment. */
+  clear(): void;
+}
+
+/** Input of a drape. */
+interface Question {
+  readonly garment: DesignGarment;
+  readonly result: SolveResult;
+  readonly fabric: FabricName;
+}
+
+/** Number of stored drapes; each takes about a megabyte. */
+const most = 8;
+
+const begun: DrapeProgress = {stage: 'sew', fraction: 0};
+
+type Source = Pick<Workbench, 'design' | 'result' | 'subscribe' | 'solver'>;
+
+export class Draping extends Observable {
+  readonly #source: Source;
+  readonly #viewers = new Set<DrapingViewer>();
+  /** Stored drapes, the oldest first. */
+  #kept: readonly (readonly [Question, Drape])[] = [];
+  #state: DrapingState = {kind: 'waiting'};
+  /** Input of the last or the running drape, even if that failed or was cancelled. */
+  #question: Question | undefined;
+  #running: AbortController | undefined;
+  #drape: Drape | undefined;
+  /** Data on display, for views that are added later. */
+  #form: Form | undefined;
+  #mesh: DrapeMesh | undefined;
+  #positions: Float32Array | undefined;
+  #shown: DesignGarment | undefined;
+  #end: (() => void) | undefined;
+
+  constructor(source: Source) {
+    super();
+    this.#source = source;
+  }
+
+  get state(): DrapingState {
+    return this.#state;
+  }
+
+  /** Settled drape of the present result or of the one before. */
+  get drape(): Drape | undefined {
+    return this.#drape;
+  }
+
+  /**
+   * Adds a view and drapes from now on.
+   * @returns the function that removes the view; without views nothing is draped
+   */
+  show(viewer: DrapingViewer): () => void {
+    if (this.#form) viewer.form(this.#form);
+    if (this.#mesh && this.#positions) {
+      viewer.mesh(this.#mesh);
+      viewer.positions(this.#positions, this.#state.kind !== 'draping');
+    }
+    this.#viewers.add(viewer);
+    this.#end ??= this.#source.subscribe(['history', 'solving'], () => {
+      this.#follow();
+    });
+    this.#follow();
+    return () => {
+      this.#viewers.delete(viewer);
+      if (this.#viewers.size > 0) return;
+      this.#end?.();
+      this.#end = undefined;
+      if (this.#state.kind !== 'draping') return;
+      this.#stop();
+      this.#question = undefined;
+      this.#become({kind: 'waiting'});
+    };
+  }
+
+  /** Ends the running drape; the display stays. */
+  cancel(): void {
+    if (this.#state.kind !== 'draping') return;
+    this.#stop();
+    this.#become({kind: 'cancelled'});
+  }
+
+  /** Repeats a drape that was cancelled or failed. */
+  again(): void {
+    this.#question = undefined;
+    this.#follow();
+  }
+
+  #become(state: DrapingState): void {
+    this.#state = state;
+    this.changed();
+  }
+
+  #stop(): void {
+    this.#running?.abort();
+    this.#running = undefined;
+  }
+
+  #follow(): void {
+    const {design, result} = this.#source;
+    if (!design || !result) {
+      this.#wait(design);
+      return;
+    }
+    const question = {garment: design.garment, result, fabric: fabricOf(design)};
+    if (this.#question && isSame(question, this.#question)) return;
+    this.#stop();
+    this.#question = question;
+    const known = this.#kept.find(([one]) => isSame(one, question))?.[1];
+    if (known) this.#show(known, design.garment);
+    else void this.#run(question);
+  }
+
+  /**
+   * Waits for a result. A running drape continues if only the print changes, since that may need no
+   * other drape.
+   */
+  #wait(design: Design | undefined): void {
+    if (!this.#question || this.#question.garment === design?.garment) return;
+    this.#stop();
+    this.#question = undefined;
+    this.#become({kind: 'waiting'});
+  }
+
+  #show(drape: Drape, garment: DesignGarment): void {
+    this.#drape = drape;
+    this.#shown = garment;
+    const {form, mesh} = drape;
+    this.#tellForm(form);
+    this.#tellMesh(mesh);
+    this.#tellPositions(Float32Array.from(drape.positions), true);
+    this.#become({kind: 'done'});
+  }
+
+  async #run(question: Question): Promise<void> {
+    const running = new AbortController();
+    this.#running = running;
+    this.#become({kind: 'draping', progress: begun});
+    const {garment, result, fabric} = question;
+    // the mesh continues from its present positions
+    const settings: DrapeSettings = {fabric, ...(this.#drape && {from: this.#drape})};
+    let mesh: DrapeMesh | undefined;
+    try {
+      const drape = await this.#source.solver.drape(result, settings, {
+        signal: running.signal,
+        names: {result: garment.name},
+        onForm: (form) => {
+          this.#tellForm(form);
+        },
+        onMesh: (next) => {
+          mesh = next;
+        },
+        onPositions: (positions) => {
+          if (mesh) this.#tellMesh(mesh);
+          this.#shown = garment;
+          this.#tellPositions(positions, false);
+        },
+        onProgress: (progress) => {
+          if (this.#running !== running) return;
+          this.#state = {kind: 'draping', progress};
+          this.changedOften();
+        },
+      });
+      if (running.signal.aborted) return;
+      this.#running = undefined;
+      this.#kept = [...this.#kept, [question, drape] as const].slice(-most);
+      this.#show(drape, garment);
+    } catch (error) {
+      if (running.signal.aborted) return;
+      this.#running = undefined;
+      if (this.#shown !== garment) this.#clear();
+      this.#become({kind: 'failed', failure: toFailure(error)});
+    }
+  }
+
+  #clear(): void {
+    this.#drape = undefined;
+    this.#form = undefined;
+    this.#mesh = undefined;
+    this.#positions = undefined;
+    for (const viewer of this.#viewers) viewer.clear();
+  }
+
+  #tellForm(form: Form): void {
+    this.#form = form;
+    for (const viewer of this.#viewers) viewer.form(form);
+  }
+
+  #tellMesh(mesh: DrapeMesh): void {
+    if (mesh === this.#mesh) return;
+    this.#mesh = mesh;
+    for (const viewer of this.#viewers) viewer.mesh(mesh);
+  }
+
+  #tellPositions(positions: Float32Array, isFinal: boolean): void {
+    this.#positions = positions;
+    for (const viewer of this.#viewers) viewer.positions(positions, isFinal);
+  }
+}
+
+/** Returns whether two inputs give the same drape; the print may be aligned differently. */
+const isSame = (one: Question, other: Question): boolean =>
+  one.garment === other.garment &&
+  one.fabric === other.fabric &&
+  (one.result === other.result || sameShapes(one.result, other.result));
+
+const sameShapes = (one: SolveResult, other: SolveResult): boolean =>
+  one.pieces.length === other.pieces.length &&
+  one.pieces.every(
+    ({rest, shape}, k) =>
+      samePoints(rest, other.pieces[k]?.rest) && samePoints(shape, other.pieces[k]?.shape),
+  );
+
+const samePoints = (one: readonly Point[], other: readonly Point[] = []): boolean =>
+  one.length === other.length &&
+  one.every(([x, y], k) => {
+    const [atX, atY] = other[k] ?? [];
+    return x === atX && y === atY;
+  });
+
+const known = new WeakMap<Source, Draping>();
+
+/** Draping of a workbench, created at the first call. */
+export function drapingOf(workbench: Workbench): Draping {
+  const draping = known.get(workbench) ?? new Draping(workbench);
+  known.set(workbench, draping);
+  return draping;
+}

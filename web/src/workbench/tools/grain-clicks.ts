@@ -1,0 +1,102 @@
+/** Sets the grain line of a piece by clicks: along an edge, or through two points. */
+import type {LineTarget, OnPiece, Target} from '../../clicks/pick.js';
+import {inputPoint} from '../../clicks/sheet.js';
+import {angleOf, degrees, distance, minus, type Point} from '../../model/geometry.js';
+import type {Overlay} from '../../scene/overlay.js';
+import type {PatternScene} from '../../scene/scene.js';
+import {withGrainLines} from '../lists/changed-options.js';
+import type {Texts} from '../../texts/texts.js';
+import {mirrorsOf, withImage} from './grain-proposals.js';
+import type {Workbench} from '../workbench.js';
+
+/** Least distance between two points that give a direction. [cm] */
+const shortest = 1;
+
+const directionOf = (from: Point, to: Point): number => degrees(angleOf(minus(to, from)));
+
+/** Returns a point in the drafted piece, face up. [cm] */
+function drafted(scene: PatternScene, {piece, point}: OnPiece): Point {
+  const [x, y] = inputPoint(scene, piece, point);
+  return [scene.pattern.pieces[piece]?.mirroredFromInput ? -x : x, y];
+}
+
+/** Returns the upward direction of an edge as drafted, since an edge has none itself. [degrees] */
+function alongEdge(scene: PatternScene, {piece, edge}: LineTarget): number | undefined {
+  const {rest = [], outline = []} = scene.pattern.pieces[piece] ?? {};
+  const {edges = []} = scene.pieces[piece] ?? {};
+  const count = outline.length;
+  const isOf = (k: number): boolean => edges[(k + count) % count] === edge;
+  const first = outline.findIndex((_, k) => isOf(k) && !isOf(k - 1));
+  let last = first;
+  while (first >= 0 && isOf(last)) last++;
+  const [from, to] = [rest[outline[first] ?? -1], rest[outline[last % count] ?? -1]];
+  if (!from || !to) return undefined;
+  const direction = directionOf(from, to);
+  return direction > -1e-9 && direction < 180 - 1e-9 ? direction : direction + 180;
+}
+
+export class GrainClicks {
+  readonly #workbench: Workbench;
+  #first: OnPiece | undefined;
+  #refused: 'otherPiece' | 'samePoint' | 'unnumbered' | undefined;
+
+  constructor(workbench: Workbench) {
+    this.#workbench = workbench;
+  }
+
+  /** True if the next click is a point, even near a line. */
+  get hasFirst(): boolean {
+    return this.#first !== undefined;
+  }
+
+  begin(): void {
+    this.#first = this.#refused = undefined;
+  }
+
+  /** Removes the first point. @returns true if there was one */
+  back(): boolean {
+    const had = this.hasFirst;
+    this.begin();
+    return had;
+  }
+
+  /** @param snapped position of a click that sets a point */
+  take(scene: PatternScene, target: Target, snapped: Point): void {
+    const {piece} = target;
+    const here = {piece, point: snapped};
+    const first = this.#first;
+    this.#refused = undefined;
+    if (!first && target.kind !== 'piece') {
+      const direction = target.edge === undefined ? undefined : alongEdge(scene, target);
+      if (direction === undefined) this.#refused = 'unnumbered';
+      else this.#keep(scene, piece, direction);
+    } else if (!first) {
+      this.#first = here;
+    } else if (first.piece !== piece) {
+      this.#refused = 'otherPiece';
+    } else {
+      const [from, to] = [drafted(scene, first), drafted(scene, here)];
+      if (distance(from, to) < shortest) this.#refused = 'samePoint';
+      else this.#keep(scene, piece, directionOf(from, to));
+    }
+  }
+
+  /** @param direction counter-clockwise from the x axis of the face-up piece [degrees] */
+  #keep(scene: PatternScene, piece: number, direction: number): void {
+    this.#first = undefined;
+    const {design} = this.#workbench;
+    const {name} = scene.pieces[piece] ?? {};
+    if (!design || name === undefined) return;
+    const lines = withImage(name, direction, mirrorsOf(this.#workbench));
+    this.#workbench.change({options: withGrainLines(design.options, lines)});
+  }
+
+  words({grain, symmetry}: Texts): string {
+    if (this.#refused) return symmetry.refusals[this.#refused];
+    return this.#first ? grain.second : grain.first;
+  }
+
+  marks(): Overlay {
+    return this.#first ? {points: [this.#first]} : {};
+  }
+}

@@ -1,0 +1,307 @@
+/** Effect of a press on the pattern: a choice for a symmetry, a move of a print, or a selection. */
+import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
+import type {PickIndex} from '../../clicks/pick-index.js';
+import {snap, type Snapped} from '../../clicks/snap.js';
+import type {Alignment, Point} from '../../model/geometry.js';
+import {groupsThatCarry} from '../../model/repeat.js';
+import {wayOnSheet} from '../../model/sheet-place.js';
+import {notchMark} from '../../cutting/follow.js';
+import type {Overlay} from '../../scene/overlay.js';
+import type {PatternScene} from '../../scene/scene.js';
+import type {Format} from '../../texts/format.js';
+import {textsOf, type Texts} from '../../texts/texts.js';
+import {withAll} from '../symmetry-steps.js';
+import type {Target, Workbench} from '../workbench.js';
+import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js';
+import {GrainClicks} from './grain-clicks.js';
+import {keepMarks, toggleKept} from './keeping.js';
+import {railsOf} from './rails.js';
+import type {SewingTool} from '../sewing/sewing-tool.js';
+import {toFailure} from '../latest-solve.js';
+import {SymmetryChooser} from './symmetry-chooser.js';
+
+/**
+ * `axis`: a symmetric piece by two points, even near a line. `keep`: the pressed part stays as
+ * drafted, or is released. `grain`: the grain line of a piece. `sew`: edges are sewn together.
+ */
+export type Tool = 'piece' | 'axis' | 'pair' | OwnTool;
+/** A tool that defines no symmetry. */
+type OwnTool = 'move' | 'keep' | 'grain' | 'sew';
+
+const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew'];
+const isOwn = (tool: Tool): tool is OwnTool => ownTools.includes(tool);
+
+/** Greatest distance at which a pointer picks a line. [CSS px] */
+export const reachOf = (pointerType: string): number => (pointerType === 'touch' ? 22 : 6);
+
+/** Lines with a smaller difference in distance are equally likely. [CSS px] */
+const tie = 2;
+
+/** Factor of the reach for the sewing tool, which picks only lines. */
+const sewingReach = 2;
+
+export class PatternTools {
+  readonly chooser: SymmetryChooser;
+  readonly grain: GrainClicks;
+  /** True if there is one tool only, which is always active. */
+  readonly isFixed: boolean;
+  readonly #workbench: Workbench;
+  readonly #changed: () => void;
+  #own: OwnTool | undefined;
+  /** The sewing tool in one language, loaded at first use. */
+  #sewing: {readonly language: string; readonly tool: SewingTool | undefined} | undefined;
+  #byPoints = false;
+  /** The part that a press would keep or release. */
+  #pointed: Picked | undefined;
+  #hovered: (Snapped & {readonly piece: number}) | undefined;
+
+  /** @param purpose `place` has only the tool that moves the print */
+  constructor(workbench: Workbench, changed: () => void, purpose: 'edit' | 'place' = 'edit') {
+    this.isFixed = purpose === 'place';
+    if (this.isFixed) this.#own = 'move';
+    this.#workbench = workbench;
+    this.#changed = changed;
+    this.chooser = new SymmetryChooser(workbench, changed);
+    this.grain = new GrainClicks(workbench);
+  }
+
+  get active(): Tool | undefined {
+    if (this.#own) return this.#own;
+    const {tool} = this.chooser;
+    return tool === 'piece' && this.#byPoints ? 'axis' : tool;
+  }
+
+  /** A garment stored by its path stays unchanged, unless it has no seams at all. */
+  get canSew(): boolean {
+    const {design, garment} = this.#workbench;
+    return !design?.garment.file || garment?.seams.length === 0;
+  }
+
+  toggle(tool: Tool): void {
+    if (this.isFixed || (tool === 'sew' && tool !== this.#own && !this.canSew)) return;
+    if (isOwn(tool)) {
+      this.chooser.leave();
+      this.grain.begin();
+      this.#own = this.#own === tool ? undefined : tool;
+    } else {
+      this.#own = undefined;
+      if (tool === this.active) this.chooser.leave();
+      else this.chooser.send({type: 'start', tool: tool === 'pair' ? 'pair' : 'piece'});
+      this.#byPoints = tool === 'axis';
+    }
+    this.#changed();
+  }
+
+  /** The sewing tool, if it is active and loaded. */
+  get sewing(): SewingTool | undefined {
+    if (this.#own !== 'sew') return undefined;
+    const {language} = this.#workbench.preferences;
+    if (this.#sewing?.language !== language) void this.#loadSewing(language);
+    return this.#sewing?.tool;
+  }
+
+  async #loadSewing(language: string): Promise<void> {
+    this.#sewing = {language, tool: this.#sewing?.tool};
+    try {
+      const {sewingTool} = await import('../sewing/sewing-tool.js');
+      const tool = await sewingTool(this.#workbench, this.#changed);
+      this.#sewing = {language, tool};
+    } catch (error) {
+      this.#sewing = this.#own = undefined;
+      this.#workbench.say({tone: 'error', text: toFailure(error).message});
+    }
+    this.#changed();
+  }
+
+  /** Undoes one step of the tool. @returns true if there was one */
+  back(): boolean {
+    const {active, isFixed} = this;
+    if (isFixed) return false;
+    if (this.sewing?.chooser.send({type: 'back'})) return true;
+    if (active === 'grain' && this.grain.back()) this.#changed();
+    else if (this.#own) this.toggle(this.#own);
+    else if (active) this.chooser.send({type: 'back'});
+    return active !== undefined;
+  }
+
+  /** Imposes all found symmetries; shows a notice if the print can carry none of them. */
+  acceptAll(): void {
+    const {design, kept, found, preferences} = this.#workbench;
+    if (!design) return;
+    const {group} = design.print;
+    const symmetries = withAll(kept, group, found);
+    if (symmetries.length === kept.length) {
+      const {symmetry} = textsOf(preferences.language, preferences.messages);
+      const groups = groupsThatCarry('piece').join(', ');
+      this.#workbench.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
+      return;
+    }
+    this.chooser.leave();
+    this.#workbench.change({symmetry: symmetries});
+  }
+
+  words(texts: Texts, format: Format): string {
+    if (this.#own === 'move') return texts.symmetry.moving;
+    if (this.#own === 'keep') return texts.keep.hint;
+    if (this.#own === 'sew') return this.sewing?.chooser.words(texts, format) ?? '';
+    return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
+  }
+
+  /** Returns the possible targets of a press: one, or several that are equally likely. */
+  meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
+    if (this.#own === 'sew') return targetsAt(index, at, (sewingReach * reach) / scale).slice(0, 1);
+    const targets = targetsAt(index, at, reach / scale);
+    if (this.active === 'pair' || this.active === 'move') {
+      const piece = targets.find(({kind}) => kind === 'piece') ?? targets[0];
+      return piece ? [piece] : [];
+    }
+    return choices(targets, tie / scale);
+  }
+
+  /** Marks the point that a press would set; no mark if a press would not set a point. */
+  hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
+    if (this.#own === 'sew') {
+      this.sewing?.chooser.hover(target);
+      return;
+    }
+    this.#pointed = this.#own === 'keep' ? target : undefined;
+    const isPoint = this.active === 'axis' || this.#isPointInside(target);
+    const before = this.#hovered;
+    this.#hovered =
+      target && isPoint
+        ? {piece: target.piece, ...this.#snapped(index, target, reachCm)}
+        : undefined;
+    if (before || this.#hovered || this.#own === 'keep') this.#changed();
+  }
+
+  /**
+   * A press inside a piece sets a point; after the first point of a grain line, a press on a line
+   * does.
+   */
+  #isPointInside(target: Picked | undefined): boolean {
+    const takesPoints = this.active === 'piece' || this.active === 'grain';
+    return takesPoints && (target?.kind === 'piece' || this.grain.hasFirst);
+  }
+
+  #takeForGrain(target: Picked, point: Point): void {
+    const scene = this.#workbench.scenes?.now;
+    if (scene) this.grain.take(scene, target, point);
+    this.#changed();
+  }
+
+  #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
+    return snap(index, piece, point, reachCm, {notches: this.#notches(piece)});
+  }
+
+  /** Applies a press whose target is known. @param isMore adds the target to the choice */
+  take(index: PickIndex, target: Picked, reachCm: number, isMore = false): void {
+    if (this.#own === 'sew') {
+      this.sewing?.chooser.take(target, isMore);
+      return;
+    }
+    if (this.#own === 'grain') {
+      this.#takeForGrain(target, this.#snapped(index, target, reachCm).point);
+    } else if (this.chooser.tool) {
+      const {point} = this.#snapped(index, target, reachCm);
+      const {piece} = target;
+      this.chooser.send(
+        this.active === 'axis'
+          ? {type: 'pickPoint', piece, point}
+          : {type: 'pick', target, snapped: point},
+      );
+    }
+    if (this.#own === 'keep') toggleKept(this.#workbench, target);
+    this.#workbench.select(
+      target.kind === 'seam'
+        ? {kind: 'seam', seam: target.seam, side: target.side}
+        : {kind: 'piece', piece: target.piece},
+    );
+  }
+
+  #notches(piece: number): readonly Point[] {
+    const {scenes} = this.#workbench;
+    const shown = scenes?.now.pieces[piece];
+    const meshed = scenes?.now.pattern.pieces[piece];
+    if (!shown || !meshed) return [];
+    const {notches = []} = scenes.marks.get(shown.name) ?? {};
+    return notches.flatMap((notch) => {
+      const mark = notchMark({...meshed, shape: shown.points}, notch);
+      return mark ? [mark.at] : [];
+    });
+  }
+
+  /** Acts like a press on the selected part. */
+  takeSelected(index: PickIndex): void {
+    const {selected} = this.#workbench;
+    const target = selected && this.#targetOf(index, selected);
+    if (!target) return;
+    if (this.#own === 'keep') toggleKept(this.#workbench, target);
+    else if (this.#own === 'grain') this.#takeForGrain(target, target.point);
+    else if (this.chooser.tool) this.chooser.send({type: 'pick', target});
+  }
+
+  #targetOf(index: PickIndex, selected: Target): Picked | undefined {
+    if (selected.kind === 'seam') return seamTarget(index, selected.seam, selected.side);
+    const piece = this.#workbench.scenes?.now.pieces[selected.piece];
+    return piece && {kind: 'piece', piece: selected.piece, point: middleOf(piece)};
+  }
+
+  /**
+   * Moves the print of the selected piece by a vector on the sheet [cm], or turns it by degrees.
+   */
+  nudge(way: Point, degrees = 0): boolean {
+    const {selected, scenes} = this.#workbench;
+    const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
+    if (this.#own !== 'move' || !piece) return false;
+    const wanted =
+      degrees === 0
+        ? stepped(this.#workbench, piece, wayOnSheet(piece, way))
+        : turnedOn(this.#workbench, piece, degrees);
+    if (wanted) pin(this.#workbench, piece, wanted);
+    else {
+      const {language, messages} = this.#workbench.preferences;
+      const {cannotTurn} = textsOf(language, messages).symmetry;
+      this.#workbench.say({tone: 'info', text: cannotTurn(piece.label)});
+    }
+    return true;
+  }
+
+  /**
+   * Starts to drag the print of a piece.
+   * @returns a function that moves the print by a vector on the sheet [cm]
+   */
+  drag(scene: PatternScene, piece: number): ((way: Point) => void) | undefined {
+    const dragged = scene.pieces[piece];
+    if (this.#own !== 'move' || !dragged) return undefined;
+    const from: Alignment = dragged.alignment;
+    this.#workbench.select({kind: 'piece', piece});
+    return (way) => {
+      pin(this.#workbench, dragged, shifted(from, wayOnSheet(dragged, way)));
+    };
+  }
+
+  /** Unpins a moved print. */
+  free(piece: number): void {
+    const freed = this.#workbench.scenes?.now.pieces[piece];
+    if (this.#own === 'move' && freed) unpin(this.#workbench, freed);
+  }
+
+  marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
+    if (this.#own === 'move') return railsOf(scene, this.#workbench.selected, texts);
+    if (this.#own === 'sew') return this.sewing?.chooser.marks(scene) ?? {};
+    if (this.#own === 'keep') return keepMarks(this.#workbench, scene, this.#pointed, texts);
+    const isGrain = this.#own === 'grain';
+    const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);
+    if (!this.#hovered || !(isGrain || this.chooser.tool)) return marks;
+    const {piece, point, snapped} = this.#hovered;
+    const label = texts.symmetry.snaps[snapped];
+    return {...marks, points: [...(marks.points ?? []), {piece, point, label}]};
+  }
+}
+
+/** Returns the target to highlight. */
+export const pointedAt = (target: Picked | undefined): Target | undefined => {
+  if (!target) return undefined;
+  if (target.kind === 'seam') return {kind: 'seam', seam: target.seam, side: target.side};
+  return {kind: 'piece', piece: target.piece};
+};
