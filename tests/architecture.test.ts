@@ -38,42 +38,60 @@ const coreRooms = [
   'bindings',
 ];
 
+/** Folders of web/src/model, from the bottom up: each may import the ones before it. */
+const model = [
+  'model/base',
+  'model/geometry',
+  'model/garment',
+  'model/print',
+  'model/result',
+  'model/design',
+  'model/documents',
+] as const;
+
+/** The folders of the model up to this one. */
+const modelTo = (last: (typeof model)[number]): readonly string[] =>
+  model.slice(0, model.indexOf(last) + 1);
+
 /** Folders of web/src that each folder may import, besides itself. */
 const webRooms: Readonly<Record<string, readonly string[]>> = {
-  model: [],
-  solver: ['model'],
-  image: ['model'],
-  layout: ['model'],
-  formats: ['model'], // no DOM: it runs in Node and in workers, too
-  clicks: ['model'],
-  pairing: ['model'],
-  photo: ['model', 'image'], // the print on a photo
-  scene: ['model', 'layout'], // no GL, no SVG, no DOM
-  picture: ['model', 'image', 'layout', 'scene'],
-  cutting: ['model', 'layout', 'scene', 'picture'],
-  paper: ['model', 'image', 'picture', 'cutting'], // no DOM: files of pages in Node, too
-  marker: ['model', 'layout', 'scene', 'image', 'picture', 'cutting', 'paper'], // no DOM
-  remedies: ['model', 'scene'],
-  viewer: ['model', 'image', 'scene'], // never the solver: views only read a result
-  texts: ['model', 'scene', 'marker'], // marker: for the texts printed on a layout
-  print: ['model', 'solver', 'image', 'photo', 'texts'], // an opened picture or file as a print
-  sewing: ['model', 'clicks', 'pairing', 'scene', 'texts'], // no DOM
+  ...Object.fromEntries(model.map((room, k) => [room, model.slice(0, k)])),
+  solver: modelTo('model/design'),
+  image: modelTo('model/print'),
+  layout: modelTo('model/result'),
+  formats: modelTo('model/garment'), // no DOM: it runs in Node and in workers, too
+  clicks: model,
+  pairing: model,
+  photo: [...model, 'image'], // the print on a photo
+  scene: [...model, 'layout'], // no GL, no SVG, no DOM
+  picture: [...model, 'image', 'layout', 'scene'],
+  cutting: [...model, 'layout', 'scene', 'picture'],
+  paper: [...model, 'image', 'picture', 'cutting'], // no DOM: files of pages in Node, too
+  marker: [...model, 'layout', 'scene', 'image', 'picture', 'cutting', 'paper'], // no DOM
+  remedies: [...model, 'scene'],
+  viewer: [...model, 'image', 'scene'], // never the solver: views only read a result
+  texts: [...model, 'scene', 'marker'], // marker: for the texts printed on a layout
+  print: [...model, 'solver', 'image', 'photo', 'texts'], // an opened picture or file as a print
+  sewing: [...model, 'clicks', 'pairing', 'scene', 'texts'], // no DOM
   workbench: [
-    ...['model', 'solver', 'image', 'layout', 'clicks', 'photo', 'scene', 'picture', 'cutting'],
+    ...model,
+    ...['solver', 'image', 'layout', 'clicks', 'photo', 'scene', 'picture', 'cutting'],
     ...['paper', 'marker', 'remedies', 'texts', 'print', 'sewing'],
   ],
-  commands: ['model', 'clicks', 'viewer', 'texts', 'workbench'], // by key or by name
+  commands: [...model, 'clicks', 'viewer', 'texts', 'workbench'], // by key or by name
   editor: [
-    ...['model', 'image', 'layout', 'clicks', 'photo', 'scene', 'cutting', 'marker'],
+    ...model,
+    ...['image', 'layout', 'clicks', 'photo', 'scene', 'cutting', 'marker'],
     ...['remedies', 'viewer', 'texts', 'print', 'workbench', 'commands'],
   ],
-  element: ['model', 'solver', 'image', 'paper', 'marker', 'texts', 'workbench', 'editor'],
+  element: [...model, 'solver', 'image', 'paper', 'marker', 'texts', 'workbench', 'editor'],
   app: [
-    ...['model', 'solver', 'image', 'formats', 'photo', 'cutting', 'paper', 'viewer', 'texts'],
+    ...model,
+    ...['solver', 'image', 'formats', 'photo', 'cutting', 'paper', 'viewer', 'texts'],
     ...['print', 'workbench', 'commands', 'editor'],
   ],
   node: [
-    'model',
+    ...model,
     'image',
     'formats',
     'solver',
@@ -86,7 +104,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'remedies',
   ],
   cli: [
-    'model',
+    ...model,
     'image',
     'formats',
     'layout',
@@ -97,7 +115,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'paper',
     'node',
   ],
-  '': ['model', 'solver'], // index.ts, the entry of the package
+  '': [...model, 'solver'], // index.ts, the entry of the package
 };
 
 function filesUnder(folder: string, extensions: readonly string[]): string[] {
@@ -109,6 +127,12 @@ function filesUnder(folder: string, extensions: readonly string[]): string[] {
 /** Lists the dependencies of a file: the first group of every match of `pattern`. */
 function references(file: string, pattern: RegExp): string[] {
   return [...readFileSync(file, 'utf8').matchAll(pattern)].map((match) => match[1] ?? '');
+}
+
+/** The room of a file in web/src: its first folder, in the model also the second. */
+function roomOf(file: string): string {
+  const top = topFolder(file);
+  return top === 'model' ? dirname(file) : top;
 }
 
 /** Returns the first folder of a path; files directly in the source folder belong to ''. */
@@ -184,18 +208,34 @@ it('lets the rooms of the core include only those below them', () => {
 
 it('lets the rooms of the web sources import only what they may', () => {
   const offences = [...webGraph].flatMap(([file, targets]) => {
-    const own = topFolder(file);
+    const own = roomOf(file);
     const allowed = [own, ...(webRooms[own] ?? [])];
     return targets
-      .filter((target) => !allowed.includes(topFolder(target)))
+      .filter((target) => !allowed.includes(roomOf(target)))
       .map((target) => `${file} imports ${target}`);
+  });
+  expect(offences).toEqual([]);
+});
+
+/** Files that hand on what other rooms export: the entries of the package. */
+const entries = ['index', 'node/exports', 'node/index', 'element/seamwise-garment', 'element/auto'];
+const handedOn = /\bexport\s+(?:type\s+)?(?:\*(?:\s+as\s+\w+)?|\{[^}]*\})\s*from\s*'(\.[^']+)'/g;
+
+it('hands nothing on from another room, but in the entries of the package', () => {
+  const offences = webFiles.flatMap((file) => {
+    const name = stem(inFolder('web/src', file));
+    if (entries.includes(name)) return [];
+    return references(file, handedOn)
+      .map((path) => stem(inFolder('web/src', normalize(join(dirname(file), path)))))
+      .filter((target) => roomOf(target) !== roomOf(name))
+      .map((target) => `${name} hands on ${target}`);
   });
   expect(offences).toEqual([]);
 });
 
 it('knows every room, and has none that is empty', () => {
   expect([...new Set([...coreGraph.keys()].map(dirname))].sort()).toEqual([...coreRooms].sort());
-  const web = [...new Set([...webGraph.keys()].map(topFolder))];
+  const web = [...new Set([...webGraph.keys()].map(roomOf))];
   expect(web.sort()).toEqual(Object.keys(webRooms).sort());
 });
 
@@ -260,7 +300,7 @@ it('uses Node only where Node is meant to be', () => {
 });
 
 it('names every failure of the core in the JavaScript API, with the same number', async () => {
-  const {failureCodes} = await import('@/model/failure.js');
+  const {failureCodes} = await import('@/model/result/failure.js');
   const header = readFileSync(join(root, 'wasm/src/base/outcome.h'), 'utf8');
   const declared = [...header.matchAll(/^\s*k(\w+) = (\d+),/gm)]
     .map(([, name = '', value]) => [name.charAt(0).toLowerCase() + name.slice(1), Number(value)])
@@ -269,7 +309,7 @@ it('names every failure of the core in the JavaScript API, with the same number'
 });
 
 it('has other names for what fails outside the core', async () => {
-  const {failureCodes, pageFailureCodes} = await import('@/model/failure.js');
+  const {failureCodes, pageFailureCodes} = await import('@/model/result/failure.js');
   const names = [...Object.keys(failureCodes), ...pageFailureCodes];
   expect(new Set(names).size).toBe(names.length);
   expect(pageFailureCodes.filter((name) => !/^[a-z]+(-[a-z]+)*$/.test(name))).toEqual([]);

@@ -39,7 +39,7 @@ const cases = (seeds) =>
 
 /** Measures with and without the print, one after the other in one process on each platform. */
 async function measureCase(programs, outlines, {group, repeat, seed}) {
-  const {signedArea} = await import('../../dist/model/polyline.js');
+  const {signedArea} = await import('../../dist/model/geometry/polyline.js');
   const area = outlines.reduce((sum, {outline}) => sum + Math.abs(signedArea(outline)), 0);
   const cell = {w1: [repeat, 0], w2: [0, repeat]};
   const task = {task: 'nest', group, ...cell, width, pieces: aligned(outlines, repeat, seed)};
@@ -54,7 +54,7 @@ async function measureCase(programs, outlines, {group, repeat, seed}) {
 /** Cut lines of a garment's drafted pieces, in their own coordinates. */
 async function cutOutlines(garment, print) {
   const {cut, prepare, readGarment} = await import('../../dist/node/index.js');
-  const {onPrint} = await import('../../dist/model/geometry.js');
+  const {onPrint} = await import('../../dist/model/geometry/vectors.js');
   const texts = [garment, print].map(({file}) => readFileSync(file, 'utf8'));
   const drafted = await prepare({garment: texts[0], print: texts[1]});
   const {sheet} = await cut(drafted, {

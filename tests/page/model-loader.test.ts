@@ -2,10 +2,10 @@
 import type {Browser} from 'playwright-core';
 import {afterAll, beforeAll, expect, it} from 'vitest';
 
-import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry.js';
-import {cellPicture, glb} from '@/model/glb.js';
-import type {Print} from '@/model/print.js';
-import {imageCell} from '@/model/wallpaper.js';
+import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry/vectors.js';
+import {cellPicture, glb} from '@/model/documents/glb.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import {imageCell} from '@/model/print/wallpaper.js';
 import {openBrowser, sourcesOf} from '../support/browser.js';
 import {everywhere, painted, pngOf} from '../support/pictures.js';
 import {at} from '../support/plane.js';

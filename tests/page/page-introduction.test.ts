@@ -3,7 +3,7 @@ import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
-import {askedSymmetries} from '@/model/design.js';
+import {askedSymmetries} from '@/model/design/design.js';
 import {designOf} from '../support/page-design.js';
 import {button, solved, usePage} from '../support/page.js';
 import {frames} from '../support/waiting.js';

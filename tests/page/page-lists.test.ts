@@ -5,7 +5,7 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {Design} from '@/model/design.js';
+import type {Design} from '@/model/design/design.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import {button, showSample, solved, usePage} from '../support/page.js';
 

@@ -3,9 +3,9 @@ import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
 import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
-import type {Point} from '@/model/geometry.js';
-import type {SolveOptions} from '@/model/options.js';
-import type {SolveResult} from '@/model/result.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {SolveOptions} from '@/model/design/options.js';
+import type {SolveResult} from '@/model/result/result.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {clickPiece, clickSeam, seamOf} from '../support/page-pattern.js';

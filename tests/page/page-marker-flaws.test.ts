@@ -2,7 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {LayPlan} from '@/model/lay-plan.js';
+import type {LayPlan} from '@/model/result/marker-plan.js';
 import {barriers} from '../support/barriers.js';
 import {button, saved, usePage} from '../support/page.js';
 import {clothOf, laid, pane, panel, status} from '../support/page-marker.js';

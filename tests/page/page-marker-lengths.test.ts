@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {LayPlan} from '@/model/lay-plan.js';
+import type {LayPlan} from '@/model/result/marker-plan.js';
 import {button, saved, usePage} from '../support/page.js';
 import {
   bought,

@@ -3,7 +3,7 @@ import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
-import type {LayPlan} from '@/model/lay-plan.js';
+import type {LayPlan} from '@/model/result/marker-plan.js';
 import {barriers} from '../support/barriers.js';
 import {button, saved, savedCut, solved, usePage} from '../support/page.js';
 import {

@@ -2,8 +2,8 @@
 import type {Locator} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import {latticeVectors} from '@/model/repeat.js';
-import type {GroupName} from '@/model/print.js';
+import {latticeVectors} from '@/model/print/repeat.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 import {solved, usePage} from '../support/page.js';
 import {designOf} from '../support/page-design.js';
 import {bring, dialogOf, found, measure, openSheet, patient, use} from '../support/page-photo.js';

@@ -2,9 +2,9 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import {mirrors} from '@/model/mirror-images.js';
-import {printOf, type Design} from '@/model/design.js';
-import type {Alignment, Point} from '@/model/geometry.js';
+import {mirrors} from '@/model/print/mirror-images.js';
+import {printOf, type Design} from '@/model/design/design.js';
+import type {Alignment, Point} from '@/model/geometry/vectors.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import {barriers} from '../support/barriers.js';

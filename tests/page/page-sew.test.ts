@@ -7,8 +7,8 @@ import {expect, it, vi} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
 import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
-import type {GarmentDocument} from '@/model/garment-document.js';
-import type {Point} from '@/model/geometry.js';
+import type {GarmentDocument} from '@/model/garment/garment-document.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {barriers} from '../support/barriers.js';
 import {choose, jsonFile} from '../support/page-files.js';
 import {button, solved, usePage} from '../support/page.js';

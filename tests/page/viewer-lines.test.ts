@@ -1,8 +1,8 @@
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
-import type {Pattern} from '@/model/result.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {Pattern} from '@/model/result/result.js';
 import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import {plainPrint as print, squarePair} from '../support/two-squares.js';
 import {colourAt, realign, screenOf, settled, show, useViewer, type Colour} from './viewer/open.js';

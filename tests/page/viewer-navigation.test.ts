@@ -1,7 +1,7 @@
 import type {Page} from 'playwright-core';
 import {beforeEach, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import {plainPrint as print, squarePiece} from '../support/two-squares.js';
 import {eventually, settled, show, useViewer} from './viewer/open.js';

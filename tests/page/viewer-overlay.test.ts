@@ -2,7 +2,7 @@ import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import {decoded, type Pixels} from '@samples/prints/raster.js';
-import type {Alignment, Point} from '@/model/geometry.js';
+import type {Alignment, Point} from '@/model/geometry/vectors.js';
 import {realigned, sceneOf, type PatternScene} from '@/scene/scene.js';
 import {plainPrint as print, squarePair} from '../support/two-squares.js';
 import {

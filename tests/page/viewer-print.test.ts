@@ -5,9 +5,9 @@ import {solve} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
 import {decoded} from '@samples/prints/raster.js';
-import type {Alignment, Point} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
-import type {ResultPiece} from '@/model/result.js';
+import type {Alignment, Point} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import type {ResultPiece} from '@/model/result/result.js';
 import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import {
   checkered,

@@ -2,8 +2,8 @@ import type {JSHandle, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {Pixels} from '@samples/prints/raster.js';
-import type {Alignment, Point} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
+import type {Alignment, Point} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
 import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import type {SeamStrip} from '@/viewer/seam-strip.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';

@@ -1,5 +1,5 @@
 /** Types of figures.mjs, for its tests. */
-import type {GarmentDocument} from '../../web/src/model/garment-document.js';
+import type {GarmentDocument} from '../../web/src/model/garment/garment-document.js';
 import type {SeamSuggestions} from '../../web/src/pairing/report.js';
 import type {mirrorImage} from '../../web/src/pairing/image.js';
 import type {likeliestSeams} from '../../web/src/pairing/suggest.js';

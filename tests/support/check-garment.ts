@@ -2,7 +2,7 @@
 import type {GarmentCodeSpecification, Panel, Point, SolveResult, Symmetries} from 'seamwise/node';
 
 import {drawnOutline} from './panel-curves.js';
-import {cross, distance} from '@/model/geometry.js';
+import {cross, distance} from '@/model/geometry/vectors.js';
 import {at, greatest, scale, sum, toLine} from './plane.js';
 
 /** Differences of a result from its garment, a message each; empty if there are none. */

@@ -1,8 +1,8 @@
 /** Checks the mesh of one piece. */
 import type {Point, ResultPiece} from 'seamwise/node';
 
-import {cross, minus} from '@/model/geometry.js';
-import {signedArea} from '@/model/polyline.js';
+import {cross, minus} from '@/model/geometry/vectors.js';
+import {signedArea} from '@/model/geometry/polyline.js';
 import {aroundLoop, at, crossesItself, sum} from './plane.js';
 
 /**

@@ -2,9 +2,9 @@
  * Checks a layout by its geometry, from the results and the print alone, independently of the
  * plan's own figures.
  */
-import {between, minus} from '@/model/geometry.js';
-import type {LaidPlacement, LayPlan} from '@/model/lay-plan.js';
-import type {SolveResult} from '@/model/result.js';
+import {between, minus} from '@/model/geometry/vectors.js';
+import type {LaidPlacement, LayPlan} from '@/model/result/marker-plan.js';
+import type {SolveResult} from '@/model/result/result.js';
 import {aroundLoop, at, sum} from './plane.js';
 import {checkPhases, checkPrint, checkTurns} from './laid-print.js';
 import {warpPeriod} from './plan-print.js';

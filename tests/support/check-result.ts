@@ -12,9 +12,9 @@ import {
   plus,
   rotated,
   turnBetween,
-} from '@/model/geometry.js';
+} from '@/model/geometry/vectors.js';
 import {alongLine, aroundLoop, at, greatest, mirrored, scale, sum} from './plane.js';
-import {determinant, printElements} from '@/model/wallpaper.js';
+import {determinant, printElements} from '@/model/print/wallpaper.js';
 
 const degree = Math.PI / 180;
 

@@ -1,6 +1,6 @@
 import type {Sheet, SheetPiece} from '@/clicks/sheet.js';
-import {plus, type Point} from '@/model/geometry.js';
-import type {SeamSide} from '@/model/result.js';
+import {plus, type Point} from '@/model/geometry/vectors.js';
+import type {SeamSide} from '@/model/result/result.js';
 
 export interface DrawnPiece extends Partial<Omit<SheetPiece, 'outline' | 'holes'>> {
   /** Counter-clockwise; its points come first. */

@@ -1,5 +1,5 @@
 /** Inside test of a closed surface, with the depth. */
-import type {Corners, Place} from '@/model/drape-file.js';
+import type {Corners, Place} from '@/model/documents/drape-file.js';
 import {at} from './plane.js';
 import {Cells, toTriangle} from './space.js';
 

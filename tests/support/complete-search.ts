@@ -2,10 +2,10 @@
  * The shortest layout of few pieces on printed fabric, by trying every place; checks plans that
  * claim to be proven. Lengths in cm.
  */
-import {minus, plus, rotated, type Alignment, type Point} from '@/model/geometry.js';
-import type {LayPlan} from '@/model/lay-plan.js';
-import type {SolveResult} from '@/model/result.js';
-import type {Repeat} from '@/model/wallpaper.js';
+import {minus, plus, rotated, type Alignment, type Point} from '@/model/geometry/vectors.js';
+import type {LayPlan} from '@/model/result/marker-plan.js';
+import type {SolveResult} from '@/model/result/result.js';
+import type {Repeat} from '@/model/print/wallpaper.js';
 import {at} from './plane.js';
 import {allowedTurns, warpPeriod, type TurnRule} from './plan-print.js';
 import {pieceOf, ringOnPiece, type PlanRules} from './plan-rules.js';

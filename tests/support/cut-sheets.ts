@@ -1,6 +1,6 @@
 /** Cutting sheets for tests. */
 import type {CutLine, CutSheet, LaidPiece} from '@/cutting/cut-sheet.js';
-import {onPiece, type Alignment, type Point} from '@/model/geometry.js';
+import {onPiece, type Alignment, type Point} from '@/model/geometry/vectors.js';
 
 const outline = (points: readonly Point[], layer: CutLine['layer']): CutLine => ({
   ...{kind: 'line', layer, points, isClosed: true, widthMm: 0.5},

@@ -1,4 +1,4 @@
-import type {StoredDesign} from '@/model/stored-design.js';
+import type {StoredDesign} from '@/model/documents/stored-design.js';
 
 /** A design with a value in every field. */
 export const storedDesign: StoredDesign = {

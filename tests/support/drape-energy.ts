@@ -1,6 +1,6 @@
 /** Elastic energy and weight of a drape's fabric, from a drape file alone. SI units. */
-import type {DrapeFile, Place} from '@/model/drape-file.js';
-import {distance, dot, minus, norm, towards, type Point} from '@/model/geometry.js';
+import type {DrapeFile, Place} from '@/model/documents/drape-file.js';
+import {distance, dot, minus, norm, towards, type Point} from '@/model/geometry/vectors.js';
 import {at, sum} from './plane.js';
 import type {ClothTriangle, SewnCloth} from './sewn-cloth.js';
 import {dot3, middle3, norm3, plus3} from './space.js';

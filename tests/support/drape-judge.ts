@@ -1,7 +1,7 @@
 /** Checks a drape by its file and by its result, independently of the file's own figures. */
-import type {SolveResult} from '@/model/result.js';
-import type {DrapeFile, DrapeFilePiece, Place} from '@/model/drape-file.js';
-import {distance, type Point} from '@/model/geometry.js';
+import type {SolveResult} from '@/model/result/result.js';
+import type {DrapeFile, DrapeFilePiece, Place} from '@/model/documents/drape-file.js';
+import {distance, type Point} from '@/model/geometry/vectors.js';
 import {ClosedSurface, openEdges} from './closed-surface.js';
 import {
   cutArea,

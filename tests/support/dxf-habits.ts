@@ -1,6 +1,6 @@
 /** Patterns as DXF in the styles of eight programs, all with the same pieces. */
-import {cross, middle, minus, type Point} from '@/model/geometry.js';
-import {signedArea} from '@/model/polyline.js';
+import {cross, middle, minus, type Point} from '@/model/geometry/vectors.js';
+import {signedArea} from '@/model/geometry/polyline.js';
 import {alongLine, at} from './plane.js';
 
 /** A piece to write, in cm. */

@@ -3,8 +3,22 @@
  */
 import type {Alignment, Point, ResultSeam, SolveResult} from 'seamwise/node';
 
-import {apply, printElements, reducedBasis, type PlaneMap, type Repeat} from '@/model/wallpaper.js';
-import {cross, distance, middle, minus, onPrint, plus, turnBetween} from '@/model/geometry.js';
+import {
+  apply,
+  printElements,
+  reducedBasis,
+  type PlaneMap,
+  type Repeat,
+} from '@/model/print/wallpaper.js';
+import {
+  cross,
+  distance,
+  middle,
+  minus,
+  onPrint,
+  plus,
+  turnBetween,
+} from '@/model/geometry/vectors.js';
 import {alongLine, at, scale, sum} from './plane.js';
 
 interface Fits {

@@ -4,8 +4,8 @@ import type {
   GarmentDocument,
   GarmentPiece,
   GarmentSeam,
-} from '@/model/garment-document.js';
-import type {Point} from '@/model/geometry.js';
+} from '@/model/garment/garment-document.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 const corners: readonly Point[] = [
   [0, 0],

@@ -1,8 +1,8 @@
 /** Checks the print under the pieces of a layout, and their grain and nap. */
-import {minus, onPiece, onPrint, towards, type Point} from '@/model/geometry.js';
-import type {LayPlan} from '@/model/lay-plan.js';
-import type {SolveResult} from '@/model/result.js';
-import type {Repeat} from '@/model/wallpaper.js';
+import {minus, onPiece, onPrint, towards, type Point} from '@/model/geometry/vectors.js';
+import type {LayPlan} from '@/model/result/marker-plan.js';
+import type {SolveResult} from '@/model/result/result.js';
+import type {Repeat} from '@/model/print/wallpaper.js';
 import {at} from './plane.js';
 import {lessRepeats, offNormaliser, offRule, onCloth} from './plan-print.js';
 import {nameOf, pieceOf, type PlanRules} from './plan-rules.js';

@@ -1,8 +1,15 @@
 /** Garments of rectangles, and their layouts made by hand. Lengths in cm. */
-import {minus, onPiece, plus, rotated, type Alignment, type Point} from '@/model/geometry.js';
-import type {LaidPlacement, LayPlan} from '@/model/lay-plan.js';
-import type {Print} from '@/model/print.js';
-import type {ResultPiece, SolveResult} from '@/model/result.js';
+import {
+  minus,
+  onPiece,
+  plus,
+  rotated,
+  type Alignment,
+  type Point,
+} from '@/model/geometry/vectors.js';
+import type {LaidPlacement, LayPlan} from '@/model/result/marker-plan.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import type {ResultPiece, SolveResult} from '@/model/result/result.js';
 import {at, sum} from './plane.js';
 import {extentOf, ringArea} from './rings.js';
 import {plainMetrics, squarePiece} from './two-squares.js';

@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 
 import type {SeamwisePage} from '@/app/page.js';
-import type {Design} from '@/model/design.js';
+import type {Design} from '@/model/design/design.js';
 
 export const designOf = (page: Page): Promise<Design> =>
   page.locator('seamwise-page').evaluate((element) => {

@@ -1,7 +1,7 @@
 /** Screen positions for clicks in the page's pattern. */
 import type {Locator, Page} from 'playwright-core';
 
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 
 const pattern = (page: Page): Locator => page.locator('sw-pattern');

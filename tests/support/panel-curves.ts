@@ -1,7 +1,7 @@
 /** The edges of a GarmentCode panel as drawn, for the checks of results. */
 import type {GarmentCodeSpecification, PanelEdge, Point} from 'seamwise/node';
 
-import {distance, middle, minus, plus, rotated, turnBetween} from '@/model/geometry.js';
+import {distance, middle, minus, plus, rotated, turnBetween} from '@/model/geometry/vectors.js';
 import {alongLine, at, scale} from './plane.js';
 
 const steps = 60;

@@ -1,6 +1,6 @@
 /** Redraws edges as paths: chains of cubics with the same shape. */
-import type {DraftedEdge, GarmentDocument} from '@/model/garment-document.js';
-import {between, type Point} from '@/model/geometry.js';
+import type {DraftedEdge, GarmentDocument} from '@/model/garment/garment-document.js';
+import {between, type Point} from '@/model/geometry/vectors.js';
 
 type Cubic = readonly [Point, Point, Point, Point];
 

@@ -1,7 +1,7 @@
 /**
  * DXF in the style of the simplest programs: a block for each piece, with its outline and its name.
  */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 export interface PlainPiece {
   readonly name: string;

@@ -10,9 +10,9 @@ import {
   rotated,
   turnBetween,
   type Point,
-} from '@/model/geometry.js';
-import type {GroupName} from '@/model/print.js';
-import {apply, printElements, type Repeat} from '@/model/wallpaper.js';
+} from '@/model/geometry/vectors.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
+import {apply, printElements, type Repeat} from '@/model/print/wallpaper.js';
 import {at, greatest} from './plane.js';
 
 /**

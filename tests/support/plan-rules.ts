@@ -1,7 +1,7 @@
 /** Rules for the checks of layouts, and their names for pieces. */
-import {minus, rotated} from '@/model/geometry.js';
-import type {LaidPlacement} from '@/model/lay-plan.js';
-import type {ResultPiece, SolveResult} from '@/model/result.js';
+import {minus, rotated} from '@/model/geometry/vectors.js';
+import type {LaidPlacement} from '@/model/result/marker-plan.js';
+import type {ResultPiece, SolveResult} from '@/model/result/result.js';
 import type {TurnRule} from './plan-print.js';
 import type {Ring} from './rings.js';
 

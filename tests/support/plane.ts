@@ -1,5 +1,5 @@
 /** Geometry for the checks of results, in addition to that of the sources. */
-import {cross, minus, plus, rotated, type Alignment, type Point} from '@/model/geometry.js';
+import {cross, minus, plus, rotated, type Alignment, type Point} from '@/model/geometry/vectors.js';
 
 export const scale = (a: Point, s: number): Point => [a[0] * s, a[1] * s];
 

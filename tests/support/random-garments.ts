@@ -11,7 +11,7 @@ import type {
   Symmetries,
 } from 'seamwise/node';
 
-import {distance, minus, plus} from '@/model/geometry.js';
+import {distance, minus, plus} from '@/model/geometry/vectors.js';
 import {at, scale} from './plane.js';
 
 /** Bend of an edge, in edge lengths: along the edge, and to its left. */

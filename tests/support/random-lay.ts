@@ -2,9 +2,9 @@
 import type {MarkerSettings, Nap} from 'seamwise/node';
 
 import {warpRepeat} from '@/marker/repeats.js';
-import {mirrorLines} from '@/model/mirror-lines.js';
-import type {Point} from '@/model/geometry.js';
-import type {Repeat} from '@/model/wallpaper.js';
+import {mirrorLines} from '@/model/print/mirror-lines.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {Repeat} from '@/model/print/wallpaper.js';
 import type {PlanRules} from './plan-rules.js';
 import {at} from './plane.js';
 

@@ -9,9 +9,9 @@ import {
   type Symmetries,
 } from 'seamwise/node';
 
-import {groupNames} from '@/model/print.js';
-import {latticeType} from '@/model/wallpaper.js';
-import {rotated} from '@/model/geometry.js';
+import {groupNames} from '@/model/base/core-tables.js';
+import {latticeType} from '@/model/print/wallpaper.js';
+import {rotated} from '@/model/geometry/vectors.js';
 import {at} from './plane.js';
 import {between, draftedGarment, type DraftedGarment} from './random-garments.js';
 

@@ -1,7 +1,7 @@
 /** Closed lines for the checks of layouts: their distances and overlaps. Lengths in cm. */
 import {Clipper, FillRule} from 'clipper2-ts';
 
-import {cross, minus, plus, type Point} from '@/model/geometry.js';
+import {cross, minus, plus, type Point} from '@/model/geometry/vectors.js';
 import {aroundLoop, at, greatest} from './plane.js';
 
 export type Ring = readonly Point[];

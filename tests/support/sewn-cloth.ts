@@ -1,6 +1,6 @@
 /** A drape file's pieces, sewn to one fabric by its seams. */
-import type {Corners, DrapeFile, Place} from '@/model/drape-file.js';
-import type {Point} from '@/model/geometry.js';
+import type {Corners, DrapeFile, Place} from '@/model/documents/drape-file.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {at} from './plane.js';
 import {Cells, cross3, distance3, dot3, minus3} from './space.js';
 

@@ -1,7 +1,13 @@
 /** A garment of two squares sewn at one edge, and its drape: flat, upright, in front of a form. */
-import type {Drape, DrapedPiece, Form, Measurements, Surface} from '@/model/drape.js';
-import type {Point} from '@/model/geometry.js';
-import type {ResultPiece, SolveResult} from '@/model/result.js';
+import type {
+  Drape,
+  DrapedPiece,
+  Form,
+  Measurements,
+  Surface,
+} from '@/model/result/draped-garment.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {ResultPiece, SolveResult} from '@/model/result/result.js';
 import {at} from './plane.js';
 import {plainMetrics, plainPrint} from './two-squares.js';
 

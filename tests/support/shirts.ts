@@ -1,6 +1,6 @@
 /** A shirt with sleeves of one piece each, without seams, in the format of pattern programs. */
-import type {DraftedEdge, GarmentDocument} from '@/model/garment-document.js';
-import {leftOf, minus, plus, type Point} from '@/model/geometry.js';
+import type {DraftedEdge, GarmentDocument} from '@/model/garment/garment-document.js';
+import {leftOf, minus, plus, type Point} from '@/model/geometry/vectors.js';
 import {documentOf, draftedSquare} from './garment-documents.js';
 
 /** Control points of an edge: shares of its chord along it, and to its left. */

@@ -1,5 +1,5 @@
 /** Geometry in space for the checks of drapes. */
-import type {Place} from '@/model/drape-file.js';
+import type {Place} from '@/model/documents/drape-file.js';
 
 export const plus3 = (a: Place, b: Place, factor = 1): Place => [
   a[0] + factor * b[0],

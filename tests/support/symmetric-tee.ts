@@ -1,7 +1,7 @@
 import type {Page} from 'playwright-core';
 import {expect} from 'vitest';
 
-import {askedSymmetries} from '@/model/design.js';
+import {askedSymmetries} from '@/model/design/design.js';
 import {designOf} from './page-design.js';
 import {button, showSample, solved} from './page.js';
 

@@ -1,6 +1,6 @@
-import type {Point} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
-import type {Metrics, Pattern, ResultPiece} from '@/model/result.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import type {Metrics, Pattern, ResultPiece} from '@/model/result/result.js';
 
 /** A 10 x 10 cm print without any symmetry. */
 export const plainPrint: Print & Pattern['print'] = {group: 'p1', w1: [10, 0], w2: [0, 10]};

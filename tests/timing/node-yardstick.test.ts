@@ -9,7 +9,7 @@ import {expect, it} from 'vitest';
 import {targetsAt} from '@/clicks/pick.js';
 import {pickIndex} from '@/clicks/pick-index.js';
 import {obstaclesTo, turnsOf, type Bolt, type LaidPiece} from '@/marker/places.js';
-import {plus, rotated, towards, type Point} from '@/model/geometry.js';
+import {plus, rotated, towards, type Point} from '@/model/geometry/vectors.js';
 import {sureSeams} from '@/pairing/suggest.js';
 import {manyRounds, pressesOn} from '../support/clickable-sheet.js';
 

@@ -12,8 +12,8 @@ import {Redis} from 'ioredis';
 import {afterAll, beforeAll, describe, expect, it, type TestContext} from 'vitest';
 
 import {has} from '../../web/setup/shell.mjs';
-import {sha256Of} from '@/model/result-text.js';
-import {packageVersion} from '@/model/version.js';
+import {sha256Of} from '@/model/documents/result-text.js';
+import {packageVersion} from '@/model/base/version.js';
 import {Shop, until, type Started} from '../support/batch.js';
 import {cases} from '../support/level.js';
 

@@ -4,7 +4,7 @@ import {hostname} from 'node:os';
 
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
-import {sha256Of} from '@/model/result-text.js';
+import {sha256Of} from '@/model/documents/result-text.js';
 import {progressText} from '@/cli/batch/progress.js';
 import {endlessJob, Shop, until, type JobLine} from '../support/batch.js';
 import {cases} from '../support/level.js';

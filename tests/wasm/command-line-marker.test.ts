@@ -8,7 +8,7 @@ import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 import {Shop} from '../support/batch.js';
 import {planComplaints} from '../support/check-plan.js';
 import {seamwise} from '../support/command-line.js';
-import type {SolveResult} from '@/model/result.js';
+import type {SolveResult} from '@/model/result/result.js';
 import {checks, twoStrips} from './garments.js';
 
 let folder = '';

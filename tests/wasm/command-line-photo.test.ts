@@ -2,7 +2,7 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
-import {repeatOf} from '@/model/repeat.js';
+import {repeatOf} from '@/model/print/repeat.js';
 import {printFromPixels} from 'seamwise/node';
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 

@@ -9,7 +9,7 @@ import {join} from 'node:path';
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 import {afterAll, beforeAll, expect, it} from 'vitest';
 
-import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry.js';
+import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry/vectors.js';
 import {seamwise} from '../support/command-line.js';
 import {everywhere, painted, pngOf} from '../support/pictures.js';
 import {at} from '../support/plane.js';

@@ -4,8 +4,8 @@ import {readFileSync} from 'node:fs';
 import {garmentFile, readGarment, solve, type GarmentDocument} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {edgeLength} from '@/model/edge-curve.js';
-import {sew, splitEdge, unsew} from '@/model/garment-edit.js';
+import {edgeLength} from '@/model/garment/edge-curve.js';
+import {sew, splitEdge, unsew} from '@/model/garment/edits.js';
 
 const text = readFileSync('public/garments/tee-m.json', 'utf8');
 const print = readFileSync('public/prints/p4m.json', 'utf8');

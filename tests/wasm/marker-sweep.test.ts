@@ -7,7 +7,7 @@ import {readFileSync} from 'node:fs';
 import {marker, solve, SolverError, type Print, type SolveResult} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {groupNames} from '@/model/print.js';
+import {groupNames} from '@/model/base/core-tables.js';
 import {planComplaints} from '../support/check-plan.js';
 import {cases} from '../support/level.js';
 import {at} from '../support/plane.js';

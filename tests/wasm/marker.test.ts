@@ -11,7 +11,7 @@ import {
 } from 'seamwise/node';
 import {beforeAll, describe, expect, it} from 'vitest';
 
-import {plus, rotated} from '@/model/geometry.js';
+import {plus, rotated} from '@/model/geometry/vectors.js';
 import {planComplaints} from '../support/check-plan.js';
 import {rectangle, resultOf} from '../support/laid-rectangles.js';
 import {isThorough, sampleOf} from '../support/level.js';

@@ -8,7 +8,7 @@ import {readdirSync, readFileSync} from 'node:fs';
 import {readGarment} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import type {GarmentDocument} from '@/model/garment-document.js';
+import type {GarmentDocument} from '@/model/garment/garment-document.js';
 import {mirrorImage} from '@/pairing/image.js';
 import {suggestionsFor} from '@/pairing/report.js';
 import {likeliestSeams} from '@/pairing/suggest.js';

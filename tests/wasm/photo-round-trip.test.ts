@@ -5,10 +5,10 @@ import {printFromPixels, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
 import {decoded} from '@samples/prints/raster.js';
-import {angleOf, combined, norm, rotated, type Point} from '@/model/geometry.js';
-import {latticeOf, pixelOf} from '@/model/photo-map.js';
-import type {PhotoReading} from '@/model/photo.js';
-import type {Print} from '@/model/print.js';
+import {angleOf, combined, norm, rotated, type Point} from '@/model/geometry/vectors.js';
+import {latticeOf, pixelOf} from '@/model/print/photo-map.js';
+import type {PhotoReading} from '@/model/print/photo-reading.js';
+import type {Print} from '@/model/print/repeating-print.js';
 import {sampleOf} from '../support/level.js';
 import type {LatticeView} from '../support/photo/camera.js';
 import {Chance} from '../support/photo/chance.js';

@@ -16,8 +16,8 @@ import {
 } from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {edgeLength, splitCurve} from '@/model/edge-curve.js';
-import {distance} from '@/model/geometry.js';
+import {edgeLength, splitCurve} from '@/model/garment/edge-curve.js';
+import {distance} from '@/model/geometry/vectors.js';
 import {seamwise} from '../support/command-line.js';
 import {redrawn} from '../support/path-edges.js';
 import {checks, sample} from './garments.js';

@@ -4,7 +4,7 @@ import {createCanvas, loadImage} from '@napi-rs/canvas';
 import {printFromPixels} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import type {OpenEdge, PhotoPixels, Side, TileSeams} from '@/model/photo.js';
+import type {OpenEdge, PhotoPixels, Side, TileSeams} from '@/model/print/photo-reading.js';
 import {isThorough, sampleOf} from '../support/level.js';
 import {cut, halfDrop, leaf, painted, paper, ink, type Painting} from '../support/pictures.js';
 

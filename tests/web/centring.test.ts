@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Placement} from '@/model/garment-document.js';
-import type {PanelMarks} from '@/model/garment-marks.js';
-import type {MeshedPattern, Pattern} from '@/model/result.js';
-import type {DetectedSymmetry} from '@/model/symmetries.js';
+import type {Placement} from '@/model/garment/garment-document.js';
+import type {PanelMarks} from '@/model/garment/panel-marks.js';
+import type {MeshedPattern, Pattern} from '@/model/result/result.js';
+import type {DetectedSymmetry} from '@/model/garment/symmetries.js';
 import {centred, middleToCentre} from '@/workbench/tools/centring.js';
 import {sceneOf} from '@/scene/scene.js';
 import type {Target} from '@/workbench/workbench.js';

@@ -1,10 +1,11 @@
+import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it} from 'vitest';
 
-import type {LaidPlacement, LayPlan} from '@/model/lay-plan.js';
-import {onPiece, plus, type Point} from '@/model/geometry.js';
-import {groupNames, type Print} from '@/model/print.js';
-import {latticeVectors} from '@/model/repeat.js';
-import {determinant, printElements} from '@/model/wallpaper.js';
+import type {LaidPlacement, LayPlan} from '@/model/result/marker-plan.js';
+import {onPiece, plus, type Point} from '@/model/geometry/vectors.js';
+import {type Print} from '@/model/print/repeating-print.js';
+import {latticeVectors} from '@/model/print/repeat.js';
+import {determinant, printElements} from '@/model/print/wallpaper.js';
 import {planComplaints} from '../support/check-plan.js';
 import {boardOf, shortestLength} from '../support/complete-search.js';
 import {placementOf, planOf, rectangle, resultOf} from '../support/laid-rectangles.js';

@@ -3,7 +3,7 @@ import {describe, expect, it} from 'vitest';
 import {choices, seamTarget, targetsAt, type Target} from '@/clicks/pick.js';
 import {pickIndex} from '@/clicks/pick-index.js';
 import type {Sheet} from '@/clicks/sheet.js';
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {
   dartedSquare,
   manyRounds,

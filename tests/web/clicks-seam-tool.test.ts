@@ -13,8 +13,8 @@ import {
   type Suggestion,
 } from '@/clicks/seam-tool.js';
 import type {Run} from '@/clicks/run.js';
-import type {EdgeOfPiece, GarmentDocument} from '@/model/garment-document.js';
-import {setOpen, sew} from '@/model/garment-edit.js';
+import type {EdgeOfPiece, GarmentDocument} from '@/model/garment/garment-document.js';
+import {setOpen, sew} from '@/model/garment/edits.js';
 import {documentOf, draftedSeam, draftedSquare} from '../support/garment-documents.js';
 
 const at = (piece: number, edge: number): EdgeOfPiece => ({piece, edge});

@@ -2,7 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import {pickIndex} from '@/clicks/pick-index.js';
 import {snap, type Snapped} from '@/clicks/snap.js';
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {rectangle, sheetOf, type DrawnPiece} from '../support/clickable-sheet.js';
 
 /** A square of 20 cm, with a vertex in the middle of its lower side. */

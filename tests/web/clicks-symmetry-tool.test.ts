@@ -11,7 +11,7 @@ import {
   type SymmetryState,
   type SymmetryTool,
 } from '@/clicks/symmetry-tool.js';
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {dartedSquare, rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
 
 const squares = sewnSquares();

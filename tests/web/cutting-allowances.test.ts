@@ -5,12 +5,12 @@ import {cutLine} from '@/cutting/cut-line.js';
 import {allowedLoops, garmentEdges} from '@/cutting/garment-edges.js';
 import {garmentNotches} from '@/cutting/notches.js';
 import {matchTicks, stripeWays} from '@/cutting/ticks.js';
-import type {PanelMarks} from '@/model/garment-marks.js';
-import type {Allowance, DraftedEdge, GarmentPiece} from '@/model/garment-document.js';
-import {distance, onPrint, type Point} from '@/model/geometry.js';
-import {distanceTo, isInside} from '@/model/polyline.js';
-import type {ResultPiece, ResultSeam} from '@/model/result.js';
-import {printDistance} from '@/model/wallpaper.js';
+import type {PanelMarks} from '@/model/garment/panel-marks.js';
+import type {Allowance, DraftedEdge, GarmentPiece} from '@/model/garment/garment-document.js';
+import {distance, onPrint, type Point} from '@/model/geometry/vectors.js';
+import {distanceTo, isInside} from '@/model/geometry/polyline.js';
+import type {ResultPiece, ResultSeam} from '@/model/result/result.js';
+import {printDistance} from '@/model/print/wallpaper.js';
 import {plainPrint, squarePiece} from '../support/two-squares.js';
 
 /**

@@ -4,10 +4,10 @@ import {draftedSheet} from '@/cutting/drafted-sheet.js';
 import {cutSheet} from '@/cutting/lay-sheet.js';
 import {sheetDxf} from '@/cutting/out/sheet-dxf.js';
 import {sheetHpgl} from '@/cutting/out/sheet-hpgl.js';
-import type {DraftedEdge, GarmentPiece} from '@/model/garment-document.js';
-import {panelMarks} from '@/model/garment-marks.js';
-import {distance, type Point} from '@/model/geometry.js';
-import type {Pattern} from '@/model/result.js';
+import type {DraftedEdge, GarmentPiece} from '@/model/garment/garment-document.js';
+import {panelMarks} from '@/model/garment/panel-marks.js';
+import {distance, type Point} from '@/model/geometry/vectors.js';
+import type {Pattern} from '@/model/result/result.js';
 import {documentOf} from '../support/garment-documents.js';
 import {plainPrint, squarePair, squarePiece} from '../support/two-squares.js';
 

@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import {bandOf} from '@/cutting/bands.js';
 import {smoothLine} from '@/cutting/smooth-line.js';
-import {distance, minus, turnBetween, type Point} from '@/model/geometry.js';
+import {distance, minus, turnBetween, type Point} from '@/model/geometry/vectors.js';
 
 /** An arc about the origin in steps of about 1 cm. */
 const arc = (radius: number, turn: number): Point[] => {

@@ -2,8 +2,8 @@
 import {expect, it} from 'vitest';
 
 import {draftedSheet} from '@/cutting/drafted-sheet.js';
-import type {DraftedEdge} from '@/model/garment-document.js';
-import type {Point} from '@/model/geometry.js';
+import type {DraftedEdge} from '@/model/garment/garment-document.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
 

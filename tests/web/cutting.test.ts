@@ -1,21 +1,21 @@
 import {describe, expect, it} from 'vitest';
 
-import {garmentTitle, panelMarks, type PanelMarks} from '@/model/garment-marks.js';
+import {garmentTitle, panelMarks, type PanelMarks} from '@/model/garment/panel-marks.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
-import {onPrint, type Alignment, type Point} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
-import type {Pattern, ResultPiece, SolveResult} from '@/model/result.js';
-import {printDistance} from '@/model/wallpaper.js';
+import {onPrint, type Alignment, type Point} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import type {Pattern, ResultPiece, SolveResult} from '@/model/result/result.js';
+import {printDistance} from '@/model/print/wallpaper.js';
 import {cutLine as cutLineOf} from '@/cutting/cut-line.js';
 import {drawSheetSvg} from '@/cutting/draw-sheet-svg.js';
 import {notchMark} from '@/cutting/follow.js';
 import {cutSheet, type SheetOptions} from '@/cutting/lay-sheet.js';
 import {matchMarks} from '@/cutting/match-marks.js';
-import {pairLetter, seamLetter} from '@/model/letters.js';
+import {pairLetter, seamLetter} from '@/model/garment/letters.js';
 import {seamLetters} from '@/scene/seam-letters.js';
-import {carried} from '@/model/triangles.js';
+import {carried} from '@/model/geometry/triangles.js';
 import {grainLine} from '@/scene/grain-line.js';
-import {isInside} from '@/model/polyline.js';
+import {isInside} from '@/model/geometry/polyline.js';
 import {plainMetrics, plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 const extent = (points: readonly Point[]): number[] => [

@@ -3,7 +3,7 @@ import {readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import {minus, norm, type Point} from '@/model/geometry.js';
+import {minus, norm, type Point} from '@/model/geometry/vectors.js';
 import {draftApron} from '@samples/drafting/apron.js';
 import {bodyOf, sizeNames} from '@samples/drafting/body.js';
 import {garmentFile, grainLine} from '@samples/drafting/garment-file.js';

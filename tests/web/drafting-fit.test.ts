@@ -1,7 +1,7 @@
 /** Widths of fitted garments around the body; their panels are drafted with the waist at y = 0. */
 import {describe, expect, it} from 'vitest';
 
-import {distance, minus, type Point} from '@/model/geometry.js';
+import {distance, minus, type Point} from '@/model/geometry/vectors.js';
 import {draftAsymmetricDress} from '@samples/drafting/asymmetric-dress.js';
 import {bodyOf, sizeNames} from '@samples/drafting/body.js';
 import {length, pointAt} from '@samples/drafting/curves.js';

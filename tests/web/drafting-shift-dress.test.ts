@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import {distance} from '@/model/geometry.js';
+import {distance} from '@/model/geometry/vectors.js';
 import {length} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {draftShiftDress} from '@samples/drafting/shift-dress.js';

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {length} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {draftShirt} from '@samples/drafting/shirt.js';

@@ -1,7 +1,7 @@
 /** Set-in sleeves of all garments; the name of a cap's edges contains `cap`. */
 import {expect, it} from 'vitest';
 
-import {cross, minus, norm} from '@/model/geometry.js';
+import {cross, minus, norm} from '@/model/geometry/vectors.js';
 import {notchesOf} from '@samples/drafting/garment-file.js';
 import {length, reversed, velocity, type Curve} from '@samples/drafting/curves.js';
 import {findEdge, type Garment} from '@samples/drafting/panel.js';

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import {minus} from '@/model/geometry.js';
+import {minus} from '@/model/geometry/vectors.js';
 import {length, pointAt} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {draftTee} from '@samples/drafting/tee.js';

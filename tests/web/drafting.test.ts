@@ -4,8 +4,8 @@
  */
 import {describe, expect, it} from 'vitest';
 
-import {distance, type Point} from '@/model/geometry.js';
-import {isInside, lengthOf, signedArea} from '@/model/polyline.js';
+import {distance, type Point} from '@/model/geometry/vectors.js';
+import {isInside, lengthOf, signedArea} from '@/model/geometry/polyline.js';
 import {notchesOf, type Notch} from '@samples/drafting/garment-file.js';
 import {parameterAt, pointAt} from '@samples/drafting/curves.js';
 import {untrue, type Panel} from '@samples/drafting/panel.js';

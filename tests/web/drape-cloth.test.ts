@@ -4,10 +4,10 @@
  */
 import {expect, it} from 'vitest';
 
-import type {DrapeMesh} from '@/model/drape.js';
-import {onPrint, coordinates, type Alignment} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
-import {imageCell} from '@/model/wallpaper.js';
+import type {DrapeMesh} from '@/model/result/draped-garment.js';
+import {onPrint, coordinates, type Alignment} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import {imageCell} from '@/model/print/wallpaper.js';
 import {clothOf, normalsOf, printPlaces, putToDrawn} from '@/viewer/drape/cloth.js';
 
 /**

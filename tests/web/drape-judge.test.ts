@@ -1,7 +1,7 @@
 /** The checks of drapes must find every fault they are made for. */
 import {describe, expect, it} from 'vitest';
 
-import {drapeFile, drapeText, type DrapeFile, type Place} from '@/model/drape-file.js';
+import {drapeFile, drapeText, type DrapeFile, type Place} from '@/model/documents/drape-file.js';
 import {apart, judgeDrape, unborne} from '../support/drape-judge.js';
 import {broken} from '../support/drape-limits.js';
 import {forcesOf} from '../support/drape-energy.js';

@@ -1,9 +1,9 @@
 /** Drapes of a workbench: contents, time, and display in the meantime. */
 import {describe, expect, it, vi} from 'vitest';
 
-import type {Design} from '@/model/design.js';
-import type {Drape, DrapeHooks, DrapeMesh, Form} from '@/model/drape.js';
-import type {SolveResult} from '@/model/result.js';
+import type {Design} from '@/model/design/design.js';
+import type {Drape, DrapeHooks, DrapeMesh, Form} from '@/model/result/draped-garment.js';
+import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {Draping, type DrapingViewer} from '@/workbench/drape/draping.js';
 import type {Workbench} from '@/workbench/workbench.js';

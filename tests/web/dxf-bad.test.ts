@@ -1,11 +1,11 @@
 import {describe, expect, it} from 'vitest';
 
-import {edgeLine} from '@/model/edge-curve.js';
+import {edgeLine} from '@/model/garment/edge-curve.js';
 import {readDrawing} from '@/formats/read-drawing.js';
 import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
-import type {Drawing} from '@/model/drawing.js';
-import {signedArea} from '@/model/polyline.js';
-import {FileError} from '@/model/versioned-file.js';
+import type {Drawing} from '@/model/garment/imported-drawing.js';
+import {signedArea} from '@/model/geometry/polyline.js';
+import {FileError} from '@/model/base/versioned-file.js';
 import {bowedSquare, dxfOf, habits, polyline, segment, type Habits} from '../support/dxf-habits.js';
 import {at, toLine} from '../support/plane.js';
 

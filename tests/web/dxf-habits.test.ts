@@ -5,12 +5,12 @@ import fc from 'fast-check';
 import type {GarmentCodeSpecification} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {edgeLine} from '@/model/edge-curve.js';
+import {edgeLine} from '@/model/garment/edge-curve.js';
 import {readDrawing} from '@/formats/read-drawing.js';
 import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
-import type {GarmentDocument, GarmentPiece} from '@/model/garment-document.js';
-import {plus, type Point} from '@/model/geometry.js';
-import {atShare, signedArea} from '@/model/polyline.js';
+import type {GarmentDocument, GarmentPiece} from '@/model/garment/garment-document.js';
+import {plus, type Point} from '@/model/geometry/vectors.js';
+import {atShare, signedArea} from '@/model/geometry/polyline.js';
 import {dxfOf, habits, type Habits, type PatternPiece} from '../support/dxf-habits.js';
 import {cases, sampleOf} from '../support/level.js';
 import {drawnOutline} from '../support/panel-curves.js';

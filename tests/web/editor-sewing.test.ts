@@ -7,7 +7,7 @@ import type {Run} from '@/clicks/run.js';
 import type {Suggestion} from '@/clicks/seam-tool.js';
 import {editedBy} from '@/sewing/seam-edits.js';
 import {sewingOf} from '@/sewing/sewing.js';
-import type {EdgeOfPiece} from '@/model/garment-document.js';
+import type {EdgeOfPiece} from '@/model/garment/garment-document.js';
 import {shirtWithSleeves} from '../support/shirts.js';
 
 const shirt = shirtWithSleeves();

@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import {readDrawing} from '@/formats/read-drawing.js';
 import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
-import {angleOf, degrees, minus, type Point} from '@/model/geometry.js';
+import {angleOf, degrees, minus, type Point} from '@/model/geometry/vectors.js';
 
 import {
   bodice,

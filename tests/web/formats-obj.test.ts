@@ -3,8 +3,8 @@ import {describe, expect, it} from 'vitest';
 import {tracedLoop} from '@/formats/base/bezier.js';
 import {readObj} from '@/formats/obj/read-obj.js';
 import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
-import type {Drawing} from '@/model/drawing.js';
-import {boxOf, signedArea} from '@/model/polyline.js';
+import type {Drawing} from '@/model/garment/imported-drawing.js';
+import {boxOf, signedArea} from '@/model/geometry/polyline.js';
 
 import {tunic, type MeshHabits} from '../support/drawn-mesh.js';
 

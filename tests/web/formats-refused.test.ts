@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
 import {readDrawing} from '@/formats/read-drawing.js';
-import {FileError} from '@/model/versioned-file.js';
+import {FileError} from '@/model/base/versioned-file.js';
 
 import {bodice, millimetreSheet, stroked, svg, words} from '../support/drawn-svg.js';
 

@@ -4,8 +4,8 @@ import {tracedLoop} from '@/formats/base/bezier.js';
 import {readSvg, useOfSvg} from '@/formats/svg/read-svg.js';
 import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
 import {cmPer} from '@/formats/base/units.js';
-import type {Drawing, Run} from '@/model/drawing.js';
-import {boxOf, signedArea} from '@/model/polyline.js';
+import type {Drawing, Run} from '@/model/garment/imported-drawing.js';
+import {boxOf, signedArea} from '@/model/geometry/polyline.js';
 
 import {
   bodice,

@@ -1,8 +1,8 @@
 /** Edits of garments as documents: edges and seams, and the data that refer to their numbers. */
 import {describe, expect, it} from 'vitest';
 
-import {designAfter} from '@/model/edited-design.js';
-import {edgeLength, edgeLine, splitCurve} from '@/model/edge-curve.js';
+import {designAfter} from '@/model/design/edited-design.js';
+import {edgeLength, edgeLine, splitCurve} from '@/model/garment/edge-curve.js';
 import {
   isOpen,
   removePiece,
@@ -15,11 +15,11 @@ import {
   splitEdge,
   turnSeam,
   unsew,
-} from '@/model/garment-edit.js';
-import type {DraftedEdge, GarmentDocument} from '@/model/garment-document.js';
-import {distance, nearestShare, between, type Point} from '@/model/geometry.js';
-import {lengthOf} from '@/model/polyline.js';
-import type {Design} from '@/model/design.js';
+} from '@/model/garment/edits.js';
+import type {DraftedEdge, GarmentDocument} from '@/model/garment/garment-document.js';
+import {distance, nearestShare, between, type Point} from '@/model/geometry/vectors.js';
+import {lengthOf} from '@/model/geometry/polyline.js';
+import type {Design} from '@/model/design/design.js';
 import {documentOf, draftedSeam, draftedSquare} from '../support/garment-documents.js';
 
 const curves: Readonly<Record<string, DraftedEdge>> = {

@@ -1,10 +1,10 @@
 import {validateBytes} from 'gltf-validator';
 import {expect, it} from 'vitest';
 
-import {cellPicture, glb, type GlbOptions} from '@/model/glb.js';
-import {coordinates, onPrint, type Alignment} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
-import {imageCell} from '@/model/wallpaper.js';
+import {cellPicture, glb, type GlbOptions} from '@/model/documents/glb.js';
+import {coordinates, onPrint, type Alignment} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import {imageCell} from '@/model/print/wallpaper.js';
 import {at} from '../support/plane.js';
 import {png} from '../support/raw-png.js';
 import {readGlb} from '../support/read-glb.js';

@@ -2,8 +2,8 @@
 import {describe, expect, it} from 'vitest';
 
 import {grainProposals, wayOf, withImage, type Mirror} from '@/workbench/tools/grain-proposals.js';
-import type {Placement} from '@/model/garment-document.js';
-import type {PanelMarks} from '@/model/garment-marks.js';
+import type {Placement} from '@/model/garment/garment-document.js';
+import type {PanelMarks} from '@/model/garment/panel-marks.js';
 import {squarePiece} from '../support/two-squares.js';
 
 const placed = (translation: Placement['translation'], rotation: Placement['rotation']) => ({

@@ -1,10 +1,10 @@
 /** The angles that grain allows a piece. */
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '@/model/design.js';
+import type {Design} from '@/model/design/design.js';
 import {bareCloth} from '@/workbench/samples.js';
-import {angleAfter, grainRule} from '@/model/grain-rule.js';
-import {isAllowed} from '@/model/mirror-lines.js';
+import {angleAfter, grainRule} from '@/model/design/grain-rule.js';
+import {isAllowed} from '@/model/print/mirror-lines.js';
 
 const degrees = (angle: number): number => (angle * Math.PI) / 180;
 type Grain = Design['options']['grain'];

@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import {amended, begun, redone, stepped, undone, type History} from '@/model/history.js';
+import {amended, begun, redone, stepped, undone, type History} from '@/model/design/history.js';
 
 const after = (...states: readonly string[]): History<string> =>
   states.reduce((history, state) => stepped(history, state), begun('start'));

@@ -2,9 +2,9 @@ import {describe, expect, it} from 'vitest';
 
 import {Afterwards} from '@/workbench/afterwards.js';
 import {improving, Steps} from '@/workbench/steps.js';
-import type {Design} from '@/model/design.js';
-import type {SolveOptions} from '@/model/options.js';
-import type {SolveResult} from '@/model/result.js';
+import type {Design} from '@/model/design/design.js';
+import type {SolveOptions} from '@/model/design/options.js';
+import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {plainMetrics, squarePair, squarePiece} from '../support/two-squares.js';
 

@@ -1,8 +1,8 @@
 /** The workbench's handling of pins, locks and options that a garment cannot have. */
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '@/model/design.js';
-import type {MeshedPattern} from '@/model/result.js';
+import type {Design} from '@/model/design/design.js';
+import type {MeshedPattern} from '@/model/result/result.js';
 import {cleanedOptions} from '@/workbench/cleaned-options.js';
 import {keptLines} from '@/workbench/kept-lines.js';
 import {askedOf, withKeptPins} from '@/workbench/kept-pins.js';

@@ -1,12 +1,17 @@
 /** Layouts of a workbench: contents, time, and manual moves. */
 import {describe, expect, it, vi} from 'vitest';
 
-import type {Design} from '@/model/design.js';
-import {SolverError} from '@/model/failure.js';
-import type {GarmentDocument} from '@/model/garment-document.js';
-import type {Alignment} from '@/model/geometry.js';
-import type {MarkerAnswer, MarkerHooks, MarkerLayout, MarkerProblem} from '@/model/marker.js';
-import type {SolveResult} from '@/model/result.js';
+import type {Design} from '@/model/design/design.js';
+import {SolverError} from '@/model/result/failure.js';
+import type {GarmentDocument} from '@/model/garment/garment-document.js';
+import type {Alignment} from '@/model/geometry/vectors.js';
+import type {
+  MarkerAnswer,
+  MarkerHooks,
+  MarkerLayout,
+  MarkerProblem,
+} from '@/model/result/marker-search.js';
+import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {preferencesFor, type Preferences} from '@/texts/preferences.js';
 import {storedCloth, withCloth} from '@/workbench/marker/marker-choices.js';

@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '@/model/design.js';
-import type {Pattern} from '@/model/result.js';
+import type {Design} from '@/model/design/design.js';
+import type {Pattern} from '@/model/result/result.js';
 import {
   pieceRows,
   seamRows,
@@ -16,7 +16,7 @@ import {formatFor} from '@/texts/format.js';
 import {realigned, sceneOf} from '@/scene/scene.js';
 import {documentOf, draftedSeam} from '../support/garment-documents.js';
 import {seamRow} from '../support/seam-row.js';
-import type {GarmentSeam} from '@/model/garment-document.js';
+import type {GarmentSeam} from '@/model/garment/garment-document.js';
 import {plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 interface Shown {

@@ -1,8 +1,8 @@
 /** Locked pieces and edges, with their mirror images. */
 import {describe, expect, it} from 'vitest';
 
-import {decisions} from '@/model/design-reader.js';
-import {isKept, keptParts, toggledLock, type LockablePattern} from '@/model/locks.js';
+import {decisions} from '@/model/design/read-design.js';
+import {isKept, keptParts, toggledLock, type LockablePattern} from '@/model/design/locks.js';
 import {squarePiece} from '../support/two-squares.js';
 
 /**

@@ -4,7 +4,7 @@ import {describe, expect, it} from 'vitest';
 import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/workbench/marker/marker-moves.js';
 import {missed} from '@/editor/marker/scroll-to.js';
 import {isFree, obstaclesTo, type Bolt} from '@/marker/places.js';
-import type {Alignment, Point} from '@/model/geometry.js';
+import type {Alignment, Point} from '@/model/geometry/vectors.js';
 import type {PieceOnCloth} from '@/workbench/marker/marker-work.js';
 import {at} from '../support/plane.js';
 

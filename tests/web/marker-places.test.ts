@@ -18,11 +18,19 @@ import {
   type LaidPiece,
   type LayablePiece,
 } from '@/marker/places.js';
-import {distance, minus, onPiece, onPrint, plus, rotated, type Point} from '@/model/geometry.js';
-import {boxOf, distanceTo, isInside} from '@/model/polyline.js';
-import {groupNames} from '@/model/print.js';
-import {latticeVectors} from '@/model/repeat.js';
-import {apply, determinant, latticeType, printElements, reduced} from '@/model/wallpaper.js';
+import {
+  distance,
+  minus,
+  onPiece,
+  onPrint,
+  plus,
+  rotated,
+  type Point,
+} from '@/model/geometry/vectors.js';
+import {boxOf, distanceTo, isInside} from '@/model/geometry/polyline.js';
+import {groupNames} from '@/model/base/core-tables.js';
+import {latticeVectors} from '@/model/print/repeat.js';
+import {apply, determinant, latticeType, printElements, reduced} from '@/model/print/wallpaper.js';
 
 /** An outline like that of a sleeve: wavy, nowhere straight. */
 const wavy = (radius: number, count = 200): readonly Point[] =>

@@ -1,3 +1,4 @@
+import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it} from 'vitest';
 
 import {cutRings, cutRingSteps} from '@/marker/cut-rings.js';
@@ -15,13 +16,13 @@ import {
   plus,
   type Alignment,
   type Point,
-} from '@/model/geometry.js';
-import type {LayNote} from '@/model/lay-note.js';
-import type {MarkerAnswer} from '@/model/marker.js';
-import {boxOf, signedArea} from '@/model/polyline.js';
-import {groupNames, type GroupName} from '@/model/print.js';
-import type {ResultPiece, SolveResult} from '@/model/result.js';
-import {apply, latticeType, printElements, reduced, type Repeat} from '@/model/wallpaper.js';
+} from '@/model/geometry/vectors.js';
+import type {LayNote} from '@/model/result/lay-note.js';
+import type {MarkerAnswer} from '@/model/result/marker-search.js';
+import {boxOf, signedArea} from '@/model/geometry/polyline.js';
+import {type GroupName} from '@/model/print/repeating-print.js';
+import type {ResultPiece, SolveResult} from '@/model/result/result.js';
+import {apply, latticeType, printElements, reduced, type Repeat} from '@/model/print/wallpaper.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
 import {plainMetrics, plainPrint, squarePair, squarePiece} from '../support/two-squares.js';
 

@@ -12,9 +12,9 @@ import {
   soldLength,
 } from '@/workbench/marker/marker-words.js';
 import type {Bolt} from '@/marker/places.js';
-import type {LayPlan} from '@/model/lay-plan.js';
-import {aroundPins} from '@/model/pinned-plan.js';
-import {signedArea} from '@/model/polyline.js';
+import type {LayPlan} from '@/model/result/marker-plan.js';
+import {aroundPins} from '@/model/result/pinned-plan.js';
+import {signedArea} from '@/model/geometry/polyline.js';
 import {inFontLetters, widthOf} from '@/paper/pdf-text.js';
 import {formatFor} from '@/texts/format.js';
 import {clothTexts} from '@/texts/marker-texts.js';

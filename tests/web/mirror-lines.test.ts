@@ -2,17 +2,23 @@
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import {onPrint, rotated, type Alignment, type Point} from '@/model/geometry.js';
-import {inverse, mirrorAlignment, mirrors, turnToGrain} from '@/model/mirror-images.js';
+import {onPrint, rotated, type Alignment, type Point} from '@/model/geometry/vectors.js';
+import {inverse, mirrorAlignment, mirrors, turnToGrain} from '@/model/print/mirror-images.js';
 import {
   axisLine,
   footOnAxis,
   mirrorLines,
   nearestMirrored,
   nextMirrored,
-} from '@/model/mirror-lines.js';
-import {groupsThatCarry, latticeVectors} from '@/model/repeat.js';
-import {apply, determinant, printElements, reducedBasis, type Repeat} from '@/model/wallpaper.js';
+} from '@/model/print/mirror-lines.js';
+import {groupsThatCarry, latticeVectors} from '@/model/print/repeat.js';
+import {
+  apply,
+  determinant,
+  printElements,
+  reducedBasis,
+  type Repeat,
+} from '@/model/print/wallpaper.js';
 import {mirrorImage} from '@/scene/marks.js';
 
 const number = (least: number, most: number): fc.Arbitrary<number> =>

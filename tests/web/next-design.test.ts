@@ -3,8 +3,8 @@ import {expect, it} from 'vitest';
 
 import {nextDesign, type Answered} from '@/element/garment/next-design.js';
 import type {Asked} from '@/element/garment/sources.js';
-import type {Design} from '@/model/design.js';
-import type {GarmentDocument} from '@/model/garment-document.js';
+import type {Design} from '@/model/design/design.js';
+import type {GarmentDocument} from '@/model/garment/garment-document.js';
 import {bareCloth} from '@/workbench/samples.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
 

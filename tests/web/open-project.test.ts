@@ -2,7 +2,7 @@
 import {expect, it} from 'vitest';
 
 import {historyIn, stateOf} from '@/app/projects/open-project.js';
-import type {Symmetry} from '@/model/symmetries.js';
+import type {Symmetry} from '@/model/garment/symmetries.js';
 import {bareCloth, newDesign} from '@/workbench/samples.js';
 
 const symmetry: readonly Symmetry[] = [{kind: 'piece', piece: 'front'}];

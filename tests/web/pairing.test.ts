@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import type {EdgeOfPiece, GarmentDocument, GarmentPiece} from '@/model/garment-document.js';
-import type {Point} from '@/model/geometry.js';
+import type {EdgeOfPiece, GarmentDocument, GarmentPiece} from '@/model/garment/garment-document.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {measured} from '@/pairing/edges.js';
 import {mirrorImage} from '@/pairing/image.js';
 import {rankPartners} from '@/pairing/rank.js';

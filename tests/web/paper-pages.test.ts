@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {cornersOf, overlap, reachesInto} from '@/paper/boxes.js';
 import {pagesOf, sheetFor} from '@/paper/cutting-pdf.js';
 import {drawFirstPage} from '@/paper/first-page.js';

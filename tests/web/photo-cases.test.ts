@@ -1,8 +1,8 @@
 /** Assumptions of the tests with photos: prints have their stated properties and positions. */
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
-import {printElements} from '@/model/wallpaper.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import {printElements} from '@/model/print/wallpaper.js';
 import {bandKinds, bandPrint} from '../support/photo/band-prints.js';
 import {applied} from '../support/photo/camera.js';
 import {cellPixels, type CaseHead, type PrintTruth} from '../support/photo/case.js';

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import {expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
-import {latticeOf, pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
-import type {PhotoMap} from '@/model/photo.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import {latticeOf, pixelOf, rebased, vectorsAtMiddle} from '@/model/print/photo-map.js';
+import type {PhotoMap} from '@/model/print/photo-reading.js';
 
 const size = {width: 900, height: 600};
 const between = (min: number, max: number) => fc.double({min, max, noNaN: true});

@@ -1,4 +1,5 @@
 /** Prints read from photos: equal sizes in files and in the dialog, as readable numbers. */
+import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it} from 'vitest';
 
 import {directionSign} from '@/texts/direction-sign.js';
@@ -6,11 +7,11 @@ import {areSame} from '@/photo/same-picture.js';
 import {namePlace} from '@/editor/photo/stage-marks.js';
 import {measuresOf, stepOf} from '@/photo/photo-step.js';
 import {printOfPhoto} from '@/image/photo-print.js';
-import {norm, radians, rotated, type Point} from '@/model/geometry.js';
-import {vectorsAtMiddle} from '@/model/photo-map.js';
-import type {PhotoMap, PhotoReading} from '@/model/photo.js';
-import {groupNames, type GroupName} from '@/model/print.js';
-import {latticeVectors, repeatOf} from '@/model/repeat.js';
+import {norm, radians, rotated, type Point} from '@/model/geometry/vectors.js';
+import {vectorsAtMiddle} from '@/model/print/photo-map.js';
+import type {PhotoMap, PhotoReading} from '@/model/print/photo-reading.js';
+import {type GroupName} from '@/model/print/repeating-print.js';
+import {latticeVectors, repeatOf} from '@/model/print/repeat.js';
 
 const size = {width: 900, height: 600};
 const map: PhotoMap = {homography: [100, 10, 420, 8, -80, 310, 0, 0, 1], lens: 0};

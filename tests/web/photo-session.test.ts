@@ -1,4 +1,5 @@
 /** A photo on its way to a print, without a page: readings, corrections, lengths, and undo. */
+import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it, vi} from 'vitest';
 
 import {brokenPath, brokenPlaces} from '@/photo/breaks-on-photo.js';
@@ -18,10 +19,10 @@ import {
 } from '@/photo/photo-step.js';
 import {axesOf, centresOf, marksOn} from '@/photo/symmetry-marks.js';
 import {gainsFor} from '@/photo/white-spot.js';
-import {norm} from '@/model/geometry.js';
-import {SolverError} from '@/model/failure.js';
-import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
-import {groupNames, type GroupName} from '@/model/print.js';
+import {norm} from '@/model/geometry/vectors.js';
+import {SolverError} from '@/model/result/failure.js';
+import {pixelOf, rebased, vectorsAtMiddle} from '@/model/print/photo-map.js';
+import {type GroupName} from '@/model/print/repeating-print.js';
 import type {
   PhotoHooks,
   PhotoMap,
@@ -30,7 +31,7 @@ import type {
   PhotoReading,
   PhotoRequest,
   PhotoTileRequest,
-} from '@/model/photo.js';
+} from '@/model/print/photo-reading.js';
 import {balance} from '@/solver/photo/balance.js';
 import type {SolverService} from '@/solver/service.js';
 

@@ -1,10 +1,10 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
-import type {Pattern, ResultPiece} from '@/model/result.js';
-import {ontoSheet} from '@/model/sheet-place.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {Pattern, ResultPiece} from '@/model/result/result.js';
+import {ontoSheet} from '@/model/geometry/sheet-place.js';
 import {layOut, layOutNamed, type Layout} from '@/layout/layout.js';
-import type {Placement} from '@/model/garment-document.js';
+import type {Placement} from '@/model/garment/garment-document.js';
 import type {Placements} from '@/layout/on-body.js';
 import {plainPrint as print, squarePiece} from '../support/two-squares.js';
 

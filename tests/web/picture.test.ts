@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment, Point} from '@/model/geometry.js';
-import type {ResultSymmetry, SolveResult} from '@/model/result.js';
+import type {Alignment, Point} from '@/model/geometry/vectors.js';
+import type {ResultSymmetry, SolveResult} from '@/model/result/result.js';
 import {hasOutsidePictures} from '@/image/svg-picture.js';
 import {mismatchLine} from '@/scene/colours.js';
 import {drawResult} from '@/picture/draw-result.js';

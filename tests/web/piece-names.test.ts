@@ -4,9 +4,9 @@ import {readdirSync, readFileSync} from 'node:fs';
 import {readGarment} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {panelMarks} from '@/model/garment-marks.js';
+import {panelMarks} from '@/model/garment/panel-marks.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
-import {pieceNames, readable, titleOfFile} from '@/model/piece-names.js';
+import {pieceNames, readable, titleOfFile} from '@/model/garment/piece-names.js';
 
 const named = (labels: Record<string, string | undefined>, chosen = {}): string[] => [
   ...pieceNames(new Map(Object.entries(labels)), chosen).values(),

@@ -1,7 +1,7 @@
 /** Pins of pieces that share symmetries. */
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment} from '@/model/geometry.js';
+import type {Alignment} from '@/model/geometry/vectors.js';
 import {
   contradictions,
   keptPins,
@@ -10,8 +10,8 @@ import {
   pinnedPlace,
   withPin,
   type Mirroring,
-} from '@/model/pins.js';
-import {mirrors} from '@/model/mirror-images.js';
+} from '@/model/design/pins.js';
+import {mirrors} from '@/model/print/mirror-images.js';
 import {squarePair} from '../support/two-squares.js';
 
 const repeat = {group: 'pmm', w1: [10, 0], w2: [0, 8]} as const;

@@ -1,14 +1,14 @@
 import {describe, expect, it} from 'vitest';
 
 import {choiceOf, choices, groupOf, missing} from '@/print/group-choice.js';
-import {turnsOver} from '@/model/repeat.js';
-import {noPicture, type Design} from '@/model/design.js';
+import {turnsOver} from '@/model/print/repeat.js';
+import {noPicture, type Design} from '@/model/design/design.js';
 import {printFrom} from '@/print/read-print.js';
 import {solveSettingsOf, presetOf, withSolveSettings, withPreset} from '@/workbench/presets.js';
 import {storedPreferences} from '@/app/storage/preferences.js';
 import {en} from '@/texts/en.js';
-import {groupNames} from '@/model/print.js';
-import type {Symmetry} from '@/model/symmetries.js';
+import {groupNames} from '@/model/base/core-tables.js';
+import type {Symmetry} from '@/model/garment/symmetries.js';
 
 const front: Symmetry = {kind: 'piece', piece: 'front'};
 const sleeves: Symmetry = {kind: 'pair', pieces: ['left', 'right']};

@@ -3,8 +3,8 @@ import {describe, expect, it} from 'vitest';
 import {collection} from '@samples/prints/collection.js';
 import {elementsWithin} from '@samples/prints/elements.js';
 import type {Cell} from '@samples/prints/tile.js';
-import type {Point} from '@/model/geometry.js';
-import {printDistance} from '@/model/wallpaper.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import {printDistance} from '@/model/print/wallpaper.js';
 
 const cornersOf = ({w1, w2}: Cell): Point[] => [[0, 0], w1, [w1[0] + w2[0], w1[1] + w2[1]], w2];
 const somewhere: Point = [0.317, 1.236];

@@ -8,8 +8,8 @@ import {indexedPng} from '@samples/prints/png.js';
 import {pixelsOf, printFile, printOf, tilesOf} from '@samples/prints/print-files.js';
 import {decoded, rendered} from '@samples/prints/raster.js';
 import {imageSize} from '@samples/prints/tile.js';
-import {groupNames} from '@/model/print.js';
-import {latticeType} from '@/model/wallpaper.js';
+import {groupNames} from '@/model/base/core-tables.js';
+import {latticeType} from '@/model/print/wallpaper.js';
 import {isThorough} from '../support/level.js';
 
 const folder = 'public/prints';

@@ -1,13 +1,14 @@
-import {drawingTitle} from '@/model/drawing.js';
+import {FileError} from '@/model/base/versioned-file.js';
+import {drawingTitle} from '@/model/garment/imported-drawing.js';
 import {deflateRawSync} from 'node:zlib';
 
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '@/model/design.js';
-import {LinkError, linkOf, readLink} from '@/model/link.js';
-import {FileError, isProject, readProject, writeProject} from '@/model/project.js';
-import {written} from '@/model/written-design.js';
-import {fileNameOf, nameOf, shortened} from '@/model/project-name.js';
+import type {Design} from '@/model/design/design.js';
+import {LinkError, linkOf, readLink} from '@/model/documents/link.js';
+import {isProject, readProject, writeProject} from '@/model/documents/project.js';
+import {written} from '@/model/design/written-design.js';
+import {fileNameOf, nameOf, shortened} from '@/model/documents/project-name.js';
 
 const design: Design = {
   garment: {name: 'tee-m.json', text: '{"pattern": {}}', sample: {style: 'tee', size: 'm'}},

@@ -1,8 +1,8 @@
 import {describe, expect, it, vi} from 'vitest';
 
 import {Proving} from '@/workbench/proving.js';
-import type {Design} from '@/model/design.js';
-import type {SolveResult} from '@/model/result.js';
+import type {Design} from '@/model/design/design.js';
+import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {plainMetrics, squarePair} from '../support/two-squares.js';
 

@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Problem} from '@/model/problem.js';
-import type {ResultSeam, SeamReason, SolveResult} from '@/model/result.js';
+import type {Problem} from '@/model/design/solve-problem.js';
+import type {ResultSeam, SeamReason, SolveResult} from '@/model/result/result.js';
 import {groupWithMirrors, proposals} from '@/remedies/proposals.js';
 import {remediesOf} from '@/remedies/remedies.js';
 import {withRemedy} from '@/remedies/remedy.js';

@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import {solve, type Problem, type SolverError} from 'seamwise/node';
 
-import {groupsThatCarry} from '@/model/repeat.js';
+import {groupsThatCarry} from '@/model/print/repeat.js';
 
 const square = {
   vertices: [

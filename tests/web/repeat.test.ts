@@ -1,8 +1,9 @@
+import {groupNames} from '@/model/base/core-tables.js';
 import {readdirSync, readFileSync} from 'node:fs';
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
-import {groupNames, type GroupName, type Print} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import {type GroupName, type Print} from '@/model/print/repeating-print.js';
 import {
   carries,
   coupledSize,
@@ -12,8 +13,8 @@ import {
   latticeVectors,
   repeatOf,
   type RepeatSize,
-} from '@/model/repeat.js';
-import {apply, printDistance, printElements, type Repeat} from '@/model/wallpaper.js';
+} from '@/model/print/repeat.js';
+import {apply, printDistance, printElements, type Repeat} from '@/model/print/wallpaper.js';
 
 const measured: RepeatSize = {width: 7, height: 9.5, angleDeg: 70};
 

@@ -3,7 +3,7 @@
  */
 import {beforeEach, expect, it} from 'vitest';
 
-import {SolverError} from '@/model/failure.js';
+import {SolverError} from '@/model/result/failure.js';
 import {Answerer} from '@/solver/answers/answerer.js';
 import {workerBlocked} from '@/solver/answers/broken.js';
 import type {ModuleLoader} from '@/solver/answers/shared-module.js';

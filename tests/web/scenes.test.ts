@@ -2,8 +2,8 @@ import {expect, it} from 'vitest';
 
 import {SceneMaker} from '@/workbench/scenes.js';
 import type {Workbench} from '@/workbench/workbench.js';
-import type {Design} from '@/model/design.js';
-import type {MeshedPattern} from '@/model/result.js';
+import type {Design} from '@/model/design/design.js';
+import type {MeshedPattern} from '@/model/result/result.js';
 import {documentOf} from '../support/garment-documents.js';
 import {squarePair, squarePiece} from '../support/two-squares.js';
 

@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
-import {offSheet, ontoSheet, wayOnSheet} from '@/model/sheet-place.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import {offSheet, ontoSheet, wayOnSheet} from '@/model/geometry/sheet-place.js';
 import {sceneOf, pieceAt} from '@/scene/scene.js';
 import {lineOf} from '@/scene/seam-line.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';

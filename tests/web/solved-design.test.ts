@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import {askedSymmetries, noPicture} from '@/model/design.js';
-import type {ResultPiece, ResultSymmetry, SolveResult} from '@/model/result.js';
-import {solvedDesign, type SolvedFiles} from '@/model/solved-design.js';
+import {askedSymmetries, noPicture} from '@/model/design/design.js';
+import type {ResultPiece, ResultSymmetry, SolveResult} from '@/model/result/result.js';
+import {solvedDesign, type SolvedFiles} from '@/model/design/solved-design.js';
 
 const files: SolvedFiles = {
   garment: {name: 'coat.json', text: '{}'},

@@ -1,10 +1,10 @@
 import {describe, expect, it} from 'vitest';
 
 import {steadied} from '@/photo/steady-cell.js';
-import type {Point} from '@/model/geometry.js';
-import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
-import type {PhotoMap, PhotoReading} from '@/model/photo.js';
-import type {GroupName} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import {pixelOf, rebased, vectorsAtMiddle} from '@/model/print/photo-map.js';
+import type {PhotoMap, PhotoReading} from '@/model/print/photo-reading.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 const size = {width: 800, height: 600};
 /** A square in perspective, w2 upwards. */

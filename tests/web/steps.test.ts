@@ -1,6 +1,6 @@
 import {afterEach, beforeEach, expect, it, vi} from 'vitest';
 
-import type {Design} from '@/model/design.js';
+import type {Design} from '@/model/design/design.js';
 import {Steps} from '@/workbench/steps.js';
 
 const design: Design = {

@@ -3,17 +3,17 @@ import {readFileSync} from 'node:fs';
 import * as fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import {problemOfStored} from '@/model/design-problem.js';
-import type {Print} from '@/model/print.js';
-import {repeatOf} from '@/model/repeat.js';
+import {problemOfStored} from '@/model/documents/design-problem.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import {repeatOf} from '@/model/print/repeat.js';
 import {
   changesOf,
   printOfStored,
   readStoredDesign,
   writeStoredDesign,
-} from '@/model/stored-design.js';
-import {packageVersion} from '@/model/version.js';
-import {FileError} from '@/model/versioned-file.js';
+} from '@/model/documents/stored-design.js';
+import {packageVersion} from '@/model/base/version.js';
+import {FileError} from '@/model/base/versioned-file.js';
 import {storedDesign} from '../support/designs.js';
 
 type Json = Record<string, unknown>;

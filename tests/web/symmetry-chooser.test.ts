@@ -6,7 +6,7 @@ import {SymmetryChooser} from '@/workbench/tools/symmetry-chooser.js';
 import {en} from '@/texts/en.js';
 import {formatFor} from '@/texts/format.js';
 import type {Workbench} from '@/workbench/workbench.js';
-import type {Design} from '@/model/design.js';
+import type {Design} from '@/model/design/design.js';
 import type {PatternScene} from '@/scene/scene.js';
 import {sewnSquares} from '../support/clickable-sheet.js';
 

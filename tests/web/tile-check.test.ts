@@ -3,9 +3,9 @@ import {createCanvas, loadImage} from '@napi-rs/canvas';
 import {describe, expect, it} from 'vitest';
 
 import {decoded} from '@samples/prints/raster.js';
-import type {GroupName, Print} from '@/model/print.js';
-import {repeatOf} from '@/model/repeat.js';
-import {imageCell, latticeType} from '@/model/wallpaper.js';
+import type {GroupName, Print} from '@/model/print/repeating-print.js';
+import {repeatOf} from '@/model/print/repeat.js';
+import {imageCell, latticeType} from '@/model/print/wallpaper.js';
 import {checkTile, visibleDifference, wholeCell} from '@/image/tile-check.js';
 import type {Pixels} from '@/image/tile-cloth.js';
 

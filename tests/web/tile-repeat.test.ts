@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import {printOf, type DesignPrint} from '@/model/design.js';
-import {pictureIn, resized, tileSize} from '@/model/tile-repeat.js';
-import {tileRepeats, type TileRepeat} from '@/model/print-tile.js';
-import {imageCell, printDistance} from '@/model/wallpaper.js';
+import {printOf, type DesignPrint} from '@/model/design/design.js';
+import {pictureIn, resized, tileSize} from '@/model/design/tile-repeat.js';
+import {tileRepeats, type TileRepeat} from '@/model/print/opened-image.js';
+import {imageCell, printDistance} from '@/model/print/wallpaper.js';
 import {asymmetriesOf, isStriped} from '@/image/asymmetry.js';
 import {checkTile, wholeCell} from '@/image/tile-check.js';
 import {ink, leaf, painted, paper, rose, within, type Painting} from '../support/pictures.js';

@@ -16,7 +16,7 @@ import {
 import {en} from '@/texts/en.js';
 import {samplePrint, type SamplePrint} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';
-import {askedSymmetries, type Design} from '@/model/design.js';
+import {askedSymmetries, type Design} from '@/model/design/design.js';
 
 const ogee: SamplePrint = {
   ...{name: 'cm', title: 'Ogee tulip', group: 'cm', w1: [12, 0], w2: [6, 9]},

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import {formatLength, fractionOrNumber, numberTyped} from '@/model/units.js';
+import {formatLength, fractionOrNumber, numberTyped} from '@/model/base/length-text.js';
 
 /** Locales separate numbers and units by different kinds of spaces. */
 const plain = (text: string): string => text.replace(/\s/gu, ' ');

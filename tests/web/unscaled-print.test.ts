@@ -6,12 +6,12 @@ import {expect, it} from 'vitest';
 
 import {cutSheet} from '@/cutting/lay-sheet.js';
 import {markerOrder} from '@/marker/problem.js';
-import {printOf, type DesignPrint} from '@/model/design.js';
-import {printMeasures} from '@/model/design-reader.js';
-import {readPrintFile} from '@/model/print-file.js';
-import {checkScaled} from '@/model/scaled.js';
-import {printOfStored} from '@/model/stored-design.js';
-import {pictureIn, resized} from '@/model/tile-repeat.js';
+import {printOf, type DesignPrint} from '@/model/design/design.js';
+import {printMeasures} from '@/model/design/read-design.js';
+import {readPrintFile} from '@/model/print/read-print-file.js';
+import {checkScaled} from '@/model/result/unscaled-print.js';
+import {printOfStored} from '@/model/documents/stored-design.js';
+import {pictureIn, resized} from '@/model/design/tile-repeat.js';
 
 const print: DesignPrint = {
   ...{title: 'meadow', group: 'pmm', turnDeg: 0, oneWay: false, cell: 'primitive'},

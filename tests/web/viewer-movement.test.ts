@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {movementOf, movementStrokes} from '@/viewer/movement.js';
 import {sceneOf} from '@/scene/scene.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';

@@ -1,7 +1,7 @@
 /** Placement of an edge's lines outside of the piece. */
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {endsOnOutline, outsideOf, shiftsOutside} from '@/viewer/outside.js';
 
 const square: readonly Point[] = [

@@ -1,12 +1,12 @@
 import {describe, expect, it} from 'vitest';
 
-import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
-import type {Pattern} from '@/model/result.js';
-import {apply} from '@/model/wallpaper.js';
-import {panelMarks} from '@/model/garment-marks.js';
+import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import type {Pattern} from '@/model/result/result.js';
+import {apply} from '@/model/print/wallpaper.js';
+import {panelMarks} from '@/model/garment/panel-marks.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
-import {imageCoordinates} from '@/model/print-coordinates.js';
+import {imageCoordinates} from '@/model/print/image-coordinates.js';
 import {alignmentsFrom, pieceAt, realigned, reprinted, sceneOf} from '@/scene/scene.js';
 import {symmetriesOf} from '@/scene/scene-marks.js';
 import {seamStrokes} from '@/viewer/strokes.js';

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import {onPieceAt, straightSeam, type StraightSeam} from '@/viewer/seam-ribbon.js';
 import {plainPrint as print, squarePair, squarePiece} from '../support/two-squares.js';

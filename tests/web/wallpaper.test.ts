@@ -1,9 +1,10 @@
+import {groupNames} from '@/model/base/core-tables.js';
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '@/model/geometry.js';
-import {groupNames, type GroupName} from '@/model/print.js';
-import {latticeVectors} from '@/model/repeat.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import {type GroupName} from '@/model/print/repeating-print.js';
+import {latticeVectors} from '@/model/print/repeat.js';
 import {
   apply,
   determinant,
@@ -14,7 +15,7 @@ import {
   printElements,
   reducedBasis,
   type Repeat,
-} from '@/model/wallpaper.js';
+} from '@/model/print/wallpaper.js';
 
 const root3 = Math.sqrt(3);
 const lattices: Record<ReturnType<typeof latticeType>, [Point, Point]> = {

@@ -4,9 +4,9 @@ import {afterEach, beforeEach, expect, it, vi} from 'vitest';
 
 import {WorkbenchElement} from '@/editor/base/workbench-element.js';
 import {seamRows} from '@/workbench/lists/rows.js';
-import {begun} from '@/model/history.js';
-import type {SolveHooks} from '@/model/problem.js';
-import type {SolveResult} from '@/model/result.js';
+import {begun} from '@/model/design/history.js';
+import type {SolveHooks} from '@/model/design/solve-problem.js';
+import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService, TextService} from '@/solver/service.js';
 import {preferencesFor} from '@/texts/preferences.js';
 import {textsOf} from '@/texts/texts.js';

@@ -51,7 +51,7 @@ async function native(preset, {isThorough, level}, flags = []) {
 }
 
 /** Files that native tests read. */
-const nativeTestFiles = ['tests/fixtures', 'public/garments', 'web/src/model/core-tables.ts'];
+const nativeTestFiles = ['tests/fixtures', 'public/garments', 'web/src/model/base/core-tables.ts'];
 
 /** One build for tests and fuzzer, by clang; by another compiler if clang is unavailable. */
 async function sanitize(level) {

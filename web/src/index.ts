@@ -1,32 +1,33 @@
 /** The package for web pages: the solver in workers, and the file formats. */
-export type {Alignment, MirrorMap, Point} from './model/geometry.js';
-export * from './model/drape.js';
-export * from './model/drape-file.js';
-export * from './model/glb.js';
-export type * from './model/garment.js';
-export * from './model/garment-document.js';
-export {garmentFile} from './model/garment-file.js';
-export {garmentTitle, type GarmentTitle} from './model/garment-marks.js';
-export type {LayNote, LayNoteCode} from './model/lay-note.js';
-export type * from './model/lay-plan.js';
-export * from './model/marker.js';
-export type * from './model/options.js';
-export type * from './model/grain.js';
-export * from './model/print.js';
-export * from './model/method.js';
-export * from './model/problem.js';
-export * from './model/notes.js';
-export type * from './model/result.js';
-export type * from './model/symmetries.js';
+export type {Alignment, MirrorMap, Point} from './model/geometry/vectors.js';
+export * from './model/result/draped-garment.js';
+export * from './model/documents/drape-file.js';
+export * from './model/documents/glb.js';
+export type * from './model/garment/specification.js';
+export * from './model/garment/garment-document.js';
+export {garmentFile} from './model/garment/write-garment.js';
+export {garmentTitle, type GarmentTitle} from './model/garment/panel-marks.js';
+export type {LayNote, LayNoteCode} from './model/result/lay-note.js';
+export type * from './model/result/marker-plan.js';
+export * from './model/result/marker-search.js';
+export type * from './model/design/options.js';
+export type * from './model/garment/grain.js';
+export * from './model/print/repeating-print.js';
+export {groupNames} from './model/base/core-tables.js';
+export * from './model/result/method.js';
+export * from './model/design/solve-problem.js';
+export * from './model/result/notes.js';
+export type * from './model/result/result.js';
+export type * from './model/garment/symmetries.js';
 export {
   failureCodes,
   pageFailureCodes,
   SolverError,
   type Failure,
   type FailureCode,
-} from './model/failure.js';
+} from './model/result/failure.js';
 
-export {askedSymmetries, printOf} from './model/design.js';
+export {askedSymmetries, printOf} from './model/design/design.js';
 export type {
   AskedSymmetry,
   Decisions,
@@ -35,18 +36,19 @@ export type {
   DesignPrint,
   DesignPrintFile,
   StoredFile,
-} from './model/design.js';
-export {problemOf, problemOfStored} from './model/design-problem.js';
-export {LinkError, linkOf, readLink} from './model/link.js';
-export type {LinkedGarment, LinkedPrint, LinkedProject} from './model/link.js';
-export {FileError, isProject, readProject, writeProject} from './model/project.js';
-export type {Project, ProjectView} from './model/project.js';
-export {repeatOf, type RepeatSize} from './model/repeat.js';
-export {tileRepeats, type PrintTile, type TileRepeat} from './model/print-tile.js';
-export type {CellOf, Repeat} from './model/wallpaper.js';
-export {resultText} from './model/result-text.js';
-export {solvedDesign, type SolvedFiles} from './model/solved-design.js';
-export * from './model/stored-design.js';
+} from './model/design/design.js';
+export {problemOf, problemOfStored} from './model/documents/design-problem.js';
+export {LinkError, linkOf, readLink} from './model/documents/link.js';
+export type {LinkedGarment, LinkedPrint, LinkedProject} from './model/documents/link.js';
+export {FileError} from './model/base/versioned-file.js';
+export {isProject, readProject, writeProject} from './model/documents/project.js';
+export type {Project, ProjectView} from './model/documents/project.js';
+export {repeatOf, type RepeatSize} from './model/print/repeat.js';
+export {tileRepeats, type PrintTile, type TileRepeat} from './model/print/opened-image.js';
+export type {CellOf, Repeat} from './model/print/wallpaper.js';
+export {resultText} from './model/documents/result-text.js';
+export {solvedDesign, type SolvedFiles} from './model/design/solved-design.js';
+export * from './model/documents/stored-design.js';
 
 export * from './solver/client.js';
 export * from './solver/main-thread.js';

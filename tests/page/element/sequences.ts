@@ -1,6 +1,6 @@
 /** Random sequences of a page's actions on an element, reproducible by their seed. */
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
-import {resultText, sha256Of} from '@/model/result-text.js';
+import {resultText, sha256Of} from '@/model/documents/result-text.js';
 
 const prints = ['prints/p4m.json', 'prints/cm.json', 'prints/p1.json'];
 const garments = ['garments/strips-{size}.json', 'garments/strips-m.json'];

@@ -12,10 +12,10 @@ import {
   onPrint,
   type Alignment,
   type Point,
-} from '@/model/geometry.js';
-import type {Print} from '@/model/print.js';
-import {imageCell} from '@/model/wallpaper.js';
-import {isInside} from '@/model/polyline.js';
+} from '@/model/geometry/vectors.js';
+import type {Print} from '@/model/print/repeating-print.js';
+import {imageCell} from '@/model/print/wallpaper.js';
+import {isInside} from '@/model/geometry/polyline.js';
 import {pick} from '@/scene/marks.js';
 import type {PatternScene, ScenePiece} from '@/scene/scene.js';
 import {openBrowser, sourcesOf} from '../../support/browser.js';

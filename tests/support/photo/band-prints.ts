@@ -1,6 +1,6 @@
 /** Plaids and stripes: prints made of bands across the cell. */
-import type {GroupName} from '@/model/print.js';
-import type {Point} from '@/model/geometry.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import type {Chance} from './chance.js';
 import {emptyCell, type Cell} from './drawn-print.js';

@@ -1,5 +1,5 @@
 /** View of flat fabric through a camera. */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 /** Row by row. */
 export type Matrix3 = readonly [

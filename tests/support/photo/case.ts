@@ -1,6 +1,6 @@
 /** An image with known ground truth, in the format of cases.json. */
-import type {Point} from '@/model/geometry.js';
-import type {GroupName} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 import type {LatticeView} from './camera.js';
 import type {Cell} from './drawn-print.js';

@@ -1,5 +1,5 @@
 /** Light reflected by fabric: the print through the view, with folds, weave and lamps. */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import {inverse, repeatsAt, unlensedTable, type LatticeView} from './camera.js';
 import {halved, type Cell, type Print} from './drawn-print.js';

@@ -2,7 +2,7 @@
  * Displacement of fabric in its own plane: smooth, small, and not equivalent to a change of the
  * view.
  */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import {applied, inverse, type Matrix3} from './camera.js';
 import type {Chance} from './chance.js';

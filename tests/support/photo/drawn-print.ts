@@ -1,6 +1,6 @@
 /** Prints on fabric: one cell, in which every symmetry permutes samples exactly. */
-import type {GroupName} from '@/model/print.js';
-import type {Point} from '@/model/geometry.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import {elementsOf} from './group-elements.js';
 import type {Ink} from './inks.js';

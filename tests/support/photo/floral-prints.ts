@@ -1,6 +1,6 @@
 /** Random prints of motifs in a group, without further symmetry. */
-import type {GroupName} from '@/model/print.js';
-import type {Point} from '@/model/geometry.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import type {Chance} from './chance.js';
 import {drawn, type Design, type Patch, type Print} from './drawn-print.js';

@@ -4,7 +4,7 @@
  * print file: mirrors of pm, the glides of pg, the mirrors of pmg and those of p31m along w1, the
  * mirror of cm along w1 + w2, 60 degrees between w1 and w2 of a hexagonal lattice.
  */
-import type {GroupName} from '@/model/print.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 /** (u, v) -> (m0 u + m1 v + a0, m2 u + m3 v + a1); only the shift modulo 1 counts. */
 interface Element {

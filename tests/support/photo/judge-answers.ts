@@ -2,8 +2,8 @@
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
-import type {Point} from '@/model/geometry.js';
-import type {GroupName} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 import type {CaseTruth} from './case.js';
 import {decoded, fromRaw} from './files.js';

@@ -1,6 +1,6 @@
 /** Checks whether a claimed group, on its basis and origin, is among the symmetries of a print. */
-import type {Point} from '@/model/geometry.js';
-import type {GroupName} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 import {elementsOf} from './group-elements.js';
 

@@ -1,5 +1,5 @@
 /** Compares a print's clean tile with the print's true cell. */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import type {Rgba} from './pixels.js';
 import {toGamma, toLinear} from './inks.js';

@@ -1,6 +1,6 @@
 /** Compares the output of `seamwise photo --json` with the truth of a case. */
-import type {Point} from '@/model/geometry.js';
-import type {GroupName} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 import {applied, inverse, repeatsAt, unlensed, type LatticeView, type Matrix3} from './camera.js';
 import type {CaseHead, CaseTruth, PrintTruth} from './case.js';

@@ -1,5 +1,5 @@
 /** Objects of known size on photographed fabric. */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import {applied, inverse, unlensed} from './camera.js';
 import type {PrintTruth} from './case.js';

@@ -1,5 +1,5 @@
 /** A photo of fabric, with its ground truth. */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import {applied, homographyOf, inverse, type LatticeView, type Matrix3} from './camera.js';
 import type {Chance} from './chance.js';

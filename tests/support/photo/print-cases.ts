@@ -1,5 +1,5 @@
 /** Photos of prints in the 17 groups. */
-import type {GroupName} from '@/model/print.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 import type {CaseHead, PhotoCase, PrintTruth} from './case.js';
 import {Chance} from './chance.js';

@@ -1,7 +1,7 @@
 /** The image of a sample print's cell as fabric for photos. */
 import {pixelGrid, type Pixels} from '@/image/tile-cloth.js';
-import {combined} from '@/model/geometry.js';
-import type {Print as PrintFile} from '@/model/print.js';
+import {combined} from '@/model/geometry/vectors.js';
+import type {Print as PrintFile} from '@/model/print/repeating-print.js';
 
 import {emptyCell, type Print} from './drawn-print.js';
 import {toLinear} from './inks.js';

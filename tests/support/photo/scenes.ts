@@ -1,5 +1,5 @@
 /** Fabric, paper and walls without a repeat: one square, of which an image shows a part. */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import type {Chance} from './chance.js';
 import {drawn, emptyCell, type Cell, type Patch} from './drawn-print.js';

@@ -2,8 +2,8 @@
  * Misleading prints: half-drops, halves of a repeat that differ in colour alone, rows with one
  * mirrored motif.
  */
-import type {Point} from '@/model/geometry.js';
-import type {GroupName} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 import {bandKinds, bandPrint, stripePrint} from './band-prints.js';
 import type {Chance} from './chance.js';

@@ -1,5 +1,5 @@
 /** Symmetries of a cell, measured from its samples alone. */
-import type {Point} from '@/model/geometry.js';
+import type {Point} from '@/model/geometry/vectors.js';
 
 import type {Cell} from './drawn-print.js';
 import {transform, type Spectrum} from './fourier.js';

@@ -1,6 +1,6 @@
 /** Seamless tiles: a parallelogram of whole cells as a rectangle of pixels. */
-import type {Point} from '@/model/geometry.js';
-import type {GroupName} from '@/model/print.js';
+import type {Point} from '@/model/geometry/vectors.js';
+import type {GroupName} from '@/model/print/repeating-print.js';
 
 import {inverse, scaled, type LatticeView, type Matrix3} from './camera.js';
 import type {PhotoCase} from './case.js';

@@ -3,7 +3,7 @@
  * and a patch pocket, which is stitched onto the skirt instead of edge to edge. Every piece is its
  * own mirror image.
  */
-import {plus, radians, type Point} from '../../src/model/geometry.js';
+import {plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import {curve, leaning, line, mirror, mirrored, pointAt, reversed, type Curve} from './curves.js';
 import {

@@ -4,7 +4,7 @@
  * its own mirror image, and a pair of side panels instead of side seams. The panel seams run into
  * the armholes. The height of the waist is y = 0 throughout.
  */
-import {leftOf, radians, rotated} from '../../src/model/geometry.js';
+import {leftOf, radians, rotated} from '../../src/model/geometry/vectors.js';
 import {hung, roundNeckline, type Half} from './bodice.js';
 import {
   centreSeam,

@@ -2,7 +2,7 @@
  * The panel seams of the asymmetric dress, from the hem up into the armholes. The height of the
  * waist is y = 0.
  */
-import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import type {Half} from './bodice.js';
 import type {Body} from './body.js';
 import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';

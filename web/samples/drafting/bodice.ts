@@ -2,7 +2,7 @@
  * The upper body without darts, from which tops are cut. Origin of front and back: the middle of
  * the waist line.
  */
-import {leftOf, type Point} from '../../src/model/geometry.js';
+import {leftOf, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import {across, curve, leaning, line, type Curve} from './curves.js';
 import type {Placement} from './panel.js';

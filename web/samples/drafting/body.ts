@@ -1,4 +1,4 @@
-import type {Measurements} from '../../src/model/drape.js';
+import type {Measurements} from '../../src/model/result/draped-garment.js';
 
 /** Measurements for drafting, in cm, of a standing body that faces +z with the floor at y = 0. */
 export type Body = Measurements;

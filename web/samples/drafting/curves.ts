@@ -2,7 +2,14 @@
  * Curves for drafting: straight and cubic Bezier edges, their length, and truing one length to
  * another. Lengths in cm.
  */
-import {between, distance, minus, norm, plus, type Point} from '../../src/model/geometry.js';
+import {
+  between,
+  distance,
+  minus,
+  norm,
+  plus,
+  type Point,
+} from '../../src/model/geometry/vectors.js';
 
 /** A straight edge, or a cubic Bezier curve when it has controls. */
 export interface Curve {

@@ -8,7 +8,7 @@ import {
   plus,
   rotated,
   type Point,
-} from '../../src/model/geometry.js';
+} from '../../src/model/geometry/vectors.js';
 import {curve, line, pointAt, type Curve} from './curves.js';
 import {heading} from './skirt-lines.js';
 

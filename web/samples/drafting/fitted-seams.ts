@@ -1,5 +1,5 @@
 /** Seams of fitted garments, upright and curved in at the waist, from the hem up. */
-import {distance, type Point} from '../../src/model/geometry.js';
+import {distance, type Point} from '../../src/model/geometry/vectors.js';
 import {curve, leaning, length, pointAt, trueTo, type Curve} from './curves.js';
 
 export const upright: Point = [0, 1];

@@ -1,7 +1,7 @@
 /**
  * The garment file (seamwise-garment/1, a superset of the GarmentCode specification) of a draft.
  */
-import {minus, norm, plus, type Point} from '../../src/model/geometry.js';
+import {minus, norm, plus, type Point} from '../../src/model/geometry/vectors.js';
 import type {SizeName} from './body.js';
 import {length, pointAt, type Curve} from './curves.js';
 import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';

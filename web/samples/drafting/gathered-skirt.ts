@@ -2,7 +2,7 @@
  * An A-line skirt gathered into a waistband. Origin of each skirt panel: the height of its side
  * waist, in the middle.
  */
-import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import {across, leaning, length, line, reversed, trueTo, type Curve} from './curves.js';
 import {edge, onBothSides, sew, symmetricPanel, type Garment, type Panel} from './panel.js';

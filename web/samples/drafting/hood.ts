@@ -2,7 +2,7 @@
  * A hood in three pieces: two sides, and a strip between them from the nape over the head to the
  * face.
  */
-import {distance, leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
+import {distance, leftOf, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import {
   curve,

@@ -2,7 +2,7 @@
  * A hooded sweatshirt with dropped shoulders: front, back, sleeves, a hood of three pieces, ribs at
  * wrists and hem, and a kangaroo pocket on the front.
  */
-import {radians, type Point} from '../../src/model/geometry.js';
+import {radians, type Point} from '../../src/model/geometry/vectors.js';
 import {
   bodiceHalf,
   halfNeckline,

@@ -1,5 +1,5 @@
 /** Panels and seams of a drafted garment. */
-import type {Point} from '../../src/model/geometry.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
 import {length, mirror, mirrored, reversed, type Curve} from './curves.js';
 import type {SeamKind} from './seam-kinds.js';
 

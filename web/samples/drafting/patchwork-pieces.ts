@@ -4,7 +4,7 @@
  * divided along the top of the arm and by rows that are square to the underarm seam. Where four
  * patches meet, all their lines continue.
  */
-import {minus, plus, radians, type Point} from '../../src/model/geometry.js';
+import {minus, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import {
   bodiceHalf,
   halfNeckline,

@@ -2,7 +2,7 @@
  * The panels of the princess dress, each drafted for the +x side of the view onto its face; the
  * height of the waist is y = 0 throughout.
  */
-import {leftOf, minus, plus, rotated, type Point} from '../../src/model/geometry.js';
+import {leftOf, minus, plus, rotated, type Point} from '../../src/model/geometry/vectors.js';
 import {halfNeckline, hung, roundNeckline} from './bodice.js';
 import {radiusOf, type Body} from './body.js';
 import {bustDart} from './darts.js';

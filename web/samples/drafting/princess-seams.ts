@@ -2,7 +2,7 @@
  * The seam lines of the princess dress: each is drafted once, and the panel sewn to it is trued to
  * it.
  */
-import {minus, plus, radians, rotated, type Point} from '../../src/model/geometry.js';
+import {minus, plus, radians, rotated, type Point} from '../../src/model/geometry/vectors.js';
 import type {Body} from './body.js';
 import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';
 import {curve, leaning, length, mirrored, moved, splitWhere, trueTo, type Curve} from './curves.js';

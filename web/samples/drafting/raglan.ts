@@ -12,7 +12,7 @@ import {
   rotated,
   unit,
   type Point,
-} from '../../src/model/geometry.js';
+} from '../../src/model/geometry/vectors.js';
 import {bodiceHalf, halfNeckline, hung, type BodiceStyle, type Half} from './bodice.js';
 import type {Body} from './body.js';
 import {

@@ -2,7 +2,7 @@
  * Places of a garment's pieces on a sheet: in rows, at the largest scale at which they fit. y runs
  * down.
  */
-import type {Point} from '../../src/model/geometry.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
 import {pointAt} from './curves.js';
 import type {Garment, Panel} from './panel.js';
 

@@ -2,7 +2,15 @@
  * One image of several garments with every piece flat: names, grain, notches, and the numbers of
  * seams.
  */
-import {leftOf, middle, minus, norm, plus, unit, type Point} from '../../src/model/geometry.js';
+import {
+  leftOf,
+  middle,
+  minus,
+  norm,
+  plus,
+  unit,
+  type Point,
+} from '../../src/model/geometry/vectors.js';
 import {escaped, short, text} from '../../src/picture/svg.js';
 import {grainLine, notchesOf, titled} from './garment-file.js';
 import {parameterAt, pointAt, velocity, type Curve} from './curves.js';

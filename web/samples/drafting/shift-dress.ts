@@ -2,7 +2,7 @@
  * A shift dress with short sleeves: a front with side bust darts, a back in two halves with a
  * centre back seam.
  */
-import {leftOf, plus, radians, rotated, type Point} from '../../src/model/geometry.js';
+import {leftOf, plus, radians, rotated, type Point} from '../../src/model/geometry/vectors.js';
 import {halfNeckline, hung, roundNeckline, type Half} from './bodice.js';
 import type {Body} from './body.js';
 import {bustDart} from './darts.js';

@@ -2,7 +2,7 @@
  * A shirt collar on a stand, each in one piece that is its own mirror image. Origin: the middle of
  * the lower edge.
  */
-import {leftOf, norm, plus, radians, type Point} from '../../src/model/geometry.js';
+import {leftOf, norm, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import {
   across,

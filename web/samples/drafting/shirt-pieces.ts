@@ -1,7 +1,7 @@
 /**
  * The pieces of the shirt except its collar: one front and one back, divided where the yoke begins.
  */
-import {leftOf, minus, norm, plus, radians, type Point} from '../../src/model/geometry.js';
+import {leftOf, minus, norm, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import {
   bodiceHalf,
   halfNeckline,

@@ -2,7 +2,7 @@
  * A shirt with a button front, a yoke that reaches over the shoulders, a collar on a stand, and
  * long sleeves pleated into cuffs with links.
  */
-import type {Point} from '../../src/model/geometry.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
 import type {Body} from './body.js';
 import {length} from './curves.js';
 import {onBothSides, sew, turnsOnBothSides, type Garment} from './panel.js';

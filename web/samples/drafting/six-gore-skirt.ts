@@ -3,7 +3,7 @@
  * back. It is fitted to the hip and flares from there. The two edges of a seam have one shape.
  * Origin of a gore: the middle of its waist.
  */
-import {radians} from '../../src/model/geometry.js';
+import {radians} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import {length, mirrored, moved, reversed, trueTo, type Curve} from './curves.js';
 import {

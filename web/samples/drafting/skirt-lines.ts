@@ -1,5 +1,5 @@
 /** Lines of skirts: seams over the hip, hems and waists square to them, straight waistbands. */
-import {leftOf, norm, plus, type Point} from '../../src/model/geometry.js';
+import {leftOf, norm, plus, type Point} from '../../src/model/geometry/vectors.js';
 import {curve, leaning, line, mirror, pointAt, trueTo, velocity, type Curve} from './curves.js';
 import {edge, symmetricPanel, type Edge, type Panel, type Placement, type Side} from './panel.js';
 

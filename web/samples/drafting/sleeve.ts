@@ -2,7 +2,7 @@
  * Set-in sleeves, drafted for the wearer's left, with the front half at -x. Origin: on the line
  * across both underarms, below the top of the cap.
  */
-import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import type {Body} from './body.js';
 import type {BodiceHalf, Half} from './bodice.js';
 import {

@@ -1,5 +1,5 @@
 /** A tee: front, back and two set-in sleeves. */
-import {radians} from '../../src/model/geometry.js';
+import {radians} from '../../src/model/geometry/vectors.js';
 import {bodiceHalf, hung, roundNeckline, type BodiceStyle, type Half} from './bodice.js';
 import type {Body} from './body.js';
 import {line, mirror, reversed} from './curves.js';

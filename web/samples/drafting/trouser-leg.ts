@@ -2,7 +2,7 @@
  * One leg of the straight trousers, front or back. Origin: the height of the waist, on the crease;
  * its centre seam is at -x.
  */
-import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
 import type {Body} from './body.js';
 import {withDart, type DartedEdge} from './darts.js';
 import {curve, leaning, length, line, reversed, trueTo, type Curve} from './curves.js';

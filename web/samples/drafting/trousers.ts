@@ -2,7 +2,7 @@
  * Straight trousers: two fronts and two backs with a waist dart each, and a straight waistband,
  * open at the centre front.
  */
-import {plus, type Point} from '../../src/model/geometry.js';
+import {plus, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import type {DartedEdge} from './darts.js';
 import {length, line, moved} from './curves.js';

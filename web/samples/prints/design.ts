@@ -1,7 +1,7 @@
 /** A designer's description of a print: its group, its lattice, its colourways and its motifs. */
-import type {Point} from '../../src/model/geometry.js';
-import type {GroupName, Print} from '../../src/model/print.js';
-import {latticeType} from '../../src/model/wallpaper.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
+import type {GroupName, Print} from '../../src/model/print/repeating-print.js';
+import {latticeType} from '../../src/model/print/wallpaper.js';
 import type {Palette, PaletteName} from './palette.js';
 import {grown, type Motif} from './shape.js';
 import {groundOf, printed, type Cell} from './tile.js';

@@ -8,8 +8,8 @@ import {
   plus,
   towards,
   type Point,
-} from '../../src/model/geometry.js';
-import {determinant, latticeAround, printElements} from '../../src/model/wallpaper.js';
+} from '../../src/model/geometry/vectors.js';
+import {determinant, latticeAround, printElements} from '../../src/model/print/wallpaper.js';
 import {polyline, short} from '../../src/picture/svg.js';
 import type {Cell} from './tile.js';
 

@@ -2,7 +2,7 @@
  * The geometric figures of the collection: sails, darts, bands and kites, in the style of the
  * plants.
  */
-import type {Point} from '../../src/model/geometry.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
 import {
   ahead,
   blade,

@@ -1,6 +1,7 @@
 /** The figure of the 17 groups: one leaf, repeated by each of them. */
-import {combined, middle, minus, plus, type Point} from '../../src/model/geometry.js';
-import {groupNames, type GroupName} from '../../src/model/print.js';
+import {groupNames} from '../../src/model/base/core-tables.js';
+import {combined, middle, minus, plus, type Point} from '../../src/model/geometry/vectors.js';
+import {type GroupName} from '../../src/model/print/repeating-print.js';
 import {
   apply,
   determinant,
@@ -8,7 +9,7 @@ import {
   latticeType,
   printElements,
   type LatticeType,
-} from '../../src/model/wallpaper.js';
+} from '../../src/model/print/wallpaper.js';
 import {polyline, short, text} from '../../src/picture/svg.js';
 import {cellOf, hexagonal, rhombic, slanted, square, upright, type Lattice} from './design.js';
 import {drawElements, elementsWithin, type Elements} from './elements.js';

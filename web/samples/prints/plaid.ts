@@ -1,8 +1,8 @@
 /**
  * Stripes and plaids: bands of colour along the warp, across it, or both, and the resulting group.
  */
-import type {Point} from '../../src/model/geometry.js';
-import type {GroupName} from '../../src/model/print.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
+import type {GroupName} from '../../src/model/print/repeating-print.js';
 import {cellOf, upright} from './design.js';
 import type {Palette} from './palette.js';
 import {isInk, type Ink} from './shape.js';

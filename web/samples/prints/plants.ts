@@ -1,7 +1,7 @@
 /**
  * Parts of plants in the style of a block print: flat areas, with veins and folds cut out of them.
  */
-import type {Point} from '../../src/model/geometry.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
 import {
   ahead,
   along,

@@ -1,6 +1,6 @@
 /** The files of each print in the collection: its description, and a tile in every colourway. */
-import type {Colourway, Print} from '../../src/model/print.js';
-import {printElements} from '../../src/model/wallpaper.js';
+import type {Colourway, Print} from '../../src/model/print/repeating-print.js';
+import {printElements} from '../../src/model/print/wallpaper.js';
 import type {Design} from './design.js';
 import {palettes, type PaletteName} from './palette.js';
 import {imageSize, tileFile, type Cell} from './tile.js';

@@ -1,6 +1,6 @@
 /** A manufacturer's name of a print's repeat: the rectangle in which it is printed. */
-import {norm} from '../../src/model/geometry.js';
-import {imageCell} from '../../src/model/wallpaper.js';
+import {norm} from '../../src/model/geometry/vectors.js';
+import {imageCell} from '../../src/model/print/wallpaper.js';
 import type {Cell} from './tile.js';
 
 /** Shorter repeats are those of a stripe along itself, where every length is a repeat. [cm] */

@@ -2,7 +2,7 @@
  * Flat areas to print, drawn in cm with y up: outlines, the strokes of a tapering tool, and motifs
  * made of both.
  */
-import type {Point} from '../../src/model/geometry.js';
+import type {Point} from '../../src/model/geometry/vectors.js';
 
 /**
  * Inks, to which a colourway assigns colours. Cuts into a motif show the ground, as in a block

@@ -3,8 +3,8 @@
  * symmetry elements.
  */
 import {pixelGrid} from '../../src/image/tile-cloth.js';
-import {norm, plus, type Point} from '../../src/model/geometry.js';
-import {boxOf} from '../../src/model/polyline.js';
+import {norm, plus, type Point} from '../../src/model/geometry/vectors.js';
+import {boxOf} from '../../src/model/geometry/polyline.js';
 import {escaped, polyline, short, text} from '../../src/picture/svg.js';
 import type {Design} from './design.js';
 import {drawElements, elementsWithin} from './elements.js';

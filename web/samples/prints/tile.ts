@@ -1,14 +1,14 @@
 /** Builds one seamless cell of a print by applying the group's symmetries to motifs. */
 import type {Cell} from '../../src/image/tile-cloth.js';
-import {cross, norm, plus, type Point} from '../../src/model/geometry.js';
-import {boxOf} from '../../src/model/polyline.js';
+import {cross, norm, plus, type Point} from '../../src/model/geometry/vectors.js';
+import {boxOf} from '../../src/model/geometry/polyline.js';
 import {
   apply,
   imageCell,
   latticeAround,
   printElements,
   type PlaneMap,
-} from '../../src/model/wallpaper.js';
+} from '../../src/model/print/wallpaper.js';
 import type {Palette} from './palette.js';
 import type {Motif, Outline} from './shape.js';
 

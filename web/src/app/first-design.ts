@@ -1,6 +1,6 @@
 /** The page's first design: the files in its URL, or the opening sample. */
-import {askingFor, type Design} from '../model/design.js';
-import {readPrintFile} from '../model/print-file.js';
+import {askingFor, type Design} from '../model/design/design.js';
+import {readPrintFile} from '../model/print/read-print-file.js';
 import {
   newDesign,
   opening,

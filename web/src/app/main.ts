@@ -6,7 +6,7 @@ import {loadTexts, textsOf, type Texts} from '../texts/texts.js';
 import {spokenFailure} from '../workbench/spoken-failure.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import {Workbench} from '../workbench/workbench.js';
-import type {Design} from '../model/design.js';
+import type {Design} from '../model/design/design.js';
 import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
 import {showBeforeAndAfter} from './introduction/before-and-after.js';
 import {Hints} from './introduction/hints.js';

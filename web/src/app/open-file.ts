@@ -1,9 +1,10 @@
 /** Opens a user's file: a garment, a print, a project, or a result. */
-import type {Design} from '../model/design.js';
-import {SolverError} from '../model/failure.js';
-import {FileError, isProject, readProject} from '../model/project.js';
-import {longestName, withoutEnding} from '../model/project-name.js';
-import {fieldOf} from '../model/read.js';
+import {FileError} from '../model/base/versioned-file.js';
+import type {Design} from '../model/design/design.js';
+import {SolverError} from '../model/result/failure.js';
+import {isProject, readProject} from '../model/documents/project.js';
+import {longestName, withoutEnding} from '../model/documents/project-name.js';
+import {fieldOf} from '../model/base/read.js';
 import {isDocument} from '../image/file-kind.js';
 import {kindOf, looksLikePicture} from '../print/read-picture.js';
 import {openPrint} from '../workbench/print/open-print.js';

@@ -1,7 +1,7 @@
 /** The page: the editor with commands to open and save files. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {Design} from '../model/design.js';
+import type {Design} from '../model/design/design.js';
 import {controls} from '../editor/style/controls.js';
 import {WorkbenchElement} from '../editor/base/workbench-element.js';
 import {icon} from '../editor/style/icons.js';

@@ -1,7 +1,7 @@
 /** Saves projects, results and pictures as files. */
-import {fileNameOf} from '../model/project-name.js';
-import {writeProject} from '../model/project.js';
-import {written} from '../model/written-design.js';
+import {fileNameOf} from '../model/documents/project-name.js';
+import {writeProject} from '../model/documents/project.js';
+import {written} from '../model/design/written-design.js';
 import type {Workbench} from '../workbench/workbench.js';
 import {saveFile} from './files.js';
 import type {Projects} from './projects/projects.js';

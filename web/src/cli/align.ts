@@ -1,11 +1,11 @@
 import {basename} from 'node:path';
 
-import {optionLimits} from '../model/core-tables.js';
-import type {SolveOptions} from '../model/options.js';
-import type {Print} from '../model/print.js';
-import {methods} from '../model/method.js';
-import {resultText, withoutTimes} from '../model/result-text.js';
-import type {SolveResult} from '../model/result.js';
+import {optionLimits} from '../model/base/core-tables.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {methods} from '../model/result/method.js';
+import {resultText, withoutTimes} from '../model/documents/result-text.js';
+import type {SolveResult} from '../model/result/result.js';
 import {readText, textOf} from '../node/files.js';
 import {readGarment, remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
 import {
@@ -171,8 +171,8 @@ async function openable(
   result: SolveResult,
   found: readonly Remedy[] | undefined,
 ): Promise<string> {
-  const {solvedDesign} = await import('../model/solved-design.js');
-  const {written} = await import('../model/written-design.js');
+  const {solvedDesign} = await import('../model/design/solved-design.js');
+  const {written} = await import('../model/design/written-design.js');
   const cloth = JSON.parse(textOf(print.bytes)) as Print;
   const design = solvedDesign(
     {

@@ -1,4 +1,4 @@
-import {chosenNames} from '../model/garment-marks.js';
+import {chosenNames} from '../model/garment/panel-marks.js';
 import {notAsSold} from '../picture/mark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {cut as cutResult, type Cut} from '../node/index.js';

@@ -8,12 +8,12 @@ import {
   type DrapeProgress,
   type DrapeSettings,
   type Measurements,
-} from '../model/drape.js';
-import {drapeFile, drapeText, type DrapeFile} from '../model/drape-file.js';
-import {glb} from '../model/glb.js';
-import {titleOfFile} from '../model/piece-names.js';
-import {fieldOf} from '../model/read.js';
-import {sha256Of} from '../model/result-text.js';
+} from '../model/result/draped-garment.js';
+import {drapeFile, drapeText, type DrapeFile} from '../model/documents/drape-file.js';
+import {glb} from '../model/documents/glb.js';
+import {titleOfFile} from '../model/garment/piece-names.js';
+import {fieldOf} from '../model/base/read.js';
+import {sha256Of} from '../model/documents/result-text.js';
 import {readText, textOf} from '../node/files.js';
 import {drape as drapeResult} from '../node/index.js';
 import {choice, parseArguments, UsageError, type Arguments} from './base/arguments.js';

@@ -1,8 +1,8 @@
 import {extname} from 'node:path';
 
-import {chosenNames, garmentTitle, panelMarks} from '../model/garment-marks.js';
-import {titleOfFile} from '../model/piece-names.js';
-import {fieldOf} from '../model/read.js';
+import {chosenNames, garmentTitle, panelMarks} from '../model/garment/panel-marks.js';
+import {titleOfFile} from '../model/garment/piece-names.js';
+import {fieldOf} from '../model/base/read.js';
 import {drawResult, type PictureOptions} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
 import {placementsIn} from '../layout/on-body.js';

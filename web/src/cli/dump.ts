@@ -1,9 +1,9 @@
 import {mkdir} from 'node:fs/promises';
 import {join} from 'node:path';
 
-import type {Alignment} from '../model/geometry.js';
-import {methods} from '../model/method.js';
-import type {MeshedPattern} from '../model/result.js';
+import type {Alignment} from '../model/geometry/vectors.js';
+import {methods} from '../model/result/method.js';
+import type {MeshedPattern} from '../model/result/result.js';
 import {fileError, readText, textOf} from '../node/files.js';
 import {readGarmentText} from './base/garment-text.js';
 import {solve} from '../node/index.js';

@@ -1,7 +1,7 @@
-import type {GarmentDocument} from '../model/garment-document.js';
-import {panelMarks} from '../model/garment-marks.js';
-import type {SolveOptions} from '../model/options.js';
-import type {SolveResult} from '../model/result.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import {panelMarks} from '../model/garment/panel-marks.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {SolveResult} from '../model/result/result.js';
 import type {Remedy} from '../node/index.js';
 import {finalMismatch, mismatchOf, worstOf} from '../scene/mismatch.js';
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
-import {SolverError} from '../model/failure.js';
-import {packageVersion} from '../model/version.js';
-import {FileError} from '../model/versioned-file.js';
+import {SolverError} from '../model/result/failure.js';
+import {packageVersion} from '../model/base/version.js';
+import {FileError} from '../model/base/versioned-file.js';
 import {UsageError} from './base/arguments.js';
 import {print} from './base/terminal.js';
 

@@ -1,10 +1,10 @@
-import {chosenNames, panelMarks} from '../model/garment-marks.js';
-import type {Point} from '../model/geometry.js';
-import type {CheaperLay, LayPlan} from '../model/lay-plan.js';
-import {naps, type MarkerProgress} from '../model/marker.js';
-import {readable, titleOfFile} from '../model/piece-names.js';
-import type {Print} from '../model/print.js';
-import {listOf, Malformed, number, pairOf} from '../model/read.js';
+import {chosenNames, panelMarks} from '../model/garment/panel-marks.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
+import {naps, type MarkerProgress} from '../model/result/marker-search.js';
+import {readable, titleOfFile} from '../model/garment/piece-names.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {listOf, Malformed, number, pairOf} from '../model/base/read.js';
 import {readText} from '../node/files.js';
 import {
   layPlanFiles,

@@ -1,5 +1,5 @@
-import {decidedOf} from '../model/design.js';
-import {packageVersion} from '../model/version.js';
+import {decidedOf} from '../model/design/design.js';
+import {packageVersion} from '../model/base/version.js';
 import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.js';
 import {textOf} from '../node/files.js';
 import {order as solveOrder, readGarment, type Order} from '../node/index.js';

@@ -8,13 +8,13 @@ import {
   type PhotoSettings,
   type PhotoStage,
   type RepeatsMeasured,
-} from '../model/photo.js';
-import {norm, type Point} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {repeatOf, type RepeatSize} from '../model/repeat.js';
-import {isCentred} from '../model/wallpaper.js';
-import {titleOfFile} from '../model/piece-names.js';
-import {failureOf, SolverError} from '../model/failure.js';
+} from '../model/print/photo-reading.js';
+import {norm, type Point} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {repeatOf, type RepeatSize} from '../model/print/repeat.js';
+import {isCentred} from '../model/print/wallpaper.js';
+import {titleOfFile} from '../model/garment/piece-names.js';
+import {failureOf, SolverError} from '../model/result/failure.js';
 import {readBytes} from '../node/files.js';
 import {printFromPixels, type PrintFromPixels} from '../node/index.js';
 import {pictureIn, pictureLimit, pngOf} from '../node/picture-files.js';

@@ -1,11 +1,12 @@
 /** Reads and checks result files, which may have been changed by others. */
-import {problemFor} from '../model/design-problem.js';
-import {decisionFields, decisions, readAlignment} from '../model/design-reader.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import {distance, norm, type Point} from '../model/geometry.js';
-import type {SolveOptions} from '../model/options.js';
-import {groupNames, type Print} from '../model/print.js';
-import {readPrintFile} from '../model/print-file.js';
+import {groupNames} from '../model/base/core-tables.js';
+import {problemFor} from '../model/documents/design-problem.js';
+import {decisionFields, decisions, readAlignment} from '../model/design/read-design.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import {distance, norm, type Point} from '../model/geometry/vectors.js';
+import type {SolveOptions} from '../model/design/options.js';
+import {type Print} from '../model/print/repeating-print.js';
+import {readPrintFile} from '../model/print/read-print-file.js';
 import {
   fail,
   fieldOf,
@@ -19,9 +20,9 @@ import {
   shape,
   wholeNumber,
   type Read,
-} from '../model/read.js';
-import type {Problem} from '../model/problem.js';
-import type {SolveResult} from '../model/result.js';
+} from '../model/base/read.js';
+import type {Problem} from '../model/design/solve-problem.js';
+import type {SolveResult} from '../model/result/result.js';
 import {readBytes, readText, resultLimit, textOf} from '../node/files.js';
 import {readGarment} from '../node/index.js';
 import {UsageError} from './base/arguments.js';

@@ -1,12 +1,12 @@
 import {dirname} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
-import type {SolveOptions} from '../model/options.js';
-import type {Method} from '../model/method.js';
-import {sha256Of} from '../model/result-text.js';
-import type {SolveResult} from '../model/result.js';
-import {designOf, readStoredDesign, writeStoredDesign} from '../model/stored-design.js';
-import type {Symmetries} from '../model/symmetries.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {Method} from '../model/result/method.js';
+import {sha256Of} from '../model/documents/result-text.js';
+import type {SolveResult} from '../model/result/result.js';
+import {designOf, readStoredDesign, writeStoredDesign} from '../model/documents/stored-design.js';
+import type {Symmetries} from '../model/garment/symmetries.js';
 
 interface InputFile {
   readonly path: string;

@@ -1,6 +1,6 @@
 /** Draws a flaw on the fabric: a dragged box, or corners clicked one by one. */
-import type {Point} from '../model/geometry.js';
-import {signedArea} from '../model/polyline.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {signedArea} from '../model/geometry/polyline.js';
 
 /** A smaller box is a click. [cm2] */
 const leastArea = 0.25;

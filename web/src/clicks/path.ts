@@ -1,6 +1,6 @@
 /** Polylines to measure along and to search for the nearest point. Lengths in cm. */
-import {between, distance, nearestShare, type Point} from '../model/geometry.js';
-import {boxOf, isInside, type Box} from '../model/polyline.js';
+import {between, distance, nearestShare, type Point} from '../model/geometry/vectors.js';
+import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 
 interface Segment {
   readonly from: Point;

@@ -1,5 +1,5 @@
 /** Lines, corners and midpoints of a sheet, computed once for many clicks. Lengths in cm. */
-import {minus, radians, turnBetween, type Point} from '../model/geometry.js';
+import {minus, radians, turnBetween, type Point} from '../model/geometry/vectors.js';
 import {pathRound, pathThrough, placeAt, type Path} from './path.js';
 import type {Sheet, SheetPiece, Side} from './sheet.js';
 

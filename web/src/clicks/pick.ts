@@ -1,6 +1,6 @@
 /** Finds the lines and pieces under a point of the sheet. Lengths in cm. */
-import type {Point} from '../model/geometry.js';
-import {offSheet} from '../model/sheet-place.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {offSheet} from '../model/geometry/sheet-place.js';
 import {goesRound, isNearBox, nearestOn, placeAt, type PlaceOnPath} from './path.js';
 import type {Line, PickIndex} from './pick-index.js';
 import type {Side} from './sheet.js';

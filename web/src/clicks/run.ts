@@ -1,6 +1,6 @@
 /** Runs of edges: sides of a seam during selection. */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
-import {sameEdge, seamAt, sideLength, twinOf} from '../model/garment-edit.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
+import {sameEdge, seamAt, sideLength, twinOf} from '../model/garment/edits.js';
 
 /** Edges in sewing order, each from its start to its end. */
 export type Run = readonly EdgeOfPiece[];

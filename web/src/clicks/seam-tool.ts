@@ -1,8 +1,8 @@
 /**
  * State machine that makes seams by clicks and keys: an edge or a run of several, then its partner.
  */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
-import {edgeOf, isOpen, sameEdge, seamAt, sideLength} from '../model/garment-edit.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
+import {edgeOf, isOpen, sameEdge, seamAt, sideLength} from '../model/garment/edits.js';
 import {has, inOrder, joined, stretched, type Run} from './run.js';
 
 /** Two sides that may be sewn together. */

@@ -1,8 +1,8 @@
 /** Clickable sheet: pieces side by side, sewn along seams. Lengths in cm, y up. */
-import type {Point} from '../model/geometry.js';
-import type {ResultPiece, ResultSeam} from '../model/result.js';
-import type {SheetPlace} from '../model/sheet-place.js';
-import {carried} from '../model/triangles.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {ResultPiece, ResultSeam} from '../model/result/result.js';
+import type {SheetPlace} from '../model/geometry/sheet-place.js';
+import {carried} from '../model/geometry/triangles.js';
 
 /** Points are in the piece's own coordinates, not in those of the sheet. */
 export interface SheetPiece

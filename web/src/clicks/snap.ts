@@ -1,5 +1,5 @@
 /** Snaps a point of a piece to a mark nearby. Lengths in cm. */
-import {distance, type Point} from '../model/geometry.js';
+import {distance, type Point} from '../model/geometry/vectors.js';
 import {nearestOn} from './path.js';
 import type {PickIndex} from './pick-index.js';
 

@@ -2,8 +2,8 @@
  * State machine that defines symmetries by clicks: two lines or two points of a piece, or two
  * pieces.
  */
-import {distance, type MirrorMap, type Point} from '../model/geometry.js';
-import type {Symmetry} from '../model/symmetries.js';
+import {distance, type MirrorMap, type Point} from '../model/geometry/vectors.js';
+import type {Symmetry} from '../model/garment/symmetries.js';
 import type {LineTarget, OnPiece, Target} from './pick.js';
 import {inputPoint, type Sheet} from './sheet.js';
 

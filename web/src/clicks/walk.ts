@@ -2,8 +2,8 @@
  * Keyboard navigation on a sheet: from piece to piece, into a piece's seams, and across a seam to
  * its twin.
  */
-import type {Box} from '../model/polyline.js';
-import {ontoSheet} from '../model/sheet-place.js';
+import type {Box} from '../model/geometry/polyline.js';
+import {ontoSheet} from '../model/geometry/sheet-place.js';
 import type {PickIndex} from './pick-index.js';
 import type {Side} from './sheet.js';
 

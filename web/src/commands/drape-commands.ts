@@ -1,6 +1,6 @@
 /** Commands of the drape, by key or by name. */
-import {fabricOf} from '../model/design.js';
-import {fabricNames} from '../model/drape.js';
+import {fabricOf} from '../model/design/design.js';
+import {fabricNames} from '../model/result/draped-garment.js';
 import type {WornTexts} from '../texts/drape-texts.js';
 import type {Texts} from '../texts/texts.js';
 import {presetNames} from '../viewer/drape/camera.js';

@@ -1,6 +1,6 @@
 /** Keys of the pattern, while it has the focus. */
 import type {PickIndex} from '../clicks/pick-index.js';
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 import {shortcutFor} from './shortcuts.js';
 import {seamRows, worstSeams} from '../workbench/lists/rows.js';
 import {textsOf} from '../texts/texts.js';

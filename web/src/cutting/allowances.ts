@@ -1,8 +1,8 @@
 /** Seam allowances of edges, and their shape at corners. Lengths in cm, angles in radians. */
-import type {PanelMarks} from '../model/garment-marks.js';
-import {minus, unit, type Point} from '../model/geometry.js';
-import {crossingsOf, distanceTo} from '../model/polyline.js';
-import type {ResultPiece} from '../model/result.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import {minus, unit, type Point} from '../model/geometry/vectors.js';
+import {crossingsOf, distanceTo} from '../model/geometry/polyline.js';
+import type {ResultPiece} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
 import {bandOf} from './bands.js';
 import type {CornerPlan, Own} from './corners.js';

@@ -1,5 +1,5 @@
 /** The allowance along an edge, between sewn line and cut line. Lengths in cm. */
-import {cross, dot, minus, plus, turnBetween, unit, type Point} from '../model/geometry.js';
+import {cross, dot, minus, plus, turnBetween, unit, type Point} from '../model/geometry/vectors.js';
 import {outOf} from './corners.js';
 
 export interface Band {

@@ -1,5 +1,14 @@
 /** The allowance beyond a corner of an outline: counter-clockwise polygons. Lengths in cm. */
-import {between, dot, leftOf, minus, norm, plus, unit, type Point} from '../model/geometry.js';
+import {
+  between,
+  dot,
+  leftOf,
+  minus,
+  norm,
+  plus,
+  unit,
+  type Point,
+} from '../model/geometry/vectors.js';
 
 /** The edge that ends at a corner, or the one that begins there. */
 export type Own = 'before' | 'after';

@@ -1,8 +1,8 @@
 /** The cut line of a piece: its sewn outline with the allowances. Lengths in cm. */
 import {Clipper, FillRule} from 'clipper2-ts';
 
-import {dot, minus, unit, type Point} from '../model/geometry.js';
-import {isInside, signedArea} from '../model/polyline.js';
+import {dot, minus, unit, type Point} from '../model/geometry/vectors.js';
+import {isInside, signedArea} from '../model/geometry/polyline.js';
 import type {Allowances} from './allowances.js';
 import {bandOf, type Band} from './bands.js';
 import {cornerCloth, longer, turnedCorner, type Corner} from './corners.js';

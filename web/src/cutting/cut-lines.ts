@@ -1,9 +1,9 @@
 /** Sewn and cut lines of a garment's pieces, from its file and an allowance rule. Lengths in cm. */
-import {drained} from '../model/drained.js';
-import type {PanelMarks} from '../model/garment-marks.js';
-import type {Point} from '../model/geometry.js';
-import {readable} from '../model/piece-names.js';
-import type {SolveResult} from '../model/result.js';
+import {drained} from '../model/base/drained.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {readable} from '../model/garment/piece-names.js';
+import type {SolveResult} from '../model/result/result.js';
 import {allowancesOf, type AllowanceRule, type Allowances} from './allowances.js';
 import {cutLine} from './cut-line.js';
 import {allowedLoops, garmentEdges, type GarmentEdges} from './garment-edges.js';

@@ -1,5 +1,5 @@
 /** One piece of the cutting sheet with all of its marks. Lengths in cm. */
-import type {PanelMarks} from '../model/garment-marks.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {
   between,
   distance,
@@ -9,11 +9,11 @@ import {
   unit,
   type Alignment,
   type Point,
-} from '../model/geometry.js';
-import {boxOf, linesInside} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
-import type {ResultPiece} from '../model/result.js';
-import {carried} from '../model/triangles.js';
+} from '../model/geometry/vectors.js';
+import {boxOf, linesInside} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
+import type {ResultPiece} from '../model/result/result.js';
+import {carried} from '../model/geometry/triangles.js';
 import {grainLine, lineAt} from '../scene/grain-line.js';
 import {innermost, pick} from '../scene/marks.js';
 import {matchMarks} from './match-marks.js';

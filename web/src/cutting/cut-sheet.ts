@@ -2,7 +2,7 @@
  * The cutting sheet: pieces laid out on one sheet, from which SVG, PDF and DXF are drawn. Lengths
  * are in cm on the sheet, y up, from its lower left corner. Line widths and letter sizes are in mm.
  */
-import type {Alignment, Point} from '../model/geometry.js';
+import type {Alignment, Point} from '../model/geometry/vectors.js';
 import type {OwnShare} from './allowances.js';
 
 export type CutLayer = 'print' | 'cut' | 'sew' | 'marks' | 'matches' | 'words';

@@ -1,10 +1,14 @@
 /** The cutting sheet of a drafted garment, for plain fabric. Lengths in cm. */
-import type {DraftedEdge, GarmentDocument, GarmentPiece} from '../model/garment-document.js';
-import {garmentTitle, panelMarks} from '../model/garment-marks.js';
-import {combined, norm, plus, type Point} from '../model/geometry.js';
-import {edgeLine} from '../model/edge-curve.js';
-import {lengthOf} from '../model/polyline.js';
-import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
+import type {
+  DraftedEdge,
+  GarmentDocument,
+  GarmentPiece,
+} from '../model/garment/garment-document.js';
+import {garmentTitle, panelMarks} from '../model/garment/panel-marks.js';
+import {combined, norm, plus, type Point} from '../model/geometry/vectors.js';
+import {edgeLine} from '../model/garment/edge-curve.js';
+import {lengthOf} from '../model/geometry/polyline.js';
+import type {Pattern, ResultPiece, ResultSeam} from '../model/result/result.js';
 import type {CutSheet} from './cut-sheet.js';
 import {cutSheet, type SheetOptions} from './lay-sheet.js';
 

@@ -1,5 +1,5 @@
 /** Draws a cutting sheet as SVG in millimetres, with test squares below the pieces. */
-import {onPiece, type Point} from '../model/geometry.js';
+import {onPiece, type Point} from '../model/geometry/vectors.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
 import {markAcross} from '../picture/mark.js';
 import {escaped, polyline, short, text} from '../picture/svg.js';

@@ -1,7 +1,7 @@
 /** The outline of a solved piece, divided into its drafted edges. Lengths in cm. */
-import type {DraftedEdge, GarmentPiece} from '../model/garment-document.js';
-import {distance, minus, turnBetween, type Point} from '../model/geometry.js';
-import type {ResultPiece, ResultSeam} from '../model/result.js';
+import type {DraftedEdge, GarmentPiece} from '../model/garment/garment-document.js';
+import {distance, minus, turnBetween, type Point} from '../model/geometry/vectors.js';
+import type {ResultPiece, ResultSeam} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
 import {smoothLine} from './smooth-line.js';
 

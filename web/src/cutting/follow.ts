@@ -1,10 +1,10 @@
 /**
  * Transfers marks of the drafted piece to its solved shape, which shares its triangles and outline.
  */
-import type {Notch} from '../model/garment-marks.js';
-import {between, distance, leftOf, minus, unit, type Point} from '../model/geometry.js';
-import {stepAt} from '../model/polyline.js';
-import type {ResultPiece} from '../model/result.js';
+import type {Notch} from '../model/garment/panel-marks.js';
+import {between, distance, leftOf, minus, unit, type Point} from '../model/geometry/vectors.js';
+import {stepAt} from '../model/geometry/polyline.js';
+import type {ResultPiece} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
 
 /** A point of the sewn outline with its outward unit normal. */

@@ -1,7 +1,7 @@
 /** The edges of all pieces, and the ends of seams. */
-import {minus, turnBetween, type Point} from '../model/geometry.js';
-import type {GarmentPiece} from '../model/garment-document.js';
-import type {SolveResult} from '../model/result.js';
+import {minus, turnBetween, type Point} from '../model/geometry/vectors.js';
+import type {GarmentPiece} from '../model/garment/garment-document.js';
+import type {SolveResult} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
 import {outlineEdges, type OutlineEdge} from './edges.js';
 

@@ -1,10 +1,17 @@
 /** Lays all pieces of a garment out on one cutting sheet at true scale. Lengths in cm. */
-import type {GarmentTitle, PanelMarks} from '../model/garment-marks.js';
-import {angleOf, onPiece, onPrint, wrapped, type Alignment, type Point} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {checkScaled} from '../model/scaled.js';
-import type {Pattern} from '../model/result.js';
-import type {SheetPlace} from '../model/sheet-place.js';
+import type {GarmentTitle, PanelMarks} from '../model/garment/panel-marks.js';
+import {
+  angleOf,
+  onPiece,
+  onPrint,
+  wrapped,
+  type Alignment,
+  type Point,
+} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {checkScaled} from '../model/result/unscaled-print.js';
+import type {Pattern} from '../model/result/result.js';
+import type {SheetPlace} from '../model/geometry/sheet-place.js';
 import {layOut, type Layout} from '../layout/layout.js';
 import {placementsIn, type Placements} from '../layout/on-body.js';
 import {seamLetters} from '../scene/seam-letters.js';

@@ -13,9 +13,9 @@ import {
   plus,
   type Alignment,
   type Point,
-} from '../model/geometry.js';
-import {boxOf, distanceTo, isInside} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
+} from '../model/geometry/vectors.js';
+import {boxOf, distanceTo, isInside} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
 
 /** Least distance of marks from the sewn outline. */
 const margin = 1.5;

@@ -1,8 +1,8 @@
 /** Notches of the garment, and additional notches of seams. Lengths in cm. */
-import type {Notch, PanelMarks} from '../model/garment-marks.js';
-import {distance, dot, leftOf, minus, plus, type Point} from '../model/geometry.js';
-import {atShare, distanceTo, lengthOf} from '../model/polyline.js';
-import type {ResultPiece} from '../model/result.js';
+import type {Notch, PanelMarks} from '../model/garment/panel-marks.js';
+import {distance, dot, leftOf, minus, plus, type Point} from '../model/geometry/vectors.js';
+import {atShare, distanceTo, lengthOf} from '../model/geometry/polyline.js';
+import type {ResultPiece} from '../model/result/result.js';
 import {turned} from '../layout/on-body.js';
 import {notchMark} from './follow.js';
 import {cornerOf, type EdgeKey, type GarmentEdges} from './garment-edges.js';

@@ -1,7 +1,7 @@
 /** Finds the open edges of a garment, grouped into openings, and the hems among them. */
-import {minus, turnBetween, type Point} from '../model/geometry.js';
-import type {PanelMarks} from '../model/garment-marks.js';
-import {lengthOf} from '../model/polyline.js';
+import {minus, turnBetween, type Point} from '../model/geometry/vectors.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import {lengthOf} from '../model/geometry/polyline.js';
 import {turned} from '../layout/on-body.js';
 import {cornerOf, type EdgeEnd, type EdgeKey, type GarmentEdges} from './garment-edges.js';
 

@@ -2,10 +2,18 @@
  * Lines, marks and text of a piece on the cutting sheet. Lengths in cm; line widths and letter
  * sizes in mm.
  */
-import {combined, minus, plus, rotated, towards, unit, type Point} from '../model/geometry.js';
-import {linesInside} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
-import {imageCell} from '../model/wallpaper.js';
+import {
+  combined,
+  minus,
+  plus,
+  rotated,
+  towards,
+  unit,
+  type Point,
+} from '../model/geometry/vectors.js';
+import {linesInside} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {imageCell} from '../model/print/wallpaper.js';
 import {textWidth} from '../layout/name-lines.js';
 import type {CutPiece} from './cut-piece.js';
 import {slitOf} from './notches.js';

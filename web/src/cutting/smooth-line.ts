@@ -1,5 +1,13 @@
 /** Smooth curves through the points of lines. Lengths in cm, angles in radians. */
-import {distance, dot, minus, plus, turnBetween, unit, type Point} from '../model/geometry.js';
+import {
+  distance,
+  dot,
+  minus,
+  plus,
+  turnBetween,
+  unit,
+  type Point,
+} from '../model/geometry/vectors.js';
 
 /** Greatest distance between points of a curve. */
 const dense = 2.5;

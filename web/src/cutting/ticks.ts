@@ -15,9 +15,9 @@ import {
   unit,
   type Alignment,
   type Point,
-} from '../model/geometry.js';
-import {seamLetter} from '../model/letters.js';
-import type {ResultSeam, SeamSide, SolveResult} from '../model/result.js';
+} from '../model/geometry/vectors.js';
+import {seamLetter} from '../model/garment/letters.js';
+import type {ResultSeam, SeamSide, SolveResult} from '../model/result/result.js';
 import {
   apply,
   joining,
@@ -25,7 +25,7 @@ import {
   reduced,
   type PlaneMap,
   type Repeat,
-} from '../model/wallpaper.js';
+} from '../model/print/wallpaper.js';
 import {pick} from '../scene/marks.js';
 
 export interface SeamTick {

@@ -1,8 +1,8 @@
 /** Text of a cutting sheet and of each piece. */
-import {angleOf, degrees, minus} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {repeatOf} from '../model/repeat.js';
-import {formatLength, type Units} from '../model/units.js';
+import {angleOf, degrees, minus} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {repeatOf} from '../model/print/repeat.js';
+import {formatLength, type Units} from '../model/base/length-text.js';
 import type {AllowanceRule} from './allowances.js';
 import type {CutPiece, EdgeAllowance} from './cut-piece.js';
 

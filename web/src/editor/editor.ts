@@ -1,7 +1,7 @@
 /** The editing workbench: settings on the left, pattern in the middle, mismatch on the right. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {askedSymmetries} from '../model/design.js';
+import {askedSymmetries} from '../model/design/design.js';
 import {redoWords, undoWords} from '../workbench/history/step-words.js';
 import type {KeyList} from '../commands/editor-command.js';
 import type {ShortcutId} from '../commands/shortcuts.js';

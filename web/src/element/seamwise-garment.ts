@@ -4,11 +4,11 @@
  */
 import type {PropertyValues, TemplateResult} from 'lit';
 
-import {SolverError} from '../model/failure.js';
-import type {LayPlan} from '../model/lay-plan.js';
-import type {SolveResult} from '../model/result.js';
-import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
-import {FileError} from '../model/versioned-file.js';
+import {SolverError} from '../model/result/failure.js';
+import type {LayPlan} from '../model/result/marker-plan.js';
+import type {SolveResult} from '../model/result/result.js';
+import {readStoredDesign, type StoredDesign} from '../model/documents/stored-design.js';
+import {FileError} from '../model/base/versioned-file.js';
 import type {Emit} from './garment/announcer.js';
 import {Answering} from './garment/answering.js';
 import {asError} from './garment/as-error.js';
@@ -43,8 +43,8 @@ import {preferencesFor} from '../texts/preferences.js';
 
 export type * from './garment/attributes.js';
 export type * from './garment/events.js';
-export type * from '../model/lay-plan.js';
-export type {Units} from '../model/units.js';
+export type * from '../model/result/marker-plan.js';
+export type {Units} from '../model/base/length-text.js';
 export type {PrintOffer} from './garment/offered-prints.js';
 export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';

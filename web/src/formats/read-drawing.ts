@@ -1,6 +1,6 @@
 /** Reads files of other programs as drawings. */
-import type {Drawing, DrawingOptions} from '../model/drawing.js';
-import {FileError} from '../model/versioned-file.js';
+import type {Drawing, DrawingOptions} from '../model/garment/imported-drawing.js';
+import {FileError} from '../model/base/versioned-file.js';
 import {readDxf} from './dxf/read-dxf.js';
 import {readObj} from './obj/read-obj.js';
 import {decoded} from './base/decoded.js';

@@ -2,7 +2,7 @@
  * Converts the chosen part of a drawing to a garment: in centimetres, with outlines
  * counter-clockwise and no piece mirrored.
  */
-import type {Drawing, DrawnPiece, Run} from '../model/drawing.js';
+import type {Drawing, DrawnPiece, Run} from '../model/garment/imported-drawing.js';
 import type {
   DraftedEdge,
   DraftedNotch,
@@ -10,10 +10,10 @@ import type {
   FileUnit,
   GarmentDocument,
   GarmentPiece,
-} from '../model/garment-document.js';
-import {dot, minus, radians, type Point} from '../model/geometry.js';
-import {atShare, signedArea} from '../model/polyline.js';
-import type {Symmetry} from '../model/symmetries.js';
+} from '../model/garment/garment-document.js';
+import {dot, minus, radians, type Point} from '../model/geometry/vectors.js';
+import {atShare, signedArea} from '../model/geometry/polyline.js';
+import type {Symmetry} from '../model/garment/symmetries.js';
 import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
 import {nearestOn} from './base/nearest.js';
 import {cmPer} from './base/units.js';

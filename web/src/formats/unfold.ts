@@ -1,5 +1,5 @@
 /** Unfolds half pieces along the fold on their outline. */
-import type {DrawnPiece, Run} from '../model/drawing.js';
+import type {DrawnPiece, Run} from '../model/garment/imported-drawing.js';
 import {
   cross,
   distance,
@@ -10,7 +10,7 @@ import {
   unit,
   radians,
   type Point,
-} from '../model/geometry.js';
+} from '../model/geometry/vectors.js';
 import {cubicsOf, endOf, isLine, mapped, reversed, straight} from './base/bezier.js';
 
 /** Greatest distance of the folded edge from the fold. [cm] */

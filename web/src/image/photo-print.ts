@@ -1,8 +1,8 @@
 /** Converts the reading of a photo to a print. */
-import type {Point} from '../model/geometry.js';
-import type {PhotoReading} from '../model/photo.js';
-import type {Print} from '../model/print.js';
-import {latticeVectors, repeatOf} from '../model/repeat.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {PhotoReading} from '../model/print/photo-reading.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {latticeVectors, repeatOf} from '../model/print/repeat.js';
 
 /** Width of prints of unknown size, for a preview on a garment. [cm] */
 export const assumedWidth = 10;

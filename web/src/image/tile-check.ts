@@ -1,14 +1,14 @@
 /** Checks whether a tile has the symmetries of a group, and finds the places that break them. */
-import {norm, type Point} from '../model/geometry.js';
-import type {GroupName, PrintCell} from '../model/print.js';
-import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
+import {norm, type Point} from '../model/geometry/vectors.js';
+import type {GroupName, PrintCell} from '../model/print/repeating-print.js';
+import {fittingGroup, latticeVectors, type RepeatSize} from '../model/print/repeat.js';
 import {
   imageCell,
   isCentred,
   latticeType,
   printElements,
   type PlaneMap,
-} from '../model/wallpaper.js';
+} from '../model/print/wallpaper.js';
 import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
 
 /**

@@ -1,6 +1,6 @@
 /** A print given by the pixels of one cell, and its images under maps of the plane. */
-import {combined, coordinates, type Point} from '../model/geometry.js';
-import {apply, imageCell, type CellOf as Cell, type PlaneMap} from '../model/wallpaper.js';
+import {combined, coordinates, type Point} from '../model/geometry/vectors.js';
+import {apply, imageCell, type CellOf as Cell, type PlaneMap} from '../model/print/wallpaper.js';
 
 export type {Cell};
 

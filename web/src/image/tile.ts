@@ -1,5 +1,5 @@
 /** Loads the image of a print's cell, independently of drawing. */
-import {trustedMarkup} from '../model/trusted.js';
+import {trustedMarkup} from '../model/base/trusted.js';
 import {imageHref} from './svg-picture.js';
 
 /** One cell of a print: pixels, or an SVG image, which can be drawn at any size. */

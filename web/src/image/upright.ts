@@ -1,5 +1,5 @@
 /** Rotates stored pixels upright. */
-import type {PhotoPixels} from '../model/photo.js';
+import type {PhotoPixels} from '../model/print/photo-reading.js';
 
 /**
  * For each EXIF orientation: whether rows and columns are swapped, and which of them are reversed.

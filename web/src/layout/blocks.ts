@@ -2,7 +2,7 @@
  * Arranges rectangles with pieces beside and below each other, without overlaps. Lengths in cm, y
  * down.
  */
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 
 export interface Block {
   /** Position of the upper left corner of each piece's bounding box. */

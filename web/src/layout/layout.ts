@@ -2,10 +2,10 @@
  * Lays pieces out on a sheet: as on the body if the garment has placements, otherwise on shelves.
  * Lengths in cm, y up.
  */
-import {minus, type Point} from '../model/geometry.js';
-import {boxOf} from '../model/polyline.js';
-import type {Pattern} from '../model/result.js';
-import type {SheetPlace} from '../model/sheet-place.js';
+import {minus, type Point} from '../model/geometry/vectors.js';
+import {boxOf} from '../model/geometry/polyline.js';
+import type {Pattern} from '../model/result/result.js';
+import type {SheetPlace} from '../model/geometry/sheet-place.js';
 import {shelves, type Block} from './blocks.js';
 import {headDown, isPlaced, onBody, type Arrangement, type Placements} from './on-body.js';
 

@@ -1,7 +1,7 @@
 /** Arranges pieces as on the body, from the placements of a garment file. Lengths in cm. */
-import type {Placement} from '../model/garment-document.js';
-import {radians, rotated, type Point} from '../model/geometry.js';
-import type {Pattern, ResultPiece} from '../model/result.js';
+import type {Placement} from '../model/garment/garment-document.js';
+import {radians, rotated, type Point} from '../model/geometry/vectors.js';
+import type {Pattern, ResultPiece} from '../model/result/result.js';
 import {below, beside, shelves, type Block} from './blocks.js';
 
 type Vector = Placement['translation'];

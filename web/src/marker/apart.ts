@@ -1,6 +1,6 @@
 /** Tests of the distance between closed lines. Lengths in cm. */
-import {between, distance, minus, plus, type Point} from '../model/geometry.js';
-import {boxOf, distanceTo, isInside, type Box} from '../model/polyline.js';
+import {between, distance, minus, plus, type Point} from '../model/geometry/vectors.js';
+import {boxOf, distanceTo, isInside, type Box} from '../model/geometry/polyline.js';
 
 /** Smallest distance that counts as a gap. [cm] */
 const slack = 1e-3;

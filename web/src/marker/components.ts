@@ -1,5 +1,5 @@
 /** Pieces that have to keep their relative places on the print. */
-import type {SolveResult} from '../model/result.js';
+import type {SolveResult} from '../model/result/result.js';
 
 type Joined = Pick<SolveResult, 'pieces' | 'seams' | 'symmetries' | 'matches'>;
 

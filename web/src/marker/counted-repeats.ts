@@ -1,6 +1,6 @@
 /** Position on the fabric, counted in repeats of the print. */
-import {norm, type Point} from '../model/geometry.js';
-import {imageCell} from '../model/wallpaper.js';
+import {norm, type Point} from '../model/geometry/vectors.js';
+import {imageCell} from '../model/print/wallpaper.js';
 import type {Bolt} from './places.js';
 
 /**

@@ -1,16 +1,16 @@
 /** The cut lines of the pieces of a solved garment, cached. Lengths in cm. */
 import {ownShare, type AllowanceRule, type OwnShare} from '../cutting/allowances.js';
 import {cutLineSteps} from '../cutting/cut-lines.js';
-import {decidedOf} from '../model/design.js';
-import {drained} from '../model/drained.js';
-import {SolverError} from '../model/failure.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import {panelMarks, type PanelMarks} from '../model/garment-marks.js';
-import type {Point} from '../model/geometry.js';
-import type {SolveOptions} from '../model/options.js';
-import type {PieceNames} from '../model/piece-names.js';
-import type {Problem} from '../model/problem.js';
-import type {OtherAlignment, SolveResult} from '../model/result.js';
+import {decidedOf} from '../model/design/design.js';
+import {drained} from '../model/base/drained.js';
+import {SolverError} from '../model/result/failure.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import {panelMarks, type PanelMarks} from '../model/garment/panel-marks.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {PieceNames} from '../model/garment/piece-names.js';
+import type {Problem} from '../model/design/solve-problem.js';
+import type {OtherAlignment, SolveResult} from '../model/result/result.js';
 import {outerRing, selfCrossing} from './outline.js';
 
 /** A solved garment with its source data. */

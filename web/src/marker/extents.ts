@@ -1,5 +1,5 @@
 /** The least space of a piece over all of its rotations. Lengths in cm. */
-import type {MarkerProblem} from '../model/marker.js';
+import type {MarkerProblem} from '../model/result/marker-search.js';
 import {turnedRing, turnsOf, type LayablePiece} from './places.js';
 
 /**

@@ -2,7 +2,7 @@
  * Layouts on fabric that is folded lengthwise, with both plies cut at once. Lengths in cm, angles
  * in radians.
  */
-import {SolverError} from '../model/failure.js';
+import {SolverError} from '../model/result/failure.js';
 import {
   minus,
   onPiece,
@@ -12,13 +12,13 @@ import {
   type Alignment,
   type MirrorMap,
   type Point,
-} from '../model/geometry.js';
-import {layNote} from '../model/lay-note.js';
-import type {LaidPlacement, LayPlan} from '../model/lay-plan.js';
-import {mirrorLines} from '../model/mirror-lines.js';
-import {signedArea} from '../model/polyline.js';
-import type {SolveResult} from '../model/result.js';
-import type {Repeat} from '../model/wallpaper.js';
+} from '../model/geometry/vectors.js';
+import {layNote} from '../model/result/lay-note.js';
+import type {LaidPlacement, LayPlan} from '../model/result/marker-plan.js';
+import {mirrorLines} from '../model/print/mirror-lines.js';
+import {signedArea} from '../model/geometry/polyline.js';
+import type {SolveResult} from '../model/result/result.js';
+import type {Repeat} from '../model/print/wallpaper.js';
 import {leastExtents} from './extents.js';
 import {cutPairs, type CutPair} from './pairs.js';
 import type {MarkerOrder} from './problem.js';

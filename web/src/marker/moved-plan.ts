@@ -1,8 +1,8 @@
 /** Updates a layout whose pieces were moved by hand. Lengths in cm. */
-import {onPiece, type Alignment} from '../model/geometry.js';
-import {isOfPhases} from '../model/lay-note.js';
-import type {LaidPlacement, LayPlan} from '../model/lay-plan.js';
-import {boxOf, signedArea} from '../model/polyline.js';
+import {onPiece, type Alignment} from '../model/geometry/vectors.js';
+import {isOfPhases} from '../model/result/lay-note.js';
+import type {LaidPlacement, LayPlan} from '../model/result/marker-plan.js';
+import {boxOf, signedArea} from '../model/geometry/polyline.js';
 import {saidNote} from './draw/note-texts.js';
 import type {MarkerOrder} from './problem.js';
 

@@ -1,6 +1,6 @@
 /** The cut line of a piece in a layout. Lengths in cm. */
-import {cross, minus, type Point} from '../model/geometry.js';
-import {boxOf, signedArea} from '../model/polyline.js';
+import {cross, minus, type Point} from '../model/geometry/vectors.js';
+import {boxOf, signedArea} from '../model/geometry/polyline.js';
 
 /** The outermost of a piece's cut lines, counter-clockwise; undefined if it has none. */
 export function outerRing(cut: readonly (readonly Point[])[]): readonly Point[] | undefined {

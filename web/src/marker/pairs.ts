@@ -2,12 +2,12 @@
  * Pairs of mirrored pieces that are cut at once from both plies of folded fabric. Lengths in cm,
  * angles in radians.
  */
-import {SolverError} from '../model/failure.js';
-import {rotated, type MirrorMap, type Point} from '../model/geometry.js';
-import {inverse, mirrors} from '../model/mirror-images.js';
-import type {LaidTurns, MarkerPiece} from '../model/marker.js';
-import {distanceTo} from '../model/polyline.js';
-import type {SolveResult} from '../model/result.js';
+import {SolverError} from '../model/result/failure.js';
+import {rotated, type MirrorMap, type Point} from '../model/geometry/vectors.js';
+import {inverse, mirrors} from '../model/print/mirror-images.js';
+import type {LaidTurns, MarkerPiece} from '../model/result/marker-search.js';
+import {distanceTo} from '../model/geometry/polyline.js';
+import type {SolveResult} from '../model/result/result.js';
 import {mirrorImage} from '../scene/marks.js';
 import type {MarkerOrder} from './problem.js';
 

@@ -1,12 +1,12 @@
 /** The pieces of solved garments, prepared for a layout. Lengths in cm, angles in radians. */
-import type {GrainLock} from '../model/grain.js';
+import type {GrainLock} from '../model/garment/grain.js';
 import type {AllowanceRule} from '../cutting/allowances.js';
-import type {GarmentPiece} from '../model/garment-document.js';
-import type {PanelMarks} from '../model/garment-marks.js';
-import {dot, radians, towards, type Point} from '../model/geometry.js';
-import type {LaidTurns, MarkerPiece, Nap} from '../model/marker.js';
-import type {SolveOptions} from '../model/options.js';
-import type {ResultPiece} from '../model/result.js';
+import type {GarmentPiece} from '../model/garment/garment-document.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import {dot, radians, towards, type Point} from '../model/geometry/vectors.js';
+import type {LaidTurns, MarkerPiece, Nap} from '../model/result/marker-search.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {ResultPiece} from '../model/result/result.js';
 import {movablePieces} from './components.js';
 import {calledIn, cutRings, type MarkerGarment} from './cut-rings.js';
 

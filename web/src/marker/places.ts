@@ -12,10 +12,10 @@ import {
   wrapped,
   type Alignment,
   type Point,
-} from '../model/geometry.js';
-import type {MarkerPiece} from '../model/marker.js';
-import {boxOf, type Box} from '../model/polyline.js';
-import {determinant, printElements, reducedBasis, type CellOf} from '../model/wallpaper.js';
+} from '../model/geometry/vectors.js';
+import type {MarkerPiece} from '../model/result/marker-search.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
+import {determinant, printElements, reducedBasis, type CellOf} from '../model/print/wallpaper.js';
 import {areApart, ringOf, type Ring} from './apart.js';
 
 /** Angles that differ by less are equal. [rad] */

@@ -1,9 +1,14 @@
 /** Converts the solver's answer to a layout for people and programs. Lengths in cm. */
-import {minus, onPiece, plus, type Alignment, type Point} from '../model/geometry.js';
-import {layNote, type LayNote} from '../model/lay-note.js';
-import type {LaidPlacement, LayPlan, PhaseLength, WidthLength} from '../model/lay-plan.js';
-import type {MarkerAnswer, MarkerLayout} from '../model/marker.js';
-import {boxOf, signedArea} from '../model/polyline.js';
+import {minus, onPiece, plus, type Alignment, type Point} from '../model/geometry/vectors.js';
+import {layNote, type LayNote} from '../model/result/lay-note.js';
+import type {
+  LaidPlacement,
+  LayPlan,
+  PhaseLength,
+  WidthLength,
+} from '../model/result/marker-plan.js';
+import type {MarkerAnswer, MarkerLayout} from '../model/result/marker-search.js';
+import {boxOf, signedArea} from '../model/geometry/polyline.js';
 import {saidNote} from './draw/note-texts.js';
 import type {MarkerOrder} from './problem.js';
 

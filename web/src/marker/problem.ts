@@ -1,11 +1,11 @@
 /** Combines solved garments into one layout problem: pieces, fabric and settings. Lengths in cm. */
-import {SolverError} from '../model/failure.js';
-import {distance, norm, rotated} from '../model/geometry.js';
-import {layNote, type LayNote} from '../model/lay-note.js';
-import type {MarkerProblem} from '../model/marker.js';
-import type {Print} from '../model/print.js';
-import {checkScaled, type PrintScale} from '../model/scaled.js';
-import type {Repeat} from '../model/wallpaper.js';
+import {SolverError} from '../model/result/failure.js';
+import {distance, norm, rotated} from '../model/geometry/vectors.js';
+import {layNote, type LayNote} from '../model/result/lay-note.js';
+import type {MarkerProblem} from '../model/result/marker-search.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {checkScaled, type PrintScale} from '../model/result/unscaled-print.js';
+import type {Repeat} from '../model/print/wallpaper.js';
 import {laidPieces, type MarkerGarment, type PieceOfMarker} from './pieces.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from './repeats.js';
 import {checkedSettings, type MarkerSettings} from './settings.js';

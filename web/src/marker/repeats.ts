@@ -1,7 +1,7 @@
 /**
  * The repeat of a print across and along its fabric, and shifts that match as well. Lengths in cm.
  */
-import {combined, cross, minus, norm, type Point} from '../model/geometry.js';
+import {combined, cross, minus, norm, type Point} from '../model/geometry/vectors.js';
 import {
   apply,
   determinant,
@@ -10,7 +10,7 @@ import {
   reduced,
   reducedBasis,
   type Repeat,
-} from '../model/wallpaper.js';
+} from '../model/print/wallpaper.js';
 
 /** Accuracy of a lattice, as a share of its shortest vector. */
 const tolerance = 1e-6;

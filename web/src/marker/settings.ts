@@ -1,8 +1,8 @@
 /** Settings of a layout, and their checks. Lengths in cm. */
-import {SolverError} from '../model/failure.js';
-import type {Point} from '../model/geometry.js';
-import {naps, type Nap} from '../model/marker.js';
-import {signedArea} from '../model/polyline.js';
+import {SolverError} from '../model/result/failure.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {naps, type Nap} from '../model/result/marker-search.js';
+import {signedArea} from '../model/geometry/polyline.js';
 import {selfCrossing} from './outline.js';
 
 export interface MarkerSettings {

@@ -1,6 +1,6 @@
 /** Coordinates of the drawing of the fabric: units of a tenth of a millimetre, y downwards. */
-import type {Point} from '../model/geometry.js';
-import type {Units} from '../model/units.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {Units} from '../model/base/length-text.js';
 
 /** Units per centimetre. */
 export const unit = 100;

@@ -2,9 +2,9 @@
  * Moves the print under all pieces of a component at once, by shifts that keep the match at every
  * seam, to save fabric. Lengths in cm, angles in radians.
  */
-import {minus, rotated, type Point} from '../model/geometry.js';
-import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
-import {signedArea} from '../model/polyline.js';
+import {minus, rotated, type Point} from '../model/geometry/vectors.js';
+import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/result/marker-search.js';
+import {signedArea} from '../model/geometry/polyline.js';
 import {leastExtents} from './extents.js';
 import type {MarkerOrder} from './problem.js';
 import {movesFreely, spreadShifts} from './repeats.js';

@@ -2,8 +2,8 @@
 import {resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
-import {fetchedBy} from '../model/fetched.js';
-import {FileError} from '../model/versioned-file.js';
+import {fetchedBy} from '../model/base/fetched.js';
+import {FileError} from '../model/base/versioned-file.js';
 import {inputLimit, readBytes, tooLarge} from './files.js';
 
 export interface ReadingLimits {

@@ -3,7 +3,7 @@ import {closeSync, constants, openSync} from 'node:fs';
 import {open, stat, type FileHandle} from 'node:fs/promises';
 import {Socket} from 'node:net';
 
-import {FileError} from '../model/versioned-file.js';
+import {FileError} from '../model/base/versioned-file.js';
 
 /** Greatest size of an input file; real garments are below 1 MB. [bytes] */
 export const inputLimit = 20_000_000;

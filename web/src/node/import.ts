@@ -7,20 +7,20 @@ import {
   type DefaultChoices,
 } from '../formats/to-garment.js';
 import {cmPer, isPossible} from '../formats/base/units.js';
-import type {Drawing} from '../model/drawing.js';
-import {edgeLine} from '../model/edge-curve.js';
+import type {Drawing} from '../model/garment/imported-drawing.js';
+import {edgeLine} from '../model/garment/edge-curve.js';
 import {
   unitsInMetre,
   type EdgeOfPiece,
   type FileUnit,
   type GarmentDocument,
   type GarmentPiece,
-} from '../model/garment-document.js';
-import {garmentFile, inUnit} from '../model/garment-file.js';
-import {angleOf, degrees, minus, type Point} from '../model/geometry.js';
-import {boxOf, signedArea} from '../model/polyline.js';
-import {fieldOf} from '../model/read.js';
-import {FileError} from '../model/versioned-file.js';
+} from '../model/garment/garment-document.js';
+import {garmentFile, inUnit} from '../model/garment/write-garment.js';
+import {angleOf, degrees, minus, type Point} from '../model/geometry/vectors.js';
+import {boxOf, signedArea} from '../model/geometry/polyline.js';
+import {fieldOf} from '../model/base/read.js';
+import {FileError} from '../model/base/versioned-file.js';
 import {textOf} from './files.js';
 
 export {drawingLimit};

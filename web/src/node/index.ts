@@ -1,13 +1,13 @@
-import type {Drape, DrapeSettings} from '../model/drape.js';
-import type {Garment} from '../model/garment.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {LayPlan} from '../model/lay-plan.js';
-import type {MarkerHooks, MarkerProblem} from '../model/marker.js';
-import type {PhotoHooks, PhotoPixels} from '../model/photo.js';
-import type {Problem, SolveHooks} from '../model/problem.js';
-import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
-import type {StoredDesign} from '../model/stored-design.js';
-import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import type {Drape, DrapeSettings} from '../model/result/draped-garment.js';
+import type {Garment} from '../model/garment/specification.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import type {LayPlan} from '../model/result/marker-plan.js';
+import type {MarkerHooks, MarkerProblem} from '../model/result/marker-search.js';
+import type {PhotoHooks, PhotoPixels} from '../model/print/photo-reading.js';
+import type {Problem, SolveHooks} from '../model/design/solve-problem.js';
+import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
+import type {StoredDesign} from '../model/documents/stored-design.js';
+import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import type {MarkerGarment} from '../marker/pieces.js';
 import type {SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 import type {Remedy} from '../remedies/remedy.js';
@@ -231,7 +231,7 @@ export async function convert(
   const {name = plainNames.garment, plain = false} =
     typeof options === 'string' ? {name: options} : options;
   if (!plain) return solver.convert(garment, {name});
-  const {plainGarment} = await import('../model/plain-garment.js');
+  const {plainGarment} = await import('../model/garment/plain-garment.js');
   return plainGarment(await solver.garment(garment, {name}));
 }
 

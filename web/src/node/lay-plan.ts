@@ -3,8 +3,8 @@ import {drawPlanSvg} from '../marker/draw/draw-plan-svg.js';
 import {planDxf} from '../marker/draw/plan-dxf.js';
 import {planPdf, type PlanPdf} from '../marker/draw/plan-pdf.js';
 import type {KnownPieces} from '../marker/draw/plan-pieces.js';
-import type {LayPlan} from '../model/lay-plan.js';
-import type {Units} from '../model/units.js';
+import type {LayPlan} from '../model/result/marker-plan.js';
+import type {Units} from '../model/base/length-text.js';
 import type {CellPixels} from '../paper/cloth-cell.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 

@@ -7,10 +7,10 @@ import {layPlan} from '../marker/plan.js';
 import {markerOrder, type LaidPrint} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import {layShifted, type Lay} from '../marker/shifted.js';
-import {failureOf, SolverError} from '../model/failure.js';
-import type {LayPlan} from '../model/lay-plan.js';
-import type {MarkerHooks} from '../model/marker.js';
-import type {SolveResult} from '../model/result.js';
+import {failureOf, SolverError} from '../model/result/failure.js';
+import type {LayPlan} from '../model/result/marker-plan.js';
+import type {MarkerHooks} from '../model/result/marker-search.js';
+import type {SolveResult} from '../model/result/result.js';
 
 export interface NodeMarkerSettings extends MarkerSettings {
   /** The print of the results, for properties that they do not repeat: whether it is one-way. */

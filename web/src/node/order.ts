@@ -2,23 +2,23 @@
 import {layPlan} from '../marker/plan.js';
 import {markerOrder} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
-import {problemOfStored} from '../model/design-problem.js';
-import {onPrint} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import type {LayPlan} from '../model/lay-plan.js';
-import type {SolveHooks} from '../model/problem.js';
-import {checkScaled} from '../model/scaled.js';
-import {resultText, sha256Of} from '../model/result-text.js';
-import type {SolveResult} from '../model/result.js';
+import {problemOfStored} from '../model/documents/design-problem.js';
+import {onPrint} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import type {LayPlan} from '../model/result/marker-plan.js';
+import type {SolveHooks} from '../model/design/solve-problem.js';
+import {checkScaled} from '../model/result/unscaled-print.js';
+import {resultText, sha256Of} from '../model/documents/result-text.js';
+import type {SolveResult} from '../model/result/result.js';
 import {
   printOfStored,
   readStoredDesign,
   writeStoredDesign,
   type StoredDesign,
-} from '../model/stored-design.js';
-import type {StoredFile} from '../model/design.js';
-import {FileError} from '../model/versioned-file.js';
-import {printDistance} from '../model/wallpaper.js';
+} from '../model/documents/stored-design.js';
+import type {StoredFile} from '../model/design/design.js';
+import {FileError} from '../model/base/versioned-file.js';
+import {printDistance} from '../model/print/wallpaper.js';
 import type {SolverService} from '../solver/service.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';

@@ -7,8 +7,8 @@ import type {
   PhotoRequest,
   PhotoSettings,
   PhotoTileRequest,
-} from '../model/photo.js';
-import type {Print} from '../model/print.js';
+} from '../model/print/photo-reading.js';
+import type {Print} from '../model/print/repeating-print.js';
 
 export interface PrintFromPixelsSettings extends PhotoSettings {
   /** Makes the symmetries of the detected group exact. Default false. */

@@ -5,8 +5,8 @@ import {createRequire} from 'node:module';
 import {exifTags, type ExifTags} from '../image/exif.js';
 import {fileKind, isWhole, type FileKind} from '../image/file-kind.js';
 import {upright} from '../image/upright.js';
-import type {PhotoPixels} from '../model/photo.js';
-import {FileError} from '../model/versioned-file.js';
+import type {PhotoPixels} from '../model/print/photo-reading.js';
+import {FileError} from '../model/base/versioned-file.js';
 
 /** Upright pixels, and the camera's focal length. */
 interface PictureFile {

@@ -12,10 +12,10 @@ import {
   turnBetween,
   unit,
   type Point,
-} from '../model/geometry.js';
-import type {EdgeOfPiece, GarmentPiece} from '../model/garment-document.js';
-import {edgeLine} from '../model/edge-curve.js';
-import {lengthOf, signedArea, stepAt} from '../model/polyline.js';
+} from '../model/geometry/vectors.js';
+import type {EdgeOfPiece, GarmentPiece} from '../model/garment/garment-document.js';
+import {edgeLine} from '../model/garment/edge-curve.js';
+import {lengthOf, signedArea, stepAt} from '../model/geometry/polyline.js';
 import {wordsOf, type Words} from './words.js';
 
 /** Number of equal steps in a heading profile: fine enough for the S of a sleeve cap. */

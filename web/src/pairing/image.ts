@@ -1,5 +1,5 @@
 /** Finds the mirror image of an edge, which carries a seam of one half over to the other. */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {edgeAt} from './rank.js';
 import {numberOf, scoresOf} from './scores.js';
 

@@ -1,5 +1,5 @@
 /** Ranks the edges that an edge may be sewn to, the likeliest first. */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {numberOf, scoresOf, type Refused, type Scores} from './scores.js';
 
 /** An edge that another one may be sewn to. */

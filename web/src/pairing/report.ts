@@ -2,7 +2,7 @@
  * Reports the suggested seams of a garment as plain values with names of pieces, optionally after
  * its seams are removed.
  */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {rankPartners} from './rank.js';
 import {sureSeams} from './suggest.js';
 

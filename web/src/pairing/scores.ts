@@ -1,5 +1,5 @@
 /** Computes the likelihood of every pair of a garment's edges, given its existing seams. */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {believed, candidatesOf, givenBeliefs, hopeful, type Candidates} from './candidates.js';
 import {measured, type MeasuredGarment} from './edges.js';
 import {surroundingsOf} from './features.js';

@@ -2,7 +2,7 @@
  * Suggests partners of a sleeve cap: two edges of two pieces that continue each other at a seam, as
  * both armholes do at the shoulder.
  */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {near} from './features.js';
 import {edgeAt, partnersIn, type PairingHooks} from './rank.js';
 import {numberOf, scoresOf, type Scores} from './scores.js';

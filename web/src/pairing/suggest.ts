@@ -1,5 +1,5 @@
 /** Suggests seams: those that are almost certain, and those to be confirmed. */
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {edgeAt, meetsAtStarts, partnersIn, type PairingHooks} from './rank.js';
 import {numberOf, scoresOf} from './scores.js';
 import {isPlain} from './sure.js';

@@ -1,5 +1,5 @@
 /** Conditions, besides likelihood, for a seam that is added without a question. */
-import type {GarmentDocument} from '../model/garment-document.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
 import type {MeasuredEdge, MeasuredGarment} from './edges.js';
 
 /** Least length of a seam. [cm] */

@@ -1,6 +1,6 @@
 /** Axis-aligned boxes on a sheet, and their intersections with outlines. Lengths in cm. */
-import {cross, minus, type Point} from '../model/geometry.js';
-import {isInside, type Box} from '../model/polyline.js';
+import {cross, minus, type Point} from '../model/geometry/vectors.js';
+import {isInside, type Box} from '../model/geometry/polyline.js';
 
 export const boxAt = ([x, y]: Point, width: number, height: number): Box => ({
   low: [x, y],

@@ -14,10 +14,10 @@ import {
   towards,
   type Alignment,
   type Point,
-} from '../model/geometry.js';
-import {boxOf, type Box} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
-import {imageCell} from '../model/wallpaper.js';
+} from '../model/geometry/vectors.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {imageCell} from '../model/print/wallpaper.js';
 import {boxAt, cornersOf, grown, overlap, shared} from './boxes.js';
 import {line, num, nums, scoped, through} from './pdf-content.js';
 import type {PdfResources} from './pdf-resources.js';

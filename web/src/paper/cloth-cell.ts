@@ -1,8 +1,8 @@
 /** Builds a print's cell for a PDF from any supported image. Drawing code is loaded on demand. */
 import {blobOf} from '../image/data-url.js';
-import {norm} from '../model/geometry.js';
-import {FileError} from '../model/versioned-file.js';
-import {imageCell} from '../model/wallpaper.js';
+import {norm} from '../model/geometry/vectors.js';
+import {FileError} from '../model/base/versioned-file.js';
+import {imageCell} from '../model/print/wallpaper.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 import {rasterCell, vectorCell, type Cell} from './cell.js';
 import type {PdfResources} from './pdf-resources.js';

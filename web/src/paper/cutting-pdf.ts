@@ -1,7 +1,7 @@
 /** Writes a cutting sheet as PDF at true scale, on pages of paper or for a projector. */
 import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
-import {middle, type Point} from '../model/geometry.js';
-import {boxOf, isInside, type Box} from '../model/polyline.js';
+import {middle, type Point} from '../model/geometry/vectors.js';
+import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 import {cornersOf, overlap} from './boxes.js';
 import {clothUnder} from './cell.js';

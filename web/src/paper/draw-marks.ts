@@ -1,7 +1,7 @@
 /** Draws lines, marks and text of pieces as page content, in cm on the sheet. */
 import type {CutLine, CutMark, CutText} from '../cutting/cut-sheet.js';
-import {plus, rotated, towards, type Point} from '../model/geometry.js';
-import {boxOf, type Box} from '../model/polyline.js';
+import {plus, rotated, towards, type Point} from '../model/geometry/vectors.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {grown, overlap} from './boxes.js';
 import {filledWith, line, nums, onLayer, scoped, strokedWith, through} from './pdf-content.js';
 import type {PdfResources} from './pdf-resources.js';

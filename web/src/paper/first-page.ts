@@ -1,7 +1,7 @@
 /** Content of the first page: text, test squares, and a map of the pages. Lengths in cm, y up. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
-import {plus, type Point} from '../model/geometry.js';
-import {boxOf, type Box} from '../model/polyline.js';
+import {plus, type Point} from '../model/geometry/vectors.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {box, filledWith, line, nums, scoped, strokedWith} from './pdf-content.js';
 import {cornersOf} from './boxes.js';
 import {textAt, widthOf} from './pdf-text.js';

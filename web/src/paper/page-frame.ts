@@ -2,8 +2,8 @@
  * Frames, joint marks and page names, which help to glue pages together. Lengths in cm on the
  * sheet.
  */
-import type {Point} from '../model/geometry.js';
-import type {Box} from '../model/polyline.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {Box} from '../model/geometry/polyline.js';
 import {box, filledWith, line, nums, scoped, strokedWith} from './pdf-content.js';
 import {textAt, widthOf} from './pdf-text.js';
 import type {PageLayout, SheetPage} from './pages.js';

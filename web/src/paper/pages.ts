@@ -1,8 +1,8 @@
 /** Divides a sheet among pages. Lengths in cm on the sheet, y up. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
-import type {Point} from '../model/geometry.js';
-import {seamLetter} from '../model/letters.js';
-import {boxOf, type Box} from '../model/polyline.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {seamLetter} from '../model/garment/letters.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {boxAt, grown, overlap, reachesInto} from './boxes.js';
 import type {Paper} from './papers.js';
 

@@ -1,5 +1,5 @@
 /** Assembles a PDF file from pages: catalog, page labels and initial view. */
-import {packageVersion} from '../model/version.js';
+import {packageVersion} from '../model/base/version.js';
 import {num, pointsPerCm} from './pdf-content.js';
 import {dateString, refTo, textString, type PdfDocument, type Ref} from './pdf-document.js';
 import type {PdfResources} from './pdf-resources.js';

@@ -1,6 +1,6 @@
 /** Positions of everything in a cutting file, for programs. Lengths in cm, y up. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
-import {minus, type Alignment, type Point} from '../model/geometry.js';
+import {minus, type Alignment, type Point} from '../model/geometry/vectors.js';
 import {testSquares} from './first-page.js';
 import type {PageLayout} from './pages.js';
 

@@ -1,6 +1,6 @@
 /** Converts SVG path data to lines and cubics. */
-import {rotated, type Point} from '../model/geometry.js';
-import {apply, type PlaneMap} from '../model/wallpaper.js';
+import {rotated, type Point} from '../model/geometry/vectors.js';
+import {apply, type PlaneMap} from '../model/print/wallpaper.js';
 
 /** A move, a line, a cubic, or the closing of a subpath. */
 interface PathStep {

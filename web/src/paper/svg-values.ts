@@ -1,6 +1,6 @@
 /** Parses SVG attribute values: colours, lengths, transforms, and shapes as path data. */
-import {radians} from '../model/geometry.js';
-import {after, type PlaneMap} from '../model/wallpaper.js';
+import {radians} from '../model/geometry/vectors.js';
+import {after, type PlaneMap} from '../model/print/wallpaper.js';
 import type {Colour} from './pdf-content.js';
 
 const named: Readonly<Record<string, string>> = {

@@ -5,8 +5,8 @@
  * cells. Areas on top of others therefore extend beyond the cell, the further the more areas are
  * below. Lengths in cm.
  */
-import {boxOf, type Box} from '../model/polyline.js';
-import type {Point} from '../model/geometry.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
+import type {Point} from '../model/geometry/vectors.js';
 import {boxAt, grown, overlap, shared} from './boxes.js';
 import {box, filledWith, nums, scoped, strokedWith} from './pdf-content.js';
 import type {Leaf} from './vector-tile.js';

@@ -2,8 +2,8 @@
  * Converts a simple SVG image of a print's cell to areas and lines; all prints of this project
  * qualify.
  */
-import {boxOf, type Box} from '../model/polyline.js';
-import {after, determinant, type PlaneMap} from '../model/wallpaper.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
+import {after, determinant, type PlaneMap} from '../model/print/wallpaper.js';
 import type {Colour} from './pdf-content.js';
 import {carriedPath, readPath, type SvgPath} from './svg-path.js';
 import {readTags, type SvgElement} from './svg-tags.js';

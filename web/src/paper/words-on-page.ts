@@ -3,8 +3,8 @@
  * cm.
  */
 import type {CutMark, CutText, LaidPiece} from '../cutting/cut-sheet.js';
-import {distance, middle, type Point} from '../model/geometry.js';
-import {boxOf, isInside, type Box} from '../model/polyline.js';
+import {distance, middle, type Point} from '../model/geometry/vectors.js';
+import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 import {boxAt, crossesInto, grown, overlap, shared} from './boxes.js';
 import {boxOfMark} from './draw-marks.js';
 import type {SheetPage} from './pages.js';

@@ -1,9 +1,9 @@
 /** Places at which a print breaks a symmetry, on every cell of its photo. */
-import {combined, coordinates, distance, type Point} from '../model/geometry.js';
-import {pixelOf} from '../model/photo-map.js';
-import type {PhotoMap} from '../model/photo.js';
-import type {DesignPrint} from '../model/design.js';
-import {latticeType} from '../model/wallpaper.js';
+import {combined, coordinates, distance, type Point} from '../model/geometry/vectors.js';
+import {pixelOf} from '../model/print/photo-map.js';
+import type {PhotoMap} from '../model/print/photo-reading.js';
+import type {DesignPrint} from '../model/design/design.js';
+import {latticeType} from '../model/print/wallpaper.js';
 import type {TileBreak} from '../image/tile-check.js';
 import {boxOf, isInside, type PhotoSize} from './lattice-lines.js';
 

@@ -1,7 +1,7 @@
 /** The cells of a print over its photo, as paths in pixels of the photo. */
-import type {Point} from '../model/geometry.js';
-import {latticeOf, pixelOf} from '../model/photo-map.js';
-import type {PhotoMap} from '../model/photo.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {latticeOf, pixelOf} from '../model/print/photo-map.js';
+import type {PhotoMap} from '../model/print/photo-reading.js';
 
 export interface PhotoSize {
   readonly width: number;

@@ -1,6 +1,6 @@
-import {combined, type Point} from '../model/geometry.js';
-import {latticeOf, rebased} from '../model/photo-map.js';
-import type {PhotoMap} from '../model/photo.js';
+import {combined, type Point} from '../model/geometry/vectors.js';
+import {latticeOf, rebased} from '../model/print/photo-map.js';
+import type {PhotoMap} from '../model/print/photo-reading.js';
 import type {PhotoSize} from './lattice-lines.js';
 
 /**

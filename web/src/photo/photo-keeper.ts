@@ -1,4 +1,4 @@
-import type {History} from '../model/history.js';
+import type {History} from '../model/design/history.js';
 import type {PhotoStep} from './photo-step.js';
 
 /** A photo with all decisions about it. */

@@ -1,9 +1,9 @@
 /** Image of a print's cell, from the tile made of its photo. */
-import {norm} from '../model/geometry.js';
-import type {PhotoPixels} from '../model/photo.js';
-import type {DesignPrint} from '../model/design.js';
-import {latticeVectors} from '../model/repeat.js';
-import {imageCell, latticeType} from '../model/wallpaper.js';
+import {norm} from '../model/geometry/vectors.js';
+import type {PhotoPixels} from '../model/print/photo-reading.js';
+import type {DesignPrint} from '../model/design/design.js';
+import {latticeVectors} from '../model/print/repeat.js';
+import {imageCell, latticeType} from '../model/print/wallpaper.js';
 
 /** Longest side of a print's image. [px] */
 const longest = 2048;

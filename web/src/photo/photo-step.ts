@@ -1,8 +1,8 @@
 /** The user's decisions about the print on a photo, and the resulting print. */
 import {assumedWidth, readableRepeat} from '../image/photo-print.js';
-import type {DesignPrint} from '../model/design.js';
-import {combined, minus, norm, type Point} from '../model/geometry.js';
-import {latticeOf, pixelOf, vectorsAtMiddle} from '../model/photo-map.js';
+import type {DesignPrint} from '../model/design/design.js';
+import {combined, minus, norm, type Point} from '../model/geometry/vectors.js';
+import {latticeOf, pixelOf, vectorsAtMiddle} from '../model/print/photo-map.js';
 import {
   oneRepeat,
   shareApart,
@@ -14,10 +14,10 @@ import {
   type PhotoTileSettings,
   type PointsMeasured,
   type RepeatsMeasured,
-} from '../model/photo.js';
-import type {GroupName} from '../model/print.js';
-import {isCentred, latticeType} from '../model/wallpaper.js';
-import {alongStripe, turnsOver} from '../model/repeat.js';
+} from '../model/print/photo-reading.js';
+import type {GroupName} from '../model/print/repeating-print.js';
+import {isCentred, latticeType} from '../model/print/wallpaper.js';
+import {alongStripe, turnsOver} from '../model/print/repeat.js';
 
 /** A step of the history. */
 export interface PhotoStep {

@@ -2,10 +2,10 @@
  * Describes a print by the cell that the user holds, since several cells of a group describe the
  * same print.
  */
-import {combined, minus, norm, type Point} from '../model/geometry.js';
-import {latticeOf, pixelOf, rebased, vectorsAtMiddle} from '../model/photo-map.js';
-import type {PhotoMap, PhotoReading} from '../model/photo.js';
-import type {GroupName} from '../model/print.js';
+import {combined, minus, norm, type Point} from '../model/geometry/vectors.js';
+import {latticeOf, pixelOf, rebased, vectorsAtMiddle} from '../model/print/photo-map.js';
+import type {PhotoMap, PhotoReading} from '../model/print/photo-reading.js';
+import type {GroupName} from '../model/print/repeating-print.js';
 
 /** New vectors in terms of the old ones. */
 type Basis = readonly [Point, Point];

@@ -1,7 +1,7 @@
 /** White balance from a white spot of a photo. */
-import type {Point} from '../model/geometry.js';
-import type {ColourGains} from '../model/photo.js';
-import {linearOf} from '../model/srgb.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {ColourGains} from '../model/print/photo-reading.js';
+import {linearOf} from '../model/print/srgb.js';
 import type {PhotoSize} from './lattice-lines.js';
 
 /** Width of the spot, as a share of the image's longer side. */

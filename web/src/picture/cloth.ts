@@ -1,7 +1,7 @@
 /** A print as SVG patterns: its tile once, and one pattern per piece. */
-import {norm, rotated, type Alignment, type Point} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {imageCell} from '../model/wallpaper.js';
+import {norm, rotated, type Alignment, type Point} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {imageCell} from '../model/print/wallpaper.js';
 import {escaped, short} from './svg.js';
 import {imageHref} from '../image/svg-picture.js';
 

@@ -1,10 +1,10 @@
 /** Draws the pieces of a result, filled with their print. */
-import type {Alignment, MirrorMap, Point} from '../model/geometry.js';
-import {pairLetter} from '../model/letters.js';
-import {boxOf} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
-import type {Pattern, ResultPiece, SeamSide} from '../model/result.js';
-import {ontoSheet} from '../model/sheet-place.js';
+import type {Alignment, MirrorMap, Point} from '../model/geometry/vectors.js';
+import {pairLetter} from '../model/garment/letters.js';
+import {boxOf} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
+import type {Pattern, ResultPiece, SeamSide} from '../model/result/result.js';
+import {ontoSheet} from '../model/geometry/sheet-place.js';
 import {clothUnder} from './cloth.js';
 import {mismatchLine} from '../scene/colours.js';
 import type {PatternMismatch} from '../scene/mismatch.js';

@@ -2,12 +2,12 @@
  * Draws a result as one image: the pattern on the print before and after, with figures and a
  * legend.
  */
-import {norm, type Point} from '../model/geometry.js';
-import {pairLetter, seamLetter} from '../model/letters.js';
-import {pieceNames} from '../model/piece-names.js';
-import type {Print} from '../model/print.js';
-import type {SolveResult} from '../model/result.js';
-import {imageCell, latticeType} from '../model/wallpaper.js';
+import {norm, type Point} from '../model/geometry/vectors.js';
+import {pairLetter, seamLetter} from '../model/garment/letters.js';
+import {pieceNames} from '../model/garment/piece-names.js';
+import type {Print} from '../model/print/repeating-print.js';
+import type {SolveResult} from '../model/result/result.js';
+import {imageCell, latticeType} from '../model/print/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
 import {mismatchSteps, stepLines} from '../scene/colours.js';
 import {drawPieces, seamLetterAt, strokeOf, type Scene} from './draw-pieces.js';

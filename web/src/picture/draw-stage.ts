@@ -2,8 +2,8 @@
  * Draws one stage of a solve for debugging: meshes, cells of the print on the pieces, and seam
  * letters.
  */
-import type {Alignment} from '../model/geometry.js';
-import type {Pattern} from '../model/result.js';
+import type {Alignment} from '../model/geometry/vectors.js';
+import type {Pattern} from '../model/result/result.js';
 import {clothTile} from './cloth.js';
 import {drawPieces, type Scene} from './draw-pieces.js';
 import {mismatchOf} from '../scene/mismatch.js';

@@ -1,5 +1,5 @@
 /** The page of drawn images. [px] */
-import type {Pattern} from '../model/result.js';
+import type {Pattern} from '../model/result/result.js';
 import {nameLeading, nameRoom} from './draw-pieces.js';
 import {layOutNamed} from '../layout/layout.js';
 import type {Placements} from '../layout/on-body.js';

@@ -1,5 +1,5 @@
 /** Helpers for writing SVG text. */
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 
 /**
  * Characters that XML cannot contain even as references: most control characters, surrogates,

@@ -3,7 +3,7 @@ import {fileKind} from '../image/file-kind.js';
 import {dpiOf, lengthOnPaper, resolutionOf} from '../image/printed-size.js';
 import {rootAttribute} from '../image/svg-size.js';
 import {blobOf} from '../image/data-url.js';
-import {leastRepeat, mostRepeat} from '../model/repeat.js';
+import {leastRepeat, mostRepeat} from '../model/print/repeat.js';
 import {loadPicture} from './picture-pixels.js';
 
 export interface FileSize {

@@ -1,7 +1,8 @@
 /** Choices of the gallery: the 17 groups, and stripes, which have no group of their own. */
-import {askedSymmetries, type Decisions, type DesignPrint} from '../model/design.js';
-import {groupNames, type GroupName} from '../model/print.js';
-import {alongStripe, carries, type SymmetryKind} from '../model/repeat.js';
+import {groupNames} from '../model/base/core-tables.js';
+import {askedSymmetries, type Decisions, type DesignPrint} from '../model/design/design.js';
+import {type GroupName} from '../model/print/repeating-print.js';
+import {alongStripe, carries, type SymmetryKind} from '../model/print/repeat.js';
 
 export type Choice = GroupName | 'stripes';
 

@@ -1,14 +1,21 @@
 /** Groups of the user's own image, their positions in it, and its open edges. */
+import {groupNames} from '../model/base/core-tables.js';
 import {blobOf} from '../image/data-url.js';
 import type {WholeCell} from '../image/tile-check.js';
 import type {Pixels} from '../image/tile-cloth.js';
-import {SolverError} from '../model/failure.js';
-import {cross, norm} from '../model/geometry.js';
-import type {OpenEdge, PhotoGroup, PhotoReading, PhotoRequest, TileSeams} from '../model/photo.js';
-import {groupNames, type GroupName} from '../model/print.js';
-import type {PrintTile, TileRepeat} from '../model/print-tile.js';
-import type {RepeatSize} from '../model/repeat.js';
-import {printElements} from '../model/wallpaper.js';
+import {SolverError} from '../model/result/failure.js';
+import {cross, norm} from '../model/geometry/vectors.js';
+import type {
+  OpenEdge,
+  PhotoGroup,
+  PhotoReading,
+  PhotoRequest,
+  TileSeams,
+} from '../model/print/photo-reading.js';
+import {type GroupName} from '../model/print/repeating-print.js';
+import type {PrintTile, TileRepeat} from '../model/print/opened-image.js';
+import type {RepeatSize} from '../model/print/repeat.js';
+import {printElements} from '../model/print/wallpaper.js';
 import type {SolverService} from '../solver/service.js';
 import {stepOf, type PhotoStep} from '../photo/photo-step.js';
 import {isVector, loadPicture, pixelsOf} from './picture-pixels.js';

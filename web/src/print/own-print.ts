@@ -1,15 +1,15 @@
 /** The user's own image as a print: its groups, and the print in each of them. */
-import type {DesignPrint} from '../model/design.js';
+import type {DesignPrint} from '../model/design/design.js';
 import {
   coupledSize,
   alongStripe,
   turnsOver,
   type FittingGroup,
   type RepeatSize,
-} from '../model/repeat.js';
-import {cellTurn, copiesIn, pictureIn, type OwnPicture} from '../model/tile-repeat.js';
-import type {PrintTile, TileRepeat} from '../model/print-tile.js';
-import {isCentred} from '../model/wallpaper.js';
+} from '../model/print/repeat.js';
+import {cellTurn, copiesIn, pictureIn, type OwnPicture} from '../model/design/tile-repeat.js';
+import type {PrintTile, TileRepeat} from '../model/print/opened-image.js';
+import {isCentred} from '../model/print/wallpaper.js';
 import {dataUrlOf} from '../image/data-url.js';
 import type {TileCheck, WholeCell} from '../image/tile-check.js';
 import type {Pixels} from '../image/tile-cloth.js';

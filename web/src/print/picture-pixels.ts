@@ -1,6 +1,6 @@
 /** The image of a print's cell as pixels, from any source in a design. */
-import {copiesIn} from '../model/tile-repeat.js';
-import type {TileRepeat} from '../model/print-tile.js';
+import {copiesIn} from '../model/design/tile-repeat.js';
+import type {TileRepeat} from '../model/print/opened-image.js';
 import type {Pixels} from '../image/tile-cloth.js';
 
 /** Longest side of a compared image, and of a redrawn one. [px] */

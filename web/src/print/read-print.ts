@@ -1,12 +1,12 @@
 /** Reads a file as a print: a print file, or the image of one cell. */
-import {noPicture, type DesignPrint} from '../model/design.js';
-import {distance, norm} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {readPrintFile} from '../model/print-file.js';
-import {fieldOf} from '../model/read.js';
-import {latticeVectors, repeatOf} from '../model/repeat.js';
-import type {OwnPicture} from '../model/tile-repeat.js';
-import {FileError} from '../model/versioned-file.js';
+import {noPicture, type DesignPrint} from '../model/design/design.js';
+import {distance, norm} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {readPrintFile} from '../model/print/read-print-file.js';
+import {fieldOf} from '../model/base/read.js';
+import {latticeVectors, repeatOf} from '../model/print/repeat.js';
+import type {OwnPicture} from '../model/design/tile-repeat.js';
+import {FileError} from '../model/base/versioned-file.js';
 import {en, type Texts} from '../texts/en.js';
 import {sizeInFile} from './file-size.js';
 import type {ReadsPictures} from './own-groups.js';

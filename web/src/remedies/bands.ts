@@ -2,9 +2,9 @@
  * Selects the pieces to rotate where grains cross at seams: bands, rather than the pieces they are
  * sewn to.
  */
-import {distance} from '../model/geometry.js';
-import {boxOf, lengthOf, signedArea} from '../model/polyline.js';
-import type {Pattern, ResultSeam} from '../model/result.js';
+import {distance} from '../model/geometry/vectors.js';
+import {boxOf, lengthOf, signedArea} from '../model/geometry/polyline.js';
+import type {Pattern, ResultSeam} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
 
 const seamLength = ({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number =>

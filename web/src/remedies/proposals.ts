@@ -1,11 +1,11 @@
 /** Proposes changes that may improve seams with a mismatch. `remedies.ts` tests whether they do. */
-import type {GrainLock, GrainRule} from '../model/grain.js';
-import {dot, unit} from '../model/geometry.js';
-import type {SolveOptions} from '../model/options.js';
-import type {GroupName, Print} from '../model/print.js';
-import type {Problem} from '../model/problem.js';
-import type {SeamReason, SolveResult} from '../model/result.js';
-import type {Repeat} from '../model/wallpaper.js';
+import type {GrainLock, GrainRule} from '../model/garment/grain.js';
+import {dot, unit} from '../model/geometry/vectors.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {GroupName, Print} from '../model/print/repeating-print.js';
+import type {Problem} from '../model/design/solve-problem.js';
+import type {SeamReason, SolveResult} from '../model/result/result.js';
+import type {Repeat} from '../model/print/wallpaper.js';
 import {finalMismatch, isGathered, meanOf} from '../scene/mismatch.js';
 import {bandsOf} from './bands.js';
 import {parsed, type Proposal} from './remedy.js';

@@ -1,6 +1,6 @@
 /** Tries proposals for a result, and keeps those that help. */
-import type {Problem} from '../model/problem.js';
-import type {SolveResult} from '../model/result.js';
+import type {Problem} from '../model/design/solve-problem.js';
+import type {SolveResult} from '../model/result/result.js';
 import {countedSeams, finalMismatch, meanOf, type PatternMismatch} from '../scene/mismatch.js';
 import {proposals} from './proposals.js';
 import {withRemedy, type Proposal, type Remedy} from './remedy.js';

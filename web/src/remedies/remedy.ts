@@ -1,7 +1,7 @@
 /** Remedies: changes of a problem that reduce the mismatch at seams. */
-import type {SolveOptions} from '../model/options.js';
-import type {Print} from '../model/print.js';
-import type {Problem} from '../model/problem.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {Print} from '../model/print/repeating-print.js';
+import type {Problem} from '../model/design/solve-problem.js';
 
 /**
  * `turn`: rotates pieces by 90 degrees on the fabric; `ungather`: excludes gathers from the match;

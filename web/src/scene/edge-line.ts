@@ -1,5 +1,5 @@
 /** Edges of a panel along the displayed outline of its piece. */
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 import {pick} from './marks.js';
 import type {ScenePiece} from './scene.js';
 

@@ -1,7 +1,7 @@
 /** Position of a piece's grain line. Lengths in cm. */
-import type {PanelMarks} from '../model/garment-marks.js';
-import {plus, radians, towards, type Point} from '../model/geometry.js';
-import type {ResultPiece} from '../model/result.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import {plus, radians, towards, type Point} from '../model/geometry/vectors.js';
+import type {ResultPiece} from '../model/result/result.js';
 import {innermost, pick} from './marks.js';
 
 /** Greatest length of a line that the file does not draw. */

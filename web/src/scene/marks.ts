@@ -1,6 +1,14 @@
 /** Positions of symmetry marks on a piece. Lengths in cm, y up. */
-import {dot, middle, minus, plus, rotated, type MirrorMap, type Point} from '../model/geometry.js';
-import {boxOf, isInside} from '../model/polyline.js';
+import {
+  dot,
+  middle,
+  minus,
+  plus,
+  rotated,
+  type MirrorMap,
+  type Point,
+} from '../model/geometry/vectors.js';
+import {boxOf, isInside} from '../model/geometry/polyline.js';
 
 export const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
   vertices.flatMap((v) => points.slice(v, v + 1));

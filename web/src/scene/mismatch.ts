@@ -3,8 +3,8 @@
  * displayed figures use the pointwise mismatch. The mismatch under one symmetry per seam shows
  * where the print drifts.
  */
-import {coordinates, distance, type Alignment, type Point} from '../model/geometry.js';
-import type {Pattern, ResultSeam, SeamSide} from '../model/result.js';
+import {coordinates, distance, type Alignment, type Point} from '../model/geometry/vectors.js';
+import type {Pattern, ResultSeam, SeamSide} from '../model/result/result.js';
 import {
   determinant,
   joining,
@@ -13,7 +13,7 @@ import {
   reducedBasis,
   type PlaneMap,
   type Repeat,
-} from '../model/wallpaper.js';
+} from '../model/print/wallpaper.js';
 
 /**
  * A seam under an alignment: the mismatch of every edge, and the mean length of its two sides. [cm]

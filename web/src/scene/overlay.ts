@@ -2,7 +2,7 @@
  * Marks over the sheet while the user points, selects or marks. Points are in the coordinates of a
  * piece. [cm]
  */
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 import type {SceneSymmetry} from './scene-marks.js';
 
 export interface OnPiece {

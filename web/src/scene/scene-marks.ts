@@ -1,10 +1,10 @@
 /**
  * Marks on the pieces of a scene: axes and letters of symmetries, and grain lines. Lengths in cm.
  */
-import type {PanelMarks} from '../model/garment-marks.js';
-import {dot, leftOf, minus, plus, unit, type Point} from '../model/geometry.js';
-import {pairLetter} from '../model/letters.js';
-import type {Pattern, ResultPiece} from '../model/result.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import {dot, leftOf, minus, plus, unit, type Point} from '../model/geometry/vectors.js';
+import {pairLetter} from '../model/garment/letters.js';
+import type {Pattern, ResultPiece} from '../model/result/result.js';
 import {grainLine} from './grain-line.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
 

@@ -1,9 +1,9 @@
 /** The content of a pattern view as plain data. Lengths in cm, y up. */
-import type {Alignment, Point} from '../model/geometry.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import {isInside} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
-import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
+import type {Alignment, Point} from '../model/geometry/vectors.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import {isInside} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
+import type {Pattern, ResultPiece, ResultSeam} from '../model/result/result.js';
 import type {MismatchScale} from './colours.js';
 import {
   countedSeams,
@@ -19,9 +19,9 @@ import {layOutNamed, type Layout} from '../layout/layout.js';
 import {pick} from './marks.js';
 import {placementsIn} from '../layout/on-body.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
-import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
-import {readable} from '../model/piece-names.js';
-import {offSheet, type SheetPlace} from '../model/sheet-place.js';
+import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment/panel-marks.js';
+import {readable} from '../model/garment/piece-names.js';
+import {offSheet, type SheetPlace} from '../model/geometry/sheet-place.js';
 import {grainOf, symmetriesOf, type SceneSymmetry} from './scene-marks.js';
 import {screenMargin} from './sheet-view.js';
 

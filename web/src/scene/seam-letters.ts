@@ -1,8 +1,8 @@
 /** Letters along the seams of pieces; edges with the same letter are sewn together. */
-import {leftOf, plus, type Point} from '../model/geometry.js';
-import {seamLetter} from '../model/letters.js';
-import {atShare, isInside} from '../model/polyline.js';
-import type {Pattern, SeamSide} from '../model/result.js';
+import {leftOf, plus, type Point} from '../model/geometry/vectors.js';
+import {seamLetter} from '../model/garment/letters.js';
+import {atShare, isInside} from '../model/geometry/polyline.js';
+import type {Pattern, SeamSide} from '../model/result/result.js';
 import {pick} from './marks.js';
 
 export interface SeamLetter {

@@ -1,7 +1,7 @@
 /** Sides of seams as lines on the sheet. Lengths in cm. */
-import type {Point} from '../model/geometry.js';
-import type {SeamSide} from '../model/result.js';
-import {ontoSheet} from '../model/sheet-place.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {SeamSide} from '../model/result/result.js';
+import {ontoSheet} from '../model/geometry/sheet-place.js';
 import {pick} from './marks.js';
 import type {PatternScene} from './scene.js';
 

@@ -2,7 +2,7 @@
  * The part of the sheet on the screen. Sheet points are in cm, y up; screen points in CSS px from
  * the upper left, y down.
  */
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 
 export interface SheetView {
   /** The sheet point at the centre of the screen. */

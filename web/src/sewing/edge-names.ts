@@ -1,7 +1,7 @@
 /** Names of edges: from the file, or by their place on the displayed piece. */
 import type {Run} from '../clicks/run.js';
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
-import {angleOf, minus} from '../model/geometry.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
+import {angleOf, minus} from '../model/geometry/vectors.js';
 import type {PatternScene} from '../scene/scene.js';
 import type {SewTexts} from '../texts/sew-texts.js';
 import type {Texts} from '../texts/texts.js';

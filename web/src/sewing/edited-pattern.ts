@@ -1,9 +1,9 @@
 /** A garment's mesh right after an edit, until the new mesh is ready; its pieces are unchanged. */
-import {edgeLength} from '../model/edge-curve.js';
-import type {EdgeOfPiece, GarmentDocument, GarmentSeam} from '../model/garment-document.js';
-import {edgeOf, type Edited} from '../model/garment-edit.js';
-import {distance} from '../model/geometry.js';
-import type {MeshedPattern, MeshedPiece, ResultSeam} from '../model/result.js';
+import {edgeLength} from '../model/garment/edge-curve.js';
+import type {EdgeOfPiece, GarmentDocument, GarmentSeam} from '../model/garment/garment-document.js';
+import {edgeOf, type Edited} from '../model/garment/edits.js';
+import {distance} from '../model/geometry/vectors.js';
+import type {MeshedPattern, MeshedPiece, ResultSeam} from '../model/result/result.js';
 import {edgeVertices} from '../scene/edge-line.js';
 
 /**

@@ -1,7 +1,7 @@
 /** Applies edits of the sewing tool to a garment and to mirror images of its edges. */
 import type {Run} from '../clicks/run.js';
 import type {SeamEdit, Suggestion} from '../clicks/seam-tool.js';
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {
   after,
   sameEdge,
@@ -16,7 +16,7 @@ import {
   unsew,
   type Edited,
   type Sewn,
-} from '../model/garment-edit.js';
+} from '../model/garment/edits.js';
 import {mirrorImage} from '../pairing/image.js';
 
 /** Returns the mirror image of a run; it is sewn in the opposite direction around its outline. */

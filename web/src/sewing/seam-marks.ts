@@ -10,11 +10,11 @@ import {
   type SeamState,
   type Sewing,
 } from '../clicks/seam-tool.js';
-import {edgeLength} from '../model/edge-curve.js';
-import type {EdgeOfPiece} from '../model/garment-document.js';
-import {edgeOf, isOpen, sameEdge, seamAt, twinOf} from '../model/garment-edit.js';
-import {leftOf} from '../model/geometry.js';
-import {atShare, stepAt} from '../model/polyline.js';
+import {edgeLength} from '../model/garment/edge-curve.js';
+import type {EdgeOfPiece} from '../model/garment/garment-document.js';
+import {edgeOf, isOpen, sameEdge, seamAt, twinOf} from '../model/garment/edits.js';
+import {leftOf} from '../model/geometry/vectors.js';
+import {atShare, stepAt} from '../model/geometry/polyline.js';
 import {edgePoints} from '../scene/edge-line.js';
 import type {PatternScene} from '../scene/scene.js';
 import type {Format} from '../texts/format.js';

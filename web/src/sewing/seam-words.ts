@@ -1,7 +1,7 @@
 /** Texts of the sewing tool on choices, questions and refusals. */
 import {has, type Run} from '../clicks/run.js';
 import {questionOf, type SeamState, type Sewing, type Suggestion} from '../clicks/seam-tool.js';
-import {edgeOf, isOpen, seamAt, sideLength, twinOf} from '../model/garment-edit.js';
+import {edgeOf, isOpen, seamAt, sideLength, twinOf} from '../model/garment/edits.js';
 import type {Format} from '../texts/format.js';
 import type {SewTexts} from '../texts/sew-texts.js';
 import type {EdgeNames} from './edge-names.js';

@@ -1,12 +1,12 @@
 /** A garment in the sewing tool: matching edges, computed once per garment and answer. */
 import {has, type Run} from '../clicks/run.js';
 import type {Candidate, Sewing, Suggestion} from '../clicks/seam-tool.js';
-import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
-import {edgeOf, isOpen, seamAt, sideLength} from '../model/garment-edit.js';
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
+import {edgeOf, isOpen, seamAt, sideLength} from '../model/garment/edits.js';
 import {rankPartners} from '../pairing/rank.js';
 import {likeliestSides} from '../pairing/sides.js';
 import {likeliestSeams, sureSeams} from '../pairing/suggest.js';
-import {lastOf} from '../model/last-of.js';
+import {lastOf} from '../model/base/last-of.js';
 
 /** Least likelihood of a seam in a question. */
 const leastLikely = 0.15;

@@ -2,8 +2,8 @@
  * Table of all requests to the solver and their answers: the only place that names modules and
  * kinds of requests.
  */
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import type {DetectedSymmetries, MeasuredSymmetry} from '../model/garment/symmetries.js';
 import {Answerer, type AnswererOptions} from './answers/answerer.js';
 import {owning} from './answers/owning.js';
 import {runInSlices, stepsFor} from './answers/slices.js';

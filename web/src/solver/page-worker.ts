@@ -1,5 +1,5 @@
 import {reasonOf, workerBlocked, workerNotTrusted} from './answers/broken.js';
-import {trustedScript} from '../model/trusted.js';
+import {trustedScript} from '../model/base/trusted.js';
 import type {Requests} from './requests/requests.js';
 import {workerThread} from './threads/thread.js';
 import type {ThreadStart} from './threads/watched-thread.js';

@@ -1,4 +1,4 @@
-import {SolverError, type Failure} from '../model/failure.js';
+import {SolverError, type Failure} from '../model/result/failure.js';
 import {SolverClient} from './client.js';
 import {helpersFor, mostCores} from './cores.js';
 import {MainThreadSolver} from './main-thread.js';

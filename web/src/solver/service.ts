@@ -1,7 +1,7 @@
-import type {Drape, DrapeSettings} from '../model/drape.js';
-import type {Garment} from '../model/garment.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
+import type {Drape, DrapeSettings} from '../model/result/draped-garment.js';
+import type {Garment} from '../model/garment/specification.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/result/marker-search.js';
 import type {
   PhotoHooks,
   PhotoObject,
@@ -10,10 +10,10 @@ import type {
   PhotoReading,
   PhotoRequest,
   PhotoTileRequest,
-} from '../model/photo.js';
-import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
-import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
-import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+} from '../model/print/photo-reading.js';
+import type {Problem, ProofHooks, SolveHooks} from '../model/design/solve-problem.js';
+import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
+import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import type {HooksOf} from './requests/kinds.js';
 import type {Requests} from './requests/requests.js';
 import {

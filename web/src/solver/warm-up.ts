@@ -4,7 +4,7 @@
  * compete with the worker on a device with few processors, just while the user waits for the first
  * result.
  */
-import type {Problem} from '../model/problem.js';
+import type {Problem} from '../model/design/solve-problem.js';
 
 type Point = readonly [x: number, y: number];
 /** Control points of an edge's cubic, relative to the edge. */

@@ -1,4 +1,4 @@
-import {angleOf, type Point} from '../model/geometry.js';
+import {angleOf, type Point} from '../model/geometry/vectors.js';
 
 /** Arrows in counter-clockwise order, in eighths of a turn. */
 const signs = ['→', '↗', '↑', '↖', '←', '↙', '↓', '↘'] as const;

@@ -1,5 +1,5 @@
 /** Formats numbers for people. */
-import {formatLength, type Units} from '../model/units.js';
+import {formatLength, type Units} from '../model/base/length-text.js';
 import type {Language} from './preferences.js';
 
 export interface Format {

@@ -1,6 +1,6 @@
 /** Texts of the photo dialog in all languages, loaded with the dialog. */
-import type {Failure} from '../model/failure.js';
-import {photoFaults} from '../model/photo.js';
+import type {Failure} from '../model/result/failure.js';
+import {photoFaults} from '../model/print/photo-reading.js';
 import {photo as de} from './photo/de.js';
 import {photo as en, type PhotoTexts} from './photo/en.js';
 import {photo as es} from './photo/es.js';

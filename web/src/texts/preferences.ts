@@ -1,5 +1,5 @@
 /** Display preferences of a person, which are not part of any design. */
-import type {Units} from '../model/units.js';
+import type {Units} from '../model/base/length-text.js';
 import type {MismatchScale} from '../scene/colours.js';
 import type {Messages} from './messages.js';
 

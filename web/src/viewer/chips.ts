@@ -1,5 +1,5 @@
 /** Small HTML elements over the drawing. */
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 import type {Appearance} from './strokes.js';
 
 /** Box on the screen, y down. [CSS px] */

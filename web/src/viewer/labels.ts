@@ -2,8 +2,8 @@
  * Names of pieces and letters of pairs as HTML over the drawing, so that they are text and always
  * legible.
  */
-import type {Point} from '../model/geometry.js';
-import {boxOf} from '../model/polyline.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {boxOf} from '../model/geometry/polyline.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {onSheet} from './overlay-strokes.js';
 import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';

@@ -12,7 +12,7 @@ import {
   Vector2,
 } from 'three';
 
-import {distance, type Point} from '../model/geometry.js';
+import {distance, type Point} from '../model/geometry/vectors.js';
 
 export interface LineStyle {
   /** Red, green and blue as shown on the screen, from 0 to 255. */

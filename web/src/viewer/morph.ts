@@ -12,9 +12,15 @@ import {
   wrapped,
   type Alignment,
   type Point,
-} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {apply, determinant, printElements, reduced, type PlaneMap} from '../model/wallpaper.js';
+} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {
+  apply,
+  determinant,
+  printElements,
+  reduced,
+  type PlaneMap,
+} from '../model/print/wallpaper.js';
 
 /**
  * Parts of a drawing that are animated; the rest changes at once. `shapes` excludes the print while

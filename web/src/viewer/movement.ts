@@ -1,6 +1,6 @@
 /** Shows the change of a pattern's shape: drafted outlines, and exaggerated arrows from there. */
-import {between, distance, type Point} from '../model/geometry.js';
-import type {ResultPiece} from '../model/result.js';
+import {between, distance, type Point} from '../model/geometry/vectors.js';
+import type {ResultPiece} from '../model/result/result.js';
 import {arrowHead, cased, inks, placed, type Appearance} from './strokes.js';
 import type {Stroke} from './line-layer.js';
 import type {PatternScene} from '../scene/scene.js';

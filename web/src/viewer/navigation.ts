@@ -2,7 +2,7 @@
  * Moves a view by mouse, wheel, trackpad, touch and keys. Only a real drag moves the view; a click
  * remains a click.
  */
-import {distance, type Point} from '../model/geometry.js';
+import {distance, type Point} from '../model/geometry/vectors.js';
 
 /** A movable view. Screen points are in CSS px from the upper left of the element. */
 interface Navigable {

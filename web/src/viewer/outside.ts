@@ -1,8 +1,8 @@
 /**
  * Shifts lines along the edge of a piece to its outside, so that they hide nothing of the print.
  */
-import {minus, norm, plus, unit, type Point} from '../model/geometry.js';
-import {crossingsOf} from '../model/polyline.js';
+import {minus, norm, plus, unit, type Point} from '../model/geometry/vectors.js';
+import {crossingsOf} from '../model/geometry/polyline.js';
 import type {ScenePiece} from '../scene/scene.js';
 
 /**

@@ -2,15 +2,15 @@
  * The words of an overlay: names of marked points, letters of the highlighted seam and of found
  * pairs, and messages.
  */
-import type {Point} from '../model/geometry.js';
-import {seamLetter} from '../model/letters.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {seamLetter} from '../model/garment/letters.js';
 import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
 import {outsideOf} from './outside.js';
 import {onSheet} from './overlay-strokes.js';
 import type {Overlay, Sign} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';
-import {atShare} from '../model/polyline.js';
-import {wayOnSheet} from '../model/sheet-place.js';
+import {atShare} from '../model/geometry/polyline.js';
+import {wayOnSheet} from '../model/geometry/sheet-place.js';
 import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {inks, type Appearance} from './strokes.js';

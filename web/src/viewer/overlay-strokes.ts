@@ -1,12 +1,12 @@
 /** Strokes of an overlay: lines over the sheet while the user points, selects or marks. */
 import type {LineLook, OnPiece, Overlay} from '../scene/overlay.js';
-import type {Point} from '../model/geometry.js';
-import type {SeamSide} from '../model/result.js';
-import {ontoSheet} from '../model/sheet-place.js';
+import type {Point} from '../model/geometry/vectors.js';
+import type {SeamSide} from '../model/result/result.js';
+import {ontoSheet} from '../model/geometry/sheet-place.js';
 import {pick} from '../scene/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
 import type {PatternScene, SceneSeam} from '../scene/scene.js';
-import {atShare} from '../model/polyline.js';
+import {atShare} from '../model/geometry/polyline.js';
 import {lineOf} from '../scene/seam-line.js';
 import {shiftsOutside} from './outside.js';
 import {axisTicks, besideEdge, cased, inks, seamStrokes, type Appearance} from './strokes.js';

@@ -4,8 +4,8 @@
  */
 import {OrthographicCamera} from 'three';
 
-import type {Point} from '../model/geometry.js';
-import {imageCell} from '../model/wallpaper.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {imageCell} from '../model/print/wallpaper.js';
 import {LineMaterial} from './line-layer.js';
 import {Morph, morphTime, type Motion} from './morph.js';
 import {navigate, type TakesPress} from './navigation.js';

@@ -10,12 +10,12 @@ import {
   type Texture,
 } from 'three';
 
-import type {Alignment, Point} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {ontoSheet} from '../model/sheet-place.js';
-import {apply} from '../model/wallpaper.js';
+import type {Alignment, Point} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {ontoSheet} from '../model/geometry/sheet-place.js';
+import {apply} from '../model/print/wallpaper.js';
 import {between, nearestLike} from './morph.js';
-import {imageCoordinates} from '../model/print-coordinates.js';
+import {imageCoordinates} from '../model/print/image-coordinates.js';
 import type {ScenePiece} from '../scene/scene.js';
 
 /** Unprinted fabric. */

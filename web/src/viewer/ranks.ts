@@ -2,12 +2,12 @@
  * Ranks of the seams with the greatest mismatch: small discs beside them, or at the end of a thin
  * line if there is no room.
  */
-import {angleOf, plus, type Point} from '../model/geometry.js';
-import type {SeamSide} from '../model/result.js';
+import {angleOf, plus, type Point} from '../model/geometry/vectors.js';
+import type {SeamSide} from '../model/result/result.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {outsideOf} from './outside.js';
 import type {PatternScene, SceneSeam} from '../scene/scene.js';
-import {atShare, boxOf, isInside, type OnLine} from '../model/polyline.js';
+import {atShare, boxOf, isInside, type OnLine} from '../model/geometry/polyline.js';
 import {lineOf} from '../scene/seam-line.js';
 import {toScreen, toSheet, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';

@@ -1,9 +1,9 @@
 /** Notes at seams: ranks of the worst, and whether the print continues or is mirrored. */
-import {angleOf, type Point} from '../model/geometry.js';
+import {angleOf, type Point} from '../model/geometry/vectors.js';
 import {chipLayer, move, placeable, type Box} from './chips.js';
 import {Ranks} from './ranks.js';
 import type {PatternScene, SceneSeam} from '../scene/scene.js';
-import {atShare, type OnLine} from '../model/polyline.js';
+import {atShare, type OnLine} from '../model/geometry/polyline.js';
 import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {inks, type Appearance} from './strokes.js';

@@ -2,8 +2,8 @@
  * The fabric along both sides of a seam, straightened to coordinates along the seam and inwards
  * from it. Lengths in cm.
  */
-import {between, distance, minus, plus, unit, type Point} from '../model/geometry.js';
-import type {SeamSide} from '../model/result.js';
+import {between, distance, minus, plus, unit, type Point} from '../model/geometry/vectors.js';
+import type {SeamSide} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
 import type {OnPiece} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';

@@ -1,8 +1,8 @@
 /** Close-up of one seam, straightened: both sides meet along the sewn line, as in the garment. */
 import {OrthographicCamera, Scene} from 'three';
 
-import type {Point} from '../model/geometry.js';
-import {imageCell} from '../model/wallpaper.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {imageCell} from '../model/print/wallpaper.js';
 import {LineLayer, LineMaterial, type Stroke} from './line-layer.js';
 import type {OnPiece} from '../scene/overlay.js';
 import type {Wipe} from './wipe-layers.js';

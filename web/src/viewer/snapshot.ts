@@ -7,8 +7,8 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-import type {Point} from '../model/geometry.js';
-import {boxOf} from '../model/polyline.js';
+import type {Point} from '../model/geometry/vectors.js';
+import {boxOf} from '../model/geometry/polyline.js';
 import type {LineMaterial} from './line-layer.js';
 import {pngOf, readBack, readNow} from './read-back.js';
 import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';

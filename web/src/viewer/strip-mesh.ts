@@ -3,9 +3,9 @@
  */
 import {BufferAttribute, BufferGeometry, Mesh} from 'three';
 
-import {plus} from '../model/geometry.js';
-import {apply} from '../model/wallpaper.js';
-import {imageCoordinates} from '../model/print-coordinates.js';
+import {plus} from '../model/geometry/vectors.js';
+import {apply} from '../model/print/wallpaper.js';
+import {imageCoordinates} from '../model/print/image-coordinates.js';
 import type {PrintMaterial} from './print-layer.js';
 import type {PatternScene} from '../scene/scene.js';
 import {ribbonDepth, type Ribbon, type StraightSeam} from './seam-ribbon.js';

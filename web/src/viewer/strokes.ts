@@ -2,8 +2,8 @@
  * The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. Lines of an edge are
  * outside of it.
  */
-import {between, distance, minus, unit, type Point} from '../model/geometry.js';
-import {ontoSheet, wayOnSheet, type SheetPlace} from '../model/sheet-place.js';
+import {between, distance, minus, unit, type Point} from '../model/geometry/vectors.js';
+import {ontoSheet, wayOnSheet, type SheetPlace} from '../model/geometry/sheet-place.js';
 import {mismatchLine} from '../scene/colours.js';
 import {pick} from '../scene/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';

@@ -11,7 +11,7 @@ import {
 } from 'three';
 
 import type {Tile} from '../image/tile.js';
-import {norm, type Point} from '../model/geometry.js';
+import {norm, type Point} from '../model/geometry/vectors.js';
 
 /** Longest side of a texture. [px] */
 const greatestSide = 4096;

@@ -1,5 +1,5 @@
 /** The visible part of a sheet: the half of a view that needs no drawing. */
-import type {Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry/vectors.js';
 import {
   fitted,
   panned,

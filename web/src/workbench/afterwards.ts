@@ -2,8 +2,8 @@
  * Work after a solve: cost of the symmetries, remedies, bound on the alignment, and on request a
  * better result.
  */
-import type {Design} from '../model/design.js';
-import type {SolveResult} from '../model/result.js';
+import type {Design} from '../model/design/design.js';
+import type {SolveResult} from '../model/result/result.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
 import {Comparison} from './comparison.js';

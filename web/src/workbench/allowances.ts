@@ -1,5 +1,5 @@
 /** Seam and hem allowances, the same for cutting files and for the pieces on their fabric. */
-import type {Units} from '../model/units.js';
+import type {Units} from '../model/base/length-text.js';
 import type {ChosenAllowances, Preferences} from '../texts/preferences.js';
 
 type Chosen = Pick<Preferences, 'units' | 'allowances'>;

@@ -2,7 +2,7 @@
  * Common parts of background work: the newest task replaces the one before, and stores findings
  * about designs.
  */
-import type {Design} from '../model/design.js';
+import type {Design} from '../model/design/design.js';
 
 /** Runs at most one task at a time. */
 export class NewestTask {

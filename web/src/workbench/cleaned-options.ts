@@ -1,8 +1,8 @@
 /**
  * Options without names of pieces, and numbers of seams and edges, that a garment does not have.
  */
-import type {Locks, SolveOptions} from '../model/options.js';
-import type {MeshedPattern} from '../model/result.js';
+import type {Locks, SolveOptions} from '../model/design/options.js';
+import type {MeshedPattern} from '../model/result/result.js';
 
 type Entries<Value> = Readonly<Record<string, Value>>;
 

@@ -1,7 +1,7 @@
 /** Cost of a design's symmetries: solves the same design without them, in the background. */
-import type {Design} from '../model/design.js';
-import {problemOf} from '../model/design-problem.js';
-import type {SolveResult} from '../model/result.js';
+import type {Design} from '../model/design/design.js';
+import {problemOf} from '../model/documents/design-problem.js';
+import type {SolveResult} from '../model/result/result.js';
 import {countedSeams, finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';

@@ -1,6 +1,6 @@
 /** A design with its history of steps, for undo and redo. */
-import type {Design} from '../model/design.js';
-import type {History} from '../model/history.js';
+import type {Design} from '../model/design/design.js';
+import type {History} from '../model/design/history.js';
 import {Observable} from './observable.js';
 import {askedFields} from './result-cache.js';
 import type {ShownSheet} from './shown-sheet.js';

@@ -1,9 +1,9 @@
 /** Symmetries detected on a garment. */
-import type {DesignGarment} from '../model/design.js';
-import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
+import type {DesignGarment} from '../model/design/design.js';
+import type {DetectedSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import type {SolverService} from '../solver/service.js';
-import {lastOf} from '../model/last-of.js';
-import type {Pattern} from '../model/result.js';
+import {lastOf} from '../model/base/last-of.js';
+import type {Pattern} from '../model/result/result.js';
 import {asked, concernsSame} from './symmetry-steps.js';
 
 export class FoundSymmetries {

@@ -2,9 +2,9 @@
  * Searches for a better result of the same design until it is stopped. Each attempt searches twice
  * as long as the one before.
  */
-import type {Design} from '../model/design.js';
-import {problemOf} from '../model/design-problem.js';
-import type {SolveResult} from '../model/result.js';
+import type {Design} from '../model/design/design.js';
+import {problemOf} from '../model/documents/design-problem.js';
+import type {SolveResult} from '../model/result/result.js';
 import {finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {NewestTask} from './background-task.js';

@@ -1,7 +1,7 @@
 /** Locked parts of outlines, as lines to draw. */
-import {keptParts} from '../model/locks.js';
-import type {Locks} from '../model/options.js';
-import type {MeshedPattern} from '../model/result.js';
+import {keptParts} from '../model/design/locks.js';
+import type {Locks} from '../model/design/options.js';
+import type {MeshedPattern} from '../model/result/result.js';
 import type {KeptLine} from '../scene/scene.js';
 
 /**

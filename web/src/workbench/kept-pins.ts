@@ -1,9 +1,9 @@
 /** Pins of a design, moved to places that the symmetries of its garment permit. */
-import {askedSymmetries, printOf, type Decisions, type Design} from '../model/design.js';
-import {grainRule} from '../model/grain-rule.js';
-import {keptPins, type Mirroring, type PieceFacts} from '../model/pins.js';
-import type {MeshedPattern} from '../model/result.js';
-import type {MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import {askedSymmetries, printOf, type Decisions, type Design} from '../model/design/design.js';
+import {grainRule} from '../model/design/grain-rule.js';
+import {keptPins, type Mirroring, type PieceFacts} from '../model/design/pins.js';
+import type {MeshedPattern} from '../model/result/result.js';
+import type {MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import {pick} from '../scene/marks.js';
 
 const namesOf = (symmetry: Symmetry): readonly [string, string] =>

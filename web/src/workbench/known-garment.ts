@@ -1,7 +1,7 @@
 /** Data of the present garment, apart from its results: its document and its mesh. */
-import type {DesignGarment} from '../model/design.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {MeshedPattern} from '../model/result.js';
+import type {DesignGarment} from '../model/design/design.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import type {MeshedPattern} from '../model/result/result.js';
 import type {SolverService} from '../solver/service.js';
 
 export class KnownGarment {

@@ -1,8 +1,8 @@
 /** Presets for makers, each a set of solver settings. */
-import type {GrainLock} from '../model/grain.js';
-import type {Design} from '../model/design.js';
-import type {SolveOptions} from '../model/options.js';
-import type {Method} from '../model/method.js';
+import type {GrainLock} from '../model/garment/grain.js';
+import type {Design} from '../model/design/design.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {Method} from '../model/result/method.js';
 
 export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] as const;
 type PresetName = (typeof presetNames)[number];

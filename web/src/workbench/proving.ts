@@ -1,8 +1,8 @@
 /** Bound on the alignment of a design, computed in the background. */
-import {provenShare} from '../model/core-tables.js';
-import type {Design} from '../model/design.js';
-import {problemOf} from '../model/design-problem.js';
-import type {Proof, SolveResult} from '../model/result.js';
+import {provenShare} from '../model/base/core-tables.js';
+import type {Design} from '../model/design/design.js';
+import {problemOf} from '../model/documents/design-problem.js';
+import type {Proof, SolveResult} from '../model/result/result.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
 import {paused} from './idle.js';

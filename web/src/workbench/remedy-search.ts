@@ -1,7 +1,7 @@
 /** Searches for changes that make the mismatched seams of a design match, in the background. */
-import type {Design} from '../model/design.js';
-import {problemOf} from '../model/design-problem.js';
-import type {SolveResult} from '../model/result.js';
+import type {Design} from '../model/design/design.js';
+import {problemOf} from '../model/documents/design-problem.js';
+import type {SolveResult} from '../model/result/result.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';

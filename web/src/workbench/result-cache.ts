@@ -1,6 +1,6 @@
 /** The latest results, so that undo and redo show theirs at once. */
-import type {Design} from '../model/design.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {Design} from '../model/design/design.js';
+import type {MeshedPattern, SolveResult} from '../model/result/result.js';
 
 interface Answer {
   readonly pattern: MeshedPattern;

@@ -1,6 +1,6 @@
 /** Progress and intermediate result of the running solve. Both change many times a second. */
-import type {Alignment} from '../model/geometry.js';
-import type {Progress} from '../model/problem.js';
+import type {Alignment} from '../model/geometry/vectors.js';
+import type {Progress} from '../model/design/solve-problem.js';
 import {alignmentsFrom} from '../scene/scene.js';
 import {Observable} from './observable.js';
 

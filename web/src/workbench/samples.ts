@@ -5,9 +5,9 @@ import {
   type Design,
   type DesignGarment,
   type DesignPrint,
-} from '../model/design.js';
-import type {Colourway, Print} from '../model/print.js';
-import {repeatOf} from '../model/repeat.js';
+} from '../model/design/design.js';
+import type {Colourway, Print} from '../model/print/repeating-print.js';
+import {repeatOf} from '../model/print/repeat.js';
 
 export interface SampleGarment {
   readonly style: string;

@@ -5,18 +5,18 @@ import {
   type Design,
   type DesignGarment,
   type DesignPrint,
-} from '../model/design.js';
-import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {Alignment} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {mirroringsOf, pinnedPlace} from '../model/pins.js';
-import type {SolveOptions} from '../model/options.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
+} from '../model/design/design.js';
+import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment/panel-marks.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import type {Alignment} from '../model/geometry/vectors.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {mirroringsOf, pinnedPlace} from '../model/design/pins.js';
+import type {SolveOptions} from '../model/design/options.js';
+import type {MeshedPattern, SolveResult} from '../model/result/result.js';
 import type {MismatchScale} from '../scene/colours.js';
 import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../scene/scene.js';
 import {keptLines} from './kept-lines.js';
-import {lastOf} from '../model/last-of.js';
+import {lastOf} from '../model/base/last-of.js';
 
 export interface Scenes {
   /** The pieces as drafted, cut on grain as if the print did not matter; the same in any window. */

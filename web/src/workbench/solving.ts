@@ -1,13 +1,13 @@
 /**
  * The solver's state for the present design: every new design is solved, and results are stored.
  */
-import {askedSymmetries, printOf, type Design, type DesignGarment} from '../model/design.js';
-import type {Failure} from '../model/failure.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import {mirroringsOf} from '../model/pins.js';
-import type {Progress} from '../model/problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
-import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import {askedSymmetries, printOf, type Design, type DesignGarment} from '../model/design/design.js';
+import type {Failure} from '../model/result/failure.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import {mirroringsOf} from '../model/design/pins.js';
+import type {Progress} from '../model/design/solve-problem.js';
+import type {MeshedPattern, SolveResult} from '../model/result/result.js';
+import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import type {SolverService} from '../solver/service.js';
 import {Afterwards} from './afterwards.js';
 import type {ChosenPreferences} from './chosen-preferences.js';

@@ -1,6 +1,6 @@
 /** A failure of the core in the user's language; in English where a translation is missing. */
-import {SolverError, type Failure} from '../model/failure.js';
-import {carries, groupsThatCarry} from '../model/repeat.js';
+import {SolverError, type Failure} from '../model/result/failure.js';
+import {carries, groupsThatCarry} from '../model/print/repeat.js';
 import type {Texts} from '../texts/texts.js';
 import type {Workbench} from './workbench.js';
 

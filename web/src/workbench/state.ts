@@ -1,8 +1,8 @@
 /** State of a workbench as plain data. */
-import type {Design, DesignPrint} from '../model/design.js';
-import type {Failure} from '../model/failure.js';
-import type {OwnPicture} from '../model/tile-repeat.js';
-import type {OpenEdge} from '../model/photo.js';
+import type {Design, DesignPrint} from '../model/design/design.js';
+import type {Failure} from '../model/result/failure.js';
+import type {OwnPicture} from '../model/design/tile-repeat.js';
+import type {OpenEdge} from '../model/print/photo-reading.js';
 
 /** Position of a view of the sheet. Scale in CSS px per cm. */
 export interface ViewState {

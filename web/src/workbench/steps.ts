@@ -1,6 +1,6 @@
 /** A design with its history and views. */
-import type {Design} from '../model/design.js';
-import {amended, redone, stepped, undone, type History} from '../model/history.js';
+import type {Design} from '../model/design/design.js';
+import {amended, redone, stepped, undone, type History} from '../model/design/history.js';
 import type {Step, ViewState} from './state.js';
 
 /** Changes of one kind within this interval are one step; a held drag has no limit. [ms] */

@@ -1,7 +1,7 @@
 /** Steps that add and remove symmetries. A piece takes part in one symmetry at most. */
-import {askingFor, type Decisions, type Design} from '../model/design.js';
-import {carries} from '../model/repeat.js';
-import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
+import {askingFor, type Decisions, type Design} from '../model/design/design.js';
+import {carries} from '../model/print/repeat.js';
+import type {DetectedSymmetry, Symmetry} from '../model/garment/symmetries.js';
 
 const piecesOf = (symmetry: Symmetry): readonly string[] =>
   symmetry.kind === 'piece' ? [symmetry.piece] : symmetry.pieces;

@@ -3,13 +3,13 @@
  * parts that can be observed separately. Reading a property of the workbench counts as reading its
  * part.
  */
-import type {Design, DesignGarment} from '../model/design.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {Alignment} from '../model/geometry.js';
-import {begun, type History} from '../model/history.js';
-import type {Progress} from '../model/problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
-import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import type {Design, DesignGarment} from '../model/design/design.js';
+import type {GarmentDocument} from '../model/garment/garment-document.js';
+import type {Alignment} from '../model/geometry/vectors.js';
+import {begun, type History} from '../model/design/history.js';
+import type {Progress} from '../model/design/solve-problem.js';
+import type {MeshedPattern, SolveResult} from '../model/result/result.js';
+import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import {leaseSolver, type SolverLease} from '../solver/pool.js';
 import type {SolverService} from '../solver/service.js';
 import type {Tile} from '../image/tile.js';

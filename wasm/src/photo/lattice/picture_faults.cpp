@@ -19,7 +19,7 @@ constexpr double kExplained = 0.6;                   // below it, a print's copi
 constexpr double kNeighboursDiffer = 0.15;  // share of their variance if only far copies differ
 
 /// Returns an error of the image.
-/// @param reason   one of the reasons listed in web/src/model/photo.ts
+/// @param reason   one of the reasons listed in web/src/model/print/photo-reading.ts
 Error fault(const char* reason, const char* sentence) {
   return {Failure::kPicture, sentence, -1, -1, reason};
 }

@@ -2,8 +2,8 @@
 import {allowancesIn, withAllowances} from '../../workbench/allowances.js';
 import type {ChosenAllowances} from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import {fieldOf} from '../../model/read.js';
-import type {Units} from '../../model/units.js';
+import {fieldOf} from '../../model/base/read.js';
+import type {Units} from '../../model/base/length-text.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 
 export const cutFileKinds: readonly CutFileKind[] = ['pdf', 'svg', 'dxf', 'plt'];

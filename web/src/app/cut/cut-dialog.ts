@@ -9,7 +9,7 @@ import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
 import type {NumberField} from '../../editor/controls/number-field.js';
 import {wantSize} from '../../editor/print/size-wanted.js';
-import type {SolveResult} from '../../model/result.js';
+import type {SolveResult} from '../../model/result/result.js';
 import type {CutTexts} from '../../texts/cut-texts.js';
 import {keepChoices, storedChoices, type CutChoices} from './cut-choices.js';
 import {cutFile, cutPlan, type CutPlan} from './cut-job.js';

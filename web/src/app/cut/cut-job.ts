@@ -1,7 +1,7 @@
 /** Requests to the worker that makes cutting sheets. */
 import type {CutSheet} from '../../cutting/cut-sheet.js';
-import type {Point} from '../../model/geometry.js';
-import type {Box} from '../../model/polyline.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {Box} from '../../model/geometry/polyline.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {pixelsOfTile} from '../../image/embedded-tile.js';
 import {cutMaterial, type CutMaterial} from '../../workbench/cutting/cut-material.js';

@@ -3,7 +3,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 import {greatestAllowance} from '../../workbench/allowances.js';
 import {lengthUnit} from '../../editor/controls/number-field.js';
-import type {Units} from '../../model/units.js';
+import type {Units} from '../../model/base/length-text.js';
 import {paperOf} from '../../paper/papers.js';
 import type {CutTexts} from '../../texts/cut-texts.js';
 import type {Format} from '../../texts/format.js';

@@ -1,7 +1,7 @@
 /** Preview of the layout of pages and pieces, before a file is made. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import type {CutPlan} from './cut-job.js';
 
 const short = (value: number): string => String(Number(value.toFixed(1)));

@@ -1,9 +1,7 @@
 /** Choices for a drawing, and the sizes that result. */
 import type {PieceChoice} from '../../formats/to-garment.js';
-import {unitsInMetre, type FileUnit} from '../../model/garment-document.js';
+import {unitsInMetre, type FileUnit} from '../../model/garment/garment-document.js';
 import type {ShownDrawing} from './reading.js';
-
-export type {PieceChoice} from '../../formats/to-garment.js';
 
 export const cmOf = (unit: FileUnit): number => 100 / unitsInMetre[unit];
 

@@ -2,8 +2,8 @@
 import {readDrawing} from '../../formats/read-drawing.js';
 import {useOfSvg} from '../../formats/svg/read-svg.js';
 import {defaultChoices, garmentOf} from '../../formats/to-garment.js';
-import type {DrawnPiece} from '../../model/drawing.js';
-import {garmentFile} from '../../model/garment-file.js';
+import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
+import {garmentFile} from '../../model/garment/write-garment.js';
 import {serve} from '../worker/serve.js';
 import {pieceShape} from './piece-shape.js';
 import type {Making, Question, ShownDrawing} from './reading.js';

@@ -1,12 +1,13 @@
 /** Import dialog: the contents of another program's drawing, and choices before it is opened. */
+import type {PieceChoice} from '../../formats/to-garment.js';
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {controls} from '../../editor/style/controls.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
-import type {FileUnit} from '../../model/garment-document.js';
+import type {FileUnit} from '../../model/garment/garment-document.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
-import {chosenAlso, type PieceChoice} from './choices.js';
+import {chosenAlso} from './choices.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {importStyle} from './import-style.js';
 import {pieceChoice, ruler, type ShownChoices} from './piece-choice.js';

@@ -1,10 +1,10 @@
 /** Opens a drawing of another program with the choices of the user. */
-import {drawingName} from '../../model/drawing.js';
+import {drawingName} from '../../model/garment/imported-drawing.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {textsOf} from '../../texts/texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import {shortened} from '../../model/project-name.js';
+import {shortened} from '../../model/documents/project-name.js';
 import {importTexts} from '../../texts/import-texts.js';
 import {WorkerComplaint} from '../worker/ask.js';
 import {ImportSheet, type FileUse} from './import-sheet.js';

@@ -1,12 +1,13 @@
 /** The pieces of a drawing at one scale, with choices: import or not, and number of cuts. */
+import type {PieceChoice} from '../../formats/to-garment.js';
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {FileUnit} from '../../model/garment-document.js';
-import {readable} from '../../model/piece-names.js';
-import type {Units} from '../../model/units.js';
+import type {FileUnit} from '../../model/garment/garment-document.js';
+import {readable} from '../../model/garment/piece-names.js';
+import type {Units} from '../../model/base/length-text.js';
 import type {Format} from '../../texts/format.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
-import {cmOf, largestOf, type PieceChoice} from './choices.js';
+import {cmOf, largestOf} from './choices.js';
 import type {PieceShape} from './piece-shape.js';
 import type {ShownDrawing} from './reading.js';
 

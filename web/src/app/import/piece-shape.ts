@@ -1,6 +1,6 @@
 /** Lines of a drawn piece as SVG paths, y down, and its size. Lengths in the file's unit. */
-import type {DrawnPiece, Run} from '../../model/drawing.js';
-import type {Point} from '../../model/geometry.js';
+import type {DrawnPiece, Run} from '../../model/garment/imported-drawing.js';
+import type {Point} from '../../model/geometry/vectors.js';
 
 export interface PieceShape {
   /** Upper left corner, width and height, as in a `viewBox`. */

@@ -1,7 +1,7 @@
 /** Choice of a size, for a drawing with several. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {Drawing} from '../../model/drawing.js';
+import type {Drawing} from '../../model/garment/imported-drawing.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 
 /** @param isWaiting true while another size is being read */

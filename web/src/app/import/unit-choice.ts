@@ -1,7 +1,7 @@
 /** Choice of a drawing's unit, with the size of its largest piece in each. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {unitsInMetre, type FileUnit} from '../../model/garment-document.js';
+import {unitsInMetre, type FileUnit} from '../../model/garment/garment-document.js';
 import type {Format} from '../../texts/format.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import {largestOf} from './choices.js';

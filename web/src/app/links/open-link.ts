@@ -1,6 +1,11 @@
 /** Opens the project in a link. Nothing in it is trusted. */
-import type {Design, DesignPrint} from '../../model/design.js';
-import {LinkError, readLink, type LinkedGarment, type LinkedPrint} from '../../model/link.js';
+import type {Design, DesignPrint} from '../../model/design/design.js';
+import {
+  LinkError,
+  readLink,
+  type LinkedGarment,
+  type LinkedPrint,
+} from '../../model/documents/link.js';
 import {pictureOfTile} from '../../print/own-print.js';
 import {sampleGarment, samplePrint, type Samples} from '../../workbench/samples.js';
 import {textsOf} from '../../texts/texts.js';

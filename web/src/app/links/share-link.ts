@@ -1,6 +1,6 @@
 /** Copies a link to the current project to the clipboard. */
-import type {Design} from '../../model/design.js';
-import {linkOf, longestLink} from '../../model/link.js';
+import type {Design} from '../../model/design/design.js';
+import {linkOf, longestLink} from '../../model/documents/link.js';
 import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {Projects} from '../projects/projects.js';

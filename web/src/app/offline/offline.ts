@@ -1,5 +1,5 @@
 /** Offline use of the page, and notices about new versions. */
-import {trustedScript} from '../../model/trusted.js';
+import {trustedScript} from '../../model/base/trusted.js';
 import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 

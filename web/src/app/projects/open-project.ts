@@ -1,9 +1,9 @@
 /** The open project of a tab; saves its changes at a limited rate. */
-import type {Design} from '../../model/design.js';
-import {mapped, type History} from '../../model/history.js';
-import {nameOf} from '../../model/project-name.js';
-import {fieldOf} from '../../model/read.js';
-import {heldOf, written, type Written} from '../../model/written-design.js';
+import type {Design} from '../../model/design/design.js';
+import {mapped, type History} from '../../model/design/history.js';
+import {nameOf} from '../../model/documents/project-name.js';
+import {fieldOf} from '../../model/base/read.js';
+import {heldOf, written, type Written} from '../../model/design/written-design.js';
 import type {Step} from '../../workbench/state.js';
 import type {Autosave} from '../storage/autosave.js';
 

@@ -1,10 +1,10 @@
 /**
  * The projects of this browser, and the one open in this tab. Opening another one overwrites none.
  */
-import type {Design} from '../../model/design.js';
-import {begun, type History} from '../../model/history.js';
-import {longestName, withoutEnding} from '../../model/project-name.js';
-import {fieldOf} from '../../model/read.js';
+import type {Design} from '../../model/design/design.js';
+import {begun, type History} from '../../model/design/history.js';
+import {longestName, withoutEnding} from '../../model/documents/project-name.js';
+import {fieldOf} from '../../model/base/read.js';
 import {textsOf} from '../../texts/texts.js';
 import type {Step} from '../../workbench/state.js';
 import type {Workbench} from '../../workbench/workbench.js';

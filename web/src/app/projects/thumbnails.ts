@@ -1,5 +1,5 @@
 /** Preview images of projects, drawn in idle time. */
-import type {Design} from '../../model/design.js';
+import type {Design} from '../../model/design/design.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {Projects} from './projects.js';
 

@@ -1,9 +1,9 @@
 /** Files of a drape. */
-import {printOf} from '../../model/design.js';
-import {cellPicture, glb, type CellPicture} from '../../model/glb.js';
-import {norm} from '../../model/geometry.js';
-import {titleOfFile} from '../../model/piece-names.js';
-import {imageCell} from '../../model/wallpaper.js';
+import {printOf} from '../../model/design/design.js';
+import {cellPicture, glb, type CellPicture} from '../../model/documents/glb.js';
+import {norm} from '../../model/geometry/vectors.js';
+import {titleOfFile} from '../../model/garment/piece-names.js';
+import {imageCell} from '../../model/print/wallpaper.js';
 import {wornTexts} from '../../texts/drape-texts.js';
 import {pngOf} from '../../viewer/read-back.js';
 import {onWhite} from '../../viewer/tile-texture.js';

@@ -1,7 +1,7 @@
 /** Photos behind prints, kept in this browser beside the projects and in no design. */
 import type {KeptPhoto} from '../../photo/photo-keeper.js';
 import {scaledStep} from '../../photo/photo-step.js';
-import {fieldOf} from '../../model/read.js';
+import {fieldOf} from '../../model/base/read.js';
 
 interface PhotoRecord extends KeptPhoto {
   /** SHA-256 of the print's image. */

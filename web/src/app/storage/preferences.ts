@@ -7,7 +7,7 @@ import {
   type Preferences,
 } from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import {fieldOf} from '../../model/read.js';
+import {fieldOf} from '../../model/base/read.js';
 
 const key = 'seamwise.preferences';
 

@@ -3,7 +3,7 @@
  * the same garment.
  */
 
-import {fieldOf} from '../../model/read.js';
+import {fieldOf} from '../../model/base/read.js';
 
 /** Length below which a text stays in place. [characters] */
 const longText = 1000;

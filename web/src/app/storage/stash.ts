@@ -2,7 +2,7 @@
  * Keeps unsaved changes when a page is left, since a database needs more time than the page has.
  */
 
-import {fieldOf} from '../../model/read.js';
+import {fieldOf} from '../../model/base/read.js';
 
 const key = 'seamwise.unsaved';
 /**

@@ -1,6 +1,6 @@
-import {cellPicture, type CellPicture} from '../../model/glb.js';
-import type {Print} from '../../model/print.js';
-import {FileError} from '../../model/versioned-file.js';
+import {cellPicture, type CellPicture} from '../../model/documents/glb.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {addressFrom, calledAs, readAddress} from '../../node/addresses.js';
 
 /**

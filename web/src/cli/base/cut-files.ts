@@ -1,8 +1,8 @@
 /** Writes cutting sheets of a solved garment. */
 import {cutSheet, type CuttingMarks} from '../../cutting/lay-sheet.js';
-import {garmentTitle, panelMarks, type PanelDecisions} from '../../model/garment-marks.js';
-import type {Print} from '../../model/print.js';
-import type {SolveResult} from '../../model/result.js';
+import {garmentTitle, panelMarks, type PanelDecisions} from '../../model/garment/panel-marks.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import type {SolveResult} from '../../model/result/result.js';
 import {addressFrom, readAddress, type ReadingLimits} from '../../node/addresses.js';
 import {readGarment} from '../../node/index.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';

@@ -1,5 +1,5 @@
 import {recognised} from '../../formats/recognise.js';
-import {FileError} from '../../model/versioned-file.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {readBytes, textOf} from '../../node/files.js';
 
 /**

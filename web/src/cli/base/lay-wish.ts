@@ -1,7 +1,7 @@
 /** Layout settings as written on the command line and in jobs. Lengths in cm. */
 import {markerLimits, type MarkerSettings} from '../../marker/settings.js';
-import {naps, type Nap} from '../../model/marker.js';
-import {fail, flag, number, oneOf, shape, wholeNumber, type Read} from '../../model/read.js';
+import {naps, type Nap} from '../../model/result/marker-search.js';
+import {fail, flag, number, oneOf, shape, wholeNumber, type Read} from '../../model/base/read.js';
 
 /** Layout settings; missing ones have their defaults. */
 export interface LayWish {

@@ -1,8 +1,8 @@
 import {dirname, extname, isAbsolute, join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
-import {colourwayOf, type Print} from '../../model/print.js';
-import {FileError} from '../../model/versioned-file.js';
+import {colourwayOf, type Print} from '../../model/print/repeating-print.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {addressFrom, readAddress, type ReadingLimits} from '../../node/addresses.js';
 import {readBytes, textOf} from '../../node/files.js';
 import {UsageError} from './arguments.js';

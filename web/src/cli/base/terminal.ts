@@ -1,4 +1,4 @@
-import type {Progress} from '../../model/problem.js';
+import type {Progress} from '../../model/design/solve-problem.js';
 
 const words = {
   preparation: 'Preparing',

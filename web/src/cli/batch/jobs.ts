@@ -1,7 +1,7 @@
 /** Jobs as lines of a file, and the key of a job's answer. */
-import {usualSeed, type Design} from '../../model/design.js';
-import {seed as seedField} from '../../model/design-reader.js';
-import {FileError} from '../../model/versioned-file.js';
+import {usualSeed, type Design} from '../../model/design/design.js';
+import {seed as seedField} from '../../model/design/read-design.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {
   fail,
   flag,
@@ -13,12 +13,12 @@ import {
   shape,
   text,
   type Read,
-} from '../../model/read.js';
-import {methods} from '../../model/method.js';
-import type {SolveOptions} from '../../model/options.js';
-import type {Symmetry} from '../../model/symmetries.js';
-import {sha256Of} from '../../model/result-text.js';
-import {packageVersion} from '../../model/version.js';
+} from '../../model/base/read.js';
+import {methods} from '../../model/result/method.js';
+import type {SolveOptions} from '../../model/design/options.js';
+import type {Symmetry} from '../../model/garment/symmetries.js';
+import {sha256Of} from '../../model/documents/result-text.js';
+import {packageVersion} from '../../model/base/version.js';
 import {addressFrom} from '../../node/addresses.js';
 import {paperOf} from '../../paper/papers.js';
 import {greatestAllowance, type CutWish} from '../base/cut-files.js';

@@ -3,7 +3,7 @@ import {randomUUID} from 'node:crypto';
 import {link, readFile, rename, rm, writeFile} from 'node:fs/promises';
 import {hostname} from 'node:os';
 
-import {fieldOf} from '../../model/read.js';
+import {fieldOf} from '../../model/base/read.js';
 import {UsageError} from '../base/arguments.js';
 
 interface Owner {

@@ -1,5 +1,5 @@
-import type {Failure, FailureCode} from '../../model/failure.js';
-import type {Metrics, SolveResult} from '../../model/result.js';
+import type {Failure, FailureCode} from '../../model/result/failure.js';
+import type {Metrics, SolveResult} from '../../model/result/result.js';
 
 /** The reproducible figures of a result. */
 type Figures = Omit<Metrics, 'milliseconds'> & {readonly milliseconds?: undefined};

@@ -7,7 +7,7 @@ import {setTimeout as sleep} from 'node:timers/promises';
 import type {Job as QueuedJob, Queue, QueueEvents, Worker} from 'bullmq';
 import type {Redis} from 'ioredis';
 
-import {packageVersion} from '../../model/version.js';
+import {packageVersion} from '../../model/base/version.js';
 import {UsageError} from '../base/arguments.js';
 import type {Crew, Threads} from './crew.js';
 import {checkedJob, complaintAbout, type KeyedJob} from './jobs.js';

@@ -4,8 +4,8 @@ import {open, rename, rm, type FileHandle} from 'node:fs/promises';
 import {join} from 'node:path';
 import {pipeline} from 'node:stream/promises';
 
-import {fieldOf} from '../../model/read.js';
-import {sha256Of} from '../../model/result-text.js';
+import {fieldOf} from '../../model/base/read.js';
+import {sha256Of} from '../../model/documents/result-text.js';
 import {fileError} from '../../node/files.js';
 import type {Label} from './jobs.js';
 import {linesOf} from './lines.js';

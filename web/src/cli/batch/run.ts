@@ -3,8 +3,8 @@ import {stat} from 'node:fs/promises';
 import {basename, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
-import {sha256Of} from '../../model/result-text.js';
-import {FileError} from '../../model/versioned-file.js';
+import {sha256Of} from '../../model/documents/result-text.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {addressOf, calledAs, readAddress} from '../../node/addresses.js';
 import type {Crew} from './crew.js';
 import {complaintAbout, jobsOf, keyed, type Job, type KeyedJob} from './jobs.js';

@@ -1,13 +1,13 @@
 /** The task of a batch thread: solves one job at a time with its own instance of the solver. */
-import {problemFor} from '../../model/design-problem.js';
-import {drapeFile, drapeText} from '../../model/drape-file.js';
-import {SolverError} from '../../model/failure.js';
-import {glb} from '../../model/glb.js';
-import {titleOfFile} from '../../model/piece-names.js';
-import {readPrintFile} from '../../model/print-file.js';
-import type {SolveResult} from '../../model/result.js';
-import {resultText, sha256Of} from '../../model/result-text.js';
-import {FileError} from '../../model/versioned-file.js';
+import {problemFor} from '../../model/documents/design-problem.js';
+import {drapeFile, drapeText} from '../../model/documents/drape-file.js';
+import {SolverError} from '../../model/result/failure.js';
+import {glb} from '../../model/documents/glb.js';
+import {titleOfFile} from '../../model/garment/piece-names.js';
+import {readPrintFile} from '../../model/print/read-print-file.js';
+import type {SolveResult} from '../../model/result/result.js';
+import {resultText, sha256Of} from '../../model/documents/result-text.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {addressOf, readAddress} from '../../node/addresses.js';
 import {textOf} from '../../node/files.js';
 import {drape, layPlanText, marker, readGarment, solve} from '../../node/index.js';

@@ -2,9 +2,9 @@
 import {mkdir, readdir, readFile, rm, stat} from 'node:fs/promises';
 import {join} from 'node:path';
 
-import {fieldOf} from '../../model/read.js';
-import {sha256Of} from '../../model/result-text.js';
-import type {SolveResult} from '../../model/result.js';
+import {fieldOf} from '../../model/base/read.js';
+import {sha256Of} from '../../model/documents/result-text.js';
+import type {SolveResult} from '../../model/result/result.js';
 import {fileError} from '../../node/files.js';
 import {UsageError} from '../base/arguments.js';
 import {writeWhole} from '../base/files.js';

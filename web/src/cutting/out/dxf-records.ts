@@ -2,7 +2,7 @@
  * Records of DXF R12 in millimetres: pairs of a group code and a value, one line each. Coordinates
  * have four decimal places.
  */
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 
 /** Line ending of CAD programs. */
 const lineEnd = '\r\n';

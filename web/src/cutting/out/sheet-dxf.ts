@@ -10,8 +10,8 @@ import {
   towards,
   turnBetween,
   type Point,
-} from '../../model/geometry.js';
-import {packageVersion} from '../../model/version.js';
+} from '../../model/geometry/vectors.js';
+import {packageVersion} from '../../model/base/version.js';
 import type {CutSheet, LaidPiece} from '../cut-sheet.js';
 import {
   block,

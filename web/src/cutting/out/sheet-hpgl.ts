@@ -1,5 +1,5 @@
 /** Writes a cutting sheet for plotters and cutters in HP-GL, whose unit is 1/40 mm. */
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import type {CutSheet} from '../cut-sheet.js';
 
 /** Units per centimetre. */

@@ -1,4 +1,4 @@
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 
 /** Directions of the arrow keys in an image, whose y axis points down. */
 export const arrowSteps: Readonly<Record<string, Point>> = {

@@ -2,7 +2,7 @@
 import {css, html, LitElement, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 
-import {fractionOrNumber, numberTyped, type Units} from '../../model/units.js';
+import {fractionOrNumber, numberTyped, type Units} from '../../model/base/length-text.js';
 import {controls} from '../style/controls.js';
 
 /** Units of length in labels of fields. */

@@ -1,8 +1,8 @@
 /** Settings of the solver: greatest change of pieces, grain, cutting and method. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {GrainLock} from '../../model/grain.js';
-import {methods, type Method} from '../../model/method.js';
+import type {GrainLock} from '../../model/garment/grain.js';
+import {methods, type Method} from '../../model/result/method.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {

@@ -1,8 +1,8 @@
 /** The drape with its tools: drawing, settings, and text for screen readers. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {fabricOf, usualFabric} from '../../model/design.js';
-import {fabricNames, type FabricName} from '../../model/drape.js';
+import {fabricOf, usualFabric} from '../../model/design/design.js';
+import {fabricNames, type FabricName} from '../../model/result/draped-garment.js';
 import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {wornTexts, type WornTexts} from '../../texts/drape-texts.js';

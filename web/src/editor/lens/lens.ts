@@ -1,7 +1,7 @@
 /** Close-up of one seam: both sides next to each other, as sewn. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {DesignGarment} from '../../model/design.js';
+import type {DesignGarment} from '../../model/design/design.js';
 import {PatientElement} from '../base/workbench-element.js';
 import {
   remarkOn,

@@ -2,7 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 
-import type {GrainLock} from '../../model/grain.js';
+import type {GrainLock} from '../../model/garment/grain.js';
 import {togglePart} from '../../workbench/tools/keeping.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';

@@ -1,7 +1,7 @@
 /** Changes flaws of the fabric without a pointer; each step shows a message. */
 import type {PropertyValues} from 'lit';
 
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import type {Flaw} from '../../workbench/marker/lay-step.js';
 import {flawAfter, flawAround} from '../../workbench/marker/flaw-moves.js';
 import {flawSizeWords, flawWords} from '../../workbench/marker/marker-words.js';

@@ -7,7 +7,7 @@ import {
   usualWidths,
   type MarkerChoices,
 } from '../../workbench/marker/marker-choices.js';
-import type {Units} from '../../model/units.js';
+import type {Units} from '../../model/base/length-text.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';

@@ -2,8 +2,8 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {usedLength} from '../../marker/places.js';
-import type {Point} from '../../model/geometry.js';
-import {lastOf} from '../../model/last-of.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {lastOf} from '../../model/base/last-of.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {commandFor, type KeyList, type Command} from '../../commands/editor-command.js';
 import {wantSize} from '../print/size-wanted.js';

@@ -3,8 +3,8 @@
  */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {isOfPhases} from '../../model/lay-note.js';
-import type {CheaperDesign, LayPlan} from '../../model/lay-plan.js';
+import {isOfPhases} from '../../model/result/lay-note.js';
+import type {CheaperDesign, LayPlan} from '../../model/result/marker-plan.js';
 import type {LayStep} from '../../workbench/marker/lay-step.js';
 import {saidNote} from '../../marker/draw/note-texts.js';
 import {planTextsIn} from '../../texts/plan-texts.js';

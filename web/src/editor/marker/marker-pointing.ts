@@ -1,6 +1,6 @@
 /** Drags pieces over the fabric and draws flaws by pointer. */
 import type {Bolt} from '../../marker/places.js';
-import {minus, type Alignment, type Point} from '../../model/geometry.js';
+import {minus, type Alignment, type Point} from '../../model/geometry/vectors.js';
 import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
 import {FlawTool} from '../../clicks/flaw-tool.js';
 import {PieceDrag, type Dragged} from '../../workbench/marker/piece-drag.js';

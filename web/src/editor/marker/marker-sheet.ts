@@ -4,9 +4,9 @@ import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import {nameLines, textWidth} from '../../layout/name-lines.js';
 import {isFree, turnedRing, type Bolt} from '../../marker/places.js';
-import {imageCell} from '../../model/wallpaper.js';
-import {norm, onPiece, plus, type Point} from '../../model/geometry.js';
-import type {Units} from '../../model/units.js';
+import {imageCell} from '../../model/print/wallpaper.js';
+import {norm, onPiece, plus, type Point} from '../../model/geometry/vectors.js';
+import type {Units} from '../../model/base/length-text.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
 import {

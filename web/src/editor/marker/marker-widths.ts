@@ -1,8 +1,8 @@
 /** Table of the lengths that the same pieces need on fabric of other widths. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {LayPlan} from '../../model/lay-plan.js';
-import type {Units} from '../../model/units.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import type {Units} from '../../model/base/length-text.js';
 import type {Format} from '../../texts/format.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import {roundedLength} from '../../workbench/marker/marker-words.js';

@@ -1,7 +1,7 @@
 /** Actions on the pieces on the fabric, for keys, buttons and pointer, and the selected piece. */
 import type {PropertyValues} from 'lit';
 
-import type {Alignment, Point} from '../../model/geometry.js';
+import type {Alignment, Point} from '../../model/geometry/vectors.js';
 import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';

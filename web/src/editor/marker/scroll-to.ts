@@ -1,5 +1,5 @@
 /** Scrolls a part of the fabric into view. */
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import {offSheet} from '../../marker/sheet-frame.js';
 
 /** Distance from the part to the edges of the view. [CSS px] */

@@ -1,7 +1,7 @@
 /** Dialog for the grain lines that a file lacks, with a proposal for each piece. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {DesignGarment} from '../../model/design.js';
+import type {DesignGarment} from '../../model/design/design.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {withGrainLines} from '../../workbench/lists/changed-options.js';
 import {controls} from '../style/controls.js';

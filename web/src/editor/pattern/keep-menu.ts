@@ -1,9 +1,9 @@
 /** List of the selected piece's edges, to keep them as drafted without a pointer. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {isKept, keptParts} from '../../model/locks.js';
-import type {MeshedPattern} from '../../model/result.js';
-import {lengthOf} from '../../model/polyline.js';
+import {isKept, keptParts} from '../../model/design/locks.js';
+import type {MeshedPattern} from '../../model/result/result.js';
+import {lengthOf} from '../../model/geometry/polyline.js';
 import {pick} from '../../scene/marks.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {seamRows} from '../../workbench/lists/rows.js';

@@ -10,7 +10,7 @@ import type {WorkbenchElement} from '../base/workbench-element.js';
 import {seamRows} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {PatternDrawing} from './drawing.js';
 import {overlayOf, type LensCursor} from '../../workbench/tools/pattern-marks.js';

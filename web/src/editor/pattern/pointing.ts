@@ -1,7 +1,7 @@
 /** Pointer events over the pattern: highlight, pick and drag. */
 import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
 import {holdWhilePressed} from '../base/hold.js';
 import type {Workbench} from '../../workbench/workbench.js';

@@ -1,7 +1,7 @@
 /** Draws the pieces of a workbench in their print: flat, or as a drape. */
 import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {DesignGarment} from '../../model/design.js';
+import type {DesignGarment} from '../../model/design/design.js';
 import type {Motion} from '../../viewer/morph.js';
 import type {Tile} from '../../image/tile.js';
 import type {PatternScene} from '../../scene/scene.js';

@@ -1,7 +1,7 @@
 /** Menu of the lines that a click may refer to, if several are about equally near. */
 import {css, html, LitElement, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import {controls} from '../style/controls.js';
 
 interface TiedChoice {

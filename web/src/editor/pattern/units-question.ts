@@ -1,10 +1,10 @@
 /** Question about the unit of a file, if the garment would fit no person. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {DesignGarment} from '../../model/design.js';
+import type {DesignGarment} from '../../model/design/design.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {inUnit} from '../../model/garment-file.js';
+import {inUnit} from '../../model/garment/write-garment.js';
 
 export class UnitsQuestion extends WorkbenchElement {
   static override styles = [

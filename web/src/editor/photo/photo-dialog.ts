@@ -1,7 +1,7 @@
 /** Dialog that makes a print from a photo of fabric. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {PhotoMap} from '../../model/photo.js';
+import type {PhotoMap} from '../../model/print/photo-reading.js';
 import {dataUrlOf} from '../../image/data-url.js';
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';

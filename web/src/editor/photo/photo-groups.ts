@@ -1,8 +1,8 @@
 /** All groups, each with the deviation of the photographed print from it. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {PhotoGroup} from '../../model/photo.js';
-import type {GroupName} from '../../model/print.js';
+import type {PhotoGroup} from '../../model/print/photo-reading.js';
+import type {GroupName} from '../../model/print/repeating-print.js';
 import type {PhotoTexts} from '../../texts/photo-texts.js';
 import {groupOf, type PhotoStep} from '../../photo/photo-step.js';
 

@@ -1,9 +1,9 @@
 /** Size of the print on a photo: by a tape, by two points, or by a coin or card on the fabric. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {norm, type Point} from '../../model/geometry.js';
-import {vectorsAtMiddle} from '../../model/photo-map.js';
-import {knownObjects, type KnownObject} from '../../model/photo.js';
+import {norm, type Point} from '../../model/geometry/vectors.js';
+import {vectorsAtMiddle} from '../../model/print/photo-map.js';
+import {knownObjects, type KnownObject} from '../../model/print/photo-reading.js';
 import {directionSign} from '../../texts/direction-sign.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {controls} from '../style/controls.js';

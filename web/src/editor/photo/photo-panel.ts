@@ -1,9 +1,9 @@
 /** Panel beside the photo: the findings, and all settings. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {Point} from '../../model/geometry.js';
-import {rebased} from '../../model/photo-map.js';
-import type {GroupName} from '../../model/print.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {rebased} from '../../model/print/photo-map.js';
+import type {GroupName} from '../../model/print/repeating-print.js';
 import {controls} from '../style/controls.js';
 import type {BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import {panelStyle} from './panel-style.js';

@@ -1,7 +1,7 @@
 /** Progress of reading a photo, and its outcome if nothing else shows that. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {PhotoProgress} from '../../model/photo.js';
+import type {PhotoProgress} from '../../model/print/photo-reading.js';
 import {saidFailure, type PhotoTexts} from '../../texts/photo-texts.js';
 import type {PhotoSession} from '../../workbench/photo/photo-session.js';
 

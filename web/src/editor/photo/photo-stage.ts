@@ -1,10 +1,10 @@
 /** The photo with the findings over it; points can be moved by pointer and by keys. */
 import {html, LitElement, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
-import {distance, type Point} from '../../model/geometry.js';
-import {pixelOf} from '../../model/photo-map.js';
-import type {PhotoMap} from '../../model/photo.js';
-import type {GroupName} from '../../model/print.js';
+import {distance, type Point} from '../../model/geometry/vectors.js';
+import {pixelOf} from '../../model/print/photo-map.js';
+import type {PhotoMap} from '../../model/print/photo-reading.js';
+import type {GroupName} from '../../model/print/repeating-print.js';
 import type {PhotoTexts} from '../../texts/photo-texts.js';
 import {arrowSteps} from '../base/arrow-steps.js';
 import {controls} from '../style/controls.js';

@@ -4,7 +4,7 @@
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {TileBreak} from '../../image/tile-check.js';
-import {printOf, type DesignPrint} from '../../model/design.js';
+import {printOf, type DesignPrint} from '../../model/design/design.js';
 import {outlineOf, markedTile, markedTileStyle} from '../print/marked-tile.js';
 import {swatch} from '../print/swatch.js';
 import {controls} from '../style/controls.js';

@@ -1,8 +1,8 @@
 /** A photo with its settings beside it. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {Point} from '../../model/geometry.js';
-import type {KnownObject, PhotoMap} from '../../model/photo.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {KnownObject, PhotoMap} from '../../model/print/photo-reading.js';
 import {controls} from '../style/controls.js';
 import type {BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import type {PhotoSize} from '../../photo/lattice-lines.js';

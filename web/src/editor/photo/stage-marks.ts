@@ -1,10 +1,10 @@
 /** Marks over a photo: cells, their vectors, symmetries, and areas that differ. */
 import {svg, type TemplateResult} from 'lit';
 
-import {combined, distance, minus, norm, plus, type Point} from '../../model/geometry.js';
-import {pixelOf} from '../../model/photo-map.js';
-import type {PhotoMap} from '../../model/photo.js';
-import type {GroupName} from '../../model/print.js';
+import {combined, distance, minus, norm, plus, type Point} from '../../model/geometry/vectors.js';
+import {pixelOf} from '../../model/print/photo-map.js';
+import type {PhotoMap} from '../../model/print/photo-reading.js';
+import type {GroupName} from '../../model/print/repeating-print.js';
 import {brokenPath, ringPath, type BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import {cellLines, nodesOf, type PhotoSize} from '../../photo/lattice-lines.js';
 import {marksOn} from '../../photo/symmetry-marks.js';

@@ -1,8 +1,8 @@
 /** Diagram of a print's cell on the fabric, with its two measured sides. */
 import {css, svg, html, type TemplateResult} from 'lit';
 
-import {combined, norm, type Point} from '../../model/geometry.js';
-import {latticeVectors, type RepeatSize} from '../../model/repeat.js';
+import {combined, norm, type Point} from '../../model/geometry/vectors.js';
+import {latticeVectors, type RepeatSize} from '../../model/print/repeat.js';
 
 interface CellDiagram {
   readonly size: RepeatSize;

@@ -1,7 +1,7 @@
 /** An opened image that is not seamless: its open edges, and remedies. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {TileRepeat} from '../../model/print-tile.js';
+import type {TileRepeat} from '../../model/print/opened-image.js';
 import {blobOf} from '../../image/data-url.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';

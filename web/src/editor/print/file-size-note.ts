@@ -1,8 +1,8 @@
 /** Printed size of an image according to its file, beside the size that the user entered. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {DesignPrint} from '../../model/design.js';
-import {pictureIn, resized, tileSize} from '../../model/tile-repeat.js';
+import type {DesignPrint} from '../../model/design/design.js';
+import {pictureIn, resized, tileSize} from '../../model/design/tile-repeat.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {isUnasked, sizeInFile, type FileSize} from '../../print/file-size.js';

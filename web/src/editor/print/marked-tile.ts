@@ -2,7 +2,7 @@
 import {css, html, svg, type TemplateResult} from 'lit';
 
 import type {TileBreak} from '../../image/tile-check.js';
-import type {OpenEdge} from '../../model/photo.js';
+import type {OpenEdge} from '../../model/print/photo-reading.js';
 
 /** Returns the outline of adjacent places: the sides that belong to one place only. */
 export function outlineOf(breaks: readonly TileBreak[]): string {

@@ -1,17 +1,17 @@
 /** Sets the size of a print by the distance between two points on its image. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import {noPicture, printOf, type DesignPrint} from '../../model/design.js';
-import {norm, type Point} from '../../model/geometry.js';
-import {resized, tileSize} from '../../model/tile-repeat.js';
-import {imageCell} from '../../model/wallpaper.js';
+import {noPicture, printOf, type DesignPrint} from '../../model/design/design.js';
+import {norm, type Point} from '../../model/geometry/vectors.js';
+import {resized, tileSize} from '../../model/design/tile-repeat.js';
+import {imageCell} from '../../model/print/wallpaper.js';
 import {arrowSteps} from '../base/arrow-steps.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {dragHandle} from '../style/drag-handle.js';
 import {icon} from '../style/icons.js';
-import {alongStripe, leastRepeat, mostRepeat} from '../../model/repeat.js';
+import {alongStripe, leastRepeat, mostRepeat} from '../../model/print/repeat.js';
 import {choiceOf} from '../../print/group-choice.js';
 import {measureStyle} from './measure-style.js';
 

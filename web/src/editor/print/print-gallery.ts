@@ -2,9 +2,9 @@
 import {html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 
-import type {Design, DesignPrint} from '../../model/design.js';
-import type {GroupName} from '../../model/print.js';
-import {carries, groupsThatCarry} from '../../model/repeat.js';
+import type {Design, DesignPrint} from '../../model/design/design.js';
+import type {GroupName} from '../../model/print/repeating-print.js';
+import {carries, groupsThatCarry} from '../../model/print/repeat.js';
 import {PatientElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';

@@ -1,7 +1,7 @@
 /** Panel of the print: its choice, size and direction. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {noPicture, type DesignPrint} from '../../model/design.js';
+import {noPicture, type DesignPrint} from '../../model/design/design.js';
 import {section} from '../controls/section.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';

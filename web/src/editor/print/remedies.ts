@@ -1,7 +1,7 @@
 /** Buttons for the repeats that make an image seamless. */
 import {html, type TemplateResult} from 'lit';
 
-import type {TileRepeat} from '../../model/print-tile.js';
+import type {TileRepeat} from '../../model/print/opened-image.js';
 import type {Texts} from '../../texts/en.js';
 
 export const remedies = (

@@ -1,8 +1,8 @@
 /** Fields for the size of the repeat on the fabric, and for its angle. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {radians, towards, type Point} from '../../model/geometry.js';
-import {noPicture, type DesignPrint} from '../../model/design.js';
+import {radians, towards, type Point} from '../../model/geometry/vectors.js';
+import {noPicture, type DesignPrint} from '../../model/design/design.js';
 import {
   fittingGroup,
   isCoupled,
@@ -10,9 +10,9 @@ import {
   mostRepeat,
   type FittingGroup,
   type RepeatSize,
-} from '../../model/repeat.js';
-import {cellSize, cellTurn, resized, tileSize, tileTurn} from '../../model/tile-repeat.js';
-import {latticeType} from '../../model/wallpaper.js';
+} from '../../model/print/repeat.js';
+import {cellSize, cellTurn, resized, tileSize, tileTurn} from '../../model/design/tile-repeat.js';
+import {latticeType} from '../../model/print/wallpaper.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {directionSign} from '../../texts/direction-sign.js';
 import {WorkbenchElement} from '../base/workbench-element.js';

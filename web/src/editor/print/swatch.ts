@@ -1,10 +1,10 @@
 /** A small part of a print, drawn with its real lattice. */
 import {html, svg, type TemplateResult} from 'lit';
 
-import {noPicture} from '../../model/design.js';
-import {norm} from '../../model/geometry.js';
-import type {Print} from '../../model/print.js';
-import {imageCell} from '../../model/wallpaper.js';
+import {noPicture} from '../../model/design/design.js';
+import {norm} from '../../model/geometry/vectors.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import {imageCell} from '../../model/print/wallpaper.js';
 
 const bareCloth = '#f1ede3';
 const hasPicture = (image: string): boolean => image !== '' && image !== noPicture;

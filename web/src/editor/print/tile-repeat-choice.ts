@@ -1,8 +1,8 @@
 /** Choice of the repeat of the user's own image, with a small drawing of each. */
 import {css, html, nothing, svg, type SVGTemplateResult, type TemplateResult} from 'lit';
 
-import {pictureIn} from '../../model/tile-repeat.js';
-import {tileRepeats, type TileRepeat} from '../../model/print-tile.js';
+import {pictureIn} from '../../model/design/tile-repeat.js';
+import {tileRepeats, type TileRepeat} from '../../model/print/opened-image.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {printOfPicture} from '../../print/own-print.js';

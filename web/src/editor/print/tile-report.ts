@@ -3,12 +3,12 @@
  */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {noPicture, type DesignPrint} from '../../model/design.js';
-import {pictureIn} from '../../model/tile-repeat.js';
-import type {TileRepeat} from '../../model/print-tile.js';
+import {noPicture, type DesignPrint} from '../../model/design/design.js';
+import {pictureIn} from '../../model/design/tile-repeat.js';
+import type {TileRepeat} from '../../model/print/opened-image.js';
 import type {Asymmetry} from '../../image/asymmetry.js';
 import type {TileCheck} from '../../image/tile-check.js';
-import type {OpenEdge} from '../../model/photo.js';
+import type {OpenEdge} from '../../model/print/photo-reading.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {choiceOf, missing} from '../../print/group-choice.js';

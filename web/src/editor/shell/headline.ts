@@ -1,13 +1,13 @@
 /** Mismatch of the garment in one sentence, with the figures below. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {Failure} from '../../model/failure.js';
-import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
+import type {Failure} from '../../model/result/failure.js';
+import type {MeshedPattern, Metrics, SolveResult} from '../../model/result/result.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../../scene/mismatch.js';
 import {seamRows} from '../../workbench/lists/rows.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Samples} from '../../workbench/samples.js';
 import {spokenNote} from '../../workbench/lists/spoken-note.js';
 

@@ -1,13 +1,13 @@
 /** A failure with buttons for its remedies; each remedy is one step of the history. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {askedSymmetries, askingFor, printOf, type Design} from '../../model/design.js';
-import type {Failure} from '../../model/failure.js';
-import {degrees} from '../../model/geometry.js';
-import {grainRule} from '../../model/grain-rule.js';
-import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-images.js';
-import {carries} from '../../model/repeat.js';
-import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
+import {askedSymmetries, askingFor, printOf, type Design} from '../../model/design/design.js';
+import type {Failure} from '../../model/result/failure.js';
+import {degrees} from '../../model/geometry/vectors.js';
+import {grainRule} from '../../model/design/grain-rule.js';
+import {mirrorAlignment, mirrors, turnToGrain} from '../../model/print/mirror-images.js';
+import {carries} from '../../model/print/repeat.js';
+import type {MeasuredSymmetry, Symmetry} from '../../model/garment/symmetries.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {withGrain, withoutPin} from '../../workbench/lists/changed-options.js';
 import {controls} from '../style/controls.js';

@@ -1,8 +1,8 @@
 /** The kept symmetries, and found ones as proposals. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {groupsThatCarry, carries} from '../../model/repeat.js';
-import type {Symmetry} from '../../model/symmetries.js';
+import {groupsThatCarry, carries} from '../../model/print/repeat.js';
+import type {Symmetry} from '../../model/garment/symmetries.js';
 import {section} from '../controls/section.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';

@@ -1,6 +1,6 @@
 /** Fires events for changes of a workbench, each change once. */
-import {failureOf, type Failure, type SolverError} from '../../model/failure.js';
-import type {Progress} from '../../model/problem.js';
+import {failureOf, type Failure, type SolverError} from '../../model/result/failure.js';
+import type {Progress} from '../../model/design/solve-problem.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {GarmentEvents} from './events.js';
 import type {Loaded} from './sources.js';

@@ -1,6 +1,6 @@
 /** Starts the element's current request, and waits for the answer. */
-import {SolverError} from '../../model/failure.js';
-import type {SolveResult} from '../../model/result.js';
+import {SolverError} from '../../model/result/failure.js';
+import type {SolveResult} from '../../model/result/result.js';
 import type {Beginning} from './beginning.js';
 import type {GarmentSession} from './session.js';
 import type {Speech} from './speech.js';

@@ -1,5 +1,5 @@
-import {SolverError} from '../../model/failure.js';
-import {FileError} from '../../model/versioned-file.js';
+import {SolverError} from '../../model/result/failure.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 
 /** Converts any error to the element's only kind of error. */

@@ -1,9 +1,9 @@
 /** Attributes of the element as properties. Three of them also accept objects. */
-import {fabricNames, type FabricName} from '../../model/drape.js';
-import type {Garment} from '../../model/garment.js';
-import type {Print} from '../../model/print.js';
-import type {StoredDesign} from '../../model/stored-design.js';
-import type {Symmetries, Symmetry} from '../../model/symmetries.js';
+import {fabricNames, type FabricName} from '../../model/result/draped-garment.js';
+import type {Garment} from '../../model/garment/specification.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import type {StoredDesign} from '../../model/documents/stored-design.js';
+import type {Symmetries, Symmetry} from '../../model/garment/symmetries.js';
 import type {WorkerPlaces} from '../../solver/client.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {

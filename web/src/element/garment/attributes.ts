@@ -1,6 +1,6 @@
 /** Values of the element's attributes. Invalid values fall back to the default. */
-import {optionLimits} from '../../model/core-tables.js';
-import type {Units} from '../../model/units.js';
+import {optionLimits} from '../../model/base/core-tables.js';
+import type {Units} from '../../model/base/length-text.js';
 
 export type GarmentView = 'pattern' | 'garment' | 'both';
 export type GarmentCamera = 'front' | 'back' | 'left' | 'right' | 'three-quarter';

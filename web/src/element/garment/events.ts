@@ -1,9 +1,9 @@
 /** Events, states and details of the element. */
-import type {DrapeStage} from '../../model/drape.js';
-import type {Failure} from '../../model/failure.js';
-import type {Progress} from '../../model/problem.js';
-import type {Metrics} from '../../model/result.js';
-import type {StoredDesign} from '../../model/stored-design.js';
+import type {DrapeStage} from '../../model/result/draped-garment.js';
+import type {Failure} from '../../model/result/failure.js';
+import type {Progress} from '../../model/design/solve-problem.js';
+import type {Metrics} from '../../model/result/result.js';
+import type {StoredDesign} from '../../model/documents/stored-design.js';
 
 /** `stale`: the shown result does not match the request, and nothing is running. */
 export type GarmentState = 'idle' | 'loading' | 'solving' | 'ready' | 'stale' | 'error';

@@ -1,8 +1,8 @@
 /** Reads the element's files once, within limits, with a message of one sentence for each error. */
-import {SolverError, type FailureCode} from '../../model/failure.js';
-import {fetchedBy} from '../../model/fetched.js';
-import {sha256Of} from '../../model/result-text.js';
-import type {StoredFile} from '../../model/design.js';
+import {SolverError, type FailureCode} from '../../model/result/failure.js';
+import {fetchedBy} from '../../model/base/fetched.js';
+import {sha256Of} from '../../model/documents/result-text.js';
+import type {StoredFile} from '../../model/design/design.js';
 import type {Texts} from '../../texts/texts.js';
 
 export type FileWords = Texts['garment'];

@@ -1,5 +1,5 @@
 /** Stops inner events that would leave the element as if they were its own. */
-import type {Failure} from '../../model/failure.js';
+import type {Failure} from '../../model/result/failure.js';
 import type {GarmentEvents} from './events.js';
 import {drapeEvent, drawnEvent, undrawableEvent} from '../../editor/pattern/scene-drawing.js';
 

@@ -1,9 +1,9 @@
 /** Fabric layout of an answer. */
 import {layPlan} from '../../marker/plan.js';
 import {markerOrder, type LaidPrint} from '../../marker/problem.js';
-import type {Design} from '../../model/design.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import type {SolveResult} from '../../model/result.js';
+import type {Design} from '../../model/design/design.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import type {SolveResult} from '../../model/result/result.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
 /** All inputs of a layout. */

@@ -1,9 +1,9 @@
 /** Makes a fabric layout of each answer, in a worker. Lengths in cm. */
-import type {Design} from '../../model/design.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import type {SolveResult} from '../../model/result.js';
+import type {Design} from '../../model/design/design.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import type {SolveResult} from '../../model/result/result.js';
 import {unlessAborted} from '../../solver/answers/unless-aborted.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Emit} from './announcer.js';
 import {asError} from './as-error.js';
 import type {AttributeElement} from './attribute-element.js';

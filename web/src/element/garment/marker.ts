@@ -1,5 +1,5 @@
 /** Fabric layout of the answer; loads its code on first use. */
-import type {SolverError} from '../../model/failure.js';
+import type {SolverError} from '../../model/result/failure.js';
 import type {MarkerLayer, MarkerOwner} from './marker-layer.js';
 
 export class Marker {

@@ -1,6 +1,6 @@
 /** Makes the design after a change of the request; the user's other changes stay. */
-import {usualFabric, type Design} from '../../model/design.js';
-import type {GarmentDocument} from '../../model/garment-document.js';
+import {usualFabric, type Design} from '../../model/design/design.js';
+import type {GarmentDocument} from '../../model/garment/garment-document.js';
 import {newDesign} from '../../workbench/samples.js';
 import type {Asked, Loaded} from './sources.js';
 

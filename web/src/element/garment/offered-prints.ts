@@ -1,7 +1,7 @@
 /** Prints that a page offers as a choice. */
-import {printOf} from '../../model/design.js';
-import type {Print} from '../../model/print.js';
-import {fieldOf} from '../../model/read.js';
+import {printOf} from '../../model/design/design.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import {fieldOf} from '../../model/base/read.js';
 import {fetchText, type FileWords} from './files.js';
 import {printFrom} from './sources.js';
 

@@ -1,5 +1,5 @@
 /** Pictures and cutting sheets of a pattern, in the requested format. */
-import {SolverError} from '../../model/failure.js';
+import {SolverError} from '../../model/result/failure.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 import type {SheetWindow} from '../../workbench/state.js';

@@ -4,8 +4,8 @@
  */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {DesignPrint} from '../../model/design.js';
-import {coupledSize} from '../../model/repeat.js';
+import type {DesignPrint} from '../../model/design/design.js';
+import {coupledSize} from '../../model/print/repeat.js';
 import {lengthUnit} from '../../editor/controls/number-field.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {swatch} from '../../editor/print/swatch.js';

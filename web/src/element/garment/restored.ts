@@ -1,7 +1,7 @@
 /** Converts a stored design to an editable one. */
-import {decisionsOf, type Design, type DesignPrint} from '../../model/design.js';
-import {SolverError} from '../../model/failure.js';
-import type {StoredDesign} from '../../model/stored-design.js';
+import {decisionsOf, type Design, type DesignPrint} from '../../model/design/design.js';
+import {SolverError} from '../../model/result/failure.js';
+import type {StoredDesign} from '../../model/documents/stored-design.js';
 import type {FileWords} from './files.js';
 import type {Loaded} from './sources.js';
 

@@ -1,14 +1,14 @@
 /**
  * One garment in one print, from its files to the answer: the element's logic without the element.
  */
-import {fabricOf, type Design} from '../../model/design.js';
-import type {FabricName} from '../../model/drape.js';
-import {SolverError, type Failure} from '../../model/failure.js';
-import type {SolveResult} from '../../model/result.js';
-import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js';
+import {fabricOf, type Design} from '../../model/design/design.js';
+import type {FabricName} from '../../model/result/draped-garment.js';
+import {SolverError, type Failure} from '../../model/result/failure.js';
+import type {SolveResult} from '../../model/result/result.js';
+import {writeStoredDesign, type StoredDesign} from '../../model/documents/stored-design.js';
 import type {LeasePlaces} from '../../solver/pool.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {spokenError} from '../../workbench/spoken-failure.js';
 import {Workbench} from '../../workbench/workbench.js';

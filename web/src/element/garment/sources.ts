@@ -6,15 +6,15 @@ import {
   type DesignGarment,
   type DesignPrint,
   type StoredFile,
-} from '../../model/design.js';
-import {symmetryList} from '../../model/design-reader.js';
-import type {FabricName} from '../../model/drape.js';
-import {SolverError} from '../../model/failure.js';
-import {colourwayOf, type Print} from '../../model/print.js';
-import {fieldOf, Malformed} from '../../model/read.js';
-import {repeatOf} from '../../model/repeat.js';
-import {printOfStored} from '../../model/stored-design.js';
-import {FileError} from '../../model/versioned-file.js';
+} from '../../model/design/design.js';
+import {symmetryList} from '../../model/design/read-design.js';
+import type {FabricName} from '../../model/result/draped-garment.js';
+import {SolverError} from '../../model/result/failure.js';
+import {colourwayOf, type Print} from '../../model/print/repeating-print.js';
+import {fieldOf, Malformed} from '../../model/base/read.js';
+import {repeatOf} from '../../model/print/repeat.js';
+import {printOfStored} from '../../model/documents/stored-design.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {jsonText} from '../../solver/requests/texts.js';
 import {fetchText, type FileWords} from './files.js';
 

@@ -4,7 +4,7 @@
  */
 import type {ReactiveControllerHost} from 'lit';
 
-import type {Units} from '../../model/units.js';
+import type {Units} from '../../model/base/length-text.js';
 import {textsOf, type Messages, type Texts} from '../../texts/texts.js';
 import {preferencesFor} from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';

@@ -1,9 +1,9 @@
 /** Stores the design of an element with its answer. */
-import type {Design} from '../../model/design.js';
-import {filedDesign} from '../../model/design-problem.js';
-import {SolverError} from '../../model/failure.js';
-import type {SolveResult} from '../../model/result.js';
-import {designOf, type StoredDesign} from '../../model/stored-design.js';
+import type {Design} from '../../model/design/design.js';
+import {filedDesign} from '../../model/documents/design-problem.js';
+import {SolverError} from '../../model/result/failure.js';
+import type {SolveResult} from '../../model/result/result.js';
+import {designOf, type StoredDesign} from '../../model/documents/stored-design.js';
 import type {FileWords} from './files.js';
 
 /**

@@ -1,6 +1,6 @@
 /** Images of an element's prints. Each image is fetched once while the element is in use. */
-import {SolverError} from '../../model/failure.js';
-import {noPicture} from '../../model/design.js';
+import {SolverError} from '../../model/result/failure.js';
+import {noPicture} from '../../model/design/design.js';
 import {svgTile, type Tile} from '../../image/tile.js';
 import {hasOutsidePictures} from '../../image/svg-picture.js';
 import type {Texts} from '../../texts/texts.js';

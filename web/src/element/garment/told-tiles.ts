@@ -1,6 +1,6 @@
 /** Images of prints for several parts of an editor; reports each unreadable image once. */
 import type {Tile} from '../../image/tile.js';
-import type {SolverError} from '../../model/failure.js';
+import type {SolverError} from '../../model/result/failure.js';
 import type {Texts} from '../../texts/texts.js';
 import {asError} from './as-error.js';
 import {Tiles} from './tiles.js';

@@ -1,6 +1,15 @@
 /** Cubic Bezier curves and chains of them. Lengths in the unit of the file. */
-import type {Run} from '../../model/drawing.js';
-import {between, cross, dot, middle, minus, norm, plus, type Point} from '../../model/geometry.js';
+import type {Run} from '../../model/garment/imported-drawing.js';
+import {
+  between,
+  cross,
+  dot,
+  middle,
+  minus,
+  norm,
+  plus,
+  type Point,
+} from '../../model/geometry/vectors.js';
 
 export type Cubic = readonly [start: Point, first: Point, second: Point, end: Point];
 export type CubicFrom = readonly [first: Point, second: Point, end: Point];

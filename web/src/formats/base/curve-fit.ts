@@ -6,7 +6,7 @@ import {
   nearestShare,
   turnBetween,
   type Point,
-} from '../../model/geometry.js';
+} from '../../model/geometry/vectors.js';
 import {straight, type CubicFrom} from './bezier.js';
 
 /**

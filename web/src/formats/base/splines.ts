@@ -1,5 +1,5 @@
 /** Splines through key points, as in CAD programs. */
-import {distance, minus, plus, type Point} from '../../model/geometry.js';
+import {distance, minus, plus, type Point} from '../../model/geometry/vectors.js';
 import type {CubicFrom} from './bezier.js';
 
 /** The kind of spline through key points; it depends on the program. */

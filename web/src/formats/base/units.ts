@@ -2,8 +2,8 @@
  * Determines the unit of a drawing: the stated one if the size is wearable, otherwise one that
  * makes it wearable.
  */
-import type {UnitGuess} from '../../model/drawing.js';
-import {unitsInMetre, type FileUnit} from '../../model/garment-document.js';
+import type {UnitGuess} from '../../model/garment/imported-drawing.js';
+import {unitsInMetre, type FileUnit} from '../../model/garment/garment-document.js';
 
 /** Usual size of a garment's largest piece. [cm] */
 const usual = {low: 25, high: 220};

@@ -2,7 +2,7 @@
  * A small XML parser, since Node has none. It neither fetches nor expands anything that a file
  * declares.
  */
-import {FileError} from '../../model/versioned-file.js';
+import {FileError} from '../../model/base/versioned-file.js';
 
 export interface XmlElement {
   /** Local name without the prefix. */

@@ -1,6 +1,6 @@
 /** Expands the insertions in blocks, and places the blocks. */
-import {minus, plus, radians, rotated, type Point} from '../../model/geometry.js';
-import {FileError} from '../../model/versioned-file.js';
+import {minus, plus, radians, rotated, type Point} from '../../model/geometry/vectors.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import type {Block, DxfDocument} from './document.js';
 import type {Entity, InsertEntity} from './entities.js';
 

@@ -1,5 +1,5 @@
 /** Greatest number of pieces in a garment. */
-import {FileError} from '../../model/versioned-file.js';
+import {FileError} from '../../model/base/versioned-file.js';
 
 const mostPieces = 500;
 

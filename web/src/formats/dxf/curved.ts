@@ -10,7 +10,7 @@ import {
   towards,
   radians,
   type Point,
-} from '../../model/geometry.js';
+} from '../../model/geometry/vectors.js';
 import type {Vertex} from './tags.js';
 
 /** Angle between two points of an arc. [rad] */

@@ -1,6 +1,6 @@
 /** The parts of a DXF file: header, blocks in order, and entities outside of blocks. */
-import type {Point} from '../../model/geometry.js';
-import {FileError} from '../../model/versioned-file.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {entityOf, mostVertices, type Entity} from './entities.js';
 import {groupsOf, type Group} from './tags.js';
 

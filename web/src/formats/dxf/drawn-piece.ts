@@ -1,8 +1,8 @@
 /** Reads one piece of a DXF file: its outline as curves, and its marks. */
-import type {DrawnNotch, DrawnPiece, NotchKind} from '../../model/drawing.js';
-import {distance, middle, type Point} from '../../model/geometry.js';
-import {isInside} from '../../model/polyline.js';
-import {FileError} from '../../model/versioned-file.js';
+import type {DrawnNotch, DrawnPiece, NotchKind} from '../../model/garment/imported-drawing.js';
+import {distance, middle, type Point} from '../../model/geometry/vectors.js';
+import {isInside} from '../../model/geometry/polyline.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
 import {areaOf, isAllowance, loopsOf, type Loop, type Loops} from './loops.js';
 

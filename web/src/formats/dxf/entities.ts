@@ -2,7 +2,7 @@
  * Reads the entities of a DXF file that patterns use: lines, points, text and blocks. Lengths in
  * the file's unit, y up.
  */
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import {splineThrough} from '../base/splines.js';
 import {tracedRun} from '../base/bezier.js';
 import {bulgePoints, circlePoints, circularPoints, ellipsePoints, splinePoints} from './curved.js';

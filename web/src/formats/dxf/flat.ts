@@ -1,6 +1,6 @@
 /** Reads DXF without blocks: every closed line is a piece and owns everything inside. */
-import {distance, type Point} from '../../model/geometry.js';
-import {boxOf, isInside, type Box} from '../../model/polyline.js';
+import {distance, type Point} from '../../model/geometry/vectors.js';
+import {boxOf, isInside, type Box} from '../../model/geometry/polyline.js';
 import {nearestOn} from '../base/nearest.js';
 import type {Drawn} from './blocks.js';
 import {checkCount} from './count.js';

@@ -1,5 +1,5 @@
 /** Layers of AAMA-292 and ASTM D6673. */
-import type {NotchKind} from '../../model/drawing.js';
+import type {NotchKind} from '../../model/garment/imported-drawing.js';
 
 export const boundary = '1';
 export const turnPoint = '2';

@@ -1,6 +1,6 @@
 /** Finds closed lines, whether drawn closed or as consecutive open lines. */
-import {distance, minus, radians, turnBetween, type Point} from '../../model/geometry.js';
-import {isInside, signedArea} from '../../model/polyline.js';
+import {distance, minus, radians, turnBetween, type Point} from '../../model/geometry/vectors.js';
+import {isInside, signedArea} from '../../model/geometry/polyline.js';
 import {nearestOn} from '../base/nearest.js';
 import type {LineEntity} from './entities.js';
 

@@ -1,6 +1,6 @@
 /** Divides a closed line of points into runs of curves between its corners. */
-import type {Run} from '../../model/drawing.js';
-import {distance, minus, turnBetween, radians, type Point} from '../../model/geometry.js';
+import type {Run} from '../../model/garment/imported-drawing.js';
+import {distance, minus, turnBetween, radians, type Point} from '../../model/geometry/vectors.js';
 import {cubicsOf, halved} from '../base/bezier.js';
 import {pathThrough} from '../base/curve-fit.js';
 import {splineThrough, type SplineRule} from '../base/splines.js';

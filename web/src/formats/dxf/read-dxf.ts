@@ -1,6 +1,10 @@
 /** Reads DXF files of pattern programs, AAMA and ASTM, as drawings. */
-import {type Drawing, type DrawingOptions, drawingTitle} from '../../model/drawing.js';
-import {FileError} from '../../model/versioned-file.js';
+import {
+  type Drawing,
+  type DrawingOptions,
+  drawingTitle,
+} from '../../model/garment/imported-drawing.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {cmPer} from '../base/units.js';
 import {Blocks} from './blocks.js';
 import {documentOf} from './document.js';

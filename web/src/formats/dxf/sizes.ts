@@ -1,5 +1,5 @@
 /** Selects the size of every piece. */
-import {FileError} from '../../model/versioned-file.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import type {DxfPiece} from './pieces.js';
 
 interface ChosenSize {

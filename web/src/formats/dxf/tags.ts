@@ -1,6 +1,6 @@
 /** DXF as text: pairs of a group code and a value, one line each. Code 0 begins a group. */
-import type {Point} from '../../model/geometry.js';
-import {FileError} from '../../model/versioned-file.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {FileError} from '../../model/base/versioned-file.js';
 
 /** Greatest coordinate of a pattern, in any unit. */
 const greatest = 1e7;

@@ -1,7 +1,7 @@
 /** Determines the unit of a DXF file. */
-import type {UnitGuess} from '../../model/drawing.js';
-import type {FileUnit} from '../../model/garment-document.js';
-import type {Point} from '../../model/geometry.js';
+import type {UnitGuess} from '../../model/garment/imported-drawing.js';
+import type {FileUnit} from '../../model/garment/garment-document.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import {guessedUnit} from '../base/units.js';
 import {boundary} from './layers.js';
 import {linesOn, type DxfPiece} from './pieces.js';

@@ -1,5 +1,5 @@
 /** Parses an OBJ file to a triangle mesh, byte by byte, since files have millions of lines. */
-import {FileError} from '../../model/versioned-file.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {Floats, Integers} from './arrays.js';
 
 /** A triangle mesh; corners are indexed, three per triangle. */

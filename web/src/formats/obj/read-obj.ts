@@ -2,11 +2,11 @@
  * Reads OBJ with texture coordinates as a drawing: garments of simulators, with their pieces flat
  * in the texture.
  */
-import type {Drawing, DrawnPiece, DrawnSeam, Run} from '../../model/drawing.js';
-import type {FileUnit} from '../../model/garment-document.js';
-import type {Point} from '../../model/geometry.js';
-import {boxOf, signedArea} from '../../model/polyline.js';
-import {FileError} from '../../model/versioned-file.js';
+import type {Drawing, DrawnPiece, DrawnSeam, Run} from '../../model/garment/imported-drawing.js';
+import type {FileUnit} from '../../model/garment/garment-document.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {boxOf, signedArea} from '../../model/geometry/polyline.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {pathThrough} from '../base/curve-fit.js';
 import {guessedUnit} from '../base/units.js';
 import {welded} from './arrays.js';

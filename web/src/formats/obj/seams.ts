@@ -1,5 +1,5 @@
 /** Divides panel boundaries into edges where their seam partner changes. */
-import {minus, radians, turnBetween, type Point} from '../../model/geometry.js';
+import {minus, radians, turnBetween, type Point} from '../../model/geometry/vectors.js';
 
 /** Least turn of a free boundary between two edges; mesh segments along a curve turn less. [rad] */
 const corner = radians(35);

@@ -1,6 +1,6 @@
 /** Constructs the cut line from parts that are drawn only along edges with an allowance. [mm] */
-import {distance, type Point} from '../../model/geometry.js';
-import {signedArea} from '../../model/polyline.js';
+import {distance, type Point} from '../../model/geometry/vectors.js';
+import {signedArea} from '../../model/geometry/polyline.js';
 import {endOf, straight} from '../base/bezier.js';
 import {nearestOn, type Near} from '../base/nearest.js';
 import {meeting, type Line} from './lines.js';

@@ -1,7 +1,7 @@
 /** Reads the pieces of FreeSewing files: one group per piece, with line types as classes. [mm] */
-import type {DrawnNotch, DrawnPiece} from '../../model/drawing.js';
-import type {Point} from '../../model/geometry.js';
-import {atShare, isInside, lengthOf} from '../../model/polyline.js';
+import type {DrawnNotch, DrawnPiece} from '../../model/garment/imported-drawing.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {atShare, isInside, lengthOf} from '../../model/geometry/polyline.js';
 import {endOf} from '../base/bezier.js';
 import {countOf, type Count} from '../base/words.js';
 import {nearestOn} from '../base/nearest.js';

@@ -2,9 +2,9 @@
  * Reads pieces of SVG files from unknown programs: closed lines, with the text and marks inside.
  * [mm]
  */
-import type {DrawnPiece} from '../../model/drawing.js';
-import {distance, middle, minus, type Point} from '../../model/geometry.js';
-import {isInside, type Box} from '../../model/polyline.js';
+import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
+import {distance, middle, minus, type Point} from '../../model/geometry/vectors.js';
+import {isInside, type Box} from '../../model/geometry/polyline.js';
 import {endOf} from '../base/bezier.js';
 import {countOf, saysFold} from '../base/words.js';
 import type {XmlElement} from '../base/xml.js';

@@ -1,6 +1,6 @@
 /** Determines the length of an SVG unit. */
-import type {UnitGuess} from '../../model/drawing.js';
-import {FileError} from '../../model/versioned-file.js';
+import type {UnitGuess} from '../../model/garment/imported-drawing.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import type {XmlDocument} from '../base/xml.js';
 import {numbersOf} from './matrix.js';
 

@@ -1,9 +1,9 @@
 /** Converts SVG shapes to chains of cubics. */
 import svgpath from 'svgpath';
 
-import type {Run} from '../../model/drawing.js';
-import {between, distance, type Point} from '../../model/geometry.js';
-import {fieldOf} from '../../model/read.js';
+import type {Run} from '../../model/garment/imported-drawing.js';
+import {between, distance, type Point} from '../../model/geometry/vectors.js';
+import {fieldOf} from '../../model/base/read.js';
 import type {XmlElement} from '../base/xml.js';
 import {endOf, straight, type CubicFrom} from '../base/bezier.js';
 import {mapped, numbersOf, type Matrix} from './matrix.js';

@@ -1,7 +1,7 @@
 /** Recognises marks in pieces and at their outlines: grain, folds, notches and drill holes. [mm] */
-import type {DrawnNotch, Run} from '../../model/drawing.js';
-import {cross, distance, middle, minus, unit, type Point} from '../../model/geometry.js';
-import {atShare, boxOf, lengthOf} from '../../model/polyline.js';
+import type {DrawnNotch, Run} from '../../model/garment/imported-drawing.js';
+import {cross, distance, middle, minus, unit, type Point} from '../../model/geometry/vectors.js';
+import {atShare, boxOf, lengthOf} from '../../model/geometry/polyline.js';
 import {endOf, isLine} from '../base/bezier.js';
 import {nearestOn} from '../base/nearest.js';
 import {saysFold, saysGrain} from '../base/words.js';

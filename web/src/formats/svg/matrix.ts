@@ -1,5 +1,5 @@
 /** Affine maps in SVG notation: x' = a x + c y + e, y' = b x + d y + f. */
-import {radians, type Point} from '../../model/geometry.js';
+import {radians, type Point} from '../../model/geometry/vectors.js';
 
 export type Matrix = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
 

@@ -1,7 +1,7 @@
 /** Classifies closed lines: pieces, lines inside others, and page frames. [mm] */
-import type {Run} from '../../model/drawing.js';
-import {distance, type Point} from '../../model/geometry.js';
-import {boxOf, isInside, signedArea, type Box} from '../../model/polyline.js';
+import type {Run} from '../../model/garment/imported-drawing.js';
+import {distance, type Point} from '../../model/geometry/vectors.js';
+import {boxOf, isInside, signedArea, type Box} from '../../model/geometry/polyline.js';
 import {nearestOn} from '../base/nearest.js';
 import type {Line} from './lines.js';
 import {rimOf, runsOf} from './outlines.js';

@@ -1,7 +1,7 @@
 /** Closed lines: area, corners, and chaining of lines. [mm] */
-import type {Run} from '../../model/drawing.js';
-import {distance, minus, radians, turnBetween, type Point} from '../../model/geometry.js';
-import {lengthOf, signedArea} from '../../model/polyline.js';
+import type {Run} from '../../model/garment/imported-drawing.js';
+import {distance, minus, radians, turnBetween, type Point} from '../../model/geometry/vectors.js';
+import {lengthOf, signedArea} from '../../model/geometry/polyline.js';
 import {
   cubicsOf,
   endOf,

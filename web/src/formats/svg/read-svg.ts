@@ -1,9 +1,9 @@
 /** Reads SVG as a drawing of pieces. */
-import type {Drawing, DrawnPiece, Run, UnitGuess} from '../../model/drawing.js';
-import type {FileUnit} from '../../model/garment-document.js';
-import type {Point} from '../../model/geometry.js';
-import {boxOf} from '../../model/polyline.js';
-import {FileError} from '../../model/versioned-file.js';
+import type {Drawing, DrawnPiece, Run, UnitGuess} from '../../model/garment/imported-drawing.js';
+import type {FileUnit} from '../../model/garment/garment-document.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import {mapped} from '../base/bezier.js';
 import {cmPer, guessedUnit} from '../base/units.js';
 import {readXml, type XmlDocument} from '../base/xml.js';

@@ -1,8 +1,8 @@
 /**
  * Test squares: rectangles labelled with their size, which verify the scale of a printed pattern.
  */
-import {distance} from '../../model/geometry.js';
-import {boxOf, type Box} from '../../model/polyline.js';
+import {distance} from '../../model/geometry/vectors.js';
+import {boxOf, type Box} from '../../model/geometry/polyline.js';
 import type {Line} from './lines.js';
 import {isRectangle} from './nesting.js';
 import {pointsOf, runsOf} from './outlines.js';

@@ -1,6 +1,6 @@
 /** Walks an SVG, and resolves groups, transforms, uses and styles to final positions and sizes. */
-import type {Point} from '../../model/geometry.js';
-import {FileError} from '../../model/versioned-file.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {FileError} from '../../model/base/versioned-file.js';
 import type {XmlElement} from '../base/xml.js';
 import {linesOf, type Line} from './lines.js';
 import {

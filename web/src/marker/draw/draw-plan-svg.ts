@@ -1,7 +1,7 @@
 /** Draws a layout as SVG at a tenth of its true size. */
 import {drawnMarks} from '../../cutting/draw-sheet-svg.js';
-import {plus, type Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
+import {plus, type Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../../picture/cloth.js';
 import {escaped, polyline, short} from '../../picture/svg.js';
 import {printOnCloth} from './plan-pieces.js';

@@ -3,7 +3,7 @@
  * given in mm on paper.
  */
 import type {CutMark} from '../../cutting/cut-sheet.js';
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import {cm, sizeAt, type Size} from './plan-style.js';
 
 export interface PlanSheet {

@@ -1,7 +1,7 @@
 /**
  * English texts of a layout's notes, and the formatting of a note in any language. Lengths in cm.
  */
-import type {LayNote, LayNoteCode} from '../../model/lay-note.js';
+import type {LayNote, LayNoteCode} from '../../model/result/lay-note.js';
 
 /** Values of a note as text; lengths include their unit. */
 export interface NoteWords {

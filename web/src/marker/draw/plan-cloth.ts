@@ -3,8 +3,8 @@
  * fabric.
  */
 import type {CutMark} from '../../cutting/cut-sheet.js';
-import {plus, towards, type Point} from '../../model/geometry.js';
-import {boxOf, distanceTo, isInside, type Box} from '../../model/polyline.js';
+import {plus, towards, type Point} from '../../model/geometry/vectors.js';
+import {boxOf, distanceTo, isInside, type Box} from '../../model/geometry/polyline.js';
 import {boxOfMark} from '../../paper/draw-marks.js';
 import {boxAt, cornersOf, overlap, shared} from '../../paper/boxes.js';
 import {placeIn} from '../../paper/words-on-page.js';

@@ -4,8 +4,8 @@
  */
 import {blockName, crosses, layers, namesOf} from '../../cutting/out/sheet-dxf.js';
 import {block, dxfFile, insert, line, polyline, text} from '../../cutting/out/dxf-records.js';
-import type {Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
 import {namesIn, planPieces, type KnownPieces} from './plan-pieces.js';
 import {planTexts, type PlanTexts} from './plan-texts.js';
 

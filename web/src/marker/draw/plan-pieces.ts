@@ -12,12 +12,12 @@ import {
   towards,
   type Alignment,
   type Point,
-} from '../../model/geometry.js';
-import type {LaidPlacement, LayPlan} from '../../model/lay-plan.js';
-import {readable} from '../../model/piece-names.js';
-import type {Print} from '../../model/print.js';
-import type {ResultPiece, SolveResult} from '../../model/result.js';
-import {carried} from '../../model/triangles.js';
+} from '../../model/geometry/vectors.js';
+import type {LaidPlacement, LayPlan} from '../../model/result/marker-plan.js';
+import {readable} from '../../model/garment/piece-names.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import type {ResultPiece, SolveResult} from '../../model/result/result.js';
+import {carried} from '../../model/geometry/triangles.js';
 import {lineAt} from '../../scene/grain-line.js';
 import {innermost, pick} from '../../scene/marks.js';
 

@@ -5,9 +5,9 @@
  */
 import type {CutMark} from '../../cutting/cut-sheet.js';
 import {nameLines} from '../../layout/name-lines.js';
-import type {Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import type {Print} from '../../model/print.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import type {Print} from '../../model/print/repeating-print.js';
 import {Filling, moved, type PlanSheet, type SheetFormat} from './filling.js';
 import {clothMarks, ruler, type DrawnCloth} from './plan-cloth.js';
 import {namesIn, planPieces, repeatCorner, type KnownPieces} from './plan-pieces.js';

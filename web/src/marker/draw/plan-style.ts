@@ -1,6 +1,6 @@
 /** Sizes and small marks of a drawn layout, all in proportion to one size. */
 import type {CutLayer, CutLine, CutText} from '../../cutting/cut-sheet.js';
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 
 /** Millimetres on the fabric per millimetre on paper, for lines, letters and distances. */
 export type Size = number;

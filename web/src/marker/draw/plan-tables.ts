@@ -3,8 +3,8 @@
  * edge.
  */
 import type {CutMark} from '../../cutting/cut-sheet.js';
-import type {Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {PlanPiece} from './plan-pieces.js';
 import {cm, lineOf, textOf, type Size} from './plan-style.js';
 import type {PlanWords} from './plan-words.js';

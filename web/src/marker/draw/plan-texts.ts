@@ -1,5 +1,5 @@
 /** English texts of a layout. Lengths are passed as text with their unit. */
-import type {LayNoteCode} from '../../model/lay-note.js';
+import type {LayNoteCode} from '../../model/result/lay-note.js';
 import {noteTexts, type NoteWords} from './note-texts.js';
 
 /** The sentence of each note, by code. */

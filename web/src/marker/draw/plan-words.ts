@@ -1,9 +1,9 @@
 /** Figures of a layout as text. */
-import type {Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import {readable} from '../../model/piece-names.js';
-import {fractionOrNumber, formatLength, type Units} from '../../model/units.js';
-import {layCosts} from '../../model/pinned-plan.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import {readable} from '../../model/garment/piece-names.js';
+import {fractionOrNumber, formatLength, type Units} from '../../model/base/length-text.js';
+import {layCosts} from '../../model/result/pinned-plan.js';
 import {saidNote, type NoteFormat} from './note-texts.js';
 import {planTexts, type PlanTexts} from './plan-texts.js';
 

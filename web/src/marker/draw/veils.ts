@@ -2,8 +2,8 @@
  * White veils over the print of a layout, which make pieces and text legible. Lengths in cm on the
  * fabric.
  */
-import type {Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
 import {boxAt, cornersOf} from '../../paper/boxes.js';
 
 /** Closed lines, filled by the even-odd rule. */

@@ -1,4 +1,4 @@
-import {SolverError} from '../../model/failure.js';
+import {SolverError} from '../../model/result/failure.js';
 import type {HooksOf, KindOf, RequestKinds} from '../requests/kinds.js';
 import {brokenModule, loadingError} from './broken.js';
 import {SharedModule, type Modules, type WasmSources} from './shared-module.js';

@@ -1,5 +1,5 @@
-import {SolverError} from '../../model/failure.js';
-import {policyName} from '../../model/trusted.js';
+import {SolverError} from '../../model/result/failure.js';
+import {policyName} from '../../model/base/trusted.js';
 
 /** A failure of the solver itself, not of its input: event and reason in one sentence. */
 export function internalError(what: string, cause: unknown): SolverError {

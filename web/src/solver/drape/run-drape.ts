@@ -1,5 +1,5 @@
 /** Runs drapes in slices. */
-import type {Drape, DrapeHooks, DrapeMesh} from '../../model/drape.js';
+import type {Drape, DrapeHooks, DrapeMesh} from '../../model/result/draped-garment.js';
 import {runInSlices, type Pace} from '../answers/slices.js';
 import {documentBytes} from '../json/document.js';
 import type {DrapeModule, ModuleDrape, ModuleDrapeRequest} from '../module/drape.mjs';

@@ -1,12 +1,12 @@
 /** Searches layouts of pieces on fabric, in slices. */
-import type {Alignment, Point} from '../../model/geometry.js';
+import type {Alignment, Point} from '../../model/geometry/vectors.js';
 import type {
   MarkerAnswer,
   MarkerHooks,
   MarkerLayout,
   MarkerPiece,
   MarkerProblem,
-} from '../../model/marker.js';
+} from '../../model/result/marker-search.js';
 import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
 import type {
   ModuleLayout,

@@ -2,7 +2,7 @@
  * The drape module's Embind interface. Every EmbindObject stays on the module's heap until
  * `delete()`; only the code in neighbouring folders should depend on that.
  */
-import type {DrapeMesh, Drape, DrapeStage, Form} from '../../model/drape.js';
+import type {DrapeMesh, Drape, DrapeStage, Form} from '../../model/result/draped-garment.js';
 import type {DocumentLimits, EmbindObject, ModuleFailure, ModuleSettings} from './module.js';
 
 /** Documents, and their names in messages. */

@@ -1,6 +1,6 @@
 /** White balance: factors of light for gamma-coded pixels. */
-import type {ColourGains} from '../../model/photo.js';
-import {codedOf, linearOf} from '../../model/srgb.js';
+import type {ColourGains} from '../../model/print/photo-reading.js';
+import {codedOf, linearOf} from '../../model/print/srgb.js';
 
 /** Changes the pixels in place: red, green, blue, opacity. */
 export function balance(pixels: Uint8Array | Uint8ClampedArray, gains: ColourGains): void {

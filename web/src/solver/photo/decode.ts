@@ -1,6 +1,6 @@
 /** Decodes an image to upright pixels, on the thread that answers the request. */
-import {SolverError} from '../../model/failure.js';
-import type {PhotoPixels} from '../../model/photo.js';
+import {SolverError} from '../../model/result/failure.js';
+import type {PhotoPixels} from '../../model/print/photo-reading.js';
 
 /** Larger images are reduced: finer detail does not help, and phones lack the memory. [px] */
 const longestSide = 4096;

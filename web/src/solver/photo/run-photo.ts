@@ -1,6 +1,6 @@
 /** Reads prints from images, in slices. */
-import {groupNames} from '../../model/print.js';
-import {vectorsAtMiddle} from '../../model/photo-map.js';
+import {groupNames} from '../../model/base/core-tables.js';
+import {vectorsAtMiddle} from '../../model/print/photo-map.js';
 import {
   oneRepeat,
   photoConfidences,
@@ -21,8 +21,8 @@ import {
   type PhotoTileSettings,
   type Side,
   type TileSeams,
-} from '../../model/photo.js';
-import type {Point} from '../../model/geometry.js';
+} from '../../model/print/photo-reading.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
 import type {
   ModuleObject,

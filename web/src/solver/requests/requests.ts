@@ -1,6 +1,6 @@
-import type {Drape, DrapeHooks} from '../../model/drape.js';
-import type {GarmentDocument} from '../../model/garment-document.js';
-import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../../model/marker.js';
+import type {Drape, DrapeHooks} from '../../model/result/draped-garment.js';
+import type {GarmentDocument} from '../../model/garment/garment-document.js';
+import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../../model/result/marker-search.js';
 import type {
   PhotoHooks,
   PhotoObject,
@@ -9,10 +9,10 @@ import type {
   PhotoReading,
   PhotoRequest,
   PhotoTileRequest,
-} from '../../model/photo.js';
-import type {ProofHooks, SolveHooks} from '../../model/problem.js';
-import type {MeshedPattern, Proof, SolveResult} from '../../model/result.js';
-import type {DetectedSymmetries, MeasuredSymmetry} from '../../model/symmetries.js';
+} from '../../model/print/photo-reading.js';
+import type {ProofHooks, SolveHooks} from '../../model/design/solve-problem.js';
+import type {MeshedPattern, Proof, SolveResult} from '../../model/result/result.js';
+import type {DetectedSymmetries, MeasuredSymmetry} from '../../model/garment/symmetries.js';
 import type {DrapeTexts, GarmentTexts, MirrorTexts, ProblemTexts} from './texts.js';
 
 /** All requests to the solver, by kind; `../answering.ts` defines the answers. */

@@ -1,10 +1,15 @@
-import {SolverError} from '../../model/failure.js';
-import {fabricNames, formSizes, type DrapeHooks, type DrapeSettings} from '../../model/drape.js';
-import type {Garment} from '../../model/garment.js';
-import type {Problem, ProofHooks, SolveHooks} from '../../model/problem.js';
-import {methods} from '../../model/method.js';
-import type {SolveResult} from '../../model/result.js';
-import type {Symmetry} from '../../model/symmetries.js';
+import {SolverError} from '../../model/result/failure.js';
+import {
+  fabricNames,
+  formSizes,
+  type DrapeHooks,
+  type DrapeSettings,
+} from '../../model/result/draped-garment.js';
+import type {Garment} from '../../model/garment/specification.js';
+import type {Problem, ProofHooks, SolveHooks} from '../../model/design/solve-problem.js';
+import {methods} from '../../model/result/method.js';
+import type {SolveResult} from '../../model/result/result.js';
+import type {Symmetry} from '../../model/garment/symmetries.js';
 
 /** A problem as text: its files, and their names in messages. */
 export interface ProblemTexts {

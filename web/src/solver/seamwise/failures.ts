@@ -1,6 +1,6 @@
-import {failureCode, SolverError} from '../../model/failure.js';
-import {symmetryReasons} from '../../model/notes.js';
-import {photoFaults} from '../../model/photo.js';
+import {failureCode, SolverError} from '../../model/result/failure.js';
+import {symmetryReasons} from '../../model/result/notes.js';
+import {photoFaults} from '../../model/print/photo-reading.js';
 import {documentValue} from '../json/document.js';
 import type {ModuleFailure} from '../module/module.js';
 import type {ModuleDocument} from '../module/seamwise.mjs';

@@ -1,4 +1,4 @@
-import {trustedScript} from '../../model/trusted.js';
+import {trustedScript} from '../../model/base/trusted.js';
 import type {Requests} from '../requests/requests.js';
 import {workerThread, type StartThread} from '../threads/thread.js';
 

@@ -1,6 +1,6 @@
 /** Runs solves and proofs in slices. All functions throw the errors of `runInSlices`. */
-import type {ProofHooks, SolveHooks} from '../../model/problem.js';
-import type {MeshedPattern, Proof, SolveResult} from '../../model/result.js';
+import type {ProofHooks, SolveHooks} from '../../model/design/solve-problem.js';
+import type {MeshedPattern, Proof, SolveResult} from '../../model/result/result.js';
 import {runInSlices, type Pace} from '../answers/slices.js';
 import type {Solver} from './solver.js';
 

@@ -1,5 +1,5 @@
-import type {Phase} from '../../model/problem.js';
-import type {MeshedPattern, Milliseconds, Proof, SolveResult} from '../../model/result.js';
+import type {Phase} from '../../model/design/solve-problem.js';
+import type {MeshedPattern, Milliseconds, Proof, SolveResult} from '../../model/result/result.js';
 import {stepsFor} from '../answers/slices.js';
 import {documentBytes, documentValue} from '../json/document.js';
 import type {LentShare, ModuleProblem, ModuleSolver, SeamwiseModule} from '../module/seamwise.mjs';

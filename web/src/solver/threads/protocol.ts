@@ -1,4 +1,4 @@
-import type {Failure} from '../../model/failure.js';
+import type {Failure} from '../../model/result/failure.js';
 import type {KindOf, RequestKinds} from '../requests/kinds.js';
 
 /** Increases with every change of the messages: a page must not use a worker from an old cache. */

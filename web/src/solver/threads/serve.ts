@@ -1,4 +1,4 @@
-import {failureOf, SolverError, type Failure} from '../../model/failure.js';
+import {failureOf, SolverError, type Failure} from '../../model/result/failure.js';
 import {Answerer} from '../answers/answerer.js';
 import {internalError} from '../answers/broken.js';
 import type {Modules, WasmSources} from '../answers/shared-module.js';

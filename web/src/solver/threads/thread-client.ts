@@ -1,4 +1,4 @@
-import {SolverError, type Failure} from '../../model/failure.js';
+import {SolverError, type Failure} from '../../model/result/failure.js';
 import {internalError} from '../answers/broken.js';
 import type {HooksOf, KindOf, RequestKinds} from '../requests/kinds.js';
 import {protocolVersion, type FromThread, type RequestMessage} from './protocol.js';

@@ -1,4 +1,4 @@
-import {SolverError} from '../../model/failure.js';
+import {SolverError} from '../../model/result/failure.js';
 import {internalError} from '../answers/broken.js';
 import type {RequestKinds} from '../requests/kinds.js';
 import type {FromThread, ToThread} from './protocol.js';

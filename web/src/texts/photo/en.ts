@@ -5,7 +5,7 @@ import type {
   PhotoNote,
   PhotoStage,
   SymmetryVerdict,
-} from '../../model/photo.js';
+} from '../../model/print/photo-reading.js';
 
 export const photo = {
   title: 'Photo of your cloth',

@@ -1,7 +1,7 @@
 /** GPU buffers of a drape's mesh: moving positions and normals, and coordinates on the print. */
 import {BufferAttribute, BufferGeometry, DynamicDrawUsage} from 'three';
 
-import type {DrapeMesh} from '../../model/drape.js';
+import type {DrapeMesh} from '../../model/result/draped-garment.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {clothOf, normalsOf, printPlaces, putToDrawn, type Cloth} from './cloth.js';
 

@@ -1,11 +1,11 @@
 /**
  * The mesh of a drape for drawing: split by piece, since each piece has its own place on the print.
  */
-import type {DrapeMesh} from '../../model/drape.js';
-import type {Alignment, Point} from '../../model/geometry.js';
-import type {Print} from '../../model/print.js';
-import {apply} from '../../model/wallpaper.js';
-import {imageCoordinates} from '../../model/print-coordinates.js';
+import type {DrapeMesh} from '../../model/result/draped-garment.js';
+import type {Alignment, Point} from '../../model/geometry/vectors.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import {apply} from '../../model/print/wallpaper.js';
+import {imageCoordinates} from '../../model/print/image-coordinates.js';
 
 /** Drawn vertices are those of the pieces, one piece after the other. */
 export interface Cloth {

@@ -2,8 +2,8 @@
  * Finds the piece or seam of a drape under the pointer, and the direction from which it is best
  * visible.
  */
-import type {Surface} from '../../model/drape.js';
-import type {Point} from '../../model/geometry.js';
+import type {Surface} from '../../model/result/draped-garment.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import type {ScreenSize} from '../../scene/sheet-view.js';
 import {eyeOf, fieldOfView, screenAxes, wayOut, type Orbit} from './camera.js';
 import type {ClothLayer} from './cloth-layer.js';

@@ -1,7 +1,7 @@
 /** The contents of a drape's view: settling fabric, dummy and floor, seams and marks. */
 import {BufferGeometry, type WebGLRenderer} from 'three';
 
-import type {DrapeMesh, Form} from '../../model/drape.js';
+import type {DrapeMesh, Form} from '../../model/result/draped-garment.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Raster} from '../stage.js';
 import {inks, type Appearance} from '../strokes.js';

@@ -1,9 +1,9 @@
 /**
  * The view of a drape: its fabric with the print, on a tailor's dummy. Draws only after a change.
  */
-import type {DrapeMesh, Form} from '../../model/drape.js';
-import type {Point} from '../../model/geometry.js';
-import {imageCell} from '../../model/wallpaper.js';
+import type {DrapeMesh, Form} from '../../model/result/draped-garment.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {imageCell} from '../../model/print/wallpaper.js';
 import type {Tile} from '../../image/tile.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {navigate} from '../navigation.js';

@@ -1,5 +1,5 @@
 /** A tailor's dummy: the form in linen, with a cap on its neck, a pole and a foot. */
-import type {Form, Surface} from '../../model/drape.js';
+import type {Form, Surface} from '../../model/result/draped-garment.js';
 import {normalsOf} from './cloth.js';
 
 type Colour = readonly [number, number, number];

@@ -1,5 +1,5 @@
 /** Finds the triangle and the seam under a point of a drape's picture. */
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 import {pointOf, type Vector} from './space.js';
 
 export interface Ray {

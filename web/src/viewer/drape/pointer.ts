@@ -1,5 +1,5 @@
 /** Reports the points that a pointer hovers over or clicks. */
-import type {Point} from '../../model/geometry.js';
+import type {Point} from '../../model/geometry/vectors.js';
 
 /** Points of the element, from its upper left. [CSS px] */
 interface PointerListener {

@@ -4,7 +4,7 @@
  */
 import {BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type ShaderMaterial} from 'three';
 
-import type {DrapeMesh} from '../../model/drape.js';
+import type {DrapeMesh} from '../../model/result/draped-garment.js';
 import {mismatchLine, type MismatchLine} from '../../scene/colours.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {cross3, minus3, pointOf, unit3, type Vector} from './space.js';

@@ -1,8 +1,8 @@
 /** Input of a cutting sheet, available after a solve. */
-import {decidedOf, noPicture, printOf} from '../../model/design.js';
-import {SolverError} from '../../model/failure.js';
-import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
-import type {SolveResult} from '../../model/result.js';
+import {decidedOf, noPicture, printOf} from '../../model/design/design.js';
+import {SolverError} from '../../model/result/failure.js';
+import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
+import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowances.js';
 import type {CuttingMarks, SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';

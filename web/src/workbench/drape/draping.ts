@@ -6,11 +6,11 @@ import type {
   DrapeSettings,
   FabricName,
   Form,
-} from '../../model/drape.js';
-import {fabricOf, type Design, type DesignGarment} from '../../model/design.js';
-import type {Failure} from '../../model/failure.js';
-import type {Point} from '../../model/geometry.js';
-import type {SolveResult} from '../../model/result.js';
+} from '../../model/result/draped-garment.js';
+import {fabricOf, type Design, type DesignGarment} from '../../model/design/design.js';
+import type {Failure} from '../../model/result/failure.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {SolveResult} from '../../model/result/result.js';
 import {toFailure} from '../latest-solve.js';
 import {Observable} from '../observable.js';
 import type {Workbench} from '../workbench.js';

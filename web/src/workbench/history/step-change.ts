@@ -1,8 +1,13 @@
 /** Finds the change that a history step made, so that undo can name it. */
-import {askedSymmetries, fabricOf, type Design, type DesignGarment} from '../../model/design.js';
-import type {SolveOptions} from '../../model/options.js';
-import {fieldOf} from '../../model/read.js';
-import type {Symmetry} from '../../model/symmetries.js';
+import {
+  askedSymmetries,
+  fabricOf,
+  type Design,
+  type DesignGarment,
+} from '../../model/design/design.js';
+import type {SolveOptions} from '../../model/design/options.js';
+import {fieldOf} from '../../model/base/read.js';
+import type {Symmetry} from '../../model/garment/symmetries.js';
 import {solveSettingsOf, type SolveSettings} from '../presets.js';
 import {withQuarterTurn} from '../lists/changed-options.js';
 import type {Texts} from '../../texts/texts.js';

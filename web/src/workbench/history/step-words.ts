@@ -1,5 +1,5 @@
 /** Names of history steps: "turn Waistband", "matching of seams, Side seam". */
-import type {Design} from '../../model/design.js';
+import type {Design} from '../../model/design/design.js';
 import {seamRows} from '../lists/rows.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
 import type {Step} from '../state.js';

@@ -1,7 +1,7 @@
 /** Changes of the solver's options that the user makes for one seam or one piece. */
-import {angleOf, type GrainLock, type GrainRule} from '../../model/grain.js';
-import {type SolveOptions} from '../../model/options.js';
-import type {PieceNames} from '../../model/piece-names.js';
+import {angleOf, type GrainLock, type GrainRule} from '../../model/garment/grain.js';
+import {type SolveOptions} from '../../model/design/options.js';
+import type {PieceNames} from '../../model/garment/piece-names.js';
 import type {SeamRow} from './rows.js';
 
 export const matches = ['double', 'full', 'half', 'none'] as const;

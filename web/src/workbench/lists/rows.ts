@@ -1,18 +1,18 @@
 /** Pieces and seams as rows of a table, with their measurements and names. */
-import type {Design} from '../../model/design.js';
-import type {GarmentDocument, GarmentSeam} from '../../model/garment-document.js';
-import {degrees, distance, minus, rotated} from '../../model/geometry.js';
-import {seamLetter} from '../../model/letters.js';
-import type {GrainLock} from '../../model/grain.js';
-import type {Pattern, SeamReason, SeamSide} from '../../model/result.js';
+import type {Design} from '../../model/design/design.js';
+import type {GarmentDocument, GarmentSeam} from '../../model/garment/garment-document.js';
+import {degrees, distance, minus, rotated} from '../../model/geometry/vectors.js';
+import {seamLetter} from '../../model/garment/letters.js';
+import type {GrainLock} from '../../model/garment/grain.js';
+import type {Pattern, SeamReason, SeamSide} from '../../model/result/result.js';
 import {mismatchSteps, severity} from '../../scene/colours.js';
-import {boxOf, lengthOf} from '../../model/polyline.js';
+import {boxOf, lengthOf} from '../../model/geometry/polyline.js';
 import {isGathered, type Drift} from '../../scene/mismatch.js';
 import {pick} from '../../scene/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Scenes} from '../scenes.js';
 import type {Workbench} from '../workbench.js';
 

@@ -1,5 +1,5 @@
 /** Notes of the core in the user's language; unknown notes stay in English. */
-import type {NoteDetail} from '../../model/notes.js';
+import type {NoteDetail} from '../../model/result/notes.js';
 import {seamRows} from './rows.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';

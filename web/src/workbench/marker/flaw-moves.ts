@@ -1,8 +1,8 @@
 /** Moves and resizes a flaw of the fabric, by keys and by numbers. Lengths in cm. */
 import type {Bolt} from '../../marker/places.js';
-import type {Point} from '../../model/geometry.js';
-import {boxOf} from '../../model/polyline.js';
-import type {Units} from '../../model/units.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+import type {Units} from '../../model/base/length-text.js';
 import type {Flaw} from './lay-step.js';
 import {ways} from './marker-moves.js';
 

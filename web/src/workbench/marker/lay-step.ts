@@ -1,10 +1,10 @@
 /** The user's state of a layout: choices about the fabric, pins, and flaws to avoid. */
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {MarkerOrder} from '../../marker/problem.js';
-import type {Failure} from '../../model/failure.js';
-import type {Alignment, Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import type {MarkerProblem} from '../../model/marker.js';
+import type {Failure} from '../../model/result/failure.js';
+import type {Alignment, Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import type {MarkerProblem} from '../../model/result/marker-search.js';
 import type {MarkerChoices} from './marker-choices.js';
 
 export type Flaw = readonly Point[];

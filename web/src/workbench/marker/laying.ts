@@ -4,14 +4,21 @@
  */
 import {withOffers} from '../../marker/cheaper.js';
 import {placesIn} from '../../marker/moved-plan.js';
-import {aroundPins} from '../../model/pinned-plan.js';
+import {aroundPins} from '../../model/result/pinned-plan.js';
 import type {Bolt} from '../../marker/places.js';
-import type {DesignPrint} from '../../model/design.js';
-import type {Failure} from '../../model/failure.js';
-import type {Alignment} from '../../model/geometry.js';
-import {amended, mapped, redone, stepped, undone, type History} from '../../model/history.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import type {SolveResult} from '../../model/result.js';
+import type {DesignPrint} from '../../model/design/design.js';
+import type {Failure} from '../../model/result/failure.js';
+import type {Alignment} from '../../model/geometry/vectors.js';
+import {
+  amended,
+  mapped,
+  redone,
+  stepped,
+  undone,
+  type History,
+} from '../../model/design/history.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import type {SolveResult} from '../../model/result/result.js';
 import {allowancesIn} from '../allowances.js';
 import {storedCloth, withCloth, type MarkerChoices} from './marker-choices.js';
 import {MarkerWork, type PieceOnCloth} from './marker-work.js';

@@ -2,8 +2,8 @@
  * The user's choices about the fabric of a print and the distances of pieces, stored with the
  * preferences.
  */
-import type {DesignPrint} from '../../model/design.js';
-import {fieldOf} from '../../model/read.js';
+import type {DesignPrint} from '../../model/design/design.js';
+import {fieldOf} from '../../model/base/read.js';
 import type {ChosenAllowances, Preferences} from '../../texts/preferences.js';
 import {allowancesIn, greatestAllowance, withAllowances} from '../allowances.js';
 

@@ -1,9 +1,9 @@
 /** Files of a marker. */
 import {layPlanText} from '../../marker/plan.js';
-import {decidedOf, noPicture, printOf, type DesignPrint} from '../../model/design.js';
-import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import {readable} from '../../model/piece-names.js';
+import {decidedOf, noPicture, printOf, type DesignPrint} from '../../model/design/design.js';
+import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import {readable} from '../../model/garment/piece-names.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import {planTextsIn} from '../../texts/plan-texts.js';
 import type {Workbench} from '../workbench.js';

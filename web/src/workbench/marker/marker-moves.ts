@@ -8,8 +8,8 @@ import {
   turnsOf,
   type Bolt,
 } from '../../marker/places.js';
-import {minus, norm, wrapped, type Alignment, type Point} from '../../model/geometry.js';
-import {reducedBasis} from '../../model/wallpaper.js';
+import {minus, norm, wrapped, type Alignment, type Point} from '../../model/geometry/vectors.js';
+import {reducedBasis} from '../../model/print/wallpaper.js';
 import type {PieceOnCloth} from './marker-work.js';
 import {placesOf} from './piece-drag.js';
 

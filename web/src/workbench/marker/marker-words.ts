@@ -9,11 +9,11 @@ import {
   type LaidPiece,
   type Obstacles,
 } from '../../marker/places.js';
-import {layCosts} from '../../model/pinned-plan.js';
-import {degrees, type Point} from '../../model/geometry.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import {boxOf} from '../../model/polyline.js';
-import {fractionOrNumber, type Units} from '../../model/units.js';
+import {layCosts} from '../../model/result/pinned-plan.js';
+import {degrees, type Point} from '../../model/geometry/vectors.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+import {fractionOrNumber, type Units} from '../../model/base/length-text.js';
 import type {ClothTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {PieceOnCloth} from './marker-work.js';

@@ -2,12 +2,12 @@
 import {isMoved, movedPlan} from '../../marker/moved-plan.js';
 import type {Bolt, LaidPiece} from '../../marker/places.js';
 import type {MarkerOrder} from '../../marker/problem.js';
-import {printOf, type Design, type DesignPrint} from '../../model/design.js';
-import {begun, type History} from '../../model/history.js';
-import type {LayPlan} from '../../model/lay-plan.js';
-import type {SolveResult} from '../../model/result.js';
+import {printOf, type Design, type DesignPrint} from '../../model/design/design.js';
+import {begun, type History} from '../../model/design/history.js';
+import type {LayPlan} from '../../model/result/marker-plan.js';
+import type {SolveResult} from '../../model/result/result.js';
 import {noPins, type LayStep} from './lay-step.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 
 /** A piece on the fabric. */
 export interface PieceOnCloth extends LaidPiece {

@@ -10,7 +10,7 @@ import {
   type LaidPiece,
   type Obstacles,
 } from '../../marker/places.js';
-import {minus, plus, type Alignment, type Point} from '../../model/geometry.js';
+import {minus, plus, type Alignment, type Point} from '../../model/geometry/vectors.js';
 import type {PieceOnCloth} from './marker-work.js';
 
 /** A dragged piece: its offset, and the place that it would take. */

@@ -1,8 +1,8 @@
 /** A photo on its way to a print: the reading, the user's changes, and the tile. */
 import {exifTags} from '../../image/exif.js';
-import type {Failure} from '../../model/failure.js';
-import type {Point} from '../../model/geometry.js';
-import {begun, redone, stepped, undone, type History} from '../../model/history.js';
+import type {Failure} from '../../model/result/failure.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {begun, redone, stepped, undone, type History} from '../../model/design/history.js';
 import type {
   KnownObject,
   PhotoMap,
@@ -11,7 +11,7 @@ import type {
   PhotoStage,
   PointsMeasured,
   RepeatsMeasured,
-} from '../../model/photo.js';
+} from '../../model/print/photo-reading.js';
 import type {SolverService} from '../../solver/service.js';
 import {NewestTask} from '../background-task.js';
 import {toFailure} from '../latest-solve.js';

@@ -1,5 +1,5 @@
 /** Keeps the photo in the dialog until a print is made from it, for a reload of the page. */
-import {begun, type History} from '../../model/history.js';
+import {begun, type History} from '../../model/design/history.js';
 import type {PhotoStep} from '../../photo/photo-step.js';
 import type {PhotoKeeper, UnfinishedPhoto} from '../../photo/photo-keeper.js';
 import type {PhotoSession} from './photo-session.js';

@@ -1,5 +1,5 @@
 /** Opens a file as the print of a workbench's design. */
-import {noPicture} from '../../model/design.js';
+import {noPicture} from '../../model/design/design.js';
 import {textsOf} from '../../texts/texts.js';
 import {openEdgesOf, openPairs} from '../../print/own-groups.js';
 import {printOfPicture} from '../../print/own-print.js';

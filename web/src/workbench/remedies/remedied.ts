@@ -1,6 +1,6 @@
 /** A remedy as one step of the history, and in words. */
-import {printOf, type Design, type DesignPrint} from '../../model/design.js';
-import {repeatOf} from '../../model/repeat.js';
+import {printOf, type Design, type DesignPrint} from '../../model/design/design.js';
+import {repeatOf} from '../../model/print/repeat.js';
 import type {Remedy} from '../../remedies/remedy.js';
 import {sampleOf} from '../../print/group-choice.js';
 import type {Format} from '../../texts/format.js';

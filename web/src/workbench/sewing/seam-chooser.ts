@@ -11,13 +11,13 @@ import {
   type SeamState,
   type Sewing,
 } from '../../clicks/seam-tool.js';
-import type {DesignGarment} from '../../model/design.js';
-import {designAfter} from '../../model/edited-design.js';
-import {edgeLength} from '../../model/edge-curve.js';
-import type {EdgeOfPiece} from '../../model/garment-document.js';
-import {edgeOf, isOpen, sameEdge, seamAt} from '../../model/garment-edit.js';
-import {distance, type Point} from '../../model/geometry.js';
-import {offSheet, ontoSheet} from '../../model/sheet-place.js';
+import type {DesignGarment} from '../../model/design/design.js';
+import {designAfter} from '../../model/design/edited-design.js';
+import {edgeLength} from '../../model/garment/edge-curve.js';
+import type {EdgeOfPiece} from '../../model/garment/garment-document.js';
+import {edgeOf, isOpen, sameEdge, seamAt} from '../../model/garment/edits.js';
+import {distance, type Point} from '../../model/geometry/vectors.js';
+import {offSheet, ontoSheet} from '../../model/geometry/sheet-place.js';
 import type {Run} from '../../clicks/run.js';
 import {nearestOn, pathThrough} from '../../clicks/path.js';
 import {edgePoints} from '../../scene/edge-line.js';
@@ -26,7 +26,7 @@ import {formatFor, type Format} from '../../texts/format.js';
 import type {SewTexts} from '../../texts/sew-texts.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
 import type {Overlay} from '../../scene/overlay.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Workbench} from '../workbench.js';
 import {EdgeNames, nearestNotch} from '../../sewing/edge-names.js';
 import {editedPattern} from '../../sewing/edited-pattern.js';

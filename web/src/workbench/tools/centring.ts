@@ -1,10 +1,10 @@
 /**
  * Centres the print on the selected edge, or on the middle of the body if a piece extends to it.
  */
-import type {Placement} from '../../model/garment-document.js';
-import type {Alignment, Point} from '../../model/geometry.js';
-import {footOnAxis} from '../../model/mirror-lines.js';
-import {atShare} from '../../model/polyline.js';
+import type {Placement} from '../../model/garment/garment-document.js';
+import type {Alignment, Point} from '../../model/geometry/vectors.js';
+import {footOnAxis} from '../../model/print/mirror-lines.js';
+import {atShare} from '../../model/geometry/polyline.js';
 import {turned} from '../../layout/on-body.js';
 import {pick} from '../../scene/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';

@@ -1,7 +1,7 @@
 /** Sets the grain line of a piece by clicks: along an edge, or through two points. */
 import type {LineTarget, OnPiece, Target} from '../../clicks/pick.js';
 import {inputPoint} from '../../clicks/sheet.js';
-import {angleOf, degrees, distance, minus, type Point} from '../../model/geometry.js';
+import {angleOf, degrees, distance, minus, type Point} from '../../model/geometry/vectors.js';
 import type {Overlay} from '../../scene/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {withGrainLines} from '../lists/changed-options.js';

@@ -1,12 +1,12 @@
 /**
  * Probable grain lines of pieces whose file gives none, from their placement and their symmetry.
  */
-import type {Placement} from '../../model/garment-document.js';
-import type {PanelMarks} from '../../model/garment-marks.js';
-import {degrees, middle, radians, towards, type Point} from '../../model/geometry.js';
-import {boxOf} from '../../model/polyline.js';
-import type {ResultPiece} from '../../model/result.js';
-import type {Registration, Symmetry} from '../../model/symmetries.js';
+import type {Placement} from '../../model/garment/garment-document.js';
+import type {PanelMarks} from '../../model/garment/panel-marks.js';
+import {degrees, middle, radians, towards, type Point} from '../../model/geometry/vectors.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+import type {ResultPiece} from '../../model/result/result.js';
+import type {Registration, Symmetry} from '../../model/garment/symmetries.js';
 import {turned} from '../../layout/on-body.js';
 import type {Workbench} from '../workbench.js';
 

@@ -1,6 +1,6 @@
 /** Keeps parts of pieces as drafted or releases them by a press, and shows the part beforehand. */
 import type {Target as Picked} from '../../clicks/pick.js';
-import {isKept, keptParts, toggledLock, type Lockable} from '../../model/locks.js';
+import {isKept, keptParts, toggledLock, type Lockable} from '../../model/design/locks.js';
 import {pick} from '../../scene/marks.js';
 import type {Overlay} from '../../scene/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';

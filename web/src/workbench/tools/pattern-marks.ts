@@ -1,16 +1,16 @@
 /** Marks over the pattern: highlight and selection, found symmetries, choices, cursors. */
-import type {SolveOptions} from '../../model/options.js';
-import type {Pattern} from '../../model/result.js';
-import {wayOnSheet} from '../../model/sheet-place.js';
-import type {DetectedSymmetry} from '../../model/symmetries.js';
-import {atShare} from '../../model/polyline.js';
+import type {SolveOptions} from '../../model/design/options.js';
+import type {Pattern} from '../../model/result/result.js';
+import {wayOnSheet} from '../../model/geometry/sheet-place.js';
+import type {DetectedSymmetry} from '../../model/garment/symmetries.js';
+import {atShare} from '../../model/geometry/polyline.js';
 import {innermost, pick} from '../../scene/marks.js';
 import type {OnPiece, Overlay} from '../../scene/overlay.js';
 import {symmetriesOf, type SceneSymmetry} from '../../scene/scene-marks.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Workbench} from '../workbench.js';
 import type {PatternTools} from './pattern-tools.js';
 

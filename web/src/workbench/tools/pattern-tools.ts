@@ -2,9 +2,9 @@
 import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
 import type {PickIndex} from '../../clicks/pick-index.js';
 import {snap, type Snapped} from '../../clicks/snap.js';
-import type {Alignment, Point} from '../../model/geometry.js';
-import {groupsThatCarry} from '../../model/repeat.js';
-import {wayOnSheet} from '../../model/sheet-place.js';
+import type {Alignment, Point} from '../../model/geometry/vectors.js';
+import {groupsThatCarry} from '../../model/print/repeat.js';
+import {wayOnSheet} from '../../model/geometry/sheet-place.js';
 import {notchMark} from '../../cutting/follow.js';
 import type {Overlay} from '../../scene/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';

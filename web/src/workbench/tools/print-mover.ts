@@ -1,5 +1,5 @@
 /** Moves the print inside a piece: the piece is then pinned, and the others follow. */
-import type {Design} from '../../model/design.js';
+import type {Design} from '../../model/design/design.js';
 import {
   cross,
   dot,
@@ -10,20 +10,20 @@ import {
   rotated,
   type Alignment,
   type Point,
-} from '../../model/geometry.js';
-import {angleAfter, grainRule} from '../../model/grain-rule.js';
+} from '../../model/geometry/vectors.js';
+import {angleAfter, grainRule} from '../../model/design/grain-rule.js';
 import {
   mirroringsOf,
   nearestPlace,
   ownMirroring,
   withPin,
   type PieceFacts,
-} from '../../model/pins.js';
-import {axisLine, nextMirrored} from '../../model/mirror-lines.js';
-import {boxOf} from '../../model/polyline.js';
+} from '../../model/design/pins.js';
+import {axisLine, nextMirrored} from '../../model/print/mirror-lines.js';
+import {boxOf} from '../../model/geometry/polyline.js';
 import {pick} from '../../scene/marks.js';
 import type {ScenePiece} from '../../scene/scene.js';
-import {lastOf} from '../../model/last-of.js';
+import {lastOf} from '../../model/base/last-of.js';
 import type {Workbench} from '../workbench.js';
 
 /** Shifts the print by a vector in the coordinates of the piece. */

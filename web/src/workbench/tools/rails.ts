@@ -1,9 +1,9 @@
 /** Lines for the print of a symmetric piece, whose axis stays on a mirror line of the print. */
-import {leftOf, minus, plus, type Point} from '../../model/geometry.js';
-import {mirroringsOf, ownMirroring} from '../../model/pins.js';
-import {axisLine, footOnAxis} from '../../model/mirror-lines.js';
-import {crossingsOf} from '../../model/polyline.js';
-import {wayOnSheet} from '../../model/sheet-place.js';
+import {leftOf, minus, plus, type Point} from '../../model/geometry/vectors.js';
+import {mirroringsOf, ownMirroring} from '../../model/design/pins.js';
+import {axisLine, footOnAxis} from '../../model/print/mirror-lines.js';
+import {crossingsOf} from '../../model/geometry/polyline.js';
+import {wayOnSheet} from '../../model/geometry/sheet-place.js';
 import {pick} from '../../scene/marks.js';
 import type {Overlay} from '../../scene/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';

@@ -8,10 +8,10 @@ import {
   type SymmetryState,
   type SymmetryTool,
 } from '../../clicks/symmetry-tool.js';
-import type {Design} from '../../model/design.js';
-import type {GroupName} from '../../model/print.js';
-import {carries} from '../../model/repeat.js';
-import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
+import type {Design} from '../../model/design/design.js';
+import type {GroupName} from '../../model/print/repeating-print.js';
+import {carries} from '../../model/print/repeat.js';
+import type {MeasuredSymmetry, Symmetry} from '../../model/garment/symmetries.js';
 import {axisAlong, pick} from '../../scene/marks.js';
 import type {Overlay} from '../../scene/overlay.js';
 import {symmetriesOf} from '../../scene/scene-marks.js';

@@ -1,0 +1,275 @@
+/**
+ * A draped garment as binary glTF 2.0 for viewers, shops and other programs: metres, y up, front
+ * towards +z. The texture coordinates include the place of the print, since many viewers ignore
+ * texture transforms.
+ */
+import type {Drape, DrapedPiece, Surface} from '../result/draped-garment.js';
+import {GlbFile} from './glb-container.js';
+import type {Point} from '../geometry/vectors.js';
+import {imageCoordinates} from '../print/image-coordinates.js';
+import type {Print} from '../print/repeating-print.js';
+import type {SolveResult} from '../result/result.js';
+import {packageVersion} from '../base/version.js';
+import {apply} from '../print/wallpaper.js';
+
+/** One cell of a print as an image that glTF can contain. */
+export interface CellPicture {
+  readonly bytes: Uint8Array;
+  readonly type: 'image/png' | 'image/jpeg';
+}
+
+export interface GlbOptions {
+  /**
+   * Image of the print's cell. Without it the fabric is white and has the same texture coordinates.
+   */
+  readonly picture?: CellPicture;
+  /** Names of the pieces of unprinted fabric. */
+  readonly plain?: readonly string[];
+  /**
+   * Adds attributes per vertex: the number of its piece, `_PIECE`, and its point on the piece as
+   * cut, `_SHAPE`. [cm]
+   */
+  readonly attributes?: boolean;
+  /** Adds the form on which the garment hangs, as a separate node. */
+  readonly form?: boolean;
+  /** Name of the garment for the user. */
+  readonly garment?: string;
+  /** Hash of the result file. */
+  readonly sha256?: string;
+}
+
+/**
+ * Recognises the image of a cell by its first bytes; undefined unless PNG or JPEG, the only types
+ * in glTF.
+ */
+export function cellPicture(bytes: Uint8Array): CellPicture | undefined {
+  const begins = (...start: number[]): boolean => start.every((byte, k) => bytes[k] === byte);
+  if (begins(0x89, 0x50, 0x4e, 0x47)) return {bytes, type: 'image/png'};
+  return begins(0xff, 0xd8, 0xff) ? {bytes, type: 'image/jpeg'} : undefined;
+}
+
+/** WebGL constants by which glTF names the wrapping and filtering of a texture. */
+const sampler = {wrapS: 10497, wrapT: 10497, magFilter: 9729, minFilter: 9987};
+
+/** Linear base colours of fabric and form: red, green, blue, opacity. */
+const white = [0.9, 0.9, 0.88, 1];
+const linen = [0.62, 0.54, 0.43, 1];
+const roughness = 0.85;
+
+/**
+ * Builds the file. Texture coordinates refer to the image of the cell, (0, 0) its upper left
+ * corner, on the pieces as cut.
+ * @throws {RangeError} when the drape does not belong to this result
+ */
+export function glb(
+  result: Pick<SolveResult, 'pieces'>,
+  drape: Pick<Drape, 'mesh' | 'positions' | 'form'>,
+  print: Print,
+  options: GlbOptions = {},
+): Uint8Array {
+  const file = new GlbFile();
+  const {picture, garment, sha256} = options;
+  const isPlain = new Set(options.plain ?? []);
+  const cloth = drapedPieces(result, drape, print);
+  const groups = [
+    {name: 'print', pieces: cloth.filter(({piece}) => !isPlain.has(piece.name))},
+    {name: 'plain', pieces: cloth.filter(({piece}) => isPlain.has(piece.name))},
+  ].filter(({pieces}) => pieces.length > 0);
+  const primitives = groups.map(({pieces}, material) => ({
+    ...primitiveOf(file, pieces, options.attributes ?? false),
+    material,
+  }));
+  const materials: object[] = groups.map(({name}) => clothMaterial(name, picture !== undefined));
+  const nodes: object[] = [{name: 'garment', mesh: 0}];
+  const meshes: object[] = [{name: 'garment', primitives}];
+  if (options.form) {
+    materials.push({name: 'linen', pbrMetallicRoughness: matt({baseColorFactor: linen})});
+    nodes.push({name: 'form', mesh: 1});
+    const form = formPrimitive(file, drape.form.surface);
+    meshes.push({name: 'form', primitives: [{...form, material: materials.length - 1}]});
+  }
+  return file.bytes({
+    asset: {version: '2.0', generator: `seamwise ${packageVersion}`},
+    scene: 0,
+    scenes: [{nodes: nodes.map((_, k) => k)}],
+    ...{nodes, meshes, materials},
+    ...(picture !== undefined &&
+      groups[0]?.name === 'print' && {
+        textures: [{sampler: 0, source: 0}],
+        samplers: [sampler],
+        images: [{bufferView: file.addBytes(picture.bytes), mimeType: picture.type}],
+      }),
+    extras: {
+      format: 'seamwise-glb/1',
+      ...(garment !== undefined && {garment}),
+      print: {title: print.title, group: print.group, w1: print.w1, w2: print.w2, cell: print.cell},
+      ...(sha256 !== undefined && {sha256}),
+      units: 'm',
+      pieces: drape.mesh.pieces.map(({name}) => name),
+    },
+  });
+}
+
+interface PlacedPiece {
+  readonly piece: DrapedPiece;
+  readonly index: number;
+  /** Three, three and two numbers per vertex. [m], [1], [cells] */
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly coordinates: Float32Array;
+}
+
+function drapedPieces(
+  {pieces}: Pick<SolveResult, 'pieces'>,
+  {mesh, positions}: Pick<Drape, 'mesh' | 'positions'>,
+  print: Print,
+): readonly PlacedPiece[] {
+  const normals = normalsOf(
+    positions,
+    mesh.pieces.map(({triangles, sewn}) => triangles.map((vertex) => sewn[vertex] ?? 0)),
+  );
+  return mesh.pieces.map((piece, index) => {
+    const known = pieces[index];
+    if (known?.name !== piece.name) {
+      throw new RangeError(`The result has no piece '${piece.name}' there; drape it again.`);
+    }
+    const points = pointsOf(piece.shape);
+    const onPicture = imageCoordinates(print, known.alignment, points[0] ?? [0, 0]);
+    return {
+      ...{piece, index},
+      positions: metres(perVertex(positions, piece.sewn)),
+      normals: Float32Array.from(perVertex(normals, piece.sewn)),
+      coordinates: Float32Array.from(
+        points.flatMap((point) => {
+          const [u, v] = apply(onPicture, point);
+          return [u, 1 - v];
+        }),
+      ),
+    };
+  });
+}
+
+const pointsOf = (numbers: Float64Array): readonly Point[] =>
+  Array.from({length: numbers.length / 2}, (_, k) => [
+    numbers[2 * k] ?? 0,
+    numbers[2 * k + 1] ?? 0,
+  ]);
+
+const metres = (cm: ArrayLike<number>): Float32Array =>
+  Float32Array.from(cm, (value) => value / 100);
+
+/** Three numbers for each vertex of a piece, taken from those of the sewn mesh. */
+const perVertex = (ofCloth: Float64Array, sewn: Uint32Array): Float64Array =>
+  Float64Array.from({length: 3 * sewn.length}, (_, k) => {
+    return ofCloth[3 * (sewn[Math.floor(k / 3)] ?? 0) + (k % 3)] ?? 0;
+  });
+
+/**
+ * Normals of vertices: the mean of the adjacent triangles' normals, weighted by area. Upwards where
+ * there is none.
+ */
+function normalsOf(positions: ArrayLike<number>, triangles: readonly Uint32Array[]): Float64Array {
+  const sums = new Float64Array(positions.length);
+  const coordinate = (vertex: number, c: number): number => positions[3 * vertex + c] ?? 0;
+  for (const list of triangles) {
+    for (let t = 0; t + 2 < list.length; t += 3) {
+      const corners = [list[t] ?? 0, list[t + 1] ?? 0, list[t + 2] ?? 0] as const;
+      const [a, b, c] = corners;
+      const side = (to: number) =>
+        [0, 1, 2].map((k) => coordinate(to, k) - coordinate(a, k)) as [number, number, number];
+      const [u, v] = [side(b), side(c)];
+      const normal = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+      ];
+      for (const corner of corners) {
+        normal.forEach((value, k) => (sums[3 * corner + k] = (sums[3 * corner + k] ?? 0) + value));
+      }
+    }
+  }
+  for (let at = 0; at < sums.length; at += 3) {
+    const [x = 0, y = 0, z = 0] = sums.subarray(at, at + 3);
+    const length = Math.sqrt(x * x + y * y + z * z); // equal in all engines, unlike Math.hypot
+    sums.set(length > 0 ? [x / length, y / length, z / length] : [0, 1, 0], at);
+  }
+  return sums;
+}
+
+function joined(arrays: readonly Float32Array[]): Float32Array {
+  const all = new Float32Array(arrays.reduce((length, array) => length + array.length, 0));
+  let at = 0;
+  for (const array of arrays) {
+    all.set(array, at);
+    at += array.length;
+  }
+  return all;
+}
+
+/**
+ * Each piece has its own vertices, since pieces joined by a seam have different places on the
+ * print.
+ */
+function primitiveOf(file: GlbFile, pieces: readonly PlacedPiece[], attributes: boolean): object {
+  const indices: number[] = [];
+  let before = 0;
+  for (const {piece} of pieces) {
+    for (const vertex of piece.triangles) indices.push(before + vertex);
+    before += piece.sewn.length;
+  }
+  const all = (each: (placed: PlacedPiece) => Float32Array) => joined(pieces.map(each));
+  return {
+    attributes: {
+      POSITION: file.addVectors(
+        all(({positions}) => positions),
+        'VEC3',
+        true,
+      ),
+      NORMAL: file.addVectors(
+        all(({normals}) => normals),
+        'VEC3',
+      ),
+      TEXCOORD_0: file.addVectors(
+        all(({coordinates}) => coordinates),
+        'VEC2',
+      ),
+      ...(attributes && {
+        _PIECE: file.addVectors(
+          all(({piece, index}) => new Float32Array(piece.sewn.length).fill(index)),
+          'SCALAR',
+        ),
+        _SHAPE: file.addVectors(
+          all(({piece}) => Float32Array.from(piece.shape)),
+          'VEC2',
+        ),
+      }),
+    },
+    indices: file.addIndices(Uint32Array.from(indices)),
+  };
+}
+
+function formPrimitive(file: GlbFile, {vertices, triangles}: Surface): object {
+  return {
+    attributes: {
+      POSITION: file.addVectors(metres(vertices), 'VEC3', true),
+      NORMAL: file.addVectors(Float32Array.from(normalsOf(vertices, [triangles])), 'VEC3'),
+    },
+    indices: file.addIndices(triangles),
+  };
+}
+
+const matt = (colour: object): object => ({
+  ...colour,
+  metallicFactor: 0,
+  roughnessFactor: roughness,
+});
+
+const clothMaterial = (name: string, hasPicture: boolean): object => ({
+  name,
+  pbrMetallicRoughness: matt(
+    name === 'print' && hasPicture
+      ? {baseColorTexture: {index: 0, texCoord: 0}}
+      : {baseColorFactor: white},
+  ),
+  doubleSided: true,
+});

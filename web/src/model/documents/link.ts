@@ -1,0 +1,132 @@
+/**
+ * A project as the fragment of a URL, to be shared. It contains everything except the content of
+ * samples.
+ */
+import {bytesOf, deflated, Inflated, inflated} from './deflated.js';
+import {decisionsOf, type Design, type DesignGarment, type DesignPrint} from '../design/design.js';
+import {
+  decisions,
+  garmentSample,
+  ownGarment,
+  ownPicture,
+  ownTile,
+  printMeasures,
+  printSample,
+} from '../design/read-design.js';
+import {projectTitle} from './project-name.js';
+import {fieldOf, Malformed, shape, text, type Read} from '../base/read.js';
+import type {PrintTile} from '../print/opened-image.js';
+import {written} from '../design/written-design.js';
+
+/** A garment in a link: the name of a sample, or the whole garment. */
+export type LinkedGarment =
+  {readonly sample: NonNullable<DesignGarment['sample']>} | Pick<DesignGarment, 'name' | 'text'>;
+
+/**
+ * A print in a link. If its image was made from an opened one, the link contains only the opened
+ * one.
+ */
+export type LinkedPrint = Pick<
+  DesignPrint,
+  'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled'
+> &
+  (
+    | {readonly sample: NonNullable<DesignPrint['sample']>}
+    | Pick<DesignPrint, 'title' | 'image'>
+    | (Pick<DesignPrint, 'title'> & {readonly tile: PrintTile})
+  );
+
+export interface LinkedProject extends Design<LinkedGarment, LinkedPrint> {
+  /** Title given by the sender. */
+  readonly title?: string;
+}
+
+/** Error for a fragment that is meant as a project but is damaged or too large. */
+export class LinkError extends Error {
+  override readonly name = 'LinkError';
+}
+
+const start = '#project=';
+/** Start of older links, which are not deflated. */
+const plainStart = '#design=';
+/** Greatest length of a link, since browsers and servers limit URLs. [characters] */
+export const longestLink = 200_000;
+/** Greatest size of an inflated project. [bytes] */
+const largest = 8 * 2 ** 20;
+
+/** Chooses a reader by the presence of a field. */
+const either =
+  <A, B>(field: string, having: Read<A>, other: Read<B>): Read<A | B> =>
+  (value, at) =>
+    fieldOf(value, field) === undefined ? other(value, at) : having(value, at);
+
+const title = text(/^.{0,255}$/su, 'a title');
+const garment = either('sample', shape({sample: garmentSample}), ownGarment);
+const print = either(
+  'sample',
+  shape({sample: printSample}),
+  either('tile', shape({title, tile: ownTile}), shape({title, image: ownPicture})),
+);
+
+const linked: Read<LinkedProject> = (value, at) => {
+  const found = shape(
+    {garment, print: (entry, place) => ({...printMeasures(entry, place), ...print(entry, place)})},
+    {title: projectTitle},
+  )(value, at);
+  return {...found, ...decisions(value, at)};
+};
+
+/**
+ * Returns whether a print is a sample with its original image. The image may have been redrawn for
+ * another group.
+ */
+const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =>
+  print.sample !== undefined && !print.image.startsWith('data:');
+
+/** The fragment "#..." of a project, of any length. @param title given by the owner */
+export async function linkOf(design: Design, title?: string): Promise<string> {
+  const {garment: own, print: shown} = design;
+  const {group, size, turnDeg, oneWay, cell, tile, unscaled} = shown;
+  const project: LinkedProject = {
+    garment: own.sample ? {sample: own.sample} : {name: own.name, text: own.text},
+    print: {
+      ...{group, size, turnDeg, oneWay, cell, ...(unscaled && {unscaled})},
+      ...(isSample(shown)
+        ? {sample: shown.sample}
+        : {title: shown.title, ...(tile ? {tile} : {image: shown.image})}),
+    },
+    ...decisionsOf(design),
+    ...(title !== undefined && {title}),
+  };
+  return start + (await deflated(JSON.stringify(written(project))));
+}
+
+/**
+ * Reads the project of a fragment; undefined for a fragment that is not a project.
+ * @throws {LinkError} for a damaged or too large project
+ */
+export async function readLink(fragment: string): Promise<LinkedProject | undefined> {
+  const isPlain = fragment.startsWith(plainStart);
+  if (!isPlain && !fragment.startsWith(start)) return undefined;
+  try {
+    if (fragment.length > longestLink) throw new LinkError('too long');
+    return isPlain
+      ? fromPlain(plainText(fragment.slice(plainStart.length)))
+      : linked(JSON.parse(await inflated(fragment.slice(start.length), largest)), '');
+  } catch (cause) {
+    const isDamaged = [LinkError, Inflated, SyntaxError, TypeError, Malformed].some(
+      (kind) => cause instanceof kind,
+    );
+    throw isDamaged ? new LinkError('damaged', {cause}) : cause;
+  }
+}
+
+const plainText = (letters: string): string =>
+  new TextDecoder('utf-8', {fatal: true}).decode(bytesOf(letters.replace(/=+$/, '')));
+
+/** Reads an older link, in which the garment is the name of a sample. */
+function fromPlain(json: string): LinkedProject {
+  const value: unknown = JSON.parse(json);
+  const {garment: sample} = shape({garment: garmentSample})(value, '');
+  return linked({...Object(value), garment: {sample}}, '');
+}

@@ -1,0 +1,105 @@
+/**
+ * Content of another program's file before any choice: pieces as drawn, right side up, y up, in the
+ * unit of the file. `garmentOf` converts it to a garment.
+ */
+import type {FileUnit} from './garment-document.js';
+import type {Point} from '../geometry/vectors.js';
+
+/**
+ * A line from corner to corner: a chain of Bezier curves, each given by two control points and its
+ * end.
+ */
+export interface Run {
+  readonly start: Point;
+  readonly cubics: readonly (readonly [Point, Point, Point])[];
+}
+
+export type NotchKind = 'slit' | 'v' | 't' | 'castle' | 'check' | 'u';
+
+export interface DrawnNotch {
+  readonly at: Point;
+  readonly depth?: number;
+  readonly kind: NotchKind;
+}
+
+export interface DrawnPiece {
+  readonly name: string;
+  readonly size?: string;
+  /** Numbers of pieces cut as drawn, and cut as the mirror image. */
+  readonly quantity: {readonly asDrawn: number; readonly mirrored: number};
+  readonly material?: string;
+  /** The sewing line, closed, in either direction. A file with only one line gives this one. */
+  readonly sewn: readonly Run[];
+  /** The cutting line, if the file draws both. */
+  readonly cut?: readonly Run[];
+  readonly holes: readonly (readonly Run[])[];
+  readonly notches: readonly DrawnNotch[];
+  readonly grain?: readonly [Point, Point];
+  /** Axis of a half piece, along which the fabric is folded. */
+  readonly fold?: readonly [Point, Point];
+  readonly internalLines: readonly (readonly Point[])[];
+  readonly drillHoles: readonly Point[];
+  readonly words: readonly string[];
+}
+
+/** Two runs of outlines that the file sews to each other; only meshes contain seams. */
+export interface DrawnSeam {
+  readonly a: {readonly piece: number; readonly run: number};
+  readonly b: {readonly piece: number; readonly run: number};
+  readonly sameDirection: boolean;
+}
+
+export interface UnitGuess {
+  readonly unit: FileUnit;
+  /** Evidence for the unit. */
+  readonly because: 'stated' | 'measured' | 'size' | 'program';
+  readonly isSure: boolean;
+  /** Other units in which the garment is wearable. */
+  readonly others: readonly FileUnit[];
+}
+
+export interface Drawing {
+  readonly kind: 'dxf' | 'svg' | 'obj';
+  readonly program?: string;
+  readonly title?: string;
+  /**
+   * All sizes in the file; `pieces` are those of `sampleSize` unless another size was requested.
+   */
+  readonly sizes: readonly string[];
+  readonly sampleSize?: string;
+  readonly size?: string;
+  readonly unit: UnitGuess;
+  readonly pieces: readonly DrawnPiece[];
+  readonly seams: readonly DrawnSeam[];
+  /** Omissions and assumptions, one sentence each. */
+  readonly notes: readonly string[];
+}
+
+/** Options for reading a file. */
+export interface DrawingOptions {
+  /**
+   * Size to take from a nest of sizes. Default: the base size, from which the others were graded.
+   */
+  readonly size?: string;
+  /** Unit of the drawing; it overrides the unit in the file. */
+  readonly units?: FileUnit;
+}
+
+const drawingEnding =
+  /(\.(aama|astm|browzwear|clo|flat|gerber|lectra|optitex|polypattern|richpeace|valentina))?\.(dxf|obj|svg)$/i;
+
+/** Name of a drawing file without the endings that programs add: "tee-m" of "tee-m.gerber.dxf". */
+export const drawingName = (file: string): string =>
+  file.replace(/^.*[/\\]/, '').replace(drawingEnding, '') || file;
+
+/** Least length at which programs cut names off. [characters] */
+const shortestCut = 20;
+
+/**
+ * Title of a drawing. The stated title may be a file name, or the cut-off beginning of this file's
+ * own name.
+ */
+export function drawingTitle(stated: string, file: string): string {
+  const [title, own] = [drawingName(stated.trim()), drawingName(file)];
+  return title.length >= shortestCut && own.startsWith(title) ? own : title;
+}

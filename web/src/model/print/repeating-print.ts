@@ -1,0 +1,52 @@
+import type {groupNames} from '../base/core-tables.js';
+import type {Point} from '../geometry/vectors.js';
+
+/** The 17 wallpaper groups by their usual short names. */
+export type GroupName = (typeof groupNames)[number];
+
+/**
+ * `primitive`: the cell spanned by w1 (to the right) and w2 (up); `rectangular`: the conventional
+ * rectangular cell of the group's lattice; `centred`: two cells with sides w1 + w2 and w2 - w1,
+ * whose middle looks like a corner: a half-drop, for any group.
+ */
+export const printCells = ['primitive', 'rectangular', 'centred'] as const;
+
+export type PrintCell = (typeof printCells)[number];
+
+/** The same print in other colours: an image of its cell as SVG, and one as PNG. */
+export interface Colourway {
+  readonly name: string;
+  readonly image: string;
+  readonly raster?: string;
+}
+
+/**
+ * A repeating print. `w1`, `w2` in cm, right-handed; +y of the print is the length of the fabric.
+ */
+export interface Print {
+  readonly format?: 'seamwise-print/1';
+  /** Name shown to the user. */
+  readonly title?: string;
+  readonly family?: 'botanical' | 'geometric' | 'tailored';
+  readonly group: GroupName;
+  readonly w1: Point;
+  readonly w2: Point;
+  /** One cell of the print; its lower left corner is the group's origin. */
+  readonly image?: string;
+  /** The cell in `image`. Default `primitive`. */
+  readonly cell?: PrintCell;
+  /** True if the print has an upside: then a piece on grain must not be turned by 180 degrees. */
+  readonly oneWay?: boolean;
+  /**
+   * Lengths are in proportion only, because the print is not measured yet. It can be placed, but
+   * not cut.
+   */
+  readonly unscaled?: boolean;
+  readonly fabric?: {readonly usableWidthCm?: number};
+  /** The first one is the one in `image`. */
+  readonly colourways?: readonly Colourway[];
+}
+
+/** The colourway of this name, regardless of case. */
+export const colourwayOf = ({colourways = []}: Print, name: string): Colourway | undefined =>
+  colourways.find((one) => one.name.toLowerCase() === name.toLowerCase());

@@ -1,0 +1,103 @@
+import type {SymmetryReason} from './notes.js';
+import type {PhotoFault} from '../print/photo-reading.js';
+
+/**
+ * Reasons of a failed solve, with the numbers that the core uses. Names and numbers are part of the
+ * API: new ones may be added, but none may change.
+ */
+export const failureCodes = {
+  cancelled: 1,
+  internal: 2,
+  notJson: 10,
+  tooLarge: 11,
+  notAGarment: 12,
+  noPanels: 13,
+  units: 14,
+  number: 15,
+  edgeIndex: 16,
+  edgeZeroLength: 17,
+  curvature: 18,
+  outlineOpen: 19,
+  outlineSelfIntersects: 20,
+  seamUnknownPiece: 21,
+  seamUnknownEdge: 22,
+  seamEdgeTwice: 23,
+  seamMalformed: 24,
+  mesh: 25,
+  notAPrint: 40,
+  groupUnknown: 41,
+  lattice: 42,
+  symmetryMalformed: 60,
+  symmetryUnknownPiece: 61,
+  symmetryDoesNotMirror: 62,
+  symmetryGroup: 63,
+  symmetryConflict: 64,
+  options: 80,
+  picture: 90,
+} as const;
+
+/** Codes of failures outside the core. The names are part of the API, too. */
+export const pageFailureCodes = [
+  /** The solver's worker cannot be started; solving continues on the page's own thread. */
+  'worker-blocked',
+  /** WebAssembly, or the solver's .wasm file, is missing or not allowed. */
+  'no-wasm',
+  /** A file is missing at its address. */
+  'not-found',
+  'network',
+  'timeout',
+  'no-webgl',
+  /** A file is larger than the page reads. */
+  'too-large',
+  'not-an-image',
+  /** A file differs from the one that a design was made with. */
+  'file-changed',
+  /** A print of unmeasured size cannot be cut. */
+  'unscaled',
+] as const;
+
+export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[number];
+
+/** A failure as plain data that can be posted between threads. */
+export interface Failure {
+  readonly code: FailureCode;
+  /** One sentence for people, which names the piece or seam and the remedy. */
+  readonly message: string;
+  /** Index of the affected piece in the garment; null without one. */
+  readonly piece: number | null;
+  /** Number of the affected seam in the garment; null without one. */
+  readonly seam: number | null;
+  /** Reason why a requested symmetry cannot hold, or why no print can be read from an image. */
+  readonly reason?: SymmetryReason | PhotoFault;
+}
+
+/** The only error that the solver throws for its input. */
+export class SolverError extends Error implements Failure {
+  override readonly name = 'SolverError';
+  readonly code: FailureCode;
+  readonly piece: number | null;
+  readonly seam: number | null;
+  declare readonly reason?: SymmetryReason | PhotoFault;
+
+  constructor(failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>) {
+    super(failure.message);
+    this.code = failure.code;
+    this.piece = failure.piece ?? null;
+    this.seam = failure.seam ?? null;
+    if (failure.reason) this.reason = failure.reason;
+  }
+}
+
+/** The failure of an error as plain data. */
+export const failureOf = ({code, message, piece, seam, reason}: SolverError): Failure => ({
+  ...{code, message, piece, seam},
+  ...(reason && {reason}),
+});
+
+/** Name of a failure number from the core; `internal` for an unknown number. */
+export function failureCode(number: number): FailureCode {
+  for (const [name, value] of Object.entries(failureCodes)) {
+    if (value === number) return name as FailureCode;
+  }
+  return 'internal';
+}
