@@ -14,7 +14,7 @@ const noRaces = [
   {
     selector: 'CallExpression[callee.property.name="waitForTimeout"]',
     message:
-      'Wait for a state of the page or for frames, not for a time; see tests/support/waiting.ts.',
+      'Wait for a state of the page or for frames, not for a time; see tests/support/page/waiting.ts.',
   },
   {
     selector:
@@ -50,7 +50,7 @@ export default defineConfig(
     rules: {'no-restricted-syntax': ['error', ...noRaces]},
   },
   {
-    files: ['tests/page/**/*.ts'],
+    files: ['tests/{page,support/page}/**/*.ts'],
     rules: {'no-restricted-syntax': ['error', ...noRaces, noBareReads]},
   },
 );

@@ -25,7 +25,7 @@ export default defineConfig({
         extends: true,
         test: {
           name: 'web',
-          include: ['tests/architecture.test.ts', 'tests/{web,wasm,package}/**/*.test.ts'],
+          include: ['tests/{rules,web,wasm,package}/**/*.test.ts'],
         },
       },
       {
@@ -34,7 +34,7 @@ export default defineConfig({
           name: 'browser',
           include: ['tests/{page,examples}/**/*.test.ts'],
           exclude: isThorough ? [] : ['tests/examples/{bundlers,other-browsers}.test.ts'],
-          globalSetup: 'tests/support/start-browser.ts',
+          globalSetup: 'tests/support/page/start-browser.ts',
           isolate: false,
         },
       },
@@ -43,7 +43,7 @@ export default defineConfig({
         test: {
           name: 'timing',
           include: ['tests/timing/**/*.test.ts'],
-          globalSetup: 'tests/support/start-browser.ts',
+          globalSetup: 'tests/support/page/start-browser.ts',
           fileParallelism: false,
         },
       },

@@ -6,9 +6,9 @@ import {join} from 'node:path';
 import {rolldown} from 'rolldown';
 import {afterAll, beforeAll, expect, it} from 'vitest';
 
-import {serveFiles} from '../support/browser.js';
-import {packed, type Packed} from '../support/packed.js';
-import {samples, solved, useChromium} from '../support/examples.js';
+import {serveFiles} from '../support/page/browser.js';
+import {packed, type Packed} from '../support/package/packed.js';
+import {samples, solved, useChromium} from '../support/package/examples.js';
 
 const open = useChromium();
 /** Policy that allows the site's own files and WebAssembly only. */

@@ -5,9 +5,9 @@ import {join} from 'node:path';
 import {order, type StoredDesign} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {serveFiles} from '../support/browser.js';
-import {samples, useExamples} from '../support/examples.js';
-import {missingOf, otherBrowsers} from '../support/other-browsers.js';
+import {serveFiles} from '../support/page/browser.js';
+import {samples, useExamples} from '../support/package/examples.js';
+import {missingOf, otherBrowsers} from '../support/package/other-browsers.js';
 
 const {copy} = useExamples();
 

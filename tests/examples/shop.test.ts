@@ -10,9 +10,9 @@ import {order, readStoredDesign, resultText, sha256Of} from 'seamwise/node';
 import {beforeAll, expect, it} from 'vitest';
 
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
-import {barriers} from '../support/barriers.js';
-import {bytesOf} from '../support/browser.js';
-import {samples, solved, useChromium, useExamples} from '../support/examples.js';
+import {barriers} from '../support/page/barriers.js';
+import {bytesOf} from '../support/page/browser.js';
+import {samples, solved, useChromium, useExamples} from '../support/package/examples.js';
 
 const {copy, serve} = useExamples();
 const open = useChromium();

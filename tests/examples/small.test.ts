@@ -7,8 +7,8 @@ import {promisify} from 'node:util';
 import {resultText, solve} from 'seamwise/node';
 import {expect, it, onTestFinished} from 'vitest';
 
-import {serveFiles} from '../support/browser.js';
-import {samples, solved, useChromium, useExamples} from '../support/examples.js';
+import {serveFiles} from '../support/page/browser.js';
+import {samples, solved, useChromium, useExamples} from '../support/package/examples.js';
 
 const run = promisify(execFile);
 const {copy, serve} = useExamples();

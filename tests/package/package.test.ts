@@ -11,7 +11,7 @@ import {afterAll, beforeAll, expect, it} from 'vitest';
 
 import {tool} from '../../web/setup/shell.mjs';
 import {isThorough} from '../support/level.js';
-import {packed, type Packed} from '../support/packed.js';
+import {packed, type Packed} from '../support/package/packed.js';
 
 const kilobyte = 1000;
 /** Most bytes of the compressed package, as the registry sends it; three is not included. */

@@ -1,10 +1,10 @@
 /** The time for which malicious files block a page. */
 import {expect, it} from 'vitest';
 
-import {useElementPage, type ElementPage} from '../page/element/open.js';
-import {print, strips, useCarelessHost} from '../support/hostile.js';
-import {png} from '../support/raw-png.js';
-import {twoStrips} from '../wasm/garments.js';
+import {useElementPage, type ElementPage} from '../support/page/element-page.js';
+import {print, strips, useCarelessHost} from '../support/page/hostile.js';
+import {png} from '../support/image/raw-png.js';
+import {twoStrips} from '../support/garments/samples.js';
 
 const openPage = useElementPage('');
 const hostUrl = useCarelessHost();

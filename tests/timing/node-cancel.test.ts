@@ -4,7 +4,7 @@
 import {solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {checks, sample} from '../wasm/garments.js';
+import {checks, sample} from '../support/garments/samples.js';
 
 it('of a solve: a slice of it', async () => {
   const garment = sample('patchwork-jacket');

@@ -2,8 +2,8 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import {solved, usePage} from '../support/page.js';
-import {scriptRuns} from '../support/script-runs.js';
+import {solved, usePage} from '../support/page/page.js';
+import {scriptRuns} from '../support/page/script-runs.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 

@@ -1,10 +1,10 @@
 /** Reading a photo of a camera's full resolution blocks nothing, and cancelling it is immediate. */
 import {expect, it, vi} from 'vitest';
 
-import {useLargePhoto} from '../support/large-photo.js';
-import {solved, usePage} from '../support/page.js';
-import {found, openSheet, patient, tileMade} from '../support/page-photo.js';
-import {scriptRuns} from '../support/script-runs.js';
+import {useLargePhoto} from '../support/page/large-photo.js';
+import {solved, usePage} from '../support/page/page.js';
+import {found, openSheet, patient, tileMade} from '../support/page/photo.js';
+import {scriptRuns} from '../support/page/script-runs.js';
 
 vi.setConfig({testTimeout: 300_000}); // a busy machine is slow at everything
 

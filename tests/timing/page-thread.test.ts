@@ -2,9 +2,9 @@
 import type {Page} from 'playwright-core';
 import {afterEach, beforeEach, expect, it} from 'vitest';
 
-import {tee, useFixture} from '../page/fixture/open.js';
+import {tee, useSolverPage} from '../support/page/solver-page.js';
 
-const openPage = useFixture();
+const openPage = useSolverPage();
 let page: Page;
 
 beforeEach(async () => {

@@ -2,14 +2,14 @@
 import type {Page} from 'playwright-core';
 import {afterEach, beforeEach, expect, it} from 'vitest';
 
-import {scallopedSkirt} from '../support/scalloped-skirt.js';
-import {jacket, useFixture} from '../page/fixture/open.js';
-import {checks, twoStrips} from '../wasm/garments.js';
+import {scallopedSkirt} from '../support/garments/scalloped-skirt.js';
+import {jacket, useSolverPage} from '../support/page/solver-page.js';
+import {checks, twoStrips} from '../support/garments/samples.js';
 
 const strips = {garment: twoStrips(), print: checks};
 const gored = {garment: JSON.stringify(scallopedSkirt(6, 1200)), print: checks};
 
-const openPage = useFixture();
+const openPage = useSolverPage();
 let page: Page;
 
 beforeEach(async () => {

@@ -72,9 +72,9 @@ const parts = {
   // test pages that import sources of the project
   fixtures: {
     after: 'scripts',
-    from: ['package-lock.json', 'tests/page/element', 'tests/page/fixture'],
+    from: ['package-lock.json', 'tests/support/pages/element', 'tests/support/pages/solver'],
     make: buildFixtures,
-    products: ['element', 'fixture'].map((name) => `build/fixtures/${name}/index.html`),
+    products: ['element', 'solver'].map((name) => `build/fixtures/${name}/index.html`),
   },
 };
 
@@ -202,9 +202,9 @@ async function buildPage() {
 async function buildFixtures() {
   say('Building the pages of tests ...');
   const [node, vite] = tool('vite');
-  for (const name of ['element', 'fixture']) {
-    const folders = [at('tests/page', name), '--outDir', at('build/fixtures', name)];
-    const config = ['-c', at('tests/page/vite.config.ts'), '--logLevel', 'warn'];
+  for (const name of ['element', 'solver']) {
+    const folders = [at('tests/support/pages', name), '--outDir', at('build/fixtures', name)];
+    const config = ['-c', at('tests/support/pages/vite.config.ts'), '--logLevel', 'warn'];
     const build = [vite, 'build', ...folders, ...config];
     count('page build');
     await must(node, build, {env: {NODE_ENV: 'production'}});

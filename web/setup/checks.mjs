@@ -160,7 +160,7 @@ export const fast = ['build', 'sanitize', 'eslint', 'types', 'format', 'scripts'
 /** Tests of scripts that start no program and solve nothing. */
 checks.scripts = {
   after: ['build'],
-  run: (level) => web(level, 'tests/web', 'tests/architecture.test.ts'),
+  run: (level) => web(level, 'tests/rules', 'tests/web'),
 };
 
 export const systemNeeds = [

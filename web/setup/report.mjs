@@ -32,7 +32,7 @@ function vitestFiles(path) {
 
 function ctestFiles(path, preset) {
   const cases = readFileSync(path, 'utf8').matchAll(
-    /<testcase name="(\w+)".*? time="([\d.]+)" status="(\w+)"[^]*?<\/testcase>/g,
+    /<testcase name="([\w/]+)".*? time="([\d.]+)" status="(\w+)"[^]*?<\/testcase>/g,
   );
   return [...cases].map(([text, name, time, status]) => {
     const [, said = ''] = /<system-out>([^]*?)<\/system-out>/.exec(text) ?? [];

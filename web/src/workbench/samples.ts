@@ -9,7 +9,7 @@ import {
 import type {Colourway, Print} from '../model/print/repeating-print.js';
 import {repeatOf} from '../model/print/repeat.js';
 
-export interface SampleGarment {
+interface SampleGarment {
   readonly style: string;
   readonly title: string;
   readonly sizes: readonly string[];

@@ -30,7 +30,7 @@ import type {DoubtfulPicture, Notice, SheetWindow, SolveState, Step, Target} fro
 
 export type * from './state.js';
 
-export interface WorkbenchOptions {
+interface WorkbenchOptions {
   /** Receives every progress report of a solve; other parts receive them at a limited rate. */
   readonly progress?: (progress: Progress) => void;
   /** Loads the image of a print's cell by its URL; without an image the fabric is bare. */

@@ -1,0 +1,106 @@
+/** The page after opening, and a user's first actions. */
+import {expect, it} from 'vitest';
+
+import {button, cancelButton, saved, solved, usePage} from '../../support/page/page.js';
+
+const openPage = usePage();
+
+it(
+  'shows a sample garment, and its live answer without being asked',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await page.getByRole('application', {name: 'Pattern'}).waitFor();
+    await solved(page);
+    const fit = page.getByLabel('How well it meets', {exact: true});
+    await expect
+      .poll(() => fit.textContent())
+      .toMatch(/Worst [\d.]+ mm: .+\.\s+Before, [\d.]+ mm on average\./);
+  },
+);
+
+it('names all that tests and screen readers rely on', async () => {
+  const page = await openPage();
+  await solved(page);
+  for (const name of [
+    ...['Undo', 'Redo', 'Open garment', 'Open print', 'Save …'],
+    ...['Symmetric piece', 'Symmetric pair', 'Move print', 'Accept all symmetries'],
+  ]) {
+    await expect.poll(() => button(page, name).count(), {message: name}).toBe(1);
+  }
+  // no buttons for actions that are automatic or already over
+  for (const name of ['Align', 'Cancel'])
+    await expect.poll(() => button(page, name).count(), {message: name}).toBe(0);
+  await button(page, 'Save …').click();
+  for (const name of ['Save project', 'Save result', 'Save picture', 'Cut …', 'Copy link'])
+    await expect.poll(() => button(page, name).count(), {message: name}).toBe(1);
+  await page.keyboard.press('Escape');
+  for (const name of ['Pieces', 'Seams'])
+    await expect
+      .poll(() => page.getByRole('table', {name, exact: true}).count(), {message: name})
+      .toBe(1);
+  for (const name of ['Repeat width (cm)', 'Repeat height (cm)', 'Greatest change (mm)'])
+    await expect
+      .poll(() => page.getByRole('spinbutton', {name, exact: true}).count(), {message: name})
+      .toBe(1);
+  await expect.poll(() => page.getByRole('radiogroup', {name: 'Wallpaper group'}).count()).toBe(1);
+});
+
+it('cancels in the same task, and aligns again when asked', async () => {
+  const page = await openPage();
+  await solved(page);
+  const cancelled = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
+    const status = (cancel.getRootNode() as ShadowRoot).querySelector('sw-progress')?.shadowRoot;
+    while (cancel.hidden) await new Promise(requestAnimationFrame);
+    cancel.click();
+    for (let k = 0; k < 100 && !status?.textContent.includes('Cancelled'); k++)
+      await Promise.resolve();
+    return status?.textContent.includes('Cancelled');
+  });
+  await page.getByLabel('Garment', {exact: true}).selectOption('princess-dress');
+  expect(await cancelled).toBe(true);
+  await button(page, 'Align').click();
+  await solved(page);
+});
+
+it(
+  'gives one final answer to three quick changes, that of the last',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    for (const name of ['pgg', 'cm', 'p6m'])
+      await page.getByRole('radio', {name: new RegExp(`^${name}\\b`)}).click();
+    await solved(page);
+    const result = JSON.parse(await saved(page, 'Save result')) as {print: {group: string}};
+    expect(result.print.group).toBe('p6m');
+  },
+);
+
+it(
+  'undoes to the start and redoes to the end, with identical answers',
+  {tags: ['thorough']},
+  async () => {
+    const page = await openPage();
+    await solved(page);
+    const results = [await saved(page, 'Save result')];
+    await button(page, 'Accept all symmetries').click();
+    await solved(page);
+    results.push(await saved(page, 'Save result'));
+    await page.getByRole('radio', {name: /^cmm\b/}).click();
+    await solved(page);
+    results.push(await saved(page, 'Save result'));
+    for (const k of [1, 0]) {
+      await button(page, 'Undo').click();
+      await solved(page);
+      expect((await saved(page, 'Save result')) === results[k]).toBe(true);
+    }
+    await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
+    for (const k of [1, 2]) {
+      await button(page, 'Redo').click();
+      await solved(page);
+      expect((await saved(page, 'Save result')) === results[k]).toBe(true);
+    }
+    await expect.poll(() => button(page, 'Redo').isDisabled()).toBe(true);
+  },
+);

@@ -1,0 +1,51 @@
+import {readFileSync} from 'node:fs';
+
+import type {GarmentCodeSpecification, Point, Print} from 'seamwise/node';
+
+/** A checked print on which any piece may be mirrored. */
+export const checks: Print = {group: 'p4m', w1: [4, 0], w2: [0, 4]};
+
+/** Two rectangles side by side, sewn along one vertical seam; 5 cm wide, `height` cm high. */
+export function twoStrips(height = 10): GarmentCodeSpecification {
+  const vertices: readonly Point[] = [
+    [0, 0],
+    [5, 0],
+    [5, height],
+    [0, height],
+  ];
+  const strip = {
+    vertices,
+    edges: [{endpoints: [0, 1]}, {endpoints: [1, 2]}, {endpoints: [2, 3]}, {endpoints: [3, 0]}],
+  } as const;
+  return {
+    pattern: {
+      panels: {left: strip, right: strip},
+      stitches: [
+        [
+          {panel: 'left', edge: 1},
+          {panel: 'right', edge: 3},
+        ],
+      ],
+    },
+    properties: {curvature_coords: 'relative', units_in_meter: 100},
+  };
+}
+
+/** A sample garment of the project, which takes many slices. */
+export function sample(
+  name:
+    | 'tee'
+    | 'apron'
+    | 'asymmetric-dress'
+    | 'gathered-skirt'
+    | 'hoodie'
+    | 'princess-dress'
+    | 'patchwork-jacket'
+    | 'raglan'
+    | 'shift-dress'
+    | 'shirt'
+    | 'six-gore-skirt'
+    | 'trousers',
+): string {
+  return readFileSync(new URL(`../../../public/garments/${name}-m.json`, import.meta.url), 'utf8');
+}

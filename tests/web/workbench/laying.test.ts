@@ -1,0 +1,418 @@
+/** Layouts of a workbench: contents, time, and manual moves. */
+import {describe, expect, it, vi} from 'vitest';
+
+import type {Design} from '@/model/design/design.js';
+import {SolverError} from '@/model/result/failure.js';
+import type {GarmentDocument} from '@/model/garment/garment-document.js';
+import type {Alignment} from '@/model/geometry/vectors.js';
+import type {
+  MarkerAnswer,
+  MarkerHooks,
+  MarkerLayout,
+  MarkerProblem,
+} from '@/model/result/marker-search.js';
+import type {SolveResult} from '@/model/result/result.js';
+import type {SolverService} from '@/solver/service.js';
+import {preferencesFor, type Preferences} from '@/texts/preferences.js';
+import {storedCloth, withCloth} from '@/workbench/marker/marker-choices.js';
+import {Laying} from '@/workbench/marker/laying.js';
+import {bareCloth, newDesign} from '@/workbench/samples.js';
+import type {Workbench} from '@/workbench/workbench.js';
+import {plainMetrics, squarePair} from '../../support/garments/two-squares.js';
+
+const garment = {name: 'two.json', text: '{}'};
+const document = {pieces: [], seams: []} as unknown as GarmentDocument;
+const design = newDesign(garment, bareCloth);
+const result: SolveResult = {
+  ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
+  ...squarePair(),
+};
+const other: SolveResult = {...result};
+
+const placed = (x: number, y: number): Alignment => ({angle: 0, translation: [x, y]});
+/** Both pieces side by side; the cut lines reach 3 cm below the squares, and 1 cm above them. */
+const layout: MarkerLayout = {
+  lengthCm: 8,
+  printOrigin: [2, 1],
+  places: [placed(2, 3), placed(12, 3)],
+};
+const answer: MarkerAnswer = {
+  ...layout,
+  ...{boundCm: 8, proven: true, freeLengthCm: 8, notes: []},
+  ...{phaseLengthsCm: [], widthLengthsCm: []},
+};
+
+interface Asked {
+  readonly problem: MarkerProblem;
+  readonly hooks: MarkerHooks;
+  readonly answer: (given?: Partial<MarkerAnswer>) => void;
+  readonly fail: (error: Error) => void;
+}
+
+const settled = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 5));
+
+// no pauses, even on a busy machine
+vi.mock('@/solver/answers/slices.js', async (original) => ({
+  ...(await original<typeof import('@/solver/answers/slices.js')>()),
+  besideThePage: {slice: Infinity, pause: () => Promise.resolve()},
+}));
+
+function atWork(at: {design: Design | undefined; result: SolveResult | undefined}) {
+  const asked: Asked[] = [];
+  const marker = vi.fn<SolverService['marker']>(
+    (problem, hooks = {}) =>
+      new Promise((resolve, reject) => {
+        const give: Asked['answer'] = (given = {}) => {
+          resolve({...answer, ...given});
+        };
+        asked.push({problem, hooks, answer: give, fail: reject});
+        hooks.signal?.addEventListener('abort', () => {
+          reject(new DOMException('', 'AbortError'));
+        });
+      }),
+  );
+  const listeners = new Set<() => void>();
+  let preferences = preferencesFor('en');
+  const source = {
+    solver: {marker} as unknown as SolverService,
+    garment: document,
+    get preferences() {
+      return preferences;
+    },
+    prefer: (change: Partial<Preferences>) => {
+      preferences = {...preferences, ...change};
+      for (const listener of [...listeners]) listener();
+    },
+    get design() {
+      return at.design;
+    },
+    get result() {
+      return at.result;
+    },
+    subscribe: (_: unknown, listener: () => void) => {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  } as unknown as Workbench;
+  const laying = new Laying(source);
+  return {
+    ...{laying, asked, listeners, source},
+    become: (next: Partial<typeof at>) => {
+      Object.assign(at, next);
+      for (const listener of [...listeners]) listener();
+    },
+  };
+}
+
+/** Creates a layout and waits until it is settled. */
+async function laidOut() {
+  const work = atWork({design, result});
+  const end = work.laying.show();
+  await settled();
+  work.asked[0]?.answer();
+  await settled();
+  return {...work, end};
+}
+
+describe('pieces on their cloth', () => {
+  it('are laid while somebody looks, and shown as the layouts come', async () => {
+    const {laying, asked, become, listeners} = atWork({design, result: undefined});
+    const end = laying.show();
+    await settled();
+    expect([laying.state.kind, asked.length]).toEqual(['waiting', 0]);
+    become({result});
+    await settled();
+    expect(asked[0]?.problem).toMatchObject({widthCm: 140, selvedgeCm: 1, gapCm: 0.2});
+    expect(laying.pieces).toEqual([]);
+    asked[0]?.hooks.onLayout?.(layout);
+    expect(laying.pieces.map(({name}) => name)).toEqual(['left_half', 'right_half']);
+    expect(laying.plan).toMatchObject({proven: false});
+    asked[0]?.answer();
+    await settled();
+    expect([laying.state.kind, laying.plan?.proven]).toEqual(['done', true]);
+    end();
+    expect(listeners.size).toBe(0);
+    laying.show();
+    await settled();
+    expect(asked).toHaveLength(1); // the known layout is reused
+  });
+
+  it('are those of the design before until others are laid, and come back with it', async () => {
+    const {laying, asked, become} = await laidOut();
+    become({result: undefined});
+    expect([laying.isStale, laying.state.kind]).toEqual([true, 'waiting']);
+    expect(laying.pieces).toHaveLength(2);
+    laying.move(0, placed(22, 3)); // ignored for a stale layout
+    expect(laying.pieces[0]?.place.translation[0]).toBe(2);
+    become({result: other});
+    await settled();
+    expect([laying.isStale, laying.state.kind]).toEqual([true, 'laying']);
+    asked[1]?.hooks.onLayout?.(layout);
+    expect(laying.isStale).toBe(false);
+    become({result});
+    await settled();
+    expect([laying.isStale, laying.state.kind, asked.length]).toEqual([false, 'done', 2]);
+  });
+
+  it('are moved, turned and pinned in steps that can be taken back', async () => {
+    const {laying} = await laidOut();
+    expect([laying.undo(), laying.isMoved]).toEqual([false, false]);
+    laying.move(1, placed(12, 13));
+    laying.togglePin(1);
+    expect(laying.plan?.lengthCm).toBeCloseTo(18);
+    expect(laying.plan?.boundCm).toBeCloseTo(8);
+    expect(laying.plan?.proven).toBe(false);
+    expect([laying.isMoved, laying.step?.pins.has(1)]).toEqual([true, true]);
+    expect([laying.undo(), laying.step?.pins.size, laying.isMoved]).toEqual([true, 0, true]);
+    expect([laying.undo(), laying.plan?.proven, laying.isMoved]).toEqual([true, true, false]);
+    expect([laying.redo(), laying.isMoved]).toEqual([true, true]);
+    laying.move(0, placed(32, 3));
+    expect(laying.redo()).toBe(false);
+  });
+
+  it('stay where they are pinned, on cloth whose print stays, when the rest is packed', async () => {
+    const {laying, asked} = await laidOut();
+    expect(asked[0]?.problem.startCm).toBeUndefined();
+    laying.move(1, placed(12, 13));
+    laying.togglePin(1);
+    laying.pack();
+    await settled();
+    const {problem} = asked[1] ?? {};
+    expect(problem).toMatchObject({phasesCm: [2], startCm: laying.plan?.printOrigin?.[1]});
+    expect(problem?.pieces.map(({pin}) => pin)).toEqual([undefined, placed(12, 13)]);
+    asked[1]?.answer({places: [placed(2, 13), placed(12, 13)]});
+    await settled();
+    expect(laying.isMoved).toBe(false);
+    expect(laying.undo()).toBe(true);
+    expect(laying.isMoved).toBe(true);
+  });
+
+  it('are no plan to buy by while one of them is off the cloth', async () => {
+    const {laying} = await laidOut();
+    laying.remove(1);
+    expect(laying.plan).toMatchObject({proven: false, boundCm: 0, freeLengthCm: 8});
+    expect(laying.plan?.unplaced.map(({piece}) => piece)).toEqual(['right_half']);
+    laying.remove(0);
+    expect(laying.plan).toMatchObject({lengthCm: 0, proven: false});
+    expect([laying.undo(), laying.undo(), laying.plan?.proven]).toEqual([true, true, true]);
+  });
+
+  it('have lengths on other widths of pieces as they lie, or none', async () => {
+    const {laying, asked} = await laidOut();
+    laying.choose({gapCm: 0.3});
+    await settled();
+    asked[1]?.answer({
+      widthLengthsCm: [9, 9, 9, 8, 8, 7],
+      phaseLengthsCm: [8, 9, 9, 9, 9, 9, 9, 9],
+    });
+    await settled();
+    const lengths = () => laying.plan?.widths.map(({lengthCm}) => lengthCm);
+    expect(lengths()?.[3]).toBe(laying.plan?.lengthCm);
+    expect(laying.plan?.notes.join()).toMatch(/where the print starts/);
+    laying.move(1, placed(12, 13));
+    expect(laying.plan).toMatchObject({widths: [], cheaper: [], notes: [], noteDetails: []});
+    expect(laying.plan?.phases).toEqual([{phaseCm: 2, lengthCm: laying.plan?.lengthCm}]);
+    laying.remove(0);
+    expect(laying.plan?.phases).toEqual([{phaseCm: 2, lengthCm: null}]);
+    expect(laying.step?.plan?.widths).toHaveLength(6);
+  });
+
+  it('are those of the cloth that is shown: where a change of it is taken back or given up', async () => {
+    const {laying, asked, source} = await laidOut();
+    laying.choose({copies: 2});
+    await settled();
+    asked[1]?.answer({places: [0, 10, 20, 30].map((x) => placed(x, 3))});
+    await settled();
+    expect([laying.undo(), laying.names.length, laying.plan?.unplaced]).toEqual([true, 2, []]);
+    laying.choose({widthCm: 90});
+    expect([laying.isAwaited, source.preferences.cloths]).toMatchObject([true, {}]);
+    laying.move(0, placed(22, 3)); // ignored before the new layout
+    laying.choose({selvedgeCm: 2});
+    await settled();
+    expect([laying.isAwaited, laying.state.kind, laying.isMoved]).toEqual([true, 'laying', false]);
+    laying.cancel();
+    expect([laying.isAwaited, laying.state.kind]).toEqual([false, 'done']);
+    expect(laying.choices).toMatchObject({widthCm: 140, selvedgeCm: 1, copies: 1});
+    expect([laying.redo(), laying.plan?.widthCm]).toEqual([false, 140]);
+    laying.choose({widthCm: 90});
+    await settled();
+    asked.at(-1)?.hooks.onLayout?.(layout);
+    laying.cancel();
+    expect([laying.state.kind, laying.plan?.widthCm]).toEqual(['cancelled', 90]);
+  });
+
+  it('are laid on the cloth as it was changed last by whoever comes back to them', async () => {
+    const {laying, asked, end} = await laidOut();
+    laying.choose({widthCm: 90});
+    await settled();
+    end();
+    expect(laying.state.kind).toBe('waiting');
+    laying.show();
+    await settled();
+    expect(asked.at(-1)?.problem.widthCm).toBe(90);
+    asked.at(-1)?.answer();
+    await settled();
+    expect([laying.state.kind, laying.plan?.widthCm]).toEqual(['done', 90]);
+  });
+
+  it('keep in mind around pins what they took without, on the same cloth', async () => {
+    const {laying, asked} = await laidOut();
+    expect(laying.plan).not.toHaveProperty('unpinnedLengthCm');
+    laying.togglePin(1);
+    for (const k of [1, 2]) {
+      laying.pack();
+      await settled();
+      asked[k]?.answer({places: [placed(2, 13), placed(12, 3)], freeLengthCm: 5});
+      await settled();
+      expect(laying.plan).toMatchObject({unpinnedLengthCm: 8, freeLengthCm: 8});
+      expect(laying.plan?.lengthCm).toBeCloseTo(18);
+    }
+    laying.setFlaws([
+      [
+        [0, 90],
+        [1, 90],
+        [1, 91],
+      ],
+    ]);
+    await settled();
+    asked[3]?.answer({places: [placed(2, 13), placed(12, 3)], freeLengthCm: 5});
+    await settled();
+    expect(laying.plan).toMatchObject({unpinnedLengthCm: null, freeLengthCm: 5});
+    laying.togglePin(1);
+    laying.pack();
+    await settled();
+    asked[4]?.answer();
+    await settled();
+    expect(laying.plan).not.toHaveProperty('unpinnedLengthCm');
+  });
+
+  it('keep off flaws, on cloth whose print stays', async () => {
+    const {laying, asked} = await laidOut();
+    const flaw = [
+      [0, 0],
+      [3, 0],
+      [3, 3],
+    ] as const;
+    laying.setFlaws([flaw]);
+    await settled();
+    expect(asked[1]?.problem).toMatchObject({flaws: [flaw], phasesCm: [2]});
+    expect(laying.bolt?.flaws).toEqual([flaw]);
+  });
+
+  it('say why they cannot lie on a cloth, and lie again where that is taken back', async () => {
+    const {laying, asked} = await laidOut();
+    laying.choose({widthCm: 30});
+    await settled();
+    const message = 'left_half is too wide.';
+    asked[1]?.fail(new SolverError({code: 'options', message}));
+    await settled();
+    expect(laying.state).toMatchObject({kind: 'failed', failure: {message}});
+    expect(laying.pieces).toEqual([]);
+    laying.choose({widthCm: 30});
+    await settled();
+    expect(asked).toHaveLength(2); // this is the current width
+    expect([laying.undo(), laying.state.kind, laying.pieces.length]).toEqual([true, 'done', 2]);
+    expect([laying.redo(), laying.state.kind]).toEqual([true, 'failed']);
+  });
+
+  it('are the best so far where somebody has heard enough, or takes one in hand', async () => {
+    const {laying, asked, become} = atWork({design, result});
+    laying.show();
+    await settled();
+    asked[0]?.hooks.onLayout?.(layout);
+    laying.cancel();
+    await settled();
+    expect(asked[0]?.hooks.signal?.aborted).toBe(true);
+    expect([laying.state.kind, laying.pieces.length]).toEqual(['cancelled', 2]);
+    become({});
+    expect(asked).toHaveLength(1);
+    laying.pack();
+    await settled();
+    asked[1]?.hooks.onLayout?.(layout);
+    laying.move(0, placed(22, 3));
+    expect(asked[1]?.hooks.signal?.aborted).toBe(true);
+    asked[1]?.hooks.onLayout?.(layout);
+    expect(laying.pieces[0]?.place).toEqual(placed(22, 3));
+  });
+
+  it('have the allowances of cutting files, and are laid anew with others', async () => {
+    const {laying, asked, source} = await laidOut();
+    const reach = (k: number): number =>
+      Math.min(...(asked[k]?.problem.pieces[0]?.outline.map(([, y]) => y) ?? []));
+    expect(reach(0)).toBeCloseTo(-3); // a hem
+    source.prefer({allowances: {hemCm: 5}});
+    await settled();
+    expect(asked).toHaveLength(2);
+    expect(reach(1)).toBeCloseTo(-5);
+    expect(laying.choices).toMatchObject({allowanceCm: 1, hemCm: 5});
+    asked[1]?.answer();
+    await settled();
+    source.prefer({theme: 'dark'});
+    expect(laying.undo()).toBe(true);
+    expect(source.preferences.allowances).toEqual({});
+    laying.choose({allowanceCm: 1.5});
+    expect(source.preferences.allowances).toEqual({allowanceCm: 1.5});
+    await settled();
+    expect(asked).toHaveLength(3);
+  });
+
+  it('are as many as garments are cut, of the next design too', async () => {
+    const {laying, asked, become} = await laidOut();
+    laying.choose({copies: 3});
+    await settled();
+    expect(asked[1]?.problem.pieces).toHaveLength(6);
+    asked[1]?.answer({places: [...Array(6).keys()].map((k) => placed(10 * k, 3))});
+    await settled();
+    expect(laying.names.filter((name) => name === 'left_half')).toHaveLength(3);
+    become({result: other});
+    await settled();
+    expect(asked[2]?.problem.pieces).toHaveLength(6);
+  });
+
+  it('have offers that stay with the plan while its pieces are moved', async () => {
+    const {laying, asked} = await laidOut();
+    laying.choose({phaseCm: 2});
+    await settled();
+    asked[1]?.answer({phaseLengthsCm: [8]});
+    await settled();
+    laying.move(1, placed(12, 13)); // interrupts the search for offers
+    for (let k = 2; k < asked.length; k++) {
+      asked[k]?.answer({lengthCm: 5});
+      await settled();
+    }
+    expect(laying.isMoved).toBe(true);
+    expect(laying.step?.plan?.cheaper.map(({kind, lengthCm}) => [kind, lengthCm])).toEqual([
+      ['phase', 5],
+      ['shift', 5],
+    ]);
+    expect([laying.undo(), laying.step?.plan?.cheaper.length]).toEqual([true, 2]);
+  });
+
+  it('are remembered with their print, the newest last, and no more than can be told apart', () => {
+    const {print} = design;
+    const chosen = {...storedCloth(print, preferencesFor('en')), widthCm: 115, copies: 4};
+    const named = (k: number) => ({...print, title: `print ${k}`});
+    let preferences = preferencesFor('en');
+    for (let k = 0; k < 45; k++) {
+      preferences = {...preferences, ...withCloth(named(k), chosen, preferences)};
+    }
+    expect(Object.keys(preferences.cloths ?? {})).toHaveLength(40);
+    expect(storedCloth(named(44), preferences)).toMatchObject({widthCm: 115, copies: 1});
+    // invalid values are ignored
+    const cloths = {[named(1).title]: {widthCm: -3, gapCm: 'x', isOneWay: true}};
+    expect(storedCloth(named(1), {...preferences, cloths})).toMatchObject({
+      ...{widthCm: 140, gapCm: 0.2, isOneWay: true},
+    });
+  });
+
+  it('are not looked for any more when nobody looks', async () => {
+    const {laying, asked} = atWork({design, result});
+    const end = laying.show();
+    await settled();
+    end();
+    expect([asked[0]?.hooks.signal?.aborted, laying.state.kind]).toEqual([true, 'waiting']);
+    laying.show();
+    await settled();
+    expect(asked).toHaveLength(2);
+  });
+});
