@@ -128,7 +128,7 @@ TEST(Lattice, RefusesParallelVectorsAndRepeatsTooShortToPrint) {
             "directions (for stripes, a short one along the stripe)");
   EXPECT_EQ(refusal("p1", {10, 0}, {20, 0.01}),
             "print lattice: w1 and w2 combine to a repeat of only 0.01 cm, but none may be below "
-            "0.05 cm: check that they are not almost parallel");
+            "0.05 cm: make them less parallel");
 }
 
 TEST(Lattice, TellsHowToMakeALeftHandedLatticeRightHandedWithoutMovingTheMirrors) {

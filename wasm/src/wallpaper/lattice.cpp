@@ -153,7 +153,7 @@ Outcome<std::array<Vec2, 2>> checkedLattice(const GroupData& group, const Vec2& 
   if (shortest < kShortestRepeat * (1 - 1e-9)) {
     return latticeError("print lattice: w1 and w2 combine to a repeat of only " + number(shortest) +
                         " cm, but none may be below " + number(kShortestRepeat) +
-                        " cm: check that they are not almost parallel");
+                        " cm: make them less parallel");
   }
   switch (group.lattice) {
     case LatticeType::kOblique:
