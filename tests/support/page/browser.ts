@@ -75,14 +75,16 @@ async function watchWorkers(context: BrowserContext): Promise<void> {
       ) => void;
     const [post, terminate] = [methodOf('postMessage'), methodOf('terminate')];
     const workersAtHand = new Set<Worker>();
+    const ended = new WeakSet<Worker>();
     Object.assign(globalThis, {workersAtHand});
     Worker.prototype.postMessage = function (this: Worker, ...words: unknown[]) {
-      workersAtHand.add(this);
+      if (!ended.has(this)) workersAtHand.add(this);
       if ((words[0] as {name?: unknown} | undefined)?.name === 'solve') void countSolve();
       post.apply(this, words);
     };
     Worker.prototype.terminate = function (this: Worker) {
       workersAtHand.delete(this);
+      ended.add(this);
       terminate.call(this);
     };
   });
