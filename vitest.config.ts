@@ -26,6 +26,7 @@ export default defineConfig({
         test: {
           name: 'web',
           include: ['tests/{rules,web,wasm,package}/**/*.test.ts'],
+          isolate: false,
         },
       },
       {
