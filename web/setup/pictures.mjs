@@ -37,8 +37,8 @@ async function opened(style, colorScheme) {
   await page.getByLabel('Garment', {exact: true}).selectOption(style);
   await page.waitForFunction(
     (wanted) =>
-      globalThis.document.querySelector('seamwise-page').workbench.design?.garment.sample?.style ===
-      wanted,
+      globalThis.document.querySelector('seamwise-page').workbench.history.design?.garment.sample
+        ?.style === wanted,
     style,
   );
   await aligned();

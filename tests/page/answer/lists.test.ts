@@ -6,7 +6,8 @@ import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {Design} from '@/model/design/design.js';
-import type {Workbench} from '@/workbench/workbench.js';
+import type {Target, Workbench} from '@/workbench/workbench.js';
+import {designOf} from '../../support/page/design.js';
 import {button, showSample, solved, usePage} from '../../support/page/page.js';
 
 const openPage = usePage();
@@ -19,14 +20,12 @@ const rows = (page: Page, name: 'Pieces' | 'Seams'): Locator =>
 const row = (page: Page, name: string): Locator =>
   page.getByRole('row').filter({has: page.getByRole('rowheader', {name: new RegExp(`^${name}`)})});
 
-/** A property of the page's workbench. */
-const workbench = (page: Page, part: 'design' | 'pointed' | 'selected'): Promise<unknown> =>
-  page.evaluate((name) => {
+const selection = (page: Page, name: 'pointed' | 'selected'): Promise<Target | undefined> =>
+  page.evaluate((property) => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
-    return element?.workbench[name];
-  }, part);
-const options = async (page: Page): Promise<Design['options'] | undefined> =>
-  ((await workbench(page, 'design')) as Design | undefined)?.options;
+    return element?.workbench.selection[property];
+  }, name);
+const options = async (page: Page): Promise<Design['options']> => (await designOf(page)).options;
 
 async function opened(): Promise<Page> {
   const page = await openPage();
@@ -73,7 +72,7 @@ it('selects in the picture what is clicked in a table', {tags: ['thorough']}, as
   const front = row(page, 'Front left');
   await front.getByRole('rowheader').click();
   await expect.poll(() => front.getAttribute('aria-selected')).toBe('true');
-  expect(await workbench(page, 'selected')).toMatchObject({kind: 'piece'});
+  expect(await selection(page, 'selected')).toMatchObject({kind: 'piece'});
 });
 
 it(
@@ -82,9 +81,9 @@ it(
   async () => {
     const page = await opened();
     await row(page, 'Centre back').getByRole('rowheader').hover();
-    expect(await workbench(page, 'pointed')).toMatchObject({kind: 'seam'});
+    expect(await selection(page, 'pointed')).toMatchObject({kind: 'seam'});
     await page.getByRole('heading', {name: 'Seamwise'}).hover();
-    expect(await workbench(page, 'pointed')).toBeUndefined();
+    expect(await selection(page, 'pointed')).toBeUndefined();
   },
 );
 
@@ -103,7 +102,7 @@ it('shows the row of what is selected in the picture', {tags: ['thorough']}, asy
   const page = await opened();
   await page.evaluate(() => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
-    element?.workbench.select({kind: 'seam', seam: 1, side: 'b'});
+    element?.workbench.selection.select({kind: 'seam', seam: 1, side: 'b'});
   });
   const centreBack = row(page, 'Centre back');
   await expect.poll(() => centreBack.getAttribute('aria-selected')).toBe('true');
@@ -139,12 +138,12 @@ it('frees a piece that was pinned', {tags: ['thorough']}, async () => {
   await page.evaluate(() => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
     const {workbench: bench} = element ?? {};
-    if (!bench?.design) return;
+    if (!bench?.history.design) return;
     const pins = {front_left: {angle: 0, translation: [0, 0]}} as const;
-    bench.change({options: {...bench.design.options, pins}});
+    bench.history.change({options: {...bench.history.design.options, pins}});
   });
   await button(page, 'Free: Front left').click();
-  expect((await options(page))?.pins).toEqual({});
+  expect((await options(page)).pins).toEqual({});
 });
 
 it('says that a garment without seams has nothing to match', {tags: ['thorough']}, async () => {

@@ -98,7 +98,7 @@ it(
       .poll(async () => [await save.isDisabled(), await drawn.count()])
       .toEqual([true, 0]);
     await page.locator('seamwise-page').evaluate((element) => {
-      (element as SeamwisePage).workbench.align();
+      (element as SeamwisePage).workbench.solving.align();
     });
     await dialog.getByText('The answer has changed: this is the new one.').waitFor();
     await caption.filter({hasText: /page/}).waitFor();
@@ -173,8 +173,8 @@ it(
     await squaresShown(page);
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const print = workbench?.design?.print;
-      if (print) workbench.change({print: {...print, unscaled: true}});
+      const print = workbench?.history.design?.print;
+      if (print) workbench.history.change({print: {...print, unscaled: true}});
     });
     await solved(page);
     await page.keyboard.press('Control+Shift+S');

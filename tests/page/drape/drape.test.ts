@@ -36,7 +36,8 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   const picked = () =>
     page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const {selected, pattern} = workbench ?? {};
+      const selected = workbench?.selection.selected;
+      const pattern = workbench?.solving.pattern;
       return selected?.kind === 'piece' ? pattern?.pieces[selected.piece]?.name : selected?.kind;
     });
   // the middle of the chest is surely fabric
@@ -55,8 +56,9 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   // a selection elsewhere turns the camera towards it
   await page.evaluate(() => {
     const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const back = workbench?.pattern?.pieces.findIndex(({name}) => name.includes('back')) ?? -1;
-    workbench?.select({kind: 'piece', piece: back});
+    const back =
+      workbench?.solving.pattern?.pieces.findIndex(({name}) => name.includes('back')) ?? -1;
+    workbench?.selection.select({kind: 'piece', piece: back});
   });
   await expect.poll(() => status.textContent(), {timeout: 30_000}).toContain('Back view.');
 });
@@ -87,9 +89,11 @@ it(
     const status = worn.locator('[role=status]');
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const print = workbench?.design?.print;
+      const print = workbench?.history.design?.print;
       if (print)
-        workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
+        workbench.history.change({
+          print: {...print, size: {...print.size, width: 1.1 * print.size.width}},
+        });
     });
     // never an empty image, which takes next to no bytes
     for (let k = 0; k < 8; k++) {

@@ -38,8 +38,8 @@ it(
     await staysFull();
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const print = workbench?.design?.print;
-      if (print) workbench.change({print: {...print, size: {...print.size, width: 13}}});
+      const print = workbench?.history.design?.print;
+      if (print) workbench.history.change({print: {...print, size: {...print.size, width: 13}}});
     });
     await staysFull();
     await page.getByLabel('Size', {exact: true}).selectOption('l');
@@ -80,7 +80,7 @@ it('is looked at and walked over by keys alone', async () => {
   }
   const pieces = await page.evaluate(() => {
     const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    return workbench?.scenes?.now.pieces.map(({label}) => label) ?? [];
+    return workbench?.sheet.scenes?.now.pieces.map(({label}) => label) ?? [];
   });
   expect(pieces.length).toBeGreaterThan(2);
   for (const label of pieces) {

@@ -111,7 +111,7 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
   const at = await run((element) => {
     const pane = element.shadowRoot?.querySelector<PatternPane>('sw-pattern');
     const stage = pane?.shadowRoot?.querySelector('.stage')?.getBoundingClientRect();
-    const piece = pane?.workbench.scenes?.now.pieces[0];
+    const piece = pane?.workbench.sheet.scenes?.now.pieces[0];
     if (!pane?.view || !stage || !piece) throw new Error('Nothing is drawn.');
     const [x, y] = pane.view.screenOf([piece.offset[0], piece.offset[1] + 20]);
     return [stage.left + x, stage.top + y] as const;

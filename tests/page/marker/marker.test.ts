@@ -48,14 +48,16 @@ it(
     const picked = () =>
       page.evaluate(() => {
         const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-        const {selected, pattern} = workbench ?? {};
+        const selected = workbench?.selection.selected;
+        const pattern = workbench?.solving.pattern;
         return selected?.kind === 'piece' ? pattern?.pieces[selected.piece]?.name : undefined;
       });
     await expect.poll(picked).toBe('back');
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const front = workbench?.pattern?.pieces.findIndex(({name}) => name === 'front') ?? -1;
-      workbench?.select({kind: 'piece', piece: front});
+      const front =
+        workbench?.solving.pattern?.pieces.findIndex(({name}) => name === 'front') ?? -1;
+      workbench?.selection.select({kind: 'piece', piece: front});
     });
     await expect.poll(() => status(page)).toMatch(/^Front: /);
   },
@@ -224,8 +226,8 @@ it(
     const page = await openCloth();
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const print = workbench?.design?.print;
-      if (print) workbench.change({print: {...print, unscaled: true}});
+      const print = workbench?.history.design?.print;
+      if (print) workbench.history.change({print: {...print, unscaled: true}});
     });
     await expect.poll(() => said(page)).toMatch(/^The size of this print is unknown/);
     await pane(page).getByRole('button', {name: 'Enter its size'}).click();
@@ -387,9 +389,11 @@ it(
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
       workbench?.prefer({solveAsIGo: false});
-      const print = workbench?.design?.print;
+      const print = workbench?.history.design?.print;
       if (print)
-        workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
+        workbench.history.change({
+          print: {...print, size: {...print.size, width: 1.1 * print.size.width}},
+        });
     });
     await expect
       .poll(() => said(page))
@@ -474,8 +478,8 @@ it(
     const page = await symmetricTee(openPage);
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-      const print = workbench?.design?.print;
-      if (print) workbench.change({print: {...print, group: 'p2'}});
+      const print = workbench?.history.design?.print;
+      if (print) workbench.history.change({print: {...print, group: 'p2'}});
     });
     await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
     const why = panel(page).getByRole('alert');

@@ -23,7 +23,7 @@ const lockedOf = async (page: Page): Promise<SolveOptions['locked']> =>
 async function clickEdge(page: Page, name: string, edge: number): Promise<void> {
   const at = await page.locator('sw-pattern').evaluate(
     (pane: PatternPane, [wanted, number]): Point | null => {
-      const scene = pane.workbench.scenes?.now;
+      const scene = pane.workbench.sheet.scenes?.now;
       const piece = scene?.pieces.find((one) => one.name === wanted);
       const stage = pane.shadowRoot?.querySelector('.stage')?.getBoundingClientRect();
       const numbers = piece?.outline.flatMap((v, k) => (piece.edges?.[k] === number ? [v] : []));
@@ -45,7 +45,7 @@ async function clickEdge(page: Page, name: string, edge: number): Promise<void> 
 async function movedAlong(page: Page, name: string, edge: number): Promise<number> {
   const result = JSON.parse(await saved(page, 'Save result')) as SolveResult;
   const edges = await page.locator('sw-pattern').evaluate((pane: PatternPane, wanted) => {
-    const piece = pane.workbench.pattern?.pieces.find((one) => one.name === wanted);
+    const piece = pane.workbench.solving.pattern?.pieces.find((one) => one.name === wanted);
     return {outline: piece?.outline ?? [], edges: piece?.edges ?? []};
   }, name);
   const piece = result.pieces.find((one) => one.name === name);

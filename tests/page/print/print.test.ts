@@ -85,7 +85,9 @@ it('names its prints, and shows only those that are looked for', {tags: ['thorou
 it('says why a group will not do, and which would', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await page.locator('seamwise-page').evaluate((element) => {
-    (element as SeamwisePage).workbench.change({symmetry: [{kind: 'piece', piece: 'front'}]});
+    (element as SeamwisePage).workbench.history.change({
+      symmetry: [{kind: 'piece', piece: 'front'}],
+    });
   });
   const greyed = page.locator('[role=radio][aria-disabled=true]');
   await expect.poll(() => greyed.count()).toBe(7);

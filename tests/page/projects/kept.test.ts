@@ -69,7 +69,7 @@ it('keeps what is changed at the very moment of a reload', {tags: ['thorough']},
   const page = await quietPage();
   await page.locator('seamwise-page').evaluate((element) => {
     const {workbench} = element as SeamwisePage;
-    for (const maxChangeCm of [0.2, 0.3]) workbench.change({options: {maxChangeCm}});
+    for (const maxChangeCm of [0.2, 0.3]) workbench.history.change({options: {maxChangeCm}});
     location.reload();
   });
   await expect

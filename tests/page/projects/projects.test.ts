@@ -2,6 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
+import type {SeamwisePage} from '@/app/page.js';
 import type {ProjectList} from '@/app/projects/project-list.js';
 import {barriers} from '../../support/page/barriers.js';
 import {designOf} from '../../support/page/design.js';
@@ -248,8 +249,7 @@ it(
     await page.getByRole('radio', {name: 'Half-drop', exact: true}).click();
     await expect.poll(async () => (await designOf(page)).print.tile?.repeat).toBe('halfDrop');
     await page.locator('seamwise-page').evaluate((element) => {
-      const {workbench} = element as HTMLElement & {workbench: {align: () => void}};
-      workbench.align();
+      (element as SeamwisePage).workbench.solving.align();
     });
     await button(page, 'Save …').click({timeout: 60_000});
     await button(page, 'Copy link').click();

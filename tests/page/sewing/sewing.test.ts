@@ -33,7 +33,7 @@ const says = (page: Page, text: RegExp): Promise<void> =>
 
 const garmentOf = (page: Page): Promise<GarmentDocument> =>
   page.locator('seamwise-page').evaluate((element) => {
-    const {garment} = (element as SeamwisePage).workbench;
+    const {garment} = (element as SeamwisePage).workbench.solving;
     if (!garment) throw new Error('There is no garment.');
     return garment;
   });
@@ -41,13 +41,15 @@ const garmentOf = (page: Page): Promise<GarmentDocument> =>
 /** Mismatch of the answer to the current problem. */
 async function fitOf(page: Page): Promise<number> {
   await page.waitForFunction(
-    () => document.querySelector<SeamwisePage>('seamwise-page')?.workbench.state.kind === 'done',
+    () =>
+      document.querySelector<SeamwisePage>('seamwise-page')?.workbench.solving.state.kind ===
+      'done',
     undefined,
     {timeout: 120_000},
   );
   return page
     .locator('seamwise-page')
-    .evaluate((element) => (element as SeamwisePage).workbench.result?.metrics.fit ?? NaN);
+    .evaluate((element) => (element as SeamwisePage).workbench.solving.result?.metrics.fit ?? NaN);
 }
 
 const nameOf = ({panel, edge}: StitchEnd): string => `${panel} ${edge}`;
@@ -130,7 +132,7 @@ it(
 async function placeOn(page: Page, name: string, edge: number, share = 0.5): Promise<Point> {
   const at = await page.locator('sw-pattern').evaluate(
     (pane: PatternPane, [wantedName, number, part]): Point | null => {
-      const piece = pane.workbench.scenes?.now.pieces.find((one) => one.name === wantedName);
+      const piece = pane.workbench.sheet.scenes?.now.pieces.find((one) => one.name === wantedName);
       const stage = pane.shadowRoot?.querySelector('.stage')?.getBoundingClientRect();
       const numbers = piece?.outline.flatMap((v, k) => (piece.edges?.[k] === number ? [v] : []));
       const middle = piece?.points[numbers?.[Math.round(part * (numbers.length - 1))] ?? -1];
@@ -210,7 +212,7 @@ it('is sewn by clicks, several edges as one side, split, left open and taken apa
 const places = (page: Page): Promise<readonly string[]> =>
   page.locator('sw-pattern').evaluate((pane: PatternPane) => {
     const stage = pane.shadowRoot?.querySelector('.stage')?.getBoundingClientRect();
-    const pieces = pane.workbench.scenes?.now.pieces ?? [];
+    const pieces = pane.workbench.sheet.scenes?.now.pieces ?? [];
     return pieces.map(({name, offset: [x, y]}) => {
       const [left = NaN, top = NaN] = pane.view?.screenOf([x, y]) ?? [];
       return `${name} ${Math.round(left + (stage?.left ?? NaN))} ${Math.round(top + (stage?.top ?? NaN))}`;

@@ -32,7 +32,7 @@ const noteAnswer = (page: Page): Promise<unknown> =>
         return;
       }
       const look = (): void => {
-        const isFirst = workbench.state.kind === 'done' && !('answered' in globalThis);
+        const isFirst = workbench.solving.state.kind === 'done' && !('answered' in globalThis);
         if (isFirst) Object.assign(globalThis, {answered: Date.now()});
       };
       workbench.subscribe(['solving'], look);

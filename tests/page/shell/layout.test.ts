@@ -141,7 +141,9 @@ const designWith = async (page: Page, group: string): Promise<void> => {
 const places = (page: Page): Promise<unknown> =>
   page
     .locator('sw-pattern')
-    .evaluate(({workbench}: PatternPane) => workbench.scenes?.now.pieces.map(({offset}) => offset));
+    .evaluate(({workbench}: PatternPane) =>
+      workbench.sheet.scenes?.now.pieces.map(({offset}) => offset),
+    );
 
 it(
   'leaves pieces where they lie when the window or a panel changes, or a print is chosen',

@@ -28,9 +28,9 @@ const change = (page: Page, {options, print, ...more}: Partial<Changes>): Promis
     ([own, of, rest]) => {
       const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
       const {workbench} = element ?? {};
-      if (!workbench?.design) return;
-      const {design} = workbench;
-      workbench.change({
+      if (!workbench?.history.design) return;
+      const {design} = workbench.history;
+      workbench.history.change({
         ...rest,
         options: {...design.options, ...own},
         print: {...design.print, ...of},
@@ -46,7 +46,7 @@ const lying = (
 ): Promise<{readonly alignment: Alignment; readonly map: Alignment | undefined}> =>
   page.evaluate((wanted) => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
-    const result = element?.workbench.result;
+    const result = element?.workbench.solving.result;
     const number = result?.pieces.findIndex((piece) => piece.name === wanted) ?? -1;
     const alignment = result?.pieces[number]?.alignment;
     if (!alignment) throw new Error(`${wanted} lies nowhere.`);
@@ -121,8 +121,11 @@ it('centres a motif on the edge that is chosen', {tags: ['thorough']}, async () 
   expect(others).toEqual({});
   const edge = await page.locator('sw-pattern').evaluate(
     ({workbench}: PatternPane, [one, of]) => {
-      const {piece, vertices} = workbench.scenes?.now.seams[one]?.[of] ?? {piece: -1, vertices: []};
-      return vertices.map((v) => workbench.pattern?.pieces[piece]?.rest[v] ?? [NaN, NaN]);
+      const {piece, vertices} = workbench.sheet.scenes?.now.seams[one]?.[of] ?? {
+        piece: -1,
+        vertices: [],
+      };
+      return vertices.map((v) => workbench.solving.pattern?.pieces[piece]?.rest[v] ?? [NaN, NaN]);
     },
     [seam, side] as const,
   );

@@ -6,7 +6,7 @@ import type {Design} from '@/model/design/design.js';
 
 export const designOf = (page: Page): Promise<Design> =>
   page.locator('seamwise-page').evaluate((element) => {
-    const {design} = (element as SeamwisePage).workbench;
+    const {design} = (element as SeamwisePage).workbench.history;
     if (!design) throw new Error('The page has no design yet.');
     return design;
   });

@@ -41,8 +41,9 @@ export async function clothOf(page: Page): Promise<Page> {
   await showSample(page, 'tee');
   await page.evaluate(() => {
     const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
-    const print = workbench?.design?.print;
-    if (print) workbench.change({print: {...print, group: 'p2', oneWay: false}, symmetry: 'none'});
+    const print = workbench?.history.design?.print;
+    if (print)
+      workbench.history.change({print: {...print, group: 'p2', oneWay: false}, symmetry: 'none'});
   });
   await solved(page);
   await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();

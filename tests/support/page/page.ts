@@ -93,7 +93,7 @@ export async function showSample(page: Page, style: string): Promise<void> {
   await page.getByLabel('Garment', {exact: true}).selectOption(style);
   await page.waitForFunction((wanted) => {
     const shown = document.querySelector<SeamwisePage>('seamwise-page');
-    return shown?.workbench.design?.garment.sample?.style === wanted;
+    return shown?.workbench.history.design?.garment.sample?.style === wanted;
   }, style);
   await solved(page);
 }

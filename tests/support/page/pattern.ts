@@ -19,7 +19,7 @@ interface Place {
  */
 function locate(pane: PatternPane, {seam, side, piece, share}: Place): Point | null {
   const stage = pane.shadowRoot?.querySelector('.stage');
-  const scene = pane.workbench.scenes?.now;
+  const scene = pane.workbench.sheet.scenes?.now;
   if (!pane.view || !stage || !scene) return null;
   const line = seam === undefined ? undefined : scene.seams[seam]?.[side ?? 'a'];
   const shape = scene.pieces.find(({name}, k) => (line ? k === line.piece : name === piece));
@@ -75,8 +75,8 @@ export async function seamOf(
 ): Promise<{readonly seam: number; readonly side: 'a' | 'b'}> {
   const found = await pattern(page).evaluate(
     ({workbench}: PatternPane, [wanted, owner]) => {
-      const scene = workbench.scenes?.now;
-      const file = JSON.parse(workbench.design?.garment.text ?? '{}') as {
+      const scene = workbench.sheet.scenes?.now;
+      const file = JSON.parse(workbench.history.design?.garment.text ?? '{}') as {
         seams?: {name?: string}[];
       };
       const seam = file.seams?.findIndex((one) => one.name === wanted) ?? -1;

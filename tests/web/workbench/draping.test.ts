@@ -61,11 +61,15 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
   const listeners = new Set<() => void>();
   const source = {
     solver: {drape} as unknown as SolverService,
-    get design() {
-      return at.design;
+    history: {
+      get design() {
+        return at.design;
+      },
     },
-    get result() {
-      return at.result;
+    solving: {
+      get result() {
+        return at.result;
+      },
     },
     subscribe: (_: unknown, listener: () => void) => {
       listeners.add(listener);

@@ -72,22 +72,28 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
       }),
   );
   const listeners = new Set<() => void>();
-  let preferences = preferencesFor('en');
+  let chosen = preferencesFor('en');
   const source = {
     solver: {marker} as unknown as SolverService,
-    garment: document,
-    get preferences() {
-      return preferences;
+    preferences: {
+      get chosen() {
+        return chosen;
+      },
     },
     prefer: (change: Partial<Preferences>) => {
-      preferences = {...preferences, ...change};
+      chosen = {...chosen, ...change};
       for (const listener of [...listeners]) listener();
     },
-    get design() {
-      return at.design;
+    history: {
+      get design() {
+        return at.design;
+      },
     },
-    get result() {
-      return at.result;
+    solving: {
+      garment: document,
+      get result() {
+        return at.result;
+      },
     },
     subscribe: (_: unknown, listener: () => void) => {
       listeners.add(listener);
@@ -225,7 +231,7 @@ describe('pieces on their cloth', () => {
     await settled();
     expect([laying.undo(), laying.names.length, laying.plan?.unplaced]).toEqual([true, 2, []]);
     laying.choose({widthCm: 90});
-    expect([laying.isAwaited, source.preferences.cloths]).toMatchObject([true, {}]);
+    expect([laying.isAwaited, source.preferences.chosen.cloths]).toMatchObject([true, {}]);
     laying.move(0, placed(22, 3)); // ignored before the new layout
     laying.choose({selvedgeCm: 2});
     await settled();
@@ -349,9 +355,9 @@ describe('pieces on their cloth', () => {
     await settled();
     source.prefer({theme: 'dark'});
     expect(laying.undo()).toBe(true);
-    expect(source.preferences.allowances).toEqual({});
+    expect(source.preferences.chosen.allowances).toEqual({});
     laying.choose({allowanceCm: 1.5});
-    expect(source.preferences.allowances).toEqual({allowanceCm: 1.5});
+    expect(source.preferences.chosen.allowances).toEqual({allowanceCm: 1.5});
     await settled();
     expect(asked).toHaveLength(3);
   });

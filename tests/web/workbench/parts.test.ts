@@ -46,7 +46,7 @@ function atWork() {
   } as Pick<SolverService, 'solve'> as TextService;
   const lease = {solver, release: () => undefined, warm: () => undefined};
   const workbench = new Workbench(lease, preferencesFor('en'));
-  workbench.isEdited = false;
+  workbench.solving.isEdited = false;
   const called: (keyof WorkbenchParts)[] = [];
   for (const name of names) workbench.subscribe([name], () => called.push(name));
   return {
@@ -68,22 +68,22 @@ function atWork() {
 
 it('tells of the progress of a solve whoever shows that, and nobody else', async () => {
   const {workbench, progress, partial, called} = atWork();
-  workbench.begin(begun({design, view: null}));
+  workbench.history.begin(begun({design, view: null}));
   expect(await called()).toEqual(new Set(['history', 'running', 'solving']));
   for (const fraction of [0.1, 0.2, 0.3]) progress(fraction);
   partial();
   expect(await called()).toEqual(new Set(['running']));
-  expect(workbench.progress.fraction).toBe(0.3);
-  expect(workbench.partial).toHaveLength(2);
+  expect(workbench.running.progress.fraction).toBe(0.3);
+  expect(workbench.running.partial).toHaveLength(2);
 });
 
 it('tells of what is pointed at and said, and of preferences, each by itself', async () => {
   const {workbench, called} = atWork();
-  workbench.begin(begun({design, view: null}));
+  workbench.history.begin(begun({design, view: null}));
   await called();
-  workbench.point({kind: 'piece', piece: 0});
+  workbench.selection.point({kind: 'piece', piece: 0});
   expect(await called()).toEqual(new Set(['selection']));
-  workbench.say({tone: 'info', text: 'Done.'});
+  workbench.notices.say({tone: 'info', text: 'Done.'});
   expect(await called()).toEqual(new Set(['notices']));
   workbench.prefer({scale: 'paper'});
   expect(await called()).toEqual(new Set(['preferences']));
@@ -93,19 +93,19 @@ it('tells who follows several parts once of a change of all of them', async () =
   const {workbench, answer, pattern, called} = atWork();
   const seen: string[] = [];
   workbench.subscribe(['history', 'solving', 'running', 'notices'], () => {
-    seen.push(`${workbench.state.kind} ${workbench.result ? 'answered' : 'open'}`);
+    seen.push(`${workbench.solving.state.kind} ${workbench.solving.result ? 'answered' : 'open'}`);
   });
-  workbench.begin(begun({design, view: null}));
+  workbench.history.begin(begun({design, view: null}));
   expect(seen).toEqual(['solving open']);
   pattern();
   answer();
   await called();
   expect(seen.at(-1)).toBe('done answered');
   seen.length = 0;
-  workbench.say({tone: 'info', text: 'Done.'});
-  workbench.change({options: {maxChangeCm: 0.2}});
+  workbench.notices.say({tone: 'info', text: 'Done.'});
+  workbench.history.change({options: {maxChangeCm: 0.2}});
   expect(seen).toEqual(['done answered', 'solving open']);
-  workbench.undo();
+  workbench.history.undo();
   expect(seen.at(-1)).toBe('done answered');
   expect(seen).toHaveLength(3);
 });
@@ -137,13 +137,13 @@ customElements.define('test-part', Part);
 
 it('draws a part again when what it has read last may be another, and not otherwise', async () => {
   const {workbench, progress, pattern, called} = atWork();
-  workbench.begin(begun({design, view: null}));
+  workbench.history.begin(begun({design, view: null}));
   pattern();
   await called();
   const [list, bar] = [new Part(), new Part()];
   const texts = textsOf('en');
-  list.reads = (of) => [seamRows(of, texts), of.state.kind, of.selected];
-  bar.reads = (of) => of.state.kind === 'solving' && of.progress;
+  list.reads = (of) => [seamRows(of, texts), of.solving.state.kind, of.selection.selected];
+  bar.reads = (of) => of.solving.state.kind === 'solving' && of.running.progress;
   for (const part of [list, bar]) {
     part.workbench = workbench;
     part.connectedCallback();
@@ -156,47 +156,47 @@ it('draws a part again when what it has read last may be another, and not otherw
   const [lists = 0, bars = 0] = await updates();
   progress(0.4);
   expect(await updates()).toEqual([lists, bars + 1]);
-  workbench.select({kind: 'piece', piece: 1});
+  workbench.selection.select({kind: 'piece', piece: 1});
   expect(await updates()).toEqual([lists + 1, bars + 1]);
-  workbench.cancel();
+  workbench.solving.cancel();
   expect(await updates()).toEqual([lists + 2, bars + 2]);
   // a cancelled solve shows no further progress
   progress(0.5);
   expect(await updates()).toEqual([lists + 2, bars + 2]);
   list.disconnectedCallback();
-  workbench.select(undefined);
+  workbench.selection.select(undefined);
   expect(await updates()).toEqual([lists + 2, bars + 2]);
 });
 
 it('notes what is read of while it is asked to', () => {
   const {workbench} = atWork();
-  workbench.begin(begun({design, view: null}));
+  workbench.history.begin(begun({design, view: null}));
   const count = (act: () => unknown): number => Observable.readBy(() => void act()).size;
   expect(count(() => undefined)).toBe(0);
-  expect(count(() => workbench.design)).toBe(1);
-  expect(count(() => [workbench.selected, workbench.pointed])).toBe(1);
+  expect(count(() => workbench.history.design)).toBe(1);
+  expect(count(() => [workbench.selection.selected, workbench.selection.pointed])).toBe(1);
   expect(count(() => seamRows(workbench, textsOf('en')))).toBe(3);
-  workbench.subscribe(['selection'], () => [workbench.design, workbench.notice]);
+  workbench.subscribe(['selection'], () => [workbench.history.design, workbench.notices.notice]);
   const pointing = (): void => {
-    workbench.point({kind: 'piece', piece: 0});
+    workbench.selection.point({kind: 'piece', piece: 0});
   };
-  expect(count(pointing)).toBe(0);
+  expect(count(pointing)).toBe(1); // the selection, not what its listener reads
 });
 
 it('keeps its answer, and how long that was looked for, when it is made of another fabric', async () => {
   const {workbench, pattern, answer} = atWork();
   const options = {...design.options, effort: 4};
-  workbench.begin(begun({design: {...design, options}, view: null}));
+  workbench.history.begin(begun({design: {...design, options}, view: null}));
   pattern();
   answer();
   await vi.waitFor(() => {
-    expect(workbench.result).toBe(result);
+    expect(workbench.solving.result).toBe(result);
   });
-  workbench.change({fabric: 'denim'});
-  expect(workbench.state.kind).toBe('done');
-  expect(workbench.result).toBe(result);
-  expect(workbench.design).toMatchObject({fabric: 'denim', options});
-  workbench.undo();
-  expect(workbench.design?.fabric).toBeUndefined();
+  workbench.history.change({fabric: 'denim'});
+  expect(workbench.solving.state.kind).toBe('done');
+  expect(workbench.solving.result).toBe(result);
+  expect(workbench.history.design).toMatchObject({fabric: 'denim', options});
+  workbench.history.undo();
+  expect(workbench.history.design?.fabric).toBeUndefined();
   workbench.dispose();
 });

@@ -1,7 +1,6 @@
 import {expect, it} from 'vitest';
 
 import {SceneMaker} from '@/workbench/scenes.js';
-import type {Workbench} from '@/workbench/workbench.js';
 import type {Design} from '@/model/design/design.js';
 import type {MeshedPattern} from '@/model/result/result.js';
 import {documentOf} from '../../support/garments/documents.js';
@@ -39,11 +38,11 @@ it('shows the same figures before in every window', () => {
   const pattern = row();
   const garment = documentOf([]);
   const workbench = {
-    design,
-    garment,
-    pattern,
-    preferences: {scale: 'absolute'},
-  } as unknown as Workbench;
+    history: {design},
+    solving: {garment, pattern, result: undefined},
+    running: {partial: undefined},
+    preferences: {chosen: {scale: 'absolute'}},
+  } as const;
   const all = [390, 820, 1280, 2560].map((width) =>
     new SceneMaker().scenes(workbench, {width, height: 800}),
   );

@@ -12,8 +12,9 @@ import type {Workbench} from '@/workbench/workbench.js';
 
 /** The part of a workbench from which messages take names. */
 const workbench = {
-  design: {print: {group: 'p1'}},
-  scenes: {now: {pieces: [{label: 'Front'}, {label: 'Back'}]}},
+  history: {design: {print: {group: 'p1'}}},
+  sheet: {scenes: {now: {pieces: [{label: 'Front'}, {label: 'Back'}]}}},
+  solving: {},
 } as unknown as Workbench;
 
 const detailOf = (code: string): NoteDetail => ({

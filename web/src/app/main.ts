@@ -21,17 +21,17 @@ import {keepPreferences, storedPreferences} from './storage/preferences.js';
 
 const samples = loadSamples();
 const preferences = storedPreferences();
-const words = (): Texts => textsOf(workbench.preferences.language);
+const words = (): Texts => textsOf(workbench.preferences.chosen.language);
 const lease = leaseSolver({
   onBlocked: (failure) => {
-    workbench.say({tone: 'info', text: spokenFailure(failure, workbench, words())});
+    workbench.notices.say({tone: 'info', text: spokenFailure(failure, workbench, words())});
   },
 });
 lease.warm(); // the solver starts while the first files load
 const workbench: Workbench = new Workbench(lease, preferences);
 keepPreferences(workbench);
 const projects = new Projects(workbench, (trouble) => {
-  workbench.say({tone: 'error', text: words().storage[trouble]});
+  workbench.notices.say({tone: 'error', text: words().storage[trouble]});
 });
 
 defineEditor();
@@ -47,7 +47,7 @@ const hintsAtFirst = hintsLeft();
 page.hints = hintsAtFirst ?? [];
 
 const sayFailure = (error: unknown): void => {
-  workbench.say({tone: 'error', text: toFailure(error).message});
+  workbench.notices.say({tone: 'error', text: toFailure(error).message});
 };
 
 async function begin(address: URL): Promise<void> {
@@ -80,9 +80,9 @@ async function welcome(): Promise<void> {
  * project.
  */
 function forgetAddress(): void {
-  const {beginnings} = workbench;
+  const {beginnings} = workbench.history;
   const end = workbench.subscribe(['history'], () => {
-    if (!workbench.canUndo && workbench.beginnings === beginnings) return;
+    if (!workbench.history.canUndo && workbench.history.beginnings === beginnings) return;
     end();
     history.replaceState(null, '', location.pathname);
   });
@@ -101,7 +101,7 @@ async function followed(address: URL): Promise<boolean> {
     return true;
   } catch (error) {
     history.replaceState(null, '', address.pathname);
-    if (!workbench.design && !(await projects.resume())) {
+    if (!workbench.history.design && !(await projects.resume())) {
       projects.beginWith(await firstDesign(samples), {origin: 'given'});
     }
     sayFailure(error);
@@ -112,7 +112,7 @@ async function followed(address: URL): Promise<boolean> {
 /** Returns the design in the URL, if it can be read. */
 async function soundlyAsked(address: URL, before: Design): Promise<Design | undefined> {
   const asked = await askedFor(address, before, workbench.solver);
-  if (asked) await workbench.meshed(asked);
+  if (asked) await workbench.solving.meshed(asked);
   return asked;
 }
 
@@ -126,7 +126,7 @@ async function open(): Promise<void> {
     }, sayFailure);
     await begin(new URL(location.href));
   } catch (error) {
-    workbench.beginEmpty();
+    workbench.solving.beEmpty();
     sayFailure(error);
   }
   projects.keep(new AbortController().signal);

@@ -51,7 +51,7 @@ export async function openFile(
   how: How = 'handed over',
 ): Promise<void> {
   const {workbench} = opening;
-  const texts = textsOf(workbench.preferences.language);
+  const texts = textsOf(workbench.preferences.chosen.language);
   const {life, done} = endedByKey();
   try {
     const use = await useOf(opening, file, {how, texts, signal: life.signal});
@@ -59,10 +59,10 @@ export async function openFile(
     if (use === 'document') await opened(opening, file, texts);
     if (use !== 'print') return;
     await openPrint(workbench, file);
-    workbench.say({tone: 'info', text: texts.app.takenAsPrint(file.name), undo: true});
+    workbench.notices.say({tone: 'info', text: texts.app.takenAsPrint(file.name), undo: true});
   } catch (error) {
     if (life.signal.aborted) return;
-    workbench.say({tone: 'error', text: sentenceOn(error, workbench, texts)});
+    workbench.notices.say({tone: 'error', text: sentenceOn(error, workbench, texts)});
   } finally {
     done();
   }

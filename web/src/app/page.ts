@@ -176,7 +176,7 @@ export class SeamwisePage extends WorkbenchElement {
 
   /** Applies the language, the theme and the project's name to the document. */
   protected override updated(): void {
-    const {language, theme} = this.workbench.preferences;
+    const {language, theme} = this.workbench.preferences.chosen;
     const root = document.documentElement;
     root.lang = language;
     const {name} = this.projects;

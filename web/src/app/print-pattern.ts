@@ -16,7 +16,7 @@ export function printPattern(workbench: Workbench, signal: AbortSignal): void {
     () => {
       clear();
       // synchronous: the browser does not wait
-      sheet = workbench.view?.onPaper();
+      sheet = workbench.sheet.view?.onPaper();
       if (!sheet) return;
       sheet.className = 'on-paper';
       document.body.append(sheet);

@@ -80,7 +80,7 @@ export class SaveMenu extends WorkbenchElement {
     const {app} = this.texts;
     const {workbench} = this;
     return html`
-      <button class="outlined" popovertarget="save" ?disabled=${!workbench.design}>
+      <button class="outlined" popovertarget="save" ?disabled=${!workbench.history.design}>
         ${icon.save} <span class="label">${app.saveMore}</span>
       </button>
       <div
@@ -102,7 +102,7 @@ export class SaveMenu extends WorkbenchElement {
           </button>
           <button
             class="outlined"
-            ?disabled=${!workbench.result}
+            ?disabled=${!workbench.solving.result}
             @click=${() => {
               saveResult(this);
             }}
@@ -111,7 +111,7 @@ export class SaveMenu extends WorkbenchElement {
           </button>
           <button
             class="outlined"
-            ?disabled=${!workbench.result}
+            ?disabled=${!workbench.solving.result}
             @click=${() => void savePicture(this)}
           >
             ${icon.save} ${app.savePicture}
@@ -131,7 +131,7 @@ export class SaveMenu extends WorkbenchElement {
 
   /** Opens the dialog for a cutting sheet. */
   async cut(): Promise<void> {
-    if (!this.workbench.design) return;
+    if (!this.workbench.history.design) return;
     const {openCut} = await import('./cut/open-cut.js');
     await openCut(this.workbench, this.renderRoot, this.saveOther);
   }

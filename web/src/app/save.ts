@@ -17,9 +17,9 @@ export const stem = ({projects}: Saved): string => fileNameOf(projects.name);
 
 export function saveProject(saved: Saved): void {
   const {workbench, projects} = saved;
-  if (!workbench.design) return;
-  const [view, title] = [workbench.view?.get(), projects.present?.title];
-  const content = writeProject(workbench.design, {
+  if (!workbench.history.design) return;
+  const [view, title] = [workbench.sheet.view?.get(), projects.present?.title];
+  const content = writeProject(workbench.history.design, {
     ...(view && {view}),
     ...(title !== undefined && {title}),
   });
@@ -28,7 +28,8 @@ export function saveProject(saved: Saved): void {
 
 /** Saves the result with its design, so that it can be opened again. */
 export function saveResult(saved: Saved): void {
-  const {design, result} = saved.workbench;
+  const {design} = saved.workbench.history;
+  const {result} = saved.workbench.solving;
   if (!design || !result) return;
   const content = JSON.stringify({...result, design: written(design)});
   saveFile(`${stem(saved)}.result.json`, content);
@@ -36,6 +37,6 @@ export function saveResult(saved: Saved): void {
 
 /** Saves the whole sheet as shown. */
 export async function savePicture(saved: Saved): Promise<void> {
-  const picture = await saved.workbench.view?.picture();
+  const picture = await saved.workbench.sheet.view?.picture();
   if (picture) saveFile(`${stem(saved)}.png`, picture);
 }

@@ -67,11 +67,13 @@ function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): read
 /** Commands that walk from piece to piece; the camera faces each piece. */
 function walking({workbench}: CommandedGarment, words: WornTexts): readonly Command[] {
   const walk = (step: 1 | -1): void => {
-    const {selected, scenes} = workbench;
+    const {selected} = workbench.selection;
+    const {scenes} = workbench.sheet;
     const count = scenes?.now.pieces.length ?? 0;
     const first = step > 0 ? -1 : 0;
     const from = selected?.kind === 'piece' ? selected.piece : first;
-    if (count > 0) workbench.select({kind: 'piece', piece: (from + step + count) % count});
+    if (count > 0)
+      workbench.selection.select({kind: 'piece', piece: (from + step + count) % count});
   };
   return [
     {
@@ -94,7 +96,7 @@ function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): rea
   const {workbench} = garment;
   const {commands, lists, pattern} = texts;
   const {view: also, print: cloth} = commands.also;
-  const {design} = workbench;
+  const {design} = workbench.history;
   return [
     {
       ...{id: 'form', title: words.form, key: 'D', words: also},
@@ -120,7 +122,7 @@ function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): rea
         ...{id: `fabric ${fabric}`, title: lists.of(words.fabric, words.fabrics[fabric])},
         words: cloth,
         run: () => {
-          workbench.change({fabric});
+          workbench.history.change({fabric});
         },
       })),
   ];

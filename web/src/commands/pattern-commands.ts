@@ -36,9 +36,9 @@ export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
   keep: tool('keep'),
   grain: tool('grain'),
   turn: ({tools, workbench}) =>
-    workbench.selected?.kind === 'piece' &&
+    workbench.selection.selected?.kind === 'piece' &&
     !tools.isFixed &&
-    turnPiece(workbench, workbench.selected.piece),
+    turnPiece(workbench, workbench.selection.selected.piece),
   lens: (pane) => {
     pane.dispatchEvent(new CustomEvent('sw-lens-wanted', {bubbles: true, composed: true}));
     return true;

@@ -59,7 +59,7 @@ function chosen({tools, index, workbench}: KeyedPattern, key: string): boolean {
   }
   const chooses =
     key === ' ' ||
-    (key === 'Enter' && (tools.active === 'pair' || workbench.selected?.kind === 'seam'));
+    (key === 'Enter' && (tools.active === 'pair' || workbench.selection.selected?.kind === 'seam'));
   const takes = chooser.tool !== undefined || tools.active === 'keep' || tools.active === 'grain';
   if (!index || !takes || !chooses) return false;
   tools.takeSelected(index);
@@ -75,8 +75,8 @@ function asked(pane: KeyedPattern, event: KeyboardEvent): boolean {
 function heldOrStepped(pane: KeyedPattern, key: string): boolean {
   const {tools, workbench, index} = pane;
   if (key === 'Escape') {
-    if (!tools.back() && workbench.selected)
-      workbench.select(index && steppedOut(index, workbench.selected));
+    if (!tools.back() && workbench.selection.selected)
+      workbench.selection.select(index && steppedOut(index, workbench.selection.selected));
     return true;
   }
   if (tools.isFixed) return false;
@@ -86,14 +86,17 @@ function heldOrStepped(pane: KeyedPattern, key: string): boolean {
   }
   const number = Number(key);
   if (!(number >= 1 && number <= 9)) return false;
-  const texts = textsOf(workbench.preferences.language, workbench.preferences.messages);
+  const texts = textsOf(
+    workbench.preferences.chosen.language,
+    workbench.preferences.chosen.messages,
+  );
   const row = worstSeams(seamRows(workbench, texts), number)[number - 1];
-  if (row) workbench.select({kind: 'seam', seam: row.seam, side: 'a'});
+  if (row) workbench.selection.select({kind: 'seam', seam: row.seam, side: 'a'});
   return true;
 }
 
 function walk({index, workbench}: KeyedPattern, key: string): boolean {
-  const next = index && walked(index, workbench.selected, key);
-  if (next) workbench.select(next);
+  const next = index && walked(index, workbench.selection.selected, key);
+  if (next) workbench.selection.select(next);
   return next !== undefined;
 }

@@ -67,10 +67,10 @@ export class Editor extends WorkbenchElement {
 
   readonly #own = {
     undo: () => {
-      if (!this.cloth?.undo()) this.workbench.undo();
+      if (!this.cloth?.undo()) this.workbench.history.undo();
     },
     redo: () => {
-      if (!this.cloth?.redo()) this.workbench.redo();
+      if (!this.cloth?.redo()) this.workbench.history.redo();
     },
     keys: () => void this.#toggleKeys(),
     views: () => {
@@ -155,7 +155,7 @@ export class Editor extends WorkbenchElement {
         ...(keeper && {keeper}),
       });
     } catch (error) {
-      this.workbench.say({tone: 'error', text: toFailure(error).message});
+      this.workbench.notices.say({tone: 'error', text: toFailure(error).message});
     }
   }
 
@@ -178,7 +178,7 @@ export class Editor extends WorkbenchElement {
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     if (this.shows !== 'pattern') void this.#load();
-    const {selected} = this.workbench;
+    const {selected} = this.workbench.selection;
     if (sameTarget(selected, this.#selected)) return;
     this.#selected = selected;
     if (selected?.kind === 'seam' && this.sheet !== 'lists') this.sheet = 'fit';
@@ -191,12 +191,13 @@ export class Editor extends WorkbenchElement {
   }
 
   protected override updated(): void {
-    const {kind} = this.workbench.state;
+    const {kind} = this.workbench.solving.state;
     if (kind !== 'opening' && kind !== 'solving') void loadLaterParts();
     const part = this.renderRoot.querySelector<HTMLElement>('sw-headline');
     if (!part || !this.isConnected) return;
     this.#headline ??= new KeptHeight(part);
-    const {design, afterwards} = this.workbench;
+    const {design} = this.workbench.history;
+    const {afterwards} = this.workbench;
     const isSymmetric = design && askedSymmetries(design).length > 0;
     this.#headline.about = `${design?.garment.name} ${isSymmetric ? 'symmetric' : ''}`;
     // the headline also shows later improvements, which arrive one by one
@@ -281,7 +282,7 @@ export class Editor extends WorkbenchElement {
       await (this.shows === 'cloth' ? loadMarker : loadDrape)();
     } catch (error) {
       this.shows = 'pattern';
-      this.workbench.say({tone: 'error', text: toFailure(error).message});
+      this.workbench.notices.say({tone: 'error', text: toFailure(error).message});
     }
   }
 

@@ -4,32 +4,32 @@ import type {Preferences} from '../texts/preferences.js';
 import {Observable} from './observable.js';
 
 export class ChosenPreferences extends Observable {
-  #preferences: Preferences;
+  #chosen: Preferences;
 
-  constructor(preferences: Preferences) {
+  constructor(chosen: Preferences) {
     super();
-    this.#preferences = preferences;
+    this.#chosen = chosen;
     void this.#learn();
   }
 
-  get preferences(): Preferences {
-    return this.#preferences;
+  get chosen(): Preferences {
+    return this.#chosen;
   }
 
   get texts(): Texts {
-    const {language, messages} = this.#preferences;
+    const {language, messages} = this.#chosen;
     return textsOf(language, messages);
   }
 
   prefer(change: Partial<Preferences>): void {
-    this.#preferences = {...this.#preferences, ...change};
+    this.#chosen = {...this.#chosen, ...change};
     this.changed();
     void this.#learn();
   }
 
   async #learn(): Promise<void> {
-    if (!(await loadTexts(this.#preferences.language))) return;
-    this.#preferences = {...this.#preferences}; // a new object: cached views are redrawn
+    if (!(await loadTexts(this.#chosen.language))) return;
+    this.#chosen = {...this.#chosen}; // a new object: cached views are redrawn
     this.changed();
   }
 }

@@ -30,10 +30,10 @@ export class DesignHistory extends Observable {
 
   /** Undefined until there is a garment. */
   get design(): Design | undefined {
-    return this.history?.present.design;
+    return this.steps?.present.design;
   }
 
-  get history(): History<Step> | undefined {
+  get steps(): History<Step> | undefined {
     return this.#steps.history;
   }
 
@@ -43,11 +43,7 @@ export class DesignHistory extends Observable {
   }
 
   get canUndo(): boolean {
-    return (this.history?.past.length ?? 0) > 0;
-  }
-
-  get canRedo(): boolean {
-    return (this.history?.future.length ?? 0) > 0;
+    return (this.steps?.past.length ?? 0) > 0;
   }
 
   /** Starts, or starts over, with another history. */
@@ -122,7 +118,7 @@ export class DesignHistory extends Observable {
 
   #travel(): void {
     this.#arrive();
-    const view = this.history?.present.view;
+    const view = this.steps?.present.view;
     if (view) this.#sheet.view?.set(view);
   }
 }

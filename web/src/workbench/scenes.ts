@@ -27,14 +27,16 @@ export interface Scenes {
   readonly marks: ReadonlyMap<string, PanelMarks>;
 }
 
-/** A design and the known parts of its result. */
+/** The values of a workbench that are read: a design, and the known parts of its result. */
 interface Work {
-  readonly design: Design | undefined;
-  readonly garment: GarmentDocument | undefined;
-  readonly pattern: MeshedPattern | undefined;
-  readonly result: SolveResult | undefined;
-  readonly partial: readonly Alignment[] | undefined;
-  readonly preferences: {readonly scale: MismatchScale};
+  readonly history: {readonly design: Design | undefined};
+  readonly solving: {
+    readonly garment: GarmentDocument | undefined;
+    readonly pattern: MeshedPattern | undefined;
+    readonly result: SolveResult | undefined;
+  };
+  readonly running: {readonly partial: readonly Alignment[] | undefined};
+  readonly preferences: {readonly chosen: {readonly scale: MismatchScale}};
 }
 
 /** Caches the last sheets, since building a sheet costs far more than aligning it anew. */
@@ -83,7 +85,9 @@ export class SceneMaker {
 
   /** Sheets of a design; undefined until the solver has read the garment. */
   scenes(work: Work, shown: Room): Scenes | undefined {
-    const {design, garment, pattern, result, partial} = work;
+    const {design} = work.history;
+    const {garment, pattern, result} = work.solving;
+    const {partial} = work.running;
     if (!design || !garment || !pattern) return undefined;
     const print = this.#print(design.print);
     if (!this.#roomBefore(design.garment)) this.#last = new Map();
@@ -94,7 +98,14 @@ export class SceneMaker {
     if (isRoom(room)) this.#rooms.set(design.garment, room);
     this.#laid = design.garment;
     const {width, height} = room;
-    const settings = this.#settings(garment, decided, plain, work.preferences.scale, width, height);
+    const settings = this.#settings(
+      garment,
+      decided,
+      plain,
+      work.preferences.chosen.scale,
+      width,
+      height,
+    );
     const before = this.#rest(pattern, print, settings);
     const now = result
       ? this.#solved(pattern, result, print, settings)

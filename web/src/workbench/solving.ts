@@ -226,7 +226,7 @@ export class Solving extends Observable {
     if (this.#known.meet(design.garment)) this.#met(design.garment);
     void this.#known.learn();
     const known = this.#results.of(design);
-    const {solveAsIGo} = this.#parts.preferences.preferences;
+    const {solveAsIGo} = this.#parts.preferences.chosen;
     if (!known && solveAsIGo) {
       this.align();
       return;

@@ -24,7 +24,7 @@ const garmentFaults: ReadonlySet<string> = new Set([
  */
 export function spokenFailure(
   {code, message, piece, reason}: Failure,
-  {design, scenes}: Workbench,
+  {history: {design}, sheet: {scenes}}: Workbench,
   texts: Texts,
   pieces?: string,
 ): string {

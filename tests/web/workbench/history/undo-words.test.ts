@@ -150,11 +150,13 @@ it('names another step than the effort where both end', () => {
 const deskOf = (past: Design, present: Design, future: Design): Workbench =>
   ({
     history: {
-      past: [{design: past, view: null}],
-      present: {design: present, view: null},
-      future: [{design: future, view: null}],
+      steps: {
+        past: [{design: past, view: null}],
+        present: {design: present, view: null},
+        future: [{design: future, view: null}],
+      },
     },
-    scenes: {now: {pieces: [{name: 'waistband', label: 'Waistband'}]}},
+    sheet: {scenes: {now: {pieces: [{name: 'waistband', label: 'Waistband'}]}}},
   }) as unknown as Workbench;
 
 it('says of which piece, by the name that it is called by', () => {

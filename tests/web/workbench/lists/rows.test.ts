@@ -66,11 +66,9 @@ function workbench({
   const meshed = {...pattern, pieces: [], fitRandom: 0, notes: []};
   const garment = documentOf([], {seams: drafted.map(draftedSeam)});
   return {
-    design,
-    garment,
-    pattern: meshed,
-    result: undefined,
-    scenes: {before, now, marks: new Map()},
+    history: {design},
+    solving: {garment, pattern: meshed, result: undefined},
+    sheet: {scenes: {before, now, marks: new Map()}},
   };
 }
 
@@ -130,8 +128,10 @@ describe('rows of seams', () => {
   });
 
   it('are none before the garment has been read', () => {
-    expect(seamRows({...workbench({}), scenes: undefined}, en)).toEqual([]);
-    expect(pieceRows({...workbench({}), pattern: undefined})).toEqual([]);
+    const shown = workbench({});
+    const solving = {...shown.solving, pattern: undefined};
+    expect(seamRows({...shown, sheet: {scenes: undefined}}, en)).toEqual([]);
+    expect(pieceRows({...shown, solving})).toEqual([]);
   });
 });
 

@@ -40,7 +40,11 @@ function middle(
   const pieces = pattern.pieces.map((piece) => ({...piece, edges: []}));
   const meshed: MeshedPattern = {...pattern, pieces, fitRandom: 1, notes: []};
   const scenes = {before: now, now, marks};
-  const at = middleToCentre({selected, found, scenes, pattern: meshed});
+  const at = middleToCentre({
+    selection: {selected},
+    sheet: {scenes},
+    solving: {pattern: meshed, found},
+  });
   return at && {piece: at.piece.name, at: at.at};
 }
 

@@ -19,12 +19,16 @@ function chooserAt(): {
   readonly show: (design: Design) => void;
   readonly words: () => string;
 } {
-  const workbench = {design, kept: [], scenes: {now: sewnSquares()}, measure: vi.fn()};
+  const workbench = {
+    history: {design},
+    solving: {kept: [], measure: vi.fn()},
+    sheet: {scenes: {now: sewnSquares()}},
+  };
   const chooser = new SymmetryChooser(workbench as unknown as Workbench, () => undefined);
   return {
     chooser,
     show: (next) => {
-      workbench.design = next;
+      workbench.history.design = next;
     },
     words: () => chooser.words(en, format),
   };

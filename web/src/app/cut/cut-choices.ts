@@ -50,14 +50,14 @@ function storedFileChoices(units: Units): FileChoices {
 }
 
 /** Returns the last settings; unknown or missing ones have their defaults. */
-export const storedChoices = ({preferences}: Workbench): CutChoices => ({
-  ...storedFileChoices(preferences.units),
-  ...allowancesIn(preferences),
+export const storedChoices = ({preferences: {chosen}}: Workbench): CutChoices => ({
+  ...storedFileChoices(chosen.units),
+  ...allowancesIn(chosen),
 });
 
 /** Stores the settings except defaults, which follow the units. */
 export function keepChoices(choices: CutChoices, workbench: Workbench): void {
-  const {units} = workbench.preferences;
+  const {units} = workbench.preferences.chosen;
   const {file, paper, ink} = choices;
   const chosen = Object.entries({file, paper, ink}).filter(
     ([name, value]) => value !== usual[units][name as keyof FileChoices],
@@ -67,5 +67,5 @@ export function keepChoices(choices: CutChoices, workbench: Workbench): void {
   } catch {
     // the file can still be made without storage
   }
-  workbench.prefer(withAllowances(choices, workbench.preferences));
+  workbench.prefer(withAllowances(choices, workbench.preferences.chosen));
 }

@@ -93,7 +93,7 @@ export class CutDialog extends WorkbenchElement {
         <div class="settings">
           ${cutSettings({
             ...{choices: this.choices, plan: this.plan, words, texts, format: this.format},
-            units: this.workbench.preferences.units,
+            units: this.workbench.preferences.chosen.units,
             choose: (change) => {
               this.#choose(change);
             },
@@ -118,7 +118,7 @@ export class CutDialog extends WorkbenchElement {
     const {words} = this;
     if (this.#isUnscaled) return this.#refusal();
     if (this.#answer) return this.trouble === undefined ? words.planning : '';
-    const {kind} = this.workbench.state;
+    const {kind} = this.workbench.solving.state;
     return kind === 'failed' || kind === 'stale' ? words.unsolved : words.waiting;
   }
 
@@ -138,7 +138,7 @@ export class CutDialog extends WorkbenchElement {
   }
 
   get #isUnscaled(): boolean {
-    return this.workbench.design?.print.unscaled === true;
+    return this.workbench.history.design?.print.unscaled === true;
   }
 
   #caption({pages, widthCm, heightCm}: CutPlan): TemplateResult {
@@ -191,7 +191,7 @@ export class CutDialog extends WorkbenchElement {
 
   /** Answer that a file would be made from. */
   get #answer(): SolveResult | undefined {
-    const {garment, result} = this.workbench;
+    const {garment, result} = this.workbench.solving;
     return garment && result;
   }
 

@@ -12,7 +12,7 @@ export async function openCut(
   save: (ending: string, content: Blob) => void,
 ): Promise<void> {
   if (!customElements.get(tag)) customElements.define(tag, CutDialog);
-  const words = await cutTexts(workbench.preferences.language);
+  const words = await cutTexts(workbench.preferences.chosen.language);
   const dialog = root.querySelector<CutDialog>(tag) ?? new CutDialog();
   Object.assign(dialog, {workbench, words, save});
   if (!dialog.isConnected) root.append(dialog);

@@ -126,7 +126,7 @@ export class ImportSheet extends WorkbenchElement {
     const {drawing} = shown;
     const choosing: ShownChoices = {
       ...{shown, unit: this.unit, choices: this.choices, words, format},
-      units: this.workbench.preferences.units,
+      units: this.workbench.preferences.chosen.units,
       choose: (piece, change) => {
         this.choices = this.choices.map((one, k) => (k === piece ? {...one, ...change} : one));
       },

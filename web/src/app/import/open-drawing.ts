@@ -24,7 +24,7 @@ const patience = 400;
 /** Returns the page's only import dialog, with texts in the user's language. */
 async function sheetIn({root, workbench}: DrawingPlace): Promise<ImportSheet> {
   if (!customElements.get(tag)) customElements.define(tag, ImportSheet);
-  const words = await importTexts(workbench.preferences.language);
+  const words = await importTexts(workbench.preferences.chosen.language);
   const sheet = root.querySelector<ImportSheet>(tag) ?? new ImportSheet();
   Object.assign(sheet, {workbench, words});
   if (!sheet.isConnected) root.append(sheet);
@@ -39,14 +39,14 @@ export const askUse = async (file: File, place: DrawingPlace): Promise<FileUse |
 
 /** Shows a notice if reading takes long. @returns a function that removes it */
 function sayReading(workbench: Workbench, text: string, cancel: () => void): () => void {
-  const {app} = textsOf(workbench.preferences.language);
+  const {app} = textsOf(workbench.preferences.chosen.language);
   const notice = {tone: 'info', text, action: {label: app.cancel, act: cancel}} as const;
   const timer = setTimeout(() => {
-    workbench.say(notice);
+    workbench.notices.say(notice);
   }, patience);
   return () => {
     clearTimeout(timer);
-    if (workbench.notice === notice) workbench.say(undefined);
+    if (workbench.notices.notice === notice) workbench.notices.say(undefined);
   };
 }
 
@@ -92,12 +92,12 @@ async function open(
   signal: AbortSignal,
 ): Promise<void> {
   try {
-    await workbench.documentOf(garment); // reports errors before anything changes
+    await workbench.solving.documentOf(garment); // reports errors before anything changes
     signal.throwIfAborted();
     await workbench.open(garment);
   } catch (error) {
     if (signal.aborted) throw error;
-    const texts = textsOf(workbench.preferences.language);
+    const texts = textsOf(workbench.preferences.chosen.language);
     throw new Error(spokenFailure(toFailure(error), workbench, texts), {cause: error});
   }
 }

@@ -14,7 +14,7 @@ export function showBeforeAndAfter(workbench: Workbench, pattern: PatternPane): 
   if (document.hidden || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   const life = new AbortController();
   const {signal} = life;
-  const {design} = workbench;
+  const {design} = workbench.history;
   let isDrawn = false;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const end = (ms: number): void => {
@@ -23,8 +23,9 @@ export function showBeforeAndAfter(workbench: Workbench, pattern: PatternPane): 
     pattern.showAnswer(ms);
   };
   const follow = (): void => {
-    const {state} = workbench;
-    const isOver = workbench.design !== design || state.kind === 'failed' || state.kind === 'stale';
+    const {state} = workbench.solving;
+    const isOver =
+      workbench.history.design !== design || state.kind === 'failed' || state.kind === 'stale';
     if (isOver) end(0);
     else if (isDrawn && state.kind === 'done')
       timer ??= setTimeout(() => {

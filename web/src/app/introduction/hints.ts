@@ -90,7 +90,8 @@ export class Hints extends WorkbenchElement {
 
   /** Drops the hints that the user has already followed. */
   protected override updated(): void {
-    const {design, selected} = this.workbench;
+    const {design} = this.workbench.history;
+    const {selected} = this.workbench.selection;
     const print = design && `${design.print.title} ${design.print.image}`;
     if (this.#print !== undefined && print !== this.#print) this.#done('print');
     this.#print = print;
@@ -99,7 +100,7 @@ export class Hints extends WorkbenchElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const [hint] = this.left;
-    this.#isReady ||= this.workbench.state.kind === 'done';
+    this.#isReady ||= this.workbench.solving.state.kind === 'done';
     this.hidden = hint === undefined || !this.#isReady;
     if (hint === undefined) return nothing;
     const {app, introduction} = this.texts;

@@ -24,7 +24,7 @@ export async function openLink(
   projects: Projects,
   samples: Promise<Samples>,
 ): Promise<boolean> {
-  const {link: words} = textsOf(workbench.preferences.language);
+  const {link: words} = textsOf(workbench.preferences.chosen.language);
   try {
     const link = await readLink(fragment);
     if (!link) return false;
@@ -34,7 +34,7 @@ export async function openLink(
       garment: await garmentOf(garment, await samples, words.noSample),
       print: await printOf(print, await samples, words.noSample),
     };
-    await workbench.meshed(design);
+    await workbench.solving.meshed(design);
     projects.beginWith(design, {origin: 'own', ...(title !== undefined && {title})});
     return true;
   } catch (error) {

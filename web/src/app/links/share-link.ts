@@ -34,22 +34,22 @@ async function shortest(design: Design, title: string | undefined): Promise<Link
 
 /** Copies the link and reports its length; rejects one that is too long. */
 export async function copyLink(workbench: Workbench, projects: Projects): Promise<void> {
-  const {design} = workbench;
+  const {design} = workbench.history;
   if (!design) return;
-  const {link} = textsOf(workbench.preferences.language);
+  const {link} = textsOf(workbench.preferences.chosen.language);
   const {text, hasSmallerPicture} = await shortest(design, projects.present?.title);
   const {href} = new URL(text, location.href);
-  const size = `${Math.ceil(href.length / 1000).toLocaleString(workbench.preferences.language)} kB`;
+  const size = `${Math.ceil(href.length / 1000).toLocaleString(workbench.preferences.chosen.language)} kB`;
   if (text.length > longestLink) {
-    workbench.say({tone: 'error', text: link.tooLong(size)});
+    workbench.notices.say({tone: 'error', text: link.tooLong(size)});
     return;
   }
   try {
     await navigator.clipboard.writeText(href);
   } catch {
-    workbench.say({tone: 'error', text: link.notCopied});
+    workbench.notices.say({tone: 'error', text: link.notCopied});
     return;
   }
   const said = href.length > safeLength ? link.long(size) : link.copied;
-  workbench.say({tone: 'info', text: hasSmallerPicture ? `${said} ${link.smaller}` : said});
+  workbench.notices.say({tone: 'info', text: hasSmallerPicture ? `${said} ${link.smaller}` : said});
 }

@@ -51,9 +51,9 @@ async function tell(workbench: Workbench): Promise<void> {
     .then((answer) => answer.text())
     .catch(() => undefined);
   if (!script || newest === undefined || newest.includes(script)) return;
-  const {newVersion, reload} = textsOf(workbench.preferences.language).offline;
+  const {newVersion, reload} = textsOf(workbench.preferences.chosen.language).offline;
   const act = (): void => {
     location.reload();
   };
-  workbench.say({tone: 'info', text: newVersion, action: {label: reload, act}});
+  workbench.notices.say({tone: 'info', text: newVersion, action: {label: reload, act}});
 }

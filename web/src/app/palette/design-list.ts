@@ -21,10 +21,10 @@ export function stepCommands({workbench, texts}: PageParts): readonly Command[] 
   const {app} = texts;
   const [undone, redone] = [undoWords(workbench, texts), redoWords(workbench, texts)];
   const undo = (): void => {
-    workbench.undo();
+    workbench.history.undo();
   };
   const redo = (): void => {
-    workbench.redo();
+    workbench.history.redo();
   };
   return [
     ...(undone === undefined
@@ -38,7 +38,9 @@ export function stepCommands({workbench, texts}: PageParts): readonly Command[] 
 
 export function solveCommands({workbench, texts, format, samples}: PageParts): readonly Command[] {
   const {app, commands, controls, improve} = texts;
-  const {design, state, preferences} = workbench;
+  const {design} = workbench.history;
+  const {state} = workbench.solving;
+  const preferences = workbench.preferences.chosen;
   if (!design) return [];
   const {solve} = commands.also;
   const list: Command[] = [];
@@ -47,24 +49,24 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
   };
   if (canAlign(workbench)) {
     add('align', app.align, solve, () => {
-      workbench.align();
+      workbench.solving.align();
     });
   }
   if (state.kind === 'solving') {
     add('cancel', app.cancel, solve, () => {
-      workbench.cancel();
+      workbench.solving.cancel();
     });
   }
   const offer = improvementOffer(workbench);
   if (offer) add('improve', improve[offer.kind], commands.also.improve, offer.act);
-  for (const [k, remedy] of (workbench.result
+  for (const [k, remedy] of (workbench.solving.result
     ? workbench.afterwards.remedies(design)
     : []
   ).entries()) {
     const change = remedied(design, remedy, samples);
     if (!change) continue;
     add(`remedy ${k}`, remedyWords(remedy, workbench, texts, format), '', () => {
-      workbench.change(change);
+      workbench.history.change(change);
     });
   }
   add('solve as I go', controls.solveAsIGo, solve, () => {
@@ -74,14 +76,14 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
     if (name === presetOf(design)) continue;
     const words = name === 'placeOnly' ? commands.also.placeOnly : controls.presets;
     add(`preset ${name}`, controls.presetNames[name], words, () => {
-      workbench.change(withPreset(design, name));
+      workbench.history.change(withPreset(design, name));
     });
   }
   const settings = solveSettingsOf(design);
   for (const grain of grains) {
     if (grain === settings.grain) continue;
     add(`grain ${grain}`, texts.lists.of(controls.grain, controls.grains[grain]), '', () => {
-      workbench.change(withSolveSettings(design, {...settings, grain}));
+      workbench.history.change(withSolveSettings(design, {...settings, grain}));
     });
   }
   return list;
@@ -92,7 +94,7 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
  * reason.
  */
 export function printCommands({workbench, texts, samples}: PageParts): readonly Command[] {
-  const {design} = workbench;
+  const {design} = workbench.history;
   if (!design || !samples) return [];
   const {print, commands, lists, samples: named} = texts;
   const titleOf = (name: string, title: string): string => named.prints[name] ?? title;
@@ -107,7 +109,7 @@ export function printCommands({workbench, texts, samples}: PageParts): readonly 
         words: `${group} ${commands.also.print}`,
         why: lacks && print.lacks[lacks](group),
         run: () => {
-          workbench.change({print: samplePrint(sample)}, 'print');
+          workbench.history.change({print: samplePrint(sample)}, 'print');
         },
       };
     }),
@@ -116,7 +118,7 @@ export function printCommands({workbench, texts, samples}: PageParts): readonly 
       title: lists.of(print.colourways, named.colourways[name] ?? name),
       words: titleOf(worn?.name ?? '', worn?.title ?? ''),
       run: () => {
-        if (worn) workbench.change({print: inColours(design.print, worn, name)});
+        if (worn) workbench.history.change({print: inColours(design.print, worn, name)});
       },
     })),
   ];
@@ -130,7 +132,7 @@ export function garmentCommands({
 }: PageParts): readonly Command[] {
   if (!samples) return [];
   const {app, commands, lists, samples: named} = texts;
-  const {style: shown, size: worn = 'm'} = workbench.design?.garment.sample ?? {};
+  const {style: shown, size: worn = 'm'} = workbench.history.design?.garment.sample ?? {};
   const sizes = samples.garments.find(({style}) => style === shown)?.sizes ?? [];
   return [
     ...samples.garments.map(({style, title}): Command => ({

@@ -40,8 +40,8 @@ function fileCommands(parts: PageParts): readonly Command[] {
     },
     {id: 'projects', title: projects.title, words: also.open, run: parts.showProjects},
   ];
-  if (!workbench.design) return open;
-  const why = workbench.result ? undefined : needs.answer;
+  if (!workbench.history.design) return open;
+  const why = workbench.solving.result ? undefined : needs.answer;
   const saved = (
     id: Exclude<keyof typeof saves, 'other' | 'cut'>,
     title: string,
@@ -68,7 +68,7 @@ function fileCommands(parts: PageParts): readonly Command[] {
 
 function settingCommands({workbench, texts, editor}: PageParts): readonly Command[] {
   const {app, commands, controls, lists} = texts;
-  const {language, units, theme, scale} = workbench.preferences;
+  const {language, units, theme, scale} = workbench.preferences.chosen;
   const {settings, help} = commands.also;
   const choice = (label: string, name: string, change: Partial<Preferences>): Command => ({
     ...{id: JSON.stringify(change), title: lists.of(label, name), words: settings},

@@ -19,7 +19,7 @@ const alsoOf = (id: (typeof tools)[number], {also}: PageParts['texts']['commands
 
 export function toolCommands({workbench, texts, editor}: PageParts): readonly Command[] {
   const {pattern} = editor;
-  if (!pattern || !workbench.design) return [];
+  if (!pattern || !workbench.history.design) return [];
   const {commands, symmetry} = texts;
   const list = tools.map((id) =>
     withKey(texts, id, {
@@ -30,7 +30,7 @@ export function toolCommands({workbench, texts, editor}: PageParts): readonly Co
       },
     }),
   );
-  if (workbench.found.length === 0) return list;
+  if (workbench.solving.found.length === 0) return list;
   const accept: Command = {
     id: 'accept',
     title: symmetry.acceptAll,
@@ -62,10 +62,10 @@ export const viewCommands = (parts: PageParts): readonly Command[] => {
 };
 
 function patternViews({workbench, texts, editor: {pattern}}: PageParts): readonly Command[] {
-  if (!pattern || !workbench.design) return [];
+  if (!pattern || !workbench.history.design) return [];
   const {commands, pattern: words} = texts;
   const {view, zoom} = commands.also;
-  const why = workbench.result ? undefined : commands.needs.answer;
+  const why = workbench.solving.result ? undefined : commands.needs.answer;
   const toggle = (id: string, title: string, run: () => void): Command => ({
     ...{id, title, words: view, why, run},
   });
@@ -88,7 +88,8 @@ function patternViews({workbench, texts, editor: {pattern}}: PageParts): readonl
 export function pieceCommands({workbench, texts, editor}: PageParts): readonly Command[] {
   const {pattern} = editor;
   const {commands, remedies, keep, lists, symmetry} = texts;
-  const {design, selected} = workbench;
+  const {design} = workbench.history;
+  const {selected} = workbench.selection;
   if (!pattern || !design) return [];
   const rows = pieceRows(workbench);
   const ofSelected = withKey(texts, 'turn', {
@@ -99,7 +100,7 @@ export function pieceCommands({workbench, texts, editor}: PageParts): readonly C
   const seams = seamRows(workbench, texts);
   const [worst] = worstSeams(seams, 1);
   const toSeam = (seam: number): void => {
-    workbench.select({kind: 'seam', seam, side: 'a'});
+    workbench.selection.select({kind: 'seam', seam, side: 'a'});
     editor.toPattern();
   };
   return [
@@ -137,7 +138,7 @@ export function pieceCommands({workbench, texts, editor}: PageParts): readonly C
               id: `free ${name}`,
               title: symmetry.freePiece(label),
               run: () => {
-                workbench.change({options: withoutPin(design.options, name)});
+                workbench.history.change({options: withoutPin(design.options, name)});
               },
             },
           ]
@@ -146,7 +147,7 @@ export function pieceCommands({workbench, texts, editor}: PageParts): readonly C
         id: `piece ${name}`,
         title: lists.of(lists.piece, label),
         run: () => {
-          workbench.select({kind: 'piece', piece});
+          workbench.selection.select({kind: 'piece', piece});
           editor.toPattern();
         },
       },

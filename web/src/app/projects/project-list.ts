@@ -201,7 +201,7 @@ export class ProjectList extends WorkbenchElement {
 
   async #take(id: string): Promise<void> {
     if (await this.projects.open(id)) this.#dialog?.close();
-    else this.workbench.say({tone: 'error', text: this.texts.projects.gone});
+    else this.workbench.notices.say({tone: 'error', text: this.texts.projects.gone});
   }
 
   /** Shows the name as it is stored; an update of the list does not replace a name being typed. */

@@ -78,7 +78,7 @@ export class Projects {
   /** Shows another project; the current one stays in the list unchanged. */
   begin(history: History<Step>, announced: Announced = {}): void {
     this.#announced = announced;
-    this.#workbench.begin(history);
+    this.#workbench.history.begin(history);
   }
 
   beginWith(design: Design, announced: Announced = {}, view: Step['view'] = null): void {
@@ -220,7 +220,7 @@ export class Projects {
   }
 
   #follow(): void {
-    const {history, beginnings} = this.#workbench;
+    const {steps: history, beginnings} = this.#workbench.history;
     if (!history) return;
     if (this.#present && beginnings === this.#beginning) {
       const {garment} = this.#present.history.present.design;
@@ -255,7 +255,11 @@ export class Projects {
     words: (texts: ReturnType<typeof textsOf>) => string,
     action?: (texts: ReturnType<typeof textsOf>) => {label: string; act: () => void},
   ): void {
-    const texts = textsOf(this.#workbench.preferences.language);
-    this.#workbench.say({tone: 'info', text: words(texts), ...(action && {action: action(texts)})});
+    const texts = textsOf(this.#workbench.preferences.chosen.language);
+    this.#workbench.notices.say({
+      tone: 'info',
+      text: words(texts),
+      ...(action && {action: action(texts)}),
+    });
   }
 }

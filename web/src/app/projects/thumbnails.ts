@@ -13,17 +13,18 @@ export function illustrate(workbench: Workbench, projects: Projects): void {
   let pictured: Design | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const take = async (design: Design): Promise<void> => {
-    if (workbench.design !== design || !workbench.view) return;
+    if (workbench.history.design !== design || !workbench.sheet.view) return;
     pictured = design;
     // a lost graphics context gives no picture; the next change tries again
-    const picture = await workbench.view.picture(width).catch(() => undefined);
-    if (picture && workbench.design === design) await projects.illustrate(picture);
+    const picture = await workbench.sheet.view.picture(width).catch(() => undefined);
+    if (picture && workbench.history.design === design) await projects.illustrate(picture);
   };
   workbench.subscribe(['history', 'solving', 'sheet'], () => {
-    const {design, state} = workbench;
+    const {design} = workbench.history;
+    const {state} = workbench.solving;
     const isSettled = state.kind === 'done' || state.kind === 'stale';
     clearTimeout(timer);
-    if (!design || design === pictured || !isSettled || workbench.isHeld) return;
+    if (!design || design === pictured || !isSettled || workbench.history.isHeld) return;
     timer = setTimeout(() => {
       whenIdle(() => void take(design));
     }, rest);

@@ -26,7 +26,7 @@ const greatestSide = 2048;
 
 /** Returns the files that can be saved at present. */
 export function drapeFiles({workbench, view}: DrapePane): readonly WornFile[] {
-  const {language, messages} = workbench.preferences;
+  const {language, messages} = workbench.preferences.chosen;
   const words = wornTexts(language, messages);
   const {drape} = drapingOf(workbench);
   if (!view || !drape) return [];
@@ -40,9 +40,9 @@ export function drapeFiles({workbench, view}: DrapePane): readonly WornFile[] {
           {
             ...{id: 'film', title: words.saveFilm, ending: type.includes('mp4') ? 'mp4' : 'webm'},
             make: async () => {
-              workbench.say({tone: 'info', text: words.filming});
+              workbench.notices.say({tone: 'info', text: words.filming});
               const blob = await film(view, type);
-              workbench.say(undefined);
+              workbench.notices.say(undefined);
               return blob;
             },
           },
@@ -51,7 +51,8 @@ export function drapeFiles({workbench, view}: DrapePane): readonly WornFile[] {
 }
 
 async function model(workbench: Workbench): Promise<Blob> {
-  const {design, result} = workbench;
+  const {design} = workbench.history;
+  const {result} = workbench.solving;
   const {drape} = drapingOf(workbench);
   if (!design || !result || !drape) throw new Error('There is no garment to save yet.');
   const picture = await cellOf(workbench);
@@ -66,7 +67,7 @@ async function model(workbench: Workbench): Promise<Blob> {
 /**
  * Returns the image of the print's cell on white fabric, as a PNG; undefined if it cannot be read.
  */
-async function cellOf({design, tileOf}: Workbench): Promise<CellPicture | undefined> {
+async function cellOf({history: {design}, tileOf}: Workbench): Promise<CellPicture | undefined> {
   if (!design) return undefined;
   const tile = await tileOf(design.print.image).catch(() => undefined);
   if (!tile) return undefined;

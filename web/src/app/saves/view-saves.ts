@@ -22,7 +22,7 @@ export const viewSaves = (
           save(ending, content);
         },
         (error: unknown) => {
-          workbench.say({tone: 'error', text: toFailure(error).message});
+          workbench.notices.say({tone: 'error', text: toFailure(error).message});
         },
       );
     },

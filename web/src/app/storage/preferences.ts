@@ -58,7 +58,7 @@ export function storedPreferences(locale = navigator.language): Preferences {
 export function keepPreferences(workbench: Workbench): () => void {
   return workbench.subscribe(['preferences'], () => {
     try {
-      localStorage.setItem(key, JSON.stringify(workbench.preferences));
+      localStorage.setItem(key, JSON.stringify(workbench.preferences.chosen));
     } catch {
       // the page still uses the chosen preferences without storage
     }

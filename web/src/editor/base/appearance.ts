@@ -32,7 +32,7 @@ export class AppearanceController implements ReactiveController {
   }
 
   get value(): Appearance {
-    const {theme} = this.#host.workbench.preferences;
+    const {theme} = this.#host.workbench.preferences.chosen;
     if (theme !== 'system') return theme;
     return (this.#around ??= this.#ask());
   }

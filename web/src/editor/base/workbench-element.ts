@@ -33,13 +33,13 @@ export abstract class WorkbenchElement extends LitElement {
 
   /** All texts in the user's language. */
   protected get texts(): Texts {
-    const {language, messages} = this.workbench.preferences;
+    const {language, messages} = this.workbench.preferences.chosen;
     return textsOf(language, messages);
   }
 
   /** Formats numbers in the user's language and units. */
   protected get format(): Format {
-    const {language, units} = this.workbench.preferences;
+    const {language, units} = this.workbench.preferences.chosen;
     return formatFor(language, units);
   }
 

@@ -30,7 +30,7 @@ export class Settings extends WorkbenchElement {
 
   protected override render(): TemplateResult {
     const {app, controls: texts} = this.texts;
-    const {language, units, theme, scale} = this.workbench.preferences;
+    const {language, units, theme, scale} = this.workbench.preferences.chosen;
     return html`
       <button popovertarget="panel" aria-label=${app.settings} title=${app.settings}>
         ${icon.settings}

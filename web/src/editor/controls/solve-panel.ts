@@ -79,7 +79,7 @@ export class SolvePanel extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (!design) return nothing;
     const texts = this.texts.controls;
     const settings = solveSettingsOf(design);
@@ -94,7 +94,7 @@ export class SolvePanel extends WorkbenchElement {
               aria-pressed=${name === preset}
               title=${texts.presetNotes[name]}
               @click=${() => {
-                this.workbench.change(withPreset(design, name));
+                this.workbench.history.change(withPreset(design, name));
               }}
             >
               ${texts.presetNames[name]}
@@ -138,7 +138,7 @@ export class SolvePanel extends WorkbenchElement {
           .checked=${design.options.openEdges !== 'free'}
           @change=${({target}: Event) => {
             const openEdges = (target as HTMLInputElement).checked ? 'kept' : 'free';
-            this.workbench.change({options: {...design.options, openEdges}});
+            this.workbench.history.change({options: {...design.options, openEdges}});
           }}
         />
         ${this.texts.keep.openEdges}
@@ -164,7 +164,7 @@ export class SolvePanel extends WorkbenchElement {
 
   #change({maxChangeCm}: SolveSettings): TemplateResult {
     const texts = this.texts.controls;
-    const {name, cm, step, digits} = changeUnit[this.workbench.preferences.units];
+    const {name, cm, step, digits} = changeUnit[this.workbench.preferences.chosen.units];
     const [least, most] = [leastChangeCm / cm, mostChangeCm / cm];
     return html`<sw-number-field
       .label=${texts.greatestChange(name)}
@@ -173,7 +173,7 @@ export class SolvePanel extends WorkbenchElement {
       .most=${most}
       .step=${step}
       .digits=${digits}
-      .fractions=${this.workbench.preferences.units === 'inch'}
+      .fractions=${this.workbench.preferences.chosen.units === 'inch'}
       .wrong=${texts.between(this.format.fine(leastChangeCm), this.format.fine(mostChangeCm))}
       @entered=${({detail}: CustomEvent<number>) => {
         this.#set({maxChangeCm: detail * cm}, 'greatest change');
@@ -182,7 +182,7 @@ export class SolvePanel extends WorkbenchElement {
   }
 
   #solveAsIGo(): TemplateResult {
-    const {solveAsIGo} = this.workbench.preferences;
+    const {solveAsIGo} = this.workbench.preferences.chosen;
     return html`<button
       role="switch"
       aria-checked=${solveAsIGo}
@@ -196,9 +196,9 @@ export class SolvePanel extends WorkbenchElement {
   }
 
   #set(change: Partial<SolveSettings>, kind = ''): void {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (design)
-      this.workbench.change(
+      this.workbench.history.change(
         withSolveSettings(design, {...solveSettingsOf(design), ...change}),
         kind,
       );

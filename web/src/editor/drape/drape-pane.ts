@@ -96,11 +96,11 @@ export class DrapePane extends DrapeDrawing {
     return {
       onMoved,
       onPoint: (target) => {
-        this.workbench.point(target);
+        this.workbench.selection.point(target);
       },
       onPick: (target) => {
         this.#selected = target;
-        this.workbench.select(target);
+        this.workbench.selection.select(target);
       },
     };
   }
@@ -112,7 +112,7 @@ export class DrapePane extends DrapeDrawing {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const {selected} = this.workbench;
+    const {selected} = this.workbench.selection;
     if (sameTarget(selected, this.#selected)) return;
     this.#selected = selected;
     if (selected) this.view?.face(selected);
@@ -121,7 +121,8 @@ export class DrapePane extends DrapeDrawing {
   protected override drew(view: DrapeView): void {
     super.drew(view);
     view.setSeams(this.#showsSeams);
-    const {selected, pointed, scenes} = this.workbench;
+    const {selected, pointed} = this.workbench.selection;
+    const {scenes} = this.workbench.sheet;
     const split = this.#split;
     view.setWipe(split === undefined || !scenes ? undefined : {before: scenes.before, split});
     view.setMarked(this.purpose === 'edit' ? {selected, pointed} : {});
@@ -163,12 +164,12 @@ export class DrapePane extends DrapeDrawing {
   }
 
   get #words(): WornTexts {
-    const {language, messages} = this.workbench.preferences;
+    const {language, messages} = this.workbench.preferences.chosen;
     return wornTexts(language, messages);
   }
 
   #bar(words: WornTexts): TemplateResult {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     const fabric = design ? fabricOf(design) : usualFabric;
     return html`<div class="bar">
       <div class="group">
@@ -177,7 +178,9 @@ export class DrapePane extends DrapeDrawing {
           title=${words.fabric}
           .value=${fabric}
           @change=${({target}: Event) => {
-            this.workbench.change({fabric: (target as HTMLSelectElement).value as FabricName});
+            this.workbench.history.change({
+              fabric: (target as HTMLSelectElement).value as FabricName,
+            });
           }}
         >
           ${fabricNames.map(
@@ -316,13 +319,14 @@ export class DrapePane extends DrapeDrawing {
     if (state.kind === 'draping')
       return words.draping(this.format.percent(Math.floor(state.progress.fraction * 4) / 4));
     const view = words.seen[this.view?.camera.preset ?? this.#preset];
-    const {selected, scenes} = this.workbench;
+    const {selected} = this.workbench.selection;
+    const {scenes} = this.workbench.sheet;
     const piece =
       selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece]?.label : undefined;
     const seen = piece === undefined ? view : `${piece}. ${view}`;
     const rows = seamRows(this.workbench, this.texts);
     const [worst] = worstSeams(rows, 1);
-    if (!drape || !worst || !this.workbench.result) return seen;
+    if (!drape || !worst || !this.workbench.solving.result) return seen;
     const {pattern} = this.texts;
     const most = this.format.fine(worst.after);
     return `${seen} ${words.worst(pattern.seams(rows.length), most, worst.name)}`;
@@ -333,7 +337,8 @@ export class DrapePane extends DrapeDrawing {
     const command = commandFor(this.commands, event.key);
     if (command) command.run();
     else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.split = 1;
-    else if (event.key === 'Escape' && this.workbench.selected) this.workbench.select(undefined);
+    else if (event.key === 'Escape' && this.workbench.selection.selected)
+      this.workbench.selection.select(undefined);
     else if (!this.view?.camera.key(event.key, event.shiftKey)) return;
     event.preventDefault();
     event.stopPropagation();

@@ -122,7 +122,7 @@ export class LensStrip extends PatientElement {
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     const strip = this.#strip;
-    const {scenes} = this.workbench;
+    const {scenes} = this.workbench.sheet;
     if (!strip || !scenes) return;
     strip.setAppearance(this.#appearance.value);
     const {seam} = this.row;
@@ -135,7 +135,7 @@ export class LensStrip extends PatientElement {
   }
 
   async #showTile(strip: SeamStrip): Promise<void> {
-    const image = this.workbench.design?.print.image;
+    const image = this.workbench.history.design?.print.image;
     if (image === undefined || image === this.#image) return;
     this.#image = image;
     // the pattern shows the message for an unreadable image
@@ -179,7 +179,7 @@ export class LensStrip extends PatientElement {
     const strip = this.#strip;
     if (!strip) return nothing;
     const [from, to] = strip.span;
-    const {units} = this.workbench.preferences;
+    const {units} = this.workbench.preferences.chosen;
     const {step, ticks} = rulerOf(from, to - from, strip.scale, units);
     const name = this.texts.lens.ruler(this.format.length(step));
     const path = ticks.map((x, k) => `M${x.toFixed(1)} 2v${k % 5 === 0 ? 8 : 5}`).join('');

@@ -149,12 +149,14 @@ export class SeamLens extends PatientElement {
   /** True once the lens may draw: its drawing takes time, which the first solve needs. */
   get #isAwake(): boolean {
     return (this.#wasAwake ||=
-      this.workbench.state.kind !== 'solving' && this.workbench.state.kind !== 'empty');
+      this.workbench.solving.state.kind !== 'solving' &&
+      this.workbench.solving.state.kind !== 'empty');
   }
 
   /** Index of the displayed seam. */
   #seam(rows: readonly SeamRow[]): number | undefined {
-    const {design, pointed, selected} = this.workbench;
+    const {design} = this.workbench.history;
+    const {pointed, selected} = this.workbench.selection;
     if (this.#pinned && this.#pinned.garment !== design?.garment) this.#pinned = undefined;
     const meant = [pointed, selected].find((target) => target?.kind === 'seam');
     if (this.#pinned) return this.#pinned.seam;
@@ -163,7 +165,7 @@ export class SeamLens extends PatientElement {
   }
 
   #pin(seam: number | undefined): void {
-    const garment = this.workbench.design?.garment;
+    const garment = this.workbench.history.design?.garment;
     this.#pinned = seam === undefined || !garment ? undefined : {seam, garment};
     this.requestUpdate();
   }
@@ -173,7 +175,7 @@ export class SeamLens extends PatientElement {
     const seam = nextWorst(rows, this.#seam(rows), step);
     if (seam === undefined) return;
     if (this.#pinned) this.#pin(seam);
-    this.workbench.select({kind: 'seam', seam, side: 'a'});
+    this.workbench.selection.select({kind: 'seam', seam, side: 'a'});
   }
 
   #key = (event: KeyboardEvent): void => {

@@ -51,7 +51,7 @@ export abstract class ListTable<Row> extends PatientElement {
 
   protected override render(): TemplateResult {
     const {columns, rows, label} = this;
-    const {selected, pointed} = this.workbench;
+    const {selected, pointed} = this.workbench.selection;
     const [selectedRow, pointedRow] = [selected, pointed].map((one) => one && this.numberOf(one));
     this.#sort(rows, columns);
     if (this.#stop >= rows.length) this.#stop = this.#sorted[0] ?? 0;
@@ -125,9 +125,10 @@ export abstract class ListTable<Row> extends PatientElement {
   /** Rows keep their order during a solve, since their values change many times a second. */
   #sort(rows: readonly Row[], columns: readonly Column<Row>[]): void {
     const {column, descending} = this.#order;
-    const {language} = this.workbench.preferences;
+    const {language} = this.workbench.preferences.chosen;
     const from = [rows, language];
-    const runs = this.workbench.state.kind === 'solving' && this.#sorted.length === rows.length;
+    const runs =
+      this.workbench.solving.state.kind === 'solving' && this.#sorted.length === rows.length;
     const isSame = from.every((one, k) => one === this.#sortedFrom[k]);
     if (this.#sortedFrom.length > 0 && (runs || isSame)) return;
     this.#sortedFrom = from;
@@ -147,7 +148,7 @@ export abstract class ListTable<Row> extends PatientElement {
   }
 
   protected override updated(): void {
-    const {selected} = this.workbench;
+    const {selected} = this.workbench.selection;
     if (selected === this.#selected) return;
     this.#selected = selected;
     const number = selected && this.numberOf(selected);
@@ -179,7 +180,7 @@ export abstract class ListTable<Row> extends PatientElement {
       End: row.parentElement?.lastElementChild,
     }[key];
     if (to instanceof HTMLElement) to.focus();
-    else if (key === 'Escape') this.workbench.select(undefined);
+    else if (key === 'Escape') this.workbench.selection.select(undefined);
     else if (number !== undefined && (key === 'Enter' || key === ' ')) this.#choose(number);
     else if (event.ctrlKey || event.metaKey || event.altKey) return;
     else if (number === undefined || !this.press?.(number, key)) return;
@@ -193,17 +194,17 @@ export abstract class ListTable<Row> extends PatientElement {
     const number = rowNumber(event);
     if (number === undefined) return;
     if (event.type === 'focusin') this.#setStop(number);
-    this.workbench.point(this.targetOf(number));
+    this.workbench.selection.point(this.targetOf(number));
   };
 
   #leave = (): void => {
-    this.workbench.point(undefined);
+    this.workbench.selection.point(undefined);
   };
 
   #choose(number: number): void {
     this.#setStop(number);
-    this.workbench.select(this.targetOf(number));
-    this.#chosen = this.workbench.selected;
+    this.workbench.selection.select(this.targetOf(number));
+    this.#chosen = this.workbench.selection.selected;
   }
 }
 

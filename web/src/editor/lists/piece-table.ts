@@ -144,13 +144,13 @@ export class PieceTable extends ListTable<PieceRow> {
   }
 
   #rename({piece, name, label}: PieceRow, chosen: string): boolean {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (!design || chosen === label) return true;
     if (this.rows.some((other) => other.piece !== piece && other.label === chosen)) {
-      this.workbench.say({tone: 'error', text: this.texts.lists.nameTaken(chosen)});
+      this.workbench.notices.say({tone: 'error', text: this.texts.lists.nameTaken(chosen)});
       return false;
     }
-    this.workbench.change({names: withName(design.names, name, chosen)});
+    this.workbench.history.change({names: withName(design.names, name, chosen)});
     return true;
   }
 
@@ -207,7 +207,7 @@ export class PieceTable extends ListTable<PieceRow> {
   /** The user sets the grain line by clicks on the pattern. */
   #wantGrainLine({piece, grain}: PieceRow, select: HTMLSelectElement): void {
     select.value = grain;
-    this.workbench.select(this.targetOf(piece));
+    this.workbench.selection.select(this.targetOf(piece));
     this.dispatchEvent(new CustomEvent('sw-grain-wanted', {bubbles: true, composed: true}));
   }
 
@@ -229,7 +229,7 @@ export class PieceTable extends ListTable<PieceRow> {
   }
 
   #decide(change: (options: Parameters<typeof withoutPin>[0]) => ReturnType<typeof withoutPin>) {
-    const {design} = this.workbench;
-    if (design) this.workbench.change({options: change(design.options)});
+    const {design} = this.workbench.history;
+    if (design) this.workbench.history.change({options: change(design.options)});
   }
 }

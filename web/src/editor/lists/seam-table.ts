@@ -43,7 +43,7 @@ export class SeamTable extends ListTable<SeamRow> {
   }
 
   protected override get empty(): string | undefined {
-    const {scenes} = this.workbench;
+    const {scenes} = this.workbench.sheet;
     return scenes?.now.seams.length === 0 ? this.texts.pattern.noSeams : undefined;
   }
 
@@ -76,7 +76,8 @@ export class SeamTable extends ListTable<SeamRow> {
       <td class="number">${format.length(row.length)}</td>
       <td class="number soft">${format.fine(row.before)}</td>
       <td class="number" title=${lists.worst(format.fine(row.worst))}>
-        ${format.fine(row.after)} ${counts ? bar(row, this.workbench.preferences.scale) : nothing}
+        ${format.fine(row.after)}
+        ${counts ? bar(row, this.workbench.preferences.chosen.scale) : nothing}
       </td>
       <td>${this.#match(row, tabIndex)}</td>
     `;
@@ -98,9 +99,9 @@ export class SeamTable extends ListTable<SeamRow> {
       ?disabled=${!row.canMatch}
       @change=${({target}: Event) => {
         const match = matches.find((one) => one === (target as HTMLSelectElement).value);
-        const {design} = this.workbench;
+        const {design} = this.workbench.history;
         if (design && match) {
-          this.workbench.change({options: withMatch(design.options, row, match)});
+          this.workbench.history.change({options: withMatch(design.options, row, match)});
         }
       }}
     >

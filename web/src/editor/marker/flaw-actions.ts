@@ -35,7 +35,7 @@ export abstract class FlawActions extends PieceActions {
     const {bolt} = this.laying;
     const {middle} = this;
     if (!bolt || !middle || !this.canMark) return;
-    this.addFlaw(flawAround(middle, this.workbench.preferences.units, bolt));
+    this.addFlaw(flawAround(middle, this.workbench.preferences.chosen.units, bolt));
     this.chooseFlaw(this.flaws.length - 1);
     this.#tell(this.flaws.length - 1);
   }
@@ -74,7 +74,7 @@ export abstract class FlawActions extends PieceActions {
     const {chosenFlaw: number} = this;
     const flaw = number === undefined ? undefined : this.flaws[number];
     if (number === undefined || !flaw || !bolt || event.altKey) return false;
-    const changed = flawAfter(event, flaw, this.workbench.preferences.units, bolt);
+    const changed = flawAfter(event, flaw, this.workbench.preferences.chosen.units, bolt);
     if (changed === undefined) return false;
     this.changeFlaw(number, changed);
     return true;

@@ -10,13 +10,15 @@ export abstract class MarkerElement extends WorkbenchElement {
   }
 
   protected get words(): ClothTexts {
-    const {language, messages} = this.workbench.preferences;
+    const {language, messages} = this.workbench.preferences.chosen;
     return clothTexts(language, messages);
   }
 
   /** Returns the label of a piece of the garment. */
   protected nameOf(name: string): string {
-    return this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name;
+    return (
+      this.workbench.sheet.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name
+    );
   }
 
   /** Returns the label of a piece on the fabric, numbered if the marker contains several of it. */

@@ -155,7 +155,7 @@ export class MarkerFlaws extends MarkerElement {
     enter: (cm: number) => void,
   ): TemplateResult {
     const {format, texts} = this;
-    const {units} = this.workbench.preferences;
+    const {units} = this.workbench.preferences.chosen;
     const {name, cm} = lengthUnit[units];
     return html`<sw-number-field
       .label=${label(name)}
@@ -175,7 +175,7 @@ export class MarkerFlaws extends MarkerElement {
   #press(event: KeyboardEvent, flaw: Flaw, number: number): void {
     const {bolt} = this.laying;
     if (!bolt || event.ctrlKey || event.metaKey || event.altKey) return;
-    const changed = flawAfter(event, flaw, this.workbench.preferences.units, bolt);
+    const changed = flawAfter(event, flaw, this.workbench.preferences.chosen.units, bolt);
     if (changed === undefined) return;
     event.preventDefault();
     event.stopPropagation();

@@ -232,7 +232,7 @@ export class MarkerPane extends FlawActions {
     const {bolt, pieces, step, print} = laying;
     if (!bolt || !step || !print || this.#room[0] === 0) return nothing;
     const usedCm = usedLength(pieces);
-    const {units} = this.workbench.preferences;
+    const {units} = this.workbench.preferences.chosen;
     const frame = this.#pointing.frame ?? this.#frame(bolt.widthCm, usedCm);
     return markerSheet({
       ...{frame, bolt, image: print.image, usedCm, pieces, words, units},
@@ -240,7 +240,7 @@ export class MarkerPane extends FlawActions {
       label: this.labelOf,
       pins: step.pins,
       selected: this.selected,
-      pointed: this.numberOf(this.workbench.pointed),
+      pointed: this.numberOf(this.workbench.selection.pointed),
       bad: new Set(this.#conflicts.keys()),
       dragged: this.#pointing.dragged,
       chosenFlaw: this.chosenFlaw,
@@ -274,7 +274,8 @@ export class MarkerPane extends FlawActions {
       state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
     return {
       ...{laying, words, format, why, said: this.said, told: this.told},
-      unaligned: this.workbench.state.kind === 'failed' ? this.texts.progress.failed : undefined,
+      unaligned:
+        this.workbench.solving.state.kind === 'failed' ? this.texts.progress.failed : undefined,
       isMarking: this.isMarking,
       isDragging: dragged !== undefined,
       toSize: this.#toSize,

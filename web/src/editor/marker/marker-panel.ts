@@ -81,7 +81,7 @@ export class MarkerPanel extends MarkerElement {
 
   /** Reason and remedies of a failed alignment, which also prevents a marker. */
   #unaligned(): TemplateResult | typeof nothing {
-    const {state} = this.workbench;
+    const {state} = this.workbench.solving;
     if (state.kind !== 'failed') return nothing;
     return html`<sw-ways-out .workbench=${this.workbench} .failure=${state.failure}></sw-ways-out>`;
   }
@@ -119,7 +119,7 @@ export class MarkerPanel extends MarkerElement {
     const {lengthCm, unplaced} = plan;
     if (unplaced.length > 0) return words.notLying(unplaced.length);
     if (conflicts.size > 0) return words.notWell(conflicts.size);
-    return words.buy(soldLength(lengthCm, this.workbench.preferences.units, words, format));
+    return words.buy(soldLength(lengthCm, this.workbench.preferences.chosen.units, words, format));
   }
 
   #proof({proven, boundCm, unpinnedLengthCm}: LayPlan): TemplateResult | typeof nothing {
@@ -134,7 +134,7 @@ export class MarkerPanel extends MarkerElement {
   /** Notes of the marker, except those that `#range` contains. */
   #notes({noteDetails}: LayPlan): readonly string[] {
     const {format, workbench} = this;
-    const {notes} = planTextsIn(workbench.preferences.language);
+    const {notes} = planTextsIn(workbench.preferences.chosen.language);
     const length = (cm: number): string => format.length(cm);
     const range = (least: number, most: number) => [length(least), length(most)] as const;
     return noteDetails
@@ -156,7 +156,7 @@ export class MarkerPanel extends MarkerElement {
     const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
     const [least, most] = [Math.min(...known), Math.max(...known)];
     const {words, format} = this;
-    const {units} = this.workbench.preferences;
+    const {units} = this.workbench.preferences.chosen;
     const nowhere = phases.length - known.length;
     return [
       ...(known.length > 1 && most - least >= leastCost
@@ -185,8 +185,8 @@ export class MarkerPanel extends MarkerElement {
     const {words, format, workbench} = this;
     const [mean, instead] = [meanCm, insteadOfCm].map((cm) => format.fine(cm));
     const take = (): void => {
-      const {options} = workbench.design ?? {};
-      if (options) workbench.change({options: {...options, pins}});
+      const {options} = workbench.history.design ?? {};
+      if (options) workbench.history.change({options: {...options, pins}});
     };
     return html`<li class="offer">
       ${words.lessDesign(saving, mean ?? '', instead ?? '')}
@@ -199,7 +199,8 @@ export class MarkerPanel extends MarkerElement {
   #fields(): TemplateResult | typeof nothing {
     const {laying, workbench} = this;
     const {choices, plan} = laying;
-    const {design, preferences} = workbench;
+    const {design} = workbench.history;
+    const preferences = workbench.preferences.chosen;
     if (!choices || !design) return nothing;
     return markerFields({
       ...{choices, units: preferences.units, format: this.format},
@@ -290,7 +291,7 @@ export class MarkerPanel extends MarkerElement {
     const {packed, unpinned} = words.widthsOf;
     const isPinned = pins.size > 0 || plan.unpinnedLengthCm !== undefined;
     return markerWidths(plan, {
-      ...{units: this.workbench.preferences.units, words, format},
+      ...{units: this.workbench.preferences.chosen.units, words, format},
       of: isPinned ? unpinned : laying.isMoved ? packed : undefined,
       take: (widthCm) => {
         laying.choose({widthCm});

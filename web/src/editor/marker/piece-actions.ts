@@ -86,13 +86,14 @@ export abstract class PieceActions extends MarkerElement {
   choose(number: number | undefined): void {
     this.selected = number;
     this.#target = this.#targetOf(number);
-    this.workbench.select(this.#target);
+    this.workbench.selection.select(this.#target);
     this.say('');
   }
 
   #targetOf(number: number | undefined): Target | undefined {
     const name = this.laying.names[number ?? -1];
-    const piece = this.workbench.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
+    const piece =
+      this.workbench.solving.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
     return piece < 0 ? undefined : {kind: 'piece', piece};
   }
 
@@ -125,12 +126,12 @@ export abstract class PieceActions extends MarkerElement {
 
   /** Highlights the piece under the pointer, here and in all other views. */
   point(number: number | undefined): void {
-    this.workbench.point(this.#targetOf(number));
+    this.workbench.selection.point(this.#targetOf(number));
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const {selected} = this.workbench;
+    const {selected} = this.workbench.selection;
     if (!sameTarget(selected, this.#target)) {
       this.#target = selected;
       this.selected = undefined;
@@ -141,7 +142,9 @@ export abstract class PieceActions extends MarkerElement {
   /** Returns the number of the first piece that a target refers to. */
   protected numberOf(target: Target | undefined): number | undefined {
     const name =
-      target?.kind === 'piece' ? this.workbench.pattern?.pieces[target.piece]?.name : undefined;
+      target?.kind === 'piece'
+        ? this.workbench.solving.pattern?.pieces[target.piece]?.name
+        : undefined;
     const number = name === undefined ? -1 : this.laying.names.indexOf(name);
     return number < 0 ? undefined : number;
   }

@@ -87,11 +87,17 @@ export class GrainQuestion extends WorkbenchElement {
 
   /** Returns the pieces without grain line; none if the result does not depend on the grain. */
   #asked(): readonly Asked[] {
-    const {design, scenes, pattern} = this.workbench;
+    const {design} = this.workbench.history;
+    const {scenes} = this.workbench.sheet;
+    const {pattern} = this.workbench.solving;
     if (!design || !scenes || !pattern || design.garment === this.#later) return [];
     const {grain} = design.options;
     if ((grain?.default ?? 'free') === 'free' && !design.print.oneWay) return [];
-    const proposals = grainProposals(pattern.pieces, scenes.marks, mirrorsOf(this.workbench));
+    const proposals = grainProposals(
+      pattern.pieces,
+      scenes.marks,
+      mirrorsOf(this.workbench.solving),
+    );
     return scenes.now.pieces.flatMap(({name, label, plain, isTurned}, piece): Asked[] => {
       const turn = isTurned ? 180 : 0;
       const proposal = proposals.get(name);
@@ -107,7 +113,7 @@ export class GrainQuestion extends WorkbenchElement {
     if (asked.length === 0) return nothing;
     const {grain} = this.texts;
     const turned = asked.filter(({proposal}) => wayOf(proposal) !== 'up').length;
-    const all = this.workbench.scenes?.now.pieces.length ?? 0;
+    const all = this.workbench.sheet.scenes?.now.pieces.length ?? 0;
     return html`<div class="card" role="region" aria-label=${grain.title}>
       <div class="row">
         <span role="status"
@@ -149,7 +155,7 @@ export class GrainQuestion extends WorkbenchElement {
           aria-label=${grain.later}
           title=${grain.later}
           @click=${() => {
-            this.#later = this.workbench.design?.garment;
+            this.#later = this.workbench.history.design?.garment;
             this.requestUpdate();
           }}
         >
@@ -173,7 +179,7 @@ export class GrainQuestion extends WorkbenchElement {
     const directions: Readonly<Record<number, string>> = grain.directions;
     return html`<li
       @pointerenter=${() => {
-        this.workbench.point({kind: 'piece', piece});
+        this.workbench.selection.point({kind: 'piece', piece});
       }}
     >
       ${arrow(proposal)}
@@ -181,7 +187,7 @@ export class GrainQuestion extends WorkbenchElement {
         ><span>${label}</span>
         <select
           @focus=${() => {
-            this.workbench.select({kind: 'piece', piece});
+            this.workbench.selection.select({kind: 'piece', piece});
           }}
           @change=${({target}: Event) => {
             const {value} = target as HTMLSelectElement;
@@ -202,7 +208,7 @@ export class GrainQuestion extends WorkbenchElement {
 
   /** @param degrees direction on the sheet */
   #sayMirrored({name, turn}: Asked, degrees: number): void {
-    this.#take(withImage(name, (degrees + turn) % 360, mirrorsOf(this.workbench)));
+    this.#take(withImage(name, (degrees + turn) % 360, mirrorsOf(this.workbench.solving)));
   }
 
   /** Sets the grain line of each piece separately; `degrees` is its direction on the sheet. */
@@ -213,12 +219,12 @@ export class GrainQuestion extends WorkbenchElement {
   }
 
   #take(lines: Readonly<Record<string, number>>): void {
-    const {design} = this.workbench;
-    if (design) this.workbench.change({options: withGrainLines(design.options, lines)});
+    const {design} = this.workbench.history;
+    if (design) this.workbench.history.change({options: withGrainLines(design.options, lines)});
   }
 
   #click(piece: number): void {
-    this.workbench.select({kind: 'piece', piece});
+    this.workbench.selection.select({kind: 'piece', piece});
     this.dispatchEvent(new CustomEvent('sw-grain-wanted', {bubbles: true, composed: true}));
   }
 }

@@ -43,7 +43,10 @@ export class KeepMenu extends WorkbenchElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {selected, scenes, design, pattern} = this.workbench;
+    const {selected} = this.workbench.selection;
+    const {scenes} = this.workbench.sheet;
+    const {design} = this.workbench.history;
+    const {pattern} = this.workbench.solving;
     const number = selected?.kind === 'piece' ? selected.piece : -1;
     const piece = scenes?.now.pieces[number];
     if (!design || !pattern || !piece) return nothing;

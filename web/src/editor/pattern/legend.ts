@@ -75,8 +75,8 @@ export class Legend extends WorkbenchElement {
 
   protected override render(): TemplateResult {
     const {legend} = this.texts;
-    const {scale} = this.workbench.preferences;
-    const scene = this.workbench.scenes?.now;
+    const {scale} = this.workbench.preferences.chosen;
+    const scene = this.workbench.sheet.scenes?.now;
     return html`
       <span>${legend.title}</span>
       ${scale === 'paper' ? this.#ramp() : this.#steps()}

@@ -20,7 +20,7 @@ export function patternOptions(
   const pieces = pieceRows(workbench);
   const seams = seamRows(workbench, texts);
   const {pattern} = texts;
-  const selected = workbench.selected && optionId(workbench.selected);
+  const selected = workbench.selection.selected && optionId(workbench.selection.selected);
   const option = (target: Target, text: string): TemplateResult => {
     const id = optionId(target);
     return html`<div role="option" id=${id} aria-selected=${id === selected}>${text}</div>`;

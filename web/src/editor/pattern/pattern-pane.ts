@@ -125,7 +125,8 @@ export class PatternPane extends PatternDrawing {
 
   /** Starts the sewing tool for a garment without seams. */
   #welcome(): void {
-    const {beginnings, garment} = this.workbench;
+    const {beginnings} = this.workbench.history;
+    const {garment} = this.workbench.solving;
     if (!garment || beginnings === this.#welcomed || this.purpose !== 'edit') return;
     this.#welcomed = beginnings;
     if (garment.seams.length === 0 && this.tools.active !== 'sew') this.tools.toggle('sew');
@@ -139,15 +140,15 @@ export class PatternPane extends PatternDrawing {
 
   protected override drew(view: PatternView): void {
     const {workbench} = this;
-    const {scenes} = workbench;
+    const {scenes} = workbench.sheet;
     if (!scenes) return;
     view.setWipe(
       this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
     );
     view.setBare(this.#isBare);
     view.setMovement(
-      this.#showsMovement && workbench.result
-        ? this.#movementOf(workbench.result.pieces)
+      this.#showsMovement && workbench.solving.result
+        ? this.#movementOf(workbench.solving.result.pieces)
         : undefined,
     );
     view.setOverlay(
@@ -169,14 +170,14 @@ export class PatternPane extends PatternDrawing {
   }
 
   get index(): PickIndex | undefined {
-    const {scenes} = this.workbench;
+    const {scenes} = this.workbench.sheet;
     return scenes && this.#index.of(scenes.now);
   }
 
   protected override render(): TemplateResult {
     const {pattern} = this.texts;
     const {workbench, index} = this;
-    const empty = workbench.state.kind === 'empty';
+    const empty = workbench.solving.state.kind === 'empty';
     const places = this.purpose === 'place';
     return html`
       ${empty ? emptyNote(this.texts) : nothing}
@@ -244,7 +245,7 @@ export class PatternPane extends PatternDrawing {
 
   /** Id of the part that keys act on. */
   get #activeId(): string | undefined {
-    const {selected} = this.workbench;
+    const {selected} = this.workbench.selection;
     const {sewing} = this.tools;
     return sewing ? sewing.activeId : selected && optionId(selected);
   }
@@ -285,11 +286,12 @@ export class PatternPane extends PatternDrawing {
 
   #note(): TemplateResult | typeof nothing {
     if (this.undrawable !== undefined) return undrawableNote(this.undrawable);
-    const {garment, state} = this.workbench;
+    const {garment, state} = this.workbench.solving;
     if (this.tools.active === 'sew' && garment?.seams.length === 0 && state.kind === 'done')
       return nothing; // the tool shows instructions
     return stateNote(this.workbench, this.texts, () => {
-      const {result, scenes} = this.workbench;
+      const {result} = this.workbench.solving;
+      const {scenes} = this.workbench.sheet;
       if (!this.#showsMovement || !result) return undefined;
       const {factor, greatest} = this.#movementOf(result.pieces);
       const label = scenes?.now.pieces[greatest.piece]?.label ?? '';
@@ -310,7 +312,7 @@ export class PatternPane extends PatternDrawing {
         pointing.take(target);
       },
       point: () => {
-        workbench.point(pointedAt(target));
+        workbench.selection.point(pointedAt(target));
       },
     }));
     return html`<sw-ties-menu
@@ -338,7 +340,7 @@ export class PatternPane extends PatternDrawing {
 
 /** "Side seam, left, on Front" */
 function tiedText(
-  {scenes}: Workbench,
+  {sheet: {scenes}}: Workbench,
   target: Picked,
   rows: ReturnType<typeof seamRows>,
   edge: string,

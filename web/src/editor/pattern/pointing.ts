@@ -47,7 +47,7 @@ export class Pointing {
       this.#hover(event);
     });
     listen('pointerleave', () => {
-      pane.workbench.point(undefined);
+      pane.workbench.selection.point(undefined);
     });
   }
 
@@ -83,7 +83,8 @@ export class Pointing {
       return true;
     }
     const pressed = view?.pieceAt(...at);
-    const follow = workbench.scenes && pressed && tools.drag(workbench.scenes.now, pressed.piece);
+    const follow =
+      workbench.sheet.scenes && pressed && tools.drag(workbench.sheet.scenes.now, pressed.piece);
     if (!view || !follow) return false;
     const [x, y] = view.sheetPointAt(...at);
     holdWhilePressed(workbench, event);
@@ -135,7 +136,7 @@ export class Pointing {
     const targets = this.#meant(event, at);
     const [first] = targets;
     this.#ties = targets.length > 1 ? {at, targets} : undefined;
-    if (!first) this.#pane.workbench.select(undefined);
+    if (!first) this.#pane.workbench.selection.select(undefined);
     else if (targets.length === 1) this.take(first, event.shiftKey);
     this.#pane.requestUpdate();
   }
@@ -145,6 +146,6 @@ export class Pointing {
     const [target] = this.#meant(event, this.#at(event));
     const {index, view, tools, workbench} = this.#pane;
     if (index && view) tools.hover(index, target, reachOf('mouse') / view.scale);
-    workbench.point(tools.sewing ? undefined : pointedAt(target)); // this tool works on edges
+    workbench.selection.point(tools.sewing ? undefined : pointedAt(target)); // this tool works on edges
   }
 }

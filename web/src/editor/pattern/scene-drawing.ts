@@ -113,7 +113,7 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     this.#isLost = false;
     this.#tile.forget();
     this.#drawn = undefined;
-    if (this.workbench.view === this.#window) this.workbench.view = undefined;
+    if (this.workbench.sheet.view === this.#window) this.workbench.sheet.view = undefined;
   }
 
   /** True if the drawing shows the garment as drafted. */
@@ -209,7 +209,7 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
         view.state = state;
       },
     };
-    if (!this.beside) this.workbench.view = this.#window;
+    if (!this.beside) this.workbench.sheet.view = this.#window;
   }
 
   /** A lost context usually returns within a second. */
@@ -250,14 +250,14 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     if (this.#size && !this.beside)
-      this.workbench.scenes = this.#maker.scenes(this.workbench, this.#size);
+      this.workbench.sheet.scenes = this.#maker.scenes(this.workbench, this.#size);
   }
 
   protected override updated(): void {
     const view = this.#view;
     if (!view) return;
     view.setAppearance(this.#appearance.value);
-    const {scenes} = this.workbench;
+    const {scenes} = this.workbench.sheet;
     if (scenes) {
       if (this.#showsDraft) view.show(scenes.before);
       else view.show(scenes.now, this.#motion(), this.#time);
@@ -279,7 +279,8 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
    * move shapes only.
    */
   #motion(): Motion {
-    const {design, result, isHeld} = this.workbench;
+    const {design, isHeld} = this.workbench.history;
+    const {result} = this.workbench.solving;
     const isKnown = design?.garment === this.#drawn;
     this.#drawn = design?.garment;
     if (!isKnown) return 'none';

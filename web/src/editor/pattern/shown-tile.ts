@@ -44,7 +44,7 @@ export class ShownTile {
    * @param signal cancels the fetch
    */
   show(view: TileView, signal: AbortSignal): void {
-    const image = this.#host.workbench.design?.print.image;
+    const image = this.#host.workbench.history.design?.print.image;
     if (image === undefined || image === this.#image) return;
     this.#image = image;
     this.#settled = this.#fetch(view, image, signal);
@@ -56,7 +56,8 @@ export class ShownTile {
       const tile = await workbench.tileOf(image, signal);
       if (this.#image !== image) return;
       view.setTile(tile);
-      if (this.#awaited && workbench.notice === this.#awaited.notice) workbench.say(undefined);
+      if (this.#awaited && workbench.notices.notice === this.#awaited.notice)
+        workbench.notices.say(undefined);
       this.#awaited = undefined;
     } catch (error) {
       if (this.#image !== image || signal.aborted) return;
@@ -73,14 +74,14 @@ export class ShownTile {
     const {workbench} = this.#host;
     const isUnreached = error instanceof TypeError && !image.startsWith('data:');
     if (!isUnreached) {
-      workbench.say({tone: 'error', text: toFailure(error).message});
+      workbench.notices.say({tone: 'error', text: toFailure(error).message});
       return;
     }
     if (this.#awaited?.image !== image) {
-      const title = workbench.design?.print.title ?? image;
+      const title = workbench.history.design?.print.title ?? image;
       const notice: Notice = {tone: 'info', text: this.#calls.texts().offline.waits(title)};
       this.#awaited = {image, notice};
-      workbench.say(notice);
+      workbench.notices.say(notice);
     }
     onceOnline(() => {
       if (this.#image !== image) return;

@@ -40,9 +40,10 @@ const state = (text: string): TemplateResult => html`<p class="state">${text}</p
 
 /** Returns undefined if there is no problem. */
 function trouble(
-  {state: {kind}, pattern: meshed}: Workbench,
+  {solving: {state, pattern: meshed}}: Workbench,
   {pattern}: Texts,
 ): string | undefined {
+  const {kind} = state;
   if (kind === 'stale') return pattern.stale;
   if (kind === 'failed') return pattern.failed;
   return meshed?.seams.length === 0 ? pattern.noSeams : undefined;

@@ -64,7 +64,9 @@ export class ToolHint extends WorkbenchElement {
 
   /** Button for the selected piece, while it is pinned. */
   #free(): TemplateResult | typeof nothing {
-    const {selected, scenes, design} = this.workbench;
+    const {selected} = this.workbench.selection;
+    const {scenes} = this.workbench.sheet;
+    const {design} = this.workbench.history;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
     if (!piece || !design?.options.pins?.[piece.name]) return nothing;
     return html`<button

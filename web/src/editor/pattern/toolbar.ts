@@ -87,7 +87,8 @@ export class Toolbar extends WorkbenchElement {
   }
 
   #acceptAll(): TemplateResult | typeof nothing {
-    const {design, found} = this.workbench;
+    const {design} = this.workbench.history;
+    const {found} = this.workbench.solving;
     if (!design || found.length === 0) return nothing;
     const {symmetry} = this.texts;
     return html`<button

@@ -26,7 +26,8 @@ export class UnitsQuestion extends WorkbenchElement {
   #confirmed: DesignGarment | undefined;
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, garment: document} = this.workbench;
+    const {design} = this.workbench.history;
+    const {garment: document} = this.workbench.solving;
     const [question] = document?.questions ?? [];
     if (!design || !question || design.garment === this.#confirmed) return nothing;
     const {doubt} = this.texts;
@@ -47,7 +48,9 @@ export class UnitsQuestion extends WorkbenchElement {
           html`<button
             class="outlined"
             @click=${() => {
-              this.workbench.change({garment: {...garment, text: inUnit(garment.text, unit)}});
+              this.workbench.history.change({
+                garment: {...garment, text: inUnit(garment.text, unit)},
+              });
             }}
           >
             ${doubt.no(doubt.units[unit])}

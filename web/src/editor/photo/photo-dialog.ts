@@ -80,7 +80,7 @@ export class PhotoDialog extends WorkbenchElement {
   }
 
   protected get words(): PhotoTexts {
-    const {language, messages} = this.workbench.preferences;
+    const {language, messages} = this.workbench.preferences.chosen;
     return photoTexts(language, messages);
   }
 
@@ -228,7 +228,7 @@ export class PhotoDialog extends WorkbenchElement {
   }
 
   get #image(): string {
-    return this.workbench.design?.print.image ?? '';
+    return this.workbench.history.design?.print.image ?? '';
   }
 
   /**
@@ -262,8 +262,10 @@ export class PhotoDialog extends WorkbenchElement {
       const canvas = cellPicture(await session.tile(), measures);
       const image = await dataUrlOf(await pngOf(canvas));
       if (this.session !== session) return;
-      this.workbench.doubtful = undefined;
-      this.workbench.change({print: {title: this.name || this.words.title, ...measures, image}});
+      this.workbench.notices.doubtful = undefined;
+      this.workbench.history.change({
+        print: {title: this.name || this.words.title, ...measures, image},
+      });
       void this.keeper?.keep(image, {picture: session.picture, name: this.name, step});
       this.#close();
       this.#drop();

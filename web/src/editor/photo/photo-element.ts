@@ -9,7 +9,7 @@ export abstract class PhotoElement extends WorkbenchElement {
   declare session: PhotoSession;
 
   protected get words(): PhotoTexts {
-    const {language, messages} = this.workbench.preferences;
+    const {language, messages} = this.workbench.preferences.chosen;
     return photoTexts(language, messages);
   }
 

@@ -172,7 +172,7 @@ export class PhotoMeasures extends PhotoElement {
 
   /** @param length NaN if not measured [cm] */
   #length(label: (unit: string) => string, length: number, enter: (cm: number) => void) {
-    const {name, cm} = lengthUnit[this.workbench.preferences.units];
+    const {name, cm} = lengthUnit[this.workbench.preferences.chosen.units];
     return this.#number(
       label(name),
       length / cm,

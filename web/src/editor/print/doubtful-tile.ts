@@ -39,7 +39,7 @@ export class DoubtfulTile extends WorkbenchElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const {doubtful} = this.workbench;
+    const {doubtful} = this.workbench.notices;
     if (doubtful === this.#shown) return;
     this.#shown = doubtful;
     this.repeats = [];
@@ -50,7 +50,7 @@ export class DoubtfulTile extends WorkbenchElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {doubtful} = this.workbench;
+    const {doubtful} = this.workbench.notices;
     if (!doubtful) return nothing;
     const texts = this.texts.print;
     const {own, edges} = doubtful;
@@ -88,8 +88,8 @@ export class DoubtfulTile extends WorkbenchElement {
 
   async #take(doubtful: DoubtfulPicture, repeat: TileRepeat): Promise<void> {
     const print = await printOfPicture(this.workbench.solver, {...doubtful.own, repeat});
-    if (this.workbench.doubtful !== doubtful) return;
-    this.workbench.doubtful = undefined;
-    this.workbench.change({print});
+    if (this.workbench.notices.doubtful !== doubtful) return;
+    this.workbench.notices.doubtful = undefined;
+    this.workbench.history.change({print});
   }
 }

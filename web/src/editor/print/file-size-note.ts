@@ -27,7 +27,7 @@ export class FileSizeNote extends WorkbenchElement {
   ];
 
   protected override updated(): void {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print) return;
     const {image} = pictureIn(print);
     if (image === this.#looked) return;
@@ -40,7 +40,7 @@ export class FileSizeNote extends WorkbenchElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     const {said} = this;
     if (!print || said?.image !== pictureIn(print).image) return nothing;
     const texts = this.texts.print;
@@ -73,6 +73,6 @@ export class FileSizeNote extends WorkbenchElement {
   #take(print: DesignPrint, width: number): void {
     const size = tileSize(print);
     const height = (size.height * width) / size.width;
-    this.workbench.change({print: resized(print, {...size, width, height})}, 'print size');
+    this.workbench.history.change({print: resized(print, {...size, width, height})}, 'print size');
   }
 }

@@ -51,7 +51,7 @@ export class MeasureDialog extends WorkbenchElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print || print.image === noPicture) return nothing;
     const texts = this.texts.print.measure;
     return html`<button class="outlined" @click=${this.#open}>${icon.measure} ${texts.open}</button>
@@ -67,7 +67,7 @@ export class MeasureDialog extends WorkbenchElement {
 
   /** Sets positions by script, since a strict policy allows no styles in the markup. */
   protected override updated(): void {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     const picture = this.renderRoot.querySelector<HTMLElement>('.picture');
     if (!print || !picture) return;
     const {width, height} = windowOn(print);
@@ -84,7 +84,7 @@ export class MeasureDialog extends WorkbenchElement {
     const {print: words, app, controls: limits} = this.texts;
     const texts = words.measure;
     const {format} = this;
-    const {name, cm} = lengthUnit[this.workbench.preferences.units];
+    const {name, cm} = lengthUnit[this.workbench.preferences.chosen.units];
     const size = tileSize(this.#measured(print));
     const distance = this.#distance(print);
     const isFar = distance > nearest * this.#longest(print);
@@ -104,7 +104,7 @@ export class MeasureDialog extends WorkbenchElement {
           .least=${0.1 / cm}
           .most=${mostRepeat / cm}
           .step=${0.1}
-          .fractions=${this.workbench.preferences.units === 'inch'}
+          .fractions=${this.workbench.preferences.chosen.units === 'inch'}
           .wrong=${limits.between(format.length(0.1), format.length(mostRepeat))}
           @entered=${({detail}: CustomEvent<number>) => {
             this.typed = detail * cm;
@@ -114,7 +114,7 @@ export class MeasureDialog extends WorkbenchElement {
           class="primary"
           ?disabled=${!isFar || size.width > mostRepeat || size.width < leastRepeat}
           @click=${() => {
-            this.workbench.change({print: this.#measured(print)}, 'print size');
+            this.workbench.history.change({print: this.#measured(print)}, 'print size');
             this.#close();
           }}
         >
@@ -156,7 +156,7 @@ export class MeasureDialog extends WorkbenchElement {
       aria-describedby="how"
       @keydown=${(event: KeyboardEvent) => {
         const direction = arrowSteps[event.key];
-        const print = this.workbench.design?.print;
+        const print = this.workbench.history.design?.print;
         if (!direction || !print) return;
         event.preventDefault();
         const {width, height} = windowOn(print);

@@ -64,7 +64,8 @@ export class PrintGallery extends PatientElement {
   static override styles = [controls, swatches];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, preferences} = this.workbench;
+    const {design} = this.workbench.history;
+    const preferences = this.workbench.preferences.chosen;
     const {samples, focused, filter} = this;
     if (!design || !samples) return nothing;
     const refused = this.refused?.design === design ? this.refused.group : undefined;
@@ -218,7 +219,7 @@ export class PrintGallery extends PatientElement {
             html`<button
               aria-pressed=${name === print.sample?.colourway}
               @click=${() => {
-                this.workbench.change({print: inColours(print, sample, name)});
+                this.workbench.history.change({print: inColours(print, sample, name)});
               }}
             >
               ${swatch(`colour-${name}`, sample, coloured(sample, name))}
@@ -230,14 +231,14 @@ export class PrintGallery extends PatientElement {
 
   /** @returns true if the symmetries allow this group; otherwise the gallery shows the reason */
   #ask(group: GroupName): boolean {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     const allowed = !missing(group, design);
     this.refused = allowed || !design ? undefined : {group, design};
     return allowed;
   }
 
   #choose(choice: Choice): void {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (!design || !this.#ask(groupOf(choice))) return;
     const sample = this.samples?.prints.find(({name}) => name === sampleOf(choice));
     if (!design.print.sample) void this.#regroup(design.print, choice);
@@ -247,13 +248,14 @@ export class PrintGallery extends PatientElement {
   async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
     const {ownPrintAs} = await import('../../print/own-print.js');
     const regrouped = await ownPrintAs(this.workbench.solver, print, choice);
-    if (this.workbench.design?.print === print) this.workbench.change({print: regrouped}, 'print');
+    if (this.workbench.history.design?.print === print)
+      this.workbench.history.change({print: regrouped}, 'print');
   }
 
   #take(sample: SamplePrint): void {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (!design || !this.#ask(sample.group)) return;
-    this.workbench.change({print: samplePrint(sample)}, 'print');
+    this.workbench.history.change({print: samplePrint(sample)}, 'print');
   }
 
   #walk(event: KeyboardEvent, shown: readonly Choice[], from: Choice | undefined): void {

@@ -43,7 +43,7 @@ export class PrintPanel extends WorkbenchElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const {workbench, samples} = this;
-    if (!workbench.design) return nothing;
+    if (!workbench.history.design) return nothing;
     const texts = this.texts.print;
     return html`<section aria-labelledby="title">
       <header>
@@ -67,7 +67,7 @@ export class PrintPanel extends WorkbenchElement {
       </button>
       ${this.problem ? html`<p class="error" role="alert">${this.problem}</p>` : nothing}
       ${
-        workbench.doubtful?.beside === workbench.design.print
+        workbench.notices.doubtful?.beside === workbench.history.design.print
           ? html`<sw-doubtful-tile
               .workbench=${workbench}
               @another=${this.#choose}
@@ -77,7 +77,7 @@ export class PrintPanel extends WorkbenchElement {
             ></sw-doubtful-tile>`
           : nothing
       }
-      ${workbench.design.print.sample ? nothing : this.#own(workbench.design.print)}
+      ${workbench.history.design.print.sample ? nothing : this.#own(workbench.history.design.print)}
       <sw-print-gallery .workbench=${workbench} .samples=${samples}></sw-print-gallery>
       <sw-repeat-fields .workbench=${workbench}></sw-repeat-fields>
     </section>`;

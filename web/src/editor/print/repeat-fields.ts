@@ -91,13 +91,13 @@ export class RepeatFields extends WorkbenchElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (this.measured && this.measured.of !== print) this.measured = undefined;
     if (this.isFree !== print?.image) this.isFree = undefined;
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print) return nothing;
     const texts = this.texts.print;
     const {workbench} = this;
@@ -118,7 +118,7 @@ export class RepeatFields extends WorkbenchElement {
             .checked=${print.oneWay}
             @change=${(event: Event) => {
               const {checked} = event.target as HTMLInputElement;
-              workbench.change({print: {...print, oneWay: checked}});
+              workbench.history.change({print: {...print, oneWay: checked}});
             }}
           />
           ${texts.oneWay}
@@ -192,7 +192,7 @@ export class RepeatFields extends WorkbenchElement {
             : nothing
         }
         ${this.#degrees(texts.turn, turn, -180, 180, (degrees) => {
-          this.workbench.change(
+          this.workbench.history.change(
             {print: {...print, turnDeg: cellTurn(print, degrees)}},
             'print size',
           );
@@ -210,18 +210,18 @@ export class RepeatFields extends WorkbenchElement {
     value: number,
     enter: (cm: number) => void,
   ): TemplateResult {
-    const {name, cm} = lengthUnit[this.workbench.preferences.units];
+    const {name, cm} = lengthUnit[this.workbench.preferences.chosen.units];
     const {format} = this;
     return html`<sw-number-field
       class=${side}
       .label=${this.texts.print[side](name)}
       .sign=${sign}
-      .value=${this.workbench.design?.print.unscaled ? NaN : value / cm}
-      .subject=${this.workbench.design?.print.image}
+      .value=${this.workbench.history.design?.print.unscaled ? NaN : value / cm}
+      .subject=${this.workbench.history.design?.print.image}
       .least=${leastRepeat / cm}
       .most=${mostRepeat / cm}
       .step=${0.1}
-      .fractions=${this.workbench.preferences.units === 'inch'}
+      .fractions=${this.workbench.preferences.chosen.units === 'inch'}
       .wrong=${this.texts.controls.between(format.length(leastRepeat), format.length(mostRepeat))}
       @entered=${({detail}: CustomEvent<number>) => {
         enter(detail * cm);
@@ -239,7 +239,7 @@ export class RepeatFields extends WorkbenchElement {
     return html`<sw-number-field
       .label=${label}
       .value=${value}
-      .subject=${this.workbench.design?.print.image}
+      .subject=${this.workbench.history.design?.print.image}
       .least=${least}
       .most=${most}
       .wrong=${this.texts.controls.between(`${least}°`, `${most}°`)}
@@ -256,7 +256,7 @@ export class RepeatFields extends WorkbenchElement {
     const drawn = latticeType(print.group) === 'square' || print.cell === 'rectangular';
     if (!fitting || !drawn) return nothing;
     const texts = this.texts.print;
-    const lacks = missing(fitting.group, this.workbench.design);
+    const lacks = missing(fitting.group, this.workbench.history.design);
     return html`<div class="offer" role="status">
       <p>${texts.notQuite(print.group, fitting.group)}</p>
       ${lacks ? html`<p>${texts.lacks[lacks](fitting.group)}</p>` : nothing}
@@ -280,12 +280,13 @@ export class RepeatFields extends WorkbenchElement {
   }
 
   #resize(print: DesignPrint, size: RepeatSize): void {
-    this.workbench.change({print: resized(print, size)}, 'print size');
+    this.workbench.history.change({print: resized(print, size)}, 'print size');
   }
 
   async #take(print: DesignPrint, fitting: FittingGroup): Promise<void> {
     const {withGroup} = await import('../../print/own-print.js');
     const smaller = await withGroup(print, fitting);
-    if (this.workbench.design?.print === print) this.workbench.change({print: smaller});
+    if (this.workbench.history.design?.print === print)
+      this.workbench.history.change({print: smaller});
   }
 }

@@ -76,7 +76,7 @@ export class TileRepeatChoice extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print) return nothing;
     const texts = this.texts.print.repeats;
     const chosen = pictureIn(print).repeat;
@@ -117,10 +117,10 @@ export class TileRepeatChoice extends WorkbenchElement {
   }
 
   async #take(repeat: TileRepeat): Promise<void> {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print || pictureIn(print).repeat === repeat) return;
     const taken = await printOfPicture(this.workbench.solver, {...pictureIn(print), repeat});
-    if (this.workbench.design?.print === print)
-      this.workbench.change({print: taken}, 'print repeat');
+    if (this.workbench.history.design?.print === print)
+      this.workbench.history.change({print: taken}, 'print repeat');
   }
 }

@@ -77,7 +77,7 @@ export class TileReport extends WorkbenchElement {
   ];
 
   protected override updated(): void {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print || print === this.#looked) return;
     this.#looked = print;
     if (print.image === noPicture) return;
@@ -85,7 +85,7 @@ export class TileReport extends WorkbenchElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print) return nothing;
     const texts = this.texts.print;
     if (print.image === noPicture) return html`<p role="status">${texts.needsPicture}</p>`;
@@ -125,7 +125,7 @@ export class TileReport extends WorkbenchElement {
 
   #breaks({print, check, lacks, isStriped, groups}: Report): TemplateResult {
     const texts = this.texts.print;
-    const {language} = this.workbench.preferences;
+    const {language} = this.workbench.preferences.chosen;
     const hows = new Intl.ListFormat(language, {type: 'conjunction'});
     // the repeat along a stripe may be too short to show anything
     const shape = choiceOf(print) === 'stripes' ? {width: 3, height: 2} : print.size;
@@ -147,7 +147,7 @@ export class TileReport extends WorkbenchElement {
   }
 
   #found(print: DesignPrint, found: FoundGroup): TemplateResult {
-    const lacks = missing(found.group, this.workbench.design);
+    const lacks = missing(found.group, this.workbench.history.design);
     return html`<button
       class="outlined"
       ?disabled=${lacks !== undefined}
@@ -169,6 +169,7 @@ export class TileReport extends WorkbenchElement {
 
   async #take(print: DesignPrint, taken: Promise<DesignPrint>): Promise<void> {
     const next = await taken;
-    if (this.workbench.design?.print === print) this.workbench.change({print: next});
+    if (this.workbench.history.design?.print === print)
+      this.workbench.history.change({print: next});
   }
 }

@@ -23,7 +23,9 @@ export class KeepImproving extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {afterwards, design, result, state} = this.workbench;
+    const {afterwards} = this.workbench;
+    const {design} = this.workbench.history;
+    const {result, state} = this.workbench.solving;
     if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return nothing;
     const {improve} = this.texts;
     const offer = improvementOffer(this.workbench);

@@ -52,7 +52,9 @@ export class StaysOff extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {afterwards, design, result, state} = this.workbench;
+    const {afterwards} = this.workbench;
+    const {design} = this.workbench.history;
+    const {result, state} = this.workbench.solving;
     if (!design || !result || state.kind !== 'done') return nothing;
     const off = offSeams(seamRows(this.workbench, this.texts));
     if (off.length === 0) return nothing;
@@ -76,7 +78,7 @@ export class StaysOff extends WorkbenchElement {
       <button
         class="link"
         @click=${() => {
-          this.workbench.select({kind: 'seam', seam: row.seam, side: 'a'});
+          this.workbench.selection.select({kind: 'seam', seam: row.seam, side: 'a'});
         }}
       >
         ${row.name}</button
@@ -85,14 +87,14 @@ export class StaysOff extends WorkbenchElement {
   }
 
   #remedy(remedy: Remedy): TemplateResult | typeof nothing {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     const change = design && remedied(design, remedy, this.samples);
     const words = remedyWords(remedy, this.workbench, this.texts, this.format);
     if (!change) return html`<p>${words}</p>`;
     return html`<button
       class="outlined remedy"
       @click=${() => {
-        this.workbench.change(change);
+        this.workbench.history.change(change);
       }}
     >
       ${words}

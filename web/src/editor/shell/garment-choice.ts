@@ -50,14 +50,14 @@ export class GarmentChoice extends WorkbenchElement {
 
   /** Resets the lists to the present garment, since a browser keeps the user's choice in a list. */
   protected override updated(): void {
-    const {style = '', size = ''} = this.workbench.design?.garment.sample ?? {};
+    const {style = '', size = ''} = this.workbench.history.design?.garment.sample ?? {};
     this.renderRoot.querySelectorAll('select').forEach((list, k) => {
       list.value = k === 0 ? style : size;
     });
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (!design || !this.samples) return nothing;
     const {app} = this.texts;
     const {sample, name} = design.garment;
@@ -99,12 +99,13 @@ export class GarmentChoice extends WorkbenchElement {
     const {signal} = this.#waits;
     try {
       const garment = await sampleGarment(style, size, signal);
-      if (style === this.workbench.design?.garment.sample?.style) this.workbench.change({garment});
+      if (style === this.workbench.history.design?.garment.sample?.style)
+        this.workbench.history.change({garment});
       else await this.workbench.open(garment);
     } catch (error) {
       if (signal.aborted) return;
       if (error instanceof Unreachable) this.#await(style, size, isAgain, signal);
-      else this.workbench.say({tone: 'error', text: toFailure(error).message});
+      else this.workbench.notices.say({tone: 'error', text: toFailure(error).message});
       this.requestUpdate(); // resets the lists to the displayed garment
     }
   }
@@ -113,7 +114,7 @@ export class GarmentChoice extends WorkbenchElement {
   #await(style: string, size: string, isAgain: boolean, signal: AbortSignal): void {
     const sample = this.samples?.garments.find((one) => one.style === style);
     const title = this.texts.samples.garments[style] ?? sample?.title ?? style;
-    if (!isAgain) this.workbench.say({tone: 'info', text: this.texts.offline.waits(title)});
+    if (!isAgain) this.workbench.notices.say({tone: 'info', text: this.texts.offline.waits(title)});
     onceOnline(() => void this.choose(style, size, true), signal);
   }
 }

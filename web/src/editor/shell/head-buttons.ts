@@ -61,15 +61,15 @@ const iconButton = (
 
 /** Button that ends a running solve, or starts one if the solver does not start automatically. */
 export function solvingButton(workbench: Workbench, words: Texts['app']): TemplateResult {
-  const isSolving = workbench.state.kind === 'solving';
+  const isSolving = workbench.solving.state.kind === 'solving';
   const aligns = canAlign(workbench);
   return html`<button
     class=${aligns ? 'primary' : 'outlined'}
     ?hidden=${!aligns && !isSolving}
     @click=${({detail}: MouseEvent) => {
       if (detail > 1) return; // second click of a double click
-      if (isSolving) workbench.cancel();
-      else if (aligns) workbench.align();
+      if (isSolving) workbench.solving.cancel();
+      else if (aligns) workbench.solving.align();
     }}
   >
     ${aligns ? words.align : words.cancel}

@@ -69,7 +69,7 @@ export class Headline extends WorkbenchElement {
   readonly #mismatches = lastOf(mismatches);
 
   protected override render(): TemplateResult | typeof nothing {
-    const {pattern, result, state} = this.workbench;
+    const {pattern, result, state} = this.workbench.solving;
     const {headline, progress} = this.texts;
     if (state.kind === 'failed') {
       return this.#failed(state.failure);
@@ -123,7 +123,8 @@ export class Headline extends WorkbenchElement {
   #proof({method, searchBound}: Metrics): TemplateResult | typeof nothing {
     if (method !== 'best') return nothing;
     const {proven, nearlyProven, unproven} = this.texts.headline;
-    const {afterwards, design} = this.workbench;
+    const {afterwards} = this.workbench;
+    const {design} = this.workbench.history;
     const bound = Math.max(searchBound, (design && afterwards.bound(design)) ?? 0);
     // rounds up to a whole per cent, so that the statement holds
     const left = this.format.percent(Math.ceil(100 * (1 - bound)) / 100);
@@ -133,7 +134,8 @@ export class Headline extends WorkbenchElement {
 
   /** @param mean mean mismatch with symmetry [cm] */
   #cost(mean: number): TemplateResult | typeof nothing {
-    const {afterwards, design} = this.workbench;
+    const {afterwards} = this.workbench;
+    const {design} = this.workbench.history;
     const free = design && afterwards.withoutSymmetry(design);
     if (free === undefined) return nothing;
     const {headline} = this.texts;

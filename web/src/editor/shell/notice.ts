@@ -54,14 +54,14 @@ export class NoticeBar extends WorkbenchElement {
   }
 
   protected override updated(): void {
-    const {notice} = this.workbench;
+    const {notice} = this.workbench.notices;
     if (notice === this.#shown) return;
     this.#shown = notice;
     this.#stay();
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {notice} = this.workbench;
+    const {notice} = this.workbench.notices;
     if (!notice) return nothing;
     const {app} = this.texts;
     return html`<div
@@ -93,7 +93,7 @@ export class NoticeBar extends WorkbenchElement {
         aria-label=${app.dismiss}
         title=${app.dismiss}
         @click=${() => {
-          this.workbench.say(undefined);
+          this.workbench.notices.say(undefined);
         }}
       >
         ${icon.close}
@@ -104,12 +104,13 @@ export class NoticeBar extends WorkbenchElement {
   /** Restarts the timer. The notice also stays while it has the pointer or the focus. */
   readonly #stay = (): void => {
     clearTimeout(this.#timer);
-    const {notice} = this.workbench;
+    const {notice} = this.workbench.notices;
     if (!notice || notice.tone === 'error') return;
     this.#timer = setTimeout(
       () => {
         const isHeld = this.renderRoot.querySelector('.notice:is(:hover, :focus-within)');
-        if (!isHeld && this.workbench.notice === notice) this.workbench.say(undefined);
+        if (!isHeld && this.workbench.notices.notice === notice)
+          this.workbench.notices.say(undefined);
       },
       least + perLetter * notice.text.length,
     );

@@ -32,24 +32,24 @@ export class SolveProgress extends WorkbenchElement {
 
   protected override render(): TemplateResult {
     const {progress} = this.texts;
-    const isSolving = this.workbench.state.kind === 'solving';
+    const isSolving = this.workbench.solving.state.kind === 'solving';
     return html`
       <span role="status" aria-label=${progress.label}>${this.#words()}</span>
       <progress
         ?hidden=${!isSolving}
         aria-hidden="true"
         max="1"
-        .value=${isSolving ? this.workbench.progress.fraction : 0}
+        .value=${isSolving ? this.workbench.running.progress.fraction : 0}
       ></progress>
     `;
   }
 
   #words(): string | typeof nothing {
     const {progress} = this.texts;
-    const {state, result} = this.workbench;
+    const {state, result} = this.workbench.solving;
     switch (state.kind) {
       case 'solving': {
-        const {phase, fraction} = this.workbench.progress;
+        const {phase, fraction} = this.workbench.running.progress;
         const quarter = Math.floor(fraction * 4) / 4;
         return progress[phase](this.format.percent(quarter));
       }

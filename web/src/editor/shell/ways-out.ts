@@ -74,7 +74,7 @@ export class WaysOut extends WorkbenchElement {
                   html`<button
                     class="outlined"
                     @click=${() => {
-                      this.workbench.change(change);
+                      this.workbench.history.change(change);
                     }}
                   >
                     ${label}
@@ -87,14 +87,17 @@ export class WaysOut extends WorkbenchElement {
   async #measure(failure: Failure): Promise<void> {
     this.measured = [];
     if (failure.code !== 'symmetryConflict') return;
-    const all = await Promise.allSettled(this.#toBlame().map((one) => this.workbench.measure(one)));
+    const all = await Promise.allSettled(
+      this.#toBlame().map((one) => this.workbench.solving.measure(one)),
+    );
     if (failure !== this.failure) return;
     this.measured = all.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : []));
   }
 
   /** Returns the symmetries of the piece in the failure; all symmetries if the failure has none. */
   #toBlame(): readonly Symmetry[] {
-    const {design, pattern} = this.workbench;
+    const {design} = this.workbench.history;
+    const {pattern} = this.workbench.solving;
     const name = pattern?.pieces[this.failure.piece ?? -1]?.name;
     const asked = design ? askedSymmetries(design) : [];
     const own = asked.filter((one) => name !== undefined && namesOf(one).includes(name));
@@ -108,7 +111,7 @@ export class WaysOut extends WorkbenchElement {
   }
 
   #ways(): readonly Way[] {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (!design) return [];
     const {symmetry: texts} = this.texts;
     switch (this.failure.code) {
@@ -128,7 +131,7 @@ export class WaysOut extends WorkbenchElement {
         return [...kept, ...dropped.map((one) => this.#dropped(design, one))];
       }
       case 'options': {
-        const {pattern} = this.workbench;
+        const {pattern} = this.workbench.solving;
         const options = pattern && cleanedOptions(design.options, pattern);
         return options && options !== design.options
           ? [{label: texts.cleanUp, change: {options}}]
@@ -140,7 +143,7 @@ export class WaysOut extends WorkbenchElement {
   }
 
   #label(name: string): string {
-    const {pieces = []} = this.workbench.scenes?.now ?? {};
+    const {pieces = []} = this.workbench.sheet.scenes?.now ?? {};
     return pieces.find((piece) => piece.name === name)?.label ?? name.replaceAll('_', ' ');
   }
 
@@ -183,7 +186,7 @@ export class WaysOut extends WorkbenchElement {
     const {print, options} = design;
     const names = namesOf(one);
     if (!carries(print.group, one.kind) || names.some((name) => options.pins?.[name])) return [];
-    const {pieces = []} = this.workbench.scenes?.now ?? {};
+    const {pieces = []} = this.workbench.sheet.scenes?.now ?? {};
     const [first, second = first] = names.map((name) =>
       grainRule(design, name, pieces.find((piece) => piece.name === name)?.grain),
     );

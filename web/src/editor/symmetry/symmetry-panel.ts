@@ -34,7 +34,8 @@ export class SymmetryPanel extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, kept, found} = this.workbench;
+    const {design} = this.workbench.history;
+    const {kept, found} = this.workbench.solving;
     if (!design) return nothing;
     const {symmetry} = this.texts;
     return html`<section aria-label=${symmetry.list}>
@@ -43,7 +44,7 @@ export class SymmetryPanel extends WorkbenchElement {
         kept.length === 0
           ? html`<p class="soft">${symmetry.none}</p>`
           : this.#list(symmetry.kept, kept, symmetry.remove, (one) => {
-              this.workbench.change(withoutSymmetry(kept, one));
+              this.workbench.history.change(withoutSymmetry(kept, one));
             })
       }
       ${
@@ -55,7 +56,7 @@ export class SymmetryPanel extends WorkbenchElement {
               symmetry.accept,
               (_, k) => {
                 const chosen = found[k];
-                if (chosen) this.workbench.change(withSymmetry(kept, asked(chosen)));
+                if (chosen) this.workbench.history.change(withSymmetry(kept, asked(chosen)));
               },
               ({kind}) => carries(design.print.group, kind),
             )
@@ -94,7 +95,7 @@ export class SymmetryPanel extends WorkbenchElement {
 
   #uncarried(): TemplateResult {
     const {symmetry} = this.texts;
-    const {group = 'p1'} = this.workbench.design?.print ?? {};
+    const {group = 'p1'} = this.workbench.history.design?.print ?? {};
     const kind = carries(group, 'pair') ? 'piece' : 'pair';
     return html`<p class="soft">
       ${symmetry.wouldCarry(group, groupsThatCarry(kind).join(', '))}
@@ -104,7 +105,7 @@ export class SymmetryPanel extends WorkbenchElement {
   #name(one: Symmetry): string {
     const {symmetry} = this.texts;
     const label = (name: string): string =>
-      this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ??
+      this.workbench.sheet.scenes?.now.pieces.find((piece) => piece.name === name)?.label ??
       name.replaceAll('_', ' ');
     return one.kind === 'piece'
       ? symmetry.itself(label(one.piece))

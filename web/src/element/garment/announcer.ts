@@ -1,7 +1,7 @@
 /** Fires events for changes of a workbench, each change once. */
 import {failureOf, type Failure, type SolverError} from '../../model/result/failure.js';
 import type {Progress} from '../../model/design/solve-problem.js';
-import type {Workbench} from '../../workbench/workbench.js';
+import type {Target, Workbench} from '../../workbench/workbench.js';
 import type {GarmentEvents} from './events.js';
 import type {Loaded} from './sources.js';
 
@@ -12,7 +12,7 @@ export class Announcer {
   readonly #spoken: (failure: Failure) => SolverError;
   #wasSolving = false;
   #progress = '';
-  #selected: Workbench['selected'];
+  #selected: Target | undefined;
 
   /** @param spoken converts a failure of the core to an error in the user's language */
   constructor(emit: Emit, spoken: (failure: Failure) => SolverError) {
@@ -33,7 +33,7 @@ export class Announcer {
   }
 
   /** Reports the progress of a solve, and its end. */
-  solved({state, progress, result}: Workbench): void {
+  solved({solving: {state, result}, running: {progress}}: Workbench): void {
     if (state.kind === 'solving') {
       this.#wasSolving = true;
       this.progress(progress);
@@ -48,7 +48,7 @@ export class Announcer {
     }
   }
 
-  selected({selected, pattern}: Workbench): void {
+  selected({selection: {selected}, solving: {pattern}}: Workbench): void {
     if (selected === this.#selected) return;
     this.#selected = selected;
     const pieceAt = (k: number): string | null => pattern?.pieces[k]?.name ?? null;

@@ -36,7 +36,7 @@ export function faceOf(face: Face): TemplateResult {
   const hidesDrawing = !isDrawn || (state === 'error' && mode === 'preview');
   const isBusy = state === 'loading' || state === 'solving';
   // the editor itself shows errors that its user can correct
-  const says = error && !(mode === 'edit' && workbench.state.kind === 'failed');
+  const says = error && !(mode === 'edit' && workbench.solving.state.kind === 'failed');
   return html`<div class="frame" ?inert=${face.isDisabled}>
       <div part="toolbar"><slot name="toolbar"></slot></div>
       <div class="stage" data-view=${view} part="stage" tabindex=${face.isMissing ? -1 : nothing}>
@@ -49,7 +49,7 @@ export function faceOf(face: Face): TemplateResult {
           aria-hidden="true"
           ?hidden=${!isBusy || mode === 'edit'}
           max="1"
-          .value=${workbench.state.kind === 'solving' ? workbench.progress.fraction : 0}
+          .value=${workbench.solving.state.kind === 'solving' ? workbench.running.progress.fraction : 0}
         ></progress>
       </div>
       ${mode === 'place' ? panel(face) : nothing}
@@ -87,7 +87,7 @@ const panel = ({session: {workbench}, prints, choose}: Face): TemplateResult =>
     part="panel"
     .workbench=${workbench}
     .prints=${prints}
-    .chosen=${workbench.design?.print.file?.place?.url ?? ''}
+    .chosen=${workbench.history.design?.print.file?.place?.url ?? ''}
     @sw-print=${({detail}: CustomEvent<OfferedPrint>) => {
       choose(detail);
     }}

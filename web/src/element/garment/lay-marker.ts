@@ -24,7 +24,7 @@ export async function layMarker(
   {result, garment, options, names, print, widthCm, selvedgeCm}: LaidAnswer,
   signal: AbortSignal,
 ): Promise<LayPlan> {
-  const document = await workbench.documentOf(garment);
+  const document = await workbench.solving.documentOf(garment);
   signal.throwIfAborted();
   const order = markerOrder(
     [{result, garment: document, options, ...(names && {names})}],

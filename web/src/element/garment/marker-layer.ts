@@ -71,7 +71,7 @@ export class MarkerLayer {
     if (answer === this.#laying?.answer) return;
     this.#end();
     const {element, session} = this.#owner;
-    const isFinal = element.isConnected && !session.workbench.isHeld;
+    const isFinal = element.isConnected && !session.workbench.history.isHeld;
     if (answer && (isFinal || this.isAwaited)) this.#laying = this.#begin(answer);
   }
 
@@ -122,8 +122,8 @@ export class MarkerLayer {
     const {element, session} = this.#owner;
     const {clothWidth, selvedge} = element;
     const {result, workbench} = session;
-    if (clothWidth === null || !result || !workbench.design) return undefined;
-    const {garment, options, names, print} = workbench.design;
+    if (clothWidth === null || !result || !workbench.history.design) return undefined;
+    const {garment, options, names, print} = workbench.history.design;
     return this.#answerOf(result, garment, options, names, print, clothWidth, selvedge);
   }
 

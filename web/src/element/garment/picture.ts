@@ -121,4 +121,4 @@ export const blobOf = async (
   texts: Texts,
 ): Promise<Blob> =>
   (await cutFileFor(workbench, request, texts)) ??
-  pictureOf(workbench.view, isDrawn(), {type: request.type, width: request.width}, texts);
+  pictureOf(workbench.sheet.view, isDrawn(), {type: request.type, width: request.width}, texts);

@@ -86,7 +86,7 @@ export class PlaceBar extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.workbench.design?.print;
+    const print = this.workbench.history.design?.print;
     if (!print) return nothing;
     return html`${this.#gallery()} ${this.#scale(print)}`;
   }
@@ -96,7 +96,7 @@ export class PlaceBar extends WorkbenchElement {
     if (this.#usual?.image !== print.image) {
       this.#usual = {image: print.image, width: print.size.width};
     }
-    const {name, cm} = lengthUnit[this.workbench.preferences.units];
+    const {name, cm} = lengthUnit[this.workbench.preferences.chosen.units];
     const label = garment.scale(name);
     const usual = this.#usual.width;
     const [from, to] = [least * usual, most * usual];
@@ -124,7 +124,7 @@ export class PlaceBar extends WorkbenchElement {
         .least=${from / cm}
         .most=${to / cm}
         .step=${0.1}
-        .fractions=${this.workbench.preferences.units === 'inch'}
+        .fractions=${this.workbench.preferences.chosen.units === 'inch'}
         .wrong=${words.between(this.format.length(from), this.format.length(to))}
         @entered=${({detail}: CustomEvent<number>) => {
           this.#resize(print, detail * cm);
@@ -161,7 +161,7 @@ export class PlaceBar extends WorkbenchElement {
     const width = Math.round(wanted * 100) / 100;
     const {size, group} = print;
     const height = (size.height * width) / size.width;
-    this.workbench.change(
+    this.workbench.history.change(
       {print: {...print, size: coupledSize(group, {...size, width, height})}},
       'print size',
     );

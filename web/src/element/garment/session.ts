@@ -11,7 +11,7 @@ import {textsOf, type Texts} from '../../texts/texts.js';
 import {lastOf} from '../../model/base/last-of.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {spokenError} from '../../workbench/spoken-failure.js';
-import {Workbench} from '../../workbench/workbench.js';
+import {Workbench, type SolveState} from '../../workbench/workbench.js';
 import {Announcer, type Emit} from './announcer.js';
 import {asError} from './as-error.js';
 import type {GarmentState} from './events.js';
@@ -39,7 +39,7 @@ export interface LoadReason {
   readonly byUser?: boolean;
 }
 
-const states: Readonly<Record<Workbench['state']['kind'], GarmentState>> = {
+const states: Readonly<Record<SolveState['kind'], GarmentState>> = {
   ...{opening: 'idle', empty: 'idle', stale: 'stale', solving: 'solving'},
   ...{done: 'ready', failed: 'error'},
 };
@@ -91,7 +91,7 @@ export class GarmentSession {
         this.#tell.progress(progress);
       },
     });
-    this.workbench.isEdited = false;
+    this.workbench.solving.isEdited = false;
     this.workbench.subscribe(heard, () => {
       this.#follow();
     });
@@ -99,18 +99,18 @@ export class GarmentSession {
 
   get state(): GarmentState {
     if (this.#loading) return 'loading';
-    if (this.#isOutdated) return this.workbench.design ? 'stale' : 'idle';
-    return this.#failure ? 'error' : states[this.workbench.state.kind];
+    if (this.#isOutdated) return this.workbench.history.design ? 'stale' : 'idle';
+    return this.#failure ? 'error' : states[this.workbench.solving.state.kind];
   }
 
   get error(): SolverError | undefined {
     if (this.state !== 'error') return undefined;
-    const {state} = this.workbench;
+    const {state} = this.workbench.solving;
     return this.#failure ?? (state.kind === 'failed' ? this.#spoken(state.failure) : undefined);
   }
 
   get result(): SolveResult | undefined {
-    return this.state === 'ready' ? this.workbench.result : undefined;
+    return this.state === 'ready' ? this.workbench.solving.result : undefined;
   }
 
   /** Returns whether a promise of an answer is still pending. */
@@ -119,7 +119,7 @@ export class GarmentSession {
   }
 
   get #texts(): Texts {
-    const {language, messages} = this.workbench.preferences;
+    const {language, messages} = this.workbench.preferences.chosen;
     return textsOf(language, messages);
   }
 
@@ -146,7 +146,7 @@ export class GarmentSession {
     this.#loading = loading;
     this.#failure = undefined;
     this.#isOutdated = false;
-    this.workbench.cancel();
+    this.workbench.solving.cancel();
     if (!this.#last) this.#lease.warm(); // the solver starts while the files load
     this.#owner.changed();
     try {
@@ -156,7 +156,7 @@ export class GarmentSession {
       const answered = {asked, loaded};
       const design = stored
         ? restored(loaded, stored, this.#words)
-        : nextDesign(answered, this.#last, this.workbench.design, read);
+        : nextDesign(answered, this.#last, this.workbench.history.design, read);
       this.#tell.loaded(loaded);
       if (this.#loading !== loading) return false; // an event listener has changed the request
       this.#loading = undefined;
@@ -178,18 +178,19 @@ export class GarmentSession {
    * read causes an error in the solve, with its reason.
    */
   async #readFor({garment}: Loaded): Promise<ReadGarments> {
-    const {design, garment: before} = this.workbench;
+    const {design} = this.workbench.history;
+    const {garment: before} = this.workbench.solving;
     if (!design?.options.pins || this.#last?.loaded.garment === garment) return {};
-    return {before, next: await this.workbench.documentOf(garment).catch(() => undefined)};
+    return {before, next: await this.workbench.solving.documentOf(garment).catch(() => undefined)};
   }
 
   /** Sets the fabric of the current design's drape; this reads and solves nothing. */
   set fabric(fabric: FabricName) {
-    const {design} = this.workbench;
+    const {design} = this.workbench.history;
     if (this.#last) this.#last = {...this.#last, asked: {...this.#last.asked, fabric}};
     if (!design || fabricOf(design) === fabric) return;
-    this.workbench.change({fabric});
-    this.#given = this.workbench.design;
+    this.workbench.history.change({fabric});
+    this.#given = this.workbench.history.design;
   }
 
   /** Restores the program's design, without the user's changes. */
@@ -203,8 +204,8 @@ export class GarmentSession {
 
   /** @returns true if there was a design to solve again */
   solveAgain(): boolean {
-    if (this.#failure || this.#isOutdated || !this.workbench.design) return false;
-    this.workbench.align();
+    if (this.#failure || this.#isOutdated || !this.workbench.history.design) return false;
+    this.workbench.solving.align();
     return true;
   }
 
@@ -226,7 +227,7 @@ export class GarmentSession {
     const wasLoading = this.#loading !== undefined;
     this.#isOutdated ||= wasLoading;
     this.#loading = undefined;
-    this.workbench.cancel();
+    this.workbench.solving.cancel();
     this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     if (wasLoading) this.#owner.changed();
   }
@@ -244,7 +245,8 @@ export class GarmentSession {
    * sentence
    */
   stored(): StoredDesign & {readonly format: string} {
-    const {design, result} = this.workbench;
+    const {design} = this.workbench.history;
+    const {result} = this.workbench.solving;
     if (this.state !== 'ready' || !design || !result) {
       throw new SolverError({code: 'options', message: this.#words.noAnswer});
     }
@@ -260,7 +262,7 @@ export class GarmentSession {
   #begin(design: Design, byUser = false): void {
     this.#given = design;
     this.#isTouched = byUser;
-    this.workbench.begin({past: [], present: {design, view: null}, future: []});
+    this.workbench.history.begin({past: [], present: {design, view: null}, future: []});
   }
 
   #fail(error: SolverError): void {
@@ -273,8 +275,8 @@ export class GarmentSession {
   /** Called after each change of the workbench: by a program, by its user, or by an answer. */
   #follow(): void {
     const {workbench} = this;
-    if (workbench.design !== this.#given) {
-      this.#given = workbench.design;
+    if (workbench.history.design !== this.#given) {
+      this.#given = workbench.history.design;
       this.#isTouched = true;
     }
     this.#owner.changed();
@@ -287,7 +289,7 @@ export class GarmentSession {
 
   /** Reports one `change` for a whole drag, and `input` meanwhile. */
   #tellOfUser(): void {
-    const {isHeld, design} = this.workbench;
+    const {isHeld, design} = this.workbench.history;
     if (isHeld && design === this.#told) return;
     this.#told = isHeld ? design : undefined;
     this.#isTouched = isHeld;
@@ -307,7 +309,11 @@ export class GarmentSession {
     const {state, result, error} = this;
     if (state === 'ready' && result) this.#waiting.resolve(result);
     else if (state === 'error') this.#waiting.reject(error);
-    else if (state === 'stale' && this.workbench.state.kind === 'stale' && !this.#isOutdated) {
+    else if (
+      state === 'stale' &&
+      this.workbench.solving.state.kind === 'stale' &&
+      !this.#isOutdated
+    ) {
       this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     }
   }

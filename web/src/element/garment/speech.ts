@@ -42,7 +42,7 @@ export class Speech {
   }
 
   get texts(): Texts {
-    const {language, messages} = this.#workbench.preferences;
+    const {language, messages} = this.#workbench.preferences.chosen;
     return textsOf(language, messages);
   }
 
@@ -51,7 +51,7 @@ export class Speech {
     const {locale, units} = this.#speaker;
     const {language} = preferencesFor(localeOf(locale, this.#language.around, navigator.language));
     const messages = this.#messages;
-    const known = this.#workbench.preferences;
+    const known = this.#workbench.preferences.chosen;
     const isKnown =
       language === known.language && units === known.units && messages === known.messages;
     if (!isKnown) this.#workbench.prefer({language, units, messages});

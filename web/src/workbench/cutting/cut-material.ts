@@ -23,11 +23,11 @@ export interface CutMaterial {
  * @throws {SolverError} `unscaled`; {Error} if the print's image cannot be read
  */
 export async function cutMaterial(
-  {design, garment, result, preferences}: Workbench,
+  {history: {design}, solving: {garment, result}, preferences}: Workbench,
   rule: AllowanceRule,
 ): Promise<CutMaterial | undefined> {
   if (!design || !garment || !result) return undefined;
-  const {units, language: locale, messages} = preferences;
+  const {units, language: locale, messages} = preferences.chosen;
   if (design.print.unscaled) {
     const message = textsOf(locale, messages).print.unscaled;
     throw new SolverError({code: 'unscaled', message});

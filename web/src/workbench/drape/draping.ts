@@ -50,7 +50,7 @@ const most = 8;
 
 const begun: DrapeProgress = {stage: 'sew', fraction: 0};
 
-type Source = Pick<Workbench, 'design' | 'result' | 'subscribe' | 'solver'>;
+type Source = Pick<Workbench, 'history' | 'solving' | 'subscribe' | 'solver'>;
 
 export class Draping extends Observable {
   readonly #source: Source;
@@ -134,7 +134,8 @@ export class Draping extends Observable {
   }
 
   #follow(): void {
-    const {design, result} = this.#source;
+    const {design} = this.#source.history;
+    const {result} = this.#source.solving;
     if (!design || !result) {
       this.#wait(design);
       return;

@@ -27,22 +27,25 @@ function stepWords(
 
 /** Returns the name of the step that undo reverts. */
 export function undoWords(workbench: Workbench, texts: Texts): string | undefined {
-  const {past = [], present} = workbench.history ?? {};
+  const {past = [], present} = workbench.history.steps ?? {};
   return stepWords(workbench, texts, past.at(-1), present);
 }
 
 /** Returns the name of the step that redo repeats. */
 export function redoWords(workbench: Workbench, texts: Texts): string | undefined {
-  const {present, future = []} = workbench.history ?? {};
+  const {present, future = []} = workbench.history.steps ?? {};
   return stepWords(workbench, texts, present, future[0]);
 }
 
 /** Undoes the last step and shows its name in a notice, for callers that display no name. */
 export function undoAndSay(workbench: Workbench): void {
-  const texts = textsOf(workbench.preferences.language, workbench.preferences.messages);
+  const texts = textsOf(
+    workbench.preferences.chosen.language,
+    workbench.preferences.chosen.messages,
+  );
   const undone = undoWords(workbench, texts);
-  workbench.undo();
-  if (undone !== undefined) workbench.say({tone: 'info', text: texts.app.undone(undone)});
+  workbench.history.undo();
+  if (undone !== undefined) workbench.notices.say({tone: 'info', text: texts.app.undone(undone)});
 }
 
 function namesIn(
@@ -54,7 +57,7 @@ function namesIn(
   const {size} = garment.sample ?? {};
   if (kind === 'size' && size !== undefined) return [size.toUpperCase()];
   if (kind === 'print') return [texts.samples.prints[print.sample?.name ?? ''] ?? print.title];
-  const labels = new Map(workbench.scenes?.now.pieces.map(({name, label}) => [name, label]));
+  const labels = new Map(workbench.sheet.scenes?.now.pieces.map(({name, label}) => [name, label]));
   const rows = seams.length > 0 ? seamRows(workbench, texts) : [];
   return [
     ...pieces.map((name) => names?.[name] ?? labels.get(name) ?? name),

@@ -13,8 +13,10 @@ import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
 import {lastOf} from '../../model/base/last-of.js';
+import type {DesignHistory} from '../design-history.js';
 import type {Scenes} from '../scenes.js';
-import type {Workbench} from '../workbench.js';
+import type {ShownSheet} from '../shown-sheet.js';
+import type {Solving} from '../solving.js';
 
 export interface PieceRow {
   /** Index of the piece. */
@@ -87,16 +89,25 @@ export interface SeamRow {
   readonly counts: boolean;
 }
 
-type Shown = Pick<Workbench, 'design' | 'garment' | 'pattern' | 'result' | 'scenes'>;
+/** The values of a workbench that are read. */
+interface Shown {
+  readonly history: Pick<DesignHistory, 'design'>;
+  readonly solving: Pick<Solving, 'garment' | 'pattern' | 'result'>;
+  readonly sheet: Pick<ShownSheet, 'scenes'>;
+}
 
 /** Returns no rows before the garment is read. An unchanged workbench returns the same rows. */
-export function pieceRows({design, pattern, result, scenes}: Shown): readonly PieceRow[] {
+export function pieceRows({
+  history: {design},
+  solving: {pattern, result},
+  sheet: {scenes},
+}: Shown): readonly PieceRow[] {
   return design && scenes && (result ?? pattern) ? piecesOf(design.options, scenes.now) : [];
 }
 
 /** Returns no rows before the garment is read. An unchanged workbench returns the same rows. */
 export function seamRows(
-  {design, garment, pattern, result, scenes}: Shown,
+  {history: {design}, solving: {garment, pattern, result}, sheet: {scenes}}: Shown,
   texts: Texts,
 ): readonly SeamRow[] {
   if (!design || !garment || !scenes || !(result ?? pattern)) return [];

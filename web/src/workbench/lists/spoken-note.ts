@@ -20,10 +20,10 @@ export function spokenNote(
   if (!detail) return sentence;
   const {notes} = texts;
   const {code, numbers} = detail;
-  const labels = detail.pieces.map((piece) => workbench.scenes?.now.pieces[piece]?.label);
+  const labels = detail.pieces.map((piece) => workbench.sheet.scenes?.now.pieces[piece]?.label);
   const rows = seamRows(workbench, texts);
   const seams = joined(detail.seams.map((seam) => rows[seam]?.name));
-  const group = workbench.design?.print.group ?? '';
+  const group = workbench.history.design?.print.group ?? '';
   const [stated = '', drafted = ''] = numbers.map((number) => format.number(number, 2));
   const pairs = labels.flatMap((label, k) =>
     k % 2 === 0 ? [texts.symmetry.both(label ?? '', labels[k + 1] ?? '')] : [],

@@ -36,7 +36,7 @@ type LayingState =
 
 type Source = Pick<
   Workbench,
-  'design' | 'garment' | 'result' | 'subscribe' | 'solver' | 'preferences' | 'prefer'
+  'history' | 'solving' | 'subscribe' | 'solver' | 'preferences' | 'prefer'
 >;
 
 export class Laying extends Observable {
@@ -69,7 +69,8 @@ export class Laying extends Observable {
 
   /** True if the display shows the layout of another result than the present one. */
   get isStale(): boolean {
-    const {result, design} = this.#source;
+    const {result} = this.#source.solving;
+    const {design} = this.#source.history;
     return this.#work !== undefined && !this.#work.isOf(result, design);
   }
 
@@ -115,7 +116,8 @@ export class Laying extends Observable {
 
   /** Choices on display, or about to be. */
   get choices(): MarkerChoices | undefined {
-    const {design, preferences} = this.#source;
+    const {design} = this.#source.history;
+    const preferences = this.#source.preferences.chosen;
     const work = this.#next ?? this.#work;
     return work?.step.choices ?? (design && storedCloth(design.print, preferences));
   }
@@ -237,14 +239,15 @@ export class Laying extends Observable {
   }
 
   #remember(choices: MarkerChoices): void {
-    const {design, preferences} = this.#source;
+    const {design} = this.#source.history;
+    const preferences = this.#source.preferences.chosen;
     if (design) this.#source.prefer(withCloth(design.print, choices, preferences));
   }
 
   /** @param packs true to lay out the pieces anew, as part of the step */
   #change(change: Partial<LayStep>, packs: boolean): void {
     const work = this.#next ?? this.#work;
-    if (!work?.isOf(this.#source.result, this.#source.design)) return;
+    if (!work?.isOf(this.#source.solving.result, this.#source.history.design)) return;
     const isAwaited = this.#isAwaited;
     if (isAwaited && !packs) return; // the display is about to be replaced
     // offers belong to the plan, even if its pieces are moved meanwhile
@@ -274,7 +277,8 @@ export class Laying extends Observable {
   }
 
   #follow(): void {
-    const {design, garment, result} = this.#source;
+    const {design} = this.#source.history;
+    const {garment, result} = this.#source.solving;
     if (!design || !garment || !result) {
       this.#leave();
       this.#next = undefined;
@@ -284,12 +288,13 @@ export class Laying extends Observable {
     const work = this.#next ?? this.#work;
     if (!work?.isOf(result, design) || this.#state.kind === 'waiting') this.#begin(result, work);
     // cutting files use the same allowances
-    this.choose(allowancesIn(this.#source.preferences));
+    this.choose(allowancesIn(this.#source.preferences.chosen));
   }
 
   /** Shows the known layout of a result, or computes it. @param before the layout on display */
   #begin(result: SolveResult, before: MarkerWork | undefined): void {
-    const {design, preferences} = this.#source;
+    const {design} = this.#source.history;
+    const preferences = this.#source.preferences.chosen;
     if (!design) return;
     this.#leave();
     const known = this.#known.get(result);
@@ -306,7 +311,8 @@ export class Laying extends Observable {
   }
 
   #toLay({result, step}: MarkerWork): ToLay | undefined {
-    const {garment, design} = this.#source;
+    const {garment} = this.#source.solving;
+    const {design} = this.#source.history;
     return garment && design && {design, garment, result, step};
   }
 

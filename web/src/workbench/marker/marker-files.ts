@@ -19,7 +19,10 @@ interface ClothFile {
 }
 
 /** Returns the options for drawing a marker. @throws {Error} if the print's image cannot be read */
-async function drawnWith({design, garment, result, preferences}: Workbench, print: DesignPrint) {
+async function drawnWith(
+  {history: {design}, solving: {garment, result}, preferences}: Workbench,
+  print: DesignPrint,
+) {
   const tile = print.image === noPicture ? undefined : await embeddedTile(print.image);
   const marks = design && garment ? panelMarks(garment, decidedOf(design)) : undefined;
   const {title} = (garment && garmentTitle(garment, design?.garment.name)) ?? {};
@@ -29,9 +32,9 @@ async function drawnWith({design, garment, result, preferences}: Workbench, prin
     ...(title !== undefined && {title}),
     names: (_: number, piece: string) => marks?.get(piece)?.label ?? readable(piece),
     words: {
-      units: preferences.units,
-      locale: preferences.language,
-      texts: planTextsIn(preferences.language),
+      units: preferences.chosen.units,
+      locale: preferences.chosen.language,
+      texts: planTextsIn(preferences.chosen.language),
     },
     pixels: (width: number, height: number) => pixelsOfTile(tile ?? '', width, height),
   };

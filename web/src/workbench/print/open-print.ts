@@ -14,23 +14,23 @@ import type {Workbench} from '../workbench.js';
  * @throws {Error} with one sentence about the problem; the print stays unchanged
  */
 export async function openPrint(workbench: Workbench, file: File): Promise<void> {
-  const {language, messages} = workbench.preferences;
+  const {language, messages} = workbench.preferences.chosen;
   const words = textsOf(language, messages).print.files;
-  const present = workbench.design?.print;
-  workbench.doubtful = undefined;
+  const present = workbench.history.design?.print;
+  workbench.notices.doubtful = undefined;
   if (!(await looksLikePicture(file))) {
-    workbench.change({print: await readPrint(workbench.solver, file, words)});
+    workbench.history.change({print: await readPrint(workbench.solver, file, words)});
     return;
   }
   const own = await readOwnPicture(file, words);
   if (present?.image === noPicture && !present.sample) {
-    workbench.change({print: {...present, image: own.image}});
+    workbench.history.change({print: {...present, image: own.image}});
     return;
   }
   const edges = await openEdgesOf(workbench.solver, own);
   if (edges.length > 0) {
-    if (present) workbench.doubtful = {own, edges, beside: present};
+    if (present) workbench.notices.doubtful = {own, edges, beside: present};
     throw new OpenEdgesError(words.openEdges[openPairs(edges)](file.name));
   }
-  workbench.change({print: await printOfPicture(workbench.solver, own)});
+  workbench.history.change({print: await printOfPicture(workbench.solver, own)});
 }

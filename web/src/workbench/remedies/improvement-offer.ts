@@ -5,9 +5,8 @@ import type {Workbench} from '../workbench.js';
 /** Returns the available action: begin a search, or stop a running one. */
 export function improvementOffer({
   afterwards,
-  design,
-  result,
-  state,
+  history: {design},
+  solving: {result, state},
 }: Workbench): {readonly kind: 'begin' | 'stop'; readonly act: () => void} | undefined {
   if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return undefined;
   const improving = afterwards.improving(design);

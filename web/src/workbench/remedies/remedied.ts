@@ -34,7 +34,7 @@ const half = (print: DesignPrint): DesignPrint => {
 /** "Turn Waistband by 90°: 20.5 mm → 0 mm" */
 export function remedyWords(
   {kind, pieces, before, after}: Remedy,
-  {scenes}: Workbench,
+  {sheet: {scenes}}: Workbench,
   {remedies}: Texts,
   format: Format,
 ): string {

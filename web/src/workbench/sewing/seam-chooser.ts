@@ -83,7 +83,7 @@ export class SeamChooser {
 
   /** Choices for one garment are not valid for another, such as after an undo. */
   get state(): SeamState {
-    const garment = this.#workbench.design?.garment;
+    const garment = this.#workbench.history.design?.garment;
     if (garment !== this.#garment) {
       const {suggests} = this.#latest;
       this.#latest = {
@@ -98,7 +98,7 @@ export class SeamChooser {
 
   /** Undefined until the garment has been read. */
   get sewing(): Sewing | undefined {
-    const {garment} = this.#workbench;
+    const {garment} = this.#workbench.solving;
     return garment && this.#sewing(garment, this.state.answered);
   }
 
@@ -141,11 +141,12 @@ export class SeamChooser {
 
   /** Each change is one separate step of the history. */
   #take(edit: SeamEdit, {garment: before}: Sewing): void {
-    const {design, pattern} = this.#workbench;
+    const {design} = this.#workbench.history;
+    const {pattern} = this.#workbench.solving;
     if (!design || !pattern) return;
     if (edit.kind === 'match') {
       const unmatched = design.options.unmatched?.filter((seam) => !edit.seams.includes(seam));
-      this.#workbench.change({options: {...design.options, ...(unmatched && {unmatched})}});
+      this.#workbench.history.change({options: {...design.options, ...(unmatched && {unmatched})}});
       return;
     }
     const edited = editedBy(before, edit);
@@ -180,7 +181,7 @@ export class SeamChooser {
   }
 
   #under(target: Picked): Hovered | undefined {
-    const shown = this.#workbench.scenes?.now.pieces[target.piece];
+    const shown = this.#workbench.sheet.scenes?.now.pieces[target.piece];
     if (!shown || target.kind === 'piece' || target.edge === undefined) return undefined;
     const edge = {piece: target.piece, edge: target.edge};
     return {edge, share: shareAt(edgePoints(shown, edge.edge), target.point)};
@@ -210,7 +211,7 @@ export class SeamChooser {
     this.#isDropped = false;
     const {run} = this.state;
     const [edge] = run;
-    const shown = edge && this.#workbench.scenes?.now.pieces[edge.piece];
+    const shown = edge && this.#workbench.sheet.scenes?.now.pieces[edge.piece];
     if (!shown || run.length !== 1 || this.isSewn) return undefined;
     const line = edgePoints(shown, edge.edge);
     const isAt = (end: Point | undefined): boolean =>
@@ -301,12 +302,12 @@ export class SeamChooser {
   }
 
   #own(sewing: Sewing): Speech {
-    const {language, messages, units} = this.#workbench.preferences;
+    const {language, messages, units} = this.#workbench.preferences.chosen;
     return this.#speech(sewing, textsOf(language, messages), formatFor(language, units));
   }
 
   #speech({garment}: Sewing, texts: Texts, format: Format): Speech {
-    const scene = this.#workbench.scenes?.now ?? {pieces: []};
+    const scene = this.#workbench.sheet.scenes?.now ?? {pieces: []};
     return {names: this.#names(garment, scene, texts, this.#sew), sew: this.#sew, format};
   }
 }

@@ -28,7 +28,7 @@ export class SewingTool {
 
 /** Loads the texts and makes the tool. @throws {Error} if there is no network */
 export async function sewingTool(workbench: Workbench, changed: () => void): Promise<SewingTool> {
-  const {language, messages} = workbench.preferences;
+  const {language, messages} = workbench.preferences.chosen;
   const texts = await loadSewTexts(language, messages);
   return new SewingTool(workbench, new SeamChooser(workbench, texts, changed));
 }

@@ -9,7 +9,9 @@ import {turned} from '../../layout/on-body.js';
 import {pick} from '../../scene/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
 import {mirrorsOf} from './grain-proposals.js';
-import type {Workbench} from '../workbench.js';
+import type {Selection} from '../selection.js';
+import type {ShownSheet} from '../shown-sheet.js';
+import type {Solving} from '../solving.js';
 import {middleOf} from './print-mover.js';
 
 /** A point of a piece, in its own coordinates. [cm] */
@@ -18,7 +20,12 @@ interface Middle {
   readonly at: Point;
 }
 
-type Shown = Pick<Workbench, 'selected' | 'scenes' | 'pattern' | 'found'>;
+/** The values of a workbench that are read. */
+interface Shown {
+  readonly selection: Pick<Selection, 'selected'>;
+  readonly sheet: Pick<ShownSheet, 'scenes'>;
+  readonly solving: Pick<Solving, 'pattern' | 'found'>;
+}
 
 /**
  * Greatest distance of a half from the middle of the body: its edges overlap there, or leave room
@@ -28,10 +35,10 @@ const offMiddle = 4;
 
 /** Returns the point to centre on: of the selected edge or piece, or of the piece named front. */
 export function middleToCentre(workbench: Shown): Middle | undefined {
-  const scene = workbench.scenes?.now;
+  const scene = workbench.sheet.scenes?.now;
   if (!scene) return undefined;
   const {pieces, seams} = scene;
-  const {selected} = workbench;
+  const {selected} = workbench.selection;
   if (selected?.kind === 'seam') {
     const side = seams[selected.seam]?.[selected.side];
     const piece = side && pieces[side.piece];
@@ -50,12 +57,12 @@ export function middleToCentre(workbench: Shown): Middle | undefined {
 function middleOfBody(workbench: Shown, scene: PatternScene, number: number): Point | undefined {
   const piece = scene.pieces[number];
   if (!piece) return undefined;
-  for (const one of mirrorsOf(workbench)) {
+  for (const one of mirrorsOf(workbench.solving)) {
     if (one.kind === 'piece') {
       if (one.piece === piece.name) return footOnAxis(one.map, middleOf(piece));
     } else if (one.pieces.includes(piece.name)) {
       const twin = one.pieces[one.pieces[0] === piece.name ? 1 : 0];
-      const placement = workbench.scenes?.marks.get(piece.name)?.placement;
+      const placement = workbench.sheet.scenes?.marks.get(piece.name)?.placement;
       return middleOfSeam(scene, number, twin) ?? middlePlaced(piece, placement);
     }
   }

@@ -84,11 +84,11 @@ export class GrainClicks {
   /** @param direction counter-clockwise from the x axis of the face-up piece [degrees] */
   #keep(scene: PatternScene, piece: number, direction: number): void {
     this.#first = undefined;
-    const {design} = this.#workbench;
+    const {design} = this.#workbench.history;
     const {name} = scene.pieces[piece] ?? {};
     if (!design || name === undefined) return;
-    const lines = withImage(name, direction, mirrorsOf(this.#workbench));
-    this.#workbench.change({options: withGrainLines(design.options, lines)});
+    const lines = withImage(name, direction, mirrorsOf(this.#workbench.solving));
+    this.#workbench.history.change({options: withGrainLines(design.options, lines)});
   }
 
   words({grain, symmetry}: Texts): string {

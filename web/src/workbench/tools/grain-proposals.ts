@@ -8,7 +8,7 @@ import {boxOf} from '../../model/geometry/polyline.js';
 import type {ResultPiece} from '../../model/result/result.js';
 import type {Registration, Symmetry} from '../../model/garment/symmetries.js';
 import {turned} from '../../layout/on-body.js';
-import type {Workbench} from '../workbench.js';
+import type {Solving} from '../solving.js';
 
 type Drafted = Pick<ResultPiece, 'name' | 'rest' | 'outline'>;
 
@@ -68,10 +68,7 @@ function alongAxis(up: number, axis: number): number {
 export type Mirror = Symmetry & Pick<Registration, 'map'>;
 
 /** The symmetries that the result keeps, and the other detected ones. */
-export function mirrorsOf({
-  pattern,
-  found,
-}: Pick<Workbench, 'pattern' | 'found'>): readonly Mirror[] {
+export function mirrorsOf({pattern, found}: Pick<Solving, 'pattern' | 'found'>): readonly Mirror[] {
   const nameOf = (piece: number): string => pattern?.pieces[piece]?.name ?? '';
   const kept = (pattern?.symmetries ?? []).map((one): Mirror =>
     one.kind === 'piece'

@@ -16,13 +16,15 @@ export function toggleKept(workbench: Workbench, target: Picked): void {
 }
 
 export function togglePart(workbench: Workbench, part: Lockable): void {
-  const {design, pattern} = workbench;
-  if (design && pattern) workbench.change({options: toggledLock(design.options, pattern, part)});
+  const {design} = workbench.history;
+  const {pattern} = workbench.solving;
+  if (design && pattern)
+    workbench.history.change({options: toggledLock(design.options, pattern, part)});
 }
 
 /** The edge under the pointer, labelled with the effect of a press. */
 export function keepMarks(
-  {design, pattern}: Workbench,
+  {history: {design}, solving: {pattern}}: Workbench,
   scene: PatternScene,
   target: Picked | undefined,
   {keep}: Texts,

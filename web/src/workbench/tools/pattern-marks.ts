@@ -28,18 +28,18 @@ export function overlayOf(
   texts: Texts,
   format: Format,
 ): Overlay {
-  const {selected, pointed} = workbench;
+  const {selected, pointed} = workbench.selection;
   const seam =
     pointed?.kind === 'seam' ? pointed : selected?.kind === 'seam' ? selected : undefined;
   const marks = tools.marks(scene, texts, format);
   const chosen = marks.ghosts ?? [];
-  const found = ghostsOf(workbench.found, scene.pattern, scene.outline);
+  const found = ghostsOf(workbench.solving.found, scene.pattern, scene.outline);
   return {
     ...(seam && {highlight: {seam: seam.seam, side: seam.side}}),
     ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),
     ...(selected?.kind === 'piece' && {selectPiece: selected.piece}),
     cursors: cursorsOf(scene, cursor),
-    signs: signsOf(scene, workbench.design?.options),
+    signs: signsOf(scene, workbench.history.design?.options),
     ...marks,
     ghosts: [...found.filter((one) => !chosen.some((other) => isSamePair(one, other))), ...chosen],
   };

@@ -73,7 +73,8 @@ export class PatternTools {
 
   /** A garment stored by its path stays unchanged, unless it has no seams at all. */
   get canSew(): boolean {
-    const {design, garment} = this.#workbench;
+    const {design} = this.#workbench.history;
+    const {garment} = this.#workbench.solving;
     return !design?.garment.file || garment?.seams.length === 0;
   }
 
@@ -95,7 +96,7 @@ export class PatternTools {
   /** The sewing tool, if it is active and loaded. */
   get sewing(): SewingTool | undefined {
     if (this.#own !== 'sew') return undefined;
-    const {language} = this.#workbench.preferences;
+    const {language} = this.#workbench.preferences.chosen;
     if (this.#sewing?.language !== language) void this.#loadSewing(language);
     return this.#sewing?.tool;
   }
@@ -108,7 +109,7 @@ export class PatternTools {
       this.#sewing = {language, tool};
     } catch (error) {
       this.#sewing = this.#own = undefined;
-      this.#workbench.say({tone: 'error', text: toFailure(error).message});
+      this.#workbench.notices.say({tone: 'error', text: toFailure(error).message});
     }
     this.#changed();
   }
@@ -126,18 +127,20 @@ export class PatternTools {
 
   /** Imposes all found symmetries; shows a notice if the print can carry none of them. */
   acceptAll(): void {
-    const {design, kept, found, preferences} = this.#workbench;
+    const {design} = this.#workbench.history;
+    const {kept, found} = this.#workbench.solving;
+    const preferences = this.#workbench.preferences.chosen;
     if (!design) return;
     const {group} = design.print;
     const symmetries = withAll(kept, group, found);
     if (symmetries.length === kept.length) {
       const {symmetry} = textsOf(preferences.language, preferences.messages);
       const groups = groupsThatCarry('piece').join(', ');
-      this.#workbench.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
+      this.#workbench.notices.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
       return;
     }
     this.chooser.leave();
-    this.#workbench.change({symmetry: symmetries});
+    this.#workbench.history.change({symmetry: symmetries});
   }
 
   words(texts: Texts, format: Format): string {
@@ -184,7 +187,7 @@ export class PatternTools {
   }
 
   #takeForGrain(target: Picked, point: Point): void {
-    const scene = this.#workbench.scenes?.now;
+    const scene = this.#workbench.sheet.scenes?.now;
     if (scene) this.grain.take(scene, target, point);
     this.#changed();
   }
@@ -211,7 +214,7 @@ export class PatternTools {
       );
     }
     if (this.#own === 'keep') toggleKept(this.#workbench, target);
-    this.#workbench.select(
+    this.#workbench.selection.select(
       target.kind === 'seam'
         ? {kind: 'seam', seam: target.seam, side: target.side}
         : {kind: 'piece', piece: target.piece},
@@ -219,7 +222,7 @@ export class PatternTools {
   }
 
   #notches(piece: number): readonly Point[] {
-    const {scenes} = this.#workbench;
+    const {scenes} = this.#workbench.sheet;
     const shown = scenes?.now.pieces[piece];
     const meshed = scenes?.now.pattern.pieces[piece];
     if (!shown || !meshed) return [];
@@ -232,7 +235,7 @@ export class PatternTools {
 
   /** Acts like a press on the selected part. */
   takeSelected(index: PickIndex): void {
-    const {selected} = this.#workbench;
+    const {selected} = this.#workbench.selection;
     const target = selected && this.#targetOf(index, selected);
     if (!target) return;
     if (this.#own === 'keep') toggleKept(this.#workbench, target);
@@ -242,7 +245,7 @@ export class PatternTools {
 
   #targetOf(index: PickIndex, selected: Target): Picked | undefined {
     if (selected.kind === 'seam') return seamTarget(index, selected.seam, selected.side);
-    const piece = this.#workbench.scenes?.now.pieces[selected.piece];
+    const piece = this.#workbench.sheet.scenes?.now.pieces[selected.piece];
     return piece && {kind: 'piece', piece: selected.piece, point: middleOf(piece)};
   }
 
@@ -250,7 +253,8 @@ export class PatternTools {
    * Moves the print of the selected piece by a vector on the sheet [cm], or turns it by degrees.
    */
   nudge(way: Point, degrees = 0): boolean {
-    const {selected, scenes} = this.#workbench;
+    const {selected} = this.#workbench.selection;
+    const {scenes} = this.#workbench.sheet;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
     if (this.#own !== 'move' || !piece) return false;
     const wanted =
@@ -259,9 +263,9 @@ export class PatternTools {
         : turnedOn(this.#workbench, piece, degrees);
     if (wanted) pin(this.#workbench, piece, wanted);
     else {
-      const {language, messages} = this.#workbench.preferences;
+      const {language, messages} = this.#workbench.preferences.chosen;
       const {cannotTurn} = textsOf(language, messages).symmetry;
-      this.#workbench.say({tone: 'info', text: cannotTurn(piece.label)});
+      this.#workbench.notices.say({tone: 'info', text: cannotTurn(piece.label)});
     }
     return true;
   }
@@ -274,7 +278,7 @@ export class PatternTools {
     const dragged = scene.pieces[piece];
     if (this.#own !== 'move' || !dragged) return undefined;
     const from: Alignment = dragged.alignment;
-    this.#workbench.select({kind: 'piece', piece});
+    this.#workbench.selection.select({kind: 'piece', piece});
     return (way) => {
       pin(this.#workbench, dragged, shifted(from, wayOnSheet(dragged, way)));
     };
@@ -282,12 +286,12 @@ export class PatternTools {
 
   /** Unpins a moved print. */
   free(piece: number): void {
-    const freed = this.#workbench.scenes?.now.pieces[piece];
+    const freed = this.#workbench.sheet.scenes?.now.pieces[piece];
     if (this.#own === 'move' && freed) unpin(this.#workbench, freed);
   }
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
-    if (this.#own === 'move') return railsOf(scene, this.#workbench.selected, texts);
+    if (this.#own === 'move') return railsOf(scene, this.#workbench.selection.selected, texts);
     if (this.#own === 'sew') return this.sewing?.chooser.marks(scene) ?? {};
     if (this.#own === 'keep') return keepMarks(this.#workbench, scene, this.#pointed, texts);
     const isGrain = this.#own === 'grain';

@@ -59,14 +59,15 @@ const same = (one: Alignment | undefined, other: Alignment): boolean =>
  * one piece in quick succession are one step of the history.
  */
 export function pin(workbench: Workbench, piece: ScenePiece, wanted: Alignment): void {
-  const {design, scenes} = workbench;
+  const {design} = workbench.history;
+  const {scenes} = workbench.sheet;
   if (!design || !scenes) return;
   const known = mirrorings(scenes.now.pattern);
   const {name} = piece;
   const at = nearestPlace(scenes.now.print, known, name, wanted, factsOf(design, piece));
   const {pins} = design.options;
   if (same(pins?.[name], at)) return;
-  workbench.change(
+  workbench.history.change(
     {options: {...design.options, pins: withPin(pins, known, name, at)}},
     `pin ${name}`,
   );
@@ -77,7 +78,7 @@ export function pin(workbench: Workbench, piece: ScenePiece, wanted: Alignment):
  * piece leads to the next line that the axis can have.
  */
 export function stepped(workbench: Workbench, piece: ScenePiece, way: Point): Alignment {
-  const {scenes} = workbench;
+  const {scenes} = workbench.sheet;
   const wanted = shifted(piece.alignment, way);
   const own = scenes && ownMirroring(mirrorings(scenes.now.pattern), piece.name);
   const line = own && axisLine(scenes.now.print, own.map, piece.alignment);
@@ -99,7 +100,8 @@ export function turnedOn(
   piece: ScenePiece,
   degrees: number,
 ): Alignment | undefined {
-  const {design, scenes} = workbench;
+  const {design} = workbench.history;
+  const {scenes} = workbench.sheet;
   if (!design || !scenes) return undefined;
   const {middle, rule} = factsOf(design, piece);
   const {alignment} = piece;
@@ -112,10 +114,10 @@ export function turnedOn(
 }
 
 export function unpin(workbench: Workbench, {name}: ScenePiece): void {
-  const {pins, ...options} = workbench.design?.options ?? {};
+  const {pins, ...options} = workbench.history.design?.options ?? {};
   if (!pins || !(name in pins)) return;
   const others = Object.fromEntries(Object.entries(pins).filter(([other]) => other !== name));
-  workbench.change({
+  workbench.history.change({
     options: {...options, ...(Object.keys(others).length > 0 && {pins: others})},
   });
 }

@@ -37,7 +37,7 @@ export class SymmetryChooser {
 
   /** A refusal is valid for one design only, and choices for one garment only. */
   get #state(): SymmetryState {
-    const {design} = this.#workbench;
+    const {design} = this.#workbench.history;
     if (design !== this.#design) {
       this.#latest = outlived(this.#latest, design?.garment === this.#design?.garment);
       this.#design = design;
@@ -58,7 +58,7 @@ export class SymmetryChooser {
   }
 
   get #group(): GroupName {
-    return this.#workbench.design?.print.group ?? 'p1';
+    return this.#workbench.history.design?.print.group ?? 'p1';
   }
 
   /** Returns whether the print has the symmetry that the tool requires. */
@@ -71,33 +71,33 @@ export class SymmetryChooser {
   }
 
   send(event: SymmetryEvent): void {
-    const scene = this.#workbench.scenes?.now;
+    const scene = this.#workbench.sheet.scenes?.now;
     if (!scene) return;
     const next = afterEvent(this.#state, event, scene);
     if (next === this.#state) return;
     this.#set(next);
     if (next.stage === 'candidate' && !next.measured) void this.#measure(next.symmetry, next.asked);
     if (next.stage === 'committed') {
-      this.#workbench.change(withSymmetry(this.#workbench.kept, next.symmetry));
+      this.#workbench.history.change(withSymmetry(this.#workbench.solving.kept, next.symmetry));
       this.#set({stage: 'idle', tool: next.tool, asked: next.asked});
     }
   }
 
   async #measure(symmetry: Symmetry, candidate: number): Promise<void> {
     try {
-      const result = await this.#workbench.measure(symmetry);
+      const result = await this.#workbench.solving.measure(symmetry);
       this.send({type: 'measured', candidate, result});
     } catch (error) {
-      const {language, messages} = this.#workbench.preferences;
+      const {language, messages} = this.#workbench.preferences.chosen;
       const text = spokenFailure(toFailure(error), this.#workbench, textsOf(language, messages));
-      this.#workbench.say({tone: 'error', text});
+      this.#workbench.notices.say({tone: 'error', text});
       this.send({type: 'back'});
     }
   }
 
   #set(state: SymmetryState): void {
     this.#latest = state;
-    this.#design = this.#workbench.design;
+    this.#design = this.#workbench.history.design;
     this.#changed();
   }
 
