@@ -6,7 +6,7 @@ import {fileURLToPath} from 'node:url';
 import {defineConfig, type Plugin} from 'vite';
 
 import {notices, workerNotices} from './web/setup/notices.mjs';
-import {shortStyles} from './web/setup/short-styles.mjs';
+import {shortTemplates} from './web/setup/short-templates.mjs';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const port = Number(process.env.PORT ?? 5173);
@@ -85,7 +85,7 @@ export default defineConfig({
   base: './',
   appType: 'mpa', // a missing file is an error, not the page
   publicDir: at('public'),
-  plugins: [notices(), shortStyles(), offline()],
+  plugins: [notices(), shortTemplates(), offline()],
   optimizeDeps: {entries: ['index.html']}, // excludes the examples
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},

@@ -9,7 +9,7 @@ import {fileURLToPath} from 'node:url';
 import {defineConfig} from 'vite';
 
 import {notices} from './web/setup/notices.mjs';
-import {shortStyles} from './web/setup/short-styles.mjs';
+import {shortTemplates} from './web/setup/short-templates.mjs';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
@@ -24,7 +24,7 @@ export default defineConfig({
   root: at('.'),
   base: './',
   publicDir: false,
-  plugins: [notices(), shortStyles()],
+  plugins: [notices(), shortTemplates()],
   build: {
     outDir: at('dist/standalone'),
     emptyOutDir: true,

@@ -67,10 +67,10 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   picture: [...model, 'image', 'layout', 'scene'],
   cutting: [...model, 'layout', 'scene', 'picture'],
   paper: [...model, 'image', 'picture', 'cutting'], // no DOM: files of pages in Node, too
-  marker: [...model, 'layout', 'scene', 'image', 'picture', 'cutting', 'paper'], // no DOM
+  texts: [...model, 'scene'],
+  marker: [...model, 'layout', 'scene', 'image', 'picture', 'cutting', 'paper', 'texts'], // no DOM
   remedies: [...model, 'scene'],
   viewer: [...model, 'image', 'scene'], // never the solver: views only read a result
-  texts: [...model, 'scene', 'marker'], // marker: for the texts printed on a layout
   print: [...model, 'solver', 'image', 'photo', 'texts'], // an opened picture or file as a print
   sewing: [...model, 'clicks', 'pairing', 'scene', 'texts'], // no DOM
   workbench: [

@@ -21,6 +21,7 @@ import {copyNotices} from './notices.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, must, root, say, SetupError, tool} from './shell.mjs';
 import {ensureSystem, forModule, forNativeTests} from './system.mjs';
+import {scriptTranslations} from './translations.mjs';
 
 const at = (...parts) => join(root, ...parts);
 const moduleFolder = 'web/src/solver/module';
@@ -163,6 +164,7 @@ async function buildScripts() {
     '--removeComments',
     ...maps,
   ]);
+  scriptTranslations(at('dist/texts'));
   rmSync(at(declarations), {recursive: true, force: true});
   await must(node, [...compile, '--emitDeclarationOnly', '--outDir', declarations]);
   copyDeclarations(declarations);

@@ -48,7 +48,7 @@ export type {Units} from '../model/base/length-text.js';
 export type {PrintOffer} from './garment/offered-prints.js';
 export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';
-export type {SewTexts} from '../texts/sew/en.js';
+export type {SewTexts} from '../texts/en/sew.js';
 export type {WornTexts} from '../texts/drape-texts.js';
 
 export class SeamwiseGarment extends AttributeElement {

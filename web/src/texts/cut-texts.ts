@@ -1,16 +1,17 @@
-/** Texts of the cutting dialog in one language, loaded with the dialog. */
-import type {CutTexts} from './cut/en.js';
+/** Texts of the cutting dialog, loaded with the dialog. */
+import {loadTranslated} from './base/message.js';
+import {cutting as en, type CutTexts} from './en/cut.js';
 import type {Language} from './preferences.js';
 
-export type {CutTexts} from './cut/en.js';
+export type {CutTexts} from './en/cut.js';
 
-const loaders: Readonly<Record<Language, () => Promise<{readonly cutting: CutTexts}>>> = {
-  en: () => import('./cut/en.js'),
-  de: () => import('./cut/de.js'),
-  fr: () => import('./cut/fr.js'),
-  es: () => import('./cut/es.js'),
-  it: () => import('./cut/it.js'),
+const loaders = {
+  de: () => import('./de/cut.json', {with: {type: 'json'}}),
+  fr: () => import('./fr/cut.json', {with: {type: 'json'}}),
+  es: () => import('./es/cut.json', {with: {type: 'json'}}),
+  it: () => import('./it/cut.json', {with: {type: 'json'}}),
 };
 
-export const cutTexts = async (language: Language): Promise<CutTexts> =>
-  (await loaders[language]()).cutting;
+/** Loads the texts of a language. */
+export const cutTexts = (language: Language): Promise<CutTexts> =>
+  loadTranslated(en, loaders, language);

@@ -1,8 +1,9 @@
 /** All texts of the page in German. */
-import {answer} from './de/answer.js';
-import {page} from './de/page.js';
-import {pattern} from './de/pattern.js';
-import {print} from './de/print.js';
-import type {Texts} from './en.js';
+import {translated} from './base/message.js';
+import answer from './de/answer.json' with {type: 'json'};
+import page from './de/page.json' with {type: 'json'};
+import pattern from './de/pattern.json' with {type: 'json'};
+import print from './de/print.json' with {type: 'json'};
+import {en, type Texts} from './en.js';
 
-export const de: Texts = {...page, ...pattern, ...answer, ...print};
+export const de: Texts = translated(en, {...page, ...pattern, ...answer, ...print}, 'de');

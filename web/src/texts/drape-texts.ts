@@ -1,15 +1,22 @@
 /** Texts of the drape in all languages, loaded with its view. */
-import {worn as de} from './drape/de.js';
-import {worn as en, type WornTexts} from './drape/en.js';
-import {worn as es} from './drape/es.js';
-import {worn as fr} from './drape/fr.js';
-import {worn as it} from './drape/it.js';
+import {translated} from './base/message.js';
+import de from './de/drape.json' with {type: 'json'};
+import {worn as en, type WornTexts} from './en/drape.js';
+import es from './es/drape.json' with {type: 'json'};
+import fr from './fr/drape.json' with {type: 'json'};
+import it from './it/drape.json' with {type: 'json'};
 import {withMessages, type Messages} from './messages.js';
 import type {Language} from './preferences.js';
 
-export type {WornTexts} from './drape/en.js';
+export type {WornTexts} from './en/drape.js';
 
-const wornTables: Readonly<Record<Language, WornTexts>> = {en, de, fr, es, it};
+const wornTables: Readonly<Record<Language, WornTexts>> = {
+  en,
+  de: translated(en, de, 'de'),
+  fr: translated(en, fr, 'fr'),
+  es: translated(en, es, 'es'),
+  it: translated(en, it, 'it'),
+};
 
 /** The texts of a language, with custom messages in their place. */
 export function wornTexts(language: Language, messages?: Messages): WornTexts {

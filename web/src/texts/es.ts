@@ -1,8 +1,9 @@
 /** All texts of the page in Spanish. */
-import {answer} from './es/answer.js';
-import {page} from './es/page.js';
-import {pattern} from './es/pattern.js';
-import {print} from './es/print.js';
-import type {Texts} from './en.js';
+import {translated} from './base/message.js';
+import answer from './es/answer.json' with {type: 'json'};
+import page from './es/page.json' with {type: 'json'};
+import pattern from './es/pattern.json' with {type: 'json'};
+import print from './es/print.json' with {type: 'json'};
+import {en, type Texts} from './en.js';
 
-export const es: Texts = {...page, ...pattern, ...answer, ...print};
+export const es: Texts = translated(en, {...page, ...pattern, ...answer, ...print}, 'es');

@@ -1,7 +1,9 @@
-import {answer} from './fr/answer.js';
-import {page} from './fr/page.js';
-import {pattern} from './fr/pattern.js';
-import {print} from './fr/print.js';
-import type {Texts} from './en.js';
+/** All texts of the page in French. */
+import {translated} from './base/message.js';
+import answer from './fr/answer.json' with {type: 'json'};
+import page from './fr/page.json' with {type: 'json'};
+import pattern from './fr/pattern.json' with {type: 'json'};
+import print from './fr/print.json' with {type: 'json'};
+import {en, type Texts} from './en.js';
 
-export const fr: Texts = {...page, ...pattern, ...answer, ...print};
+export const fr: Texts = translated(en, {...page, ...pattern, ...answer, ...print}, 'fr');

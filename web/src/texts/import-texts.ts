@@ -1,16 +1,17 @@
-/** Texts of the import dialog in one language, loaded with the dialog. */
-import type {ImportTexts} from './import/en.js';
+/** Texts of the import dialog, loaded with the dialog. */
+import {loadTranslated} from './base/message.js';
+import {importing as en, type ImportTexts} from './en/import.js';
 import type {Language} from './preferences.js';
 
-export type {ImportTexts} from './import/en.js';
+export type {ImportTexts} from './en/import.js';
 
-const loaders: Readonly<Record<Language, () => Promise<{readonly importing: ImportTexts}>>> = {
-  en: () => import('./import/en.js'),
-  de: () => import('./import/de.js'),
-  fr: () => import('./import/fr.js'),
-  es: () => import('./import/es.js'),
-  it: () => import('./import/it.js'),
+const loaders = {
+  de: () => import('./de/import.json', {with: {type: 'json'}}),
+  fr: () => import('./fr/import.json', {with: {type: 'json'}}),
+  es: () => import('./es/import.json', {with: {type: 'json'}}),
+  it: () => import('./it/import.json', {with: {type: 'json'}}),
 };
 
-export const importTexts = async (language: Language): Promise<ImportTexts> =>
-  (await loaders[language]()).importing;
+/** Loads the texts of a language. */
+export const importTexts = (language: Language): Promise<ImportTexts> =>
+  loadTranslated(en, loaders, language);

@@ -1,8 +1,9 @@
 /** All texts of the page in Italian. */
-import {answer} from './it/answer.js';
-import {page} from './it/page.js';
-import {pattern} from './it/pattern.js';
-import {print} from './it/print.js';
-import type {Texts} from './en.js';
+import {translated} from './base/message.js';
+import answer from './it/answer.json' with {type: 'json'};
+import page from './it/page.json' with {type: 'json'};
+import pattern from './it/pattern.json' with {type: 'json'};
+import print from './it/print.json' with {type: 'json'};
+import {en, type Texts} from './en.js';
 
-export const it: Texts = {...page, ...pattern, ...answer, ...print};
+export const it: Texts = translated(en, {...page, ...pattern, ...answer, ...print}, 'it');

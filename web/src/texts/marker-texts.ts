@@ -1,15 +1,22 @@
 /** Texts of the fabric layout in all languages, loaded with its view. */
-import {cloth as de} from './marker/de.js';
-import {cloth as en, type ClothTexts} from './marker/en.js';
-import {cloth as es} from './marker/es.js';
-import {cloth as fr} from './marker/fr.js';
-import {cloth as it} from './marker/it.js';
+import {translated} from './base/message.js';
+import de from './de/marker.json' with {type: 'json'};
+import {cloth as en, type ClothTexts} from './en/marker.js';
+import es from './es/marker.json' with {type: 'json'};
+import fr from './fr/marker.json' with {type: 'json'};
+import it from './it/marker.json' with {type: 'json'};
 import {withMessages, type Messages} from './messages.js';
 import type {Language} from './preferences.js';
 
-export type {ClothTexts} from './marker/en.js';
+export type {ClothTexts} from './en/marker.js';
 
-const tables: Readonly<Record<Language, ClothTexts>> = {en, de, fr, es, it};
+const tables: Readonly<Record<Language, ClothTexts>> = {
+  en,
+  de: translated(en, de, 'de'),
+  fr: translated(en, fr, 'fr'),
+  es: translated(en, es, 'es'),
+  it: translated(en, it, 'it'),
+};
 
 /** The texts of a language, with custom messages in their place. */
 export function clothTexts(language: Language, messages?: Messages): ClothTexts {

@@ -1,9 +1,9 @@
 /** Custom messages of pages that embed the element. */
-import type {ClothTexts} from './marker/en.js';
 import type {Texts} from './en.js';
-import type {SewTexts} from './sew/en.js';
-import type {PhotoTexts} from './photo/en.js';
-import type {WornTexts} from './drape/en.js';
+import type {WornTexts} from './en/drape.js';
+import type {ClothTexts} from './en/marker.js';
+import type {PhotoTexts} from './en/photo.js';
+import type {SewTexts} from './en/sew.js';
 
 type Some<T> = T extends (...given: never) => string
   ? T | string
@@ -14,8 +14,7 @@ type Some<T> = T extends (...given: never) => string
       : {readonly [Name in keyof T]?: Some<T[Name]>};
 
 /**
- * Any of the texts, by their names in `texts/en`, `texts/drape`, `texts/sew`, `texts/marker` and
- * `texts/photo`. A plain sentence may replace one with figures.
+ * Any of the texts, by their names in `texts/en`. A plain sentence may replace one with figures.
  */
 export type Messages = Some<
   Texts & {worn: WornTexts; sew: SewTexts; cloth: ClothTexts; photo: PhotoTexts}

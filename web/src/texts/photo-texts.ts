@@ -1,17 +1,24 @@
 /** Texts of the photo dialog in all languages, loaded with the dialog. */
 import type {Failure} from '../model/result/failure.js';
 import {photoFaults} from '../model/print/photo-reading.js';
-import {photo as de} from './photo/de.js';
-import {photo as en, type PhotoTexts} from './photo/en.js';
-import {photo as es} from './photo/es.js';
-import {photo as fr} from './photo/fr.js';
-import {photo as it} from './photo/it.js';
+import {translated} from './base/message.js';
+import de from './de/photo.json' with {type: 'json'};
+import {photo as en, type PhotoTexts} from './en/photo.js';
+import es from './es/photo.json' with {type: 'json'};
+import fr from './fr/photo.json' with {type: 'json'};
+import it from './it/photo.json' with {type: 'json'};
 import {withMessages, type Messages} from './messages.js';
 import type {Language} from './preferences.js';
 
-export type {PhotoTexts} from './photo/en.js';
+export type {PhotoTexts} from './en/photo.js';
 
-const tables: Readonly<Record<Language, PhotoTexts>> = {en, de, fr, es, it};
+const tables: Readonly<Record<Language, PhotoTexts>> = {
+  en,
+  de: translated(en, de, 'de'),
+  fr: translated(en, fr, 'fr'),
+  es: translated(en, es, 'es'),
+  it: translated(en, it, 'it'),
+};
 
 /** The texts of a language, with custom messages in their place. */
 export function photoTexts(language: Language, messages?: Messages): PhotoTexts {

@@ -1,17 +1,17 @@
-/** Texts of the sewing tool in one language, loaded with the tool. */
+/** Texts of the sewing tool, loaded with the tool. */
+import {loadTranslated} from './base/message.js';
+import {sew as en, type SewTexts} from './en/sew.js';
 import {withMessages, type Messages} from './messages.js';
 import {isTouched} from './pointer.js';
 import type {Language} from './preferences.js';
-import type {SewTexts} from './sew/en.js';
 
-export type {SewTexts} from './sew/en.js';
+export type {SewTexts} from './en/sew.js';
 
-const loaders: Readonly<Record<Language, () => Promise<{readonly sew: SewTexts}>>> = {
-  en: () => import('./sew/en.js'),
-  de: () => import('./sew/de.js'),
-  fr: () => import('./sew/fr.js'),
-  es: () => import('./sew/es.js'),
-  it: () => import('./sew/it.js'),
+const loaders = {
+  de: () => import('./de/sew.json', {with: {type: 'json'}}),
+  fr: () => import('./fr/sew.json', {with: {type: 'json'}}),
+  es: () => import('./es/sew.json', {with: {type: 'json'}}),
+  it: () => import('./it/sew.json', {with: {type: 'json'}}),
 };
 
 /**
@@ -19,7 +19,7 @@ const loaders: Readonly<Record<Language, () => Promise<{readonly sew: SewTexts}>
  * @throws {Error} without network
  */
 export async function loadSewTexts(language: Language, messages?: Messages): Promise<SewTexts> {
-  const {sew: own} = await loaders[language]();
+  const own = await loadTranslated(en, loaders, language);
   const sew = isTouched() ? withMessages({sew: own}, {sew: own.touch}).sew : own;
   return messages?.sew ? withMessages({sew}, {sew: messages.sew}).sew : sew;
 }

@@ -1,39 +1,7 @@
-/**
- * English texts of a layout's notes, and the formatting of a note in any language. Lengths in cm.
- */
-import type {LayNote, LayNoteCode} from '../../model/result/lay-note.js';
-
-/** Values of a note as text; lengths include their unit. */
-export interface NoteWords {
-  readonly pieces: string;
-  /** Lengths rounded to a tenth of a millimetre, or as usual for the unit. */
-  readonly lengths: readonly string[];
-  /** Lengths rounded to a millimetre, or as usual for the unit. */
-  readonly rounded: readonly string[];
-  /** Enclosing whole centimetres of two lengths, for example "120" and "136 cm". */
-  readonly range: readonly [least: string, most: string];
-  readonly counts: readonly string[];
-}
-
-type NoteTexts = Readonly<Record<LayNoteCode, (words: NoteWords) => string>>;
-
-export const noteTexts: NoteTexts = {
-  plainPieces: ({pieces}) => `Pieces of plain cloth are not laid on the print: ${pieces}.`,
-  pliesUnlike: () =>
-    'This print never comes again along the cloth, so no length makes all plies start alike: lay them one by one.',
-  pliesWhole: ({counts: [plies], lengths: [repeat]}) =>
-    `Each of the ${plies} plies is a whole number of repeats long, of ${repeat}, so that all start alike.`,
-  flawsFromCut: () =>
-    'Flaws are counted from the cut, where the print is taken to start; say how far from it the print starts if it does not.',
-  folded: ({rounded: [edge]}) =>
-    `The cloth is folded ${edge} from its left edge, face to face, and both plies are cut at once.`,
-  foldKeepsPrint: () =>
-    'On folded cloth the print is moved under no piece, since the lower ply shows its mirror image.',
-  phaseRange: ({range: [least, most]}) =>
-    `${least} to ${most}, by where the print starts at the selvedge; measure it.`,
-  phaseNowhere: ({counts: [nowhere, all]}) =>
-    `At ${nowhere} of ${all} places where the print may start at the selvedge, not all pieces fit on the cloth.`,
-};
+/** Formats a note on a layout in any language. Lengths in cm. */
+import type {LayNote} from '../../model/result/lay-note.js';
+import {formatted} from '../../texts/base/message.js';
+import {plan as english, type PlanTexts} from '../../texts/en/plan.js';
 
 /** Formatting of a note's values. */
 export interface NoteFormat {
@@ -72,17 +40,18 @@ const plain: NoteFormat = {
   name: (piece) => piece,
 };
 
+/** A note as a sentence. */
 export function saidNote(
   {code, pieces, lengthsCm, counts}: LayNote,
-  texts: NoteTexts = noteTexts,
+  texts: PlanTexts['notes'] = english.notes,
   {length, rounded, range, count, name}: NoteFormat = plain,
 ): string {
-  const [least = 0, most = 0] = lengthsCm;
-  return texts[code]({
-    pieces: pieces.map(name).join(', '),
-    lengths: lengthsCm.map(length),
-    rounded: lengthsCm.map(rounded),
-    range: range(least, most),
-    counts: counts.map(count),
-  });
+  const [first = 0, second = 0] = lengthsCm;
+  const [least, most] = range(first, second);
+  const [some = '', all = ''] = counts.map(count);
+  const values: Readonly<Record<string, string>> = {
+    ...{pieces: pieces.map(name).join(', '), least, most, count: some, all},
+    ...{length: length(first), rounded: rounded(first)},
+  };
+  return formatted(texts[code], (value) => values[value]);
 }

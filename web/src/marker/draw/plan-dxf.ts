@@ -7,7 +7,7 @@ import {block, dxfFile, insert, line, polyline, text} from '../../cutting/out/dx
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import {namesIn, planPieces, type KnownPieces} from './plan-pieces.js';
-import {planTexts, type PlanTexts} from './plan-texts.js';
+import {plan as english, type PlanTexts} from '../../texts/en/plan.js';
 
 interface PlanDxfOptions extends KnownPieces {
   readonly texts?: PlanTexts;
@@ -16,7 +16,7 @@ interface PlanDxfOptions extends KnownPieces {
 /**
  * DXF text in 7-bit ASCII and millimetres. The fabric's left edge is at x = 0, its start at y = 0.
  */
-export function planDxf(plan: LayPlan, {texts = planTexts, ...known}: PlanDxfOptions = {}): string {
+export function planDxf(plan: LayPlan, {texts = english, ...known}: PlanDxfOptions = {}): string {
   const pieces = planPieces(plan, known, namesIn(plan, known, texts.garment));
   const names = namesOf(pieces);
   const blocks = pieces.flatMap(({cut, grain, crosses: marked}, k) => {

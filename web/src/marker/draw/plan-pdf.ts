@@ -15,7 +15,7 @@ import type {PrintWithTile} from '../../picture/cloth.js';
 import type {SheetFormat} from './filling.js';
 import {printOnCloth} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
-import {planTexts} from './plan-texts.js';
+import {plan as english} from '../../texts/en/plan.js';
 import {veils} from './veils.js';
 
 interface PlanPdfOptions extends PlanOptions {
@@ -135,7 +135,7 @@ export async function planPdf(
   const cell = plan.printOrigin
     ? await clothCell(resources, print, pixels, (sentence) => notes.push(sentence))
     : undefined;
-  const {texts = planTexts} = options.words;
+  const {texts = english} = options.words;
   const toPoints = pointsPerCm / format.scale;
   const pages = sheets.map(({widthCm, heightCm, marks, cloth}, k) => {
     const foot = textAt(

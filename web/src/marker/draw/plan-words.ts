@@ -5,7 +5,7 @@ import {readable} from '../../model/garment/piece-names.js';
 import {fractionOrNumber, formatLength, type Units} from '../../model/base/length-text.js';
 import {layCosts} from '../../model/result/pinned-plan.js';
 import {saidNote, type NoteFormat} from './note-texts.js';
-import {planTexts, type PlanTexts} from './plan-texts.js';
+import {plan as english, type PlanTexts} from '../../texts/en/plan.js';
 
 export interface PlanWordsOptions {
   readonly units: Units;
@@ -44,7 +44,7 @@ const rounding = 1e-6;
 /** Number of steps that reach at least a length. */
 const roundedUp = (cm: number, step: number): number => Math.ceil(cm / step - rounding);
 
-export function planWords({units, locale = 'en', texts = planTexts}: PlanWordsOptions): PlanWords {
+export function planWords({units, locale = 'en', texts = english}: PlanWordsOptions): PlanWords {
   const length = (cm: number): string => formatLength(cm, units, locale);
   const number = (value: number, least: number, most = least): string =>
     value.toLocaleString(locale, {minimumFractionDigits: least, maximumFractionDigits: most});

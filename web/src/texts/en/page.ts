@@ -1,4 +1,5 @@
 /** English texts of the page: commands, projects, links and hints. */
+import {text} from '../base/message.js';
 
 export const page = {
   app: {
@@ -8,9 +9,9 @@ export const page = {
     size: 'Size',
     undo: 'Undo',
     redo: 'Redo',
-    undoOf: (what: string) => `Undo: ${what}`,
-    redoOf: (what: string) => `Redo: ${what}`,
-    undone: (what: string) => `Undone: ${what}.`,
+    undoOf: text('Undo: {what}'),
+    redoOf: text('Redo: {what}'),
+    undone: text('Undone: {what}.'),
     align: 'Align',
     cancel: 'Cancel',
     saveProject: 'Save project',
@@ -28,7 +29,7 @@ export const page = {
     keys: 'Keys',
     close: 'Close',
     dismiss: 'Dismiss',
-    takenAsPrint: (name: string) => `${name} was taken as a print.`,
+    takenAsPrint: text('{name} was taken as a print.'),
     setup: 'Print and cutting',
     report: 'Pieces and seams',
     toPattern: 'To the pattern',
@@ -38,34 +39,37 @@ export const page = {
     title: 'Projects',
     none: 'Nothing else yet. Each garment that you open becomes a project, and is kept in this browser.',
     name: 'Name of the project',
-    open: (name: string) => `Open ${name}`,
+    open: text('Open {name}'),
     here: 'open here',
     elsewhere: 'open in another tab',
-    duplicate: (name: string) => `Duplicate ${name}`,
-    delete: (name: string) => `Delete ${name}`,
-    deleted: (name: string) => `${name} was deleted.`,
-    restore: (name: string) => `Undo: bring ${name} back`,
+    duplicate: text('Duplicate {name}'),
+    delete: text('Delete {name}'),
+    deleted: text('{name} was deleted.'),
+    restore: text('Undo: bring {name} back'),
     undo: 'Undo',
     gone: 'This project is not there any more.',
     isCopy: 'The project is open in another tab; here you work on a copy.',
-    isKept: (name: string) => `“${name}” is kept under Projects.`,
+    isKept: text('“{name}” is kept under Projects.'),
     back: 'Back to it',
   },
   link: {
     copied: 'The link is in the clipboard.',
-    long: (size: string) =>
-      `The link is in the clipboard. It is ${size} long; some mail programs cut such links.`,
+    long: text(
+      'The link is in the clipboard. It is {size} long; some mail programs cut such links.',
+    ),
     smaller: 'The picture of the print was made smaller for it.',
-    tooLong: (size: string) =>
-      `The link would be ${size} long, which is too much; choose Save project and send the file.`,
+    tooLong: text(
+      'The link would be {size} long, which is too much; choose Save project and send the file.',
+    ),
     notCopied: 'The browser does not let the page use the clipboard; choose Save project.',
     damaged:
       'The link is damaged or was cut on its way; ask for it again. Nothing has changed here.',
     noSample: 'The link names a garment or print that is not here; ask for the project as a file.',
   },
   offline: {
-    waits: (what: string) =>
-      `${what} is not on this device yet; it comes by itself as soon as the network is back.`,
+    waits: text(
+      '{what} is not on this device yet; it comes by itself as soon as the network is back.',
+    ),
     newVersion: 'A new version is ready.',
     reload: 'Reload',
   },
@@ -85,7 +89,7 @@ export const page = {
     method: 'method',
     cutting: 'cutting',
     unit: 'unit of the file',
-    turned: (piece: string) => `turn ${piece}`,
+    turned: text('turn {piece}'),
     keep: 'keep as drafted',
     openEdges: 'open edges',
     change: 'greatest change',
@@ -94,7 +98,7 @@ export const page = {
     improve: 'improvement',
   },
   introduction: {
-    label: (number: number, count: number) => `Hint ${number} of ${count}`,
+    label: text('Hint {number, number} of {count, number}'),
     print: 'Choose another print: the pieces adapt to it.',
     /** Follows an image of the button. */
     compare: 'shows before and after.',
@@ -103,10 +107,10 @@ export const page = {
   progress: {
     label: 'Progress',
     solving: 'Aligning …',
-    preparation: (percent: string) => `Preparing, ${percent}`,
-    alignment: (percent: string) => `Aligning, ${percent}`,
-    deformation: (percent: string) => `Shaping the pieces, ${percent}`,
-    done: (seconds: string) => `Aligned in ${seconds}`,
+    preparation: text('Preparing, {percent}'),
+    alignment: text('Aligning, {percent}'),
+    deformation: text('Shaping the pieces, {percent}'),
+    done: text('Aligned in {seconds}'),
     stale: 'Out of date. Align to bring it up to date.',
     cancelled: 'Cancelled. Align to try again.',
     empty: 'Open a garment to begin.',
@@ -123,8 +127,8 @@ export const page = {
     begin: 'Keep improving',
     note: 'Looks longer for a better answer, while you go on',
     looking: 'Looking for a better answer …',
-    soFar: (length: string) => `${length} better so far …`,
-    gained: (length: string) => `${length} better.`,
+    soFar: text('{length} better so far …'),
+    gained: text('{length} better.'),
     nothing: 'Nothing better was found.',
     stop: 'Stop',
   },
@@ -132,5 +136,3 @@ export const page = {
     Record<'garments' | 'prints' | 'colourways', Readonly<Partial<Record<string, string>>>>
   >,
 };
-
-export type PageTexts = typeof page;

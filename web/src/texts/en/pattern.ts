@@ -1,4 +1,5 @@
 /** English texts of the pattern: tools, symmetries, grain and keys. */
+import {text} from '../base/message.js';
 
 export const pattern = {
   pattern: {
@@ -29,20 +30,18 @@ export const pattern = {
     zoomOut: 'Zoom out',
     zoom: 'Zoom',
     zoomPercent: 'Zoom in per cent',
-    zoomed: (shown: string) => `Zoom, ${shown} of true size`,
-    zoomWrong: (least: string, most: string) => `From ${least} to ${most}.`,
+    zoomed: text('Zoom, {shown} of true size'),
+    zoomWrong: text('From {least} to {most}.'),
     fit: 'Show all',
     before: 'Before',
     after: 'After',
     wipe: 'Before and after',
     clothOnly: 'Cloth only',
     movement: 'Movement',
-    movementNote: (factor: string, most: string, piece: string) =>
-      `Movement drawn ${factor} times; greatest ${most}, in ${piece}`,
-    piece: (name: string, seams: string) => `${name}, ${seams}`,
-    seams: (count: number) => (count === 1 ? '1 seam' : `${count} seams`),
-    seam: (name: string, length: string, mismatch: string, kind: string) =>
-      `${name}, ${length}, mismatch ${mismatch}, ${kind}`,
+    movementNote: text('Movement drawn {factor} times; greatest {most}, in {piece}'),
+    piece: text('{name}, {seams}'),
+    seams: text('{count, plural, one {# seam} other {# seams}}'),
+    seam: text('{name}, {length}, mismatch {mismatch}, {kind}'),
     continuous: 'continuous',
     mirrored: 'mirrored',
     notCounted: 'not counted',
@@ -54,10 +53,9 @@ export const pattern = {
     pair: 'Symmetric pair',
     move: 'Move print',
     acceptAll: 'Accept all symmetries',
-    foundCount: (count: number) =>
-      count === 1
-        ? 'One symmetry was found in this garment'
-        : `${count} symmetries were found in this garment`,
+    foundCount: text(
+      '{count, plural, =1 {One symmetry was found in this garment} other {# symmetries were found in this garment}}',
+    ),
     accept: 'Accept',
     back: 'One step back',
     hint: 'What to do next',
@@ -73,14 +71,13 @@ export const pattern = {
     },
     measuring: 'Measuring …',
     found: {
-      piece: (residual: string) =>
-        `The piece mirrors onto itself, to within ${residual}. Accept it?`,
-      pair: (residual: string) =>
-        `The pieces mirror onto each other, to within ${residual}. Accept it?`,
+      piece: text('The piece mirrors onto itself, to within {residual}. Accept it?'),
+      pair: text('The pieces mirror onto each other, to within {residual}. Accept it?'),
     },
-    noMirror: (residual: string) => `These do not mirror: they are up to ${residual} apart.`,
-    notCarried: (group: string) =>
-      `A print of the group ${group} has no mirror that could keep this; choose a print of another group.`,
+    noMirror: text('These do not mirror: they are up to {residual} apart.'),
+    notCarried: text(
+      'A print of the group {group} has no mirror that could keep this; choose a print of another group.',
+    ),
     refusals: {
       otherPiece: 'Both have to be on the same piece.',
       sameLine: 'That is the same line again; click another.',
@@ -98,21 +95,24 @@ export const pattern = {
       outline: 'On the outline',
       none: 'Point',
     },
-    cannotTurn: (piece: string) =>
-      `${piece} has no other angle on this print. Let it lie at any angle in the table of pieces to turn it.`,
+    cannotTurn: text(
+      '{piece} has no other angle on this print. Let it lie at any angle in the table of pieces to turn it.',
+    ),
     snapped: 'A pinned piece went to the nearest place that keeps its symmetry.',
     waysOut: 'Ways out',
-    mirrorTwin: (piece: string, twin: string) => `Let ${piece} mirror ${twin}`,
-    freePiece: (piece: string) => `Unpin ${piece}`,
-    anyAngle: (pieces: string) => `Let ${pieces} lie at any angle`,
-    turnPrint: (degrees: string) => `Turn the print by ${degrees}°`,
-    dropFor: (pieces: string) => `Drop the symmetry: ${pieces}`,
+    mirrorTwin: text('Let {piece} mirror {twin}'),
+    freePiece: text('Unpin {piece}'),
+    anyAngle: text('Let {pieces} lie at any angle'),
+    turnPrint: text('Turn the print by {degrees}°'),
+    dropFor: text('Drop the symmetry: {pieces}'),
     cleanUp: 'Leave out what this garment has not',
     lacks: {
-      piece: (group: string, groups: string) =>
-        `A print of the group ${group} has no mirrors, so no piece can be symmetric in itself; ${groups} have.`,
-      pair: (group: string, groups: string) =>
-        `A print of the group ${group} has neither mirrors nor glides, so no pieces can mirror each other; ${groups} have.`,
+      piece: text(
+        'A print of the group {group} has no mirrors, so no piece can be symmetric in itself; {groups} have.',
+      ),
+      pair: text(
+        'A print of the group {group} has neither mirrors nor glides, so no pieces can mirror each other; {groups} have.',
+      ),
     },
     onMotif: 'Middle of a motif',
     onMirror: 'Mirror line',
@@ -122,12 +122,13 @@ export const pattern = {
     none: 'No symmetry is kept yet.',
     kept: 'Kept',
     proposed: 'Found in the garment',
-    itself: (piece: string) => `${piece}, mirrored onto itself`,
-    both: (first: string, second: string) => `${first} and ${second}`,
+    itself: text('{piece}, mirrored onto itself'),
+    both: text('{first} and {second}'),
     remove: 'Remove',
     leaveOut: 'Leave out what it cannot keep',
-    wouldCarry: (group: string, groups: string) =>
-      `A print of the group ${group} cannot keep all of these; one of ${groups} could.`,
+    wouldCarry: text(
+      'A print of the group {group} cannot keep all of these; one of {groups} could.',
+    ),
   },
   /** Variants for touch input. */
   touch: {
@@ -155,12 +156,12 @@ export const pattern = {
     hint: 'Click an edge or a piece that has to stay as drafted; click it again to let it go.',
     keep: 'Keep as drafted',
     release: 'Let go',
-    edges: (piece: string) => `Edges of ${piece}`,
+    edges: text('Edges of {piece}'),
     whole: 'The whole piece',
-    openEdge: (length: string) => `Open edge, ${length}`,
+    openEdge: text('Open edge, {length}'),
     kept: 'Kept as drafted',
     some: 'Some edges kept as drafted',
-    keptOn: (pieces: string) => `kept on ${pieces}`,
+    keptOn: text('kept on {pieces}'),
     column: 'Keep',
     openEdges: 'Hems and open edges keep their line',
   },
@@ -181,7 +182,7 @@ export const pattern = {
     title: 'Commands',
     look: 'Look for a command',
     none: 'No command has these words.',
-    count: (count: number) => (count === 1 ? '1 command' : `${count} commands`),
+    count: text('{count, plural, one {# command} other {# commands}}'),
     axis: 'Symmetric piece, by two points of its axis',
     grain: 'Grain line of a piece, by an edge or two points',
     turnSelected: 'Turn the selected piece by 90 degrees',
@@ -215,42 +216,41 @@ export const pattern = {
   grain: {
     title: 'Grain',
     none: 'The file does not say how the grain runs.',
-    some: (count: number) => `The file does not say how the grain runs on ${count} pieces.`,
+    some: text('The file does not say how the grain runs on {count, number} pieces.'),
     asDrawn: 'Proposed: upwards, as drawn.',
-    turned: (count: number) =>
-      `Proposed: by how the pieces hang on the body; ${count} of them lie turned in the drawing.`,
+    turned: text(
+      'Proposed: by how the pieces hang on the body; {count, number} of them lie turned in the drawing.',
+    ),
     takeAll: 'Take all proposals',
     allUp: 'All upwards, as drawn',
     each: 'Piece by piece',
     later: 'Not now',
-    proposal: (way: string) => `Proposed: ${way}`,
+    proposal: text('Proposed: {way}'),
     take: 'Take the proposal',
     ways: {up: 'Upwards, as drawn', across: 'Across', bias: 'On the bias'},
     directions: {0: 'to the right', 90: 'upwards', 180: 'to the left', 270: 'downwards'},
-    other: (degrees: number) => `${degrees}°`,
+    other: text('{degrees, number}°'),
     clicks: 'Along an edge, or two points …',
     line: 'Grain line …',
     first: 'Click an edge that the grain runs along, or two points of the grain line.',
     second: 'Now click a second point of the grain line.',
   },
   doubt: {
-    question: (height: string) => `Is the tallest piece really ${height} tall?`,
+    question: text('Is the tallest piece really {height} tall?'),
     yes: 'Yes',
-    no: (unit: string) => `No, the file is in ${unit}`,
+    no: text('No, the file is in {unit}'),
     units: {cm: 'centimetres', mm: 'millimetres', inch: 'inches', m: 'metres'},
   },
   legend: {
     notCounted: 'not counted',
     title: 'Mismatch',
     none: '0',
-    upTo: (length: string) => `to ${length}`,
-    over: (length: string) => `over ${length}`,
-    andMore: (length: string) => `${length} and more`,
+    upTo: text('to {length}'),
+    over: text('over {length}'),
+    andMore: text('{length} and more'),
     asPaper: '0–2 cm',
     asPaperNote: 'Colours from 0 to 2 cm for every print, as in the paper',
     axis: 'Symmetry axis',
     grain: 'Grain',
   },
 };
-
-export type PatternTexts = typeof pattern;

@@ -1,4 +1,5 @@
 /** English texts of the print and the match. */
+import {text} from '../base/message.js';
 
 export const print = {
   controls: {
@@ -17,8 +18,8 @@ export const print = {
       bestFit: 'Pieces lie at any angle and change by 10 mm at most; the print meets best.',
       placeOnly: 'Pieces lie on grain and keep their outlines just as drafted.',
     },
-    greatestChange: (unit: string) => `Greatest change (${unit})`,
-    between: (least: string, most: string) => `Enter a number from ${least} to ${most}.`,
+    greatestChange: text('Greatest change ({unit})'),
+    between: text('Enter a number from {least} to {most}.'),
     grain: 'Grain for all pieces',
     grains: {on: 'On grain', across: 'Across', bias: 'On the bias', free: 'Any angle'},
     continuousOnly: 'Continue the print only',
@@ -37,7 +38,7 @@ export const print = {
     title: 'Print',
     open: 'Open print',
     photo: 'Photo of your cloth',
-    own: (title: string) => `Your own: ${title}`,
+    own: text('Your own: {title}'),
     group: 'Wallpaper group',
     stripes: 'Stripes',
     more: 'More prints',
@@ -50,17 +51,17 @@ export const print = {
       mirrors: 'With mirrors',
     },
     colourways: 'Colourways',
-    width: (unit: string) => `Repeat width (${unit})`,
-    height: (unit: string) => `Repeat height (${unit})`,
+    width: text('Repeat width ({unit})'),
+    height: text('Repeat height ({unit})'),
     proportions: 'Keep the proportions',
-    sides: (width: string, height: string, turn: string) =>
-      `The repeat on the cloth, whose length runs upwards: width ${width}, height ${height}, turned by ${turn}`,
+    sides: text(
+      'The repeat on the cloth, whose length runs upwards: width {width}, height {height}, turned by {turn}',
+    ),
     sideNames: {width: 'width', height: 'height'},
-    fromFile: (resolution: string, size: string) => `From the file: ${resolution}, ${size} wide`,
-    dpi: (value: string) => `${value} dpi`,
+    fromFile: text('From the file: {resolution}, {size} wide'),
+    dpi: text('{value} dpi'),
     onPaper: 'drawn to scale',
-    backToFile: (resolution: string, size: string) =>
-      `As large as the file says: ${resolution}, ${size} wide`,
+    backToFile: text('As large as the file says: {resolution}, {size} wide'),
     unasked: 'Many programs write this number by themselves: measure to be sure.',
     sizeUnknown: 'The file does not say how large it is printed: measure it, or enter a size.',
     unscaled: 'The size of this print is unknown: measure it or enter a size before you cut.',
@@ -68,8 +69,8 @@ export const print = {
       open: 'Measure on the picture',
       how: 'Click two points whose distance you know, or move them with the arrow keys.',
       points: ['First point', 'Second point'] as readonly string[],
-      distance: (unit: string) => `Distance between them (${unit})`,
-      makes: (width: string, height: string) => `One repeat is then ${width} × ${height}.`,
+      distance: text('Distance between them ({unit})'),
+      makes: text('One repeat is then {width} × {height}.'),
       apply: 'Use this size',
     },
     repeats: {
@@ -86,22 +87,21 @@ export const print = {
     oneWay: 'Looks different upside down',
     oneWayNote: 'Does it look the same upside down? Then leave this off.',
     lacks: {
-      piece: (group: string) =>
-        `A piece that is symmetric in itself needs a print with mirrors, and ${group} has none.`,
-      pair: (group: string) =>
-        `A mirrored pair needs a print with mirrors or glides, and ${group} has neither.`,
+      piece: text(
+        'A piece that is symmetric in itself needs a print with mirrors, and {group} has none.',
+      ),
+      pair: text('A mirrored pair needs a print with mirrors or glides, and {group} has neither.'),
     },
     wouldDo: 'These would do:',
-    notQuite: (group: string, fitting: string) =>
-      `Your cloth is not quite ${group}; ${fitting} still fits.`,
-    take: (group: string) => `Take ${group}`,
-    keep: (group: string) => `Keep ${group}`,
+    notQuite: text('Your cloth is not quite {group}; {fitting} still fits.'),
+    take: text('Take {group}'),
+    keep: text('Keep {group}'),
     needsPicture:
       'The picture of this print is in a file of its own: open that next, or drop it here.',
     keeps: 'Found in the picture:',
     reads: {
-      picture: (how: string) => `This picture reads differently ${how}, where it is outlined.`,
-      stripes: (how: string) => `These stripes read differently ${how}, where they are outlined.`,
+      picture: text('This picture reads differently {how}, where it is outlined.'),
+      stripes: text('These stripes read differently {how}, where they are outlined.'),
     },
     differs: {
       leftRight: 'from left to right',
@@ -121,8 +121,8 @@ export const print = {
       up: 'Its upper and lower edges do not meet.',
       both: 'Its edges do not meet.',
     },
-    marked: (title: string) => `${title}, with what does not match marked`,
-    doubtful: (title: string) => `${title} does not repeat as it is.`,
+    marked: text('{title}, with what does not match marked'),
+    doubtful: text('{title} does not repeat as it is.'),
     remedy: {
       label: 'What becomes of it',
       halfDrop: 'It is a half-drop',
@@ -153,12 +153,12 @@ export const print = {
       stripes: 'Mirrors both ways; along the stripe any place is like any other.',
     },
     files: {
-      tooLarge: (name: string) => `${name} is larger than 12 MB; make the picture smaller.`,
-      tooWide: (name: string) =>
-        `${name} has more than 8192 pixels along a side; make the picture smaller.`,
-      outsidePictures: (name: string) =>
-        `${name} takes in pictures from elsewhere, which browsers leave out; put them into the file, or save it as PNG.`,
-      unreadable: (name: string) => `${name} cannot be read as a picture.`,
+      tooLarge: text('{name} is larger than 12 MB; make the picture smaller.'),
+      tooWide: text('{name} has more than 8192 pixels along a side; make the picture smaller.'),
+      outsidePictures: text(
+        '{name} takes in pictures from elsewhere, which browsers leave out; put them into the file, or save it as PNG.',
+      ),
+      unreadable: text('{name} cannot be read as a picture.'),
       kinds: {
         png: 'a PNG picture',
         jpeg: 'a JPEG picture',
@@ -175,25 +175,26 @@ export const print = {
         dxf: 'a DXF drawing',
         zip: 'a ZIP archive',
       },
-      wrongKind: (name: string, kind: string) =>
-        `${name} is ${kind}, which cannot be a print: save it as PNG or JPEG, and open that.`,
-      damaged: (name: string, kind: string) =>
-        `${name} is ${kind}, but damaged: save it again, or take another copy.`,
-      pattern: (name: string) => `${name} is a sewing pattern, no print: use Open garment.`,
+      wrongKind: text(
+        '{name} is {kind}, which cannot be a print: save it as PNG or JPEG, and open that.',
+      ),
+      damaged: text('{name} is {kind}, but damaged: save it again, or take another copy.'),
+      pattern: text('{name} is a sewing pattern, no print: use Open garment.'),
       openEdges: {
-        across: (name: string) =>
-          `${name} does not repeat: its left and right edges do not meet. Decide under Print what becomes of it.`,
-        up: (name: string) =>
-          `${name} does not repeat: its upper and lower edges do not meet. Decide under Print what becomes of it.`,
-        both: (name: string) =>
-          `${name} does not repeat: its edges do not meet. Decide under Print what becomes of it.`,
+        across: text(
+          '{name} does not repeat: its left and right edges do not meet. Decide under Print what becomes of it.',
+        ),
+        up: text(
+          '{name} does not repeat: its upper and lower edges do not meet. Decide under Print what becomes of it.',
+        ),
+        both: text(
+          '{name} does not repeat: its edges do not meet. Decide under Print what becomes of it.',
+        ),
       },
-      noPrint: (name: string) =>
-        `${name} is no print: open a picture (PNG, JPEG, WebP, SVG), or a print file with group, w1 and w2.`,
-      wrongLattice: (name: string, group: string) =>
-        `In ${name}, w1 and w2 do not span a lattice of ${group}.`,
+      noPrint: text(
+        '{name} is no print: open a picture (PNG, JPEG, WebP, SVG), or a print file with group, w1 and w2.',
+      ),
+      wrongLattice: text('In {name}, w1 and w2 do not span a lattice of {group}.'),
     },
   },
 };
-
-export type PrintTexts = typeof print;

@@ -1,0 +1,39 @@
+/** English texts of the cutting dialog. */
+import {text} from '../base/message.js';
+import {cloth} from './marker.js';
+
+export const cutting = {
+  title: 'Cut',
+  file: 'File',
+  files: {pdf: 'PDF', svg: 'SVG', dxf: 'DXF', plt: 'HP-GL'},
+  fileNotes: {
+    pdf: 'Pages at true scale to print, to glue or to project, with layers.',
+    svg: 'One sheet, for print shops and laser cutters.',
+    dxf: 'One block for each piece, for CAD programs and cutters (AAMA).',
+    plt: 'One sheet of lines, for plotters.',
+  },
+  paper: 'Paper',
+  roll: 'Roll, 36 in',
+  projector: 'Projector',
+  allowance: cloth.allowance,
+  hem: cloth.hem,
+  toSize: cloth.toSize,
+  print: 'Draw the print on the pieces',
+  map: 'How the pages lie',
+  sheetMap: 'How the pieces lie',
+  pages: text('{count, plural, one {# page} other {# pages}}'),
+  each: text('{paper}, {size}'),
+  sheet: text('Sheet {size}'),
+  extent: text('{width} × {height}'),
+  ownAllowances: cloth.ownAllowances,
+  waiting: 'Waiting for the print to be aligned …',
+  unsolved: 'There is no answer to cut: align the print first.',
+  renewed: 'The answer has changed: this is the new one.',
+  planning: 'Laying the pieces out …',
+  making: 'Making the file …',
+  atFullSize: 'Print at 100 %, then measure the squares on the first page.',
+  save: text('Save {file}'),
+  failed: text('{message}'),
+};
+
+export type CutTexts = typeof cutting;

@@ -1,0 +1,45 @@
+/** English texts of the import dialog. */
+import {text} from '../base/message.js';
+
+export const importing = {
+  title: text('Open {file}'),
+  reading: text('Reading {file} …'),
+  failed: text('{message}'),
+  program: text('Drawn with {program}.'),
+  which: text('What is {file}?'),
+  asPattern: 'A sewing pattern',
+  asPatternNote: 'Its lines become pieces to sew.',
+  asPrint: 'A print',
+  asPrintNote: 'The picture is repeated on the cloth.',
+  size: 'Size',
+  sample: text('{size} (sample size)'),
+  unit: 'Unit of the file',
+  largest: text('Largest piece {length}'),
+  unitIs: {
+    stated: text('unit {unit}: the file says so.'),
+    measured: text('unit {unit}: measured on its scale box.'),
+    size: text('unit {unit}: guessed from size.'),
+    program: text('unit {unit}: as its program writes.'),
+    chosen: text('unit {unit}: chosen.'),
+  },
+  doubtful: 'Please check it.',
+  units: {mm: 'mm', cm: 'cm', inch: 'in', m: 'm'},
+  lines: 'Lines',
+  outerIsCut: 'The outer line is the cut line',
+  outerIsCutNote: 'The inner one is sewn. Without the tick the outer one is.',
+  notes: 'Notes',
+  pieces: 'Pieces',
+  toScale: 'All drawn at one scale',
+  all: 'All',
+  none: 'None',
+  cut: text('How often {piece} is cut'),
+  once: 'Cut once',
+  pair: 'Cut a pair',
+  extent: text('{width} × {height}'),
+  half: 'half, on the fold',
+  ruler: text('Ruler, {length}'),
+  taken: text('{count, number} of {all, plural, one {# piece} other {# pieces}}'),
+  open: 'Open',
+};
+
+export type ImportTexts = typeof importing;

@@ -1,0 +1,148 @@
+/** English texts of the photo dialog. */
+import {text} from '../base/message.js';
+import type {
+  KnownObject,
+  PhotoFault,
+  PhotoNote,
+  PhotoStage,
+  SymmetryVerdict,
+} from '../../model/print/photo-reading.js';
+
+export const photo = {
+  title: 'Photo of your cloth',
+  intake:
+    'Lay the cloth flat and photograph it from above, so that three repeats or more are seen in both directions. Choose the picture, drop it here, or paste it.',
+  stays: 'It stays on this device.',
+  choose: 'Choose a picture',
+  camera: 'Take a photo',
+  another: 'Another picture',
+  photo: 'Photo of the cloth',
+  nodes: ['Corner of the cell', 'End of w1', 'End of w2'] as readonly string[],
+  ends: ['First measured point', 'Second measured point'] as readonly string[],
+  stages: {
+    repeat: 'Looking for the repeat',
+    light: 'Evening out the light',
+    symmetry: 'Comparing symmetries',
+    tile: 'Making the cell',
+    object: 'Looking for the outline',
+  } satisfies Record<PhotoStage, string> as Record<PhotoStage, string>,
+  faults: {
+    plain:
+      'No print was found, the cloth looks plain: photograph it in brighter light from one side.',
+    noRepeat:
+      'No repeat was found: step back until three repeats are seen each way, and photograph the cloth flat and from above.',
+    fewRepeats: 'Too few repeats are seen: step back until there are three each way.',
+    twoPrints:
+      'A part of the picture shows another print, or none: cut the picture to the print that is wanted.',
+    changes: 'The print changes along the cloth: photograph a part in which all repeats are alike.',
+    blurred: 'The picture is blurred: hold the camera still, and let it focus on the cloth.',
+    moire:
+      'The weave makes a moiré on the picture: photograph the cloth from a little closer or farther away.',
+    uneven: 'The cloth does not lie flat: smooth it out and photograph it again.',
+    misplaced:
+      'The print does not repeat by this cell: put its corners onto the same spot of neighbouring motifs, or undo.',
+    edges: 'The picture’s edges do not meet: give the whole repeat, or a photo that shows several.',
+    small: 'The picture is too small: give one of 32 pixels each way at least.',
+    object:
+      'No outline of that is seen there: tap its middle, or measure between two points instead.',
+  } satisfies Record<PhotoFault, string> as Record<PhotoFault, string>,
+  reading: text('{stage}, {percent}'),
+  cancelled: 'Stopped.',
+  again: 'Look again',
+  byHand: 'Draw the cell by hand',
+  hand: 'Drag the corner and both arrows onto one repeat of the print, then:',
+  alignHand: 'Find the repeat from here',
+  found: text('Found: {group}.'),
+  confidences: {
+    likely: 'It is likely, but compare the swatch with your cloth.',
+    uncertain:
+      'No repeat is certain: choose what is right, move the corners, or take another photo with three repeats in both directions.',
+  },
+  others: 'Or is it one of these?',
+  other: text('Repeat {number, number}'),
+  notes: {
+    uneven: 'The cloth does not lie quite flat.',
+    differs: 'Red areas differ from all other copies, and are left out.',
+    focalLength: 'Measure along w1 and w2: proportions are uncertain without both.',
+    unequal: 'The measured sides differ: a smaller symmetry was taken.',
+  } satisfies Record<PhotoNote, string> as Record<PhotoNote, string>,
+  lattice: 'Repeat',
+  how: 'Drag corners, or move them with the arrow keys: the repeat follows the print near them. With Alt it stays as you place it.',
+  twice: text('{vector} twice as long'),
+  half: text('{vector} half as long'),
+  halfDrop: 'Half-drop',
+  group: 'Symmetry',
+  verdicts: {
+    has: 'has',
+    almost: 'almost',
+    'has not': 'has not',
+    cannot: 'cannot on this repeat',
+  } satisfies Record<SymmetryVerdict, string> as Record<SymmetryVerdict, string>,
+  foundOne: 'found',
+  breaks: text('Where it breaks {group}'),
+  exact: 'Make the symmetries exact',
+  show: 'Show',
+  overlays: {
+    cells: 'Cells',
+    axes: 'Mirrors and turns',
+    differing: 'Copies that differ',
+    breaks: 'Where it breaks the symmetry',
+  },
+  flatten: 'Flatten the light',
+  white: 'White balance',
+  tapWhite:
+    'Tap something white on the photo. Or move the ring with the arrow keys and press Enter.',
+  aimWhite: 'Something white',
+  asTaken: 'Colours as taken',
+  swatch: 'Swatch, 3 repeats wide',
+  making: 'Making the swatch …',
+  size: 'Size',
+  unknown:
+    'Size unknown: measure it in one of these ways. You can align the print before, but not cut.',
+  repeatsAlong: text('Repeats along {vector}'),
+  measure: text('measure ({unit})'),
+  measureBy: 'Measure by',
+  measuring: {tape: 'Tape', points: 'Two points', object: 'Coin or card'},
+  between: 'Drag the two points on the photo, then enter how far they lie apart.',
+  object: 'Which',
+  objects: {
+    eur1: '1 euro, 23.25 mm',
+    eur2: '2 euros, 25.75 mm',
+    quarter: 'US quarter, 24.26 mm',
+    gbp1: '1 pound, 23.4 mm',
+    card: 'Card, 85.60 × 53.98 mm',
+    a4: 'A4 sheet, 297 × 210 mm',
+  } satisfies Record<KnownObject, string> as Record<KnownObject, string>,
+  aim: 'Middle of the coin or card',
+  tap: 'It lies flat on the cloth: tap its middle on the photo. Or move the ring with the arrow keys and press Enter.',
+  look: 'Look for it at the ring',
+  byObject: text('Measured by the red outline, good to about {error}.'),
+  distance: text('Distance between them ({unit})'),
+  measures: text('One repeat is {width} × {height}.'),
+  vectors: text('w1 is {w1} and w2 {w2} long.'),
+  sidesApart: text(
+    'Your measures disagree by {share}: one repeat is {w1} along w1, but {w2} along w2, and {group} needs equal sides. {w1} counts until you remove one, or choose a symmetry without that.',
+    'w1',
+    'w2',
+    'share',
+    'group',
+  ),
+  photoApart: text(
+    'Your measures disagree by {share}: with {w1} along w1, the photo shows {expected} along w2, not {w2}. Both count until you remove one.',
+    'w1',
+    'w2',
+    'share',
+    'expected',
+  ),
+  removeMeasure: 'Remove this measure',
+  cloth: 'On the cloth',
+  turn: 'Turn by 90°',
+  warp: text('The print is turned by {turn}; the length of the cloth runs upwards.'),
+  name: 'Name',
+  use: 'Use this print',
+  useDoubtful: 'Use it although uncertain',
+  doubt:
+    'Whether this cell is the print’s repeat is uncertain: drag its corners into place, or choose another.',
+};
+
+export type PhotoTexts = typeof photo;
