@@ -1,3 +1,5 @@
+import {parseArgs} from 'node:util';
+
 /** An error of the user, described in one sentence; the exit code is 2. */
 export class UsageError extends Error {
   override readonly name = 'UsageError';
@@ -23,22 +25,36 @@ export interface Arguments {
   has(flag: string): boolean;
 }
 
+/** Names of flags without their dashes, as `parseArgs` takes them; repeated flags are reported. */
+const optionsOf = (flags: readonly string[], type: 'string' | 'boolean') =>
+  flags.map((flag) => [flag.slice(2), {type, multiple: true}] as const);
+
 /**
  * Parses `--flag value`, `--flag=value` and files.
  * @throws {UsageError} with the invalid argument
  */
 export function parseArguments(words: readonly string[], grammar: Grammar): Arguments {
+  const {tokens} = parseArgs({
+    args: [...words],
+    options: Object.fromEntries([
+      ...optionsOf(grammar.valued, 'string'),
+      ...optionsOf(grammar.switches, 'boolean'),
+    ]),
+    allowPositionals: true,
+    strict: false, // the errors of Node do not list the known flags
+    tokens: true,
+  });
   const values = new Map<string, readonly string[]>();
   const files: string[] = [];
-  const rest = [...words];
-  for (let word = rest.shift(); word !== undefined; word = rest.shift()) {
-    if (word === '--') {
-      files.push(...rest.splice(0));
-    } else if (word.startsWith('-') && word !== '-') {
-      readFlag(word, rest, grammar, values);
-    } else {
-      files.push(word);
+  for (const token of tokens) {
+    if (token.kind === 'positional') files.push(token.value);
+    if (token.kind !== 'option') continue;
+    const [flag = ''] = (words[token.index] ?? '').split('=');
+    const known = values.get(flag) ?? [];
+    if (known.length > 0 && !grammar.repeated?.includes(flag)) {
+      throw new UsageError(`${flag} is given twice.`);
     }
+    values.set(flag, [...known, checkedValue(flag, token.value, grammar)]);
   }
   const missing = grammar.files[files.length];
   if (missing !== undefined) throw new UsageError(`${missing} is missing.`);
@@ -53,31 +69,24 @@ export function parseArguments(words: readonly string[], grammar: Grammar): Argu
   };
 }
 
-function readFlag(
-  word: string,
-  rest: string[],
-  {valued, switches, repeated = []}: Grammar,
-  values: Map<string, readonly string[]>,
-): void {
-  const equals = word.indexOf('=');
-  const flag = equals < 0 ? word : word.slice(0, equals);
-  const before = values.get(flag) ?? [];
-  if (before.length > 0 && !repeated.includes(flag)) {
-    throw new UsageError(`${flag} is given twice.`);
-  }
+/** The value of a flag; that of a switch is empty. @throws {UsageError} for an invalid flag */
+function checkedValue(
+  flag: string,
+  value: string | undefined,
+  {valued, switches}: Grammar,
+): string {
   if (switches.includes(flag)) {
-    if (equals >= 0) throw new UsageError(`${flag} takes no value.`);
-    values.set(flag, ['']);
-  } else if (valued.includes(flag)) {
-    const value = equals < 0 ? rest.shift() : word.slice(equals + 1);
-    if (value === undefined || value === '' || value.startsWith('--')) {
-      throw new UsageError(`${flag} needs a value.`);
-    }
-    values.set(flag, [...before, value]);
-  } else {
+    if (value !== undefined) throw new UsageError(`${flag} takes no value.`);
+    return '';
+  }
+  if (!valued.includes(flag)) {
     const known = [...valued, ...switches].join(', ');
     throw new UsageError(`unknown flag '${flag}'; there are ${known}.`);
   }
+  if (value === undefined || value === '' || value.startsWith('--')) {
+    throw new UsageError(`${flag} needs a value.`);
+  }
+  return value;
 }
 
 /**
