@@ -1,55 +1,34 @@
-// `npm run pictures`: takes the screenshots docs/page.png and docs/lens.png of the current page.
+// `npm run pictures`: takes the pictures of the docs from the current page: page.png, lens.png,
+// before-after.svg, and the gallery with its texts. Names on the command line choose among them.
 // Needs Chromium.
 import {mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
-import {chromium} from 'playwright-core';
-import {build, preview} from 'vite';
-
-import {chromiumPath} from './chromium.mjs';
+import {beforeAfter} from './pictures/before-after.mjs';
+import {gallery} from './pictures/gallery.mjs';
+import {sharp, usePage} from './pictures/samples.mjs';
 import {root} from './shell.mjs';
 
-const configFile = `${root}/vite.config.ts`;
-const outDir = mkdtempSync(join(tmpdir(), 'seamwise-pictures-'));
-await build({configFile, logLevel: 'warn', build: {outDir}});
-const server = await preview({
-  configFile,
-  logLevel: 'warn',
-  build: {outDir},
-  preview: {port: 0, strictPort: false},
-});
-const asRoot = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
-const browser = await chromium.launch({
-  executablePath: chromiumPath(),
-  args: [...asRoot, '--enable-unsafe-swiftshader'],
-});
+const dress = {garment: 'princess-dress', print: 'p4m'};
 
-/** The page with a sample, after its alignment, its messages and its searches. */
-async function opened(style, colorScheme) {
-  const page = await browser.newPage({
-    ...{viewport: {width: 1440, height: 900}, colorScheme, reducedMotion: 'reduce', locale: 'en'},
-    serviceWorkers: 'block',
-  });
-  await page.goto(`http://localhost:${server.httpServer.address().port}/`);
-  const aligned = () => page.getByText(/^Aligned in/).waitFor({timeout: 120_000});
-  await aligned();
-  await page.getByLabel('Garment', {exact: true}).selectOption(style);
-  await page.waitForFunction(
-    (wanted) =>
-      globalThis.document.querySelector('seamwise-page').workbench.history.design?.garment.sample
-        ?.style === wanted,
-    style,
-  );
-  await aligned();
-  const accept = page.getByRole('button', {name: 'Accept all symmetries', exact: true});
-  if (await accept.isVisible()) {
-    await accept.click();
-    await accept.waitFor({state: 'detached'});
-    await aligned();
-  }
-  return page;
-}
+/** Makes each picture; `open` opens a sample in the page. */
+const makers = {
+  page: async (open) => {
+    const page = await open(dress);
+    await select(page, /^Front princess seam above the bust, left/);
+    await picture(page, 'page');
+  },
+  lens: async (open) => {
+    const page = await open({...dress, colorScheme: 'dark'});
+    await select(page, /^Side seam below the waist, right/);
+    await page.getByRole('button', {name: 'Enlarge', exact: true}).click();
+    await page.locator('sw-lens sw-wipe-handle').locator('input').fill('35');
+    await picture(page, 'lens');
+  },
+  'before-after': beforeAfter,
+  gallery,
+};
 
 /**
  * Selects a seam by its name, and returns to the headline; the pointer does not hover over
@@ -64,22 +43,20 @@ async function select(page, name) {
 }
 
 async function picture(page, name) {
-  await page.waitForTimeout(3000); // waits for prints at full resolution
+  await sharp(page);
   await page.screenshot({path: `${root}/docs/${name}.png`});
   await page.close();
 }
 
+const wanted = process.argv.slice(2);
+const unknown = wanted.find((name) => !Object.hasOwn(makers, name));
+if (unknown)
+  throw new Error(`no picture '${unknown}'; there are ${Object.keys(makers).join(', ')}`);
+const outDir = mkdtempSync(join(tmpdir(), 'seamwise-pictures-'));
+const {open, close} = await usePage(outDir);
 try {
-  const page = await opened('princess-dress', 'light');
-  await select(page, /^Front princess seam above the bust, left/);
-  await picture(page, 'page');
-  const lens = await opened('princess-dress', 'dark');
-  await select(lens, /^Side seam below the waist, right/);
-  await lens.getByRole('button', {name: 'Enlarge', exact: true}).click();
-  await lens.locator('sw-lens sw-wipe-handle').locator('input').fill('35');
-  await picture(lens, 'lens');
+  for (const name of wanted.length > 0 ? wanted : Object.keys(makers)) await makers[name](open);
 } finally {
-  await browser.close();
-  await server.close();
+  await close();
   rmSync(outDir, {recursive: true});
 }
