@@ -3,5 +3,7 @@ export const tarball: string;
 
 /** Builds the missing or outdated parts, and the parts they are made from. */
 export function build(
-  ...wanted: readonly ('module' | 'scripts' | 'standalone' | 'tarball' | 'page' | 'fixtures')[]
+  ...wanted: readonly (
+    'module' | 'scripts' | 'standalone' | 'tarball' | 'page' | 'site' | 'fixtures'
+  )[]
 ): Promise<void>;

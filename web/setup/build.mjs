@@ -37,7 +37,10 @@ export const moduleSources = ['CMakeLists.txt', 'CMakePresets.json', 'wasm'];
 /** The package as written by `npm pack`. */
 export const tarball = at('build/package/seamwise.tgz');
 
-/** The parts of a build: each is made from the part in `after`, and from the files in `from`. */
+/**
+ * The parts of a build: each is made from the part in `after`, and from the files in `from` and the
+ * environment variable `variable`.
+ */
 const parts = {
   module: {
     from: moduleSources,
@@ -70,6 +73,21 @@ const parts = {
     make: buildPage,
     products: ['build/page/index.html', 'build/page/service-worker.js'],
   },
+  // not built for `npm start` and `npm test`
+  site: {
+    after: 'standalone',
+    from: [
+      'CHANGELOG.md',
+      'CONTRIBUTING.md',
+      'docs',
+      'package-lock.json',
+      'public',
+      'web/examples',
+    ],
+    variable: 'SITE_BASE',
+    make: buildSite,
+    products: ['build/site/index.html', 'build/site/seamwise/seamwise.js'],
+  },
   // test pages that import sources of the project
   fixtures: {
     after: 'scripts',
@@ -95,8 +113,15 @@ export async function build(...wanted) {
   }
 }
 
-/** Builds all parts of the package. */
-const buildPackage = () => build('standalone');
+/** Builds the parts named on the command line, or the package and the documentation site. */
+async function buildNamed() {
+  const named = process.argv.slice(2);
+  const unknown = named.find((name) => !Object.hasOwn(parts, name));
+  if (unknown) {
+    throw new SetupError(`no part '${unknown}'; there are ${Object.keys(parts).join(', ')}`);
+  }
+  await build(...(named.length > 0 ? named : ['standalone', 'site']));
+}
 
 /** A part, preceded by all that it is made from. */
 function chain(part) {
@@ -106,8 +131,9 @@ function chain(part) {
 
 /** Identifies the state of the files that a part is made from. */
 function stateOf(part) {
-  const {after, from} = parts[part];
-  return signature(from, after ? stateOf(after) : '');
+  const {after, from, variable} = parts[part];
+  const given = variable ? [process.env[variable]] : [];
+  return signature(from, after ? stateOf(after) : '', ...given);
 }
 
 async function buildModule() {
@@ -201,6 +227,12 @@ async function buildPage() {
   await must(node, [vite, 'build', '--logLevel', 'warn'], {env: {NODE_ENV: 'production'}});
 }
 
+async function buildSite() {
+  say('Building the documentation site ...');
+  const [node, vitepress] = tool('vitepress');
+  await must(node, [vitepress, 'build', 'docs'], {env: {NODE_ENV: 'production'}});
+}
+
 async function buildFixtures() {
   say('Building the pages of tests ...');
   const [node, vite] = tool('vite');
@@ -270,4 +302,4 @@ function isAbandoned(file) {
   }
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await main(buildPackage);
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await main(buildNamed);

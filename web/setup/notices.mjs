@@ -6,7 +6,7 @@ import {root} from './shell.mjs';
 /** Name of the file with the licences in every distribution. */
 export const noticesFile = 'THIRD-PARTY-NOTICES.md';
 
-/** Packages bundled in workers, which Vite's own list leaves out. */
+/** Folders of packages bundled in workers, which Vite's own list leaves out. */
 const inWorkers = new Set();
 
 /** Plugin that lists the packages in bundles of workers. */
@@ -14,20 +14,43 @@ export function workerNotices() {
   return {
     name: 'seamwise-worker-notices',
     generateBundle(_, bundle) {
-      for (const file of Object.values(bundle)) {
-        for (const id of file.type === 'chunk' ? file.moduleIds : []) {
-          const name = /.*[\\/]node_modules[\\/]((?:@[^\\/]+[\\/])?[^\\/]+)/.exec(id)?.[1];
-          if (name !== undefined) inWorkers.add(name.replace('\\', '/'));
-        }
-      }
+      for (const folder of packagesIn(bundle)) inWorkers.add(folder);
     },
   };
 }
 
+/**
+ * Plugin that writes the licences of the packages in the scripts of the documentation site. They
+ * are not in the package.
+ */
+export function siteNotices() {
+  const folders = new Set();
+  return {
+    name: 'seamwise-site-notices',
+    generateBundle(_, bundle) {
+      for (const folder of packagesIn(bundle)) folders.add(folder);
+    },
+    writeBundle({dir}) {
+      const own = readFileSync(join(root, 'LICENSE'), 'utf8').trim();
+      const others = [...folders].map(noticeOf).sort();
+      const parts = ['# Licences of this site', `## Seamwise\n\n${own}`, ...others];
+      writeFileSync(join(dir, noticesFile), `${parts.join('\n\n')}\n`);
+    },
+  };
+}
+
+/** Folders of the packages in a bundle. */
+function packagesIn(bundle) {
+  const ids = Object.values(bundle).flatMap(({moduleIds}) => moduleIds ?? []);
+  const folders = ids.map(
+    (id) => /^.*[\\/]node_modules[\\/](?:@[^\\/]+[\\/])?[^\\/]+/.exec(id)?.[0],
+  );
+  return new Set(folders.filter((folder) => folder !== undefined));
+}
+
 /** A package's notice in Vite's format. */
-function noticeOf(name) {
-  const folder = join(root, 'node_modules', name);
-  const {version, license} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+function noticeOf(folder) {
+  const {name, version, license} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
   const file = readdirSync(folder).find((one) => /^licen[cs]e/i.test(one));
   const words = file === undefined ? '' : readFileSync(join(folder, file), 'utf8').trim();
   return `## ${name} - ${version} (${license})\n\n${words}`;
@@ -45,8 +68,10 @@ export function notices() {
     writeBundle({dir}) {
       const file = join(dir, noticesFile);
       const bundled = readFileSync(file, 'utf8').trim().replace(/^# .*/, '## In the scripts');
-      const more = [...inWorkers].filter((name) => !bundled.includes(`## ${name} - `)).sort();
-      const scripts = [bundled, ...more.map(noticeOf)].join('\n\n');
+      const more = [...inWorkers]
+        .map(noticeOf)
+        .filter((notice) => !bundled.includes(headOf(notice)));
+      const scripts = [bundled, ...more.sort()].join('\n\n');
       const own = readFileSync(join(root, 'LICENSE'), 'utf8').trim();
       const module = readFileSync(join(root, 'web/setup/notices/module.md'), 'utf8').replace(
         '### Eigen\n',
@@ -57,6 +82,9 @@ export function notices() {
     },
   };
 }
+
+/** The first line of a notice up to the version. */
+const headOf = (notice) => notice.slice(0, notice.indexOf(' - ') + 3);
 
 /** Version of Eigen in the headers of the module's build; empty if they are elsewhere. */
 function eigenVersion() {

@@ -4,7 +4,10 @@ import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {root} from '../shell.mjs';
 import {drapePicture, resultOf, showDrape} from './samples.mjs';
 
-/** Garments and their prints, as named in public/samples.json. */
+/**
+ * Garments and their prints, as named in public/samples.json. The found symmetries are accepted,
+ * except where the print does not allow them.
+ */
 const shown = [
   ['princess-dress', 'p4m'],
   ['shirt', 'check'],
@@ -12,12 +15,12 @@ const shown = [
   ['shift-dress', 'tartan'],
   ['raglan', 'ditsy'],
   ['trousers', 'ticking'],
-  ['tee', 'p4'],
+  ['tee', 'cm'],
   ['asymmetric-dress', 'pmg'],
-  ['gathered-skirt', 'bouquet'],
-  ['patchwork-jacket', 'p4g'],
+  ['gathered-skirt', 'bouquet', 'not symmetric'],
+  ['patchwork-jacket', 'plaid', 'not symmetric'],
   ['hoodie', 'p6m'],
-  ['apron', 'p31m'],
+  ['apron', 'p31m', 'not symmetric'],
 ];
 
 /** The dummy, in heights of the view. */
@@ -35,9 +38,9 @@ export async function gallery(open) {
   const {garments, prints} = JSON.parse(readFileSync(`${root}/public/samples.json`, 'utf8'));
   mkdirSync(`${root}/docs/gallery`, {recursive: true});
   const entries = [];
-  for (const [garment, print] of shown) {
+  for (const [garment, print, remark] of shown) {
     const title = `${titleOf(garments, 'style', garment)} in ${titleOf(prints, 'name', print)}`;
-    const page = await open({garment, print, size: [1300, 1000]});
+    const page = await open({garment, print, isSymmetric: !remark, size: [1300, 1000]});
     const text = figures(await resultOf(page));
     await showDrape(page);
     const file = `gallery/${garment}-${print}.webp`;

@@ -26,17 +26,21 @@ export async function usePage(outDir) {
     args: [...asRoot, '--enable-unsafe-swiftshader'],
   });
 
-  /** The page with a sample, after its alignment, its messages and its searches. */
-  async function open({garment, print, colorScheme = 'light', size = [1440, 900], ratio = 1}) {
+  /**
+   * The page with a sample, after its alignment, its messages and its searches.
+   * @param isSymmetric  accepts the symmetries that the page found
+   */
+  async function open({garment, print, isSymmetric = true, ...look}) {
+    const {colorScheme = 'light', size: [width, height] = [1440, 900], ratio = 1} = look;
     const page = await browser.newPage({
-      ...{viewport: {width: size[0], height: size[1]}, deviceScaleFactor: ratio},
+      ...{viewport: {width, height}, deviceScaleFactor: ratio},
       ...{colorScheme, reducedMotion: 'reduce', locale: 'en', serviceWorkers: 'block'},
     });
     const files = `?garment=garments/${garment}-m.json&print=prints/${print}.json`;
     await page.goto(`http://localhost:${server.httpServer.address().port}/${files}`);
     await aligned(page);
     const accept = page.getByRole('button', {name: 'Accept all symmetries', exact: true});
-    if (await accept.isVisible()) {
+    if (isSymmetric && (await accept.isVisible())) {
       await accept.click();
       await accept.waitFor({state: 'detached'});
       await aligned(page);
