@@ -6,6 +6,6 @@ export function workerNotices(): Plugin;
 export function siteNotices(): {
   name: string;
   generateBundle: (options: object, bundle: object) => void;
-  writeBundle: (options: {dir?: string}) => void;
+  writeBundle: (options: {dir?: string | undefined}) => void;
 };
 export function copyNotices(): void;
