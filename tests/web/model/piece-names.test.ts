@@ -55,8 +55,19 @@ describe('the name of a piece', () => {
     ]);
   });
 
+  it('has single letters as sides only where a stem has both, and no other letter', () => {
+    const keys = ['Sleeve L', 'Sleeve R', 'Panel A', 'Panel B', 'Panel F', 'Gore 1 B'];
+    expect(named(Object.fromEntries(keys.map((key) => [key, undefined])))).toEqual([
+      ...['Sleeve left', 'Sleeve right', 'Panel A', 'Panel B', 'Panel F', 'Gore 1 B'],
+    ]);
+  });
+
   it('stays as in the file where words would be the same for two', () => {
-    expect(named({front_l: undefined, front_left: undefined})).toEqual(['front_l', 'front_left']);
+    expect(named({front_l: undefined, front_r: undefined, front_left: undefined})).toEqual([
+      'front_l',
+      'Front right',
+      'front_left',
+    ]);
   });
 
   it('is the chosen one before all others', () => {

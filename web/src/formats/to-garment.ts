@@ -15,6 +15,7 @@ import {dot, minus, radians, type Point} from '../model/geometry/vectors.js';
 import {atShare, signedArea} from '../model/geometry/polyline.js';
 import type {Symmetry} from '../model/garment/symmetries.js';
 import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
+import {crossing} from './base/crossings.js';
 import {nearestOn} from './base/nearest.js';
 import {cmPer} from './base/units.js';
 import {unfolded} from './unfold.js';
@@ -30,6 +31,9 @@ const notchReach = 3;
 
 /** A grain line with a smaller rise is horizontal, and points to the right in all pieces. [rad] */
 const sideways = radians(20);
+
+/** Greatest allowance of an edge; a cut line farther away is none of the piece. [cm] */
+const widest = 12;
 
 /** Smallest area of a printed piece. [cm2] */
 const smallest = 4;
@@ -60,7 +64,13 @@ export function defaultChoices(drawing: Drawing): DefaultChoices {
   const pieces = drawing.pieces.map((piece): PieceChoice => {
     const reason = reasonToLeave(piece, cmPer(unit));
     if (reason !== undefined) notes.push(`Piece '${piece.name}' is left out: ${reason}.`);
-    if (piece.fold && !unfolded(scaledPiece(piece, cmPer(unit))).axis) {
+    const inCm = scaledPiece(piece, cmPer(unit));
+    if (piece.cut && !cutLineOf(unfolded(inCm).piece)) {
+      notes.push(
+        `The cut line of piece '${piece.name}' is left out, since it lies more than ${widest} cm from an edge.`,
+      );
+    }
+    if (piece.fold && !unfolded(inCm).axis) {
       notes.push(
         `The fold of piece '${piece.name}' is not on its outline, so that it is taken as a whole; draw the fold along an edge to have it unfolded.`,
       );
@@ -70,18 +80,24 @@ export function defaultChoices(drawing: Drawing): DefaultChoices {
   return {unit, pieces, notes};
 }
 
-function reasonToLeave({sewn, material = ''}: DrawnPiece, scale: number): string | undefined {
-  const area = Math.abs(signedArea(tracedLoop(sewn, traceTolerance / scale))) * scale * scale;
+function reasonToLeave(piece: DrawnPiece, scale: number): string | undefined {
+  const {sewn, material = '', doubt} = piece;
+  if (doubt !== undefined) return doubt;
+  const line = tracedLoop(sewn, traceTolerance / scale);
+  const area = Math.abs(signedArea(line)) * scale * scale;
   if (area < smallest) return `it has ${area.toFixed(1)} cm2`;
+  const [x, y] = crossing(line) ?? [];
+  if (x !== undefined && y !== undefined) {
+    return `its outline crosses itself near x ${(x * scale).toFixed(1)} cm, y ${(y * scale).toFixed(1)} cm`;
+  }
   return unprinted.test(material) ? `its material is ${material}` : undefined;
 }
 
 /**
- * Returns whether a piece is cut once as drawn and once mirrored, or twice; an unfolded piece is
- * its own mirror image.
+ * Returns whether a piece is cut as drawn and mirrored; an unfolded piece is its own mirror image.
  */
 const isPair = ({quantity: {asDrawn, mirrored}, fold}: DrawnPiece): boolean =>
-  !fold && (mirrored > 0 || asDrawn === 2);
+  !fold && asDrawn > 0 && mirrored > 0;
 
 /**
  * The garment of a drawing. Half pieces are unfolded and keep their axis as a symmetry; the mirror
@@ -95,12 +111,18 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
   drawing.pieces.forEach((drawn, number) => {
     const {take, cut} = choices[number] ?? {take: true, cut: 'once'};
     if (!take) return;
+    const {asDrawn, mirrored} = drawn.quantity;
     const made = pieceOf(drawn, uniqueName(drawn.name, names), cmPer(unit));
+    if (asDrawn === 0 && mirrored > 0 && !made.axis && cut === 'once') {
+      pieces.push(mirrorImage(made.piece, made.piece.name));
+      return;
+    }
     places.set(number, {...made, number: pieces.length});
     pieces.push(made.piece);
     if (made.axis) symmetries.push({kind: 'piece', piece: made.piece.name, axis: made.axis});
     if (cut !== 'pair') return;
-    const twin = mirrorImage(made.piece, uniqueName(drawn.name, names));
+    const image = mirrorImage(made.piece, uniqueName(drawn.name, names));
+    const twin = isPair(drawn) ? withQuantity(image, mirrored) : image;
     pieces.push(twin);
     symmetries.push({kind: 'pair', pieces: [made.piece.name, twin.name]});
   });
@@ -118,6 +140,12 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
     ...(drawing.title !== undefined && {title: drawing.title}),
     ...(drawing.size !== undefined && {size: drawing.size}),
   };
+}
+
+function withQuantity({quantity, ...piece}: GarmentPiece, count: number): GarmentPiece {
+  return quantity === undefined && count <= 1
+    ? piece
+    : {...piece, ...(count > 1 && {quantity: count})};
 }
 
 /** A unique name such as "Sleeve" or "Sleeve 2", with a limited length for messages. */
@@ -159,20 +187,20 @@ function pieceOf(drawn: DrawnPiece, name: string, scale: number): Made {
   const {
     quantity: {asDrawn, mirrored},
     grain,
-    cut,
   } = whole;
-  const count = asDrawn + mirrored;
+  const cut = cutLineOf(whole);
+  const count = isPair(drawn) ? asDrawn : asDrawn + mirrored;
   const last = runs.length - 1;
   return {
     piece: {
       ...{name, mirroredFromInput: false},
-      outline: runs.map((run) => withAllowance(run, cut && tracedLoop(cut, traceTolerance))),
+      outline: runs.map((run) => withAllowance(run, cut)),
       holes: whole.holes.map((hole) => turnedClockwise(hole).map(edgeOf)),
       internalLines: whole.internalLines,
-      ...(cut && {cutLine: tracedLoop(cut, traceTolerance)}),
+      ...(cut && {cutLine: cut}),
       notches: notchesOf(whole, runs),
       ...(grain && {grain: {line: upwards(grain), lock: 'on'}}),
-      ...(count > 1 && !isPair(drawn) && {quantity: count}),
+      ...(count > 1 && {quantity: count}),
       ...(whole.size !== undefined && {size: whole.size}),
       ...(whole.material !== undefined && {material: whole.material}),
       ...(whole.drillHoles.length > 0 && {drillHoles: whole.drillHoles}),
@@ -216,15 +244,24 @@ function edgeOf(run: Run): DraftedEdge {
   return {points: [run.start, first ?? run.start, ...rest]};
 }
 
-/** Adds the allowance of an edge: the median width, since corners have other widths. [cm] */
-function withAllowance(run: Run, cut: readonly Point[] | undefined): DraftedEdge {
-  const edge = edgeOf(run);
-  if (!cut) return edge;
+/** The points of a piece's cut line; undefined if it has none, or one too far away. */
+function cutLineOf({sewn, cut}: DrawnPiece): readonly Point[] | undefined {
+  const line = cut && tracedLoop(cut, traceTolerance);
+  return line && sewn.every((run) => widthOf(run, line) <= widest) ? line : undefined;
+}
+
+/** The allowance of an edge: the median width, since corners have other widths. [cm] */
+function widthOf(run: Run, cut: readonly Point[]): number {
   const line = tracedRun(run, traceTolerance);
   const widths = Array.from({length: 15}, (_, k) => atShare(line, (k + 0.5) / 15).at)
     .map((at) => nearestOn(cut, at, true).off)
     .sort((a, b) => a - b);
-  return {...edge, allowance: {width: Number((widths[7] ?? 0).toFixed(3))}};
+  return widths[7] ?? 0;
+}
+
+function withAllowance(run: Run, cut: readonly Point[] | undefined): DraftedEdge {
+  const edge = edgeOf(run);
+  return cut ? {...edge, allowance: {width: Number(widthOf(run, cut).toFixed(3))}} : edge;
 }
 
 /** Assigns each notch to its nearest edge within reach. */

@@ -171,7 +171,7 @@ async function fromDrawing(
   options: {readonly units?: FileUnit; readonly size?: string},
 ): Promise<Found> {
   const drawing = readDrawing(bytes, name, options);
-  const choices = defaultChoices(drawing);
+  const choices = await soundChoices(readGarment, drawing, name);
   const drawn = garmentOf(drawing, choices);
   const {unit, because} = drawing.unit;
   const pieces = piecesIn(drawing, choices, drawn);
@@ -205,6 +205,37 @@ async function fromDrawing(
       ],
     },
   };
+}
+
+/** The default choices, without pieces that no garment can have. A note names each of them. */
+async function soundChoices(
+  readGarment: ReadGarment,
+  drawing: Drawing,
+  name: string,
+): Promise<DefaultChoices> {
+  const choices = defaultChoices(drawing);
+  const complaint = async (pieces: DefaultChoices['pieces']): Promise<string | undefined> => {
+    const garment = garmentOf(drawing, {...choices, pieces});
+    if (garment.pieces.length === 0) return undefined;
+    try {
+      await readGarment(garmentFile(garment), name);
+      return undefined;
+    } catch (error) {
+      return error instanceof Error ? error.message : String(error);
+    }
+  };
+  if ((await complaint(choices.pieces)) === undefined) return choices;
+  const notes: string[] = [];
+  const pieces = [...choices.pieces];
+  for (const [k, choice] of choices.pieces.entries()) {
+    if (!choice.take) continue;
+    const why = await complaint(choices.pieces.map((one, other) => ({...one, take: other === k})));
+    if (why === undefined) continue;
+    pieces[k] = {...choice, take: false};
+    notes.push(`Piece '${drawing.pieces[k]?.name ?? ''}' is left out: ${why}`);
+  }
+  const isNoneLeft = pieces.every(({take}) => !take);
+  return isNoneLeft ? choices : {...choices, pieces, notes: [...choices.notes, ...notes]};
 }
 
 /** All drawn pieces, including omitted ones. */

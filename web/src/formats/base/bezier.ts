@@ -41,7 +41,8 @@ export const reversed = (run: Run): Run => ({
 /** A closed line in the opposite direction, from the same start. */
 export const reversedLoop = (loop: readonly Run[]): Run[] => loop.map(reversed).reverse();
 
-const pointAt = ([a, b, c, d]: Cubic, t: number): Point => {
+/** The point of a curve at a parameter from 0 to 1. */
+export const pointAt = ([a, b, c, d]: Cubic, t: number): Point => {
   const u = 1 - t;
   const [p, q, r, s] = [u * u * u, 3 * u * u * t, 3 * u * t * t, t * t * t];
   return [p * a[0] + q * b[0] + r * c[0] + s * d[0], p * a[1] + q * b[1] + r * c[1] + s * d[1]];

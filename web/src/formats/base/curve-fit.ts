@@ -2,6 +2,7 @@
 import {
   between,
   distance,
+  dot,
   minus,
   nearestShare,
   turnBetween,
@@ -63,7 +64,7 @@ const pointOf = ({xs, ys}: Columns, k: number): Point => [xs[k] ?? 0, ys[k] ?? 0
 
 function fitted(points: Columns, tolerance: number): CubicFrom[] {
   const last = points.xs.length - 1;
-  const {cubic, off, at} = oneCurve(points, tolerance);
+  const {cubic, off, at} = hopelessFit(points, tolerance) ?? oneCurve(points, tolerance);
   if (off <= tolerance || last < 2)
     return [last < 2 ? straight(pointOf(points, 0), cubic[2]) : cubic];
   const part = (from: number, to: number): Columns => ({
@@ -72,6 +73,24 @@ function fitted(points: Columns, tolerance: number): CubicFrom[] {
     bows: points.bows.subarray(from, to + 1),
   });
   return [...fitted(part(0, at), tolerance), ...fitted(part(at, last), tolerance)];
+}
+
+/** Greatest number of points of a trial. */
+const trialPoints = 48;
+
+/**
+ * The fit through some of very many points if it misses even these; undefined otherwise. It spares
+ * the rounds with all points, since a line of thousands of points takes many curves.
+ */
+function hopelessFit({xs, ys, bows}: Columns, tolerance: number): Fit | undefined {
+  const count = xs.length;
+  if (count <= 4 * trialPoints) return undefined;
+  const index = Int32Array.from({length: trialPoints}, (_, k) =>
+    Math.round((k * (count - 1)) / (trialPoints - 1)),
+  );
+  const some = (all: Float64Array): Float64Array => Float64Array.from(index, (k) => all[k] ?? 0);
+  const fit = oneCurve({xs: some(xs), ys: some(ys), bows: some(bows).fill(Infinity)}, tolerance);
+  return fit.off > tolerance ? {...fit, at: index[fit.at] ?? 1} : undefined;
 }
 
 /** Adds points to long straight segments, since a fitted curve could swing between its points. */
@@ -150,6 +169,23 @@ function axisAt(
   ];
 }
 
+/**
+ * Returns whether a curve leaves an end against the way of its points, as one that overshoots the
+ * corner there.
+ */
+function isBackwards({xs, ys}: Columns, controls: Float64Array): boolean {
+  const last = xs.length - 1;
+  const way = (from: number, to: number): Point => [
+    (xs[to] ?? 0) - (xs[from] ?? 0),
+    (ys[to] ?? 0) - (ys[from] ?? 0),
+  ];
+  const handle = (from: number, to: number): Point => [
+    (controls[2 * to] ?? 0) - (controls[2 * from] ?? 0),
+    (controls[2 * to + 1] ?? 0) - (controls[2 * from + 1] ?? 0),
+  ];
+  return dot(handle(0, 1), way(0, 1)) < 0 || dot(handle(3, 2), way(last, last - 1)) < 0;
+}
+
 function fitOf(points: Columns, at: Float64Array, controls: Float64Array): Fit {
   const {xs, ys} = points;
   let off = 0;
@@ -167,7 +203,7 @@ function fitOf(points: Columns, at: Float64Array, controls: Float64Array): Fit {
     [bx, by],
     [x, y],
   ];
-  return {cubic, off, at: number};
+  return {cubic, off: isBackwards(points, controls) ? Infinity : off, at: number};
 }
 
 /** Distance by which the curve exceeds its allowed bow from the line to a point. */
@@ -210,11 +246,14 @@ function improve(
   isByPoints: boolean,
 ): boolean {
   const rows = new Float64Array(20); // four rows of the normal equations, each with its right side
-  const add = (row: readonly [number, number, number, number], side: number): void => {
-    row.forEach((value, i) => {
-      row.forEach((other, j) => (rows[5 * i + j] = (rows[5 * i + j] ?? 0) + value * other));
-      rows[5 * i + 4] = (rows[5 * i + 4] ?? 0) + value * side;
-    });
+  const row = new Float64Array(5);
+  const add = (p: number, q: number, r: number, s: number, side: number): void => {
+    [row[0], row[1], row[2], row[3], row[4]] = [p, q, r, s, side];
+    for (let i = 0; i < 4; i++) {
+      for (let j = 0; j < 5; j++) {
+        rows[5 * i + j] = (rows[5 * i + j] ?? 0) + (row[i] ?? 0) * (row[j] ?? 0);
+      }
+    }
   };
   for (let k = 1; k + 1 < at.length; k++) {
     const t = at[k] ?? 0;
@@ -224,12 +263,12 @@ function improve(
     const [y, dy] = axisAt(controls, 1, t);
     const [ox, oy] = [(xs[k] ?? 0) - x, (ys[k] ?? 0) - y];
     if (isByPoints) {
-      add([a, 0, b, 0], ox);
-      add([0, a, 0, b], oy);
+      add(a, 0, b, 0, ox);
+      add(0, a, 0, b, oy);
     } else {
       const length = Math.hypot(dx, dy) || 1;
       const [nx, ny] = [0 - dy / length, dx / length];
-      add([a * nx, a * ny, b * nx, b * ny], nx * ox + ny * oy);
+      add(a * nx, a * ny, b * nx, b * ny, nx * ox + ny * oy);
     }
   }
   const step = solved(rows);

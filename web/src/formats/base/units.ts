@@ -46,10 +46,8 @@ export function guessedUnit({largest, stated = [], because = 'stated'}: UnitHint
   });
   if (found !== undefined) return guess(found, found === said ? because : 'size', true);
   if (said !== undefined) return guess(said, because, false);
-  const [first, ...others] = likely(largest, ['mm', 'cm']);
-  return first === undefined
-    ? guess(anything[0] ?? nearest(largest), 'size', false)
-    : guess(first, 'size', others.length === 0);
+  const [first = nearest(largest), ...others] = anything;
+  return guess(first, 'size', anything.length > 0 && others.length === 0);
 }
 
 /** The unit in which a length is least unusual. */

@@ -55,3 +55,17 @@ export const saysGrain = (words: readonly string[]): boolean =>
   words.some((one) =>
     /grain|fadenlauf|droit[- ]fil|dritto ?filo|filo|hilo|draadrichting/i.test(one),
   );
+
+const dateOrCompany =
+  /\b(?:mon|tues|wednes|thurs|fri|satur|sun)day\b|\b(?:jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]*\.? \d{1,2}\b|\b\d{4}-\d\d-\d\d\b|\b(?:gmbh|inc|ltd|llc|s\.?r\.?l|s\.?a\.?s)\b\.?|©|copyright|www\.|https?:/i;
+
+/** Returns whether a text is no name: a count, size, length, date or company. */
+export const isNoName = (line: string): boolean =>
+  countOf([line]) !== undefined ||
+  saysFold([line]) ||
+  saysGrain([line]) ||
+  /^[\W\d_]*$|^\W*\d+([.,]\d+)?\s*(?:mm|cm|in|inch(?:es)?|"|″)|^(?:size|gr[öo]sse|größe|taille|taglia|talla|scale)\b/i.test(
+    line,
+  ) ||
+  dateOrCompany.test(line) ||
+  !/\p{L}{2}/u.test(line);

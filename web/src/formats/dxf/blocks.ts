@@ -1,6 +1,7 @@
 /** Expands the insertions in blocks, and places the blocks. */
 import {minus, plus, radians, rotated, type Point} from '../../model/geometry/vectors.js';
 import {FileError} from '../../model/base/versioned-file.js';
+import {mapped} from '../base/bezier.js';
 import type {Block, DxfDocument} from './document.js';
 import type {Entity, InsertEntity} from './entities.js';
 
@@ -18,22 +19,61 @@ export interface PlacedBlock {
   readonly entities: readonly Drawn[];
   /** Number of insertions with the orientation of the first, and of mirrored ones. */
   readonly inserted: {readonly asDrawn: number; readonly mirrored: number};
+  /** False for blocks that the file defines and never draws. */
+  readonly isInserted: boolean;
 }
 
 type Map2 = (point: Point) => Point;
 
 function moved(entity: Drawn, map: Map2): Drawn {
-  return entity.kind === 'line'
-    ? {...entity, points: entity.points.map(map)}
-    : {...entity, at: map(entity.at)};
+  if (entity.kind !== 'line') return {...entity, at: map(entity.at)};
+  const {run} = entity;
+  return {
+    ...entity,
+    points: entity.points.map(map),
+    ...(run && {run: mapped(run, map)}),
+  };
+}
+
+/** The document with all coordinates times a factor. */
+export function scaled(document: DxfDocument, times: number): DxfDocument {
+  const map: Map2 = ([x, y]) => [times * x, times * y];
+  const entity = (one: Entity): Entity =>
+    one.kind === 'insert'
+      ? {
+          ...one,
+          at: map(one.at),
+          copies: {...one.copies, steps: map(one.copies.steps)},
+        }
+      : moved(one, map);
+  return {
+    ...document,
+    blocks: document.blocks.map((block) => ({
+      ...block,
+      base: map(block.base),
+      entities: block.entities.map(entity),
+    })),
+    entities: document.entities.map(entity),
+  };
 }
 
 const placeOf =
-  ({at, scale, angle}: InsertEntity, {base}: Block): Map2 =>
+  ({at, scale, angle}: InsertEntity, {base}: Block, offset: Point = [0, 0]): Map2 =>
   (point) => {
     const [x, y] = minus(point, base);
-    return plus(at, rotated([scale[0] * x, scale[1] * y], radians(angle)));
+    const placed = plus([scale[0] * x, scale[1] * y], offset);
+    return plus(at, rotated(placed, radians(angle)));
   };
+
+/** Number of copies of an insertion with columns and rows. */
+const countOf = ({copies: {counts}}: InsertEntity): number => counts[0] * counts[1];
+
+/** The offsets of all copies of an insertion. */
+function* offsetsOf({copies: {counts, steps}}: InsertEntity): Generator<Point> {
+  for (let row = 0; row < counts[1]; row++) {
+    for (let column = 0; column < counts[0]; column++) yield [column * steps[0], row * steps[1]];
+  }
+}
 
 /**
  * Assigns insertions to blocks. If several blocks share a name, consecutive insertions refer to
@@ -60,7 +100,8 @@ export class Blocks {
   }
 
   /**
-   * Blocks that are no part of others, in file order.
+   * Blocks that are no part of others, in file order. Blocks that a program named are included only
+   * if they are inserted.
    * @throws {FileError} for recursive or too many insertions
    */
   placed(): PlacedBlock[] {
@@ -72,8 +113,13 @@ export class Blocks {
       this.#document.blocks.flatMap((block) => this.#meant(block.entities).map(([, part]) => part)),
     );
     return this.#document.blocks
-      .filter((block) => !/^[*$]/.test(block.name) && (inserts.has(block) || !parts.has(block)))
+      .filter((block) => inserts.has(block) || (!/^[*$]/.test(block.name) && !parts.has(block)))
       .map((block) => this.#placed(block, inserts.get(block) ?? []));
+  }
+
+  /** Entities outside of blocks. */
+  loose(): Drawn[] {
+    return this.#document.entities.filter((entity): entity is Drawn => entity.kind !== 'insert');
   }
 
   /**
@@ -88,11 +134,14 @@ export class Blocks {
     const own = this.#expanded(block.entities, [block]);
     const [first] = inserts;
     const isMirror = ({scale}: InsertEntity): boolean => scale[0] * scale[1] < 0;
-    const alike = inserts.filter((one) => first && isMirror(one) === isMirror(first)).length;
+    const sum = (some: readonly InsertEntity[]): number =>
+      some.reduce((count, insert) => count + countOf(insert), 0);
+    const alike = sum(inserts.filter((one) => first && isMirror(one) === isMirror(first)));
     return {
       name: block.name,
       entities: first ? own.map((entity) => moved(entity, placeOf(first, block))) : own,
-      inserted: {asDrawn: Math.max(1, alike), mirrored: inserts.length - alike},
+      inserted: {asDrawn: Math.max(1, alike), mirrored: sum(inserts) - alike},
+      isInserted: first !== undefined,
     };
   }
 
@@ -111,13 +160,8 @@ export class Blocks {
   }
 
   #expanded(entities: readonly Entity[], around: readonly Block[]): Drawn[] {
-    this.#count += entities.length;
-    if (this.#count > mostEntities) {
-      throw new FileError(
-        this.#name,
-        'inserts blocks in blocks without end; export the pieces again.',
-      );
-    }
+    this.#count += 1 + entities.length;
+    if (this.#count > mostEntities) this.#refuseCount();
     const own = entities.filter((entity): entity is Drawn => entity.kind !== 'insert');
     const parts = this.#meant(entities).flatMap(([insert, block]) => {
       if (around.includes(block)) {
@@ -130,9 +174,19 @@ export class Blocks {
         this.isTooDeep = true;
         return [];
       }
-      const place = placeOf(insert, block);
-      return this.#expanded(block.entities, [...around, block]).map((part) => moved(part, place));
+      if (countOf(insert) > mostEntities) this.#refuseCount();
+      return [...offsetsOf(insert)].flatMap((offset) => {
+        const place = placeOf(insert, block, offset);
+        return this.#expanded(block.entities, [...around, block]).map((part) => moved(part, place));
+      });
     });
     return [...own, ...parts];
+  }
+
+  #refuseCount(): never {
+    throw new FileError(
+      this.#name,
+      'inserts blocks in blocks without end; export the pieces again.',
+    );
   }
 }

@@ -16,6 +16,8 @@ export interface DxfDocument {
   readonly header: ReadonlyMap<string, number>;
   readonly blocks: readonly Block[];
   readonly entities: readonly Entity[];
+  /** Numbers of lines that the drawing hides, by the reason. */
+  readonly hidden: ReadonlyMap<string, number>;
 }
 
 /** Greatest number of entities; garments have thousands. */
@@ -34,9 +36,17 @@ export function documentOf(text: string, name: string): DxfDocument {
   let open: Block | undefined;
   let polyline: Group | undefined;
   let vertices: Group[] = [];
+  const hidden = new Map<string, number>();
+  const shut = new Map<string, string>();
   const add = (group: Group): void => {
+    if (group.type === 'LAYER') readLayer(group, shut);
     if (section !== 'BLOCKS' && section !== 'ENTITIES') return;
     const entity = entityOf(group, vertices);
+    const reason = entity && hiddenBecause(group, shut);
+    if (reason !== undefined) {
+      if (entity?.kind !== 'text') hidden.set(reason, (hidden.get(reason) ?? 0) + 1);
+      return;
+    }
     if (entity && ++count > mostEntities) {
       throw new FileError(
         name,
@@ -71,7 +81,23 @@ export function documentOf(text: string, name: string): DxfDocument {
     else add(group);
   }
   if (polyline) add(polyline);
-  return {header, blocks, entities};
+  return {header, blocks, entities, hidden};
+}
+
+/** Stores the reason why a layer is not shown: it is off, by a negative colour, or frozen. */
+function readLayer(group: Group, shut: Map<string, string>): void {
+  const name = group.text(2).trim();
+  const isOff = group.number(62, 7) < 0;
+  const isFrozen = (group.number(70, 0) & 1) === 1;
+  const how = isFrozen ? 'frozen' : 'off';
+  if (isOff || isFrozen) shut.set(name.toUpperCase(), `on layer ${name}, which is ${how}`);
+}
+
+/** The reason why a program does not show an entity; undefined if it does. */
+function hiddenBecause(group: Group, shut: ReadonlyMap<string, string>): string | undefined {
+  if (group.number(60, 0) === 1) return 'that are invisible';
+  if (group.number(67, 0) === 1) return 'in paper space';
+  return shut.get(group.text(8).trim().toUpperCase());
 }
 
 function readHeader(group: Group, header: Map<string, number>): void {

@@ -1,28 +1,27 @@
 /** Reads one piece of a DXF file: its outline as curves, and its marks. */
 import type {DrawnNotch, DrawnPiece, NotchKind} from '../../model/garment/imported-drawing.js';
 import {distance, middle, type Point} from '../../model/geometry/vectors.js';
-import {isInside} from '../../model/geometry/polyline.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
-import {areaOf, isAllowance, loopsOf, type Loop, type Loops} from './loops.js';
-
+import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
+import {gapNote} from '../base/left-out.js';
+import {reach} from './flat.js';
+import {areaOf, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
 import {outlineOf, type Outline} from './outline.js';
-import {linesOn, pointsOn, type DxfPiece} from './pieces.js';
+import {linesOf, linesOn, pointsOn, type DxfPiece} from './pieces.js';
 import type {Vendor} from './vendors.js';
 
-/** Greatest gap between the ends of consecutive lines. [cm] */
-const reach = 0.02;
-
-interface DrawnWith {
+export interface DrawnWith {
   readonly cmPerUnit: number;
   readonly vendor: Vendor;
   /** File name for messages. */
   readonly file: string;
 }
 
-interface DrawnDxfPiece {
+export interface DrawnDxfPiece {
   readonly piece: DrawnPiece;
   readonly isInterpolated: boolean;
+  readonly notes: readonly string[];
 }
 
 /**
@@ -44,10 +43,17 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
   const outer = outline(largest);
   const [sewnLoop] = sewLoops(piece, [largest, ...others], how);
   const sewn = sewnLoop && outline(sewnLoop);
-  const inner = [...others, ...densest(piece, layers.cutOut, how)]
-    .filter((loop) => loop !== sewnLoop)
-    .filter(({points}) => points[0] && isInside(largest.points, points[0]))
-    .map(outline);
+  const within = lineOf(largest, how);
+  const [inside, outside] = parted(
+    [...others, ...densest(piece, layers.cutOut, how)].filter((loop) => loop !== sewnLoop),
+    (loop) => liesIn(lineOf(loop, how), within),
+  );
+  const beside = densest(piece, layers.sewLine, how).filter(
+    ({points}) => points[0] !== sewnLoop?.points[0],
+  );
+  const holes = inside.map((loop) => sewnAround(loop, beside, how) ?? loop);
+  const inner = holes.map(outline);
+  const gaps = [largest, ...(sewnLoop ? [sewnLoop] : [])].map(({gap}) => gap);
   const material = materialIn(piece);
   const grain = axisOn(piece, layers.grainLine);
   const fold = axisOn(piece, layers.mirrorLine);
@@ -63,18 +69,84 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
       notches: notchesOf(piece, how),
       ...(grain && {grain}),
       ...(fold && {fold}),
-      internalLines: linesOn(entities, layers.internalLine)
-        .filter(({points}) => points.length > 1 && points[0] !== sewnLoop?.points[0])
+      internalLines: [
+        ...linesOn(entities, layers.internalLine).filter(({points}) => points.length > 1),
+        ...beside
+          .filter((loop) => !holes.includes(loop))
+          .map(({points}) => ({points, isClosed: true})),
+        ...openSewLines(piece, how),
+      ]
+        .filter(({points}) => points[0] !== sewnLoop?.points[0])
         .map(({points, isClosed}) => [...points, ...(isClosed ? points.slice(0, 1) : [])]),
       drillHoles: pointsOn(entities, layers.drillHole).map(({at}) => at),
       words: text.others.map((entity) => entity.text).filter((words) => words !== ''),
+      ...(piece.doubt !== undefined && {doubt: piece.doubt}),
     },
     isInterpolated: [outer, ...(sewn ? [sewn] : []), ...inner].some((one) => one.isInterpolated),
+    notes: [
+      ...gaps.flatMap((gap) => gapNote(piece.name, gap && gapInMm(gap, cmPerUnit), 'up') ?? []),
+      ...unreadNotes(piece, [...outside, ...unread(piece, how)], how),
+    ],
   };
 }
 
-const loopsOn = ({entities}: DxfPiece, layer: string, {cmPerUnit}: DrawnWith): Loops =>
-  loopsOf(linesOn(entities, layer), reach / cmPerUnit);
+const loopsOn = ({entities, loops}: DxfPiece, layer: string, {cmPerUnit}: DrawnWith): Loops => {
+  const known = loops?.filter((loop) => loop.layer === layer) ?? [];
+  return known.length > 0
+    ? {closed: known, open: []}
+    : loopsOf(linesOn(entities, layer), reach / cmPerUnit);
+};
+
+const gapInMm = ({width, at}: Gap, cmPerUnit: number): Gap => ({
+  width: 10 * cmPerUnit * width,
+  at: [10 * cmPerUnit * at[0], 10 * cmPerUnit * at[1]],
+});
+
+/** A loop in millimetres. */
+const lineOf = ({points}: Loop, {cmPerUnit}: DrawnWith): ClosedLine =>
+  closedLine(points.map(([x, y]): Point => [10 * cmPerUnit * x, 10 * cmPerUnit * y]));
+
+function parted<T>(all: readonly T[], is: (one: T) => boolean): [T[], T[]] {
+  return [all.filter(is), all.filter((one) => !is(one))];
+}
+
+/** Layers whose closed lines are part of a piece. */
+const isRead = (layer: string): boolean =>
+  layer === layers.boundary || layer in layers.roles || layers.isMark(layer);
+
+/** Closed lines of a block on layers without a meaning. */
+const unread = ({entities, loops}: DxfPiece, {cmPerUnit}: DrawnWith): readonly Loop[] =>
+  loops
+    ? []
+    : loopsOf(
+        linesOf(entities).filter(({layer}) => !isRead(layer)),
+        reach / cmPerUnit,
+      ).closed;
+
+/** The sewn line around a cut-out, whose allowance lies inside it. */
+function sewnAround(cutOut: Loop, sewn: readonly Loop[], how: DrawnWith): Loop | undefined {
+  const inner = lineOf(cutOut, how);
+  return [...sewn]
+    .sort((a, b) => areaOf(a) - areaOf(b))
+    .find((loop) => liesIn(inner, lineOf(loop, how)));
+}
+
+/** Open lines on the layer of sewn lines. */
+const openSewLines = (
+  piece: DxfPiece,
+  how: DrawnWith,
+): {readonly points: readonly Point[]; readonly isClosed: boolean}[] =>
+  loopsOn(piece, layers.sewLine, how).open.map(({points}) => ({points, isClosed: false}));
+
+/** A note on closed lines of a block that are no part of its piece. */
+function unreadNotes(piece: DxfPiece, loops: readonly Loop[], how: DrawnWith): string[] {
+  const [largest] = bySize(loops);
+  if (!largest) return [];
+  const names = [...new Set(loops.map(({layer}) => layer))].join(', ');
+  return [
+    `${loops.length} closed ${loops.length === 1 ? 'line' : 'lines'} of '${piece.name}' on layer ${names} ${loops.length === 1 ? 'is' : 'are'} left out; the largest is ${placeOf(lineOf(largest, how), 'up')}.`,
+  ];
+}
 
 const bySize = (loops: readonly Loop[]): Loop[] => [...loops].sort((a, b) => areaOf(b) - areaOf(a));
 
@@ -105,7 +177,8 @@ function sewLoops(
   if (stated.length > 0) return stated;
   const internal =
     how.vendor.program === undefined ? loopsOn(piece, layers.internalLine, how).closed : [];
-  return [...others, ...internal].filter((loop) => isAllowance(loop, outer, how.cmPerUnit));
+  const cut = lineOf(outer, how);
+  return [...others, ...internal].filter((loop) => isCutAround(cut, lineOf(loop, how)));
 }
 
 const materialIn = ({text}: DxfPiece): string | undefined =>
@@ -156,7 +229,7 @@ const drawnNotch = (points: readonly Point[], kind: NotchKind): DrawnNotch => ({
 
 /** @returns the error for a piece without a closed line on the boundary layer */
 function openOutline(piece: DxfPiece, how: DrawnWith): FileError {
-  const {open} = loopsOn(piece, layers.boundary, how);
+  const open = loopsOn(piece, layers.boundary, how).open.map(({points}) => points);
   const ends = open.flatMap((line, k) => [
     {at: line[0] ?? ([0, 0] as const), k, last: false},
     {at: line.at(-1) ?? ([0, 0] as const), k, last: true},

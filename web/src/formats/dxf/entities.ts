@@ -2,10 +2,14 @@
  * Reads the entities of a DXF file that patterns use: lines, points, text and blocks. Lengths in
  * the file's unit, y up.
  */
+import type {Run} from '../../model/garment/imported-drawing.js';
 import type {Point} from '../../model/geometry/vectors.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+import {mapped, tracedRun} from '../base/bezier.js';
+import {longerSide} from '../base/closed-lines.js';
 import {splineThrough} from '../base/splines.js';
-import {tracedRun} from '../base/bezier.js';
-import {bulgePoints, circlePoints, circularPoints, ellipsePoints, splinePoints} from './curved.js';
+import {arcRun, bulgeRun, circleRun, ellipseRun} from './curved.js';
+import {splineRun} from './nurbs.js';
 import type {Group, Vertex} from './tags.js';
 import {plainText} from './text.js';
 
@@ -16,6 +20,8 @@ interface OnLayer {
 export interface LineEntity extends OnLayer {
   readonly kind: 'line';
   readonly points: readonly Point[];
+  /** The exact curve; undefined if lines run from point to point. */
+  readonly run?: Run;
   readonly isClosed: boolean;
   /**
    * True for a LINE. Curves are drawn with many of them, too, so their ends need not be corners.
@@ -44,6 +50,8 @@ export interface InsertEntity extends OnLayer {
   readonly scale: Point;
   /** [degrees] */
   readonly angle: number;
+  /** Columns and rows of copies, and the distances between them. */
+  readonly copies: {readonly counts: Point; readonly steps: Point};
 }
 
 export type Entity = LineEntity | PointEntity | TextEntity | InsertEntity;
@@ -67,11 +75,23 @@ const line = (layer: string, points: readonly Point[], isClosed = false): LineEn
   isClosed,
 });
 
+/** Greatest deviation of points from their curve, as a share of its size. */
+const tracing = 2e-5;
+
+/** A line along exact curves, with points close to them. */
+function curve(layer: string, run: Run, isClosed = false): LineEntity {
+  const size = longerSide(boxOf([run.start, ...run.cubics.flat()]));
+  return {...line(layer, tracedRun(run, tracing * size || 1), isClosed), run};
+}
+
 const layerOf = (group: Group): string => group.text(8).trim();
 
-/** Coordinates of entities with a downward extrusion direction have the x axis reversed. */
+/** Returns whether an entity is drawn on a plane that is seen from below. */
+const isFromBelow = (group: Group): boolean => group.number(230, 1) < 0;
+
+/** The map from coordinates on an entity's plane, whose x axis is reversed from below. */
 const frameOf = (group: Group): ((point: Point) => Point) =>
-  group.number(230, 1) < 0 ? ([x, y]) => [0 - x, y] : (point) => point;
+  isFromBelow(group) ? ([x, y]) => [0 - x, y] : (point) => point;
 
 type Reader = (group: Group) => Entity | undefined;
 
@@ -82,18 +102,24 @@ const readers: Readonly<Record<string, Reader>> = {
   }),
   ARC: (group) => {
     const angles = [group.number(50), group.number(51)] as const;
-    const points = circularPoints(group.point(10), group.number(40), angles);
-    return line(layerOf(group), points.map(frameOf(group)));
+    const run = arcRun(group.point(10), group.number(40), angles);
+    return curve(layerOf(group), mapped(run, frameOf(group)));
   },
   CIRCLE: (group) =>
-    line(layerOf(group), circlePoints(group.point(10), group.number(40)).map(frameOf(group)), true),
+    curve(
+      layerOf(group),
+      mapped(circleRun(group.point(10), group.number(40)), frameOf(group)),
+      true,
+    ),
+  // the centre and the axis are in world coordinates; from below, the other axis is reversed
   ELLIPSE: (group) => {
     const span = [group.number(41, 0), group.number(42, 2 * Math.PI)] as const;
-    const points = ellipsePoints(group.point(10), group.point(11), group.number(40), span);
-    return line(layerOf(group), points, Math.abs(span[1] - span[0]) > 2 * Math.PI - 1e-6);
+    const ratio = group.number(40) * (isFromBelow(group) ? -1 : 1);
+    const run = ellipseRun(group.point(10), group.point(11), ratio, span);
+    return curve(layerOf(group), run, Math.abs(span[1] - span[0]) > 2 * Math.PI - 1e-6);
   },
-  LWPOLYLINE: (group) => polyline(group, group.vertices()),
-  SPLINE: (group) => line(layerOf(group), spline(group), (group.number(70, 0) & 1) === 1),
+  LWPOLYLINE: (group) => polyline(group, group.vertices(), frameOf(group)),
+  SPLINE: (group) => curve(layerOf(group), spline(group), (group.number(70, 0) & 1) === 1),
   POINT: (group) => {
     const [depth, width] = [30, 39].map((code) => Math.abs(group.number(code, 0)));
     return {
@@ -102,18 +128,26 @@ const readers: Readonly<Record<string, Reader>> = {
       ...(width && {width}),
     };
   },
-  TEXT: (group) => words(group, group.text(1)),
+  TEXT: (group) => words(group, group.text(1), frameOf(group)),
   MTEXT: (group) =>
     words(
       group,
       group.tags.flatMap(({code, value}) => (code === 1 || code === 3 ? [value] : [])).join(''),
+      (point) => point,
     ),
-  INSERT: (group) => ({
-    ...{kind: 'insert', layer: layerOf(group), block: group.text(2).trim()},
-    at: frameOf(group)([group.number(10, 0), group.number(20, 0)]),
-    scale: frameOf(group)([group.number(41, 1), group.number(42, 1)]),
-    angle: group.number(50, 0),
-  }),
+  INSERT: (group) => {
+    const frame = frameOf(group);
+    return {
+      ...{kind: 'insert', layer: layerOf(group), block: group.text(2).trim()},
+      at: frame([group.number(10, 0), group.number(20, 0)]),
+      scale: frame([group.number(41, 1), group.number(42, 1)]),
+      angle: group.number(50, 0) * (isFromBelow(group) ? -1 : 1),
+      copies: {
+        counts: [Math.max(1, group.number(70, 1)), Math.max(1, group.number(71, 1))],
+        steps: frame([group.number(44, 0), group.number(45, 0)]),
+      },
+    };
+  },
 };
 
 /**
@@ -126,31 +160,45 @@ export function entityOf(group: Group, vertices: readonly Group[]): Entity | und
   return Object.hasOwn(readers, group.type) ? readers[group.type]?.(group) : undefined;
 }
 
-const words = (group: Group, text: string): TextEntity => ({
+const words = (group: Group, text: string, frame: (point: Point) => Point): TextEntity => ({
   ...{kind: 'text', layer: layerOf(group), text: plainText(text)},
-  at: [group.number(10, 0), group.number(20, 0)],
+  at: frame([group.number(10, 0), group.number(20, 0)]),
 });
 
 /** A polyline with one record per vertex; vertices that control a spline frame are skipped. */
 function oldPolyline(group: Group, vertices: readonly Group[]): Entity | undefined {
-  const isMesh = (group.number(70, 0) & (16 | 64)) > 0;
+  const flags = group.number(70, 0);
+  const isMesh = (flags & (16 | 64)) > 0;
   if (isMesh) return undefined;
+  const isInSpace = (flags & 8) > 0;
   const drawn = vertices.filter((vertex) => (vertex.number(70, 0) & 16) === 0);
   return polyline(
     group,
     drawn.map((vertex) => ({at: vertex.point(10), bulge: vertex.number(42, 0)})),
+    isInSpace ? (point) => point : frameOf(group),
   );
 }
 
-function polyline(group: Group, vertices: readonly Vertex[]): LineEntity {
+function polyline(
+  group: Group,
+  vertices: readonly Vertex[],
+  frame: (point: Point) => Point,
+): LineEntity {
   if (vertices.length > mostVertices) throw group.error('has more points than any outline');
   const tooFar = vertices.find(({bulge}) => Math.abs(bulge) > greatestBulge);
   if (tooFar) throw group.error(`has an arc of bulge ${tooFar.bulge}, which no line has`);
   const isClosed = (group.number(70, 0) & 1) === 1;
-  return line(layerOf(group), bulgePoints(vertices, isClosed).map(frameOf(group)), isClosed);
+  const isStraight = vertices.every(({bulge}) => bulge === 0);
+  return isStraight
+    ? line(
+        layerOf(group),
+        vertices.map(({at}) => frame(at)),
+        isClosed,
+      )
+    : curve(layerOf(group), mapped(bulgeRun(vertices, isClosed), frame), isClosed);
 }
 
-function spline(group: Group): readonly Point[] {
+function spline(group: Group): Run {
   const controls = group.vertices(10).map(({at}) => at);
   const through = group.vertices(11).map(({at}) => at);
   const degree = group.number(71, 3);
@@ -160,8 +208,8 @@ function spline(group: Group): readonly Point[] {
     degree <= greatestDegree &&
     controls.length > degree &&
     knots.length === controls.length + degree + 1;
-  if (isSound) return splinePoints(controls, {degree, knots, weights: group.numbers(41)});
+  if (isSound) return splineRun(controls, {degree, knots, weights: group.numbers(41)});
   const [start] = through;
   if (!start || through.length < 2) throw group.error('has no control points');
-  return tracedRun({start, cubics: splineThrough(through, 'natural')}, 1e-3);
+  return {start, cubics: splineThrough(through, 'natural')};
 }

@@ -1,104 +1,171 @@
-/** Reads DXF without blocks: every closed line is a piece and owns everything inside. */
+/**
+ * Reads lines outside of AAMA blocks: plain DXF, loose lines, and blocks without a boundary layer.
+ * Every closed line is a piece and owns everything inside, unless its role is another.
+ */
 import {distance, type Point} from '../../model/geometry/vectors.js';
 import {boxOf, isInside, type Box} from '../../model/geometry/polyline.js';
+import {closedLine, type Words} from '../base/closed-lines.js';
 import {nearestOn} from '../base/nearest.js';
+import {cutOutNote, doubtOf, leftOutNotes, mostDoubts} from '../base/left-out.js';
+import {leastPiece, rolesOf, type Candidate, type Roles, type RolesOfPiece} from '../base/roles.js';
+import {isNoName} from '../base/words.js';
 import type {Drawn} from './blocks.js';
 import {checkCount} from './count.js';
+import type {LineEntity} from './entities.js';
 import * as layers from './layers.js';
-import {areaOf, isAllowance, loopsOf, type Loop} from './loops.js';
-import {linesOn, pieceOf, type DxfPiece} from './pieces.js';
-import {sizeOf} from './units.js';
+import {loopsOf, type Loop, type Loops} from './loops.js';
+import {linesOf, pieceOf, type DxfPiece} from './pieces.js';
 
-/** Smallest area of a piece; smaller closed lines are marks. [cm2] */
-const smallest = 25;
-
-/** Greatest gap between the ends of consecutive lines, as a share of the drawing's size. */
-const reach = 2e-5;
+/** Greatest gap between the ends of lines. [cm] */
+export const reach = 0.03;
 
 /** Greatest distance of a mark outside its piece. [cm] */
 const markReach = 1;
 
-interface FlatPiece {
-  readonly loop: Loop;
+/** Share of the drawing's size at which ends meet before its unit is known. */
+const roughReach = 2e-5;
+
+interface FlatPiece extends RolesOfPiece<LoopLine> {
   readonly box: Box;
-  readonly sewn?: Loop;
-  readonly marks: Drawn[];
+  readonly marked: Drawn[];
+}
+
+/** A closed line in millimetres, with its drawing. */
+interface LoopLine extends Candidate {
+  readonly loop: Loop;
+}
+
+interface FlatDrawing {
+  readonly cmPerUnit: number;
+  /** Name of the block, and of the only piece without words. */
+  readonly name?: string;
+  /** File name for messages. */
+  readonly file: string;
+}
+
+/** Greatest number of closed lines of 25 cm2 or more, pieces or not. */
+const mostOutlines = 1000;
+const outlineArea = 2500;
+
+interface FlatPieces {
+  readonly pieces: readonly DxfPiece[];
+  readonly notes: readonly string[];
+}
+
+const sizeOf = (points: readonly Point[]): number => {
+  const {low, high} = boxOf(points);
+  return Math.max(high[0] - low[0], high[1] - low[1]);
+};
+
+/** The longer side of the largest closed line, or of the largest line if none closes. */
+export function largestLine(entities: readonly Drawn[]): number {
+  const lines = linesOf(entities);
+  if (lines.length === 0) return 0;
+  const whole = sizeOf(lines.flatMap(({points}) => points));
+  const {closed, open} = loopsOf(lines, roughReach * whole || 1);
+  const some = closed.length > 0 ? closed : open;
+  return Math.max(0, ...some.map(({points}) => sizeOf(points)));
 }
 
 /**
- * Pieces of a flat drawing.
- * @param file file name for messages
- * @param scaleOf returns the length of a unit in cm, given the largest piece's size in units
- * @throws {FileError} for more pieces than a garment has
+ * Pieces of lines.
+ * @throws {FileError} for more closed lines than a pattern has
  */
 export function flatPieces(
   entities: readonly Drawn[],
-  file: string,
-  scaleOf: (largest: number) => number,
-): DxfPiece[] {
-  const onLayer = loopsOf(linesOn(entities, layers.boundary), reach * sizeOf(linesIn(entities)));
-  const isLayered = onLayer.closed.length > 0;
-  const {closed, open} = isLayered
-    ? onLayer
-    : loopsOf(linesIn(entities), reach * sizeOf(linesIn(entities)));
-  if (closed.length === 0) return [];
-  const scale = scaleOf(Math.max(...closed.map((loop) => sizeOf([loop]))));
-  const isLarge = (loop: Loop): boolean => areaOf(loop) * scale * scale >= smallest;
-  const sorted = closed.filter(isLarge).sort((a, b) => areaOf(b) - areaOf(a));
-  const large = isFrame(sorted) ? sorted.slice(1) : sorted;
-  checkCount(large.length, file);
-  const pieces = isLayered ? large.map(piece) : withAllowances(large, scale);
-  const marks: readonly Drawn[] = isLayered
-    ? entities.filter((one) => !(one.kind === 'line' && one.layer === layers.boundary))
-    : [
-        ...entities.filter((one) => one.kind !== 'line'),
-        ...closed.filter((loop) => !isLarge(loop)).map(({points}) => inner(points, true)),
-        ...open.map((points) => inner(points, false)),
-      ];
-  for (const mark of marks) ownerOf(pieces, mark, markReach / scale)?.marks.push(mark);
-  // in file order
-  const order = new Map(closed.map((loop, k) => [loop, k]));
-  return pieces
-    .sort((a, b) => (order.get(a.loop) ?? 0) - (order.get(b.loop) ?? 0))
-    .map((one, k) => pieceOf(asBlock(one, `piece ${String(k + 1)}`)));
-}
-
-/**
- * Returns whether the largest line is a page frame around all others.
- * @param loops the largest first
- */
-function isFrame([largest, ...others]: readonly Loop[]): boolean {
-  return (
-    largest?.points.length === 4 &&
-    others.length > 1 &&
-    others.every(({points}) => points.every((point) => isInside(largest.points, point)))
+  {cmPerUnit, name, file}: FlatDrawing,
+): FlatPieces {
+  const lines = linesOf(entities);
+  const isLayered = lines.some(({layer}) => layer === layers.boundary || layer in layers.roles);
+  const isOutline = (one: LineEntity): boolean =>
+    !isLayered ||
+    !layers.isMark(one.layer) ||
+    (one.isClosed && !layers.holdsClosedMarks(one.layer));
+  const {closed, open} = loopsByLayer(lines.filter(isOutline), isLayered, reach / cmPerUnit);
+  const toMm = ([x, y]: Point): Point => [10 * cmPerUnit * x, 10 * cmPerUnit * y];
+  const candidates = closed.map((loop): LoopLine => {
+    const stated = isLayered ? layers.roles[loop.layer] : undefined;
+    return {
+      ...closedLine(loop.points.map(toMm)),
+      ...(stated && {stated}),
+      mayLieOver: true,
+      ...{style: loop.layer, loop},
+    };
+  });
+  checkCount(candidates.filter(({area}) => area >= outlineArea).length, file, mostOutlines);
+  const words = entities.flatMap((one): Words[] =>
+    one.kind === 'text' && one.text !== '' ? [{at: toMm(one.at), lines: [one.text]}] : [],
   );
+  const roles = rolesOf(candidates, {words});
+  const pieces = roles.pieces.map((one): FlatPiece => ({
+    ...one,
+    box: boxOf(one.outline.loop.points),
+    marked: [],
+  }));
+  const outside: Loops['open'][number][] = [];
+  const marks: readonly Drawn[] = entities.filter((one) => one.kind !== 'line' || !isOutline(one));
+  for (const mark of marks) ownerOf(pieces, mark, markReach / cmPerUnit)?.marked.push(mark);
+  for (const chain of open) {
+    const mark = inner(chain.points, false, isLayered ? chain.layer : undefined);
+    const owner = ownerOf(pieces, mark, markReach / cmPerUnit);
+    if (owner) owner.marked.push(mark);
+    else outside.push(chain);
+  }
+  const found = pieces.map((one, k) => {
+    const own = name !== undefined && pieces.length === 1 ? name : `piece ${String(k + 1)}`;
+    return asPiece(one, own);
+  });
+  return {
+    pieces: [...found, ...doubtsIn(roles)],
+    notes: [
+      ...pieces.flatMap(({doubtfulCutOuts}, k) => {
+        return cutOutNote(found[k]?.name ?? '', doubtfulCutOuts, 'up') ?? [];
+      }),
+      ...leftOutNotes(roles, {
+        layerOf: (line) => (line as LoopLine).loop.layer,
+        axis: 'up',
+        open: outside.map(({points, layer}) => ({points: points.map(toMm), layer})),
+      }),
+    ],
+  };
 }
 
-const linesIn = (entities: readonly Drawn[]) => entities.filter((one) => one.kind === 'line');
+/** Lines that may be pieces. */
+function doubtsIn({asides, nested}: Roles<LoopLine>): DxfPiece[] {
+  return [...asides, ...nested]
+    .filter(({area}) => area >= leastPiece)
+    .slice(0, mostDoubts)
+    .map((line): DxfPiece => {
+      const {name, reason} = doubtOf(line, nested.includes(line), line.loop.layer, 'up');
+      const block = {name, entities: [], inserted: {asDrawn: 1, mirrored: 0}};
+      return {
+        ...pieceOf(block),
+        loops: [{...line.loop, layer: layers.boundary}],
+        doubt: reason,
+      };
+    });
+}
 
-const inner = (points: readonly Point[], isClosed: boolean): Drawn => ({
-  ...{kind: 'line', layer: layers.internalLine},
+/** Lines of layered files close within their layer. */
+function loopsByLayer(lines: readonly LineEntity[], isLayered: boolean, gap: number): Loops {
+  if (!isLayered) return loopsOf(lines, gap);
+  const names = [...new Set(lines.map(({layer}) => layer))];
+  const all = names.map((one) =>
+    loopsOf(
+      lines.filter(({layer}) => layer === one),
+      gap,
+    ),
+  );
+  return {
+    closed: all.flatMap(({closed}) => closed),
+    open: all.flatMap(({open}) => open),
+  };
+}
+
+const inner = (points: readonly Point[], isClosed: boolean, layer?: string): Drawn => ({
+  ...{kind: 'line', layer: layer === layers.cutOut ? layer : layers.internalLine},
   ...{points, isClosed},
 });
-
-const piece = (loop: Loop): FlatPiece => ({loop, box: boxOf(loop.points), marks: []});
-
-/**
- * Pairs outlines with sewn lines: of two nested lines an allowance apart, the inner one is sewn.
- * @param loops the largest first
- */
-function withAllowances(loops: readonly Loop[], scale: number): FlatPiece[] {
-  const sewn = new Set<Loop>();
-  return loops.flatMap((outer, k) => {
-    if (sewn.has(outer)) return [];
-    const own = loops
-      .slice(k + 1)
-      .find((loop) => !sewn.has(loop) && isAllowance(loop, outer, scale));
-    if (own) sewn.add(own);
-    return [{...piece(outer), ...(own && {sewn: own})}];
-  });
-}
 
 /** The smallest piece that contains a mark, otherwise a nearby piece. */
 function ownerOf(
@@ -114,32 +181,33 @@ function ownerOf(
       return x >= (low[axis] ?? 0) - reachable && x <= (high[axis] ?? 0) + reachable;
     }),
   );
-  const around = near.findLast(({loop}) => isInside(loop.points, at));
+  const around = near
+    .filter(({outline}) => isInside(outline.loop.points, at))
+    .sort((a, b) => a.outline.area - b.outline.area)[0];
   if (around) return around;
-  return near.find(({loop}) => distance(nearestOn(loop.points, at, true).at, at) <= reachable);
+  return near.find(
+    ({outline: {loop}}) => distance(nearestOn(loop.points, at, true).at, at) <= reachable,
+  );
 }
 
-/** Converts a piece to the structure of a file with blocks. */
-function asBlock({loop, sewn, marks}: FlatPiece, name: string): Parameters<typeof pieceOf>[0] {
-  const line = ({points, joints}: Loop, layer: string): Drawn[] =>
-    joints.length < 2
-      ? [{kind: 'line', layer, points, isClosed: true}]
-      : joints.map((from, k): Drawn => {
-          const next = joints[k + 1];
-          const stretch =
-            next === undefined
-              ? [...points.slice(from), ...points.slice(0, (joints[0] ?? 0) + 1)]
-              : points.slice(from, next + 1);
-          return {kind: 'line', layer, points: stretch, isClosed: false};
-        });
-  const named = marks.find((mark) => mark.kind === 'text' && mark.text !== '');
+/** A piece in the structure of a file with blocks. */
+function asPiece({outline, sewn, cutOuts, marks, marked}: FlatPiece, name: string): DxfPiece {
+  const texts = marked.flatMap((mark) => (mark.kind === 'text' ? [mark.text] : []));
+  const named = texts.find((text) => !isNoName(text)) ?? texts.find(isLetter);
+  const onLayer = ({loop}: LoopLine, layer: string): Loop => ({...loop, layer});
   return {
-    name: named?.kind === 'text' ? named.text : name,
-    entities: [
-      ...line(loop, layers.boundary),
-      ...(sewn ? line(sewn, layers.sewLine) : []),
-      ...marks,
+    ...pieceOf({
+      name: named ?? name,
+      entities: [...marks.map(({loop}) => inner(loop.points, true)), ...marked],
+      inserted: {asDrawn: 1, mirrored: 0},
+    }),
+    loops: [
+      onLayer(outline, layers.boundary),
+      ...(sewn ? [onLayer(sewn, layers.sewLine)] : []),
+      ...cutOuts.map((one) => onLayer(one, layers.cutOut)),
     ],
-    inserted: {asDrawn: 1, mirrored: 0},
   };
 }
+
+/** Returns whether a text is a letter with or without a number, as short names are. */
+const isLetter = (text: string): boolean => /^\p{L}\d{0,3}$/u.test(text);

@@ -23,3 +23,25 @@ export const notches: Readonly<Record<string, NotchKind>> = {
   82: 'check',
   83: 'u',
 };
+
+/** Layers of marks, whose closed lines are no outlines. */
+const marks: readonly string[] = [
+  ...[turnPoint, curvePoint, gradeReference, mirrorLine, grainLine, drillHole, '9', '10'],
+  ...Object.keys(notches),
+  ...Object.values(validation),
+];
+
+/** Layers of notches and validation copies, which may hold closed lines. */
+const closedMarks: readonly string[] = [...Object.keys(notches), ...Object.values(validation)];
+
+/** Returns whether closed lines of a layer are marks. Other layers of marks hold none. */
+export const holdsClosedMarks = (layer: string): boolean => closedMarks.includes(layer);
+
+export const isMark = (layer: string): boolean => marks.includes(layer);
+
+/** The roles of closed lines by their layers. */
+export const roles: Readonly<Record<string, 'sewn line' | 'cut-out' | 'mark'>> = {
+  [sewLine]: 'sewn line',
+  [cutOut]: 'cut-out',
+  [internalLine]: 'mark',
+};

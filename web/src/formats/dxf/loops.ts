@@ -1,20 +1,37 @@
 /** Finds closed lines, whether drawn closed or as consecutive open lines. */
+import type {Run} from '../../model/garment/imported-drawing.js';
 import {distance, minus, radians, turnBetween, type Point} from '../../model/geometry/vectors.js';
-import {isInside, signedArea} from '../../model/geometry/polyline.js';
-import {nearestOn} from '../base/nearest.js';
+import {signedArea} from '../../model/geometry/polyline.js';
+import {pointsOfChain, runOfChain, type Chain} from '../base/chain.js';
+import {chainsOf} from '../base/chains.js';
 import type {LineEntity} from './entities.js';
+
+/** Where the ends of two lines lie apart. */
+export interface Gap {
+  readonly width: number;
+  readonly at: Point;
+}
 
 export interface Loop {
   /** Points without repeating the first. */
   readonly points: readonly Point[];
   /** Indices of the points where one drawn line ends and the next begins. */
   readonly joints: readonly number[];
+  /** The exact curve, if the file draws any. */
+  readonly exact?: Run;
+  readonly gap?: Gap;
+  readonly layer: string;
+}
+
+/** Open lines that close nowhere. */
+interface OpenChain {
+  readonly points: readonly Point[];
+  readonly layer: string;
 }
 
 export interface Loops {
   readonly closed: readonly Loop[];
-  /** Open lines that close nowhere. */
-  readonly open: readonly (readonly Point[])[];
+  readonly open: readonly OpenChain[];
 }
 
 /** The enclosed area. */
@@ -29,69 +46,60 @@ const cornerTurn = radians(20);
  */
 export function loopsOf(lines: readonly LineEntity[], reach: number): Loops {
   const closed: Loop[] = [];
-  const open: (readonly Point[])[] = [];
-  const ends = new Ends(reach);
-  for (const {points, isClosed, isSegment = false} of lines) {
-    const own = distinct(points, reach);
-    if (own.length < 2) continue;
-    const isWhole = isClosed || (own.length > 3 && meet(own, reach));
-    if (isWhole) closed.push({points: meet(own, reach) ? own.slice(0, -1) : own, joints: []});
-    else ends.add({points: own, isSegment});
+  const single: LineEntity[] = [];
+  for (const line of lines) {
+    const points = distinct(line.points, reach);
+    const {run, layer} = line;
+    if (points.length < 2) continue;
+    if (line.isClosed || (points.length > 3 && meet(points, reach / 30))) {
+      closed.push({
+        points: meet(points, reach / 30) ? points.slice(0, -1) : points,
+        joints: [],
+        ...(run && {exact: run}),
+        layer,
+      });
+    } else single.push({...line, points});
   }
-  for (let first = ends.any(); first; first = ends.any()) {
-    const {line, joints} = chained(first, ends);
-    if (line.length > 3 && meet(line, reach)) closed.push({points: line.slice(0, -1), joints});
-    else open.push(line);
-  }
-  return {closed: closed.filter(({points}) => points.length > 2), open};
+  const chains = chainsOf(single, reach);
+  const layerOf = ({stretches}: Chain): string => single[stretches[0]?.id ?? 0]?.layer ?? '';
+  return {
+    closed: [
+      ...closed,
+      ...chains.filter(({isClosed}) => isClosed).map((chain) => loopOf(chain, single)),
+    ].filter(({points}) => points.length > 2),
+    open: chains
+      .filter(({isClosed}) => !isClosed)
+      .map((chain) => ({points: pointsOfChain(chain), layer: layerOf(chain)})),
+  };
 }
 
-/** A chain of consecutive lines, and the indices of its joints. */
-function chained(
-  first: OpenLine,
-  ends: Ends,
-): {readonly line: readonly Point[]; readonly joints: readonly number[]} {
-  const line = [...first.points];
-  const joints: number[] = [];
-  const isJoint = (before: OpenLine, after: OpenLine): boolean => {
-    if (!before.isSegment || !after.isSegment) return true;
+/** A closed chain as a loop, with joints at the ends of its lines. */
+function loopOf(chain: Chain, lines: readonly LineEntity[]): Loop {
+  const {stretches, gap} = chain;
+  const isJoint = (k: number): boolean => {
+    const [before, after] = [stretches.at(k - 1), stretches[k]];
+    if (!before || !after) return true;
+    if (lines[before.id]?.isSegment !== true || lines[after.id]?.isSegment !== true) return true;
     const [from, at] = before.points.slice(-2);
     const to = after.points[1];
     return (
       !from || !at || !to || Math.abs(turnBetween(minus(at, from), minus(to, at))) > cornerTurn
     );
   };
-  let before = first;
-  while (!meet(line, ends.reach)) {
-    const next = ends.from(line.at(-1) ?? [0, 0]);
-    if (!next) break;
-    if (isJoint(before, next)) joints.push(line.length - 1);
-    for (const point of next.points.slice(1)) line.push(point);
-    before = next;
-  }
-  return {line, joints: isJoint(before, first) ? [0, ...joints] : joints};
-}
-
-/** Greatest width of an allowance. [cm] */
-const widest = 5;
-
-/**
- * Least share of a sewn line's points at a constant distance from the cut line, within 0.1 cm; hems
- * have other distances.
- */
-const alike = {share: 0.6, cm: 0.1};
-
-/** Returns whether a line is a sewn line inside a cut line. */
-export function isAllowance(inner: Loop, outer: Loop, cmPerUnit: number): boolean {
-  const ratio = areaOf(inner) / areaOf(outer);
-  if (ratio < 0.4 || ratio >= 1) return false;
-  const every = Math.ceil(inner.points.length / 200); // a sample suffices
-  const some = inner.points.filter((_, k) => k % every === 0);
-  if (!some.every((point) => isInside(outer.points, point))) return false;
-  const away = some.map((point) => nearestOn(outer.points, point, true).off * cmPerUnit);
-  const usual = [...away].sort((a, b) => a - b)[Math.floor(away.length / 2)] ?? 0;
-  const near = away.filter((one) => Math.abs(one - usual) <= alike.cm);
-  return Math.max(...away) <= widest && near.length >= alike.share * away.length;
+  let count = 0;
+  const joints = stretches.flatMap(({points}, k) => {
+    const at = count;
+    count += points.length - 1;
+    return isJoint(k) ? [at] : [];
+  });
+  const hasCurves = stretches.some(({run}) => run);
+  return {
+    points: pointsOfChain(chain).slice(0, -1),
+    joints,
+    ...(hasCurves && {exact: runOfChain(chain)}),
+    ...(gap.width > 0 && {gap}),
+    layer: lines[stretches[0]?.id ?? 0]?.layer ?? '',
+  };
 }
 
 const meet = (line: readonly Point[], reach: number): boolean =>
@@ -99,77 +107,3 @@ const meet = (line: readonly Point[], reach: number): boolean =>
 
 const distinct = (points: readonly Point[], reach: number): Point[] =>
   points.filter((point, k) => k === 0 || distance(points[k - 1] ?? point, point) > reach / 100);
-
-interface OpenLine {
-  readonly points: readonly Point[];
-  readonly isSegment: boolean;
-}
-
-/** Open lines indexed by their ends. */
-class Ends {
-  readonly reach: number;
-  readonly #cells = new Map<string, Set<OpenLine>>();
-  readonly #lines = new Set<OpenLine>();
-
-  constructor(reach: number) {
-    this.reach = reach;
-  }
-
-  add(line: OpenLine): void {
-    this.#lines.add(line);
-    for (const key of this.#keys(line)) {
-      const cell = this.#cells.get(key);
-      if (cell) cell.add(line);
-      else this.#cells.set(key, new Set([line]));
-    }
-  }
-
-  /** Removes and returns the first remaining line. */
-  any(): OpenLine | undefined {
-    const [line] = this.#lines;
-    if (line) this.#remove(line);
-    return line;
-  }
-
-  /**
-   * Removes and returns the line with the end nearest to a point, reversed if needed to start
-   * there.
-   */
-  from(point: Point): OpenLine | undefined {
-    let best:
-      {readonly line: OpenLine; readonly off: number; readonly isTurned: boolean} | undefined;
-    for (const line of this.#near(point)) {
-      const [head, tail] = endsOf(line).map((end) => distance(end, point));
-      const off = Math.min(head ?? Infinity, tail ?? Infinity);
-      if (off <= this.reach && !(best && best.off <= off))
-        best = {line, off, isTurned: off !== head};
-    }
-    if (!best) return undefined;
-    const {line, isTurned} = best;
-    this.#remove(line);
-    return isTurned ? {...line, points: [...line.points].reverse()} : line;
-  }
-
-  #remove(line: OpenLine): void {
-    this.#lines.delete(line);
-    for (const key of this.#keys(line)) this.#cells.get(key)?.delete(line);
-  }
-
-  *#near(point: Point): Generator<OpenLine> {
-    const [column, row] = this.#cell(point);
-    for (const i of [column - 1, column, column + 1]) {
-      for (const j of [row - 1, row, row + 1]) yield* this.#cells.get(`${i} ${j}`) ?? [];
-    }
-  }
-
-  #cell([x, y]: Point): Point {
-    return [Math.floor(x / this.reach), Math.floor(y / this.reach)];
-  }
-
-  #keys(line: OpenLine): Set<string> {
-    return new Set(endsOf(line).map((end) => this.#cell(end).join(' ')));
-  }
-}
-
-const endsOf = ({points}: OpenLine): Point[] =>
-  [points[0], points.at(-1)].flatMap((end) => (end ? [end] : []));

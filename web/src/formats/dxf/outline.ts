@@ -1,8 +1,10 @@
 /** Divides a closed line of points into runs of curves between its corners. */
 import type {Run} from '../../model/garment/imported-drawing.js';
 import {distance, minus, turnBetween, radians, type Point} from '../../model/geometry/vectors.js';
-import {cubicsOf, halved} from '../base/bezier.js';
+import {cubicsOf, endOf, halved, mapped, straight, tracedLoop} from '../base/bezier.js';
+import {crossing, straightened} from '../base/crossings.js';
 import {pathThrough} from '../base/curve-fit.js';
+import {runsOf} from '../base/edges.js';
 import {splineThrough, type SplineRule} from '../base/splines.js';
 import type {Loop} from './loops.js';
 
@@ -36,7 +38,37 @@ export interface Outline {
  * Divides a line.
  * @param loop points without repeating the first
  */
-export function outlineOf(loop: Loop, {cmPerUnit, turnPoints, rule}: OutlineRules): Outline {
+export function outlineOf(loop: Loop, rules: OutlineRules): Outline {
+  if (loop.exact) return {runs: exactRuns(loop, loop.exact, rules), isInterpolated: false};
+  const outline = pointOutline(loop, rules);
+  return {...outline, runs: simpleRuns(outline.runs, loop.points, rules)};
+}
+
+/** The runs of a loop with curves of the file. */
+function exactRuns({points, joints}: Loop, exact: Run, {cmPerUnit}: OutlineRules): readonly Run[] {
+  const mm = 10 * cmPerUnit;
+  const end = endOf(exact);
+  const isMet = distance(end, exact.start) * mm <= 0.03;
+  const closed = isMet ? exact : {...exact, cubics: [...exact.cubics, straight(end, exact.start)]};
+  const at =
+    (factor: number) =>
+    ([x, y]: Point): Point => [factor * x, factor * y];
+  const corners = joints.length > 1 ? joints.map((k) => points[k] ?? exact.start) : [];
+  return runsOf(mapped(closed, at(mm)), corners.map(at(mm))).map((run) => mapped(run, at(1 / mm)));
+}
+
+/** The runs, or straight ones where curves through points cross each other and lines do not. */
+function simpleRuns(
+  runs: readonly Run[],
+  points: readonly Point[],
+  {cmPerUnit}: OutlineRules,
+): readonly Run[] {
+  const tolerance = missed / cmPerUnit;
+  if (!crossing(tracedLoop(runs, tolerance)) || crossing(points)) return runs;
+  return straightened(runs, points);
+}
+
+function pointOutline(loop: Loop, {cmPerUnit, turnPoints, rule}: OutlineRules): Outline {
   const {points} = loop;
   const isFine = (line: readonly Point[]): boolean => strays(line) * cmPerUnit <= sagitta;
   const marked = cornersOf(loop, turnPoints, turnReach / cmPerUnit);

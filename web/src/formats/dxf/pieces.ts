@@ -1,7 +1,8 @@
 /** Reads the pieces of a DXF file in all sizes, one block each, from their system text. */
 import {boundary, annotations} from './layers.js';
-import type {Blocks, Drawn, PlacedBlock} from './blocks.js';
+import type {Drawn, PlacedBlock} from './blocks.js';
 import type {LineEntity, PointEntity, TextEntity} from './entities.js';
+import type {Loop} from './loops.js';
 import {quantityOf, systemText, type SystemText} from './system-text.js';
 
 export interface DxfPiece {
@@ -10,10 +11,17 @@ export interface DxfPiece {
   readonly quantity: {readonly asDrawn: number; readonly mirrored: number};
   readonly text: SystemText;
   readonly entities: readonly Drawn[];
+  /** Closed lines on the layers of boundary, sewn line and cut-outs, if they are known already. */
+  readonly loops?: readonly Loop[];
+  /** The reason why the piece is not taken unless it is chosen. */
+  readonly doubt?: string;
 }
 
+export const linesOf = (entities: readonly Drawn[]): LineEntity[] =>
+  entities.filter((one): one is LineEntity => one.kind === 'line');
+
 export const linesOn = (entities: readonly Drawn[], ...layers: readonly string[]): LineEntity[] =>
-  entities.filter((one): one is LineEntity => one.kind === 'line' && layers.includes(one.layer));
+  linesOf(entities).filter(({layer}) => layers.includes(layer));
 
 export const pointsOn = (entities: readonly Drawn[], ...layers: readonly string[]): PointEntity[] =>
   entities.filter((one): one is PointEntity => one.kind === 'point' && layers.includes(one.layer));
@@ -21,24 +29,23 @@ export const pointsOn = (entities: readonly Drawn[], ...layers: readonly string[
 const textsIn = (entities: readonly Drawn[]): TextEntity[] =>
   entities.filter((one): one is TextEntity => one.kind === 'text');
 
-/** Blocks with a boundary. */
-export const blockPieces = (blocks: Blocks): DxfPiece[] =>
-  blocks
-    .placed()
-    .filter(({entities}) => linesOn(entities, boundary).length > 0)
-    .map(pieceOf);
+/** Returns whether a block draws on the boundary layer, as those of AAMA and ASTM do. */
+export const hasBoundary = ({entities}: PlacedBlock): boolean =>
+  linesOn(entities, boundary).length > 0;
 
-export function pieceOf({name, entities, inserted}: PlacedBlock): DxfPiece {
+export function pieceOf({
+  name,
+  entities,
+  inserted,
+}: Pick<PlacedBlock, 'name' | 'entities' | 'inserted'>): DxfPiece {
   const text = systemText(textsIn(entities));
   const size = text.value('size');
   const said = quantityOf(text.value('quantity'));
+  const isExact = said !== undefined && said.mirrored + said.asDrawn > 1;
   return {
     name: text.value('piece name') ?? annotationIn(text) ?? name,
     ...(size !== undefined && {size}),
-    quantity: {
-      asDrawn: Math.max(said.asDrawn, said.mirrored > 0 ? 0 : inserted.asDrawn),
-      mirrored: Math.max(said.mirrored, inserted.mirrored),
-    },
+    quantity: isExact ? said : inserted,
     ...{text, entities},
   };
 }

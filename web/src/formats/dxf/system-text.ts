@@ -28,12 +28,15 @@ export function systemText(texts: readonly TextEntity[]): SystemText {
 }
 
 /**
- * Parses a quantity: "1,1" means as drawn and mirrored, "2" as drawn. Decimals are ignored, since
- * some programs write integers with them.
+ * Parses a quantity: "1,1" means one as drawn and one mirrored, "2,0" two alike, and "2" alone a
+ * pair. Decimals are ignored, since some programs write integers with them. Undefined without a
+ * quantity.
  */
-export function quantityOf(text: string | undefined): {asDrawn: number; mirrored: number} {
-  const [, first = '1', second = '0'] =
-    /^\s*(\d{1,4})(?:\s*[,;/]\s*(\d{1,4}))?/.exec(text ?? '') ?? [];
-  const [asDrawn, mirrored] = [Number(first), Number(second)];
-  return asDrawn + mirrored === 0 ? {asDrawn: 1, mirrored: 0} : {asDrawn, mirrored};
+export function quantityOf(
+  text: string | undefined,
+): {readonly asDrawn: number; readonly mirrored: number} | undefined {
+  const [, first, second] = /^\s*(\d{1,4})(?:\s*[,;/]\s*(\d{1,4}))?/.exec(text ?? '') ?? [];
+  if (first === undefined) return undefined;
+  if (second === undefined && Number(first) === 2) return {asDrawn: 1, mirrored: 1};
+  return {asDrawn: Number(first), mirrored: Number(second ?? '0')};
 }

@@ -20,6 +20,7 @@ export interface ObjMesh {
 }
 
 const code = (character: string): number => character.charCodeAt(0);
+const backslash = code('\\');
 const [newline, carriage, space, tab, slash, minusSign, plusSign, dot, zero, nine] = [
   ...[10, 13, 32, 9],
   ...['/', '-', '+', '.', '0', '9'].map(code),
@@ -33,7 +34,23 @@ const mostTriangles = 500_000;
  * @throws {FileError} for an invalid number, or a face with an unknown index
  */
 export const readMesh = (bytes: Uint8Array, file: string): ObjMesh =>
-  new Parser(bytes, file).read();
+  new Parser(withPlainLines(bytes), file).read();
+
+/** The bytes with LF at the end of each line, and blanks where a backslash continues a line. */
+function withPlainLines(bytes: Uint8Array): Uint8Array {
+  const isPlain =
+    !bytes.includes(backslash) && (bytes.includes(newline) || !bytes.includes(carriage));
+  if (isPlain) return bytes;
+  const lines = bytes.slice();
+  const hasNewlines = bytes.includes(newline);
+  lines.forEach((byte, k) => {
+    if (byte === carriage && !hasNewlines) lines[k] = newline;
+    if (byte !== backslash || !isLineEnd(lines[k + 1])) return;
+    const isPair = lines[k + 1] === carriage && lines[k + 2] === newline;
+    lines.fill(space, k, k + (isPair ? 3 : 2));
+  });
+  return lines;
+}
 
 class Parser {
   readonly #bytes: Uint8Array;

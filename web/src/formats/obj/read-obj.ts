@@ -49,7 +49,8 @@ export function readObj(bytes: Uint8Array, file: string, units?: FileUnit): Draw
       `has ${panels.broken} edges within pieces at which more than two faces meet, or faces that are turned over; remove doubles, make the normals consistent, and export one layer.`,
     );
   }
-  const {rims, turned} = rimsInTrueSize(mesh, panels, flatScale(mesh));
+  const scale = flatScale(mesh);
+  const {rims, turned} = rimsInTrueSize(mesh, panels, scale);
   const found = runsOfRims(rims, panels.sewnTo, sides.vertices);
   const pieces = piecesOf(mesh, rims, found);
   const largest = Math.max(
@@ -64,6 +65,7 @@ export function readObj(bytes: Uint8Array, file: string, units?: FileUnit): Draw
     pieces: pieces.drawn,
     seams: pieces.seams,
     notes: [
+      ...scaleNotes(scale),
       ...(panels.crowded > 0
         ? [`At ${panels.crowded} edges more than two pieces meet; they are left unsewn.`]
         : []),
@@ -73,6 +75,22 @@ export function readObj(bytes: Uint8Array, file: string, units?: FileUnit): Draw
     ],
   };
 }
+
+/** The note on a scale that was measured on the mesh. */
+function scaleNotes({across, up, agreeing, isMeasured}: FlatScale): string[] {
+  if (!isMeasured && agreeing > fewAgreeing) return [];
+  const length = (factor: number): string => Number(factor.toPrecision(4)).toString();
+  const size =
+    across === up
+      ? `${length(across)} times`
+      : `${length(across)} times across and ${length(up)} times up`;
+  return [
+    `The pieces are taken ${size} as large as in the texture, as the mesh has them; ${(100 * agreeing).toFixed(0)} % of its edges agree within 1 %.`,
+  ];
+}
+
+/** Share of edges below which the mesh is stretched, so that sizes are uncertain. */
+const fewAgreeing = 0.5;
 
 /** The triangles with texture coordinates. */
 function flatPart(mesh: ObjMesh, file: string): ObjMesh {

@@ -3,11 +3,13 @@ import type {DrawnNotch, DrawnPiece} from '../../model/garment/imported-drawing.
 import type {Point} from '../../model/geometry/vectors.js';
 import {atShare, isInside, lengthOf} from '../../model/geometry/polyline.js';
 import {endOf} from '../base/bezier.js';
+import {runsOf} from '../base/edges.js';
 import {countOf, type Count} from '../base/words.js';
 import {nearestOn} from '../base/nearest.js';
 import {cutAround} from './cut-around.js';
+import type {Found} from './generic.js';
 import type {Line} from './lines.js';
-import {areaOf, chained, pointsOf, rimOf, runsOf} from './outlines.js';
+import {areaOf, chained, pointsOf, rimOf} from './outlines.js';
 import {classesOf} from './styles.js';
 import type {Drawn, DrawnText, Sheet} from './walk.js';
 import type {XmlElement} from '../base/xml.js';
@@ -28,8 +30,8 @@ function partOf(groups: readonly XmlElement[]): XmlElement | undefined {
 const hasClass = (element: XmlElement, ...names: readonly string[]): boolean =>
   classesOf(element).some((name) => names.includes(name));
 
-/** The pieces; empty if the file has no FreeSewing groups. */
-export function freesewingPieces(sheet: Sheet): DrawnPiece[] {
+/** The pieces; empty if the file has no FreeSewing groups. Notes name parts without an outline. */
+export function freesewingPieces(sheet: Sheet): Found {
   const parts = new Set<XmlElement>();
   for (const {groups} of sheet.drawn) {
     const part = partOf(groups);
@@ -39,13 +41,16 @@ export function freesewingPieces(sheet: Sheet): DrawnPiece[] {
     all: readonly T[],
     part: XmlElement,
   ): T[] => all.filter(({groups}) => groups.includes(part));
-  return [...parts].flatMap((part) => {
+  const notes: string[] = [];
+  const pieces = [...parts].flatMap((part) => {
     const drawn = within(sheet.drawn, part).filter((one) => !one.isUsed);
     const outline = outlineOf(drawn);
-    return outline
-      ? [pieceOf(part, outline, drawn, within(sheet.texts, part), within(sheet.symbols, part))]
-      : [];
+    const texts = within(sheet.texts, part);
+    if (outline) return [pieceOf(part, outline, drawn, texts, within(sheet.symbols, part))];
+    notes.push(`Part '${nameOf(part, texts)}' has no closed outline, and is left out.`);
+    return [];
   });
+  return {pieces, notes};
 }
 
 interface Outline {
@@ -53,13 +58,26 @@ interface Outline {
   readonly drawn: Drawn;
 }
 
-/** The largest closed line that is sewn; smaller ones are darts. */
+/**
+ * The largest closed line that is sewn; smaller ones are darts. Parts may draw it without a class;
+ * without any sewn line, the cut line is the outline.
+ */
 function outlineOf(drawn: readonly Drawn[]): Outline | undefined {
-  const closed = drawn
-    .filter(({element}) => hasClass(element, ...materials) && !hasClass(element, ...marks))
-    .flatMap((one) =>
-      one.lines.filter(({isClosed}) => isClosed).map((line) => ({line, drawn: one})),
-    );
+  const isSewn = ({element}: Drawn): boolean =>
+    hasClass(element, ...materials) && !hasClass(element, ...marks);
+  const isBare = ({element}: Drawn): boolean => classesOf(element).length === 0;
+  const isCut = ({element}: Drawn): boolean =>
+    hasClass(element, 'sa') && hasClass(element, ...materials);
+  return (
+    largest(drawn.filter(isSewn)) ?? largest(drawn.filter(isBare)) ?? largest(drawn.filter(isCut))
+  );
+}
+
+/** The largest closed line. */
+function largest(drawn: readonly Drawn[]): Outline | undefined {
+  const closed = drawn.flatMap((one) =>
+    one.lines.filter(({isClosed}) => isClosed).map((line) => ({line, drawn: one})),
+  );
   const areas = closed.map(({line}) => areaOf(line));
   return closed[areas.indexOf(Math.max(...areas))];
 }
@@ -89,7 +107,7 @@ function pieceOf(
   return {
     name: nameOf(part, texts),
     quantity: quantityOf(words),
-    material: materialOf(outline.element),
+    material: materialOf(outline.element, drawn),
     sewn: runsOf(line),
     ...(cut && {cut: runsOf(cut)}),
     holes: [],
@@ -158,5 +176,8 @@ function internalLines(
     .filter((line) => lengthOf(line) >= shortest && isInside(rim, atShare(line, 0.5).at));
 }
 
-const materialOf = (outline: XmlElement): string =>
-  materials.find((name) => hasClass(outline, name)) ?? 'fabric';
+/** The material of an outline, by its class or that of its cut line. */
+const materialOf = (outline: XmlElement, drawn: readonly Drawn[]): string =>
+  [outline, ...drawn.map(({element}) => element).filter((one) => hasClass(one, 'sa'))].flatMap(
+    (element) => materials.filter((name) => hasClass(element, name)),
+  )[0] ?? 'fabric';

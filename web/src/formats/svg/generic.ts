@@ -2,22 +2,18 @@
  * Reads pieces of SVG files from unknown programs: closed lines, with the text and marks inside.
  * [mm]
  */
-import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
-import {distance, middle, minus, type Point} from '../../model/geometry/vectors.js';
+import type {DrawnPiece, Run} from '../../model/garment/imported-drawing.js';
+import {distance, middle, type Point} from '../../model/geometry/vectors.js';
 import {isInside, type Box} from '../../model/geometry/polyline.js';
 import {endOf} from '../base/bezier.js';
+import {longerSide} from '../base/closed-lines.js';
+import {runsOf} from '../base/edges.js';
+import {cutOutNote, doubtOf, gapNote, leftOutNotes, mostDoubts} from '../base/left-out.js';
+import {leastPiece, rolesOf, type Candidate, type Roles, type RolesOfPiece} from '../base/roles.js';
 import {countOf, saysFold} from '../base/words.js';
 import type {XmlElement} from '../base/xml.js';
-import {
-  isCutAround,
-  isRectangle,
-  leastPiece,
-  liesIn,
-  longerSide,
-  loopsOf,
-  type Loop,
-  type Stroke,
-} from './nesting.js';
+import {closedStrokes, loopsOf, type Loop, type Stroke} from './nesting.js';
+import {isFaint, isForHelp, isPainted} from './paint.js';
 import {valentina} from './lengths.js';
 import {labelOf, titled} from './names.js';
 import {
@@ -25,13 +21,14 @@ import {
   grainEnds,
   grainOf,
   isDrill,
+  isLetter,
   isLong,
   marksOf,
   middleOf,
   notchesOf,
   type Mark,
 } from './marks.js';
-import {chained, runsOf} from './outlines.js';
+import {chained, pointsOf} from './outlines.js';
 import {testSquares} from './scale-box.js';
 import type {DrawnText, Sheet} from './walk.js';
 
@@ -40,11 +37,16 @@ export interface Found {
   readonly notes: readonly string[];
 }
 
+/** Connected lines, with the gaps between them. */
+interface JoinedStroke extends Stroke {
+  readonly gap: {readonly width: number; readonly at: Point};
+}
+
 /** Connected lines with the elements that draw them. */
-function strokesOf({drawn}: Sheet): Stroke[] {
+function strokesOf({drawn}: Sheet): JoinedStroke[] {
   const drawers = drawn.flatMap((one) => one.lines.map(() => one));
-  return chained(drawn.flatMap(({lines}) => lines)).map(({line, parts}) => ({
-    line,
+  return chained(drawn.flatMap(({lines}) => lines)).map(({line, parts, gap}) => ({
+    ...{line, gap},
     drawers: parts.flatMap((part) => drawers[part] ?? []),
   }));
 }
@@ -52,9 +54,18 @@ function strokesOf({drawn}: Sheet): Stroke[] {
 /** The longer side of the largest closed line that is no frame. [mm] */
 export function largestClosed(sheet: Sheet): number {
   const loops = loopsOf(strokesOf(sheet)).slice(0, 100); // only the largest
-  const shown = loops.filter((loop) => !isFrame(loop, loops, sheet));
-  return Math.max(0, ...shown.map(({box}) => longerSide(box)));
+  const {pieces} = rolesOf(
+    loops.map((loop) => candidateOf(loop, new Set())),
+    surroundings(sheet),
+  );
+  const all = pieces.length > 0 ? pieces.map(({outline}) => outline) : loops;
+  return Math.max(0, ...all.map(({box}) => longerSide(box)));
 }
+
+const surroundings = ({texts, page}: Sheet): Parameters<typeof rolesOf>[1] => ({
+  words: texts,
+  page,
+});
 
 /** GarmentCode fills its panels with this colour, and overlaps them. */
 const garmentCodeFill = 'rgb(227,175,186)';
@@ -62,41 +73,105 @@ const garmentCodeFill = 'rgb(227,175,186)';
 /** Greatest number of outlines, far above that of many pieces drawn twice. */
 const mostOutlines = 1000;
 
+/** Area from which closed lines count as outlines for that limit. [mm2] */
+const outlineArea = 2500;
+
 const tooMany = (count: number): string =>
   `It has ${count} closed lines of 25 cm² or more, as no pattern has; delete what is no piece.`;
 
-export function genericPieces(sheet: Sheet): Found {
+/** A closed line before its role is known. */
+interface LoopCandidate extends Candidate, Loop {}
+
+function candidateOf(loop: Loop, squares: ReadonlySet<Loop['line']>): LoopCandidate {
+  const [drawer] = loop.drawers;
+  const isPanel = loop.drawers.some(({style}) => style.fill === garmentCodeFill);
+  const isMark = squares.has(loop.line) || isLetter(loop);
+  return {
+    ...loop,
+    ...(isPanel ? {stated: 'piece'} : isMark ? {stated: 'mark'} : {}),
+    isAside: loop.drawers.every((one) => isFaint(one) || isForHelp(one)),
+    style: drawer ? `${drawer.style.stroke} ${drawer.style.fill}` : '',
+    ...(drawer && loop.drawers.length === 1 && {path: drawer.element}),
+    isEvenOdd: drawer?.style.isEvenOdd ?? false,
+  };
+}
+
+export function genericPieces(whole: Sheet): Found {
+  const painted = whole.drawn.filter(isPainted);
+  const sheet = {...whole, drawn: painted};
   const strokes = strokesOf(sheet);
   const squares = testSquares(sheet);
-  const large = loopsOf(strokes).filter(({area, line}) => area >= leastPiece && !squares.has(line));
+  const closed = closedStrokes(strokes).map((loop) => candidateOf(loop, squares));
+  const large = closed.filter(({area}) => area >= outlineArea);
   if (large.length > mostOutlines) return {pieces: [], notes: [tooMany(large.length)]};
-  const shown = large.filter((loop) => !isFrame(loop, large, sheet));
-  const isPanel = ({drawers}: Loop): boolean =>
-    drawers.some(({style}) => style.fill === garmentCodeFill);
-  const outer = shown.filter(
-    (loop, k) => isPanel(loop) || !shown.slice(0, k).some((other) => liesIn(loop, other)),
+  const roles = rolesOf(closed, surroundings(sheet));
+  const outer = roles.pieces.map(({outline}) => outline);
+  const used = new Set(
+    roles.pieces.flatMap(({outline, sewn, cutOuts}) => [
+      outline,
+      ...(sewn ? [sewn] : []),
+      ...cutOuts,
+    ]),
   );
-  const lines = new Set(outer.map(({line}) => line));
-  const innerLoops = shown.filter(({line}) => !lines.has(line));
-  const marks = marksOf(strokes.filter(({line}) => !lines.has(line)));
-  const pieces = outer.map((loop, k): DrawnPiece => {
-    const inner = innerLoops.find((other) => liesIn(other, loop) && isCutAround(loop, other));
-    const written = sheet.texts.filter((text) => ownerOf(text, outer) === loop);
-    const others = outer.filter((other) => other !== loop);
+  const lines = new Set([...used].map(({line}) => line));
+  const unread = new Set(
+    [...roles.asides, ...roles.nested, ...roles.grids, ...roles.frames].map(({line}) => line),
+  );
+  const marks = marksOf(strokes.filter(({line}) => !lines.has(line) && !unread.has(line)));
+  const pieces = roles.pieces.map((one, k): DrawnPiece => {
+    const {outline, sewn} = one;
+    const written = sheet.texts.filter((text) => ownerOf(text, outer) === outline);
+    const others = outer.filter((other) => other !== outline);
     const name =
       titled(written, sheet.program === valentina) ??
-      labelsOf(inner ?? loop, others) ??
-      labelsOf(loop, others) ??
+      labelsOf(sewn ?? outline, others) ??
+      labelsOf(outline, others) ??
       `piece ${k + 1}`;
-    return {name, ...pieceOf(loop, inner, marks, written)};
+    return {name, ...pieceOf(one, marks, written)};
   });
+  const open = marks.filter(
+    ({line, at}) => !line.isClosed && !outer.some(({rim}) => isInside(rim, at)),
+  );
+  const gaps = new Map(strokes.map(({line, gap}) => [line, gap]));
   return {
-    pieces,
+    pieces: [...pieces, ...doubtsIn(roles)],
     notes: [
-      ...(shown.length < large.length ? ['Frames around pieces are left out.'] : []),
-      ...openNotes(marks, outer),
+      ...unpaintedNotes(whole),
+      ...roles.pieces.flatMap(({outline, doubtfulCutOuts}, k) => {
+        const {name} = pieces[k] ?? {name: ''};
+        return [
+          gapNote(name, gaps.get(outline.line), 'down'),
+          cutOutNote(name, doubtfulCutOuts, 'down'),
+        ].flatMap((note) => note ?? []);
+      }),
+      ...leftOutNotes(roles, {
+        axis: 'down',
+        open: open.map(({line}) => ({points: pointsOf(line)})),
+      }),
     ],
   };
+}
+
+/** Lines that may be pieces. */
+const doubtsIn = ({asides, nested}: Roles<LoopCandidate>): DrawnPiece[] =>
+  [...asides, ...nested]
+    .filter(({area}) => area >= leastPiece)
+    .slice(0, mostDoubts)
+    .map((outline): DrawnPiece => {
+      const {name, reason} = doubtOf(outline, nested.includes(outline), undefined, 'down');
+      const roles = {outline, cutOuts: [], marks: [], doubtfulCutOuts: []};
+      return {name: labelsOf(outline, []) ?? name, ...pieceOf(roles, [], []), doubt: reason};
+    });
+
+function unpaintedNotes({drawn}: Sheet): string[] {
+  const count = drawn
+    .filter((one) => !isPainted(one))
+    .flatMap(({lines}) => lines.filter(({isClosed}) => isClosed)).length;
+  return count > 0
+    ? [
+        `${count} closed ${count === 1 ? 'line' : 'lines'} without stroke and fill ${count === 1 ? 'is' : 'are'} left out.`,
+      ]
+    : [];
 }
 
 /** Labels of a line and of the groups around it, except groups that contain other pieces. */
@@ -113,38 +188,8 @@ function ownerOf({at}: DrawnText, outer: readonly Loop[]): Loop | undefined {
   return outer.filter(({rim}) => isInside(rim, at)).sort((a, b) => off(a) - off(b))[0];
 }
 
-/**
- * Returns whether a rectangle has the page's size, or encloses several others without any text of
- * its own.
- */
-function isFrame(loop: Loop, large: readonly Loop[], {page, texts}: Sheet): boolean {
-  if (!isRectangle(loop.line)) return false;
-  const size = minus(loop.box.high, loop.box.low);
-  if (page.every((side, k) => Math.abs((size[k] ?? 0) - side) < 0.02 * side)) return true;
-  const inner = large.filter((other) => other !== loop && liesIn(other, loop));
-  const isApart = (one: Loop): boolean =>
-    !inner.some((other) => other !== one && liesIn(one, other));
-  const isOwn = ({at}: DrawnText): boolean =>
-    isInside(loop.rim, at) && !inner.some(({rim}) => isInside(rim, at));
-  return inner.filter(isApart).length > 1 && !texts.some(isOwn);
-}
-
-/** Notes on open lines as long as an outline whose ends nearly meet, outside of all pieces. */
-function openNotes(marks: readonly Mark[], outer: readonly Loop[]): string[] {
-  return marks.flatMap(({line, length, at}) => {
-    const gap = distance(line.start, endOf(line));
-    const isOutline = !line.isClosed && gap <= 50 && length > 200 && length > 5 * gap;
-    if (!isOutline || outer.some(({rim}) => isInside(rim, at))) return [];
-    const [x, y] = line.start;
-    return [
-      `An outline does not close: its ends lie ${gap.toFixed(1)} mm apart at x ${(x / 10).toFixed(1)} cm, y ${(-y / 10).toFixed(1)} cm of the page; join them.`,
-    ];
-  });
-}
-
 function pieceOf(
-  outer: Loop,
-  seam: Loop | undefined,
+  {outline: outer, sewn: seam, cutOuts}: RolesOfPiece<LoopCandidate>,
   marks: readonly Mark[],
   written: readonly DrawnText[],
 ): Omit<DrawnPiece, 'name'> {
@@ -161,7 +206,7 @@ function pieceOf(
     quantity: countOf(words) ?? {asDrawn: 1, mirrored: 0},
     sewn: runs,
     ...(seam && {cut: runsOf(outer.line)}),
-    holes: [],
+    holes: cutOuts.map(({line}): readonly Run[] => runsOf(line)),
     notches: notchesOf(near, sewn, outer),
     ...(grain && {grain: grainEnds(grain)}),
     ...(fold && {fold: [fold.start, endOf(fold)]}),

@@ -2,7 +2,8 @@
 import type {UnitGuess} from '../../model/garment/imported-drawing.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import type {XmlDocument} from '../base/xml.js';
-import {numbersOf} from './matrix.js';
+import {paperOf} from '../base/frames.js';
+import {fitOf, numbersOf} from './matrix.js';
 
 /** Millimetres per absolute unit. */
 const paperUnits: Readonly<Record<string, number>> = {
@@ -58,9 +59,22 @@ const titlesOf = (root: XmlDocument['root']): string[] =>
       : [],
   );
 
+/** Pixels per inch of programs. */
+const densities = [72, 90, 96, 150, 200, 300, 600] as const;
+
+/** The pixels per inch at which a page has the size of a sheet of paper; undefined if none has. */
+const densityOf = (page: readonly [number, number]): number | undefined =>
+  densities.find((density) => {
+    const [across, down] = page.map((side) => (25.4 * side) / density);
+    // sides are rounded to whole pixels, and ISO sizes to whole millimetres
+    return paperOf([across ?? 0, down ?? 0], Math.max(0.6, (25.4 / density) * 0.6));
+  });
+
 interface SvgScale {
   /** Millimetres per user unit of the root; undefined if the file does not define it. */
   readonly millimetres?: number;
+  /** Height of a user unit as a share of its width, if the view box is stretched. Default 1. */
+  readonly stretch?: number;
   readonly because: UnitGuess['because'];
   /** True if width or height are absolute lengths. */
   readonly isStated: boolean;
@@ -74,11 +88,11 @@ interface SvgScale {
  */
 export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
   const {perInch, name} = programOf({root, comments});
-  const [, , across, down] = numbersOf(root.attributes.get('viewBox'));
+  const [, , across, tall] = numbersOf(root.attributes.get('viewBox'));
   const pixel = 25.4 / perInch;
   const sides = [
     {stated: root.attributes.get('width'), units: across},
-    {stated: root.attributes.get('height'), units: down},
+    {stated: root.attributes.get('height'), units: tall},
   ];
   const scales = sides.flatMap(({stated, units}) => {
     const [, number, unit = ''] =
@@ -99,10 +113,22 @@ export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
   });
   const isStated = scales.some((one) => one.isStated);
   const found = scales.filter((one) => one.isStated === isStated).map((one) => one.scale);
-  if (isStated) return {millimetres: Math.min(...found), because: 'stated', isStated};
+  const [width = pixel, height = width] = found;
+  const [millimetres, down] = fitOf(root.attributes.get('preserveAspectRatio'), width, height);
+  const stretch = down / millimetres;
+  if (isStated) return {millimetres, stretch, because: 'stated', isStated};
   // Illustrator omits the size of files for web pages, and writes points
   const isKnown = name?.startsWith('Adobe Illustrator') ?? false;
   if (found.length === 0 && !isKnown) {
+    const density = densityOf([across ?? 0, tall ?? 0]);
+    if (density !== undefined) {
+      return {
+        millimetres: 25.4 / density,
+        because: 'measured',
+        isStated,
+        note: `Its size is in pixels, of which a sheet of paper with its view box has ${density} in an inch.`,
+      };
+    }
     return {
       because: 'size',
       isStated,
@@ -111,7 +137,7 @@ export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
   }
   const note = `Its size is in pixels, of which ${name ?? 'most programs'} ${name === undefined ? 'have' : 'has'} ${perInch} in an inch.`;
   return {
-    millimetres: found.length > 0 ? Math.min(...found) : pixel,
+    ...{millimetres, stretch},
     because: 'program',
     isStated,
     note,

@@ -6,17 +6,26 @@ import {between, distance, type Point} from '../../model/geometry/vectors.js';
 import {fieldOf} from '../../model/base/read.js';
 import type {XmlElement} from '../base/xml.js';
 import {endOf, straight, type CubicFrom} from '../base/bezier.js';
-import {mapped, numbersOf, type Matrix} from './matrix.js';
+import {lengthOf, mapped, numbersOf, type Matrix} from './matrix.js';
 
 /** A subpath. */
 export interface Line extends Run {
   readonly isClosed: boolean;
 }
 
+/** Lengths of 100 per cent: across, down, and in any other direction. */
+const wholeOf = (name: string, [across, down]: Point): number =>
+  /^(?:c?x\d?|rx|width)$/.test(name)
+    ? across
+    : /^(?:c?y\d?|ry|height)$/.test(name)
+      ? down
+      : Math.hypot(across, down) / Math.SQRT2;
+
 /** The path data of an element; undefined if it is no shape. */
-function pathOf({name, attributes}: XmlElement): string | undefined {
-  const at = (...names: string[]): number[] =>
-    names.map((one) => numbersOf(attributes.get(one))[0] ?? 0);
+function pathOf({name, attributes}: XmlElement, view: Point): string | undefined {
+  const length = (one: string): number | undefined =>
+    lengthOf(attributes.get(one), wholeOf(one, view));
+  const at = (...names: string[]): number[] => names.map((one) => length(one) ?? 0);
   if (name === 'path') return attributes.get('d') ?? '';
   if (name === 'polygon' || name === 'polyline') {
     const numbers = numbersOf(attributes.get('points'));
@@ -27,7 +36,8 @@ function pathOf({name, attributes}: XmlElement): string | undefined {
     const [x = 0, y = 0, toX = 0, toY = 0] = at('x1', 'y1', 'x2', 'y2');
     return `M${x} ${y}L${toX} ${toY}`;
   }
-  if (name === 'rect') return rectangle(at('x', 'y', 'width', 'height'), radii(attributes));
+  if (name === 'rect')
+    return rectangle(at('x', 'y', 'width', 'height'), radii(length('rx'), length('ry')));
   if (name === 'circle' || name === 'ellipse') {
     const [x = 0, y = 0, r = 0, rx = r, ry = r] = at('cx', 'cy', 'r');
     const across = name === 'circle' ? rx : (at('rx')[0] ?? 0);
@@ -42,10 +52,10 @@ const oval = (x: number, y: number, rx: number, ry: number): string =>
     ? `M${x - rx} ${y}A${rx} ${ry} 0 0 1 ${x + rx} ${y}A${rx} ${ry} 0 0 1 ${x - rx} ${y}z`
     : '';
 
-function radii(attributes: XmlElement['attributes']): readonly [number, number] {
-  const [rx, ry] = ['rx', 'ry'].map((name) => numbersOf(attributes.get(name))[0]);
-  return [rx ?? ry ?? 0, ry ?? rx ?? 0];
-}
+const radii = (rx: number | undefined, ry: number | undefined): readonly [number, number] => [
+  rx ?? ry ?? 0,
+  ry ?? rx ?? 0,
+];
 
 function rectangle(
   [x = 0, y = 0, width = 0, height = 0]: readonly number[],
@@ -64,12 +74,14 @@ export const meeting = 0.1;
 /**
  * The transformed lines of a shape; undefined if it is none. Reads the valid prefix of an invalid
  * path, as browsers do.
+ * @param view width and height of the view, for lengths in per cent
  */
 export function linesOf(
   element: XmlElement,
   matrix: Matrix,
+  view: Point,
 ): {readonly lines: readonly Line[]; readonly isDamaged: boolean} | undefined {
-  const path = pathOf(element);
+  const path = pathOf(element, view);
   if (path === undefined) return undefined;
   const lines: Line[] = [];
   let pen: {start: Point; cubics: CubicFrom[]; closes: boolean} | undefined;

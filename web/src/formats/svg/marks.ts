@@ -5,7 +5,8 @@ import {atShare, boxOf, lengthOf} from '../../model/geometry/polyline.js';
 import {endOf, isLine} from '../base/bezier.js';
 import {nearestOn} from '../base/nearest.js';
 import {saysFold, saysGrain} from '../base/words.js';
-import {longerSide, type Loop, type Stroke} from './nesting.js';
+import {longerSide} from '../base/closed-lines.js';
+import type {Loop, Stroke} from './nesting.js';
 import {pointsOf} from './outlines.js';
 import type {DrawnText} from './walk.js';
 
@@ -22,15 +23,18 @@ const shortest = 15;
 
 export const isLong = ({length}: Mark): boolean => length >= shortest;
 
+/** Returns whether a stroke is an outline of a letter: small, filled, and without a stroke. */
+export const isLetter = ({line, drawers}: Stroke): boolean =>
+  drawers.every(
+    ({style, element}) =>
+      style.stroke === 'none' && style.fill !== 'none' && element.name === 'path',
+  ) && longerSide(boxOf(pointsOf(line))) < 2 * shortest;
+
 /** The marks among strokes. Excludes letters, which are filled and have no stroke. */
 export const marksOf = (strokes: readonly Stroke[]): Mark[] =>
   strokes.flatMap((stroke) => {
     const points = pointsOf(stroke.line);
-    const isFilled = stroke.drawers.every(
-      ({style, element}) =>
-        style.stroke === 'none' && style.fill !== 'none' && element.name === 'path',
-    );
-    if (isFilled && longerSide(boxOf(points)) < 2 * shortest) return [];
+    if (isLetter(stroke)) return [];
     return [{...stroke, points, length: lengthOf(points), at: atShare(points, 0.5).at}];
   });
 

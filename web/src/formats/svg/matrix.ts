@@ -51,11 +51,39 @@ function step(name: string, n: readonly number[]): Matrix | undefined {
 export const numbersOf = (list: string | undefined): number[] =>
   (list ?? '').match(/[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi)?.map(Number) ?? [];
 
+/**
+ * The scales of a view box in its view by `preserveAspectRatio`.
+ * @param across view's width divided by that of its box
+ * @param down the same of the heights
+ */
+export function fitOf(rule: string | undefined, across: number, down: number): Point {
+  const words = (rule ?? '').trim().split(/\s+/);
+  if (words[0] === 'none') return [across, down];
+  const scale = words.includes('slice') ? Math.max(across, down) : Math.min(across, down);
+  return [scale, scale];
+}
+
+/** User units per unit of a length. */
+const userUnits: Readonly<Record<string, number>> = {
+  ...{px: 1, in: 96, cm: 96 / 2.54, mm: 96 / 25.4, q: 24 / 25.4, pt: 4 / 3, pc: 16},
+};
+
+/**
+ * A length in user units; undefined if it is missing or invalid.
+ * @param whole length of 100 per cent
+ */
+export function lengthOf(value: string | undefined, whole: number): number | undefined {
+  const [number] = numbersOf(value);
+  if (number === undefined) return undefined;
+  const [, unit = ''] = /^[-+.\d]+(?:e[-+]?\d+)?([a-z%]*)/i.exec((value ?? '').trim()) ?? [];
+  return unit === '%' ? (number / 100) * whole : number * (userUnits[unit.toLowerCase()] ?? 1);
+}
+
 /** The map of a `transform` attribute; undefined if it is invalid. */
 export function matrixOf(transform: string | undefined): Matrix | undefined {
   let whole: Matrix = scaling(1);
   const rest = (transform ?? '').replaceAll(
-    /(\w+)\s*\(([^)]*)\)/g,
+    /([a-z]{1,12}[XY]?)\s{0,9}\(([^()]{0,400})\)/gi,
     (_, name: string, list: string) => {
       const numbers = numbersOf(list);
       const next = numbers.length > 0 ? step(name, numbers) : undefined;

@@ -1,17 +1,7 @@
 /** Finds the names of pieces in their text, ids and labels. */
-import {countOf, saysFold, saysGrain} from '../base/words.js';
+import {isNoName} from '../base/words.js';
 import type {XmlElement} from '../base/xml.js';
 import type {DrawnText} from './walk.js';
-
-/** Returns whether a text is no name: a count, size, length or date. */
-const isNoName = (line: string): boolean =>
-  countOf([line]) !== undefined ||
-  saysFold([line]) ||
-  saysGrain([line]) ||
-  /^[\W\d_]*$|^\W*\d+([.,]\d+)?\s*(?:mm|cm|in|inch(?:es)?|"|″)|^(?:size|gr[öo]sse|größe|taille|taglia|talla|scale)\b/i.test(
-    line,
-  ) ||
-  !/\p{L}{2}/u.test(line);
 
 /**
  * The largest text that can be a name; the first of equal ones, or the first of all if `inOrder`.
@@ -29,6 +19,10 @@ export function titled(texts: readonly DrawnText[], inOrder: boolean): string | 
 const madeUp =
   /^(?:path|rect|polygon|polyline|ellipse|circle|line|g|group|svg|layer|ebene|calque|livello|capa|use|shape|surface|page|text|object|element|svgid|clip|_)?[-_ \d]*(?:copy)?[-_ \d]*$/i;
 
+/** Words of a label that name the line, not the piece. */
+const lineWords =
+  /(?:[. -]+(?:cut(?:ting)?|sew(?:ing|n)?|seam|stitch(?:ing)?)[ -]?line|[. -]+outline)$/i;
+
 /** The label given to an element by a person; undefined if there is none. */
 export function labelOf({attributes, children}: XmlElement): string | undefined {
   const title = children.find((child) => typeof child !== 'string' && child.name === 'title');
@@ -45,6 +39,11 @@ export function labelOf({attributes, children}: XmlElement): string | undefined 
       ?.replaceAll(/_x([\dA-F]{2})_/g, (_, hex: string) => String.fromCharCode(parseInt(hex, 16))),
   ];
   return names
-    .map((name) => (name ?? '').replaceAll(/[_\s]+/g, ' ').trim())
+    .map((name) =>
+      (name ?? '')
+        .replaceAll(/[_\s]+/g, ' ')
+        .replace(lineWords, '')
+        .trim(),
+    )
     .find((name) => name !== '' && name.length <= 80 && !madeUp.test(name));
 }

@@ -91,13 +91,13 @@ interface Scaled {
 const rounding = 0.003;
 
 function scaled(document: XmlDocument, file: string, units?: FileUnit): Scaled {
-  const at = (factor: number): Sheet => sheetOf(document, factor, file);
+  const {millimetres, because, note, stretch = 1} = scaleOf(document, file);
+  const at = (factor: number): Sheet => sheetOf(document, [factor, factor * stretch], file);
   const sure = {isSure: true, others: []};
   if (units !== undefined) {
     const unit: UnitGuess = {unit: units, because: 'stated', ...sure};
     return {sheet: at(10 * cmPer(units)), unit, notes: []};
   }
-  const {millimetres, because, note} = scaleOf(document, file);
   const notes = note === undefined ? [] : [note];
   const sheet = at(millimetres ?? 1);
   const ratio = measuredScale(sheet);
@@ -112,12 +112,12 @@ function scaled(document: XmlDocument, file: string, units?: FileUnit): Scaled {
   return {sheet, unit: {unit: 'mm', because, ...sure}, notes};
 }
 
-function sheetOf(document: XmlDocument, factor: number, file: string): Sheet {
+function sheetOf(document: XmlDocument, [x, y]: Point, file: string): Sheet {
   const {root} = document;
   const {name: program} = programOf(document);
   const [left = 0, top = 0, across = 0, down = 0] = numbersOf(root.attributes.get('viewBox'));
-  const matrix = composed(scaling(factor, -factor), shift(-left, -top));
-  const page: Point = [factor * across, factor * down];
+  const matrix = composed(scaling(x, -y), shift(-left, -top));
+  const page: Point = [x * across, y * down];
   return {...walked(root, matrix, file), page, ...(program !== undefined && {program})};
 }
 
@@ -125,8 +125,8 @@ const measuredNote = (ratio: number): string =>
   `By its test square it is drawn at ${(100 / ratio).toFixed(1)} % of its size, and taken ${ratio.toFixed(4)} times as large.`;
 
 function foundIn(sheet: Sheet): Found {
-  const pieces = freesewingPieces(sheet);
-  return pieces.length > 0 ? {pieces, notes: []} : genericPieces(sheet);
+  const found = freesewingPieces(sheet);
+  return found.pieces.length > 0 ? found : genericPieces(sheet);
 }
 
 /** Returns whether pieces have a wearable size. [mm] */
@@ -139,11 +139,11 @@ function isUsual(pieces: readonly DrawnPiece[]): boolean {
 }
 
 function whyNone(sheet: Sheet, notes: readonly string[]): string {
-  const [first] = notes;
+  const first = notes.find((note) => /does not close|as no pattern has/.test(note));
   if (first !== undefined) return `shows no piece: ${first}`;
   const largest = largestClosed(sheet) / 10;
   if (largest > 0) {
-    return `shows no piece: its largest closed line is ${largest.toFixed(1)} cm long, and pieces have 25 cm² or more; correct its size, or give its units.`;
+    return `shows no piece: its largest closed line is ${largest.toFixed(1)} cm long, and pieces have 4 cm² or more; correct its size, or give its units.`;
   }
   return sheet.drawn.length === 0 && sheet.texts.length > 0
     ? 'shows text alone, and no outline of a piece; export the outlines, too.'
@@ -166,6 +166,7 @@ function inUnit(piece: DrawnPiece, unit: FileUnit): DrawnPiece {
     ...piece,
     sewn: runs(piece.sewn),
     ...(piece.cut && {cut: runs(piece.cut)}),
+    holes: piece.holes.map(runs),
     notches: piece.notches.map((notch) => ({...notch, at: at(notch.at)})),
     ...(piece.grain && {grain: line(piece.grain)}),
     ...(piece.fold && {fold: line(piece.fold)}),

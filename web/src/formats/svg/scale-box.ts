@@ -4,8 +4,9 @@
 import {distance} from '../../model/geometry/vectors.js';
 import {boxOf, type Box} from '../../model/geometry/polyline.js';
 import type {Line} from './lines.js';
-import {isRectangle} from './nesting.js';
-import {pointsOf, runsOf} from './outlines.js';
+import {isRectangle} from '../base/closed-lines.js';
+import {runsOf} from '../base/edges.js';
+import {pointsOf, rimOf} from './outlines.js';
 import {classesOf} from './styles.js';
 import type {Sheet} from './walk.js';
 
@@ -16,7 +17,9 @@ const millimetres: Readonly<Record<string, number>> = {mm: 1, cm: 10, in: 25.4};
 
 /** The lengths in a text. [mm] */
 function lengthsIn(text: string): number[] {
-  const found = text.matchAll(/(\d+(?:[.,]\d+)?)\s*(mm|cm|in(?:ch(?:es)?)?\b|"|″|”|“|'')/gi);
+  const found = text.matchAll(
+    /(?<!\d)(\d{1,6}(?:[.,]\d{1,6})?)\s{0,9}(mm|cm|in(?:ch(?:es)?)?\b|"|″|”|“|'')/gi,
+  );
   return [...found].map(([, number = '', unit = '']) => {
     const factor = millimetres[unit.slice(0, 2).toLowerCase()] ?? 25.4;
     return Number(number.replace(',', '.')) * factor;
@@ -34,7 +37,7 @@ interface Rectangle {
 function rectanglesIn({drawn}: Sheet): Rectangle[] {
   return drawn.flatMap(({lines, element}) =>
     lines
-      .filter((line) => line.isClosed && line.cubics.length <= 8 && isRectangle(line))
+      .filter((line) => line.isClosed && line.cubics.length <= 8 && isRectangle(rimOf(line)))
       .map((line): Rectangle => {
         const [a, b, c] = runsOf(line).map(({start}) => start);
         const sides = a && b && c ? [distance(a, b), distance(b, c)] : [0, 0];

@@ -6,11 +6,19 @@ export interface Style {
   readonly stroke: string;
   readonly fill: string;
   readonly isHidden: boolean;
+  readonly isDashed: boolean;
+  /** From 0 to 1, including that of the groups around. */
+  readonly opacity: number;
+  /** True if a path is filled by the even-odd rule. */
+  readonly isEvenOdd: boolean;
   /** Size in user units of the text's surroundings. */
   readonly fontSize: number;
 }
 
-export const initialStyle: Style = {stroke: 'none', fill: 'black', isHidden: false, fontSize: 16};
+export const initialStyle: Style = {
+  ...{stroke: 'none', fill: 'black', isHidden: false, fontSize: 16},
+  ...{isDashed: false, opacity: 1, isEvenOdd: false},
+};
 
 type Properties = Readonly<Record<string, string>>;
 
@@ -53,6 +61,23 @@ function fontSizeOf(value: string | undefined, around: number): number {
   return size > 0 && unit !== '%' ? size : around;
 }
 
+/** A paint; 'none' if it is transparent or has no width. */
+const paintOf = (paint: string, opacity: string | undefined, width?: string): string =>
+  paint === 'transparent' || shareOf(opacity) === 0 || /^0(?:\.0*)?[a-z]*$/.test(width ?? '')
+    ? 'none'
+    : paint;
+
+/** A share from 0 to 1; 1 if it is missing or invalid. */
+function shareOf(value: string | undefined): number {
+  const [, number = '1', percent] = /^([\d.]+)(%?)$/.exec(value ?? '') ?? [];
+  const share = Number(number) / (percent === '%' ? 100 : 1);
+  return Number.isFinite(share) ? Math.min(1, share) : 1;
+}
+
+/** Returns whether a list of dashes has gaps. */
+const isDashes = (list: string): boolean =>
+  (list.match(/[\d.]+/g) ?? []).some((one) => Number(one) > 0);
+
 /** The style of an element in a group with style `around`; undefined if it is not drawn. */
 export function styleOf(element: XmlElement, around: Style, sheet: StyleSheet): Style | undefined {
   const {attributes} = element;
@@ -67,9 +92,19 @@ export function styleOf(element: XmlElement, around: Style, sheet: StyleSheet): 
     );
   if (value('display') === 'none' || value('opacity') === '0') return undefined;
   const visibility = value('visibility');
+  const dashes = value('stroke-dasharray');
+  const rule = value('fill-rule');
+  const opacity = around.opacity * shareOf(value('opacity'));
   return {
-    stroke: value('stroke') ?? around.stroke,
-    fill: value('fill') ?? around.fill,
+    stroke: paintOf(
+      value('stroke') ?? around.stroke,
+      value('stroke-opacity'),
+      value('stroke-width'),
+    ),
+    fill: paintOf(value('fill') ?? around.fill, value('fill-opacity')),
+    isDashed: dashes === undefined ? around.isDashed : isDashes(dashes),
+    isEvenOdd: rule === undefined ? around.isEvenOdd : rule === 'evenodd',
+    opacity,
     isHidden: visibility === undefined ? around.isHidden : visibility !== 'visible',
     fontSize: fontSizeOf(value('font-size'), around.fontSize),
   };

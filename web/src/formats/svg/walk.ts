@@ -5,10 +5,12 @@ import type {XmlElement} from '../base/xml.js';
 import {linesOf, type Line} from './lines.js';
 import {
   composed,
+  fitOf,
   growth,
   isFlat,
   mapped,
   matrixOf,
+  lengthOf,
   numbersOf,
   scaling,
   shift,
@@ -88,6 +90,8 @@ interface Place {
   readonly style: Style;
   readonly groups: readonly XmlElement[];
   readonly uses: number;
+  /** Width and height of the innermost view. */
+  readonly view: Point;
 }
 
 const hrefOf = ({attributes}: XmlElement): string =>
@@ -101,7 +105,7 @@ const hrefOf = ({attributes}: XmlElement): string =>
 export function walked(root: XmlElement, matrix: Matrix, file: string): Contents {
   const walk = new Walk(root, file);
   const style = styleOf(root, initialStyle, walk.sheet) ?? initialStyle;
-  walk.children(root, {matrix, style, groups: [], uses: 0});
+  walk.children(root, {matrix, style, groups: [], uses: 0, view: insideOf(root, [0, 0])});
   return walk.result();
 }
 
@@ -155,10 +159,15 @@ class Walk {
     const style = styleOf(element, around.style, this.sheet);
     if (!style) return;
     const matrix = composed(around.matrix, this.#transformOf(element));
-    const place = {matrix, style, groups: [...around.groups, element], uses: around.uses};
+    const {uses, view} = around;
+    const place = {matrix, style, groups: [...around.groups, element], uses, view};
     if (element.name === 'use') this.#use(element, place);
     else if (element.name === 'svg')
-      this.children(element, {...place, matrix: composed(matrix, viewOf(element))});
+      this.children(element, {
+        ...place,
+        matrix: composed(matrix, viewOf(element, view)),
+        view: insideOf(element, view),
+      });
     else if (element.name === 'text') this.#text(element, around.groups, place);
     else if (element.name === 'image') this.#notes.add('Pictures in the file are left out.');
     else this.#shape(element, around.groups, place);
@@ -167,12 +176,12 @@ class Walk {
   #shape(
     element: XmlElement,
     groups: readonly XmlElement[],
-    {matrix, style, uses, ...place}: Place,
+    {matrix, style, uses, view, ...place}: Place,
   ): void {
     if ((element.attributes.get('d')?.length ?? 0) > longestPath) this.#refusePath(element);
-    const shape = linesOf(element, matrix);
+    const shape = linesOf(element, matrix, view);
     if (!shape) {
-      this.children(element, {matrix, style, uses, ...place});
+      this.children(element, {matrix, style, uses, view, ...place});
       return;
     }
     const id = element.attributes.get('id') ?? element.name;
@@ -211,7 +220,7 @@ class Walk {
     const href = hrefOf(element);
     const id = href.slice(1);
     const [x = 0, y = 0] = ['x', 'y'].map(
-      (name) => numbersOf(element.attributes.get(name))[0] ?? 0,
+      (name, k) => lengthOf(element.attributes.get(name), place.view[k] ?? 0) ?? 0,
     );
     const matrix = composed(place.matrix, shift(x, y));
     const target = this.#byId.get(id);
@@ -225,7 +234,11 @@ class Walk {
     this.#symbols.push({of: id, groups: place.groups, at: mapped(matrix, [0, 0])});
     const inner = {...place, matrix, uses: place.uses + 1};
     if (target.name === 'symbol')
-      this.children(target, {...inner, matrix: composed(matrix, viewOf(target))});
+      this.children(target, {
+        ...inner,
+        matrix: composed(matrix, viewOf(target, place.view)),
+        view: insideOf(target, place.view),
+      });
     else this.#element(target, inner);
   }
 
@@ -251,17 +264,27 @@ class Walk {
   }
 }
 
+/** Width and height of the view inside an `svg` or `symbol`, in its own units. */
+function insideOf({attributes}: XmlElement, around: Point): Point {
+  const [, , across = 0, down = 0] = numbersOf(attributes.get('viewBox'));
+  if (across > 0 && down > 0) return [across, down];
+  const side = (name: string, whole: number): number =>
+    lengthOf(attributes.get(name), whole) ?? whole;
+  return [side('width', around[0]), side('height', around[1])];
+}
+
 /** The map from the view box of a nested `svg` or `symbol` to its parent. */
-function viewOf({attributes}: XmlElement): Matrix {
-  const at = (name: string): number | undefined => numbersOf(attributes.get(name))[0];
+function viewOf({attributes}: XmlElement, around: Point): Matrix {
+  const at = (name: string, whole: number): number | undefined =>
+    lengthOf(attributes.get(name), whole);
   const box = numbersOf(attributes.get('viewBox'));
   const [left = 0, top = 0, across = 0, down = 0] = box;
-  const place = shift(at('x') ?? 0, at('y') ?? 0);
+  const place = shift(at('x', around[0]) ?? 0, at('y', around[1]) ?? 0);
   if (!(across > 0 && down > 0)) return place;
-  const [width, height] = [at('width') ?? across, at('height') ?? down];
-  const scale = Math.min(width / across, height / down);
-  const middle = shift((width - scale * across) / 2, (height - scale * down) / 2);
-  return composed(composed(place, middle), composed(scaling(scale), shift(-left, -top)));
+  const [width, height] = [at('width', around[0]) ?? across, at('height', around[1]) ?? down];
+  const [x, y] = fitOf(attributes.get('preserveAspectRatio'), width / across, height / down);
+  const middle = shift((width - x * across) / 2, (height - y * down) / 2);
+  return composed(composed(place, middle), composed(scaling(x, y), shift(-left, -top)));
 }
 
 /** The whole text of an element, unchanged. */

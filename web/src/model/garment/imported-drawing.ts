@@ -40,6 +40,8 @@ export interface DrawnPiece {
   readonly internalLines: readonly (readonly Point[])[];
   readonly drillHoles: readonly Point[];
   readonly words: readonly string[];
+  /** The reason why the piece may be none, and is left out unless it is chosen. */
+  readonly doubt?: string;
 }
 
 /** Two runs of outlines that the file sews to each other; only meshes contain seams. */

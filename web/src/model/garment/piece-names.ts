@@ -23,18 +23,60 @@ const joined = /^(l|r)?(f|b)?(torso|sleeve|hood|cuff|collar|pant)$|^(l|r)(front|
 
 const expanded = (word: string): string => abbreviations[word.toLowerCase()] ?? word;
 
-function wordsOf(token: string, isAlone: boolean): string {
+/** Letters of opposite sides. */
+const opposite: Readonly<Record<string, string>> = {f: 'b', b: 'f', l: 'r', r: 'l'};
+
+function wordsOf(token: string, isSide: boolean): string {
   const groups: readonly (string | undefined)[] = joined.exec(token)?.slice(1) ?? [];
   const parts = groups.flatMap((part) => part ?? []);
   if (parts.length > 1) return parts.map((part) => expanded(part.toLowerCase())).join(' ');
-  return isAlone && token.length === 1 ? token : expanded(token);
+  return token.length === 1 && !isSide ? token : expanded(token);
 }
 
-/** Converts a key to words: "left_ftorso" to "Left front torso". */
+const tokensOf = (key: string): string[] => key.split(/[\s_.-]+/).filter((token) => token !== '');
+
+/**
+ * Converts a key to words: "left_ftorso" to "Left front torso". Single letters are sides in keys of
+ * GarmentCode, which have small letters and underscores.
+ */
 export function readable(key: string): string {
-  const tokens = key.split(/[\s_.-]+/).filter((token) => token !== '');
-  const words = tokens.map((token) => wordsOf(token, tokens.length === 1)).join(' ');
+  const tokens = tokensOf(key);
+  const isKey = tokens.length > 1 && /^[a-z\d_]+$/.test(key);
+  return inWords(key, tokens, () => isKey);
+}
+
+function inWords(
+  key: string,
+  tokens: readonly string[],
+  isSide: (token: number) => boolean,
+): string {
+  const words = tokens.map((token, k) => wordsOf(token, isSide(k))).join(' ');
   return words === '' ? key : words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/**
+ * Words for each key. A single letter is a side only if another key has the opposite one at its
+ * place, and none has a letter that is no side.
+ */
+function readableAll(keys: Iterable<string>): (key: string) => string {
+  const letters = new Map<string, Set<string>>();
+  const stemOf = (tokens: readonly string[], k: number): string => tokens.with(k, '').join('_');
+  for (const tokens of [...keys].map(tokensOf)) {
+    tokens.forEach((token, k) => {
+      if (token.length !== 1) return;
+      const stem = stemOf(tokens, k);
+      letters.set(stem, (letters.get(stem) ?? new Set()).add(token.toLowerCase()));
+    });
+  }
+  return (key) => {
+    const tokens = tokensOf(key);
+    return inWords(key, tokens, (k) => {
+      const token = tokens[k]?.toLowerCase() ?? '';
+      const known = letters.get(stemOf(tokens, k)) ?? new Set<string>();
+      const isPaired = tokens.length > 1 && known.has(opposite[token] ?? '');
+      return isPaired && [...known].every((letter) => letter in opposite);
+    });
+  };
 }
 
 const countOf = (names: Iterable<string>): ReadonlyMap<string, number> => {
@@ -52,12 +94,13 @@ export function pieceNames(
   labels: ReadonlyMap<string, string | undefined>,
   chosen: PieceNames = {},
 ): ReadonlyMap<string, string> {
+  const words = readableAll(labels.keys());
   const labelCount = countOf([...labels.values()].flatMap((label) => label ?? []));
   const own = new Map(
     [...labels].map(([key, label = '']): [string, string] => {
       const says =
         label.trim() !== '' && labelCount.get(label) === 1 && !bodyParts.has(label.toLowerCase());
-      return [key, says ? label : readable(key)];
+      return [key, says ? label : words(key)];
     }),
   );
   const nameCount = countOf(own.values());

@@ -5,11 +5,11 @@ import {fileURLToPath} from 'node:url';
 
 import {expect, it} from 'vitest';
 
-import {LinkedFiles, pageOf} from '../../docs/.vitepress/links.js';
-import {addresses, nav, sidebar} from '../../docs/.vitepress/navigation.js';
-import {build} from '../../web/setup/build.mjs';
+import {LinkedFiles, pageOf} from '../../../docs/.vitepress/links.js';
+import {addresses, nav, sidebar} from '../../../docs/.vitepress/navigation.js';
+import {build} from '../../../web/setup/build.mjs';
 
-const root = fileURLToPath(new URL('../..', import.meta.url));
+const root = fileURLToPath(new URL('../../..', import.meta.url));
 
 it('lists every page of docs in its navigation', () => {
   const pages = readdirSync(join(root, 'docs'))

@@ -1,0 +1,56 @@
+/** Chains of lines whose ends meet. */
+import type {Run} from '../../model/garment/imported-drawing.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {reversed, straight, type CubicFrom} from './bezier.js';
+
+/** An open line to join. */
+export interface OpenLine {
+  readonly points: readonly Point[];
+  /** The exact curve through the points; undefined for straight lines from point to point. */
+  readonly run?: Run;
+}
+
+/** A line, or a part of it, in the direction of its chain. */
+export interface Stretch extends OpenLine {
+  /** Index of the line. */
+  readonly id: number;
+}
+
+export interface Chain {
+  readonly stretches: readonly Stretch[];
+  readonly isClosed: boolean;
+  /** The widest gap between the ends of consecutive lines, and its place. */
+  readonly gap: {readonly width: number; readonly at: Point};
+}
+
+export const startOf = ({stretches}: Chain): Point => stretches[0]?.points[0] ?? [0, 0];
+
+export const tipOf = ({stretches}: Chain): Point => stretches.at(-1)?.points.at(-1) ?? [0, 0];
+
+export const turnedStretch = (stretch: Stretch): Stretch => ({
+  ...stretch,
+  points: [...stretch.points].reverse(),
+  ...(stretch.run && {run: reversed(stretch.run)}),
+});
+
+/** Points along a chain. */
+export const pointsOfChain = ({stretches}: Chain): Point[] =>
+  stretches.flatMap(({points}, k) => (k === 0 ? points : points.slice(1)));
+
+/** The exact curves of a chain. */
+export function runOfChain(chain: Chain): Run {
+  const start = startOf(chain);
+  let from = start;
+  const cubics = chain.stretches.flatMap(({points, run}): readonly CubicFrom[] => {
+    const own = run?.cubics ?? points.slice(1).map((to, k) => straight(points[k] ?? to, to));
+    // the curves begin at the end of the line before
+    const [first, ...rest] = run
+      ? own
+      : own.map((one, k) => (k === 0 ? straight(from, one[2]) : one));
+    from = points.at(-1) ?? from;
+    return first ? [first, ...rest] : [];
+  });
+  const last = cubics.at(-1);
+  if (chain.isClosed && last) cubics[cubics.length - 1] = [last[0], last[1], start];
+  return {start, cubics};
+}
