@@ -18,7 +18,7 @@ const entries = [
   'web/src/element/vue.d.ts',
 ];
 
-const files = ['web', 'tests']
+const files = ['web', 'tests', 'docs/.vitepress']
   .flatMap((folder) => readdirSync(join(root, folder), {recursive: true, withFileTypes: true}))
   .filter((entry) => entry.isFile())
   .map((entry) => join(entry.parentPath, entry.name))
