@@ -1,7 +1,7 @@
 /** The parts of a customer's design that survive a change of the page's request. */
 import {expect, it} from 'vitest';
 
-import {nextDesign, type Answered} from '@/element/garment/next-design.js';
+import {nextDesign, type Answered} from '@/element/garment/designs.js';
 import type {Asked} from '@/element/garment/sources.js';
 import type {Design} from '@/model/design/design.js';
 import type {GarmentDocument} from '@/model/garment/garment-document.js';

@@ -9,10 +9,9 @@ import type {LayPlan} from '../model/result/marker-plan.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/documents/stored-design.js';
 import {FileError} from '../model/base/versioned-file.js';
-import type {Emit} from './garment/announcer.js';
-import {Answering} from './garment/answering.js';
-import {asError} from './garment/as-error.js';
-import {AttributeElement} from './garment/attribute-element.js';
+import {asError, keepInside, type Emit} from './garment/emitted-events.js';
+import {RequestScheduler} from './garment/request-scheduler.js';
+import {AttributeElement, upgrade} from './garment/attribute-element.js';
 import {
   asking,
   attributes,
@@ -21,19 +20,13 @@ import {
   type GarmentMode,
   type GarmentView,
 } from './garment/attributes.js';
-import {Beginning} from './garment/beginning.js';
-import {Marker} from './garment/marker.js';
+import {Marker, Modes} from './garment/later-parts.js';
 import type {GarmentState} from './garment/events.js';
-import {faceOf} from './garment/face.js';
-import {keepInside} from './garment/inner-events.js';
-import {Modes} from './garment/modes.js';
-import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
+import {faceOf, garmentStyle} from './garment/face.js';
+import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/sources.js';
 import {blobOf, type BlobRequest} from './garment/picture.js';
-import {Rest} from './garment/rest.js';
 import {GarmentSession} from './garment/session.js';
-import {Speech} from './garment/speech.js';
-import {garmentStyle} from './garment/style.js';
-import {upgrade} from './garment/upgrade.js';
+import {ElementLanguage} from './garment/language.js';
 import {PatternDrawing} from '../editor/pattern/drawing.js';
 import {register} from '../editor/base/register.js';
 import {controls} from '../editor/style/controls.js';
@@ -45,11 +38,14 @@ export type * from './garment/attributes.js';
 export type * from './garment/events.js';
 export type * from '../model/result/marker-plan.js';
 export type {Units} from '../model/base/length-text.js';
-export type {PrintOffer} from './garment/offered-prints.js';
+export type {PrintOffer} from './garment/sources.js';
 export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';
 export type {SewTexts} from '../texts/en/sew.js';
 export type {WornTexts} from '../texts/drape-texts.js';
+
+/** Time after which an element outside the document is unused: it may only be moving. [ms] */
+const gracePeriod = 1000;
 
 export class SeamwiseGarment extends AttributeElement {
   /** The page may set the variables of `style/tokens.ts`. */
@@ -60,26 +56,17 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   readonly #session: GarmentSession;
-  readonly #beginning: Beginning;
+  readonly #requests: RequestScheduler;
   readonly #modes: Modes;
   readonly #offers = new PrintOffers(() => {
     this.requestUpdate();
   });
-  readonly #speech: Speech;
-  readonly #answering: Answering;
+  readonly #language: ElementLanguage;
   readonly #marker: Marker;
   #shown: GarmentMode = 'preview';
   #shownView: GarmentView = 'pattern';
   #isDrawn = false;
-  /** Releases shared resources unless the element soon returns to the document. */
-  readonly #rest = new Rest(
-    () => !this.isConnected && !this.#session.isAwaited && !this.#marker.layer?.isAwaited,
-    () => {
-      this.#marker.layer?.pause();
-      this.#offers.stop();
-      if (this.#session.pause()) this.#beginning.askAgain();
-    },
-  );
+  #releasing: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
     super();
@@ -102,8 +89,8 @@ export class SeamwiseGarment extends AttributeElement {
       },
       preferencesFor(localeOf(navigator.language)),
     );
-    this.#speech = new Speech(this, this.#session.workbench);
-    this.#beginning = new Beginning(
+    this.#language = new ElementLanguage(this, this.#session.workbench);
+    this.#requests = new RequestScheduler(
       {
         element: this,
         isEager: () => this.loading === 'eager',
@@ -111,10 +98,10 @@ export class SeamwiseGarment extends AttributeElement {
         begun: () => {
           this.#present();
         },
+        noGarment: () => this.#texts.garment.noGarment,
       },
       this.#session,
     );
-    this.#answering = new Answering(this.#session, this.#beginning, this.#speech);
     const lost = (error: unknown): SolverError =>
       new SolverError({
         code: 'network',
@@ -133,17 +120,17 @@ export class SeamwiseGarment extends AttributeElement {
       },
     );
     this.addEventListener('invalid', () => {
-      if (this.isAskable && this.state !== 'error') this.#answering.start();
+      if (this.isAskable && this.state !== 'error') this.#requests.start();
     });
   }
 
   /** Messages that replace the element's own. */
   get messages(): Messages | undefined {
-    return this.#speech.messages;
+    return this.#language.messages;
   }
 
   set messages(messages: Messages | null | undefined) {
-    this.#speech.messages = typeof messages === 'object' && messages ? messages : undefined;
+    this.#language.messages = typeof messages === 'object' && messages ? messages : undefined;
   }
 
   /** The prints to choose from, with `mode="place"`. */
@@ -203,7 +190,7 @@ export class SeamwiseGarment extends AttributeElement {
    */
   async solve({signal}: {readonly signal?: AbortSignal} = {}): Promise<SolveResult> {
     signal?.throwIfAborted();
-    return this.#needed(() => this.#answering.answer(this.isAskable, signal));
+    return this.#needed(() => this.#requests.answer(signal));
   }
 
   /**
@@ -248,7 +235,7 @@ export class SeamwiseGarment extends AttributeElement {
     const text = typeof design === 'string' ? design : JSON.stringify(design);
     const stored = readStoredDesign(text, 'design');
     this.writeDesign(stored);
-    this.#beginning.ask({stored});
+    this.#requests.ask({stored});
     await this.solve();
   }
 
@@ -271,19 +258,19 @@ export class SeamwiseGarment extends AttributeElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#rest.not();
+    clearTimeout(this.#releasing);
     upgrade(this);
-    this.#speech.prefer();
-    this.#beginning.watch();
-    this.#beginning.schedule();
+    this.#language.prefer();
+    this.#requests.watch();
+    this.#requests.schedule();
     this.#marker.follow();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#beginning.unwatch();
+    this.#requests.unwatch();
     this.#isDrawn = false;
-    this.#rest.soon();
+    this.#releaseSoon();
   }
 
   override attributeChangedCallback(name: string, before: string | null, now: string | null): void {
@@ -293,12 +280,12 @@ export class SeamwiseGarment extends AttributeElement {
       if (now !== null) this.forget(name);
       this.ask();
     } else if (name === 'loading') {
-      if (this.isConnected) this.#beginning.watch();
-      this.#beginning.schedule();
+      if (this.isConnected) this.#requests.watch();
+      this.#requests.schedule();
     } else if (name === 'fabric') {
       this.#session.fabric = this.fabric;
     } else if (['units', 'locale', 'lang'].includes(name)) {
-      this.#speech.prefer();
+      this.#language.prefer();
     }
     this.#present();
   }
@@ -332,7 +319,7 @@ export class SeamwiseGarment extends AttributeElement {
       ...{session: this.#session, texts: this.#texts, mode: this.#shown, alt: this.alt},
       ...{view: this.view, worn: this},
       ...{isDisabled: this.isDisabled, isDrawn: this.#isDrawn, prints: this.#offers.all},
-      ...{hasBegun: this.#beginning.hasBegun, isMissing: this.isMissing},
+      ...{hasBegun: this.#requests.hasBegun, isMissing: this.isMissing},
       choose: (print) => {
         this.#choose(print);
       },
@@ -345,20 +332,31 @@ export class SeamwiseGarment extends AttributeElement {
     try {
       return await work();
     } finally {
-      if (!this.isConnected) this.#rest.soon();
+      if (!this.isConnected) this.#releaseSoon();
     }
+  }
+
+  /** Releases shared resources unless the element is in use again within the grace period. */
+  #releaseSoon(): void {
+    clearTimeout(this.#releasing);
+    this.#releasing = setTimeout(() => {
+      if (this.isConnected || this.#session.isAwaited || this.#marker.layer?.isAwaited) return;
+      this.#marker.layer?.pause();
+      this.#offers.stop();
+      if (this.#session.pause()) this.#requests.askAgain();
+    }, gracePeriod);
   }
 
   /** Handles the user's choice of a print. */
   #choose({url}: OfferedPrint): void {
     this.colourway = null;
     this.print = url;
-    if (this.#beginning.isDue) this.#beginning.ask({byUser: true});
+    if (this.#requests.isDue) this.#requests.ask({byUser: true});
   }
 
   /** Updates the element's state, description, form value and template. */
   #present(): void {
-    if (this.#beginning.hasBegun) this.#modes.load(this.mode, this.view);
+    if (this.#requests.hasBegun) this.#modes.load(this.mode, this.view);
     const shown = this.#modes.shown(this.mode);
     if (this.#shown !== shown || this.#shownView !== this.view) this.#isDrawn = false;
     this.#shown = shown;
@@ -375,11 +373,11 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   get #texts(): Texts {
-    return this.#speech.texts;
+    return this.#language.texts;
   }
 
   protected override ask(): void {
-    this.#beginning.ask();
+    this.#requests.ask();
   }
 }
 

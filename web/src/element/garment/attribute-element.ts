@@ -7,6 +7,7 @@ import type {Symmetries, Symmetry} from '../../model/garment/symmetries.js';
 import type {WorkerPlaces} from '../../solver/client.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {
+  attributes,
   changeOf,
   clothWidthOf,
   selvedgeOf,
@@ -19,6 +20,27 @@ import {
 } from './attributes.js';
 import {FormElement} from './form-element.js';
 import {garmentUrl, type Asked} from './sources.js';
+
+/** Properties that a page may have set before the element was defined. */
+const properties = [
+  ...attributes.map((name) =>
+    name.replaceAll(/-(.)/g, (_, letter: string) => letter.toUpperCase()),
+  ),
+  ...['messages', 'prints', 'value'],
+];
+
+/**
+ * Passes properties that were set before the definition to the element's setters, which they would
+ * hide otherwise.
+ */
+export function upgrade(element: HTMLElement): void {
+  for (const name of properties) {
+    if (!Object.hasOwn(element, name)) continue;
+    const value: unknown = Reflect.get(element, name);
+    Reflect.deleteProperty(element, name);
+    Reflect.set(element, name, value);
+  }
+}
 
 export abstract class AttributeElement extends FormElement {
   /** Values given as objects, by the name of the attribute that they replace. */

@@ -4,12 +4,13 @@ import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {unlessAborted} from '../../solver/answers/unless-aborted.js';
 import {lastOf} from '../../model/base/last-of.js';
-import type {Emit} from './announcer.js';
-import {asError} from './as-error.js';
+import {asError, type Emit} from './emitted-events.js';
 import type {AttributeElement} from './attribute-element.js';
-import {layMarker, type LaidAnswer} from './lay-marker.js';
 import type {GarmentSession} from './session.js';
 import type {Texts} from '../../texts/texts.js';
+import {layPlan} from '../../marker/plan.js';
+import {markerOrder, type LaidPrint} from '../../marker/problem.js';
+import type {Workbench} from '../../workbench/workbench.js';
 
 export interface MarkerOwner {
   readonly element: Pick<AttributeElement, 'clothWidth' | 'selvedge' | 'isConnected'>;
@@ -151,4 +152,34 @@ export class MarkerLayer {
     this.#laying?.ending.abort();
     this.#laying = undefined;
   }
+}
+
+// Fabric layout of an answer.
+
+/** All inputs of a layout. */
+export interface LaidAnswer extends Pick<Design, 'garment' | 'options' | 'names'> {
+  readonly result: SolveResult;
+  readonly print: LaidPrint;
+  /** Fabric width between its edges, and the unusable strip along each of them. [cm] */
+  readonly widthCm: number;
+  readonly selvedgeCm: number;
+}
+
+/**
+ * @throws {SolverError} if a piece does not fit on the fabric, with the piece's name; the signal's
+ * reason
+ */
+export async function layMarker(
+  workbench: Workbench,
+  {result, garment, options, names, print, widthCm, selvedgeCm}: LaidAnswer,
+  signal: AbortSignal,
+): Promise<LayPlan> {
+  const document = await workbench.solving.documentOf(garment);
+  signal.throwIfAborted();
+  const order = markerOrder(
+    [{result, garment: document, options, ...(names && {names})}],
+    {widthCm, selvedgeCm},
+    print,
+  );
+  return layPlan(order, await workbench.solver.marker(order.problem, {signal}));
 }

@@ -11,7 +11,10 @@ import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {swatch} from '../../editor/print/swatch.js';
 import {controls} from '../../editor/style/controls.js';
 import {holdWhilePressed} from '../../editor/base/hold.js';
-import type {OfferedPrint} from './offered-prints.js';
+import type {OfferedPrint} from './sources.js';
+import {defineParts} from '../../editor/parts.js';
+import {ToolHint} from '../../editor/pattern/tool-hint.js';
+import {registerAll} from '../../editor/base/register.js';
 
 /** The slider's ends, as multiples of the repeat in the print's file. */
 const [least, most] = [0.25, 4];
@@ -171,3 +174,9 @@ export class PlaceBar extends WorkbenchElement {
 /** Returns a logarithmic share from 0 to 1: the middle is the geometric mean of both ends. */
 const share = (value: number, from: number, to: number): number =>
   Math.min(1, Math.max(0, Math.log(value / from) / Math.log(to / from)));
+
+/** Parts for placing the print; loaded only then. */
+export function definePlacing(): void {
+  defineParts();
+  registerAll({'sw-place-bar': PlaceBar, 'sw-tool-hint': ToolHint});
+}

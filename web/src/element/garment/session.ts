@@ -12,17 +12,12 @@ import {lastOf} from '../../model/base/last-of.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {spokenError} from '../../workbench/spoken-failure.js';
 import {Workbench, type SolveState} from '../../workbench/workbench.js';
-import {Announcer, type Emit} from './announcer.js';
-import {asError} from './as-error.js';
+import {Announcer, asError, type Emit} from './emitted-events.js';
 import type {GarmentState} from './events.js';
-import type {FileWords} from './files.js';
+import {Sources, type Asked, type FileWords, type Loaded} from './sources.js';
 import {LastingSolver} from './lasting-solver.js';
-import {nextDesign, type Answered, type ReadGarments} from './next-design.js';
-import {storedDesign} from './stored.js';
-import {restored} from './restored.js';
-import {Sources, type Asked, type Loaded} from './sources.js';
-import {ToldTiles} from './told-tiles.js';
-import {Waiting} from './waiting.js';
+import {nextDesign, restored, storedDesign, type Answered, type ReadGarments} from './designs.js';
+import {Tiles} from './tiles.js';
 
 /** Owner of the session. */
 interface SessionOwner {
@@ -79,7 +74,7 @@ export class GarmentSession {
     this.#owner = owner;
     this.#tell = new Announcer(owner.emit, this.#spoken);
     this.#lease = new LastingSolver(owner.places);
-    const tiles = new ToldTiles(
+    const tiles = new Tiles(
       () => this.#texts,
       (error) => {
         this.report(error);
@@ -316,5 +311,61 @@ export class GarmentSession {
     ) {
       this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     }
+  }
+}
+
+/** Callers that wait for the same answer. */
+interface Waiter<T> {
+  readonly resolve: (answer: T) => void;
+  readonly reject: (reason: unknown) => void;
+}
+
+class Waiting<T> {
+  readonly #all = new Set<Waiter<T>>();
+
+  get isEmpty(): boolean {
+    return this.#all.size === 0;
+  }
+
+  /**
+   * Settles with the other callers, or when `signal` fires: with its reason.
+   * @param left called when the signal fires
+   */
+  join(signal: AbortSignal | undefined, left: () => void): Promise<T> {
+    return new Promise((resolve, reject) => {
+      const listening = new AbortController();
+      const waiter: Waiter<T> = {
+        resolve: (answer) => {
+          listening.abort();
+          resolve(answer);
+        },
+        reject: (reason) => {
+          listening.abort();
+          // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- may be the caller's own
+          reject(reason);
+        },
+      };
+      this.#all.add(waiter);
+      const leave = (): void => {
+        this.#all.delete(waiter);
+        waiter.reject(signal?.reason);
+        left();
+      };
+      signal?.addEventListener('abort', leave, {once: true, signal: listening.signal});
+    });
+  }
+
+  resolve(answer: T): void {
+    for (const waiter of this.#taken()) waiter.resolve(answer);
+  }
+
+  reject(reason: unknown): void {
+    for (const waiter of this.#taken()) waiter.reject(reason);
+  }
+
+  #taken(): readonly Waiter<T>[] {
+    const all = [...this.#all];
+    this.#all.clear();
+    return all;
   }
 }

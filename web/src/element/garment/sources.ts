@@ -1,7 +1,11 @@
-/** Reads the element's inputs: garment, print and symmetries, from URLs or objects. */
+/**
+ * Reads the element's inputs, from URLs or objects: garment, print, symmetries, and the prints that
+ * the page offers. Files are read once, within limits; each error is a message of one sentence.
+ */
 import {
   askingFor,
   noPicture,
+  printOf,
   type AskedSymmetry,
   type DesignGarment,
   type DesignPrint,
@@ -9,14 +13,73 @@ import {
 } from '../../model/design/design.js';
 import {symmetryList} from '../../model/design/read-design.js';
 import type {FabricName} from '../../model/result/draped-garment.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError, type FailureCode} from '../../model/result/failure.js';
 import {colourwayOf, type Print} from '../../model/print/repeating-print.js';
 import {fieldOf, Malformed} from '../../model/base/read.js';
 import {repeatOf} from '../../model/print/repeat.js';
 import {printOfStored} from '../../model/documents/stored-design.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import {jsonText} from '../../solver/requests/texts.js';
-import {fetchText, type FileWords} from './files.js';
+import {fetchedBy} from '../../model/base/fetched.js';
+import {sha256Of} from '../../model/documents/result-text.js';
+import type {Texts} from '../../texts/texts.js';
+
+export type FileWords = Texts['garment'];
+
+/** Limit for a whole file. [ms] */
+const patience = 30_000;
+const megabyte = 2 ** 20;
+/** Limits of an image file and of JSON; the solver reads no more than that. [MB] */
+const most = {picture: 64, text: 20};
+
+interface ReadFile {
+  readonly place: StoredFile;
+  readonly text: string;
+}
+
+const failure = (code: FailureCode, message: string): SolverError =>
+  new SolverError({code, message});
+
+/**
+ * @throws {SolverError} `not-found`, `network`, `timeout`, `too-large`; the signal's reason when it
+ * fires
+ */
+export async function fetchBlob(
+  url: string,
+  words: FileWords,
+  signal?: AbortSignal,
+  kind: keyof typeof most = 'picture',
+): Promise<Blob> {
+  const fetched = await fetchedBy(
+    (either) => fetch(url, {credentials: 'same-origin', signal: either}),
+    {signal, timeoutMs: patience, mostBytes: most[kind] * megabyte},
+  );
+  switch (fetched.kind) {
+    case 'read':
+      return new Blob(fetched.parts, {type: fetched.type});
+    case 'refused':
+      throw refused(url, fetched.status, words);
+    case 'late':
+      throw failure('timeout', words.timeout(url, String(patience / 1000)));
+    case 'tooLarge':
+      throw failure('too-large', words.tooLarge(url, `${most[kind]} MB`));
+    case 'failed': {
+      const {cause} = fetched;
+      throw failure('network', words.network(url, cause instanceof Error ? cause.message : '?'));
+    }
+  }
+}
+
+const refused = (url: string, status: number, words: FileWords): SolverError =>
+  status >= 400 && status < 500
+    ? failure('not-found', words.notFound(url))
+    : failure('network', words.network(url, `HTTP ${status}`));
+
+/** @throws {SolverError} the errors of `fetchBlob` */
+async function fetchText(url: string, words: FileWords, signal: AbortSignal): Promise<ReadFile> {
+  const bytes = new Uint8Array(await (await fetchBlob(url, words, signal, 'text')).arrayBuffer());
+  return {place: {url, sha256: sha256Of(bytes)}, text: new TextDecoder().decode(bytes)};
+}
 
 /** A request. Strings are URLs, relative to the document. */
 export interface Asked {
@@ -141,7 +204,7 @@ function parsed(text: string, called: string, words: FileWords): unknown {
 }
 
 /** Reads a print. An unknown colourway selects the first. @throws {SolverError} */
-export function printFrom(
+function printFrom(
   text: string,
   place: StoredFile | undefined,
   wanted: string | undefined,
@@ -170,5 +233,90 @@ function checked(text: string, place: StoredFile | undefined): Print {
   } catch (error) {
     if (!(error instanceof FileError)) throw error;
     throw new SolverError({code: 'notAPrint', message: error.message});
+  }
+}
+
+/** A print that a page offers as a choice. */
+export interface OfferedPrint {
+  /** Absolute URL. */
+  readonly url: string;
+  readonly title: string;
+  /** Set once the file has been read, with the absolute URL of its image. */
+  readonly print?: Print;
+}
+
+/** A URL, or one with the print's title. */
+export type PrintOffer = string | {readonly url: string; readonly title?: string};
+
+/** Reads the offers; drops those without a valid URL. */
+function offeredPrints(offers: unknown): readonly OfferedPrint[] {
+  if (!Array.isArray(offers)) return [];
+  return (offers as readonly unknown[]).flatMap((offer) => {
+    const given: unknown = typeof offer === 'string' ? {url: offer} : offer;
+    const url = fieldOf(given, 'url');
+    const title = fieldOf(given, 'title');
+    if (typeof url !== 'string' || !URL.canParse(url, document.baseURI)) return [];
+    const {href} = new URL(url, document.baseURI);
+    return [{url: href, title: typeof title === 'string' ? title : ''}];
+  });
+}
+
+/**
+ * Reads an offered print. An unreadable one is offered without its image; choosing it shows the
+ * error.
+ */
+async function withPrint(
+  offered: OfferedPrint,
+  words: FileWords,
+  signal: AbortSignal,
+): Promise<OfferedPrint> {
+  try {
+    const {place, text} = await fetchText(offered.url, words, signal);
+    const print = printOf(printFrom(text, place, undefined, words));
+    return {...offered, title: offered.title || (print.title ?? ''), print};
+  } catch {
+    return offered;
+  }
+}
+
+/** The prints that an element offers. Their files are read once they are to be shown. */
+export class PrintOffers {
+  readonly #changed: () => void;
+  #all: readonly OfferedPrint[] = [];
+  #reading: AbortController | undefined;
+  #isRead = true;
+
+  constructor(changed: () => void) {
+    this.#changed = changed;
+  }
+
+  get all(): readonly OfferedPrint[] {
+    return this.#all;
+  }
+
+  set(offers: unknown): void {
+    this.stop();
+    this.#all = offeredPrints(offers);
+    this.#isRead = this.#all.length === 0;
+    this.#changed();
+  }
+
+  read(words: FileWords): void {
+    if (this.#isRead || this.#reading) return;
+    const reading = new AbortController();
+    this.#reading = reading;
+    const all = this.#all.map((one) => withPrint(one, words, reading.signal));
+    void Promise.all(all).then((read) => {
+      if (reading.signal.aborted) return;
+      this.#all = read;
+      this.#isRead = true;
+      this.#changed();
+    });
+  }
+
+  /** Stops reading; the next `read` starts again. */
+  stop(): void {
+    this.#reading?.abort();
+    this.#reading = undefined;
   }
 }

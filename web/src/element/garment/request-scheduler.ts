@@ -1,25 +1,29 @@
 /**
- * Decides when an element starts: once it is near or requested, and once for all changes of one
- * task.
+ * Decides when an element starts a request: once it is near or requested, and once for all changes
+ * of one task.
  */
 import type {GarmentSession, LoadReason} from './session.js';
 import type {Asked} from './sources.js';
+import {SolverError} from '../../model/result/failure.js';
+import type {SolveResult} from '../../model/result/result.js';
 
 /** Distance outside the visible page within which it starts. */
 const rootMargin = '200px';
 
 /** State of the element that decides about the start. */
-interface Beginner {
+interface RequestOwner {
   readonly element: Element;
   readonly isEager: () => boolean;
   /** Undefined if the garment or the print is missing. */
   readonly asked: () => Asked | undefined;
   /** Called at the start: there is something to show from now on. */
   readonly begun: () => void;
+  /** Message for a request without garment or print. */
+  readonly noGarment: () => string;
 }
 
-export class Beginning {
-  readonly #beginner: Beginner;
+export class RequestScheduler {
+  readonly #owner: RequestOwner;
   readonly #session: GarmentSession;
   #near: IntersectionObserver | undefined;
   /** It starts automatically: it is or was near, or it is eager. */
@@ -31,8 +35,8 @@ export class Beginning {
   #reason: LoadReason = {};
   #isScheduled = false;
 
-  constructor(beginner: Beginner, session: GarmentSession) {
-    this.#beginner = beginner;
+  constructor(owner: RequestOwner, session: GarmentSession) {
+    this.#owner = owner;
     this.#session = session;
   }
 
@@ -59,18 +63,36 @@ export class Beginning {
     this.#isDue = true;
   }
 
-  /** Starts a due request, near or not. */
-  now(): void {
+  /** Starts the current request, near or not, unless it is running or answered. */
+  start(): void {
+    const {state} = this.#session;
+    const isStuck = state === 'idle' || state === 'error' || state === 'stale';
+    if (isStuck && !this.#isDue && !this.#session.solveAgain()) this.#isDue = true;
     this.#want();
     if (this.#isDue) this.#begin();
+  }
+
+  /**
+   * Starts the current request, and returns its answer.
+   * @throws the errors of the element's `solve`
+   */
+  async answer(signal: AbortSignal | undefined): Promise<SolveResult> {
+    const isMissing = this.#owner.asked() === undefined;
+    if (isMissing && (this.#session.state === 'idle' || this.#isDue)) {
+      throw new SolverError({code: 'notAGarment', message: this.#owner.noGarment()});
+    }
+    this.start();
+    return this.#session.answer(signal, () => {
+      this.#abandon();
+    });
   }
 
   /**
    * Called when the last caller has left. Ends work that would not have started automatically,
    * until the element is near.
    */
-  abandon(): void {
-    if (this.#isSeen && this.#beginner.element.isConnected) return;
+  #abandon(): void {
+    if (this.#isSeen && this.#owner.element.isConnected) return;
     this.#isWanted = this.#isSeen;
     if (this.#session.pause()) this.#isDue = true;
   }
@@ -80,7 +102,7 @@ export class Beginning {
     this.#isScheduled = true;
     queueMicrotask(() => {
       this.#isScheduled = false;
-      const isHere = this.#beginner.element.isConnected || this.#session.isAwaited;
+      const isHere = this.#owner.element.isConnected || this.#session.isAwaited;
       if (this.#isWanted && this.#isDue && isHere) this.#begin();
     });
   }
@@ -88,7 +110,7 @@ export class Beginning {
   /** Starts when the element is near; at once if it is eager or was near before. */
   watch(): void {
     this.unwatch();
-    if (this.#isSeen || this.#beginner.isEager()) {
+    if (this.#isSeen || this.#owner.isEager()) {
       this.#see();
       return;
     }
@@ -101,7 +123,7 @@ export class Beginning {
       },
       {rootMargin},
     );
-    this.#near.observe(this.#beginner.element);
+    this.#near.observe(this.#owner.element);
   }
 
   unwatch(): void {
@@ -117,11 +139,11 @@ export class Beginning {
     this.#isWanted = true;
     if (this.#hasBegun) return;
     this.#hasBegun = true;
-    this.#beginner.begun();
+    this.#owner.begun();
   }
 
   #begin(): void {
-    const asked = this.#beginner.asked();
+    const asked = this.#owner.asked();
     if (!asked) {
       this.#session.cancel();
       return;

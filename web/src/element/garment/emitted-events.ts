@@ -1,12 +1,48 @@
-/** Fires events for changes of a workbench, each change once. */
-import {failureOf, type Failure, type SolverError} from '../../model/result/failure.js';
+/** The element's events: fired once for each change; events of its parts stay inside. */
+import {failureOf, SolverError, type Failure} from '../../model/result/failure.js';
 import type {Progress} from '../../model/design/solve-problem.js';
 import type {Target, Workbench} from '../../workbench/workbench.js';
 import type {GarmentEvents} from './events.js';
 import type {Loaded} from './sources.js';
+import {drapeEvent, drawnEvent, undrawableEvent} from '../../editor/pattern/scene-drawing.js';
+import {FileError} from '../../model/base/versioned-file.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+
+/** Inner events that would leave the element as if they were its own. */
+const kept = ['input', 'change', 'select', 'sw-lens-cursor', 'sw-lens-wanted'];
+
+interface InnerListener {
+  readonly draped: (news: GarmentEvents['drape']) => void;
+  readonly drawn: () => void;
+  readonly undrawable: (failure: Failure) => void;
+}
+
+/** Keeps these events within a shadow root, and handles those about the drawing. */
+export function keepInside(root: EventTarget, {draped, drawn, undrawable}: InnerListener): void {
+  for (const type of [...kept, drapeEvent, drawnEvent, undrawableEvent]) {
+    root.addEventListener(type, (event) => {
+      event.stopPropagation();
+    });
+  }
+  root.addEventListener(drapeEvent, (event) => {
+    draped((event as CustomEvent<GarmentEvents['drape']>).detail);
+  });
+  root.addEventListener(drawnEvent, drawn);
+  root.addEventListener(undrawableEvent, (event) => {
+    undrawable((event as CustomEvent<Failure>).detail);
+  });
+}
+
+/** Converts any error to the element's only kind of error. */
+export function asError(error: unknown): SolverError {
+  if (error instanceof SolverError) return error;
+  if (error instanceof FileError) return new SolverError({code: 'options', message: error.message});
+  return new SolverError(toFailure(error));
+}
 
 export type Emit = <K extends keyof GarmentEvents>(type: K, detail: GarmentEvents[K]) => void;
 
+/** Fires events for changes of a workbench, each change once. */
 export class Announcer {
   readonly #emit: Emit;
   readonly #spoken: (failure: Failure) => SolverError;

@@ -1,8 +1,62 @@
-/** Makes the design after a change of the request; the user's other changes stay. */
-import {usualFabric, type Design} from '../../model/design/design.js';
+/** Designs of an element: after a change of the request, from a stored design, and as one. */
+import {
+  decisionsOf,
+  usualFabric,
+  type Design,
+  type DesignPrint,
+} from '../../model/design/design.js';
 import type {GarmentDocument} from '../../model/garment/garment-document.js';
 import {newDesign} from '../../workbench/samples.js';
-import type {Asked, Loaded} from './sources.js';
+import type {Asked, FileWords, Loaded} from './sources.js';
+import {SolverError} from '../../model/result/failure.js';
+import {designOf, type StoredDesign} from '../../model/documents/stored-design.js';
+import {filedDesign} from '../../model/documents/design-problem.js';
+import type {SolveResult} from '../../model/result/result.js';
+
+/**
+ * Converts a stored design to an editable one.
+ * @throws {SolverError} `file-changed` if a file differs from the one used for the design
+ */
+export function restored({garment, print}: Loaded, stored: StoredDesign, words: FileWords): Design {
+  for (const [found, sold] of [
+    [garment.file, stored.garment],
+    [print.file?.place, stored.print],
+  ] as const) {
+    if (found?.sha256 !== sold.sha256) {
+      throw new SolverError({code: 'file-changed', message: words.fileChanged(sold.url)});
+    }
+  }
+  return {garment, print: changed(print, stored.print), ...decisionsOf(stored)};
+}
+
+function changed(print: DesignPrint, stored: StoredDesign['print']): DesignPrint {
+  const {
+    group = print.group,
+    size = print.size,
+    turnDeg = print.turnDeg,
+    oneWay = print.oneWay,
+    cell = print.cell,
+  } = stored;
+  const isMeasured = print.unscaled && stored.size !== undefined;
+  return {...print, group, size, turnDeg, oneWay, cell, ...(isMeasured && {unscaled: false})};
+}
+
+/**
+ * Returns the design of an element with its answer, to be stored.
+ * @throws {SolverError} if the garment or the print has no URL to store; the message is one
+ * sentence
+ */
+export function storedDesign(design: Design, result: SolveResult, words: FileWords): StoredDesign {
+  const missing = !design.garment.file
+    ? words.garment
+    : !design.print.file?.place
+      ? words.print
+      : undefined;
+  if (missing !== undefined) {
+    throw new SolverError({code: 'options', message: words.notStorable(missing)});
+  }
+  return designOf(filedDesign(design), result);
+}
 
 /** A request and the loaded files. */
 export interface Answered {
@@ -19,6 +73,7 @@ export interface ReadGarments {
 }
 
 /**
+ * Makes the design after a change of the request; the user's other changes stay.
  * @param before undefined for a fresh start
  * @param now the current design, which came from `before`
  */
