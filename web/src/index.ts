@@ -50,6 +50,6 @@ export {resultText} from './model/documents/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/design/solved-design.js';
 export * from './model/documents/stored-design.js';
 
-export * from './solver/client.js';
-export * from './solver/main-thread.js';
+export * from './solver/page-solvers.js';
+export * from './solver/page-solvers.js';
 export * from './solver/pool.js';

@@ -3,7 +3,7 @@ import type {Page} from 'playwright-core';
 import {solve} from 'seamwise/node';
 import {afterEach, beforeEach, expect, it} from 'vitest';
 
-import type {FromThread} from '@/solver/threads/protocol.js';
+import type {FromThread} from '@/solver/threads/thread.js';
 import {scallopedSkirt} from '../../support/garments/scalloped-skirt.js';
 import {checks, twoStrips} from '../../support/garments/samples.js';
 import {useSolverPage, withoutTimes} from '../../support/page/solver-page.js';

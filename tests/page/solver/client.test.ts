@@ -2,7 +2,7 @@ import type {Page} from 'playwright-core';
 import {convert, mirror, prepare, solve, symmetries, type Symmetry} from 'seamwise/node';
 import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
-import type {FromThread} from '@/solver/threads/protocol.js';
+import type {FromThread} from '@/solver/threads/thread.js';
 import {checks, twoStrips} from '../../support/garments/samples.js';
 import {
   isHelper,

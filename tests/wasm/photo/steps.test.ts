@@ -11,7 +11,7 @@ import {
   photoModuleRequest,
   photoObjectModuleRequest,
   photoTileModuleRequest,
-} from '@/solver/photo/run-photo.js';
+} from '@/solver/answers/photo.js';
 import {painted, paper, ink, rose, within} from '../../support/image/pictures.js';
 
 const side = 1024;

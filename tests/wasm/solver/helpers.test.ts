@@ -7,13 +7,16 @@ import {Worker} from 'node:worker_threads';
 
 import {afterEach, expect, it} from 'vitest';
 
-import {localAnswerer} from '@/solver/answering.js';
+import {localAnswerer} from '@/solver/answer-table.js';
 import {ownThread, type Pace} from '@/solver/answers/slices.js';
-import type {Requests} from '@/solver/requests/requests.js';
-import {problemTexts} from '@/solver/requests/texts.js';
-import {Helpers} from '@/solver/seamwise/helpers.js';
-import {protocolVersion, type FromThread, type ToThread} from '@/solver/threads/protocol.js';
-import type {StartThread} from '@/solver/threads/thread.js';
+import {problemTexts, type Requests} from '@/solver/requests/requests.js';
+import {Helpers} from '@/solver/threads/helpers.js';
+import {
+  protocolVersion,
+  type FromThread,
+  type StartThread,
+  type ToThread,
+} from '@/solver/threads/thread.js';
 import {isThorough} from '../../support/level.js';
 import {sample} from '../../support/garments/samples.js';
 

@@ -7,8 +7,8 @@ import {expect, it} from 'vitest';
 
 import {SharedModule} from '@/solver/answers/shared-module.js';
 import {seamwise} from '@/solver/module/load.js';
-import {problemTexts} from '@/solver/requests/texts.js';
-import {Solver} from '@/solver/seamwise/solver.js';
+import {problemTexts} from '@/solver/requests/requests.js';
+import {Solver} from '@/solver/answers/solve.js';
 import {cases} from '../../support/level.js';
 import {checks, sample, twoStrips} from '../../support/garments/samples.js';
 

@@ -3,7 +3,7 @@ import {readFile} from 'node:fs/promises';
 import {convert, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {localAnswerer} from '@/solver/answering.js';
+import {localAnswerer} from '@/solver/answer-table.js';
 import {SharedModule} from '@/solver/answers/shared-module.js';
 import {seamwise} from '@/solver/module/load.js';
 import {warmUpProblems} from '@/solver/warm-up.js';

@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import {TaskQueue} from '@/solver/answers/task-queue.js';
+import {TaskQueue} from '@/solver/answers/answerer.js';
 
 /** Tasks that the test ends; the record contains their starts. */
 function worker(queue: TaskQueue) {

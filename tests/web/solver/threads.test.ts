@@ -4,14 +4,17 @@
 import {beforeEach, expect, it} from 'vitest';
 
 import {SolverError} from '@/model/result/failure.js';
-import {Answerer} from '@/solver/answers/answerer.js';
-import {workerBlocked} from '@/solver/answers/broken.js';
+import {Answerer, type AnswerTable, type Queue} from '@/solver/answers/answerer.js';
+import {workerBlocked} from '@/solver/answers/failures.js';
 import type {ModuleLoader} from '@/solver/answers/shared-module.js';
 import {runInSlices} from '@/solver/answers/slices.js';
-import type {AnswerTable, Queue} from '@/solver/answers/table.js';
-import {protocolVersion, type FromThread, type ToThread} from '@/solver/threads/protocol.js';
+import {
+  protocolVersion,
+  type FromThread,
+  type StartThread,
+  type ToThread,
+} from '@/solver/threads/thread.js';
 import {serve} from '@/solver/threads/serve.js';
-import type {StartThread} from '@/solver/threads/thread.js';
 import {ThreadClient} from '@/solver/threads/thread-client.js';
 
 /** Exports `half`, which halves a number, and `trap`, which traps. */

@@ -23,7 +23,7 @@ export type {
   NamedProofHooks as NodeProofHooks,
   NamedSolveHooks as NodeSolveHooks,
   ProblemNames,
-} from '../solver/requests/texts.js';
+} from '../solver/requests/requests.js';
 export {SolverError, type Failure, type FailureCode} from '../model/result/failure.js';
 export {problemOfStored} from '../model/documents/design-problem.js';
 export * from '../model/documents/stored-design.js';

@@ -1,13 +1,13 @@
 /** A thread that helps the solver, like a nested worker in a page. */
 import {parentPort} from 'node:worker_threads';
 
-import {answering} from '../solver/answering.js';
+import {answerTable} from '../solver/answer-table.js';
 import {serve} from '../solver/threads/serve.js';
 
 const port = parentPort;
 port?.on(
   'message',
-  serve(answering(), (message, transfer) => {
+  serve(answerTable(), (message, transfer) => {
     port.postMessage(message, transfer);
   }),
 );

@@ -17,7 +17,7 @@ import {
   type NamedPrepareHooks,
   type NamedProofHooks,
   type NamedSolveHooks,
-} from '../solver/requests/texts.js';
+} from '../solver/requests/requests.js';
 import type {Cut, CutSettings} from './cut.js';
 import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';

@@ -3,11 +3,9 @@ import {readFile} from 'node:fs/promises';
 import {availableParallelism} from 'node:os';
 import {isMainThread} from 'node:worker_threads';
 
-import {localAnswerer} from '../solver/answering.js';
-import {helpersFor} from '../solver/cores.js';
-import type {HooksOf} from '../solver/requests/kinds.js';
-import type {Requests} from '../solver/requests/requests.js';
-import {Helpers} from '../solver/seamwise/helpers.js';
+import {localAnswerer} from '../solver/answer-table.js';
+import {helpersFor, type HooksOf, type Requests} from '../solver/requests/requests.js';
+import {Helpers} from '../solver/threads/helpers.js';
 import {TextService} from '../solver/service.js';
 import {thread} from './thread.js';
 

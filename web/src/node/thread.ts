@@ -1,8 +1,7 @@
 import {Worker} from 'node:worker_threads';
 
 import type {Requests} from '../solver/requests/requests.js';
-import type {FromThread} from '../solver/threads/protocol.js';
-import type {StartThread} from '../solver/threads/thread.js';
+import type {FromThread, StartThread} from '../solver/threads/thread.js';
 
 const script = new URL('./helper-thread.js', import.meta.url);
 

@@ -1,10 +1,6 @@
 import {SolverError, type Failure} from '../model/result/failure.js';
-import {SolverClient} from './client.js';
-import {helpersFor, mostCores} from './cores.js';
-import {MainThreadSolver} from './main-thread.js';
-import type {WorkerPlaces} from './page-worker.js';
-import type {HooksOf} from './requests/kinds.js';
-import type {Requests} from './requests/requests.js';
+import {MainThreadSolver, SolverClient, type WorkerPlaces} from './page-solvers.js';
+import {helpersFor, mostCores, type HooksOf, type Requests} from './requests/requests.js';
 import {TextService} from './service.js';
 import {warmUpProblems} from './warm-up.js';
 
@@ -217,5 +213,41 @@ class LeasedSolver extends TextService {
         tell(failure);
       });
     }
+  }
+}
+
+/**
+ * A solver that outlives its lease: it takes one for each request, and may release it in between.
+ */
+export class LastingSolver extends TextService implements SolverLease {
+  readonly solver = this;
+  readonly #places: () => LeasePlaces;
+  #lease: SolverLease | undefined;
+
+  /** @param places called for each new lease */
+  constructor(places: () => LeasePlaces) {
+    super();
+    this.#places = places;
+  }
+
+  get #leased(): SolverLease {
+    return (this.#lease ??= leaseSolver(this.#places()));
+  }
+
+  warm(): void {
+    this.#leased.warm();
+  }
+
+  release(): void {
+    this.#lease?.release();
+    this.#lease = undefined;
+  }
+
+  ask<K extends keyof Requests>(
+    kind: K,
+    request: Requests[K]['request'],
+    hooks: HooksOf<Requests[K]>,
+  ): Promise<Requests[K]['answer']> {
+    return this.#leased.solver.ask(kind, request, hooks);
   }
 }

@@ -14,18 +14,18 @@ import type {
 import type {Problem, ProofHooks, SolveHooks} from '../model/design/solve-problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
-import type {HooksOf} from './requests/kinds.js';
-import type {Requests} from './requests/requests.js';
 import {
   drapeTexts,
   garmentTexts,
   mirrorTexts,
   problemTexts,
+  type HooksOf,
   type NamedDrapeHooks,
   type NamedPrepareHooks,
   type NamedProofHooks,
   type NamedSolveHooks,
-} from './requests/texts.js';
+  type Requests,
+} from './requests/requests.js';
 
 /** Hooks for any request. Hooks for events that a request does not report are not called. */
 export type QuestionHooks = SolveHooks & ProofHooks;

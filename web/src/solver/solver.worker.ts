@@ -1,17 +1,26 @@
 // Entry of the worker. Hosting it elsewhere requires this file's imports and the .wasm file beside
 // it.
-import {answering} from './answering.js';
+import {answerTable} from './answer-table.js';
 import type {Requests} from './requests/requests.js';
-import {Helpers} from './seamwise/helpers.js';
-import {nestedWorker} from './seamwise/nested-worker.js';
-import type {ToThread} from './threads/protocol.js';
+import {Helpers} from './threads/helpers.js';
+import {workerThread, type StartThread, type ToThread} from './threads/thread.js';
 import {serve} from './threads/serve.js';
+import {trustedScript} from '../model/base/trusted.js';
+
+/**
+ * A worker inside this worker, with the same script at a distinguishable URL; it ends with this
+ * one.
+ */
+export const nestedWorker: StartThread<Requests> = (owner) => {
+  const address = `${location.href.replace(/#.*/, '')}#helper`;
+  return workerThread(new Worker(trustedScript(address), {type: 'module'}), owner);
+};
 
 // Outside a worker this does nothing, such as on a server that follows every import.
 if ('DedicatedWorkerGlobalScope' in globalThis) {
   // no helpers where workers cannot start workers
   const helpers = 'Worker' in globalThis ? new Helpers(nestedWorker) : undefined;
-  const receive = serve(answering(helpers), (message, transfer) => {
+  const receive = serve(answerTable(helpers), (message, transfer) => {
     self.postMessage(message, {transfer});
   });
   self.addEventListener('message', ({data}: MessageEvent<ToThread<Requests>>) => {

@@ -1,6 +1,6 @@
 // The project's own worker, except that it breaks some time after it gets garments with these
 // names.
-import type {ProblemTexts} from '../../../../web/src/solver/requests/texts.js';
+import type {ProblemTexts} from '../../../../web/src/solver/requests/requests.js';
 import '../../../../web/src/solver/solver.worker.js';
 
 const breaks: Readonly<Record<string, () => void>> = {

@@ -1,7 +1,6 @@
 import {problemOfStored} from '../../../../web/src/model/documents/design-problem.js';
 import {designOf} from '../../../../web/src/model/documents/stored-design.js';
-import {SolverClient} from '../../../../web/src/solver/client.js';
-import {MainThreadSolver} from '../../../../web/src/solver/main-thread.js';
+import {MainThreadSolver, SolverClient} from '../../../../web/src/solver/page-solvers.js';
 import {leaseSolver} from '../../../../web/src/solver/pool.js';
 
 declare global {

@@ -32,7 +32,7 @@ import type {
   PhotoRequest,
   PhotoTileRequest,
 } from '@/model/print/photo-reading.js';
-import {balance} from '@/solver/photo/balance.js';
+import {balance} from '@/solver/answers/photo.js';
 import type {SolverService} from '@/solver/service.js';
 
 const size = {width: 900, height: 600};

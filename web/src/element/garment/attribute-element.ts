@@ -4,7 +4,7 @@ import type {Garment} from '../../model/garment/specification.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import type {StoredDesign} from '../../model/documents/stored-design.js';
 import type {Symmetries, Symmetry} from '../../model/garment/symmetries.js';
-import type {WorkerPlaces} from '../../solver/client.js';
+import type {WorkerPlaces} from '../../solver/page-solvers.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {
   attributes,

@@ -2,7 +2,7 @@
 import type {Design} from '../../model/design/design.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {SolveResult} from '../../model/result/result.js';
-import {unlessAborted} from '../../solver/answers/unless-aborted.js';
+import {unlessAborted} from '../../solver/answers/failures.js';
 import {lastOf} from '../../model/base/last-of.js';
 import {asError, type Emit} from './emitted-events.js';
 import type {AttributeElement} from './attribute-element.js';
@@ -153,8 +153,6 @@ export class MarkerLayer {
     this.#laying = undefined;
   }
 }
-
-// Fabric layout of an answer.
 
 /** All inputs of a layout. */
 export interface LaidAnswer extends Pick<Design, 'garment' | 'options' | 'names'> {

@@ -6,7 +6,7 @@ import type {FabricName} from '../../model/result/draped-garment.js';
 import {SolverError, type Failure} from '../../model/result/failure.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {writeStoredDesign, type StoredDesign} from '../../model/documents/stored-design.js';
-import type {LeasePlaces} from '../../solver/pool.js';
+import {LastingSolver, type LeasePlaces} from '../../solver/pool.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
 import {lastOf} from '../../model/base/last-of.js';
 import type {Preferences} from '../../texts/preferences.js';
@@ -15,7 +15,6 @@ import {Workbench, type SolveState} from '../../workbench/workbench.js';
 import {Announcer, asError, type Emit} from './emitted-events.js';
 import type {GarmentState} from './events.js';
 import {Sources, type Asked, type FileWords, type Loaded} from './sources.js';
-import {LastingSolver} from './lasting-solver.js';
 import {nextDesign, restored, storedDesign, type Answered, type ReadGarments} from './designs.js';
 import {Tiles} from './tiles.js';
 

@@ -19,7 +19,7 @@ import {fieldOf, Malformed} from '../../model/base/read.js';
 import {repeatOf} from '../../model/print/repeat.js';
 import {printOfStored} from '../../model/documents/stored-design.js';
 import {FileError} from '../../model/base/versioned-file.js';
-import {jsonText} from '../../solver/requests/texts.js';
+import {jsonText} from '../../solver/requests/requests.js';
 import {fetchedBy} from '../../model/base/fetched.js';
 import {sha256Of} from '../../model/documents/result-text.js';
 import type {Texts} from '../../texts/texts.js';

@@ -1,11 +1,54 @@
+/** Answers requests on the calling thread: queues, modules, and the table of answers. */
 import {SolverError} from '../../model/result/failure.js';
-import type {HooksOf, KindOf, RequestKinds} from '../requests/kinds.js';
-import {brokenModule, loadingError} from './broken.js';
-import {SharedModule, type Modules, type WasmSources} from './shared-module.js';
+import type {HooksOf, KindOf, RequestKind, RequestKinds} from '../requests/requests.js';
+import {brokenModule, loadingError, unlessAborted} from './failures.js';
+import {SharedModule, type ModuleLoader, type Modules, type WasmSources} from './shared-module.js';
 import {ownThread, type Pace} from './slices.js';
-import type {Answering, AnswerTable, Queue} from './table.js';
-import {TaskQueue} from './task-queue.js';
-import {unlessAborted} from './unless-aborted.js';
+
+/** Requests that wait for each other, in the order of arrival. */
+export interface Queue {
+  /** Number of requests that are answered at the same time. */
+  readonly atOnce: number;
+}
+
+/** A request that is being answered. */
+interface Job<Q extends RequestKind> {
+  readonly hooks: HooksOf<Q>;
+  readonly pace: Pace;
+  /** The compiled module, so that other threads run exactly the same one. */
+  readonly compiled: WebAssembly.Module | undefined;
+  /** Returns whether no request of a queue is being answered. */
+  readonly isIdle: (queue: Queue) => boolean;
+}
+
+/** Answers requests of one kind. */
+interface Answering<Q extends RequestKind, Ms extends Modules, N extends keyof Ms> {
+  readonly module: N;
+  /** Queue in which a request waits; without one it starts at once. */
+  readonly queue?: Queue;
+  /**
+   * Values whose typed arrays are transferred to another thread instead of copied. They must not be
+   * views of the module's memory.
+   */
+  readonly transfers?: readonly ('answer' | keyof Q['hooks'])[];
+  /**
+   * Answers a request.
+   * @throws {SolverError}, where `internal` replaces the module; the signal's reason, when it has
+   * fired
+   */
+  answer(module: Ms[N], request: Q['request'], job: Job<Q>): Q['answer'] | Promise<Q['answer']>;
+}
+
+/**
+ * All requests that a thread can answer, and their modules, each of which is loaded when it is
+ * first needed.
+ */
+export interface AnswerTable<R extends RequestKinds, Ms extends Modules> {
+  readonly modules: {readonly [N in keyof Ms]: ModuleLoader<Ms[N]>};
+  readonly requests: {
+    readonly [K in keyof R]: {readonly [N in keyof Ms]: Answering<R[K], Ms, N>}[keyof Ms];
+  };
+}
 
 export interface AnswererOptions<Ms extends Modules> {
   /** Sources of the modules; a page or worker needs none. */
@@ -88,5 +131,63 @@ async function load<M>(shared: SharedModule<M>): Promise<M> {
     return await shared.load();
   } catch (error) {
     throw loadingError(error, shared.file);
+  }
+}
+
+/** Runs a limited number of tasks at a time, in the order of arrival. */
+export class TaskQueue {
+  readonly #atOnce: number;
+  #free: number;
+  /** Functions that start the waiting tasks, in order. */
+  readonly #waiting = new Set<() => void>();
+
+  /** @param atOnce greatest number of tasks that run at the same time */
+  constructor(atOnce: number) {
+    this.#atOnce = this.#free = atOnce;
+  }
+
+  get isIdle(): boolean {
+    return this.#free === this.#atOnce;
+  }
+
+  /**
+   * Runs a task in its turn.
+   * @throws errors of `work`; the signal's reason, at once, when it fires before the task's turn
+   */
+  async take<T>(work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
+    signal?.throwIfAborted();
+    if (this.#free > 0) this.#free -= 1;
+    else await this.#wait(signal);
+    try {
+      return await work();
+    } finally {
+      this.#pass();
+    }
+  }
+
+  #wait(signal: AbortSignal | undefined): Promise<void> {
+    return new Promise((resolve, reject) => {
+      const leave = () => {
+        this.#waiting.delete(begin);
+        // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- the caller's own
+        reject(signal?.reason);
+      };
+      const begin = () => {
+        signal?.removeEventListener('abort', leave);
+        resolve();
+      };
+      this.#waiting.add(begin);
+      signal?.addEventListener('abort', leave, {once: true});
+    });
+  }
+
+  #pass(): void {
+    const [next] = this.#waiting;
+    if (!next) {
+      this.#free += 1;
+      return;
+    }
+    this.#waiting.delete(next);
+    next();
   }
 }

@@ -1,10 +1,14 @@
 /**
  * JSON documents in the format for the module and back: a head, a node of 16 bytes for every value
  * and every name, and the texts. wasm/src/io/json_value.h describes the nodes;
- * wasm/src/bindings/json_bytes.cpp is the counterpart.
+ * wasm/src/bindings/json_bytes.cpp is the counterpart. Failures of the module become errors.
  */
-import type {DocumentLimits} from '../module/module.js';
+import type {DocumentLimits, ModuleFailure} from '../module/module.js';
 import {scan, type JsonBreak, type JsonSink} from './scan.js';
+import {failureCode, SolverError} from '../../model/result/failure.js';
+import {symmetryReasons} from '../../model/result/notes.js';
+import {photoFaults} from '../../model/print/photo-reading.js';
+import type {ModuleDocument} from '../module/seamwise.mjs';
 
 /** Numbers of kinds and defects in the module. */
 const kinds = {null: 0, false: 1, true: 2, number: 3, text: 4, list: 5, object: 6} as const;
@@ -198,4 +202,21 @@ class DocumentWriter implements JsonSink {
     if (this.#known.size < mostKnown) this.#known.set(text, place);
     return place;
   }
+}
+
+/** Value of a document from the module. @throws {SolverError} if there is none */
+export function valueOf({document, failure}: ModuleDocument): unknown {
+  if (failure) throw toError(failure);
+  return documentValue(document);
+}
+
+export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
+  const why = [...symmetryReasons, ...photoFaults].find((known) => known === reason);
+  return new SolverError({
+    code: failureCode(code),
+    message,
+    piece: piece < 0 ? null : piece,
+    seam: seam < 0 ? null : seam,
+    ...(why && {reason: why}),
+  });
 }

@@ -1,17 +1,16 @@
+/** Answers requests of another thread. */
 import {failureOf, SolverError, type Failure} from '../../model/result/failure.js';
-import {Answerer} from '../answers/answerer.js';
-import {internalError} from '../answers/broken.js';
+import {Answerer, type AnswerTable} from '../answers/answerer.js';
+import {internalError} from '../answers/failures.js';
 import type {Modules, WasmSources} from '../answers/shared-module.js';
-import type {AnswerTable} from '../answers/table.js';
-import type {HooksOf, KindOf, RequestKinds} from '../requests/kinds.js';
-import {buffersOf} from './buffers.js';
+import type {HooksOf, KindOf, RequestKinds} from '../requests/requests.js';
 import {
   protocolVersion,
   type FromThread,
   type ModuleSource,
   type RequestMessage,
   type ToThread,
-} from './protocol.js';
+} from './thread.js';
 
 /** Sends a message to the requesting thread, and transfers buffers to it. */
 type PostMessage = (message: FromThread, transfer: ArrayBuffer[]) => void;
@@ -94,4 +93,14 @@ function toFailure(error: unknown, signal: AbortSignal): Failure {
 function unexpected(error: unknown, signal: AbortSignal): SolverError {
   if (error !== signal.reason) return internalError('The solver broke', error);
   return new SolverError({code: 'cancelled', message: 'The job was cancelled.'});
+}
+
+/** The buffers of all typed arrays in a value, each once, to be transferred instead of copied. */
+function buffersOf(value: unknown, found = new Set<ArrayBuffer>()): Set<ArrayBuffer> {
+  if (value instanceof ArrayBuffer) found.add(value);
+  else if (ArrayBuffer.isView(value)) buffersOf(value.buffer, found);
+  else if (typeof value === 'object' && value !== null) {
+    for (const part of Object.values(value)) buffersOf(part, found);
+  }
+  return found;
 }

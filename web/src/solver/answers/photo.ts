@@ -7,11 +7,11 @@ import {
   photoNotes,
   photoStages,
   symmetryVerdicts,
+  type ColourGains,
   type Homography,
   type OpenEdge,
   type PhotoGroup,
   type PhotoHooks,
-  type ColourGains,
   type PhotoMap,
   type PhotoObject,
   type PhotoObjectSettings,
@@ -23,7 +23,7 @@ import {
   type TileSeams,
 } from '../../model/print/photo-reading.js';
 import type {Point} from '../../model/geometry/vectors.js';
-import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
+import {runInSlices, stepsFor, type Pace} from './slices.js';
 import type {
   ModuleObject,
   ModuleObjectRequest,
@@ -36,8 +36,48 @@ import type {
   ModuleTileSeams,
 } from '../module/photo.mjs';
 import type {ModuleFailure} from '../module/module.js';
-import {toError} from '../seamwise/failures.js';
-import {balance} from './balance.js';
+import {toError} from '../json/document.js';
+import {SolverError} from '../../model/result/failure.js';
+import {codedOf, linearOf} from '../../model/print/srgb.js';
+
+// Decodes an image to upright pixels, on the thread that answers the request.
+
+/** Larger images are reduced: finer detail does not help, and phones lack the memory. [px] */
+const longestSide = 4096;
+
+/** Pixels of an image. @throws {SolverError} for an image that cannot be decoded */
+export async function decoded(picture: PhotoPixels | Blob): Promise<PhotoPixels> {
+  if (!(picture instanceof Blob)) return picture;
+  const bitmap = await bitmapOf(picture);
+  try {
+    const {width, height} = bitmap;
+    const scale = Math.min(1, longestSide / Math.max(width, height));
+    const [across, down] = [Math.round(scale * width), Math.round(scale * height)];
+    const context = new OffscreenCanvas(across, down).getContext('2d', {willReadFrequently: true});
+    if (!context) throw new Error('There is no canvas to decode pictures on.');
+    context.imageSmoothingQuality = 'high';
+    context.fillStyle = 'white';
+    context.fillRect(0, 0, across, down);
+    context.drawImage(bitmap, 0, 0, across, down);
+    return context.getImageData(0, 0, across, down);
+  } finally {
+    bitmap.close();
+  }
+}
+
+async function bitmapOf(picture: Blob): Promise<ImageBitmap> {
+  try {
+    return await createImageBitmap(picture, {
+      imageOrientation: 'from-image',
+      colorSpaceConversion: 'default',
+    });
+  } catch {
+    throw new SolverError({
+      code: 'not-an-image',
+      message: 'The picture cannot be read; save it as JPEG or PNG.',
+    });
+  }
+}
 
 const flat = (points: readonly Point[]): Float64Array => Float64Array.from(points.flat());
 
@@ -223,4 +263,16 @@ export async function runPhotoObject(
     ...{object, outline: pointsOf(outline), error},
     between: {from, to, cm: between[4] ?? NaN},
   };
+}
+
+// White balance: factors of light for gamma-coded pixels.
+
+/** Changes the pixels in place: red, green, blue, opacity. */
+export function balance(pixels: Uint8Array | Uint8ClampedArray, gains: ColourGains): void {
+  const tables = gains.map((gain) =>
+    Uint8ClampedArray.from({length: 256}, (_, code) => 255 * codedOf(gain * linearOf(code / 255))),
+  );
+  tables.forEach((table, channel) => {
+    for (let k = channel; k < pixels.length; k += 4) pixels[k] = table[pixels[k] ?? 0] ?? 0;
+  });
 }

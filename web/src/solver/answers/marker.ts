@@ -7,14 +7,14 @@ import type {
   MarkerPiece,
   MarkerProblem,
 } from '../../model/result/marker-search.js';
-import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
+import {runInSlices, stepsFor, type Pace} from './slices.js';
 import type {
   ModuleLayout,
   ModuleMarker,
   ModuleMarkerPiece,
   ModuleMarkerRequest,
 } from '../module/marker.mjs';
-import {toError} from '../seamwise/failures.js';
+import {toError} from '../json/document.js';
 
 /** Work of one call, small enough to end within a few milliseconds. [million table reads] */
 const workAtOnce = 2;

@@ -1,10 +1,9 @@
 /** Runs drapes in slices. */
 import type {Drape, DrapeHooks, DrapeMesh} from '../../model/result/draped-garment.js';
-import {runInSlices, type Pace} from '../answers/slices.js';
-import {documentBytes} from '../json/document.js';
+import {runInSlices, type Pace} from './slices.js';
+import {documentBytes, toError} from '../json/document.js';
 import type {DrapeModule, ModuleDrape, ModuleDrapeRequest} from '../module/drape.mjs';
-import type {DrapeTexts} from '../requests/texts.js';
-import {toError} from '../seamwise/failures.js';
+import type {DrapeTexts} from '../requests/requests.js';
 
 /**
  * Work of one call: a few steps on a coarse mesh, one on a fine one. [factorisations of a 90 x 90

@@ -1,8 +1,13 @@
 import type {Requests} from '../requests/requests.js';
 import type {LentShare} from '../module/seamwise.mjs';
-import {protocolVersion, type FromThread} from '../threads/protocol.js';
-import type {StartThread, Thread, ThreadOwner} from '../threads/thread.js';
-import type {Solver} from './solver.js';
+import {
+  protocolVersion,
+  type FromThread,
+  type StartThread,
+  type Thread,
+  type ThreadOwner,
+} from './thread.js';
+import type {Solver} from '../answers/solve.js';
 
 /** Delays. [ms] */
 const usualDelays = {

@@ -4,34 +4,29 @@
  */
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/garment/symmetries.js';
-import {Answerer, type AnswererOptions} from './answers/answerer.js';
-import {owning} from './answers/owning.js';
-import {runInSlices, stepsFor} from './answers/slices.js';
-import type {AnswerTable, Queue} from './answers/table.js';
-import {drapeRequest, runDrape} from './drape/run-drape.js';
-import {documentBytes} from './json/document.js';
+import {Answerer, type AnswererOptions, type AnswerTable, type Queue} from './answers/answerer.js';
+import {owning, runInSlices, stepsFor} from './answers/slices.js';
+import {drapeRequest, runDrape} from './answers/drape.js';
+import {documentBytes, toError, valueOf} from './json/document.js';
 import {garmentText} from './json/garment-text.js';
-import {markerRequest, runMarker} from './marker/run-marker.js';
+import {markerRequest, runMarker} from './answers/marker.js';
 import type {DrapeModule} from './module/drape.mjs';
 import {drape, marker, photo, seamwise} from './module/load.js';
 import type {MarkerModule} from './module/marker.mjs';
 import type {PhotoModule} from './module/photo.mjs';
 import type {SeamwiseModule} from './module/seamwise.mjs';
-import {decoded} from './photo/decode.js';
 import {
+  decoded,
   photoModuleRequest,
   photoObjectModuleRequest,
   photoTileModuleRequest,
   runPhoto,
   runPhotoObject,
   runPhotoTile,
-} from './photo/run-photo.js';
-import type {Requests} from './requests/requests.js';
-import {plainNames} from './requests/texts.js';
-import {toError, valueOf} from './seamwise/failures.js';
-import type {Helpers} from './seamwise/helpers.js';
-import {run, runProof, runToPattern} from './seamwise/run.js';
-import {Solver} from './seamwise/solver.js';
+} from './answers/photo.js';
+import {plainNames, type Requests} from './requests/requests.js';
+import type {Helpers} from './threads/helpers.js';
+import {run, runProof, runToPattern, Solver} from './answers/solve.js';
 
 export {besideThePage} from './answers/slices.js';
 
@@ -65,7 +60,7 @@ const photos: Queue = {atOnce: 1};
 const shareSlice = 20;
 
 /** Builds the table. @param helpers other threads for long searches; none by default */
-export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
+export const answerTable = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
   modules: {seamwise, drape, marker, photo},
   requests: {
     solve: {
@@ -204,4 +199,4 @@ export type LocalAnswerer = Answerer<Requests, SolverModules>;
 export const localAnswerer = (
   options?: AnswererOptions<SolverModules>,
   helpers?: Helpers,
-): LocalAnswerer => new Answerer(answering(helpers), options);
+): LocalAnswerer => new Answerer(answerTable(helpers), options);
