@@ -4,7 +4,7 @@ import {printFromPixels} from 'seamwise/node';
 import {beforeAll, expect, it} from 'vitest';
 
 import type {PhotoProgress} from '@/model/print/photo-reading.js';
-import {SharedModule} from '@/solver/answers/shared-module.js';
+import {SharedModule} from '@/solver/module/shared-module.js';
 import {photo} from '@/solver/module/load.js';
 import type {ModulePictureWork, PhotoModule} from '@/solver/module/photo.mjs';
 import {

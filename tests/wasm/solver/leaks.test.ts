@@ -5,7 +5,7 @@ import {runInNewContext} from 'node:vm';
 import {convert, memory, solve, symmetries, type Problem} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {SharedModule} from '@/solver/answers/shared-module.js';
+import {SharedModule} from '@/solver/module/shared-module.js';
 import {seamwise} from '@/solver/module/load.js';
 import {problemTexts} from '@/solver/requests/requests.js';
 import {Solver} from '@/solver/answers/solve.js';

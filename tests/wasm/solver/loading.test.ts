@@ -4,7 +4,7 @@ import {convert, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
 import {localAnswerer} from '@/solver/answer-table.js';
-import {SharedModule} from '@/solver/answers/shared-module.js';
+import {SharedModule} from '@/solver/module/shared-module.js';
 import {seamwise} from '@/solver/module/load.js';
 import {warmUpProblems} from '@/solver/warm-up.js';
 import {twoStrips} from '../../support/garments/samples.js';

@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
 import {pickIndex} from '@/clicks/pick-index.js';
-import {snap, type Snapped} from '@/clicks/snap.js';
+import {snap, type Snapped} from '@/clicks/pick.js';
 import type {Point} from '@/model/geometry/vectors.js';
 import {rectangle, sheetOf, type DrawnPiece} from '../../support/clickable-sheet.js';
 

@@ -1,7 +1,7 @@
 /** The command palette, and the keys of its commands. */
 import {expect, it} from 'vitest';
 
-import {folded, matching} from '@/app/palette/filter.js';
+import {folded, matching} from '@/app/palette/palette.js';
 import type {Command} from '@/commands/editor-command.js';
 import {keyOf, shortcutFor, shortcutIds, shortcuts, titleOf} from '@/commands/shortcuts.js';
 import {loadTexts, textsOf} from '@/texts/texts.js';

@@ -14,7 +14,7 @@ import {matchMarks} from '@/cutting/match-marks.js';
 import {pairLetter, seamLetter} from '@/model/garment/letters.js';
 import {seamLetters} from '@/scene/seam-letters.js';
 import {carried} from '@/model/geometry/triangles.js';
-import {grainLine} from '@/scene/grain-line.js';
+import {grainLine} from '@/scene/marks.js';
 import {isInside} from '@/model/geometry/polyline.js';
 import {
   plainMetrics,

@@ -1,8 +1,8 @@
 /** Edges drawn as curves through their points before they get an allowance. */
 import {expect, it} from 'vitest';
 
-import {bandOf} from '@/cutting/bands.js';
-import {smoothLine} from '@/cutting/smooth-line.js';
+import {bandOf} from '@/cutting/corners.js';
+import {smoothLine} from '@/cutting/edges.js';
 import {distance, minus, turnBetween, type Point} from '@/model/geometry/vectors.js';
 
 /** An arc about the origin in steps of about 1 cm. */

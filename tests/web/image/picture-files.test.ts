@@ -3,8 +3,7 @@ import {createCanvas} from '@napi-rs/canvas';
 import {describe, expect, it} from 'vitest';
 
 import {fileKind, isWhole} from '@/image/file-kind.js';
-import {dpiOf, lengthOnPaper, resolutionOf} from '@/image/printed-size.js';
-import {rootAttribute, sizedSvg} from '@/image/svg-size.js';
+import {dpiOf, lengthOnPaper, resolutionOf, rootAttribute, sizedSvg} from '@/image/printed-size.js';
 import {leaf, painted, pngOf} from '../../support/image/pictures.js';
 
 const png = pngOf(painted(12, 8, leaf), 300);

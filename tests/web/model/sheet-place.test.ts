@@ -2,8 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {Point} from '@/model/geometry/vectors.js';
 import {offSheet, ontoSheet, wayOnSheet} from '@/model/geometry/sheet-place.js';
-import {sceneOf, pieceAt} from '@/scene/scene.js';
-import {lineOf} from '@/scene/seam-line.js';
+import {lineOf, pieceAt, sceneOf} from '@/scene/scene.js';
 import {plainPrint, squarePair} from '../../support/garments/two-squares.js';
 
 const upright = {offset: [3, 4]} as const;

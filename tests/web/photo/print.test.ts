@@ -3,9 +3,8 @@ import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it} from 'vitest';
 
 import {directionSign} from '@/texts/direction-sign.js';
-import {areSame} from '@/photo/same-picture.js';
+import {areSame, measuresOf, stepOf} from '@/photo/photo-step.js';
 import {namePlace} from '@/editor/photo/stage-marks.js';
-import {measuresOf, stepOf} from '@/photo/photo-step.js';
 import {printOfPhoto} from '@/image/photo-print.js';
 import {norm, radians, rotated, type Point} from '@/model/geometry/vectors.js';
 import {vectorsAtMiddle} from '@/model/print/photo-map.js';

@@ -4,8 +4,7 @@ import {describe, expect, it} from 'vitest';
 import type {Design} from '@/model/design/design.js';
 import type {MeshedPattern} from '@/model/result/result.js';
 import {cleanedOptions} from '@/workbench/cleaned-options.js';
-import {keptLines} from '@/workbench/kept-lines.js';
-import {askedOf, withKeptPins} from '@/workbench/kept-pins.js';
+import {askedOf, keptLines, withKeptPins} from '@/workbench/kept-pins.js';
 import {bareCloth, newDesign} from '@/workbench/samples.js';
 import {squarePair} from '../../support/garments/two-squares.js';
 

@@ -19,7 +19,7 @@ extern "C" int __rem_pio2_large(double*, double* rest, int, int, int) {
   return 0;
 }
 
-/// Leaves an instance that must not be used any more; web/src/solver/answers/broken.ts recognises
+/// Leaves an instance that must not be used any more; web/src/solver/answers/failures.ts recognises
 /// the message.
 EM_JS(void, throwOutOfMemory, (), { throw new WebAssembly.RuntimeError('out of memory'); });
 

@@ -9,13 +9,11 @@ import {Workbench} from '../workbench/workbench.js';
 import type {Design} from '../model/design/design.js';
 import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
 import {showBeforeAndAfter} from './introduction/before-and-after.js';
-import {Hints} from './introduction/hints.js';
-import {hints, hintsLeft, keepHints} from './introduction/kept.js';
+import {Hints, hints, hintsLeft, keepHints} from './introduction/hints.js';
 import {workOffline} from './offline/offline.js';
 import {SeamwisePage} from './page.js';
-import {ProjectList} from './projects/project-list.js';
+import {illustrate, ProjectList} from './projects/project-list.js';
 import {Projects} from './projects/projects.js';
-import {illustrate} from './projects/thumbnails.js';
 import {SaveMenu} from './save-menu.js';
 import {keepPreferences, storedPreferences} from './storage/preferences.js';
 

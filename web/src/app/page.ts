@@ -16,19 +16,18 @@ import type {Samples} from '../workbench/samples.js';
 import type {DrapePane} from '../editor/drape/drape-pane.js';
 import type {MarkerPane} from '../editor/marker/marker-pane.js';
 import {chooseFile, takeFiles} from './files.js';
-import {keepHints, type Hint} from './introduction/kept.js';
+import {keepHints, type Hint} from './introduction/hints.js';
 import type {How} from './open-file.js';
 import {pageLayout} from './style/page-layout.js';
 import type {PageParts} from './palette/page-parts.js';
 import {printPattern} from './print-pattern.js';
 import type {ProjectList} from './projects/project-list.js';
 import type {Projects} from './projects/projects.js';
-import type {SaveMenu} from './save-menu.js';
-import {savePicture, saveProject, saveResult} from './save.js';
+import {savePicture, saveProject, saveResult, type SaveMenu} from './save-menu.js';
 
 /** Loads the store of photos; they stay in this browser. */
 const keptPhotos = async (): Promise<PhotoKeeper> =>
-  (await import('./storage/photo-storage.js')).photoStorage;
+  (await import('./storage/unfinished-photo.js')).photoStorage;
 
 export class SeamwisePage extends WorkbenchElement {
   static override properties = {

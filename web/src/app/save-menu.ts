@@ -1,17 +1,56 @@
 /** Menu of files to save. */
 import {css, html, type TemplateResult} from 'lit';
 
-import {controls} from '../editor/style/controls.js';
+import {controls, placeUnder} from '../editor/style/controls.js';
 import {WorkbenchElement} from '../editor/base/workbench-element.js';
 import {icon} from '../editor/style/icons.js';
-import {placeUnder} from '../editor/style/place-under.js';
 import type {Command} from '../commands/editor-command.js';
 import type {DrapePane} from '../editor/drape/drape-pane.js';
 import type {MarkerPane} from '../editor/marker/marker-pane.js';
 import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveFile} from './files.js';
-import {savePicture, saveProject, saveResult, stem} from './save.js';
+import {fileNameOf} from '../model/documents/project-name.js';
+import {writeProject} from '../model/documents/project.js';
+import {written} from '../model/design/read-design.js';
+import type {Workbench} from '../workbench/workbench.js';
+
+// Saves projects, results and pictures as files.
+
+/** Source of a saved file and of its name. */
+interface Saved {
+  readonly workbench: Workbench;
+  readonly projects: Projects;
+}
+
+/** Returns a file's name without its ending. */
+const stem = ({projects}: Saved): string => fileNameOf(projects.name);
+
+export function saveProject(saved: Saved): void {
+  const {workbench, projects} = saved;
+  if (!workbench.history.design) return;
+  const [view, title] = [workbench.sheet.view?.get(), projects.present?.title];
+  const content = writeProject(workbench.history.design, {
+    ...(view && {view}),
+    ...(title !== undefined && {title}),
+  });
+  saveFile(`${stem(saved)}.seamwise.json`, content);
+}
+
+/** Saves the result with its design, so that it can be opened again. */
+export function saveResult(saved: Saved): void {
+  const {design} = saved.workbench.history;
+  const {result} = saved.workbench.solving;
+  if (!design || !result) return;
+  const content = JSON.stringify({...result, design: written(design)});
+  saveFile(`${stem(saved)}.result.json`, content);
+}
+
+/** Saves the whole sheet as shown. */
+export async function savePicture(saved: Saved): Promise<void> {
+  const picture = await saved.workbench.sheet.view?.picture();
+  if (picture) saveFile(`${stem(saved)}.png`, picture);
+}
 
 export class SaveMenu extends WorkbenchElement {
   static override properties = {
@@ -69,7 +108,7 @@ export class SaveMenu extends WorkbenchElement {
     const view = this.view();
     if (!view) this.ofView = [];
     else
-      this.ofView = (await import('./saves/view-saves.js')).viewSaves(
+      this.ofView = (await import('./saves/drape-files.js')).viewSaves(
         view,
         this.workbench,
         this.saveOther,
@@ -132,7 +171,7 @@ export class SaveMenu extends WorkbenchElement {
   /** Opens the dialog for a cutting sheet. */
   async cut(): Promise<void> {
     if (!this.workbench.history.design) return;
-    const {openCut} = await import('./cut/open-cut.js');
+    const {openCut} = await import('./cut/cut-dialog.js');
     await openCut(this.workbench, this.renderRoot, this.saveOther);
   }
 }

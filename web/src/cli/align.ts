@@ -172,7 +172,7 @@ async function openable(
   found: readonly Remedy[] | undefined,
 ): Promise<string> {
   const {solvedDesign} = await import('../model/design/solved-design.js');
-  const {written} = await import('../model/design/written-design.js');
+  const {written} = await import('../model/design/read-design.js');
   const cloth = JSON.parse(textOf(print.bytes)) as Print;
   const design = solvedDesign(
     {

@@ -1,5 +1,5 @@
 import {chosenNames} from '../model/garment/panel-marks.js';
-import {notAsSold} from '../picture/mark.js';
+import {notAsSold} from '../picture/svg.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {cut as cutResult, type Cut} from '../node/index.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';

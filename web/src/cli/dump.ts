@@ -7,7 +7,7 @@ import type {MeshedPattern} from '../model/result/result.js';
 import {fileError, readText, textOf} from '../node/files.js';
 import {readGarmentText} from './base/garment-text.js';
 import {solve} from '../node/index.js';
-import {drawStage, type Stage} from '../picture/draw-stage.js';
+import {drawStage, type Stage} from '../picture/draw-result.js';
 import {choice, parseArguments, UsageError, wholeNumber} from './base/arguments.js';
 import {writeWhole} from './base/files.js';
 import {readPrint} from './base/print-files.js';

@@ -4,7 +4,7 @@ import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.j
 import {textOf} from '../node/files.js';
 import {order as solveOrder, readGarment, type Order} from '../node/index.js';
 import {noPaper, paperOf} from '../paper/papers.js';
-import {notAsSold} from '../picture/mark.js';
+import {notAsSold} from '../picture/svg.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {cutFiles, greatestAllowance, type CutAnswer, type CutWish} from './base/cut-files.js';
 import {figuresLine} from './figures.js';

@@ -1,6 +1,6 @@
 /** Commands of the pattern, by key or by name. */
 import type {ShortcutIn} from './shortcuts.js';
-import {turnPiece} from '../workbench/lists/turn-piece.js';
+import {turnPiece} from '../workbench/lists/changed-options.js';
 import type {PatternView} from '../viewer/pattern-view.js';
 import type {Workbench} from '../workbench/workbench.js';
 import type {PatternTools, Tool} from '../workbench/tools/pattern-tools.js';

@@ -1,11 +1,48 @@
 /** Keys of the pattern, while it has the focus. */
 import type {PickIndex} from '../clicks/pick-index.js';
 import type {Point} from '../model/geometry/vectors.js';
-import {shortcutFor} from './shortcuts.js';
+import {shortcutFor, shortcuts, type ShortcutIn} from './shortcuts.js';
 import {seamRows, worstSeams} from '../workbench/lists/rows.js';
 import {textsOf} from '../texts/texts.js';
 import {patternCommands, type CommandedPattern} from './pattern-commands.js';
-import {steppedOut, walked} from './walking.js';
+import {
+  inwards,
+  nextPiece,
+  nextSeam,
+  outwards,
+  readingOrder,
+  twin,
+  type Direction,
+  type Place,
+} from '../clicks/walk.js';
+import type {Target} from '../workbench/workbench.js';
+
+// Keys that work anywhere in the editor.
+
+/** Functions that shortcuts run; a page adds its own to the editor's. */
+export type KeyCommands = Readonly<Partial<Record<ShortcutIn<'page' | 'editor'>, () => void>>>;
+
+/** Runs the command of a key event, unless another listener has already handled the event. */
+export function editorKeys(event: KeyboardEvent, commands: KeyCommands): void {
+  const id = event.defaultPrevented ? undefined : shortcutFor(event, ['page', 'editor']);
+  const command = id && commands[id];
+  // undo in a field applies to the text of the field
+  if (!command || (shortcuts[id].where === 'editor' && isTyping(event))) return;
+  event.preventDefault();
+  command();
+}
+
+/** Returns whether the pattern may use a key event: unhandled, outside fields and open dialogs. */
+export const isFree = (event: KeyboardEvent): boolean =>
+  !event.defaultPrevented &&
+  !isTyping(event) &&
+  !event.composedPath().some((one) => one instanceof HTMLDialogElement && one.open);
+
+const isTyping = (event: KeyboardEvent): boolean => {
+  const [target] = event.composedPath();
+  if (target instanceof HTMLSelectElement) return true; // a letter key selects an option
+  return target instanceof HTMLInputElement && ['text', 'number'].includes(target.type);
+};
 
 /** Steps of a print moved by an arrow key, without and with Shift. [cm] */
 const fineStep = 0.1;
@@ -99,4 +136,54 @@ function walk({index, workbench}: KeyedPattern, key: string): boolean {
   const next = index && walked(index, workbench.selection.selected, key);
   if (next) workbench.selection.select(next);
   return next !== undefined;
+}
+
+/** Keyboard navigation in the pattern: from piece to piece, along seams, across to a twin. */
+function placeOf({sheet}: PickIndex, target: Target): Place | undefined {
+  if (target.kind === 'piece') return {level: 'piece', piece: target.piece};
+  const piece = sheet.seams[target.seam]?.[target.side].piece;
+  return piece === undefined
+    ? undefined
+    : {level: 'seam', piece, seam: target.seam, side: target.side};
+}
+
+const targetOf = (place: Place): Target =>
+  place.level === 'piece'
+    ? {kind: 'piece', piece: place.piece}
+    : {kind: 'seam', seam: place.seam, side: place.side};
+
+const directions: Readonly<Record<string, Direction>> = {
+  ArrowLeft: 'left',
+  ArrowRight: 'right',
+  ArrowUp: 'up',
+  ArrowDown: 'down',
+};
+
+function led(index: PickIndex, place: Place, key: string): Place | undefined {
+  const direction = directions[key];
+  if (direction && place.level === 'piece')
+    return {level: 'piece', piece: nextPiece(index, place.piece, direction)};
+  if (direction && place.level === 'seam')
+    return nextSeam(index, place, direction === 'right' || direction === 'down' ? 1 : -1);
+  if (key === 'Enter' && place.level === 'piece') return inwards(index, place);
+  if (key === 't' && place.level === 'seam') return twin(index, place);
+  return undefined;
+}
+
+/** Returns the selection after a key; undefined if the key has no effect. */
+function walked(index: PickIndex, selected: Target | undefined, key: string): Target | undefined {
+  const place = selected && placeOf(index, selected);
+  if (place) {
+    const next = led(index, place, key);
+    return next && targetOf(next);
+  }
+  const [first] = readingOrder(index);
+  return directions[key] && first !== undefined ? {kind: 'piece', piece: first} : undefined;
+}
+
+/** Steps from a seam to its piece, and from a piece to no selection. */
+function steppedOut(index: PickIndex, selected: Target): Target | undefined {
+  const place = placeOf(index, selected);
+  const out = place && outwards(place);
+  return out && targetOf(out);
 }

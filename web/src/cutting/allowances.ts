@@ -4,8 +4,7 @@ import {minus, unit, type Point} from '../model/geometry/vectors.js';
 import {crossingsOf, distanceTo} from '../model/geometry/polyline.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
-import {bandOf} from './bands.js';
-import type {CornerPlan, Own} from './corners.js';
+import {bandOf, type CornerPlan, type Own} from './corners.js';
 import {cornerOf, type EdgeEnd, type EdgeKey, type GarmentEdges} from './garment-edges.js';
 import {hems} from './openings.js';
 

@@ -3,10 +3,13 @@ import {Clipper, FillRule} from 'clipper2-ts';
 
 import {dot, minus, unit, type Point} from '../model/geometry/vectors.js';
 import {isInside, signedArea} from '../model/geometry/polyline.js';
-import type {Allowances} from './allowances.js';
-import {bandOf, type Band} from './bands.js';
-import {cornerCloth, longer, turnedCorner, type Corner} from './corners.js';
-import type {EdgeKey} from './garment-edges.js';
+import {allowancesOf, type AllowanceRule, type Allowances} from './allowances.js';
+import {bandOf, cornerCloth, longer, turnedCorner, type Band, type Corner} from './corners.js';
+import {allowedLoops, garmentEdges, type EdgeKey, type GarmentEdges} from './garment-edges.js';
+import {drained} from '../model/base/drained.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import {readable} from '../model/garment/piece-names.js';
+import type {SolveResult} from '../model/result/result.js';
 
 /** Decimal places of a centimetre in clipping. */
 const precision = 5;
@@ -125,3 +128,41 @@ export function cutLine(
     return Math.abs(area) > leastArea && (area > 0 || isHole) ? [kept] : [];
   });
 }
+
+/** Sewn and cut lines of a garment's pieces, from its file and an allowance rule. Lengths in cm. */
+interface CutLines {
+  /** Indexed by piece, like all following fields. */
+  readonly marks: readonly PanelMarks[];
+  readonly garment: GarmentEdges;
+  readonly allowances: Allowances;
+  readonly loops: readonly ReturnType<typeof allowedLoops>[];
+  /** In coordinates of the shape: the outline counter-clockwise, then the holes clockwise. */
+  readonly cut: readonly (readonly (readonly Point[])[])[];
+}
+
+/**
+ * Computes the lines in steps of about ten milliseconds.
+ * @param panels marks from the garment file, by piece name
+ */
+export function* cutLineSteps(
+  result: Pick<SolveResult, 'pieces' | 'seams'>,
+  panels: ReadonlyMap<string, PanelMarks>,
+  rule: AllowanceRule,
+): Generator<undefined, CutLines> {
+  const marks = result.pieces.map(({name}) => panels.get(name) ?? {label: readable(name)});
+  const garment = garmentEdges(result, (name) => panels.get(name)?.drafted);
+  yield;
+  const allowances = allowancesOf(garment, result.pieces, marks, rule);
+  yield;
+  const loops = result.pieces.map((_, k) => allowedLoops(garment, k));
+  const cut: (readonly (readonly Point[])[])[] = [];
+  for (const all of loops) {
+    yield;
+    cut.push(cutLine(all, allowances));
+  }
+  return {marks, garment, allowances, loops, cut};
+}
+
+/** Computes the lines in one call. */
+export const cutLinesOf = (...asked: Parameters<typeof cutLineSteps>): CutLines =>
+  drained(cutLineSteps(...asked));

@@ -1,8 +1,7 @@
 /** Draws a cutting sheet as SVG in millimetres, with test squares below the pieces. */
 import {onPiece, type Point} from '../model/geometry/vectors.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
-import {markAcross} from '../picture/mark.js';
-import {escaped, polyline, short, text} from '../picture/svg.js';
+import {escaped, markAcross, polyline, short, text} from '../picture/svg.js';
 import {textWidth} from '../layout/name-lines.js';
 import type {CutLine, CutMark, CutSheet, CutText, LaidPiece} from './cut-sheet.js';
 

@@ -17,7 +17,7 @@ import {placementsIn, type Placements} from '../layout/on-body.js';
 import {seamLetters} from '../scene/seam-letters.js';
 import {ownShare} from './allowances.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
-import {cutLinesOf} from './cut-lines.js';
+import {cutLinesOf} from './cut-line.js';
 import type {CutSheet, LaidPiece} from './cut-sheet.js';
 import {garmentNotches} from './notches.js';
 import {pieceMarks} from './piece-marks.js';

@@ -2,7 +2,7 @@
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries} from '../model/design/design.js';
-import {redoWords, undoWords} from '../workbench/history/step-words.js';
+import {redoWords, undoWords} from '../workbench/history/step-change.js';
 import type {KeyList} from '../commands/editor-command.js';
 import type {ShortcutId} from '../commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
@@ -16,18 +16,89 @@ import type {PhotoWanted} from '../print/openable-files.js';
 import type {PrintPanel} from './print/print-panel.js';
 import type {DrapePane} from './drape/drape-pane.js';
 import {register} from './base/register.js';
-import {solvingButton, stepButtons, viewButtons} from './shell/head-buttons.js';
+import {
+  sheetTabs,
+  solvingButton,
+  stepButtons,
+  viewButtons,
+  type Sheet,
+} from './shell/head-buttons.js';
 import type {KeyMap} from './shell/key-map.js';
-import {sheetTabs, type Sheet} from './shell/sheet-tabs.js';
 import {controls} from './style/controls.js';
 import type {Samples} from '../workbench/samples.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import {sameTarget} from '../workbench/state.js';
 import type {Target} from '../workbench/workbench.js';
-import {editorKeys, isFree, type KeyCommands} from '../commands/editor-keys.js';
+import {editorKeys, isFree, type KeyCommands} from '../commands/pattern-keys.js';
 import {editorLayout} from './editor-layout.js';
 import type {PhotoKeeper} from '../photo/photo-keeper.js';
-import {KeptHeight} from './kept-height.js';
+
+// Keeps an element at its greatest height so far, so that content below it does not move.
+
+/** Time without a change after which the element releases the height it no longer needs. [ms] */
+const settling = 2000;
+
+class KeptHeight {
+  readonly #part: HTMLElement;
+  readonly #observer: ResizeObserver;
+  #pause: ReturnType<typeof setTimeout> | undefined;
+  #about: unknown;
+  #width = 0;
+  #highest = 0;
+
+  /** @param part element to keep; heights with an open `details` are not counted */
+  constructor(part: HTMLElement) {
+    this.#part = part;
+    this.#observer = new ResizeObserver(([entry]) => {
+      const [size] = entry?.borderBoxSize ?? [];
+      if (size) this.#measured(size.inlineSize, size.blockSize);
+    });
+    this.#observer.observe(part);
+  }
+
+  /** Subject of the element's text; a new subject resets the height. */
+  set about(about: string) {
+    if (about === this.#about) return;
+    this.#about = about;
+    this.#forget();
+  }
+
+  /** Restarts the pause after a change. @param isSettled true if the element has all its text */
+  stir(isSettled: boolean): void {
+    clearTimeout(this.#pause);
+    if (!isSettled) return;
+    this.#pause = setTimeout(() => {
+      // nothing moves under the pointer
+      if (this.#part.parentElement?.matches(':hover')) this.stir(true);
+      else this.#forget();
+    }, settling);
+  }
+
+  dispose(): void {
+    clearTimeout(this.#pause);
+    this.#observer.disconnect();
+  }
+
+  #measured(width: number, height: number): void {
+    if (Math.abs(width - this.#width) > 1) {
+      this.#width = width;
+      this.#forget();
+      return;
+    }
+    const isOpen = this.#part.shadowRoot?.querySelector('details[open]');
+    if (isOpen || height <= this.#highest) return;
+    this.#highest = height;
+    this.#part.style.minHeight = `${height}px`;
+  }
+
+  #forget(): void {
+    this.#highest = 0;
+    this.#part.style.minHeight = '';
+    // observing again causes a measurement, even of an unchanged height
+    this.#observer.unobserve(this.#part);
+    this.#observer.observe(this.#part);
+  }
+}
 
 /** Views of the garment: pattern pieces, drape, both side by side, or fabric layout. */
 export const editorViews = ['pattern', 'garment', 'both', 'cloth'] as const;

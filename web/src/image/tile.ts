@@ -1,6 +1,7 @@
 /** Loads the image of a print's cell, independently of drawing. */
 import {trustedMarkup} from '../model/base/trusted.js';
 import {imageHref} from './svg-picture.js';
+import {blobOf} from './data-url.js';
 
 /** One cell of a print: pixels, or an SVG image, which can be drawn at any size. */
 export type Tile =
@@ -44,4 +45,17 @@ export async function svgTile(svg: string): Promise<Tile> {
   root.setAttribute('height', '512');
   root.setAttribute('preserveAspectRatio', 'none');
   return vectorTile(imageHref(new XMLSerializer().serializeToString(document)));
+}
+
+// Loads the image of a print's cell from a design.
+
+/**
+ * Loads a tile. Decodes `data:` URLs here, since a strict content security policy forbids fetching
+ * them.
+ */
+export async function tileOf(image: string, signal?: AbortSignal): Promise<Tile> {
+  if (!image.startsWith('data:')) return loadTile(new URL(image, document.baseURI), signal);
+  const blob = blobOf(image);
+  if (blob.type.startsWith('image/svg')) return svgTile(await blob.text());
+  return createImageBitmap(blob, {colorSpaceConversion: 'none'});
 }

@@ -6,8 +6,15 @@ import {minus, type Point} from '../model/geometry/vectors.js';
 import {boxOf} from '../model/geometry/polyline.js';
 import type {Pattern} from '../model/result/result.js';
 import type {SheetPlace} from '../model/geometry/sheet-place.js';
-import {shelves, type Block} from './blocks.js';
-import {headDown, isPlaced, onBody, type Arrangement, type Placements} from './on-body.js';
+import {
+  headDown,
+  isPlaced,
+  onBody,
+  shelves,
+  type Arrangement,
+  type Block,
+  type Placements,
+} from './on-body.js';
 
 /**
  * A layout. It depends only on outlines, names, placements and page, so that nothing moves while

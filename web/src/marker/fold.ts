@@ -19,7 +19,7 @@ import {mirrorLines} from '../model/print/mirror-lines.js';
 import {signedArea} from '../model/geometry/polyline.js';
 import type {SolveResult} from '../model/result/result.js';
 import type {Repeat} from '../model/print/wallpaper.js';
-import {leastExtents} from './extents.js';
+import {leastExtents} from './places.js';
 import {cutPairs, type CutPair} from './pairs.js';
 import type {MarkerOrder} from './problem.js';
 import {acrossRepeat} from './repeats.js';

@@ -4,8 +4,8 @@
  * translation. Lengths in cm, angles in radians.
  */
 import {
-  coordinates,
   combined,
+  coordinates,
   minus,
   plus,
   rotated,
@@ -13,7 +13,7 @@ import {
   type Alignment,
   type Point,
 } from '../model/geometry/vectors.js';
-import type {MarkerPiece} from '../model/result/marker-search.js';
+import type {MarkerPiece, MarkerProblem} from '../model/result/marker-search.js';
 import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {determinant, printElements, reducedBasis, type CellOf} from '../model/print/wallpaper.js';
 import {areApart, ringOf, type Ring} from './apart.js';
@@ -267,4 +267,22 @@ export function turnedInPlace({piece, place}: LaidPiece, angle: number): Point {
   if (!before || !after) return place.translation;
   const middleOf = ({low, high}: Box): Point => [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
   return plus(place.translation, minus(middleOf(before), middleOf(after)));
+}
+
+// The least space of a piece over all of its rotations. Lengths in cm.
+
+/**
+ * The least extent across the fabric and along it, each for the rotation with the smallest value.
+ */
+export function leastExtents(
+  piece: LayablePiece,
+  {print, widthCm, selvedgeCm, nap}: MarkerProblem,
+): readonly [across: number, along: number] {
+  const bolt = {repeat: print, origin: [0, 0], widthCm, selvedgeCm, gapCm: 0, flaws: []} as const;
+  const turns = turnsOf(piece, {...bolt, isOneWay: nap === 'one-way'});
+  const extents = turns.map(({angle}) => {
+    const {low, high} = turnedRing(piece.outline, angle);
+    return [high[0] - low[0], high[1] - low[1]] as const;
+  });
+  return [Math.min(...extents.map(([x]) => x)), Math.min(...extents.map(([, y]) => y))];
 }

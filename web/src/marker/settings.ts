@@ -3,7 +3,7 @@ import {SolverError} from '../model/result/failure.js';
 import type {Point} from '../model/geometry/vectors.js';
 import {naps, type Nap} from '../model/result/marker-search.js';
 import {signedArea} from '../model/geometry/polyline.js';
-import {selfCrossing} from './outline.js';
+import {selfCrossing} from './cut-rings.js';
 
 export interface MarkerSettings {
   /** Width of the fabric between its edges. */

@@ -5,7 +5,7 @@
 import {minus, rotated, type Point} from '../model/geometry/vectors.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/result/marker-search.js';
 import {signedArea} from '../model/geometry/polyline.js';
-import {leastExtents} from './extents.js';
+import {leastExtents} from './places.js';
 import type {MarkerOrder} from './problem.js';
 import {movesFreely, spreadShifts} from './repeats.js';
 

@@ -1,6 +1,6 @@
 /** The cells of a print over its photo, as paths in pixels of the photo. */
-import type {Point} from '../model/geometry/vectors.js';
-import {latticeOf, pixelOf} from '../model/print/photo-map.js';
+import {combined, type Point} from '../model/geometry/vectors.js';
+import {latticeOf, pixelOf, rebased} from '../model/print/photo-map.js';
 import type {PhotoMap} from '../model/print/photo-reading.js';
 
 export interface PhotoSize {
@@ -95,4 +95,30 @@ export function startLattice({width, height}: PhotoSize): PhotoMap {
   const side = Math.min(width, height) / 4;
   const [x, y] = [(width - side) / 2, (height + side) / 2];
   return {homography: [side, 0, x, 0, -side, y, 0, 0, 1], lens: 0};
+}
+
+/**
+ * Returns the map after a move of one node. A move of `base` shifts all nodes; a move of another
+ * node stretches the lattice from `base`. Nodes keep their numbers.
+ */
+export function movedNode(
+  map: PhotoMap,
+  size: PhotoSize,
+  base: Point,
+  node: Point,
+  to: Point,
+): PhotoMap {
+  const [p, q] = latticeOf(map, size, to);
+  const [i, j] = [node[0] - base[0], node[1] - base[1]];
+  const [du, dv] = [p - node[0], q - node[1]];
+  const squared = i * i + j * j;
+  // the least change of both vectors that moves the node there
+  const [a, b] = squared === 0 ? [0, 0] : [i / squared, j / squared];
+  const [w1, w2]: [Point, Point] = [
+    [1 + a * du, a * dv],
+    [b * du, 1 + b * dv],
+  ];
+  const start = squared === 0 ? [base[0] + du, base[1] + dv] : base;
+  const [x, y] = combined([w1, w2], -base[0], -base[1]);
+  return rebased(map, [w1, w2], [start[0] + x, start[1] + y]);
 }

@@ -8,11 +8,12 @@ import {ontoSheet} from '../model/geometry/sheet-place.js';
 import {clothUnder} from './cloth.js';
 import {mismatchLine} from '../scene/colours.js';
 import type {PatternMismatch} from '../scene/mismatch.js';
-import type {Layout} from '../layout/layout.js';
+import {layOutNamed, type Layout} from '../layout/layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from '../scene/marks.js';
 import {seamLetters} from '../scene/seam-letters.js';
 import {escaped, polyline, short, text} from './svg.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
+import type {Placements} from '../layout/on-body.js';
 
 /** One of the two displayed states, and its position on the page. */
 export interface Scene {
@@ -150,11 +151,11 @@ export function seamLetterAt([x, y]: Point, one: string): string {
 }
 
 /** Line spacing of a name, relative to its font size. */
-export const nameLeading = 1.2;
+const nameLeading = 1.2;
 /**
  * Available width of a name below a piece of this width, including part of the gaps beside it. [px]
  */
-export const nameRoom = (pieceWidth: number): number => pieceWidth + 20;
+const nameRoom = (pieceWidth: number): number => pieceWidth + 20;
 
 function names(scene: Scene, size: number): string {
   return scene.result.pieces
@@ -191,4 +192,32 @@ export function drawPieces(scene: Scene, nameSize: number): string {
       ? []
       : [seams(scene), letters(scene), symmetries(scene), names(scene, nameSize)]),
   ].join('\n');
+}
+
+/** The page of drawn images. [px] */
+export const width = 1200;
+export const margin = 56;
+export const nameSize = 13;
+
+/** A layout of pieces with space for their names. Patterns of many pieces get more height. */
+export function laidOut(
+  pattern: Pattern,
+  names: readonly string[],
+  placements: Placements | undefined,
+): ReturnType<typeof layOutNamed> {
+  const room = width - 2 * margin;
+  const widest = (name: string): number =>
+    Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
+  const page = {
+    width: room,
+    height: room / (pattern.pieces.length > 16 ? 1.5 : 2.3),
+    grows: true,
+    greatestScale: 14,
+    gap: 34,
+    nameHeight: (piece: number, pieceWidth: number) =>
+      28 +
+      nameLines(names[piece] ?? '', nameRoom(pieceWidth), nameSize).length * nameLeading * nameSize,
+    nameWidth: (piece: number) => widest(names[piece] ?? ''),
+  };
+  return layOutNamed(pattern, page, placements);
 }

@@ -2,20 +2,66 @@
  * Draws a result as one image: the pattern on the print before and after, with figures and a
  * legend.
  */
-import {norm, type Point} from '../model/geometry/vectors.js';
+import {norm, type Alignment, type Point} from '../model/geometry/vectors.js';
 import {pairLetter, seamLetter} from '../model/garment/letters.js';
 import {pieceNames} from '../model/garment/piece-names.js';
 import type {Print} from '../model/print/repeating-print.js';
-import type {SolveResult} from '../model/result/result.js';
+import type {Pattern, SolveResult} from '../model/result/result.js';
 import {imageCell, latticeType} from '../model/print/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
 import {mismatchSteps, stepLines} from '../scene/colours.js';
-import {drawPieces, seamLetterAt, strokeOf, type Scene} from './draw-pieces.js';
+import {
+  drawPieces,
+  laidOut,
+  margin,
+  nameSize,
+  seamLetterAt,
+  strokeOf,
+  width,
+  type Scene,
+} from './draw-pieces.js';
 import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../scene/mismatch.js';
-import {markAcross} from './mark.js';
+import {escaped, markAcross, short, text} from './svg.js';
 import type {Placements} from '../layout/on-body.js';
-import {laidOut, margin, nameSize, width} from './page.js';
-import {escaped, short, text} from './svg.js';
+
+/**
+ * Draws one stage of a solve for debugging: meshes, cells of the print on the pieces, and seam
+ * letters.
+ */
+export interface Stage {
+  readonly title: string;
+  readonly pattern: Pattern;
+  readonly outline: Scene['outline'];
+  readonly alignments: readonly Alignment[];
+}
+
+const top = 76;
+
+/** The stage as SVG text. Pieces have the names of their panel keys, as in files and messages. */
+export function drawStage({title, pattern, outline, alignments}: Stage): string {
+  const names = pattern.pieces.map(({name}) => name);
+  const {layout, scale} = laidOut(pattern, names, undefined);
+  const height = top + layout.height * scale + margin;
+  const mismatch = mismatchOf(pattern, outline, alignments);
+  const {group, w1, w2} = pattern.print;
+  const print = {group, w1, w2};
+  const scene: Scene = {
+    ...{result: pattern, print, outline, alignments, mismatch, layout, names, scale},
+    ...{id: 'stage', cloth: 'stage-cloth', isBare: false, hasMesh: true},
+    corner: [(width - layout.width * scale) / 2, top],
+  };
+  const note = `${group}; mean mismatch ${(10 * mismatch.mean).toFixed(2)} mm, fit ${mismatch.total.toFixed(3)} cm²`;
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" font-family="sans-serif">`,
+    `<title>${escaped(title)}</title>`,
+    `<defs>${clothTile('stage-cloth', print, scale)}</defs>`,
+    '<rect width="100%" height="100%" fill="#fff"/>',
+    text([margin, 34], title, {size: 20, weight: 600}),
+    text([margin, 56], note, {size: 13}),
+    drawPieces(scene, nameSize),
+    '</svg>\n',
+  ].join('\n');
+}
 
 export interface PictureOptions {
   /** Title. Default: the print's group and repeat. */

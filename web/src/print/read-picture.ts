@@ -3,7 +3,7 @@ import type {PhotoSize} from '../photo/lattice-lines.js';
 import {fileKind, isWhole, type FileKind} from '../image/file-kind.js';
 import {dataUrlOf} from '../image/data-url.js';
 import {hasOutsidePictures} from '../image/svg-picture.js';
-import {sizedSvg} from '../image/svg-size.js';
+import {sizedSvg} from '../image/printed-size.js';
 import type {Texts} from '../texts/en.js';
 import {loadPicture} from './picture-pixels.js';
 import {pictureEndings} from './openable-files.js';

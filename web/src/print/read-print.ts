@@ -4,14 +4,17 @@ import {distance, norm} from '../model/geometry/vectors.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
 import {fieldOf} from '../model/base/read.js';
-import {latticeVectors, repeatOf} from '../model/print/repeat.js';
+import {latticeVectors, leastRepeat, mostRepeat, repeatOf} from '../model/print/repeat.js';
 import type {OwnPicture} from '../model/design/tile-repeat.js';
 import {FileError} from '../model/base/versioned-file.js';
 import {en, type Texts} from '../texts/en.js';
-import {sizeInFile} from './file-size.js';
 import type {ReadsPictures} from './own-groups.js';
 import {printOfPicture} from './own-print.js';
 import {looksLikePicture, readPicture} from './read-picture.js';
+import {fileKind} from '../image/file-kind.js';
+import {dpiOf, lengthOnPaper, resolutionOf, rootAttribute} from '../image/printed-size.js';
+import {blobOf} from '../image/data-url.js';
+import {loadPicture} from './picture-pixels.js';
 
 /** Greatest length of a print file. [bytes] */
 const mostBytes = 12 * 2 ** 20;
@@ -96,4 +99,41 @@ function isPattern(text: string): boolean {
   } catch {
     return false;
   }
+}
+
+/** Printed size of an image according to its file. */
+export interface FileSize {
+  /** Width of the image. [cm] */
+  readonly width: number;
+  /** Undefined for an SVG, which has a length instead. */
+  readonly dpi: number | undefined;
+}
+
+/** Resolutions that programs write by default. [dpi] */
+const unasked: ReadonlySet<number> = new Set([72, 96]);
+
+export const isUnasked = ({dpi}: FileSize): boolean =>
+  dpi !== undefined && unasked.has(Math.round(dpi));
+
+/**
+ * Returns undefined if the file has no size, or one that no print can have.
+ * @param image a `data:` URL
+ */
+export async function sizeInFile(image: string): Promise<FileSize | undefined> {
+  if (!image.startsWith('data:')) return undefined;
+  const size = await sizeOf(image);
+  return size && size.width >= leastRepeat && size.width <= mostRepeat ? size : undefined;
+}
+
+async function sizeOf(image: string): Promise<FileSize | undefined> {
+  const bytes = new Uint8Array(await blobOf(image).arrayBuffer());
+  const kind = fileKind(bytes);
+  if (kind === 'svg') {
+    const width = lengthOnPaper(rootAttribute(new TextDecoder().decode(bytes), 'width'));
+    return width === undefined ? undefined : {width, dpi: undefined};
+  }
+  const resolution = kind && resolutionOf(bytes, kind);
+  if (!resolution) return undefined;
+  const {naturalWidth} = await loadPicture(image);
+  return {width: naturalWidth / resolution.across, dpi: dpiOf(resolution.across)};
 }

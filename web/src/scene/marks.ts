@@ -4,11 +4,15 @@ import {
   middle,
   minus,
   plus,
+  radians,
   rotated,
+  towards,
   type MirrorMap,
   type Point,
 } from '../model/geometry/vectors.js';
 import {boxOf, isInside} from '../model/geometry/polyline.js';
+import type {PanelMarks} from '../model/garment/panel-marks.js';
+import type {ResultPiece} from '../model/result/result.js';
 
 export const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
   vertices.flatMap((v) => points.slice(v, v + 1));
@@ -67,4 +71,33 @@ function clearance(points: readonly Point[], [px, py]: Point, least: number): nu
     if (nearest <= least * least) return 0;
   }
   return Math.sqrt(nearest);
+}
+
+// Position of a piece's grain line. Lengths in cm.
+
+/** Greatest length of a line that the file does not draw. */
+const greatest = 20;
+
+type Drafted = Pick<ResultPiece, 'rest' | 'outline'>;
+
+/**
+ * A line in the widest part of the drafted piece.
+ * @param angle from its x axis, face up [radians]
+ */
+export function lineAt({rest, outline}: Drafted, angle: number): readonly [Point, Point] {
+  const {at, room} = innermost(pick(rest, outline));
+  const reach = Math.min(greatest / 2, 0.8 * room);
+  return [plus(at, towards(angle), -reach), plus(at, towards(angle), reach)];
+}
+
+/**
+ * The grain line of a drafted piece, face up: the user's, otherwise the garment's; undefined
+ * without either.
+ */
+export function grainLine(
+  piece: Drafted,
+  {grain, grainDeg}: Pick<PanelMarks, 'grain' | 'grainDeg'> = {},
+): readonly [Point, Point] | undefined {
+  if (grainDeg !== undefined) return lineAt(piece, radians(grainDeg));
+  return grain;
 }

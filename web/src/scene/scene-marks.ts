@@ -5,8 +5,7 @@ import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {dot, leftOf, minus, plus, unit, type Point} from '../model/geometry/vectors.js';
 import {pairLetter} from '../model/garment/letters.js';
 import type {Pattern, ResultPiece} from '../model/result/result.js';
-import {grainLine} from './grain-line.js';
-import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
+import {axisAlong, grainLine, innermost, mirrorImage, pick} from './marks.js';
 
 /** A position for a letter in piece coordinates, and its distance from the outline. */
 interface PairMark {

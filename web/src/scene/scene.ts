@@ -3,14 +3,14 @@ import type {Alignment, Point} from '../model/geometry/vectors.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {isInside} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
-import type {Pattern, ResultPiece, ResultSeam} from '../model/result/result.js';
+import type {Pattern, ResultPiece, ResultSeam, SeamSide} from '../model/result/result.js';
 import type {MismatchScale} from './colours.js';
 import {
   countedSeams,
   driftOf,
-  mismatchOf,
-  meanOf,
   joinedMismatchOf,
+  meanOf,
+  mismatchOf,
   type Drift,
   type JoinedSeam,
   type SeamMismatch,
@@ -21,7 +21,7 @@ import {placementsIn} from '../layout/on-body.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment/panel-marks.js';
 import {readable} from '../model/garment/piece-names.js';
-import {offSheet, type SheetPlace} from '../model/geometry/sheet-place.js';
+import {offSheet, ontoSheet, type SheetPlace} from '../model/geometry/sheet-place.js';
 import {grainOf, symmetriesOf, type SceneSymmetry} from './scene-marks.js';
 import {screenMargin} from './sheet-view.js';
 
@@ -249,4 +249,10 @@ export function pieceAt(
     if (inside(outline) && !holes.some(inside)) return {piece, point};
   }
   return undefined;
+}
+
+/** Sides of seams as lines on the sheet. Lengths in cm. */
+export function lineOf({pieces}: PatternScene, {piece, vertices}: SeamSide): Point[] {
+  const shown = pieces[piece];
+  return shown ? pick(shown.points, vertices).map((point) => ontoSheet(shown, point)) : [];
 }

@@ -15,10 +15,9 @@ import type {EdgeOfPiece} from '../model/garment/garment-document.js';
 import {edgeOf, isOpen, sameEdge, seamAt, twinOf} from '../model/garment/edits.js';
 import {leftOf} from '../model/geometry/vectors.js';
 import {atShare, stepAt} from '../model/geometry/polyline.js';
-import {edgePoints} from '../scene/edge-line.js';
+import {edgePoints, type LineLook, type OnPiece, type Overlay} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';
 import type {Format} from '../texts/format.js';
-import type {LineLook, OnPiece, Overlay} from '../scene/overlay.js';
 
 type Lines = NonNullable<Overlay['lines']>;
 type Threads = NonNullable<Overlay['threads']>;

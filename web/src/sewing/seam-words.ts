@@ -4,7 +4,7 @@ import {questionOf, type SeamState, type Sewing, type Suggestion} from '../click
 import {edgeOf, isOpen, seamAt, sideLength, twinOf} from '../model/garment/edits.js';
 import type {Format} from '../texts/format.js';
 import type {SewTexts} from '../texts/sew-texts.js';
-import type {EdgeNames} from './edge-names.js';
+import type {EdgeNames} from './edited-pattern.js';
 import {allEdges} from './sewing.js';
 import {easeOf} from './seam-edits.js';
 

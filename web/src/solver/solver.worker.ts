@@ -11,7 +11,7 @@ import {trustedScript} from '../model/base/trusted.js';
  * A worker inside this worker, with the same script at a distinguishable URL; it ends with this
  * one.
  */
-export const nestedWorker: StartThread<Requests> = (owner) => {
+const nestedWorker: StartThread<Requests> = (owner) => {
   const address = `${location.href.replace(/#.*/, '')}#helper`;
   return workerThread(new Worker(trustedScript(address), {type: 'module'}), owner);
 };

@@ -8,10 +8,9 @@ import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
 import {outsideOf} from './outside.js';
 import {onSheet} from './overlay-strokes.js';
 import type {Overlay, Sign} from '../scene/overlay.js';
-import type {PatternScene} from '../scene/scene.js';
+import {lineOf, type PatternScene} from '../scene/scene.js';
 import {atShare} from '../model/geometry/polyline.js';
 import {wayOnSheet} from '../model/geometry/sheet-place.js';
-import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
 

@@ -5,9 +5,8 @@ import type {SeamSide} from '../model/result/result.js';
 import {ontoSheet} from '../model/geometry/sheet-place.js';
 import {pick} from '../scene/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
-import type {PatternScene, SceneSeam} from '../scene/scene.js';
+import {lineOf, type PatternScene, type SceneSeam} from '../scene/scene.js';
 import {atShare} from '../model/geometry/polyline.js';
-import {lineOf} from '../scene/seam-line.js';
 import {shiftsOutside} from './outside.js';
 import {axisTicks, besideEdge, cased, inks, seamStrokes, type Appearance} from './strokes.js';
 

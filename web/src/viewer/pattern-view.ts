@@ -9,7 +9,7 @@ import {imageCell} from '../model/print/wallpaper.js';
 import {LineMaterial} from './line-layer.js';
 import {Morph, morphTime, type Motion} from './morph.js';
 import {navigate, type TakesPress} from './navigation.js';
-import {OverLayers} from './over-layers.js';
+import {OverLayers, WipeLayers, type Wipe} from './over-layers.js';
 import type {Overlay} from '../scene/overlay.js';
 import {PrintMaterial} from './print-layer.js';
 import {SceneLayers} from './scene-layers.js';
@@ -20,9 +20,7 @@ import {framed, sheetOnPaper, snapshot, widestPicture, type Drawing} from './sna
 import type {Appearance} from './strokes.js';
 import {TileTexture} from './tile-texture.js';
 import type {Tile} from '../image/tile.js';
-import {Viewport} from './viewport.js';
-import {WipeLayers, type Wipe} from './wipe-layers.js';
-import {Words} from './words.js';
+import {Viewport, Words} from './viewport.js';
 
 /** Delay after the last change before an SVG tile is drawn at the density of the zoom. [ms] */
 const rest = 150;

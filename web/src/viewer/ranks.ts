@@ -6,9 +6,8 @@ import {angleOf, plus, type Point} from '../model/geometry/vectors.js';
 import type {SeamSide} from '../model/result/result.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {outsideOf} from './outside.js';
-import type {PatternScene, SceneSeam} from '../scene/scene.js';
+import {lineOf, type PatternScene, type SceneSeam} from '../scene/scene.js';
 import {atShare, boxOf, isInside, type OnLine} from '../model/geometry/polyline.js';
-import {lineOf} from '../scene/seam-line.js';
 import {toScreen, toSheet, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';
 

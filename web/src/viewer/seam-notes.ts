@@ -2,9 +2,8 @@
 import {angleOf, type Point} from '../model/geometry/vectors.js';
 import {chipLayer, move, placeable, type Box} from './chips.js';
 import {Ranks} from './ranks.js';
-import type {PatternScene, SceneSeam} from '../scene/scene.js';
+import {lineOf, type PatternScene, type SceneSeam} from '../scene/scene.js';
 import {atShare, type OnLine} from '../model/geometry/polyline.js';
-import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
 

@@ -5,7 +5,7 @@ import type {Point} from '../model/geometry/vectors.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {LineLayer, LineMaterial, type Stroke} from './line-layer.js';
 import type {OnPiece} from '../scene/overlay.js';
-import type {Wipe} from './wipe-layers.js';
+import type {Wipe} from './over-layers.js';
 import {PrintMaterial} from './print-layer.js';
 import type {PatternScene} from '../scene/scene.js';
 import {look, Screen, type ScreenEvents} from './screen.js';
@@ -13,10 +13,10 @@ import {
   onPieceAt,
   ribbonDepth,
   straightSeam,
+  StripMesh,
   type NearSeam,
   type StraightSeam,
 } from './seam-ribbon.js';
-import {StripMesh} from './strip-mesh.js';
 import {inks, type Appearance} from './strokes.js';
 import {TileTexture} from './tile-texture.js';
 import type {Tile} from '../image/tile.js';

@@ -7,9 +7,8 @@ import {ontoSheet, wayOnSheet, type SheetPlace} from '../model/geometry/sheet-pl
 import {mismatchLine} from '../scene/colours.js';
 import {pick} from '../scene/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
-import type {PatternScene, ScenePiece, SceneSeam} from '../scene/scene.js';
+import {lineOf, type PatternScene, type ScenePiece, type SceneSeam} from '../scene/scene.js';
 import {endsOnOutline, outsideOf, shiftsOutside} from './outside.js';
-import {lineOf} from '../scene/seam-line.js';
 
 /** Light or dark surroundings. */
 export type Appearance = 'light' | 'dark';

@@ -6,11 +6,8 @@ import type {Design} from '../model/design/design.js';
 import type {SolveResult} from '../model/result/result.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
-import {Comparison} from './comparison.js';
-import {Improvement, type Improving} from './improvement.js';
+import {Comparison, Improvement, Proving, RemedySearch, type Improving} from './improvement.js';
 import {Observable} from './observable.js';
-import {Proving} from './proving.js';
-import {RemedySearch} from './remedy-search.js';
 
 /**
  * Stores a better result of the present design, found with more effort.

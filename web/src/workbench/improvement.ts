@@ -4,11 +4,184 @@
  */
 import type {Design} from '../model/design/design.js';
 import {problemOf} from '../model/documents/design-problem.js';
-import type {SolveResult} from '../model/result/result.js';
-import {finalMismatch} from '../scene/mismatch.js';
+import type {Proof, SolveResult} from '../model/result/result.js';
+import {countedSeams, finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
-import {NewestTask} from './background-task.js';
-import {idle} from './idle.js';
+import {DesignFindings, NewestTask} from './background-task.js';
+import {idle, paused} from './idle.js';
+import type {Remedy} from '../remedies/remedy.js';
+import {provenShare} from '../model/base/core-tables.js';
+
+/** Cost of a design's symmetries: solves the same design without them, in the background. */
+export class Comparison {
+  readonly #solver: SolverService;
+  readonly #task = new NewestTask();
+  readonly #means: DesignFindings<number>;
+  /** The last design without symmetries, and its result. */
+  #free: {readonly design: Design; readonly result: SolveResult} | undefined;
+
+  constructor(solver: SolverService, changed: () => void) {
+    this.#solver = solver;
+    this.#means = new DesignFindings(changed);
+  }
+
+  /** Mean mismatch without symmetries, along the seams that count with them. [cm] */
+  of(design: Design): number | undefined {
+    return this.#means.of(design);
+  }
+
+  /** Follows a solved design. If its result has symmetries, it is also solved without them. */
+  async follow(design: Design, result: SolveResult): Promise<void> {
+    this.stop();
+    if (result.symmetries.length === 0) {
+      this.#free = {design, result};
+    } else if (this.#means.of(design) === undefined) {
+      if (!this.#free || !differOnlyInSymmetry(this.#free.design, design)) {
+        if (!(await this.#solveFree(design, this.#task.begin().signal))) return;
+      }
+      this.#compare(design, result);
+    }
+  }
+
+  stop(): void {
+    this.#task.stop();
+  }
+
+  /** Solves a design without symmetries. @returns whether there is a result */
+  async #solveFree(design: Design, signal: AbortSignal): Promise<boolean> {
+    const free: Design = {...design, symmetry: 'none'};
+    // a failure is not reported, since the main solve reports its own; no comparison is shown then
+    const result = await this.#solver.solve(problemOf(free), {signal}).catch(() => undefined);
+    if (result) this.#free = {design: free, result};
+    return result !== undefined;
+  }
+
+  #compare(design: Design, result: SolveResult): void {
+    if (!this.#free) return;
+    const counted = countedSeams(result);
+    // both are searches, and a solve without symmetries is free to keep the symmetric result
+    const mean = Math.min(
+      ...[this.#free.result, result].map((one) => finalMismatch(one, counted).mean),
+    );
+    this.#means.learn(design, mean);
+  }
+}
+
+const differOnlyInSymmetry = (a: Design, b: Design): boolean =>
+  a.garment === b.garment &&
+  a.print === b.print &&
+  a.method === b.method &&
+  a.options === b.options &&
+  a.seed === b.seed;
+
+/** Searches for changes that make the mismatched seams of a design match, in the background. */
+export class RemedySearch {
+  readonly #solver: SolverService;
+  readonly #task = new NewestTask();
+  readonly #remedies: DesignFindings<readonly Remedy[]>;
+
+  constructor(solver: SolverService, changed: () => void) {
+    this.#solver = solver;
+    this.#remedies = new DesignFindings(changed);
+  }
+
+  /** Remedies found so far. */
+  of(design: Design): readonly Remedy[] {
+    return this.#remedies.of(design) ?? [];
+  }
+
+  /** Follows a solved design. */
+  async follow(design: Design, result: SolveResult): Promise<void> {
+    this.stop();
+    if (this.#remedies.isFinished(design)) return;
+    const {signal} = this.#task.begin();
+    const found: Remedy[] = [];
+    try {
+      await paused(signal);
+      signal.throwIfAborted();
+      const {remediesOf} = await import('../remedies/remedies.js');
+      signal.throwIfAborted();
+      await remediesOf(
+        problemOf(design),
+        result,
+        (problem, stop) => this.#solver.solve(problem, stop ? {signal: stop} : {}),
+        {
+          signal,
+          idle,
+          onRemedy: (remedy) => {
+            found.push(remedy);
+            this.#remedies.learn(design, [...found]);
+          },
+        },
+      );
+      this.#remedies.finish(design);
+    } catch {
+      // the user has gone on; the search is repeated when they return to the design
+    }
+  }
+
+  stop(): void {
+    this.#task.stop();
+  }
+}
+
+// Bound on the alignment of a design, computed in the background.
+
+/** Time limit of a proof. The rest would take far longer, and drain a battery. [ms] */
+const patience = 60_000;
+
+/** A share in whole per cent, since smaller changes are not reported; 101 for a complete proof. */
+const percent = (share: number): number => (share === 1 ? 101 : Math.floor(100 * share));
+
+export class Proving {
+  readonly #solver: SolverService;
+  readonly #task = new NewestTask();
+  readonly #bounds: DesignFindings<number>;
+
+  constructor(solver: SolverService, changed: () => void) {
+    this.#solver = solver;
+    this.#bounds = new DesignFindings(changed);
+  }
+
+  /**
+   * Bound on the alignment: no other one has less than this share of the present one's mismatch.
+   */
+  of(design: Design): number | undefined {
+    return this.#bounds.of(design);
+  }
+
+  /** Follows a solved design. */
+  async follow(design: Design, {metrics}: SolveResult): Promise<void> {
+    this.stop();
+    const {method, searchBound, searchCost} = metrics;
+    if (method !== 'best' || searchBound === 1 || this.#bounds.isFinished(design)) return;
+    const running = this.#task.begin();
+    await paused(running.signal);
+    const late = setTimeout(() => {
+      this.#bounds.finish(design); // a longer proof is not worth it
+      running.abort();
+    }, patience);
+    const onProof = ({bound, searchCost: found}: Proof): void => {
+      // the proof's alignment is another one after more effort, or if a cutter's layout or a
+      // symmetric one is used
+      const share = (bound * found) / searchCost;
+      const known = share >= 1 - provenShare ? 1 : Math.max(share, searchBound);
+      this.#bounds.learn(design, known, percent(known) > percent(this.of(design) ?? 0));
+    };
+    try {
+      await this.#solver.prove(problemOf(design), {signal: running.signal, onProof});
+      this.#bounds.finish(design);
+    } catch {
+      // the proof was not requested, so errors are ignored; the bound so far stays
+    } finally {
+      clearTimeout(late);
+    }
+  }
+
+  stop(): void {
+    this.#task.stop();
+  }
+}
 
 /** State of an improvement. */
 export interface Improving {

@@ -15,7 +15,7 @@ import type {SolveOptions} from '../model/design/options.js';
 import type {MeshedPattern, SolveResult} from '../model/result/result.js';
 import type {MismatchScale} from '../scene/colours.js';
 import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../scene/scene.js';
-import {keptLines} from './kept-lines.js';
+import {keptLines} from './kept-pins.js';
 import {lastOf} from '../model/base/last-of.js';
 
 export interface Scenes {

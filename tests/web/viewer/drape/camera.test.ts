@@ -13,8 +13,7 @@ import {
   presetOrbit,
   turned,
 } from '@/viewer/drape/camera.js';
-import {projected, rayThrough} from '@/viewer/drape/drape-picker.js';
-import {firstHit, nearestSeam} from '@/viewer/drape/pick.js';
+import {firstHit, nearestSeam, projected, rayThrough} from '@/viewer/drape/drape-picker.js';
 import type {Box3, Vector} from '@/viewer/drape/space.js';
 
 const box: Box3 = {low: [-30, 60, -15], high: [30, 150, 18]};

@@ -8,7 +8,7 @@ import type {DrapeMesh} from '@/model/result/draped-garment.js';
 import {onPrint, coordinates, type Alignment} from '@/model/geometry/vectors.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import {imageCell} from '@/model/print/wallpaper.js';
-import {clothOf, normalsOf, printPlaces, putToDrawn} from '@/viewer/drape/cloth.js';
+import {clothOf, normalsOf, printPlaces, putToDrawn} from '@/viewer/drape/cloth-layer.js';
 
 /**
  * Two squares of 10 cm, side by side and sewn along their common side; they were drafted smaller.

@@ -1,8 +1,7 @@
 /** The descriptions of undo, for every kind of step. */
 import {expect, it} from 'vitest';
 
-import {changeBetween, type Change} from '@/workbench/history/step-change.js';
-import {redoWords, undoWords} from '@/workbench/history/step-words.js';
+import {changeBetween, redoWords, undoWords, type Change} from '@/workbench/history/step-change.js';
 import {withSolveSettings, withPreset, solveSettingsOf} from '@/workbench/presets.js';
 import {
   withGrain,

@@ -1,7 +1,7 @@
 /** Moving and resizing flaws of the fabric, by keys and by figures. */
 import {describe, expect, it} from 'vitest';
 
-import {boxAround, flawAfter, flawAround, flawIn} from '@/workbench/marker/flaw-moves.js';
+import {boxAround, flawAfter, flawAround, flawIn} from '@/workbench/marker/marker-moves.js';
 import type {Flaw} from '@/workbench/marker/lay-step.js';
 
 const bolt = {widthCm: 140};

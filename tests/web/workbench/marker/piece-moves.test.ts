@@ -2,7 +2,7 @@
 import {describe, expect, it} from 'vitest';
 
 import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/workbench/marker/marker-moves.js';
-import {missed} from '@/editor/marker/scroll-to.js';
+import {missed} from '@/editor/marker/marker-pane.js';
 import {isFree, obstaclesTo, type Bolt} from '@/marker/places.js';
 import type {Alignment, Point} from '@/model/geometry/vectors.js';
 import type {PieceOnCloth} from '@/workbench/marker/marker-work.js';

@@ -3,8 +3,7 @@ import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it, vi} from 'vitest';
 
 import {brokenPath, brokenPlaces} from '@/photo/breaks-on-photo.js';
-import {boxOf, cellLines, nodesOf} from '@/photo/lattice-lines.js';
-import {movedNode} from '@/photo/moved-node.js';
+import {boxOf, cellLines, movedNode, nodesOf} from '@/photo/lattice-lines.js';
 import {PhotoSession} from '@/workbench/photo/photo-session.js';
 
 import {

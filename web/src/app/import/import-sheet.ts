@@ -1,20 +1,91 @@
 /** Import dialog: the contents of another program's drawing, and choices before it is opened. */
-import type {PieceChoice} from '../../formats/to-garment.js';
 import {html, nothing, type TemplateResult} from 'lit';
 
+import type {PieceChoice} from '../../formats/to-garment.js';
 import {controls} from '../../editor/style/controls.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
-import type {FileUnit} from '../../model/garment/garment-document.js';
+import {unitsInMetre, type FileUnit} from '../../model/garment/garment-document.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
-import {chosenAlso} from './choices.js';
+import {chosenAlso, largestOf} from './choices.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {importStyle} from './import-style.js';
 import {pieceChoice, ruler, type ShownChoices} from './piece-choice.js';
 import {WorkerComplaint} from '../worker/ask.js';
 import {drawingIn, garmentFrom, type ShownDrawing} from './reading.js';
-import {sizeChoice} from './size-choice.js';
-import {unitChoice} from './unit-choice.js';
+import type {Drawing} from '../../model/garment/imported-drawing.js';
+import type {Format} from '../../texts/format.js';
+
+// Choice of a size, for a drawing with several.
+
+/** @param isWaiting true while another size is being read */
+function sizeChoice(
+  {sizes, sampleSize, size = sampleSize}: Drawing,
+  isWaiting: boolean,
+  choose: (size: string) => void,
+  words: ImportTexts,
+): TemplateResult | typeof nothing {
+  if (sizes.length < 2) return nothing;
+  return html`<section>
+    <label>
+      ${words.size}
+      <select
+        ?disabled=${isWaiting}
+        @change=${({target}: Event) => {
+          choose((target as HTMLSelectElement).value);
+        }}
+      >
+        ${sizes.map(
+          (one) =>
+            html`<option value=${one} ?selected=${one === size}>
+              ${one === sampleSize ? words.sample(one) : one}
+            </option>`,
+        )}
+      </select>
+    </label>
+  </section>`;
+}
+
+/** Choice of a drawing's unit, with the size of its largest piece in each. */
+const units = (Object.keys(unitsInMetre) as FileUnit[]).sort(
+  (a, b) => unitsInMetre[b] - unitsInMetre[a],
+);
+
+function unitChoice(
+  shown: ShownDrawing,
+  unit: FileUnit,
+  choose: (unit: FileUnit) => void,
+  words: ImportTexts,
+  format: Format,
+): TemplateResult {
+  const {unit: guess} = shown.drawing;
+  const isGuess = unit === guess.unit;
+  const isDoubtful = isGuess && !guess.isSure;
+  const how = words.unitIs[isGuess ? guess.because : 'chosen'](words.units[unit]);
+  return html`<section class=${isDoubtful ? 'doubtful' : nothing}>
+    <h3 id="unit">${words.unit}</h3>
+    <p aria-live="polite">
+      ${words.largest(format.length(largestOf(shown, unit)))}, ${how}
+      ${isDoubtful ? words.doubtful : nothing}
+    </p>
+    <div class="units" role="group" aria-labelledby="unit">
+      ${units.map(
+        (one) =>
+          html`<button
+            class="outlined"
+            data-unit=${one}
+            aria-pressed=${one === unit}
+            @click=${() => {
+              choose(one);
+            }}
+          >
+            <b>${words.units[one]}</b>
+            <small>${format.length(largestOf(shown, one))}</small>
+          </button>`,
+      )}
+    </div>
+  </section>`;
+}
 
 export type FileUse = 'drawing' | 'print';
 

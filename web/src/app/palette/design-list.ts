@@ -10,7 +10,7 @@ import {
 import {improvementOffer} from '../../workbench/remedies/improvement-offer.js';
 import {inColours, samplePrint} from '../../workbench/samples.js';
 import {missing} from '../../print/group-choice.js';
-import {redoWords, undoWords} from '../../workbench/history/step-words.js';
+import {redoWords, undoWords} from '../../workbench/history/step-change.js';
 import {remedied, remedyWords} from '../../workbench/remedies/remedied.js';
 import type {Command} from '../../commands/editor-command.js';
 import {withKey, type PageParts} from './page-parts.js';

@@ -2,7 +2,7 @@
 import {languageNames, languages, type Preferences} from '../../texts/preferences.js';
 import type {Command} from '../../commands/editor-command.js';
 import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
-import {viewSaves} from '../saves/view-saves.js';
+import {viewSaves} from '../saves/drape-files.js';
 import {withKey, type PageParts} from './page-parts.js';
 import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';
 

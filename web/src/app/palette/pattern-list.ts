@@ -3,8 +3,7 @@ import {editorViews} from '../../editor/editor.js';
 import {patternCommands} from '../../commands/pattern-commands.js';
 import {pieceRows, seamRows, worstSeams} from '../../workbench/lists/rows.js';
 import {togglePart} from '../../workbench/tools/keeping.js';
-import {turnPiece} from '../../workbench/lists/turn-piece.js';
-import {withoutPin} from '../../workbench/lists/changed-options.js';
+import {turnPiece, withoutPin} from '../../workbench/lists/changed-options.js';
 import type {Command} from '../../commands/editor-command.js';
 import {withKey, type PageParts} from './page-parts.js';
 

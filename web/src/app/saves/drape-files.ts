@@ -7,10 +7,13 @@ import {imageCell} from '../../model/print/wallpaper.js';
 import {wornTexts} from '../../texts/drape-texts.js';
 import {pngOf} from '../../viewer/read-back.js';
 import {onWhite} from '../../viewer/tile-texture.js';
-import {film, filmType} from './film.js';
 import {drapingOf} from '../../workbench/drape/draping.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {DrapePane} from '../../editor/drape/drape-pane.js';
+import type {DrapeView} from '../../viewer/drape/drape-view.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import type {MarkerPane} from '../../editor/marker/marker-pane.js';
+import type {Command} from '../../commands/editor-command.js';
 
 interface WornFile {
   readonly id: string;
@@ -25,7 +28,7 @@ interface WornFile {
 const greatestSide = 2048;
 
 /** Returns the files that can be saved at present. */
-export function drapeFiles({workbench, view}: DrapePane): readonly WornFile[] {
+function drapeFiles({workbench, view}: DrapePane): readonly WornFile[] {
   const {language, messages} = workbench.preferences.chosen;
   const words = wornTexts(language, messages);
   const {drape} = drapingOf(workbench);
@@ -80,3 +83,78 @@ async function cellOf({history: {design}, tileOf}: Workbench): Promise<CellPictu
   const blob = canvas && (await pngOf(canvas).catch(() => undefined));
   return blob && cellPicture(new Uint8Array(await blob.arrayBuffer()));
 }
+
+// Records a film of one turn around a drape, in real time.
+
+/** Duration of one turn. [ms] */
+const turnTime = 8000;
+/** [px] */
+const widest = 1280;
+/** [bits per second] */
+const rate = 8e6;
+
+/** Formats of a film; a browser supports one or the other. */
+const types = ['video/webm;codecs=vp9', 'video/webm', 'video/mp4'];
+
+/** Returns the format that this browser can record; undefined for none. */
+const filmType = (): string | undefined =>
+  'MediaRecorder' in globalThis && 'captureStream' in HTMLCanvasElement.prototype
+    ? types.find((type) => MediaRecorder.isTypeSupported(type))
+    : undefined;
+
+/** @throws {Error} if drawing or recording is impossible, or while the graphics context is lost */
+async function film(view: DrapeView, type: string): Promise<Blob> {
+  const width = 2 * Math.floor(Math.min(widest, view.widestPicture) / 2);
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('2d');
+  const show = async (share: number): Promise<void> => {
+    const picture = await view.onTheWayRound(width, share);
+    const height = 2 * Math.floor(picture.height / 2); // codecs require even sides
+    if (canvas.height !== height) Object.assign(canvas, {width, height});
+    context?.drawImage(picture, 0, 0);
+  };
+  await show(0); // the first frame must have content
+  const recorder = new MediaRecorder(canvas.captureStream(), {
+    ...{mimeType: type, videoBitsPerSecond: rate},
+  });
+  const parts: Blob[] = [];
+  const ended = new Promise((resolve, reject) => {
+    recorder.addEventListener('stop', resolve);
+    recorder.addEventListener('error', reject);
+    recorder.addEventListener('dataavailable', ({data}) => parts.push(data));
+  });
+  recorder.start();
+  try {
+    const begun = performance.now();
+    for (let share = 0; share < 1; share = (performance.now() - begun) / turnTime) {
+      await show(share);
+      await new Promise((resolve) => setTimeout(resolve)); // lets other tasks run
+    }
+  } finally {
+    recorder.stop();
+  }
+  await ended;
+  return new Blob(parts, {type: recorder.mimeType});
+}
+
+// Commands that save files of the view beside the pattern; loaded with the list that shows them.
+
+/** @param save receives the content and the ending of the file's name */
+export const viewSaves = (
+  view: DrapePane | MarkerPane,
+  workbench: Workbench,
+  save: (ending: string, content: Blob) => void,
+): readonly Command[] =>
+  ('files' in view ? view.files : drapeFiles(view)).map(({id, title, ending, make}) => ({
+    ...{id: `save view ${id}`, title},
+    run: () => {
+      make().then(
+        (content) => {
+          save(ending, content);
+        },
+        (error: unknown) => {
+          workbench.notices.say({tone: 'error', text: toFailure(error).message});
+        },
+      );
+    },
+  }));

@@ -1,8 +1,8 @@
 /** The photo of a tab without a print so far, kept in this browser until there is one. */
 import {openDB, type DBSchema, type IDBPDatabase} from 'idb';
 
-import type {FoundPhoto, UnfinishedPhoto} from '../../photo/photo-keeper.js';
-import {keyOf} from './kept-photos.js';
+import type {FoundPhoto, PhotoKeeper, UnfinishedPhoto} from '../../photo/photo-keeper.js';
+import {keepPhoto, keptPhoto, keyOf} from './kept-photos.js';
 
 interface Schema extends DBSchema {
   /** Photos by tab. Each is written once, since they are large. */
@@ -64,7 +64,7 @@ const drop = async (database: IDBPDatabase<Schema>, tabs: readonly string[]): Pr
 };
 
 /** Replaces the tab's previous photo. @param image image of the design's print */
-export const keepUnfinished = (image: string, photo: UnfinishedPhoto): Promise<void> =>
+const keepUnfinished = (image: string, photo: UnfinishedPhoto): Promise<void> =>
   safely(async (database, tab) => {
     const {picture, ...steps} = photo;
     const isWritten = written?.picture === picture && written.image === image;
@@ -95,8 +95,14 @@ export const unfinished = (image: string): Promise<FoundPhoto | undefined> =>
     };
   });
 
-export const forgetUnfinished = (): Promise<void> =>
+const forgetUnfinished = (): Promise<void> =>
   safely(async (database, tab) => {
     written = undefined;
     await drop(database, [tab]);
   });
+
+/** Storage of photos in this browser. */
+export const photoStorage: PhotoKeeper = {
+  ...{keep: keepPhoto, kept: keptPhoto},
+  ...{keepUnfinished, unfinished, forgetUnfinished},
+};

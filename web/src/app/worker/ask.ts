@@ -2,7 +2,7 @@
  * Sends one request to a separate worker, which ends after its answer; the page stays responsive,
  * and no memory is kept.
  */
-import type {Reply} from './reply.js';
+import type {Reply} from './serve.js';
 
 /** Reason for a missing answer, in one sentence. */
 export class WorkerComplaint extends Error {

@@ -1,5 +1,12 @@
 /** Worker side: answers the worker's only request. */
-import type {Reply} from './reply.js';
+
+/**
+ * Messages of a worker for one request: its answer or its error, and before that its own requests.
+ */
+export type Reply =
+  | {readonly kind: 'answer'; readonly answer: unknown}
+  | {readonly kind: 'failed'; readonly message: string}
+  | {readonly kind: 'request'; readonly request: unknown};
 
 /** The used part of a worker's scope. */
 interface Scope {

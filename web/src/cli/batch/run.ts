@@ -8,9 +8,8 @@ import {FileError} from '../../model/base/versioned-file.js';
 import {addressOf, calledAs, readAddress} from '../../node/addresses.js';
 import type {Crew} from './crew.js';
 import {complaintAbout, jobsOf, keyed, type Job, type KeyedJob} from './jobs.js';
-import {linesOf} from './lines.js';
+import {linesOf, type DoneRecord} from './record.js';
 import type {Outcome} from './outcome.js';
-import type {DoneRecord} from './record.js';
 import type {Status, Store} from './store.js';
 
 /** Progress of a batch. */

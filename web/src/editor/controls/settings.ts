@@ -2,8 +2,7 @@
 import {css, html, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
-import {controls} from '../style/controls.js';
-import {placeUnder} from '../style/place-under.js';
+import {controls, placeUnder} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {languageNames, type Preferences} from '../../texts/preferences.js';
 

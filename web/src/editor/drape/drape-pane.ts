@@ -14,8 +14,7 @@ import {seamRows, worstSeams} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {drapeCommands} from '../../commands/drape-commands.js';
-import {DrapeDrawing} from './drape-drawing.js';
-import {drapeStyle} from './drape-style.js';
+import {DrapeDrawing, drapeStyle} from './drape-drawing.js';
 
 /** Zoom step of a button; a key zooms less. */
 const zoomFactor = 1.4;

@@ -8,6 +8,7 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Target} from '../../workbench/workbench.js';
 import {
+  turnPiece,
   withGrain,
   withName,
   withoutPin,
@@ -15,9 +16,49 @@ import {
 } from '../../workbench/lists/changed-options.js';
 import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
-import {nameField} from './name-field.js';
 import {pieceRows, type PieceRow} from '../../workbench/lists/rows.js';
-import {turnPiece} from '../../workbench/lists/turn-piece.js';
+
+// A name edited in place: Enter and leaving the field keep the entry, Escape discards it.
+
+/** Greatest length of a name that fits on a piece. [characters] */
+const greatestLength = 80;
+
+interface NameField {
+  readonly name: string;
+  /** Accessible name of the field. */
+  readonly label: string;
+  /** @returns true if the name is valid */
+  readonly keep: (name: string) => boolean;
+  /** Runs after the entry was kept or discarded; `byKey` if the field still has the focus. */
+  readonly close: (byKey: boolean) => void;
+}
+
+function nameField({name, label, keep, close}: NameField): TemplateResult {
+  let isOpen = true;
+  const end = (byKey: boolean): void => {
+    isOpen = false;
+    close(byKey);
+  };
+  const press = (event: KeyboardEvent): void => {
+    event.stopPropagation(); // letters are no shortcuts here
+    const field = event.target as HTMLInputElement;
+    if (event.key === 'Escape') end(true);
+    else if (event.key === 'Enter' && keep(field.value.trim())) end(true);
+  };
+  return html`<input
+    class="name"
+    type="text"
+    aria-label=${label}
+    maxlength=${greatestLength}
+    .value=${name}
+    @keydown=${press}
+    @blur=${({target}: Event) => {
+      if (!isOpen) return;
+      keep((target as HTMLInputElement).value.trim());
+      end(false);
+    }}
+  />`;
+}
 
 const grains = ['all', 'on', 'across', 'bias', 'free'] as const satisfies readonly (
   GrainLock | 'all'

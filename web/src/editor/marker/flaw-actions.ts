@@ -3,7 +3,7 @@ import type {PropertyValues} from 'lit';
 
 import type {Point} from '../../model/geometry/vectors.js';
 import type {Flaw} from '../../workbench/marker/lay-step.js';
-import {flawAfter, flawAround} from '../../workbench/marker/flaw-moves.js';
+import {flawAfter, flawAround} from '../../workbench/marker/marker-moves.js';
 import {flawSizeWords, flawWords} from '../../workbench/marker/marker-words.js';
 import {PieceActions} from './piece-actions.js';
 

@@ -14,7 +14,7 @@ import {
   leastFlaw,
   mostStart,
   type FlawBox,
-} from '../../workbench/marker/flaw-moves.js';
+} from '../../workbench/marker/marker-moves.js';
 import type {FlawActions} from './flaw-actions.js';
 
 export class MarkerFlaws extends MarkerElement {

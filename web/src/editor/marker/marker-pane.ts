@@ -5,7 +5,7 @@ import {usedLength} from '../../marker/places.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {lastOf} from '../../model/base/last-of.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
-import {commandFor, type KeyList, type Command} from '../../commands/editor-command.js';
+import {commandFor, type Command, type KeyList} from '../../commands/editor-command.js';
 import {wantSize} from '../print/size-wanted.js';
 import {controls} from '../style/controls.js';
 import {markerBar, markerZoom} from './marker-bar.js';
@@ -14,7 +14,7 @@ import {FlawActions} from './flaw-actions.js';
 import {ways} from '../../workbench/marker/marker-moves.js';
 import {markerFiles} from '../../workbench/marker/marker-files.js';
 import {MarkerPointing, type PointedCloth} from './marker-pointing.js';
-import {markerSheet} from './marker-sheet.js';
+import {markerSheet, sheetStyle} from './marker-sheet.js';
 import type {Dragged} from '../../workbench/marker/piece-drag.js';
 import {markerStatus, spokenStatus} from './marker-status.js';
 import {markerStyle} from './marker-style.js';
@@ -25,9 +25,48 @@ import {
   roundedLength,
 } from '../../workbench/marker/marker-words.js';
 import {layStepWords} from '../../workbench/marker/lay-step.js';
-import {scrollTo, middleInSight} from './scroll-to.js';
-import {margin, type SheetFrame} from '../../marker/sheet-frame.js';
-import {sheetStyle} from './sheet-style.js';
+import {margin, offSheet, type SheetFrame} from '../../marker/sheet-frame.js';
+
+// Scrolls a part of the fabric into view.
+
+/** Distance from the part to the edges of the view. [CSS px] */
+const apart = 8;
+
+/**
+ * Returns the distance by which `low` to `high` misses a view `from` to `to`; 0 for a part that
+ * fills the view.
+ */
+export function missed(low: number, high: number, from: number, to: number): number {
+  const [before, after] = [low - from, high - to];
+  if (before * after <= 0) return 0; // inside, or beyond both edges
+  return Math.abs(before) < Math.abs(after) ? before : after;
+}
+
+/** Scrolls no further than needed. */
+function scrollTo(view: Element, shown: Element): void {
+  const [{left, right, top, bottom}, seen] = [view, shown].map((one) =>
+    one.getBoundingClientRect(),
+  ) as [DOMRect, DOMRect];
+  view.scrollBy({
+    left: missed(seen.left - apart, seen.right + apart, left, right),
+    top: missed(seen.top - apart, seen.bottom + apart, top, bottom),
+    behavior: 'instant',
+  });
+}
+
+/**
+ * Returns the middle of the visible fabric in a view that scrolls.
+ * @param sheet drawing of the fabric
+ */
+function middleInSight(view: Element, sheet: SVGSVGElement, widthCm: number): Point | undefined {
+  const matrix = sheet.getScreenCTM();
+  if (!matrix) return undefined;
+  const [seen, all] = [view, sheet].map((one) => one.getBoundingClientRect()) as [DOMRect, DOMRect];
+  const x = (Math.max(seen.left, all.left) + Math.min(seen.right, all.right)) / 2;
+  const y = (Math.max(seen.top, all.top) + Math.min(seen.bottom, all.bottom)) / 2;
+  const [across, along] = offSheet(new DOMPoint(x, y).matrixTransform(matrix.inverse()));
+  return [Math.min(widthCm, Math.max(0, across)), Math.max(0, along)];
+}
 
 const zooms = {least: 1, most: 12} as const;
 /** Length of fabric displayed beyond the used length. [cm] */

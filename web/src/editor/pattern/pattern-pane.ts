@@ -1,26 +1,69 @@
 /** The pattern: drawing, tools and overlay, and a list for screen readers. */
-import {edgeOptions} from '../sewing/edge-options.js';
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
+import {edgeOptions, emptyNote, noteStyle, stateNote, undrawableNote} from './state-note.js';
 import {SheetIndex, type PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import {movementOf} from '../../viewer/movement.js';
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
 import type {WorkbenchElement} from '../base/workbench-element.js';
-import {seamRows} from '../../workbench/lists/rows.js';
+import {pieceRows, seamRows, seamText, type PieceRow} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {lastOf} from '../../model/base/last-of.js';
-import type {Workbench} from '../../workbench/workbench.js';
+import type {Target, Workbench} from '../../workbench/workbench.js';
 import {PatternDrawing} from './drawing.js';
 import {overlayOf, type LensCursor} from '../../workbench/tools/pattern-marks.js';
 import {patternKeys} from '../../commands/pattern-keys.js';
-import {optionId, patternOptions} from './pattern-options.js';
 import {paneStyle} from './pane-style.js';
 import {PatternTools, pointedAt} from '../../workbench/tools/pattern-tools.js';
 import {Pointing} from './pointing.js';
-import {emptyNote, noteStyle, stateNote, undrawableNote} from './state-note.js';
 import type {ZoomMenu} from './zoom-menu.js';
+import {readingOrder, seamsRound} from '../../clicks/walk.js';
+import type {Format} from '../../texts/format.js';
+import type {Texts} from '../../texts/texts.js';
+
+/** The pattern as a list for screen readers: every piece, followed by its seams. */
+const optionId = (target: Target): string =>
+  target.kind === 'piece' ? `piece-${target.piece}` : `seam-${target.seam}-${target.side}`;
+
+function patternOptions(
+  workbench: Workbench,
+  index: PickIndex,
+  texts: Texts,
+  format: Format,
+): TemplateResult {
+  const pieces = pieceRows(workbench);
+  const seams = seamRows(workbench, texts);
+  const {pattern} = texts;
+  const selected = workbench.selection.selected && optionId(workbench.selection.selected);
+  const option = (target: Target, text: string): TemplateResult => {
+    const id = optionId(target);
+    return html`<div role="option" id=${id} aria-selected=${id === selected}>${text}</div>`;
+  };
+  return html`<div role="listbox" class="hidden" id="options" aria-label=${pattern.contents}>
+    ${readingOrder(index).map((piece) => {
+      const row = pieces[piece];
+      if (!row) return undefined;
+      return [
+        option({kind: 'piece', piece}, pieceText(row, texts)),
+        ...seamsRound(index, piece).map(({seam, side}) => {
+          const words = seams[seam];
+          return words && option({kind: 'seam', seam, side}, seamText(words, texts, format));
+        }),
+      ];
+    })}
+  </div>`;
+}
+
+/** "Front, 6 seams, pinned" */
+function pieceText({label, seams, pinned, kept}: PieceRow, {pattern, lists, keep}: Texts): string {
+  const states = [
+    ...(pinned ? [lists.pinned] : []),
+    ...(kept === 'none' ? [] : [kept === 'all' ? keep.kept : keep.some]),
+  ];
+  return [pattern.piece(label, pattern.seams(seams)), ...states].join(', ');
+}
 
 export class PatternPane extends PatternDrawing {
   static override properties = {

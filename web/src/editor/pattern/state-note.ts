@@ -3,6 +3,17 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/en.js';
 import type {Workbench} from '../../workbench/workbench.js';
+import type {SewingTool} from '../../workbench/sewing/sewing-tool.js';
+
+/** List of the edges for screen readers, while the sewing tool is active. */
+export function edgeOptions({activeId, chooser}: SewingTool, label: string): TemplateResult {
+  return html`<div role="listbox" class="hidden" id="options" aria-label=${label}>
+    ${chooser.options().map(({edge, text}) => {
+      const id = `edge-${edge.piece}-${edge.edge}`;
+      return html`<div role="option" id=${id} aria-selected=${id === activeId}>${text}</div>`;
+    })}
+  </div>`;
+}
 
 export const noteStyle = css`
   .state {

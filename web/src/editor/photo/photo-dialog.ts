@@ -1,5 +1,5 @@
 /** Dialog that makes a print from a photo of fabric. */
-import {html, nothing, type TemplateResult} from 'lit';
+import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {PhotoMap} from '../../model/print/photo-reading.js';
 import {dataUrlOf} from '../../image/data-url.js';
@@ -11,17 +11,183 @@ import type {PhotoOfCloth} from '../../print/openable-files.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {sheetDialog} from '../style/sheet-dialog.js';
-import {dialogStyle} from './dialog-style.js';
 import {startLattice, type PhotoSize} from '../../photo/lattice-lines.js';
 import type {PhotoKeeper} from '../../photo/photo-keeper.js';
 import {cellPicture, pngOf} from '../../photo/photo-picture.js';
-import {PhotoSession} from '../../workbench/photo/photo-session.js';
-import {isDoubtful, measuresOf, type PhotoStep} from '../../photo/photo-step.js';
-import {photoFoot} from './photo-foot.js';
-import {photoIntake} from './photo-intake.js';
-import {areSame} from '../../photo/same-picture.js';
+import {
+  PhotoSession,
+  UnfinishedWork,
+  type PhotoBefore,
+} from '../../workbench/photo/photo-session.js';
+import {areSame, isDoubtful, measuresOf, type PhotoStep} from '../../photo/photo-step.js';
 import {shownPicture} from '../../print/read-picture.js';
-import {UnfinishedWork, type PhotoBefore} from '../../workbench/photo/unfinished-work.js';
+
+/** Styles in addition to `sheetDialog`. */
+const dialogStyle = css`
+  dialog {
+    width: min(80rem, calc(100vw - 2rem));
+  }
+  header,
+  footer {
+    gap: var(--sw-space-2);
+    padding: var(--sw-space-3) var(--sw-space-4);
+  }
+  h2 {
+    flex: 1;
+    font-size: var(--sw-text-large);
+  }
+  .doubt {
+    flex-basis: 100%;
+  }
+  .name {
+    display: flex;
+    flex: 1 1 12rem;
+    align-items: center;
+    gap: var(--sw-space-2);
+  }
+  .name input {
+    min-width: 0;
+    color: var(--sw-ink);
+  }
+  .intake {
+    display: grid;
+    gap: var(--sw-space-3);
+    padding: var(--sw-space-6) var(--sw-space-4);
+  }
+  .row {
+    display: flex;
+    flex-wrap: wrap;
+    gap: var(--sw-space-2);
+  }
+  @media not (pointer: coarse) {
+    .camera {
+      display: none;
+    }
+  }
+  @media (width < 48rem) {
+    dialog {
+      width: 100vw;
+      height: 100dvh;
+      max-height: none;
+      margin: 0;
+      border: 0;
+      border-radius: 0;
+    }
+    header,
+    footer {
+      padding: var(--sw-space-2) var(--sw-space-3);
+    }
+  }
+`;
+
+interface PictureButton {
+  readonly label: string;
+  /** CSS class. */
+  readonly look: 'primary' | 'outlined';
+  /** Opens the camera on phones. */
+  readonly isCamera?: boolean;
+  readonly take: (file: File) => void;
+}
+
+/** A button that opens an image file. */
+function pictureButton({label, look, isCamera, take}: PictureButton): TemplateResult {
+  return html`<span class=${isCamera ? 'camera' : ''}>
+    <input
+      type="file"
+      hidden
+      accept="image/*"
+      capture=${isCamera ? 'environment' : nothing}
+      @change=${(event: Event) => {
+        const input = event.target as HTMLInputElement;
+        const [file] = input.files ?? [];
+        if (file) take(file);
+        input.value = '';
+      }}
+    />
+    <button
+      class=${look}
+      @click=${(event: Event) => {
+        const {parentElement} = event.currentTarget as HTMLElement;
+        parentElement?.querySelector('input')?.click();
+      }}
+    >
+      ${label}
+    </button>
+  </span>`;
+}
+
+/**
+ * Foot of the photo dialog: name, another image, a cell drawn by hand, and the button that makes
+ * the print.
+ */
+interface PhotoFoot {
+  readonly words: PhotoTexts;
+  readonly session: PhotoSession;
+  /** Problem with making the print. */
+  readonly trouble: string | undefined;
+  readonly name: string;
+  readonly isDrawing: boolean;
+  readonly isTaking: boolean;
+  readonly rename: (name: string) => void;
+  readonly take: (file: File) => void;
+  readonly draw: () => void;
+  readonly use: () => void;
+}
+
+function photoFoot(foot: PhotoFoot): TemplateResult {
+  const {words, trouble, isDrawing} = foot;
+  const {step, state} = foot.session.read;
+  const isReading = state.kind === 'reading';
+  const isReady = step !== undefined && !isDrawing && !isReading;
+  const isDoubted = isReady && isDoubtful(step);
+  return html`<footer>
+    ${trouble && state.kind !== 'failed' ? html`<p class="error" role="alert">${trouble}</p>` : nothing}
+    ${isDoubted ? html`<p class="doubt" id="doubt">${words.doubt}</p>` : nothing}
+    <label class="name">
+      ${words.name}
+      <input
+        type="text"
+        maxlength="80"
+        .value=${foot.name}
+        @change=${(event: Event) => {
+          foot.rename((event.target as HTMLInputElement).value);
+        }}
+      />
+    </label>
+    ${pictureButton({label: words.another, look: 'outlined', take: foot.take})}
+    <button class="outlined" ?disabled=${isDrawing || isReading} @click=${foot.draw}>
+      ${words.byHand}
+    </button>
+    <button
+      class=${isDoubted ? 'outlined' : 'primary'}
+      aria-describedby=${isDoubted ? 'doubt' : nothing}
+      ?disabled=${!isReady || foot.isTaking}
+      @click=${foot.use}
+    >
+      ${isDoubted ? words.useDoubtful : words.use}
+    </button>
+  </footer>`;
+}
+
+interface Intake {
+  readonly words: PhotoTexts;
+  /** Problem with the given image. */
+  readonly trouble: string | undefined;
+  readonly take: (file: File) => void;
+}
+
+/** Buttons to choose or take a photo, with advice on taking it. */
+function photoIntake({words, trouble, take}: Intake): TemplateResult {
+  return html`<div class="intake">
+    <p>${words.intake}</p>
+    <p class="soft">${words.stays}</p>
+    ${trouble ? html`<p class="error" role="alert">${trouble}</p>` : nothing}
+    <div class="row">
+      ${pictureButton({label: words.choose, look: 'primary', take})}
+      ${pictureButton({label: words.camera, look: 'outlined', isCamera: true, take})}
+    </div>
+  </div>`;
+}
 
 export class PhotoDialog extends WorkbenchElement {
   static override properties = {

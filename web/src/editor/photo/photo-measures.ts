@@ -8,9 +8,8 @@ import {directionSign} from '../../texts/direction-sign.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {panelStyle} from './panel-style.js';
-import {PhotoElement} from './photo-element.js';
-import {progressNote} from './photo-progress.js';
+import {panelStyle} from './photo-panel.js';
+import {PhotoElement, progressNote, progressStyle} from './photo-element.js';
 import type {PhotoSession} from '../../workbench/photo/photo-session.js';
 import type {TwoPoints} from './photo-stage.js';
 import {
@@ -22,7 +21,6 @@ import {
   unmeasured,
   type PhotoStep,
 } from '../../photo/photo-step.js';
-import {progressStyle} from './progress-style.js';
 import {saidFailure} from '../../texts/photo-texts.js';
 import {vectors, type Vector} from './stage-marks.js';
 

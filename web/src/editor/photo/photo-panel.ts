@@ -1,14 +1,12 @@
 /** Panel beside the photo: the findings, and all settings. */
-import {html, nothing, type TemplateResult} from 'lit';
+import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {Point} from '../../model/geometry/vectors.js';
 import {rebased} from '../../model/print/photo-map.js';
 import type {GroupName} from '../../model/print/repeating-print.js';
 import {controls} from '../style/controls.js';
 import type {BrokenPlaces} from '../../photo/breaks-on-photo.js';
-import {panelStyle} from './panel-style.js';
 import {PhotoElement} from './photo-element.js';
-import {photoGroups} from './photo-groups.js';
 import {
   groupIn,
   groupOf,
@@ -18,6 +16,119 @@ import {
   type PhotoStep,
 } from '../../photo/photo-step.js';
 import {overlayNames, vectors, type Overlays} from './stage-marks.js';
+import type {PhotoGroup} from '../../model/print/photo-reading.js';
+import type {PhotoTexts} from '../../texts/photo-texts.js';
+
+// All groups, each with the deviation of the photographed print from it.
+
+/** Deviations of a full bar: twice those of the verdict "has not". */
+const fullBar = {rho: 0.12, worst: 0.8};
+
+interface GroupChoice {
+  readonly words: PhotoTexts;
+  readonly meanings: Readonly<Record<GroupName, string>>;
+  readonly choose: (name: GroupName) => void;
+}
+
+function photoGroups(step: PhotoStep, choice: GroupChoice): TemplateResult {
+  const {words, meanings} = choice;
+  return html`<section aria-label=${words.group}>
+    <h3 id="groups">${words.group}</h3>
+    <div class="groups" role="radiogroup" aria-labelledby="groups">
+      ${step.reading.groups.map((group) => row(step, group, choice))}
+    </div>
+    <p class="soft">${meanings[groupOf(step)]}</p>
+  </section>`;
+}
+
+function row(
+  step: PhotoStep,
+  {name, rho, worst, verdict}: PhotoGroup,
+  {words, choose}: GroupChoice,
+): TemplateResult {
+  const share = verdict === 'cannot' ? 0 : Math.max(rho / fullBar.rho, worst / fullBar.worst);
+  const isFound = name === step.reading.group;
+  return html`<label class="group">
+    <input
+      type="radio"
+      name="group"
+      .checked=${name === groupOf(step)}
+      ?disabled=${verdict === 'cannot'}
+      aria-label="${name}, ${words.verdicts[verdict]}${isFound ? `, ${words.foundOne}` : ''}"
+      @change=${() => {
+        choose(name);
+      }}
+    />
+    <span>${name}</span>
+    ${svg`<svg viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true" data-verdict=${verdict}>
+      <rect class="track" width="100" height="8"></rect>
+      <rect width=${Math.min(100, Math.max(0, 100 * share)).toFixed(0)} height="8"></rect>
+    </svg>`}
+    <span class="soft"
+      >${words.verdicts[verdict]}${isFound ? html` · <b>${words.foundOne}</b>` : nothing}</span
+    >
+  </label>`;
+}
+
+export const panelStyle = css`
+  :host {
+    display: grid;
+    align-content: start;
+    gap: var(--sw-space-4);
+  }
+  section {
+    display: grid;
+    gap: var(--sw-space-2);
+  }
+  .row {
+    display: flex;
+    flex-wrap: wrap;
+    gap: var(--sw-space-2);
+  }
+  .row > .soft {
+    flex-basis: 100%;
+  }
+  .row label {
+    margin-right: var(--sw-space-2);
+  }
+  .beside {
+    display: grid;
+    grid-template-columns: repeat(2, minmax(0, 1fr)) var(--sw-target);
+    align-items: end;
+    gap: var(--sw-space-2);
+  }
+  input[type='range'] {
+    width: 100%;
+    min-height: var(--sw-target);
+    margin: 0;
+    accent-color: var(--sw-accent);
+  }
+  .groups {
+    display: grid;
+  }
+  .group {
+    display: grid;
+    grid-template-columns: auto 3rem 5rem minmax(0, 1fr);
+    align-items: center;
+    gap: var(--sw-space-2);
+    min-height: 1.75rem;
+    color: inherit;
+  }
+  .group svg {
+    width: 100%;
+    height: 0.4rem;
+    fill: #2e7d4f;
+  }
+  .group svg[data-verdict='almost'] {
+    fill: #b7791f;
+  }
+  .group svg[data-verdict='has not'] {
+    fill: #c22318;
+  }
+  .group .track {
+    fill: color-mix(in srgb, var(--sw-ink) 10%, transparent);
+  }
+`;
 
 /** Other bases of the lattice, or bases of a coarser or finer one. */
 const bases = {

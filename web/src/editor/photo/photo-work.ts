@@ -1,19 +1,51 @@
 /** A photo with its settings beside it. */
-import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {Point} from '../../model/geometry/vectors.js';
 import type {KnownObject, PhotoMap} from '../../model/print/photo-reading.js';
 import {controls} from '../style/controls.js';
 import type {BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import type {PhotoSize} from '../../photo/lattice-lines.js';
-import {PhotoElement} from './photo-element.js';
+import {drawnByHand, PhotoElement, photoProgress, progressStyle} from './photo-element.js';
 import type {Measuring} from './photo-measures.js';
-import {drawnByHand, photoProgress} from './photo-progress.js';
 import type {Moved, Placed, TwoPoints} from './photo-stage.js';
 import {groupIn, groupOf, type PhotoStep} from '../../photo/photo-step.js';
 import type {Overlays, Vector} from './stage-marks.js';
-import {progressStyle} from './progress-style.js';
-import {workStyle} from './work-style.js';
+
+const workStyle = css`
+  :host {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) 22rem;
+    min-height: 0;
+  }
+  sw-photo-stage {
+    padding: var(--sw-space-3);
+    background: var(--sw-ground);
+    --stage-height: calc(100dvh - 11rem);
+  }
+  .side {
+    display: grid;
+    align-content: start;
+    gap: var(--sw-space-3);
+    padding: var(--sw-space-4);
+    overflow-y: auto;
+    border-left: 1px solid var(--sw-line);
+  }
+  @media (width < 48rem) {
+    :host {
+      grid-template-columns: minmax(0, 1fr);
+      grid-template-rows: auto minmax(0, 1fr);
+    }
+    sw-photo-stage {
+      padding: 0;
+      --stage-height: 38dvh;
+    }
+    .side {
+      border-left: 0;
+      border-top: 1px solid var(--sw-line);
+    }
+  }
+`;
 
 /** Fires `hand` with the `PhotoMap` that the user draws, or without detail at its end. */
 export class PhotoWork extends PhotoElement {

@@ -10,7 +10,7 @@ import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';
 import {closedRepeats, openPairs} from '../../print/own-groups.js';
 import {printOfPicture} from '../../print/own-print.js';
 import type {PhotoOfCloth} from '../../print/openable-files.js';
-import {remedies} from './remedies.js';
+import {remedies} from './tile-report.js';
 
 /**
  * Fires `another` if the user wants another file, and `photo` with a `PhotoOfCloth` if the image is

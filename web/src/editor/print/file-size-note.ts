@@ -5,8 +5,7 @@ import type {DesignPrint} from '../../model/design/design.js';
 import {pictureIn, resized, tileSize} from '../../model/design/tile-repeat.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {isUnasked, sizeInFile, type FileSize} from '../../print/file-size.js';
-import {firstWidth} from '../../print/read-print.js';
+import {firstWidth, isUnasked, sizeInFile, type FileSize} from '../../print/read-print.js';
 
 /** Greatest difference between equal sizes. [cm] */
 const same = 0.005;

@@ -1,5 +1,5 @@
 /** Sets the size of a print by the distance between two points on its image. */
-import {html, nothing, svg, type TemplateResult} from 'lit';
+import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
 import {noPicture, printOf, type DesignPrint} from '../../model/design/design.js';
 import {norm, type Point} from '../../model/geometry/vectors.js';
@@ -13,7 +13,56 @@ import {dragHandle} from '../style/drag-handle.js';
 import {icon} from '../style/icons.js';
 import {alongStripe, leastRepeat, mostRepeat} from '../../model/print/repeat.js';
 import {choiceOf} from '../../print/group-choice.js';
-import {measureStyle} from './measure-style.js';
+
+const measureStyle = css`
+  dialog {
+    width: min(94vw, 40rem);
+    max-height: 94vh;
+    padding: var(--sw-space-4);
+    border: 1px solid var(--sw-line);
+    border-radius: var(--sw-radius);
+    background: var(--sw-paper);
+    color: var(--sw-ink);
+  }
+  dialog::backdrop {
+    background: rgb(0 0 0 / 0.4);
+  }
+  .inside {
+    display: grid;
+    gap: var(--sw-space-3);
+  }
+  header {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+  }
+  .picture {
+    position: relative;
+    justify-self: center;
+    cursor: crosshair;
+    touch-action: none;
+  }
+  svg.print {
+    display: block;
+    width: 100%;
+    height: 100%;
+  }
+  line {
+    vector-effect: non-scaling-stroke;
+    stroke-width: 2;
+    stroke: #c22318;
+  }
+  line.casing {
+    stroke: #fff;
+    stroke-width: 5;
+  }
+  .entry {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    gap: var(--sw-space-2);
+    align-items: end;
+  }
+`;
 
 /** Steps of a point per arrow key, without and with Shift, as shares of the longer side. */
 const step = 1 / 500;

@@ -27,7 +27,20 @@ import {
   printOfPicture,
   withFound,
 } from '../../print/own-print.js';
-import {remedies} from './remedies.js';
+import type {Texts} from '../../texts/en.js';
+
+/** Buttons for the repeats that make an image seamless. */
+export const remedies = (
+  {remedy, repeats: names}: Texts['print'],
+  repeats: readonly TileRepeat[],
+  take: (repeat: TileRepeat) => unknown,
+): readonly TemplateResult[] =>
+  repeats.map((repeat) => {
+    const words = repeat === 'halfDrop' || repeat === 'brick' ? remedy[repeat] : remedy.mirror;
+    return html`<button class="outlined" title=${names[repeat]} @click=${() => take(repeat)}>
+      ${words}
+    </button>`;
+  });
 
 interface Report {
   readonly print: DesignPrint;

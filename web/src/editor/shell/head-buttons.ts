@@ -6,6 +6,38 @@ import type {Workbench} from '../../workbench/workbench.js';
 import {canAlign} from '../../workbench/can-align.js';
 import {icon} from '../style/icons.js';
 
+/**
+ * Tabs of a narrow editor, whose sheets open below the pattern, one at a time. A second press
+ * closes a sheet.
+ */
+export type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
+
+export function sheetTabs(
+  {app, print, controls, headline, lists}: Texts,
+  open: Sheet | undefined,
+  show: (sheet: Sheet | undefined) => void,
+): TemplateResult {
+  const names: readonly (readonly [Sheet, string])[] = [
+    ['print', print.title],
+    ['cutting', controls.fit],
+    ['fit', headline.fit],
+    ['lists', lists.pieces],
+  ];
+  return html`<nav class="tabs" aria-label=${app.panels}>
+    ${names.map(
+      ([name, label]) =>
+        html`<button
+          aria-expanded=${open === name}
+          @click=${() => {
+            show(open === name ? undefined : name);
+          }}
+        >
+          ${label}
+        </button>`,
+    )}
+  </nav>`;
+}
+
 export function viewButtons<View extends keyof Texts['pattern']['views'] & keyof typeof icon>(
   views: readonly View[],
   shown: View,

@@ -1,7 +1,7 @@
 /** A notice. It disappears after enough time to read it, unless it is an error. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {undoAndSay} from '../../workbench/history/step-words.js';
+import {undoAndSay} from '../../workbench/history/step-change.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';

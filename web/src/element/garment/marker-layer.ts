@@ -155,7 +155,7 @@ export class MarkerLayer {
 }
 
 /** All inputs of a layout. */
-export interface LaidAnswer extends Pick<Design, 'garment' | 'options' | 'names'> {
+interface LaidAnswer extends Pick<Design, 'garment' | 'options' | 'names'> {
   readonly result: SolveResult;
   readonly print: LaidPrint;
   /** Fabric width between its edges, and the unusable strip along each of them. [cm] */
@@ -167,7 +167,7 @@ export interface LaidAnswer extends Pick<Design, 'garment' | 'options' | 'names'
  * @throws {SolverError} if a piece does not fit on the fabric, with the piece's name; the signal's
  * reason
  */
-export async function layMarker(
+async function layMarker(
   workbench: Workbench,
   {result, garment, options, names, print, widthCm, selvedgeCm}: LaidAnswer,
   signal: AbortSignal,

@@ -56,7 +56,7 @@ async function cutFileFor(
   if (!isAllowance(allowance) || !isAllowance(hem)) {
     throw new SolverError({code: 'options', message: garment.allowance(`${greatestAllowance} cm`)});
   }
-  const {cutHere} = await import('../../workbench/cutting/cut-here.js');
+  const {cutHere} = await import('../../workbench/cutting/cut-material.js');
   try {
     const request = {file, paper, ink, allowanceCm: allowance, hemCm: hem};
     const content = await cutHere(workbench, request);

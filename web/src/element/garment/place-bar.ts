@@ -21,7 +21,7 @@ const [least, most] = [0.25, 4];
 const steps = 100;
 
 /** Fires `sw-print` with the chosen print as `detail`. */
-export class PlaceBar extends WorkbenchElement {
+class PlaceBar extends WorkbenchElement {
   static override properties = {
     ...WorkbenchElement.properties,
     prints: {attribute: false},

@@ -12,7 +12,7 @@ import {textAt} from '../../paper/pdf-text.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
-import type {SheetFormat} from './filling.js';
+import type {SheetFormat} from './plan-style.js';
 import {printOnCloth} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
 import {plan as english} from '../../texts/en/plan.js';

@@ -18,8 +18,7 @@ import {readable} from '../../model/garment/piece-names.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import type {ResultPiece, SolveResult} from '../../model/result/result.js';
 import {carried} from '../../model/geometry/triangles.js';
-import {lineAt} from '../../scene/grain-line.js';
-import {innermost, pick} from '../../scene/marks.js';
+import {innermost, lineAt, pick} from '../../scene/marks.js';
 
 /** Data about the pieces in addition to the layout. */
 export interface KnownPieces {

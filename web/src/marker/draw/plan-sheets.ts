@@ -8,10 +8,17 @@ import {nameLines} from '../../layout/name-lines.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {Print} from '../../model/print/repeating-print.js';
-import {Filling, moved, type PlanSheet, type SheetFormat} from './filling.js';
+import {
+  cm,
+  Filling,
+  moved,
+  textOf,
+  type PlanSheet,
+  type SheetFormat,
+  type Size,
+} from './plan-style.js';
 import {clothMarks, ruler, type DrawnCloth} from './plan-cloth.js';
 import {namesIn, planPieces, repeatCorner, type KnownPieces} from './plan-pieces.js';
-import {cm, textOf, type Size} from './plan-style.js';
 import {crossesTable, otherwiseTables, rowMarks, type Row, type Table} from './plan-tables.js';
 import {
   factsOf,
@@ -28,7 +35,7 @@ export interface PlanOptions extends KnownPieces {
   readonly title?: string;
 }
 
-export type {PlanSheet} from './filling.js';
+export type {PlanSheet} from './plan-style.js';
 
 /** Tolerance of lengths for rounding. [cm] */
 const rounding = 1e-9;

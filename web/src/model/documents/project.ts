@@ -3,12 +3,11 @@
  * own.
  */
 import type {Design} from '../design/design.js';
-import {readDesign} from '../design/read-design.js';
+import {readDesign, written} from '../design/read-design.js';
 import type {Point} from '../geometry/vectors.js';
 import {projectTitle} from './project-name.js';
 import {number, pairOf, shape} from '../base/read.js';
 import {readVersioned, versionOf, type FileKind} from '../base/versioned-file.js';
-import {written} from '../design/written-design.js';
 
 /** Position and scale of a view of the sheet. Scale in CSS px per cm. */
 export interface ProjectView {

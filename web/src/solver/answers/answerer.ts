@@ -2,7 +2,12 @@
 import {SolverError} from '../../model/result/failure.js';
 import type {HooksOf, KindOf, RequestKind, RequestKinds} from '../requests/requests.js';
 import {brokenModule, loadingError, unlessAborted} from './failures.js';
-import {SharedModule, type ModuleLoader, type Modules, type WasmSources} from './shared-module.js';
+import {
+  SharedModule,
+  type ModuleLoader,
+  type Modules,
+  type WasmSources,
+} from '../module/shared-module.js';
 import {ownThread, type Pace} from './slices.js';
 
 /** Requests that wait for each other, in the order of arrival. */

@@ -3,7 +3,7 @@
  * any server serves them unchanged, the files are neighbours; bundlers know the expressions below
  * and emit the files. Neither case needs a setting; only Node has to read the .wasm files itself.
  */
-import type {ModuleLoader} from '../answers/shared-module.js';
+import type {ModuleLoader} from './shared-module.js';
 import type {DrapeModule} from './drape.mjs';
 import type {MarkerModule} from './marker.mjs';
 import type {ModuleSettings} from './module.js';

@@ -2,7 +2,7 @@
 import {failureOf, SolverError, type Failure} from '../../model/result/failure.js';
 import {Answerer, type AnswerTable} from '../answers/answerer.js';
 import {internalError} from '../answers/failures.js';
-import type {Modules, WasmSources} from '../answers/shared-module.js';
+import type {Modules, WasmSources} from '../module/shared-module.js';
 import type {HooksOf, KindOf, RequestKinds} from '../requests/requests.js';
 import {
   protocolVersion,

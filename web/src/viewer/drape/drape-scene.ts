@@ -5,7 +5,7 @@ import type {DrapeMesh, Form} from '../../model/result/draped-garment.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Raster} from '../stage.js';
 import {inks, type Appearance} from '../strokes.js';
-import type {Wipe} from '../wipe-layers.js';
+import type {Wipe} from '../over-layers.js';
 import type {Orbit} from './camera.js';
 import {ClothLayer} from './cloth-layer.js';
 import type {DrapeTarget} from './drape-picker.js';

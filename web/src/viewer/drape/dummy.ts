@@ -1,6 +1,6 @@
 /** A tailor's dummy: the form in linen, with a cap on its neck, a pole and a foot. */
 import type {Form, Surface} from '../../model/result/draped-garment.js';
-import {normalsOf} from './cloth.js';
+import {normalsOf} from './cloth-layer.js';
 
 type Colour = readonly [number, number, number];
 

@@ -4,11 +4,12 @@ import {SolverError} from '../../model/result/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowances.js';
-import type {CuttingMarks, SheetOptions} from '../../cutting/lay-sheet.js';
+import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
 import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../workbench.js';
-import {embeddedTile} from '../../image/embedded-tile.js';
+import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
+import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
 
 /** Plain data, which can be posted to a worker. */
 export interface CutMaterial {
@@ -43,4 +44,27 @@ export async function cutMaterial(
     },
     options: {...rule, units, locale, plain: design.options.plain ?? []},
   };
+}
+
+/** Makes cutting sheets on the calling thread. */
+interface CutRequest extends AllowanceRule {
+  readonly file: CutFileKind;
+  readonly paper: string;
+  readonly ink: 'full' | 'outline';
+}
+
+/**
+ * Returns a cutting sheet; undefined before there is a result.
+ * @throws {RangeError} for an unknown paper size; {Error} if the print's image cannot be read
+ */
+export async function cutHere(
+  workbench: Workbench,
+  {file, paper, ink, ...rule}: CutRequest,
+): Promise<string | Uint8Array<ArrayBuffer> | undefined> {
+  const material = await cutMaterial(workbench, rule);
+  if (!material) return undefined;
+  const {result, print, marks, options} = material;
+  const sheet = cutSheet(result, print, marks, options);
+  const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
+  return cutFile(sheet, print, {file, paper, ink, pixels});
 }

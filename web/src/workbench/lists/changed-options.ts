@@ -1,8 +1,9 @@
 /** Changes of the solver's options that the user makes for one seam or one piece. */
 import {angleOf, type GrainLock, type GrainRule} from '../../model/garment/grain.js';
-import {type SolveOptions} from '../../model/design/options.js';
+import type {SolveOptions} from '../../model/design/options.js';
 import type {PieceNames} from '../../model/garment/piece-names.js';
 import type {SeamRow} from './rows.js';
+import type {Workbench} from '../workbench.js';
 
 export const matches = ['double', 'full', 'half', 'none'] as const;
 type Match = (typeof matches)[number];
@@ -96,3 +97,17 @@ export const withName = (
   const rest = without(names, piece);
   return name === '' ? rest : {...rest, [piece]: name};
 };
+
+// Turns a piece by 90 degrees on the fabric, for keys and buttons.
+
+/** @returns true if there is such a piece */
+export function turnPiece(workbench: Workbench, piece: number): boolean {
+  const {design} = workbench.history;
+  const {scenes} = workbench.sheet;
+  const turned = scenes?.now.pieces[piece];
+  if (!design || !turned) return false;
+  workbench.history.change({options: withQuarterTurn(design.options, turned.name)});
+  const {lists} = workbench.preferences.texts;
+  workbench.notices.say({tone: 'info', text: lists.turned(turned.label), undo: true});
+  return true;
+}

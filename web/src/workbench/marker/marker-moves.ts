@@ -1,8 +1,8 @@
 /** Moves of a piece on the fabric by keys and buttons. */
 import {
+  apartFrom,
   onFrom,
   Places,
-  apartFrom,
   turnAfter,
   turnedInPlace,
   turnsOf,
@@ -12,6 +12,9 @@ import {minus, norm, wrapped, type Alignment, type Point} from '../../model/geom
 import {reducedBasis} from '../../model/print/wallpaper.js';
 import type {PieceOnCloth} from './marker-work.js';
 import {placesOf} from './piece-drag.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+import type {Units} from '../../model/base/length-text.js';
+import type {Flaw} from './lay-step.js';
 
 export const ways: Readonly<Record<string, Point>> = {
   ArrowLeft: [-1, 0],
@@ -105,4 +108,86 @@ export function placeTurned(
     if (move) return move;
   }
   return undefined;
+}
+
+// Moves and resizes a flaw of the fabric, by keys and by numbers. Lengths in cm.
+
+/** Bounding box of a flaw: `left` from the left edge of the fabric, `start` from its cut edge. */
+export interface FlawBox {
+  readonly left: number;
+  readonly start: number;
+  readonly width: number;
+  readonly length: number;
+}
+
+/** Least width and length of a flaw. */
+export const leastFlaw = 0.5;
+/** Greatest distance of a flaw from the cut edge; no marker is longer. */
+export const mostStart = 5000;
+/** Step of an arrow key, and width and length of a new flaw. */
+const steps: Readonly<Record<Units, number>> = {cm: 1, inch: 1.27};
+const firstSizes: Readonly<Record<Units, number>> = {cm: 5, inch: 5.08};
+
+export function boxAround(flaw: Flaw): FlawBox {
+  const {low, high} = boxOf(flaw);
+  return {left: low[0], start: low[1], width: high[0] - low[0], length: high[1] - low[1]};
+}
+
+const cornersOf = ({left, start, width, length}: FlawBox): Flaw => [
+  [left, start],
+  [left + width, start],
+  [left + width, start + length],
+  [left, start + length],
+];
+
+const within = (value: number, least: number, most: number): number =>
+  Math.max(least, Math.min(most, value));
+
+/** Limits a box to the fabric. */
+function onCloth({left, start, width, length}: FlawBox, {widthCm}: Pick<Bolt, 'widthCm'>): FlawBox {
+  const wide = within(width, leastFlaw, widthCm);
+  const long = within(length, leastFlaw, mostStart);
+  return {
+    left: within(left, 0, widthCm - wide),
+    start: within(start, 0, mostStart),
+    ...{width: wide, length: long},
+  };
+}
+
+/** Fits the outline of a flaw into its changed box. */
+export function flawIn(flaw: Flaw, change: Partial<FlawBox>, bolt: Pick<Bolt, 'widthCm'>): Flaw {
+  const from = boxAround(flaw);
+  const to = onCloth({...from, ...change}, bolt);
+  return flaw.map(([x, y]): Point => [
+    to.left + ((x - from.left) * to.width) / from.width,
+    to.start + ((y - from.start) * to.length) / from.length,
+  ]);
+}
+
+/** Returns a new, square flaw, aligned to whole steps of the arrow keys. */
+export function flawAround([x, y]: Point, units: Units, bolt: Pick<Bolt, 'widthCm'>): Flaw {
+  const size = firstSizes[units];
+  const onStep = (at: number): number => steps[units] * Math.round((at - size / 2) / steps[units]);
+  const [left, start] = [onStep(x), onStep(y)];
+  return cornersOf(onCloth({left, start, width: size, length: size}, bolt));
+}
+
+/**
+ * Returns the flaw after a key: null if the key removes it, undefined for other keys. Shift with an
+ * arrow changes its size.
+ */
+export function flawAfter(
+  {key, shiftKey}: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
+  flaw: Flaw,
+  units: Units,
+  bolt: Pick<Bolt, 'widthCm'>,
+): Flaw | null | undefined {
+  if (key === 'Delete') return null;
+  const way = ways[key];
+  if (!way) return undefined;
+  const [x, y] = [way[0] * steps[units], way[1] * steps[units]];
+  const {left, start, width, length} = boxAround(flaw);
+  if (!shiftKey) return flawIn(flaw, {left: left + x, start: start + y}, bolt);
+  // a larger flaw keeps its left edge and its start
+  return flawIn(flaw, {width: Math.min(width + x, bolt.widthCm - left), length: length + y}, bolt);
 }

@@ -1,7 +1,13 @@
 /** Effect of a press on the pattern: a choice for a symmetry, a move of a print, or a selection. */
-import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
+import {
+  choices,
+  seamTarget,
+  snap,
+  targetsAt,
+  type Target as Picked,
+  type Snapped,
+} from '../../clicks/pick.js';
 import type {PickIndex} from '../../clicks/pick-index.js';
-import {snap, type Snapped} from '../../clicks/snap.js';
 import type {Alignment, Point} from '../../model/geometry/vectors.js';
 import {groupsThatCarry} from '../../model/print/repeat.js';
 import {wayOnSheet} from '../../model/geometry/sheet-place.js';
