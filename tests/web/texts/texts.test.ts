@@ -1,9 +1,8 @@
 import {readFileSync} from 'node:fs';
 
-import {describe, expect, it} from 'vitest';
+import {describe, expect, it, vi} from 'vitest';
 
 import {formatted, text, type Source} from '@/texts/base/message.js';
-import {en} from '@/texts/en.js';
 import {answer} from '@/texts/en/answer.js';
 import {cutting} from '@/texts/en/cut.js';
 import {worn} from '@/texts/en/drape.js';
@@ -110,6 +109,9 @@ describe('a text with placeholders', () => {
 
 describe.each(translations)('the texts in %s', (language) => {
   it('are English until they are loaded, and then their own', async () => {
+    vi.resetModules(); // other tests may have loaded them
+    const {loadTexts, textsOf} = await import('@/texts/texts.js');
+    const {en} = await import('@/texts/en.js');
     expect(textsOf(language)).toBe(en);
     expect(await loadTexts(language)).toBe(true);
     expect(await loadTexts(language)).toBe(false);
