@@ -134,7 +134,7 @@ it(
   {tags: ['thorough']},
   async () => {
     const page = await open(`${shop}garment/tee`);
-    const worn = garment(page).locator('sw-worn');
+    const worn = garment(page).locator('sw-drape-pane');
     const poster = garment(page).locator('[part=poster]');
     await poster.waitFor({state: 'hidden'});
     expect(await worn.isVisible()).toBe(true);

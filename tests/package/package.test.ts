@@ -205,7 +205,7 @@ it('has no link in its texts that leads to nothing, but to pictures', () => {
     if (!file.endsWith('.md')) return [];
     return [...bytes.toString().matchAll(/\]\((?!https?:|#)([^)#]+)/g)]
       .map(([, link = '']) => posix.join(posix.dirname(file), link))
-      .filter((link) => !/\.(png|svg)$/.test(link))
+      .filter((link) => !/\.(png|svg|webp)$/.test(link))
       .filter(
         (link) => ![...all.files.keys()].some((one) => one === link || one.startsWith(`${link}/`)),
       );
@@ -215,7 +215,7 @@ it('has no link in its texts that leads to nothing, but to pictures', () => {
 
 it('shows its sources to debuggers', () => {
   const scripts = [...all.files.keys()].filter((file) =>
-    /^dist\/(?!standalone|solver\/module).*\.js$/.test(file),
+    /^dist\/(?!standalone|solver\/module|texts\/\w\w\/).*\.js$/.test(file),
   );
   const without = scripts.filter((file) => {
     const map = all.files.get(`${file}.map`)?.toString();

@@ -10,7 +10,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 const openPage = usePage();
 
 const status = (page: Page): Promise<string | null> =>
-  page.locator('sw-worn [role=status]').textContent();
+  page.locator('sw-drape-pane [role=status]').textContent();
 
 it('has no script that runs for more than 50 ms while a drape is shown and settles', async () => {
   const page = await openPage({viewport: {width: 1300, height: 800}});

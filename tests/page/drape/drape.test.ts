@@ -16,7 +16,7 @@ async function openWorn(): Promise<Page> {
   const page = await openPage({viewport: {width: 1300, height: 800}});
   await solved(page);
   await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
-  const status = page.locator('sw-worn [role=status]');
+  const status = page.locator('sw-drape-pane [role=status]');
   await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('view.');
   return page;
 }
@@ -25,7 +25,7 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   const page = await openPage({viewport: {width: 1300, height: 800}});
   await solved(page);
   const views = page.locator('sw-editor .views');
-  const worn = page.locator('sw-worn');
+  const worn = page.locator('sw-drape-pane');
   await expect.poll(() => worn.count()).toBe(0);
   await views.getByRole('button', {name: 'Garment'}).click();
   const status = worn.locator('[role=status]');
@@ -69,7 +69,7 @@ it(
   async () => {
     const page = await openWorn();
     const views = page.locator('sw-editor .views');
-    const stages = {Pattern: 'sw-pattern .stage', Garment: 'sw-worn .stage'};
+    const stages = {Pattern: 'sw-pattern .stage', Garment: 'sw-drape-pane .stage'};
     for (const name of ['Pattern', 'Garment', 'Pattern'] as const) {
       await views.getByRole('button', {name}).click();
       // an empty image takes next to no bytes
@@ -85,7 +85,7 @@ it(
   {tags: ['thorough']},
   async () => {
     const page = await openWorn();
-    const worn = page.locator('sw-worn');
+    const worn = page.locator('sw-drape-pane');
     const status = worn.locator('[role=status]');
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
@@ -110,7 +110,7 @@ it(
   {tags: ['thorough']},
   async () => {
     const page = await openWorn();
-    const worn = page.locator('sw-worn');
+    const worn = page.locator('sw-drape-pane');
     const stage = await worn.locator('.stage').boundingBox();
     if (!stage) throw new Error('The garment has no stage.');
     /** Images of the garment on both sides of the middle, off the line itself. */
@@ -154,7 +154,7 @@ it(
   {tags: ['thorough']},
   async () => {
     const page = await openWorn();
-    const fabric = page.locator('sw-worn').getByLabel('Fabric');
+    const fabric = page.locator('sw-drape-pane').getByLabel('Fabric');
     await expect.poll(() => fabric.inputValue()).toBe('poplin');
     await fabric.selectOption('denim');
     await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: fabric');
@@ -176,7 +176,7 @@ it('gives away a picture of what is seen, a model and a film', {tags: ['thorough
   const page = await openWorn();
   await page.keyboard.press('v'); // both views, since nothing has the focus
   await expect
-    .poll(() => page.locator('sw-worn progress').isVisible(), {timeout: 60_000})
+    .poll(() => page.locator('sw-drape-pane progress').isVisible(), {timeout: 60_000})
     .toBe(false);
   const given = async (name: string): Promise<{name: string; bytes: Buffer}> => {
     if (!(await button(page, name).isVisible())) await button(page, 'Save …').click();
@@ -188,7 +188,7 @@ it('gives away a picture of what is seen, a model and a film', {tags: ['thorough
   };
   const picture = await given('Save picture of the garment');
   expect(picture.name).toMatch(/\.worn\.png$/);
-  const stage = await page.locator('sw-worn .stage').boundingBox();
+  const stage = await page.locator('sw-drape-pane .stage').boundingBox();
   expect(picture.bytes.readUInt32BE(16)).toBe(2 * Math.round(stage?.width ?? 0));
   const model = await given('Save 3D model (GLB)');
   expect(model.name).toMatch(/\.glb$/);

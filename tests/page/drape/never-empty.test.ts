@@ -11,7 +11,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 const openPage = usePage();
 
 const status = (page: Page): Promise<string | null> =>
-  page.locator('sw-worn [role=status]').textContent();
+  page.locator('sw-drape-pane [role=status]').textContent();
 
 it(
   'never shows an empty view while print, colours and size change',
@@ -22,7 +22,7 @@ it(
     await showSample(page, 'tee');
     await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
     await expect.poll(() => status(page), {timeout: 120_000}).toContain('view.');
-    const stage = page.locator('sw-worn .stage');
+    const stage = page.locator('sw-drape-pane .stage');
     /** An empty image takes next to no bytes. */
     const staysFull = async (): Promise<void> => {
       for (let k = 0; k < 6; k++) {

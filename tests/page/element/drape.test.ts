@@ -88,7 +88,7 @@ it(
     await put(worn);
     await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
     const garment = page.getByRole('application', {name: 'Garment, worn'});
-    const status = page.locator('seamwise-garment sw-worn [role=status]');
+    const status = page.locator('seamwise-garment sw-drape-pane [role=status]');
     await expect.poll(() => status.textContent(), patient).toContain('Front view.');
     await expect
       .poll(() => status.textContent(), patient)
@@ -99,7 +99,9 @@ it(
     for (let k = 0; k < 6; k++) await page.keyboard.press('ArrowRight');
     await expect.poll(() => status.textContent(), patient).toContain('View from the right.');
     await page.evaluate(() => {
-      const deep = document.querySelector('seamwise-garment')?.shadowRoot?.querySelector('sw-worn');
+      const deep = document
+        .querySelector('seamwise-garment')
+        ?.shadowRoot?.querySelector('sw-drape-pane');
       const extension = deep?.shadowRoot
         ?.querySelector('canvas')
         ?.getContext('webgl2')
@@ -129,7 +131,7 @@ it('is turned by one finger, and moved and zoomed by two', {tags: ['thorough']},
       type: type as 'touchStart',
       touchPoints: points.map(([dx, dy], id) => ({x: x + dx, y: y + dy, id})),
     });
-  const status = page.locator('seamwise-garment sw-worn [role=status]');
+  const status = page.locator('seamwise-garment sw-drape-pane [role=status]');
   await expect.poll(() => status.textContent(), patient).toContain('Front view.');
   await fingers('touchStart', [0, 0]);
   for (let k = 1; k <= 8; k++) await fingers('touchMove', [-30 * k, 0]);
@@ -199,9 +201,9 @@ it('is drawn as finely after it has moved as before', {tags: ['thorough']}, asyn
   await put(worn);
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
   const garment = page.getByRole('application', {name: 'Garment, worn'});
-  const status = page.locator('seamwise-garment sw-worn [role=status]');
+  const status = page.locator('seamwise-garment sw-drape-pane [role=status]');
   await expect.poll(() => status.textContent(), patient).toMatch(/at .+\.$/);
-  const stage = page.locator('seamwise-garment sw-worn .stage');
+  const stage = page.locator('seamwise-garment sw-drape-pane .stage');
   const picture = async (): Promise<string> =>
     createHash('sha256')
       .update(await stage.screenshot())
@@ -220,8 +222,9 @@ it('is drawn as finely after it has moved as before', {tags: ['thorough']}, asyn
   await expect.poll(() => status.textContent(), patient).toContain('Back view.');
   await page.evaluate(() => {
     const {view} =
-      document.querySelector('seamwise-garment')?.shadowRoot?.querySelector<DrapePane>('sw-worn') ??
-      {};
+      document
+        .querySelector('seamwise-garment')
+        ?.shadowRoot?.querySelector<DrapePane>('sw-drape-pane') ?? {};
     view?.camera.setTurntable(true);
   });
   await rest();

@@ -9,7 +9,7 @@ import {sample, tee, useElementPage} from '../../support/page/element-page.js';
 const openPage = useElementPage();
 /** A layout takes seconds, and several times that on a busy machine. */
 const patient = {timeout: 60_000};
-const onCloth = tee.replace('alt=', 'cloth-width="140" alt=');
+const onFabric = tee.replace('alt=', 'cloth-width="140" alt=');
 
 interface Heard {
   readonly type: string;
@@ -71,7 +71,7 @@ it(
   async () => {
     const {page, put, run} = await openPage();
     const heard = await listening(page);
-    await put(onCloth);
+    await put(onFabric);
     await expect.poll(async () => (await heard()).length, patient).toBe(1);
     const {lengthCm, plan, result} = await run(async (element) => ({
       ...{lengthCm: element.clothLengthCm, plan: await element.layPlan(), result: element.result},
@@ -125,7 +125,7 @@ it(
     const {page, put, run} = await openPage();
     const heard = await listening(page);
     await page.evaluate(noteLaying);
-    await put(onCloth);
+    await put(onFabric);
     await page.locator('seamwise-garment:state(ready)').waitFor();
     const [plan, width] = await run(async (element) => {
       const waiting = element.layPlan();
@@ -157,7 +157,7 @@ it(
 it('says what cannot be laid, and keeps the answer', async () => {
   const {page, put, run} = await openPage();
   const heard = await listening(page);
-  await put(onCloth.replace('"140"', '"30"'));
+  await put(onFabric.replace('"140"', '"30"'));
   await expect.poll(async () => (await heard()).length, patient).toBe(1);
   const [{type, detail} = {type: '', detail: {}}] = await heard();
   expect([type, detail.code]).toEqual(['error', 'options']);
@@ -176,7 +176,7 @@ it(
   {tags: ['thorough']},
   async () => {
     const {page, put, run} = await openPage();
-    await put(onCloth);
+    await put(onFabric);
     await page.evaluate(noteLaying);
     const {length, aborted, cancelled} = await run(async (element) => {
       element.remove();
@@ -210,12 +210,12 @@ it(
     await put(tee.replace('alt=', 'mode="edit" alt='));
     const editor = page.locator('seamwise-garment sw-editor');
     await editor.getByRole('button', {name: 'Cloth', exact: true}).click();
-    const panel = page.locator('sw-cloth-panel');
+    const panel = page.locator('sw-marker-panel');
     const facts = () => panel.locator('.facts').innerText();
     await expect.poll(facts, patient).toMatch(/long/);
     await panel.locator('select.width').selectOption('115');
     await expect
-      .poll(() => page.locator('sw-cloth .pane').getAttribute('data-state'), patient)
+      .poll(() => page.locator('sw-marker-pane .pane').getAttribute('data-state'), patient)
       .toBe('done');
     await expect.poll(() => panel.locator('select.width').inputValue()).toBe('115');
     expect(await page.evaluate(() => localStorage.length)).toBe(0);

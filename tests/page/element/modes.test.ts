@@ -320,7 +320,7 @@ it(
     await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
     const boxes = async () => {
       const [flat, worn] = await Promise.all(
-        ['sw-pattern', 'sw-worn'].map((name) => page.locator(name).boundingBox()),
+        ['sw-pattern', 'sw-drape-pane'].map((name) => page.locator(name).boundingBox()),
       );
       if (!flat || !worn) throw new Error('One of them has no place.');
       return {flat, worn};
@@ -335,6 +335,6 @@ it(
       element.mode = 'preview';
     });
     await expect.poll(() => page.locator('sw-pattern').count()).toBe(0);
-    await expect.poll(() => page.locator('sw-worn').count()).toBe(1);
+    await expect.poll(() => page.locator('sw-drape-pane').count()).toBe(1);
   },
 );

@@ -173,7 +173,7 @@ it(
     const page = await openPage();
     await solved(page);
     await command(page, 'shown garment', 'Shown as: Garment');
-    const worn = page.locator('sw-worn');
+    const worn = page.locator('sw-drape-pane');
     const status = worn.locator('[role=status]');
     await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('Front view.');
     await command(page, 'seen back', 'Seen from: Back');

@@ -55,9 +55,9 @@ it(
 
 it('solves from the compiled files as they are, without a bundler', async () => {
   const dist = fileURLToPath(new URL('../../../dist', import.meta.url));
-  await withPage(await serveFiles(dist), 'solver/client.js', async (page) => {
+  await withPage(await serveFiles(dist), 'solver/page-solvers.js', async (page) => {
     await page.evaluate(
-      "import('./client.js').then((all) => (globalThis.Client = all.SolverClient))",
+      "import('./page-solvers.js').then((all) => (globalThis.Client = all.SolverClient))",
     );
     const results = await page.evaluate(async (problem) => {
       const places = {workerUrl: 'solver.worker.js', wasmUrl: 'module/seamwise.wasm'};

@@ -4,7 +4,7 @@ import type {LayPlan} from '@/model/result/marker-plan.js';
 import type {SolveResult} from '@/model/result/result.js';
 import type {Repeat} from '@/model/print/wallpaper.js';
 import {at} from '../plane.js';
-import {lessRepeats, offNormaliser, offRule, onCloth} from './plan-print.js';
+import {lessRepeats, offNormaliser, offRule, onFabric} from './plan-print.js';
 import {nameOf, pieceOf, type PlanRules} from './plan-rules.js';
 
 /** Tolerance for print points, and for lengths that are sums of coordinates. [cm] */
@@ -40,7 +40,7 @@ export function checkPrint(
     if (!piece) throw new RangeError(`no piece ${placement.piece}`);
     const {shape, alignment} = piece;
     const points = farPoints(shape);
-    return onCloth(
+    return onFabric(
       print,
       points.map((p) => onPrint(alignment, p)),
       points.map((p) => minus(onPiece(placement, p), origin)),

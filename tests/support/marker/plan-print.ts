@@ -69,7 +69,7 @@ interface OnCloth {
  * @param wanted  three or more points of the print by the alignment @param found  the points that
  * the fabric shows there
  */
-export function onCloth(
+export function onFabric(
   repeat: Repeat,
   wanted: readonly Point[],
   found: readonly Point[],

@@ -5,8 +5,8 @@ import {expect} from 'vitest';
 import type {SeamwisePage} from '@/app/page.js';
 import {showSample, solved} from './page.js';
 
-export const pane = (page: Page): Locator => page.locator('sw-cloth');
-export const panel = (page: Page): Locator => page.locator('sw-cloth-panel');
+export const pane = (page: Page): Locator => page.locator('sw-marker-pane');
+export const panel = (page: Page): Locator => page.locator('sw-marker-panel');
 export const status = (page: Page): Promise<string | null> =>
   pane(page).locator('[role=status]').textContent();
 /** The message below the fabric. */

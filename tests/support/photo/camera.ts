@@ -101,7 +101,7 @@ export function homographyOf(pose: Pose, w1: Point, w2: Point): Matrix3 {
   const away = f / pose.pxPerCm;
   const [u, v] = pose.middle;
   // prettier-ignore
-  const onCloth: Matrix3 = [
+  const onFabric: Matrix3 = [
     w1[0], w2[0], -(u * w1[0] + v * w2[0]),
     -w1[1], -w2[1], u * w1[1] + v * w2[1],
     0, 0, 1,
@@ -109,7 +109,7 @@ export function homographyOf(pose: Pose, w1: Point, w2: Point): Matrix3 {
   const r = rotation(pose);
   const placed: Matrix3 = [r[0], r[1], 0, r[3], r[4], 0, r[6], r[7], away];
   const k: Matrix3 = [f, 0, pose.width / 2, 0, f, pose.height / 2, 0, 0, 1];
-  return scaled(product(k, product(placed, onCloth)));
+  return scaled(product(k, product(placed, onFabric)));
 }
 
 /** Scales the matrix so that its last entry is 1. */

@@ -44,21 +44,21 @@ export function withThing(
 ): Rgba {
   const back = inverse(view.homography);
   const [cx, cy] = view.lensMiddle;
-  const onCloth = ([x, y]: Point): Point => {
+  const onFabric = ([x, y]: Point): Point => {
     const factor = unlensed(view, (x - cx) ** 2 + (y - cy) ** 2);
     const [u, v] = applied(back, [cx + factor * (x - cx), cy + factor * (y - cy)]);
     return [u * w1[0] + v * w2[0], u * w1[1] + v * w2[1]];
   };
-  const middle = onCloth(at);
+  const middle = onFabric(at);
   const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
   const drawn = new Uint8ClampedArray(data);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
-      const centre = onCloth([x + 0.5, y + 0.5]);
+      const centre = onFabric([x + 0.5, y + 0.5]);
       if (Math.hypot(centre[0] - middle[0], centre[1] - middle[1]) > thing.reach + margin) continue;
       let [light, covered] = [0, 0];
       for (let part = 0; part < samples * samples; part++) {
-        const [px, py] = onCloth([
+        const [px, py] = onFabric([
           x + ((part % samples) + 0.5) / samples,
           y + (Math.floor(part / samples) + 0.5) / samples,
         ]);

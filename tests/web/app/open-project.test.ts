@@ -3,10 +3,10 @@ import {expect, it} from 'vitest';
 
 import {historyIn, stateOf} from '@/app/projects/open-project.js';
 import type {Symmetry} from '@/model/garment/symmetries.js';
-import {bareCloth, newDesign} from '@/workbench/samples.js';
+import {bareFabric, newDesign} from '@/workbench/samples.js';
 
 const symmetry: readonly Symmetry[] = [{kind: 'piece', piece: 'front'}];
-const none = newDesign({name: 'tee.json', text: '{}'}, bareCloth);
+const none = newDesign({name: 'tee.json', text: '{}'}, bareFabric);
 const listed = {...none, symmetry, seed: 5};
 const history = {
   past: [{design: none, view: null}],

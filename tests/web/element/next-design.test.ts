@@ -5,7 +5,7 @@ import {nextDesign, type Answered} from '@/element/garment/designs.js';
 import type {Asked} from '@/element/garment/sources.js';
 import type {Design} from '@/model/design/design.js';
 import type {GarmentDocument} from '@/model/garment/garment-document.js';
-import {bareCloth} from '@/workbench/samples.js';
+import {bareFabric} from '@/workbench/samples.js';
 import {documentOf, draftedSquare} from '../../support/garments/documents.js';
 
 const pins = {
@@ -27,7 +27,7 @@ function answered(garment: string, read: GarmentDocument, change: Partial<Asked>
     },
     loaded: {
       garment: {name: 'garment.json', text: ''},
-      ...{print: bareCloth, symmetry: 'auto'},
+      ...{print: bareFabric, symmetry: 'auto'},
     },
   };
 }

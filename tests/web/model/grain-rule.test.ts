@@ -2,7 +2,7 @@
 import {describe, expect, it} from 'vitest';
 
 import type {Design} from '@/model/design/design.js';
-import {bareCloth} from '@/workbench/samples.js';
+import {bareFabric} from '@/workbench/samples.js';
 import {angleAfter, grainRule} from '@/model/design/grain-rule.js';
 import {isAllowed} from '@/model/print/mirror-lines.js';
 
@@ -13,7 +13,7 @@ const ruleOf = (
   more: Partial<Design['print']> = {},
   line?: Parameters<typeof grainRule>[2],
 ): ReturnType<typeof grainRule> =>
-  grainRule({print: {...bareCloth, ...more}, options: {...(grain && {grain})}}, 'front', line);
+  grainRule({print: {...bareFabric, ...more}, options: {...(grain && {grain})}}, 'front', line);
 const allows = (rule: ReturnType<typeof grainRule>, ...some: readonly number[]): boolean[] =>
   some.map((angle) => isAllowed(degrees(angle), rule));
 

@@ -15,8 +15,11 @@ const middleOf = ({left, top, right, bottom}: Box): Point => [
   (left + right) / 2,
   (top + bottom) / 2,
 ];
-const spot = (taken: readonly Box[], isOnCloth = cloth): {at: Point; reach: number} | undefined => {
-  const found = spotFor(anchors, size, taken, isOnCloth);
+const spot = (
+  taken: readonly Box[],
+  isOnFabric = cloth,
+): {at: Point; reach: number} | undefined => {
+  const found = spotFor(anchors, size, taken, isOnFabric);
   return found && {at: middleOf(found.box), reach: found.reach};
 };
 

@@ -7,11 +7,11 @@ import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {Draping, type DrapingViewer} from '@/workbench/drape/draping.js';
 import type {Workbench} from '@/workbench/workbench.js';
-import {bareCloth, newDesign} from '@/workbench/samples.js';
+import {bareFabric, newDesign} from '@/workbench/samples.js';
 import {plainMetrics, square, squarePair} from '../../support/garments/two-squares.js';
 
 const garment = {name: 'two.json', text: '{}'};
-const design = newDesign(garment, bareCloth);
+const design = newDesign(garment, bareFabric);
 const result: SolveResult = {
   ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
   ...squarePair(),
@@ -152,7 +152,7 @@ describe('a garment as it is worn', () => {
     expect(asked[0]?.hooks.signal?.aborted).toBe(true);
     expect(draping.state.kind).toBe('waiting');
     draping.show(viewer);
-    become({design: newDesign({...garment}, bareCloth), result: undefined});
+    become({design: newDesign({...garment}, bareFabric), result: undefined});
     expect(asked[1]?.hooks.signal?.aborted).toBe(true);
     become({result: cutOtherwise});
     draping.cancel();
@@ -174,7 +174,7 @@ describe('a garment as it is worn', () => {
     asked[1]?.fail(new Error('It broke.'));
     await settle();
     expect(seen()).toEqual(['form', 'mesh 2', 'final 1']);
-    become({design: newDesign({...garment}, bareCloth), result: moved});
+    become({design: newDesign({...garment}, bareFabric), result: moved});
     expect(seen()).toEqual([]);
     asked[2]?.fail(new Error('It has no place.'));
     await settle();

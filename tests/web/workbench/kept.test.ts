@@ -5,7 +5,7 @@ import type {Design} from '@/model/design/design.js';
 import type {MeshedPattern} from '@/model/result/result.js';
 import {cleanedOptions} from '@/workbench/cleaned-options.js';
 import {askedOf, keptLines, withKeptPins} from '@/workbench/kept-pins.js';
-import {bareCloth, newDesign} from '@/workbench/samples.js';
+import {bareFabric, newDesign} from '@/workbench/samples.js';
 import {squarePair} from '../../support/garments/two-squares.js';
 
 const plain = squarePair();
@@ -77,7 +77,7 @@ describe('a design with pins', () => {
   /** x -> 4 - x on a print of 10 x 10 cm with mirrors along its sides. */
   const own = {pieces: ['left_half', 'left_half'], map: {angle: 0, translation: [4, 0]}} as const;
   const pinned = (x: number): Design => {
-    const design = newDesign({name: 'squares.json', text: '{}'}, {...bareCloth, group: 'pmm'});
+    const design = newDesign({name: 'squares.json', text: '{}'}, {...bareFabric, group: 'pmm'});
     const pins = {left_half: {angle: 0, translation: [x, 3]}} as const;
     return {...design, options: {...design.options, pins}};
   };

@@ -14,15 +14,15 @@ import type {
 import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {preferencesFor, type Preferences} from '@/texts/preferences.js';
-import {storedCloth, withCloth} from '@/workbench/marker/marker-choices.js';
+import {storedFabric, withFabric} from '@/workbench/marker/marker-choices.js';
 import {Laying} from '@/workbench/marker/laying.js';
-import {bareCloth, newDesign} from '@/workbench/samples.js';
+import {bareFabric, newDesign} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import {plainMetrics, squarePair} from '../../support/garments/two-squares.js';
 
 const garment = {name: 'two.json', text: '{}'};
 const document = {pieces: [], seams: []} as unknown as GarmentDocument;
-const design = newDesign(garment, bareCloth);
+const design = newDesign(garment, bareFabric);
 const result: SolveResult = {
   ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
   ...squarePair(),
@@ -396,17 +396,17 @@ describe('pieces on their cloth', () => {
 
   it('are remembered with their print, the newest last, and no more than can be told apart', () => {
     const {print} = design;
-    const chosen = {...storedCloth(print, preferencesFor('en')), widthCm: 115, copies: 4};
+    const chosen = {...storedFabric(print, preferencesFor('en')), widthCm: 115, copies: 4};
     const named = (k: number) => ({...print, title: `print ${k}`});
     let preferences = preferencesFor('en');
     for (let k = 0; k < 45; k++) {
-      preferences = {...preferences, ...withCloth(named(k), chosen, preferences)};
+      preferences = {...preferences, ...withFabric(named(k), chosen, preferences)};
     }
     expect(Object.keys(preferences.cloths ?? {})).toHaveLength(40);
-    expect(storedCloth(named(44), preferences)).toMatchObject({widthCm: 115, copies: 1});
+    expect(storedFabric(named(44), preferences)).toMatchObject({widthCm: 115, copies: 1});
     // invalid values are ignored
     const cloths = {[named(1).title]: {widthCm: -3, gapCm: 'x', isOneWay: true}};
-    expect(storedCloth(named(1), {...preferences, cloths})).toMatchObject({
+    expect(storedFabric(named(1), {...preferences, cloths})).toMatchObject({
       ...{widthCm: 140, gapCm: 0.2, isOneWay: true},
     });
   });

@@ -11,7 +11,7 @@ import type {SolverService, TextService} from '@/solver/service.js';
 import {preferencesFor} from '@/texts/preferences.js';
 import {textsOf} from '@/texts/texts.js';
 import {Observable} from '@/workbench/observable.js';
-import {bareCloth, newDesign} from '@/workbench/samples.js';
+import {bareFabric, newDesign} from '@/workbench/samples.js';
 import {Workbench, type WorkbenchParts} from '@/workbench/workbench.js';
 import {plainMetrics, squarePair} from '../../support/garments/two-squares.js';
 
@@ -20,7 +20,7 @@ const names = [
   ...['history', 'running', 'solving', 'afterwards'],
 ] as readonly (keyof WorkbenchParts)[];
 
-const design = newDesign({name: 'two.json', text: '{}'}, bareCloth);
+const design = newDesign({name: 'two.json', text: '{}'}, bareFabric);
 const result: SolveResult = {
   ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
   ...squarePair(),

@@ -8,8 +8,8 @@ struct Range {
   constexpr bool holds(double value) const { return value >= least && value <= most; }  ///< not NaN
 };
 
-// Ranges of the options. web/src/model/base/core-tables.ts contains the same numbers, generated from
-// here.
+// Ranges of the options. web/src/model/base/core-tables.ts contains the same numbers, generated
+// from here.
 inline constexpr Range kMaxChangeCm{0, 50};
 inline constexpr Range kEdgeLengthCm{0.1, 1.05};  ///< coarser edges hide mismatch
 inline constexpr Range kAlpha{1e-9, 1e9};

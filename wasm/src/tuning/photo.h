@@ -13,7 +13,8 @@ struct PhotoTuning {
   /// Tolerance of the comparison of a lattice's shape with those of groups: number of standard
   /// errors, and least tolerance. [share, rad]
   static constexpr double kErrors = 3, kLeastTolerance = 0.01;
-  /// Least tolerance if both vectors were measured on the fabric, as in web/src/model/print/repeat.ts.
+  /// Least tolerance if both vectors were measured on the fabric, as in
+  /// web/src/model/print/repeat.ts.
   static constexpr double kMeasured = 0.005;
   /// Error of the proportions that is visible on fabric. [share]
   static constexpr double kWorthSaying = 0.005;

@@ -8,9 +8,7 @@ import {toFailure} from '../workbench/latest-solve.js';
 import {Workbench} from '../workbench/workbench.js';
 import type {Design} from '../model/design/design.js';
 import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
-import {showBeforeAndAfter} from './introduction/before-and-after.js';
 import {Hints, hints, hintsLeft, keepHints} from './introduction/hints.js';
-import {workOffline} from './offline/offline.js';
 import {SeamwisePage} from './page.js';
 import {illustrate, ProjectList} from './projects/project-list.js';
 import {Projects} from './projects/projects.js';
@@ -67,7 +65,11 @@ async function begin(address: URL): Promise<void> {
 
 /** Shows the introduction on a first visit. */
 async function welcome(): Promise<void> {
-  projects.beginWith(await welcomeDesign(samples, workbench.solver), {origin: 'given'});
+  const [{showBeforeAndAfter}, design] = await Promise.all([
+    import('./introduction/before-and-after.js'),
+    welcomeDesign(samples, workbench.solver),
+  ]);
+  projects.beginWith(design, {origin: 'given'});
   page.hints = hints;
   const {pattern} = page;
   if (pattern) showBeforeAndAfter(workbench, pattern);
@@ -114,6 +116,18 @@ async function soundlyAsked(address: URL, before: Design): Promise<Design | unde
   return asked;
 }
 
+/** Calls back once no answer is awaited for the first time. */
+function afterFirstAnswer(act: () => Promise<void>): void {
+  const isAwaited = () => ['opening', 'solving'].includes(workbench.solving.state.kind);
+  const end = workbench.subscribe(['solving'], follow);
+  function follow(): void {
+    if (isAwaited()) return;
+    end();
+    void act().catch(() => undefined); // the page works without
+  }
+  follow();
+}
+
 /** Shows nothing before the texts are loaded. */
 async function open(): Promise<void> {
   await loadTexts(preferences.language);
@@ -129,7 +143,10 @@ async function open(): Promise<void> {
   }
   projects.keep(new AbortController().signal);
   illustrate(workbench, projects);
-  workOffline(workbench);
+  afterFirstAnswer(async () => {
+    const {workOffline} = await import('./offline/offline.js');
+    workOffline(workbench);
+  });
   // a link to this page does not reload it
   addEventListener('hashchange', () => {
     if (location.hash !== '') void followed(new URL(location.href));

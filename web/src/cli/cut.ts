@@ -6,7 +6,7 @@ import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './ba
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
 import {readRaster, readTile} from './base/print-files.js';
-import {garmentOf, plainIn, readClothOf, readResult} from './result-file.js';
+import {garmentOf, plainIn, readFabricOf, readResult} from './result-file.js';
 
 /** Output formats by flag. */
 const outputs: Readonly<
@@ -62,7 +62,7 @@ export async function cut(words: readonly string[]): Promise<void> {
   for (const {path} of wanted) await checkWritable(path, inputs);
 
   const {result} = await readResult(resultFile);
-  const cloth = await readClothOf(result, resultFile, {printFile, colourway});
+  const cloth = await readFabricOf(result, resultFile, {printFile, colourway});
   const tile = await readTile(cloth, printFile);
   const garment = await garmentOf(result, garmentFile);
   if (!garment) {

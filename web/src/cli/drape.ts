@@ -20,7 +20,7 @@ import {choice, parseArguments, UsageError, type Arguments} from './base/argumen
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
 import {readCell} from './base/cell-picture.js';
-import {parsed, plainIn, readClothOf, readResult, type ResultFile} from './result-file.js';
+import {parsed, plainIn, readFabricOf, readResult, type ResultFile} from './result-file.js';
 
 const grammar = {
   files: ['the result file'],
@@ -43,7 +43,7 @@ export async function drape(words: readonly string[]): Promise<void> {
   checkFlags(args, glbFile);
   const {bytes, result} = await readResult(resultFile);
   const settings = {...fabricIn(result), ...(await settingsOf(args, bodyFile))};
-  const cloth = await readClothOf(result, resultFile, {
+  const cloth = await readFabricOf(result, resultFile, {
     printFile,
     colourway: args.value('--colourway'),
   });

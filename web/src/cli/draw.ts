@@ -10,7 +10,7 @@ import {readGarment} from '../node/index.js';
 import {parseArguments, UsageError} from './base/arguments.js';
 import {checkWritable, writeWhole} from './base/files.js';
 import {imageTypes, readTile} from './base/print-files.js';
-import {readClothOf, readResult, type ResultFile} from './result-file.js';
+import {readFabricOf, readResult, type ResultFile} from './result-file.js';
 import {print} from './base/terminal.js';
 
 const grammar = {
@@ -33,7 +33,7 @@ export async function draw(words: readonly string[]): Promise<void> {
     throw new UsageError(`${out ?? ''} would hold SVG; name a file ending in .svg.`);
   }
   const {result} = await readResult(resultFile);
-  const cloth = await readClothOf(result, resultFile, {printFile, colourway});
+  const cloth = await readFabricOf(result, resultFile, {printFile, colourway});
   if (out !== undefined) await checkWritable(out, [resultFile, printFile]);
   const known = await designIn(result);
   const tile = await readTile(cloth, printFile);

@@ -34,7 +34,7 @@ import {
 } from './base/lay-wish.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
-import {garmentOf, optionsIn, parsed, problemIn, readClothOf, readResult} from './result-file.js';
+import {garmentOf, optionsIn, parsed, problemIn, readFabricOf, readResult} from './result-file.js';
 
 type Content = string | Uint8Array;
 
@@ -142,7 +142,7 @@ interface LaidFile {
 /** @throws {UsageError}, {FileError} or {SolverError} with the name of an invalid file */
 async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile) {
   const {result} = await readResult(file);
-  const cloth = await readClothOf(result, file, {printFile, colourway: undefined});
+  const cloth = await readFabricOf(result, file, {printFile, colourway: undefined});
   const held = await garmentOf(result, garmentFile);
   if (!held) {
     remark(

@@ -195,7 +195,7 @@ export function parsed(text: string, path: string): unknown {
  * @throws {UsageError} if it is another print
  * @throws {FileError} if it cannot be read
  */
-export async function readClothOf(
+export async function readFabricOf(
   result: SolveResult,
   resultFile: string,
   {printFile, colourway}: {readonly printFile: string; readonly colourway: string | undefined},

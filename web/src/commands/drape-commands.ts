@@ -1,7 +1,7 @@
 /** Commands of the drape, by key or by name. */
 import {fabricOf} from '../model/design/design.js';
 import {fabricNames} from '../model/result/draped-garment.js';
-import type {WornTexts} from '../texts/drape-texts.js';
+import type {DrapeTexts} from '../texts/drape-texts.js';
 import type {Texts} from '../texts/texts.js';
 import {presetNames} from '../viewer/drape/camera.js';
 import type {DrapeView} from '../viewer/drape/drape-view.js';
@@ -21,7 +21,7 @@ interface CommandedGarment {
 const notch = 1.25;
 
 /** Commands of the camera; a drape for display only has them, too. */
-function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
+function looking({view}: CommandedGarment, texts: Texts, words: DrapeTexts): readonly Command[] {
   const {commands, lists, pattern} = texts;
   const also = {show: commands.also.view, zoom: commands.also.zoom};
   const isQuiet = matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -65,7 +65,7 @@ function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): read
 }
 
 /** Commands that walk from piece to piece; the camera faces each piece. */
-function walking({workbench}: CommandedGarment, words: WornTexts): readonly Command[] {
+function walking({workbench}: CommandedGarment, words: DrapeTexts): readonly Command[] {
   const walk = (step: 1 | -1): void => {
     const {selected} = workbench.selection;
     const {scenes} = workbench.sheet;
@@ -92,7 +92,7 @@ function walking({workbench}: CommandedGarment, words: WornTexts): readonly Comm
 }
 
 /** Commands for the display of the drape, and for its fabric. */
-function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
+function showing(garment: CommandedGarment, texts: Texts, words: DrapeTexts): readonly Command[] {
   const {workbench} = garment;
   const {commands, lists, pattern} = texts;
   const {view: also, print: cloth} = commands.also;
@@ -133,7 +133,7 @@ export const drapeCommands = (
   garment: CommandedGarment,
   edits: boolean,
   texts: Texts,
-  words: WornTexts,
+  words: DrapeTexts,
 ): readonly Command[] => [
   ...looking(garment, texts, words),
   ...(edits ? [...walking(garment, words), ...showing(garment, texts, words)] : []),

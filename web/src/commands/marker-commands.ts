@@ -1,10 +1,10 @@
 /** Commands of the fabric layout, by key or by name. */
-import type {ClothTexts} from '../texts/marker-texts.js';
+import type {MarkerTexts} from '../texts/marker-texts.js';
 import type {Texts} from '../texts/texts.js';
 import {keysOf, type KeyList, type Command} from './editor-command.js';
 
 /** State and functions that commands and keys of the fabric layout use. */
-interface CommandedCloth {
+interface CommandedMarker {
   /** True if there is a marker of the present design. */
   readonly isReady: boolean;
   zoomBy(factor: number): void;
@@ -22,7 +22,7 @@ interface CommandedCloth {
 /** Zoom step of a key. */
 const notch = 1.25;
 
-function looking(cloth: CommandedCloth, {commands, pattern}: Texts): readonly Command[] {
+function looking(cloth: CommandedMarker, {commands, pattern}: Texts): readonly Command[] {
   const {zoom} = commands.also;
   return [
     {
@@ -46,7 +46,11 @@ function looking(cloth: CommandedCloth, {commands, pattern}: Texts): readonly Co
   ];
 }
 
-function handling(cloth: CommandedCloth, {commands}: Texts, words: ClothTexts): readonly Command[] {
+function handling(
+  cloth: CommandedMarker,
+  {commands}: Texts,
+  words: MarkerTexts,
+): readonly Command[] {
   const {view} = commands.also;
   return [
     {
@@ -101,16 +105,16 @@ function handling(cloth: CommandedCloth, {commands}: Texts, words: ClothTexts): 
 }
 
 export const markerCommands = (
-  cloth: CommandedCloth,
+  cloth: CommandedMarker,
   texts: Texts,
-  words: ClothTexts,
+  words: MarkerTexts,
 ): readonly Command[] => [
   ...looking(cloth, texts),
   ...(cloth.isReady ? handling(cloth, texts, words) : []),
 ];
 
 /** All keys of the view, including those without use at present. */
-export function markerKeys(cloth: CommandedCloth, texts: Texts, words: ClothTexts): KeyList {
+export function markerKeys(cloth: CommandedMarker, texts: Texts, words: MarkerTexts): KeyList {
   const {move, moveOnto, turnOnto, leave, closeFlaw, sizeFlaw} = words.keys;
   const arrows = '←  →  ↑  ↓';
   const {Shift} = texts.keyNames;

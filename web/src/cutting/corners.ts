@@ -155,7 +155,7 @@ function squared(
 }
 
 /** The allowance of a corner that is not turned up; empty at a concave corner. */
-export function cornerCloth(
+export function cornerFabric(
   corner: Corner,
   square: CornerPlan['square'] = {},
 ): readonly (readonly Point[])[] {

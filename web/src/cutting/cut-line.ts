@@ -4,7 +4,7 @@ import {Clipper, FillRule} from 'clipper2-ts';
 import {dot, minus, unit, type Point} from '../model/geometry/vectors.js';
 import {isInside, signedArea} from '../model/geometry/polyline.js';
 import {allowancesOf, type AllowanceRule, type Allowances} from './allowances.js';
-import {bandOf, cornerCloth, longer, turnedCorner, type Band, type Corner} from './corners.js';
+import {bandOf, cornerFabric, longer, turnedCorner, type Band, type Corner} from './corners.js';
 import {allowedLoops, garmentEdges, type EdgeKey, type GarmentEdges} from './garment-edges.js';
 import {drained} from '../model/base/drained.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
@@ -84,7 +84,7 @@ function clothBeyond(
       cloth[hem]?.push(turned.more, longer(corner, beside, square?.[beside] ?? 0));
       less[hem]?.push(turned.less);
       fill.push(turned.beside);
-    } else fill.push(...cornerCloth(corner, square));
+    } else fill.push(...cornerFabric(corner, square));
   }
   return [
     ...cloth.flatMap((polygons, k) => {

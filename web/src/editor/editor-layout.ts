@@ -60,8 +60,8 @@ export const editorLayout = css`
     min-height: 0;
   }
   sw-pattern,
-  sw-worn,
-  sw-cloth {
+  sw-drape-pane,
+  sw-marker-pane {
     grid-row: 3;
   }
   :is([data-shows='garment'], [data-shows='cloth']) sw-pattern {
@@ -70,14 +70,14 @@ export const editorLayout = css`
   [data-shows='both'] {
     grid-template-columns: repeat(2, minmax(0, 1fr));
   }
-  [data-shows='both'] > :not(sw-pattern, sw-worn) {
+  [data-shows='both'] > :not(sw-pattern, sw-drape-pane) {
     grid-column: 1 / -1;
   }
   [data-shows='both'] sw-pattern {
     --sw-foot-wrap: wrap;
     --sw-said-room: 100%;
   }
-  [data-shows='both'] sw-worn {
+  [data-shows='both'] sw-drape-pane {
     border-left: 1px solid var(--sw-line);
   }
   .views {
@@ -230,7 +230,7 @@ export const editorLayout = css`
     [data-shows='both'] {
       grid-template: auto auto repeat(2, minmax(0, 1fr)) / minmax(0, 1fr);
     }
-    [data-shows='both'] sw-worn {
+    [data-shows='both'] sw-drape-pane {
       --sw-views-room: 0px;
       grid-row: 4;
       border: 0;

@@ -183,12 +183,12 @@ export class Editor extends WorkbenchElement {
 
   /** The drape; undefined while it is hidden or still loads. */
   get worn(): DrapePane | undefined {
-    return this.renderRoot.querySelector<DrapePane>('sw-worn:defined') ?? undefined;
+    return this.renderRoot.querySelector<DrapePane>('sw-drape-pane:defined') ?? undefined;
   }
 
   /** The fabric layout; undefined while it is hidden or still loads. */
   get cloth(): MarkerPane | undefined {
-    return this.renderRoot.querySelector<MarkerPane>('sw-cloth:defined') ?? undefined;
+    return this.renderRoot.querySelector<MarkerPane>('sw-marker-pane:defined') ?? undefined;
   }
 
   show(view: EditorView): void {
@@ -367,8 +367,8 @@ export class Editor extends WorkbenchElement {
     if (shows === 'pattern') return nothing;
     const notice = this.#showsPattern ? nothing : this.#notice();
     return shows === 'cloth'
-      ? html`<sw-cloth .workbench=${workbench}>${notice}</sw-cloth>`
-      : html`<sw-worn .workbench=${workbench} .beside=${true}>${notice}</sw-worn>`;
+      ? html`<sw-marker-pane .workbench=${workbench}>${notice}</sw-marker-pane>`
+      : html`<sw-drape-pane .workbench=${workbench} .beside=${true}>${notice}</sw-drape-pane>`;
   }
 
   #notice(): TemplateResult {

@@ -42,7 +42,7 @@ export type {PrintOffer} from './garment/sources.js';
 export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';
 export type {SewTexts} from '../texts/en/sew.js';
-export type {WornTexts} from '../texts/drape-texts.js';
+export type {DrapeTexts} from '../texts/drape-texts.js';
 
 /** Time after which an element outside the document is unused: it may only be moving. [ms] */
 const gracePeriod = 1000;

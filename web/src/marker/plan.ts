@@ -20,13 +20,13 @@ const sameLength = 0.5;
 /** The known part of an answer during the search. */
 type Layout = MarkerLayout & Partial<MarkerAnswer>;
 
-const onCloth = (ring: readonly Point[], place: Alignment): readonly Point[] =>
+const onFabric = (ring: readonly Point[], place: Alignment): readonly Point[] =>
   ring.map((p) => onPiece(place, p));
 
 function placementsOf({problem, pieces}: MarkerOrder, {places}: Layout): readonly LaidPlacement[] {
   return pieces.flatMap((piece, k) => {
     const [place, asked] = [places[k], problem.pieces[k]];
-    return place && asked ? [{...piece, ...place, cut: onCloth(asked.outline, place)}] : [];
+    return place && asked ? [{...piece, ...place, cut: onFabric(asked.outline, place)}] : [];
   });
 }
 

@@ -12,10 +12,10 @@ export class OpenEdgesError extends Error {
 }
 
 /** An image to read a print from, and its name. */
-export interface PhotoOfCloth {
+export interface PhotoOfFabric {
   readonly picture: Blob;
   readonly name: string;
 }
 
 /** Event that opens the photo dialog. */
-export type PhotoWanted = CustomEvent<PhotoOfCloth | null>;
+export type PhotoWanted = CustomEvent<PhotoOfFabric | null>;

@@ -1,16 +1,16 @@
 /** Texts of the fabric layout in all languages, loaded with its view. */
 import {translated} from './base/message.js';
 import de from './de/marker.json' with {type: 'json'};
-import {cloth as en, type ClothTexts} from './en/marker.js';
+import {cloth as en, type MarkerTexts} from './en/marker.js';
 import es from './es/marker.json' with {type: 'json'};
 import fr from './fr/marker.json' with {type: 'json'};
 import it from './it/marker.json' with {type: 'json'};
 import {withMessages, type Messages} from './messages.js';
 import type {Language} from './preferences.js';
 
-export type {ClothTexts} from './en/marker.js';
+export type {MarkerTexts} from './en/marker.js';
 
-const tables: Readonly<Record<Language, ClothTexts>> = {
+const tables: Readonly<Record<Language, MarkerTexts>> = {
   en,
   de: translated(en, de, 'de'),
   fr: translated(en, fr, 'fr'),
@@ -19,7 +19,7 @@ const tables: Readonly<Record<Language, ClothTexts>> = {
 };
 
 /** The texts of a language, with custom messages in their place. */
-export function clothTexts(language: Language, messages?: Messages): ClothTexts {
+export function markerTexts(language: Language, messages?: Messages): MarkerTexts {
   const own = tables[language];
   return messages?.cloth ? withMessages({cloth: own}, {cloth: messages.cloth}).cloth : own;
 }

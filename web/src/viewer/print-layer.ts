@@ -19,7 +19,7 @@ import {imageCoordinates} from '../model/print/image-coordinates.js';
 import type {ScenePiece} from '../scene/scene.js';
 
 /** Unprinted fabric. */
-const bareCloth = new Color().setRGB(0.925, 0.91, 0.87, LinearSRGBColorSpace);
+const bareFabric = new Color().setRGB(0.925, 0.91, 0.87, LinearSRGBColorSpace);
 
 /** Draws a texture's own pixel values: no light, no tone mapping, no colour conversion. */
 export class PrintMaterial extends ShaderMaterial {
@@ -27,7 +27,7 @@ export class PrintMaterial extends ShaderMaterial {
 
   constructor() {
     super({
-      uniforms: {tile: {value: null}, cloth: {value: bareCloth}},
+      uniforms: {tile: {value: null}, cloth: {value: bareFabric}},
       vertexShader: `
       attribute float printed;
       varying vec2 at;

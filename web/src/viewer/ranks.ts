@@ -58,7 +58,7 @@ export function spotFor(
   anchors: readonly Anchor[],
   size: ScreenSize,
   taken: readonly Box[],
-  isOnCloth: (at: Point) => boolean,
+  isOnFabric: (at: Point) => boolean,
 ): Spot | undefined {
   const freeOf = (some: readonly Anchor[], how: readonly number[]): readonly Spot[] =>
     how.flatMap((reach) =>
@@ -80,7 +80,7 @@ export function spotFor(
       [x, top],
       [x, bottom],
     ];
-    return !touched.some(isOnCloth);
+    return !touched.some(isOnFabric);
   };
   const inwards = anchors.map(({at, out: [x, y]}): Anchor => ({at, out: [-x, -y]}));
   return free.find(({box}) => isOff(box)) ?? freeOf(inwards, reaches.slice(0, 1))[0] ?? free[0];
@@ -131,7 +131,7 @@ export class Ranks {
   /** Moves the ranks to a view, clear of the `taken` boxes and of each other. */
   place(view: SheetView, size: ScreenSize, taken: readonly Box[]): void {
     const all = [...taken];
-    const isOnCloth = (at: Point): boolean => {
+    const isOnFabric = (at: Point): boolean => {
       const [x, y] = toSheet(view, size, at);
       return this.#outlines.some(
         ({loop, low, high}) =>
@@ -143,7 +143,7 @@ export class Ranks {
         at: toScreen(view, size, at),
         out: [x, -y],
       }));
-      const spot = spotFor(onScreen, size, all, isOnCloth);
+      const spot = spotFor(onScreen, size, all, isOnFabric);
       if (spot) all.push(spot.box);
       move(element, spot && [spot.box.left, spot.box.top]);
       const isFar = spot !== undefined && spot.reach > nearReach;

@@ -77,7 +77,7 @@ export function inColours(print: DesignPrint, sample: SamplePrint, colourway: st
 }
 
 /** Fabric of a design without a chosen print. */
-export const bareCloth: DesignPrint = {
+export const bareFabric: DesignPrint = {
   title: '',
   group: 'p4m',
   size: {width: 10, height: 10, angleDeg: 90},

@@ -18,7 +18,7 @@ import {DesignHistory} from './design-history.js';
 import {Notices} from './notices.js';
 import {Observable} from './observable.js';
 import {RunningSolve} from './running-solve.js';
-import {bareCloth, newDesign} from './samples.js';
+import {bareFabric, newDesign} from './samples.js';
 import {Selection} from './selection.js';
 import {ShownSheet} from './shown-sheet.js';
 import {Solving} from './solving.js';
@@ -145,7 +145,7 @@ export class Workbench {
    */
   async open(garment: DesignGarment): Promise<void> {
     const {history, solving} = this.#parts;
-    const fresh = newDesign(garment, history.design?.print ?? bareCloth);
+    const fresh = newDesign(garment, history.design?.print ?? bareFabric);
     const [pattern] = await Promise.all([solving.meshed(fresh), solving.documentOf(garment)]);
     const {method, fabric} = history.design ?? fresh;
     const design = {...fresh, method, ...(fabric && {fabric})};

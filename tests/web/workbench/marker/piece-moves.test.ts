@@ -5,7 +5,7 @@ import {canTurn, placeOn, placeTurned, reachOfPinned} from '@/workbench/marker/m
 import {missed} from '@/editor/marker/marker-pane.js';
 import {isFree, obstaclesTo, type Bolt} from '@/marker/places.js';
 import type {Alignment, Point} from '@/model/geometry/vectors.js';
-import type {PieceOnCloth} from '@/workbench/marker/marker-work.js';
+import type {PieceOnFabric} from '@/workbench/marker/marker-work.js';
 import {at} from '../../../support/plane.js';
 
 /** Fabric for squares of 8 cm, with places every 4 cm: neighbours need every second one. */
@@ -14,7 +14,7 @@ const bolt: Bolt = {
   ...{widthCm: 60, selvedgeCm: 0, gapCm: 0, isOneWay: false},
 };
 
-const square = (number: number, translation: Point, width = 8): PieceOnCloth => ({
+const square = (number: number, translation: Point, width = 8): PieceOnFabric => ({
   ...{number, name: `square ${number}`},
   place: {angle: 0, translation},
   piece: {
@@ -28,7 +28,7 @@ const square = (number: number, translation: Point, width = 8): PieceOnCloth => 
   },
 });
 
-const onWay = (pieces: readonly PieceOnCloth[], way: Point, takes = false) =>
+const onWay = (pieces: readonly PieceOnFabric[], way: Point, takes = false) =>
   placeOn(pieces, at(pieces, 0), bolt, way, takes);
 
 const wasAt = ({place}: {readonly place: Alignment}) => place.translation;
@@ -58,7 +58,7 @@ describe('a turn', () => {
     ...first,
     piece: {...first.piece, alignment: {angle: 0, translation: [1, 1]}},
   } as const;
-  const turned = (others: readonly PieceOnCloth[], reach: number) =>
+  const turned = (others: readonly PieceOnFabric[], reach: number) =>
     placeTurned([own, ...others], own, bolt, {takes: false, reach});
 
   it('goes to the nearest free place', () => {

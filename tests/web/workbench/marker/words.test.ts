@@ -18,11 +18,11 @@ import {signedArea} from '@/model/geometry/polyline.js';
 import {inFontLetters, widthOf} from '@/paper/pdf-text.js';
 import type {Source} from '@/texts/base/message.js';
 import {formatFor} from '@/texts/format.js';
-import {clothTexts} from '@/texts/marker-texts.js';
+import {markerTexts} from '@/texts/marker-texts.js';
 import {planTextsIn} from '@/texts/plan-texts.js';
 import {languages} from '@/texts/preferences.js';
 
-const words = clothTexts('en');
+const words = markerTexts('en');
 const [cm, inch] = [formatFor('en', 'cm'), formatFor('en', 'inch')];
 
 const bolt: Bolt = {

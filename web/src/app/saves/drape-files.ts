@@ -4,7 +4,7 @@ import {cellPicture, glb, type CellPicture} from '../../model/documents/glb.js';
 import {norm} from '../../model/geometry/vectors.js';
 import {titleOfFile} from '../../model/garment/piece-names.js';
 import {imageCell} from '../../model/print/wallpaper.js';
-import {wornTexts} from '../../texts/drape-texts.js';
+import {drapeTexts} from '../../texts/drape-texts.js';
 import {pngOf} from '../../viewer/read-back.js';
 import {onWhite} from '../../viewer/tile-texture.js';
 import {drapingOf} from '../../workbench/drape/draping.js';
@@ -15,7 +15,7 @@ import {toFailure} from '../../workbench/latest-solve.js';
 import type {MarkerPane} from '../../editor/marker/marker-pane.js';
 import type {Command} from '../../commands/editor-command.js';
 
-interface WornFile {
+interface DrapeFileChoice {
   readonly id: string;
   readonly title: string;
   /** Suffix of the file name. */
@@ -28,9 +28,9 @@ interface WornFile {
 const greatestSide = 2048;
 
 /** Returns the files that can be saved at present. */
-function drapeFiles({workbench, view}: DrapePane): readonly WornFile[] {
+function drapeFiles({workbench, view}: DrapePane): readonly DrapeFileChoice[] {
   const {language, messages} = workbench.preferences.chosen;
-  const words = wornTexts(language, messages);
+  const words = drapeTexts(language, messages);
   const {drape} = drapingOf(workbench);
   if (!view || !drape) return [];
   const type = filmType();

@@ -4,5 +4,5 @@ import {Legend} from '../pattern/legend.js';
 import {DrapePane} from './drape-pane.js';
 
 export const defineDrape = (): void => {
-  registerAll({'sw-legend': Legend, 'sw-worn': DrapePane});
+  registerAll({'sw-legend': Legend, 'sw-drape-pane': DrapePane});
 };

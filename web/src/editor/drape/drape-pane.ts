@@ -5,7 +5,7 @@ import {fabricOf, usualFabric} from '../../model/design/design.js';
 import {fabricNames, type FabricName} from '../../model/result/draped-garment.js';
 import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
-import {wornTexts, type WornTexts} from '../../texts/drape-texts.js';
+import {drapeTexts, type DrapeTexts} from '../../texts/drape-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {commandFor, keysOf, type KeyList, type Command} from '../../commands/editor-command.js';
 import {sameTarget} from '../../workbench/state.js';
@@ -162,12 +162,12 @@ export class DrapePane extends DrapeDrawing {
     `;
   }
 
-  get #words(): WornTexts {
+  get #words(): DrapeTexts {
     const {language, messages} = this.workbench.preferences.chosen;
-    return wornTexts(language, messages);
+    return drapeTexts(language, messages);
   }
 
-  #bar(words: WornTexts): TemplateResult {
+  #bar(words: DrapeTexts): TemplateResult {
     const {design} = this.workbench.history;
     const fabric = design ? fabricOf(design) : usualFabric;
     return html`<div class="bar">
@@ -212,7 +212,7 @@ export class DrapePane extends DrapeDrawing {
   }
 
   /** Controls of the camera: view, zoom and turntable. */
-  #looking(words: WornTexts, edits: boolean): TemplateResult {
+  #looking(words: DrapeTexts, edits: boolean): TemplateResult {
     const {pattern} = this.texts;
     const isTurning = this.view?.camera.isTurning ?? false;
     const preset = this.view?.camera.preset ?? this.#preset;
@@ -264,7 +264,7 @@ export class DrapePane extends DrapeDrawing {
   }
 
   /** Progress, failure or notes. */
-  #told(words: WornTexts): TemplateResult | typeof nothing {
+  #told(words: DrapeTexts): TemplateResult | typeof nothing {
     if (this.undrawable !== undefined) return html`<p class="told">${this.undrawable}</p>`;
     const {draping} = this;
     const {state, drape} = draping;
@@ -312,7 +312,7 @@ export class DrapePane extends DrapeDrawing {
   }
 
   /** "Front view. 10 seams; worst 4 mm at left side seam." */
-  #spoken(words: WornTexts): string {
+  #spoken(words: DrapeTexts): string {
     const {state, drape} = this.draping;
     if (!drape && state.kind === 'waiting') return words.waiting;
     if (state.kind === 'draping')

@@ -6,8 +6,8 @@ import {MarkerPanel} from './marker-panel.js';
 
 export const defineMarker = (): void => {
   registerAll({
-    'sw-cloth': MarkerPane,
-    'sw-cloth-panel': MarkerPanel,
-    'sw-cloth-flaws': MarkerFlaws,
+    'sw-marker-pane': MarkerPane,
+    'sw-marker-panel': MarkerPanel,
+    'sw-marker-flaws': MarkerFlaws,
   });
 };

@@ -1,12 +1,12 @@
 /** Buttons above and below the fabric layout. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Texts} from '../../texts/texts.js';
 import {drawn, icon} from '../style/icons.js';
 
 /** State and functions that the buttons of the fabric layout use. */
-interface BarredCloth {
+interface BarredFabric {
   readonly isReady: boolean;
   /** True if flaws can be marked. */
   readonly canMark: boolean;
@@ -50,7 +50,7 @@ const tool = ({label, picture, key, isPossible, isOn, act}: Tool): TemplateResul
     ${picture} <span>${label}</span>
   </button>`;
 
-export function markerBar(cloth: BarredCloth, words: ClothTexts): TemplateResult {
+export function markerBar(cloth: BarredFabric, words: MarkerTexts): TemplateResult {
   const {isReady, canMark, chosen, hasPins, isMarking} = cloth;
   const isPossible = isReady && chosen !== undefined;
   const isPinned = chosen?.isPinned ?? false;
@@ -86,7 +86,7 @@ export function markerBar(cloth: BarredCloth, words: ClothTexts): TemplateResult
   </div>`;
 }
 
-export function markerZoom(cloth: BarredCloth, {pattern}: Texts): TemplateResult {
+export function markerZoom(cloth: BarredFabric, {pattern}: Texts): TemplateResult {
   const part = (label: string, picture: TemplateResult, act: () => void): TemplateResult =>
     html`<button class="icon" aria-label=${label} title=${label} @click=${act}>${picture}</button>`;
   return html`<div class="group" role="group" aria-label=${pattern.view}>

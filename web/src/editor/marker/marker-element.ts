@@ -1,7 +1,7 @@
 /** Base class of the parts of the fabric layout. */
-import {clothTexts, type ClothTexts} from '../../texts/marker-texts.js';
+import {markerTexts, type MarkerTexts} from '../../texts/marker-texts.js';
 import {layingOf, type Laying} from '../../workbench/marker/laying.js';
-import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
+import type {PieceOnFabric} from '../../workbench/marker/marker-work.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 
 export abstract class MarkerElement extends WorkbenchElement {
@@ -9,9 +9,9 @@ export abstract class MarkerElement extends WorkbenchElement {
     return layingOf(this.workbench).read;
   }
 
-  protected get words(): ClothTexts {
+  protected get words(): MarkerTexts {
     const {language, messages} = this.workbench.preferences.chosen;
-    return clothTexts(language, messages);
+    return markerTexts(language, messages);
   }
 
   /** Returns the label of a piece of the garment. */
@@ -22,7 +22,7 @@ export abstract class MarkerElement extends WorkbenchElement {
   }
 
   /** Returns the label of a piece on the fabric, numbered if the marker contains several of it. */
-  protected readonly labelOf = ({name, number}: Pick<PieceOnCloth, 'name' | 'number'>): string => {
+  protected readonly labelOf = ({name, number}: Pick<PieceOnFabric, 'name' | 'number'>): string => {
     const label = this.nameOf(name);
     const {names} = this.laying;
     const same = names.flatMap((one, k) => (one === name ? [k] : []));

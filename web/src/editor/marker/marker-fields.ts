@@ -8,7 +8,7 @@ import {
   type MarkerChoices,
 } from '../../workbench/marker/marker-choices.js';
 import type {Units} from '../../model/base/length-text.js';
-import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
 import {lengthUnit} from '../controls/number-field.js';
@@ -27,7 +27,7 @@ interface Fields {
   readonly units: Units;
   readonly format: Format;
   readonly texts: Texts;
-  readonly words: ClothTexts;
+  readonly words: MarkerTexts;
   readonly choose: (change: Partial<MarkerChoices>) => void;
   readonly askOwnWidth: () => void;
   readonly askAllowances: () => void;

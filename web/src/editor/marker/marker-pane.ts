@@ -13,7 +13,7 @@ import {markerCommands, markerKeys} from '../../commands/marker-commands.js';
 import {FlawActions} from './flaw-actions.js';
 import {ways} from '../../workbench/marker/marker-moves.js';
 import {markerFiles} from '../../workbench/marker/marker-files.js';
-import {MarkerPointing, type PointedCloth} from './marker-pointing.js';
+import {MarkerPointing, type PointedFabric} from './marker-pointing.js';
 import {markerSheet, sheetStyle} from './marker-sheet.js';
 import type {Dragged} from '../../workbench/marker/piece-drag.js';
 import {markerStatus, spokenStatus} from './marker-status.js';
@@ -179,7 +179,7 @@ export class MarkerPane extends FlawActions {
   }
 
   /** The displayed state, for pointer events. */
-  get shown(): PointedCloth['shown'] {
+  get shown(): PointedFabric['shown'] {
     const {pieces, bolt} = this.laying;
     return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
   }
@@ -234,7 +234,7 @@ export class MarkerPane extends FlawActions {
         ?hidden=${state.kind !== 'laying'}
         .value=${state.kind === 'laying' ? state.fraction : 0}
       ></progress>
-      <sw-cloth-panel
+      <sw-marker-panel
         .workbench=${this.workbench}
         .selected=${this.selected}
         .conflicts=${this.#conflicts}
@@ -245,7 +245,7 @@ export class MarkerPane extends FlawActions {
           this.toBeSeen = 'on cloth';
         }}
         @keydown=${this.#pressInList}
-      ></sw-cloth-panel>
+      ></sw-marker-panel>
       <p class="hidden" role="status">${spokenStatus(this.#status)}</p>
     </div>`;
   }

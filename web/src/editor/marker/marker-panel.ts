@@ -25,12 +25,12 @@ import type {FlawActions} from './flaw-actions.js';
 import {panelStyle} from './panel-style.js';
 import type {Units} from '../../model/base/length-text.js';
 import type {Format} from '../../texts/format.js';
-import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
 
 /** Table of the lengths that the same pieces need on fabric of other widths. */
 interface Widths {
   readonly units: Units;
-  readonly words: ClothTexts;
+  readonly words: MarkerTexts;
   readonly format: Format;
   /** Note on the lengths if they do not apply to the pieces as laid. */
   readonly of: string | undefined;
@@ -127,11 +127,11 @@ export class MarkerPanel extends MarkerElement {
       ${
         isShown && step
           ? html`${this.#pieces(step)}
-              <sw-cloth-flaws
+              <sw-marker-flaws
                 .workbench=${this.workbench}
                 .actions=${this.actions}
                 .chosen=${this.chosenFlaw}
-              ></sw-cloth-flaws>`
+              ></sw-marker-flaws>`
           : nothing
       }
       ${isShown && step?.plan ? this.#widths(step, step.plan) : nothing}`;

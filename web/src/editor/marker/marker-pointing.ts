@@ -1,7 +1,7 @@
 /** Drags pieces over the fabric and draws flaws by pointer. */
 import type {Bolt} from '../../marker/places.js';
 import {minus, type Alignment, type Point} from '../../model/geometry/vectors.js';
-import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
+import type {PieceOnFabric} from '../../workbench/marker/marker-work.js';
 import {FlawTool} from '../../clicks/flaw-tool.js';
 import {PieceDrag, type Dragged} from '../../workbench/marker/piece-drag.js';
 import {offSheet, type SheetFrame} from '../../marker/sheet-frame.js';
@@ -12,10 +12,10 @@ const leastWay = 4;
 const lookTime = 4;
 
 /** The view that receives pointer events. */
-export interface PointedCloth {
+export interface PointedFabric {
   readonly isReady: boolean;
   readonly shown: {
-    readonly pieces: readonly PieceOnCloth[];
+    readonly pieces: readonly PieceOnFabric[];
     readonly bolt: Bolt | undefined;
     readonly frame: SheetFrame | undefined;
   };
@@ -23,14 +23,14 @@ export interface PointedCloth {
   hold(): void;
   choose(number: number | undefined): void;
   point(number: number | undefined): void;
-  move(piece: PieceOnCloth, place: Alignment): void;
+  move(piece: PieceOnFabric, place: Alignment): void;
   addFlaw(flaw: readonly Point[]): void;
   requestUpdate(): void;
 }
 
 interface Press {
   readonly pointer: number;
-  readonly piece: PieceOnCloth;
+  readonly piece: PieceOnFabric;
   /** Start of the press: `screen` in CSS px, `from` on the fabric in cm. */
   readonly screen: Point;
   readonly from: Point;
@@ -38,7 +38,7 @@ interface Press {
 }
 
 export class MarkerPointing {
-  readonly #cloth: PointedCloth;
+  readonly #cloth: PointedFabric;
   #press: Press | undefined;
   #drag: PieceDrag | undefined;
   #flawTool: FlawTool | undefined;
@@ -46,7 +46,7 @@ export class MarkerPointing {
   #last: {readonly at: Point; readonly takes: boolean} | undefined;
   #drawing: number | undefined;
 
-  constructor(cloth: PointedCloth) {
+  constructor(cloth: PointedFabric) {
     this.#cloth = cloth;
   }
 

@@ -7,8 +7,8 @@ import {isFree, turnedRing, type Bolt} from '../../marker/places.js';
 import {imageCell} from '../../model/print/wallpaper.js';
 import {norm, onPiece, plus, type Point} from '../../model/geometry/vectors.js';
 import type {Units} from '../../model/base/length-text.js';
-import type {ClothTexts} from '../../texts/marker-texts.js';
-import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
+import type {PieceOnFabric} from '../../workbench/marker/marker-work.js';
 import {
   closed,
   frameSize,
@@ -178,8 +178,8 @@ interface SheetState {
   /** Used length of the fabric. [cm] */
   readonly usedCm: number;
   readonly usedWords: string;
-  readonly pieces: readonly PieceOnCloth[];
-  readonly label: (piece: PieceOnCloth) => string;
+  readonly pieces: readonly PieceOnFabric[];
+  readonly label: (piece: PieceOnFabric) => string;
   readonly pins: ReadonlySet<number>;
   readonly selected: number | undefined;
   readonly pointed: number | undefined;
@@ -191,7 +191,7 @@ interface SheetState {
   /** Outline of the flaw that is being drawn. */
   readonly draft: readonly Point[];
   readonly units: Units;
-  readonly words: ClothTexts;
+  readonly words: MarkerTexts;
 }
 
 /** There is no room for a label of the print's start beyond this share of the width. */
@@ -272,10 +272,10 @@ function rulers(state: SheetState): TemplateResult {
   </g>`;
 }
 
-const outlines = new WeakMap<PieceOnCloth, string>();
+const outlines = new WeakMap<PieceOnFabric, string>();
 
 /** The cut line at the place of the piece, cached. */
-function outlineOf(piece: PieceOnCloth): string {
+function outlineOf(piece: PieceOnFabric): string {
   const known =
     outlines.get(piece) ?? closed(piece.piece.outline.map((p) => onPiece(piece.place, p)));
   outlines.set(piece, known);
@@ -283,7 +283,7 @@ function outlineOf(piece: PieceOnCloth): string {
 }
 
 /** A point well inside a piece. */
-const middleOf = ({piece, place}: PieceOnCloth): Point =>
+const middleOf = ({piece, place}: PieceOnFabric): Point =>
   plus(turnedRing(piece.outline, place.angle).inner, place.translation);
 
 /** Font size of names. [CSS px] */
@@ -292,7 +292,7 @@ const nameSizes = {least: 8, most: 12} as const;
 const lineHeight = 1.15;
 
 /** Splits a name into lines by the width of the piece, in the largest size that fits. */
-function nameDrawing(piece: PieceOnCloth, label: string, frame: SheetFrame): TemplateResult {
+function nameDrawing(piece: PieceOnFabric, label: string, frame: SheetFrame): TemplateResult {
   const {low, high} = turnedRing(piece.piece.outline, piece.place.angle);
   const room = (high[0] - low[0]) * frame.scale;
   const lines = nameLines(label, room, nameSizes.most);
@@ -313,7 +313,7 @@ const pinDrawing = ([x, y]: Point, px: number): TemplateResult =>
     <circle r="11" /><path d="M-2.5 -6h5M-1.5 -6v4.5L-4 1h8L1.5 -1.5V-6M0 1V6" />
   </g>`;
 
-function pieceDrawing(piece: PieceOnCloth, state: SheetState): TemplateResult {
+function pieceDrawing(piece: PieceOnFabric, state: SheetState): TemplateResult {
   const {frame, label, pins, selected, pointed, bad, dragged} = state;
   const {number} = piece;
   const isDragged = dragged?.piece.number === number;
@@ -358,7 +358,7 @@ export function markerSheet(state: SheetState): TemplateResult {
   const [width, height] = frameSize(frame);
   const [right, top] = onSheet([bolt.widthCm, frame.lengthCm]);
   // the dragged piece is drawn on top, then the selected one
-  const rank = ({number}: PieceOnCloth): number =>
+  const rank = ({number}: PieceOnFabric): number =>
     number === dragged?.piece.number ? 2 : number === state.selected ? 1 : 0;
   const ordered = [...pieces].sort((one, other) => rank(one) - rank(other));
   const below = dragged ? ordered.length - 1 : ordered.length;

@@ -2,7 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Format} from '../../texts/format.js';
-import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Laying} from '../../workbench/marker/laying.js';
 
 interface Status {
@@ -21,7 +21,7 @@ interface Status {
   readonly isDragging: boolean;
   /** Opens the field for the size of the print. */
   readonly toSize: () => void;
-  readonly words: ClothTexts;
+  readonly words: MarkerTexts;
   readonly format: Format;
 }
 

@@ -27,7 +27,7 @@ export const markerStyle = css`
   .stage {
     margin: auto;
   }
-  sw-cloth-panel {
+  sw-marker-panel {
     grid-area: 1 / 2 / 4 / 3;
     overflow-y: auto;
     border-left: 1px solid var(--sw-line);
@@ -44,7 +44,7 @@ export const markerStyle = css`
       grid-column: 1 / -1;
       padding-right: calc(var(--sw-views-room, 0px) + var(--sw-space-2));
     }
-    sw-cloth-panel {
+    sw-marker-panel {
       grid-row-start: 2;
       border-top: 1px solid var(--sw-line);
     }
@@ -68,7 +68,7 @@ export const markerStyle = css`
       min-height: 12rem;
       scroll-margin-top: calc(var(--sw-target) + 1rem); /* of what stays above it */
     }
-    sw-cloth-panel {
+    sw-marker-panel {
       border-left: 0;
     }
     progress {

@@ -117,7 +117,7 @@ export const panelStyle = css`
   .widths .present > * {
     font-weight: 600;
   }
-  sw-cloth-flaws {
+  sw-marker-flaws {
     border-top: 1px solid var(--sw-line);
   }
 `;

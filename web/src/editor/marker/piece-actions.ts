@@ -2,7 +2,7 @@
 import type {PropertyValues} from 'lit';
 
 import type {Alignment, Point} from '../../model/geometry/vectors.js';
-import type {PieceOnCloth} from '../../workbench/marker/marker-work.js';
+import type {PieceOnFabric} from '../../workbench/marker/marker-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {MarkerElement} from './marker-element.js';
@@ -56,7 +56,7 @@ export abstract class PieceActions extends MarkerElement {
     this.say(isHeld ? noTurnNear(label, this.format.length(reach)) : cannotTurn(label));
   }
 
-  #go(piece: PieceOnCloth, {place, fartherCm}: NonNullable<ReturnType<typeof placeOn>>): void {
+  #go(piece: PieceOnFabric, {place, fartherCm}: NonNullable<ReturnType<typeof placeOn>>): void {
     this.move(piece, place);
     this.toBeSeen = 'on page';
     if (fartherCm !== undefined) this.went = this.words.farther(this.format.length(fartherCm));
@@ -101,7 +101,7 @@ export abstract class PieceActions extends MarkerElement {
     this.laying.cancel();
   }
 
-  move({number}: PieceOnCloth, place: Alignment): void {
+  move({number}: PieceOnFabric, place: Alignment): void {
     this.laying.move(number, place);
     this.say('');
   }
@@ -111,7 +111,7 @@ export abstract class PieceActions extends MarkerElement {
     this.laying.setFlaws([...(this.laying.step?.flaws ?? []), flaw]);
   }
 
-  get selectedPiece(): PieceOnCloth | undefined {
+  get selectedPiece(): PieceOnFabric | undefined {
     return this.laying.pieces.find(({number}) => number === this.selected);
   }
 

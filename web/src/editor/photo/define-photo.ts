@@ -1,7 +1,7 @@
 /** Registers the photo dialog; loaded on demand. */
 import {registerAll} from '../base/register.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import type {PhotoOfCloth} from '../../print/openable-files.js';
+import type {PhotoOfFabric} from '../../print/openable-files.js';
 import {PhotoDialog} from './photo-dialog.js';
 import type {PhotoKeeper} from '../../photo/photo-keeper.js';
 import {PhotoMeasures} from './photo-measures.js';
@@ -16,7 +16,7 @@ const tag = 'sw-photo';
 export async function openPhoto(
   workbench: Workbench,
   root: HTMLElement | DocumentFragment,
-  {given, keeper}: {readonly given?: PhotoOfCloth; readonly keeper?: PhotoKeeper},
+  {given, keeper}: {readonly given?: PhotoOfFabric; readonly keeper?: PhotoKeeper},
 ): Promise<void> {
   registerAll({
     [tag]: PhotoDialog,

@@ -7,7 +7,7 @@ import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {focused} from '../base/focused.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
-import type {PhotoOfCloth} from '../../print/openable-files.js';
+import type {PhotoOfFabric} from '../../print/openable-files.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {sheetDialog} from '../style/sheet-dialog.js';
@@ -226,7 +226,7 @@ export class PhotoDialog extends WorkbenchElement {
     this.isTaking = false;
   }
 
-  async open(given?: PhotoOfCloth): Promise<void> {
+  async open(given?: PhotoOfFabric): Promise<void> {
     await this.updateComplete;
     const dialog = this.renderRoot.querySelector('dialog');
     if (!dialog?.open) dialog?.showModal();

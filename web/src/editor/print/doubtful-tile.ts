@@ -9,11 +9,11 @@ import type {DoubtfulPicture} from '../../workbench/state.js';
 import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';
 import {closedRepeats, openPairs} from '../../print/own-groups.js';
 import {printOfPicture} from '../../print/own-print.js';
-import type {PhotoOfCloth} from '../../print/openable-files.js';
+import type {PhotoOfFabric} from '../../print/openable-files.js';
 import {remedies} from './tile-report.js';
 
 /**
- * Fires `another` if the user wants another file, and `photo` with a `PhotoOfCloth` if the image is
+ * Fires `another` if the user wants another file, and `photo` with a `PhotoOfFabric` if the image is
  * a photo.
  */
 export class DoubtfulTile extends WorkbenchElement {
@@ -75,7 +75,7 @@ export class DoubtfulTile extends WorkbenchElement {
             class="outlined"
             @click=${() => {
               const detail = {picture: blobOf(own.image), name: own.title};
-              this.dispatchEvent(new CustomEvent<PhotoOfCloth>('photo', {detail}));
+              this.dispatchEvent(new CustomEvent<PhotoOfFabric>('photo', {detail}));
             }}
           >
             ${texts.remedy.photo}

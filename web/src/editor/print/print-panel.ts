@@ -9,7 +9,7 @@ import {icon} from '../style/icons.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Samples} from '../../workbench/samples.js';
 import type {RepeatFields} from './repeat-fields.js';
-import {OpenEdgesError, printFiles, type PhotoOfCloth} from '../../print/openable-files.js';
+import {OpenEdgesError, printFiles, type PhotoOfFabric} from '../../print/openable-files.js';
 
 export class PrintPanel extends WorkbenchElement {
   static override properties = {
@@ -71,7 +71,7 @@ export class PrintPanel extends WorkbenchElement {
           ? html`<sw-doubtful-tile
               .workbench=${workbench}
               @another=${this.#choose}
-              @photo=${({detail}: CustomEvent<PhotoOfCloth>) => {
+              @photo=${({detail}: CustomEvent<PhotoOfFabric>) => {
                 this.#photo(detail);
               }}
             ></sw-doubtful-tile>`
@@ -91,7 +91,7 @@ export class PrintPanel extends WorkbenchElement {
       ${isPicture ? html`<sw-tile-repeat .workbench=${workbench}></sw-tile-repeat>` : nothing}`;
   }
 
-  #photo(detail?: PhotoOfCloth): void {
+  #photo(detail?: PhotoOfFabric): void {
     const how = {detail, bubbles: true, composed: true};
     this.dispatchEvent(new CustomEvent('sw-photo-wanted', how));
   }

@@ -6,7 +6,7 @@ import {norm} from '../../model/geometry/vectors.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import {imageCell} from '../../model/print/wallpaper.js';
 
-const bareCloth = '#f1ede3';
+const bareFabric = '#f1ede3';
 const hasPicture = (image: string): boolean => image !== '' && image !== noPicture;
 
 /** Usual extent of a swatch: it shows this number of repeats by the longer of w1 and w2. */
@@ -41,7 +41,7 @@ export function swatch(
         <image href=${image} width=${width} height=${height} preserveAspectRatio="none"></image>
       </pattern>
       <rect width="100%" height="100%" fill="url(#${id})"></rect>`
-        : svg`<rect width="100%" height="100%" fill=${bareCloth}></rect>`
+        : svg`<rect width="100%" height="100%" fill=${bareFabric}></rect>`
     }
   </svg>`;
 }

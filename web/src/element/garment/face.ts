@@ -51,7 +51,7 @@ export const garmentStyle = css`
       grid-template-columns: minmax(0, 1fr); /* one above the other */
     }
   }
-  sw-worn {
+  sw-drape-pane {
     container-type: size;
   }
   .stage:focus-visible {
@@ -160,14 +160,14 @@ function stage({mode, view, worn}: Face, workbench: Workbench): TemplateResult {
 
 /** @param beside true if the pattern is shown, too */
 const wornGarment = (worn: Worn, beside: boolean, workbench: Workbench): TemplateResult =>
-  html`<sw-worn
+  html`<sw-drape-pane
     .workbench=${workbench}
     .beside=${beside}
     .purpose=${'show'}
     .form=${worn.dummy}
     .camera=${worn.camera}
     .turntable=${worn.turntable}
-  ></sw-worn>`;
+  ></sw-drape-pane>`;
 
 const panel = ({session: {workbench}, prints, choose}: Face): TemplateResult =>
   html`<sw-place-bar

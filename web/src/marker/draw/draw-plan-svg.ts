@@ -4,7 +4,7 @@ import {plus, type Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../../picture/cloth.js';
 import {escaped, polyline, short} from '../../picture/svg.js';
-import {printOnCloth} from './plan-pieces.js';
+import {printOnFabric} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
 import {veils} from './veils.js';
 
@@ -19,7 +19,7 @@ type Page = (p: Point) => Point;
 const closed = (loops: readonly (readonly Point[])[], page: Page): string =>
   loops.map((loop) => `${polyline(loop.map(page))}Z`).join('');
 
-function drawnCloth(
+function drawnFabric(
   plan: LayPlan,
   print: PrintWithTile,
   {cloth}: PlanSheet,
@@ -34,7 +34,7 @@ function drawnCloth(
   return {
     defs: printOrigin
       ? clothTile('tile', print, unit) +
-        clothUnder('cloth', 'tile', print, printOnCloth(printOrigin), onSheet)
+        clothUnder('cloth', 'tile', print, printOnFabric(printOrigin), onSheet)
       : '',
     drawn: [
       ...(printOrigin ? [ground('url(#cloth)', [around])] : []),
@@ -61,7 +61,7 @@ export function drawPlanSvg(
   if (!sheet) throw new Error('a plan has a sheet');
   const [width, height] = [sheet.widthCm * unit, sheet.heightCm * unit];
   const page: Page = ([x, y]) => [unit * x, height - unit * y];
-  const {defs, drawn} = drawnCloth(plan, print, sheet, page);
+  const {defs, drawn} = drawnFabric(plan, print, sheet, page);
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width / scale)}mm" height="${short(height / scale)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
     `<title>${escaped(options.title ?? '')}</title>`,

@@ -12,7 +12,7 @@ import {inmost, type PlanPiece} from './plan-pieces.js';
 import {cm, lineOf, textOf, type Size} from './plan-style.js';
 
 /** Layout data that the drawing uses. */
-export interface DrawnCloth {
+export interface DrawnFabric {
   readonly widthCm: number;
   readonly lengthCm: number;
   readonly selvedgeCm: number;
@@ -101,7 +101,7 @@ function labelOf(
 /** Marks on the fabric from `from` to `to`; the caller clips them. */
 export function clothMarks(
   size: Size,
-  {widthCm, lengthCm, selvedgeCm, pieces, ring}: DrawnCloth,
+  {widthCm, lengthCm, selvedgeCm, pieces, ring}: DrawnFabric,
   [from, to]: Point,
 ): readonly CutMark[] {
   const window = boxAt([0, from], widthCm, to - from);

@@ -13,7 +13,7 @@ import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
 import type {SheetFormat} from './plan-style.js';
-import {printOnCloth} from './plan-pieces.js';
+import {printOnFabric} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
 import {plan as english} from '../../texts/en/plan.js';
 import {veils} from './veils.js';
@@ -76,7 +76,7 @@ const roll = ({widthCm}: LayPlan): SheetFormat => ({
 
 const white = filledWith([1, 1, 1]);
 
-function drawnCloth(
+function drawnFabric(
   plan: LayPlan,
   {from, to, at, marks}: NonNullable<PlanSheet['cloth']>,
   resources: PdfResources,
@@ -88,8 +88,8 @@ function drawnCloth(
   const clip = boxAt([-1, first], plan.widthCm + 2, last - first);
   const {around, outside, inside} = veils(plan, {from, to});
   const cloth = {
-    ...{cut: [around], place: printOnCloth([0, 0])},
-    ...(plan.printOrigin && {alignment: printOnCloth(plan.printOrigin)}),
+    ...{cut: [around], place: printOnFabric([0, 0])},
+    ...(plan.printOrigin && {alignment: printOnFabric(plan.printOrigin)}),
   };
   const veil = (loops: readonly (readonly Point[])[], opacity: number): string =>
     scoped(
@@ -148,7 +148,7 @@ export async function planPdf(
       content: () =>
         scoped(
           through({xx: toPoints, xy: 0, yx: 0, yy: toPoints, shift: [0, 0]}),
-          cloth ? drawnCloth(plan, cloth, resources, {layers, cell}) : '',
+          cloth ? drawnFabric(plan, cloth, resources, {layers, cell}) : '',
           drawMarks(marks, boxAt([0, 0], widthCm, heightCm), layers, resources),
           format.isRoll || sheets.length === 1 ? '' : onLayer(layers.words, foot),
         ),

@@ -40,7 +40,7 @@ export interface PlanPiece {
 }
 
 /** The alignment of the print on the fabric. */
-export const printOnCloth = (origin: Point): Alignment => ({angle: 0, translation: origin});
+export const printOnFabric = (origin: Point): Alignment => ({angle: 0, translation: origin});
 
 /**
  * Half the length of a default grain line, as a share of the radius of the piece's largest
@@ -54,7 +54,7 @@ function crossesOf(
   print: Pick<Print, 'w1' | 'w2'>,
   origin: Point,
 ): readonly Point[] {
-  if (!known) return matchMarks(print, printOnCloth(origin), [place.cut]);
+  if (!known) return matchMarks(print, printOnFabric(origin), [place.cut]);
   const loops = [known.outline, ...known.holes].map((loop) => pick(known.shape, loop));
   return matchMarks(print, known.alignment, loops).map((p) => onPiece(place, p));
 }
@@ -72,9 +72,9 @@ function grainOf(place: LaidPlacement, known: ResultPiece | undefined): readonly
     return [plus(at, up, -grainShare * room), plus(at, up, grainShare * room)];
   }
   const {triangles, rest, shape} = known;
-  const onCloth = (p: Point): Point => onPiece(place, carried(triangles, rest, shape, p));
+  const onFabric = (p: Point): Point => onPiece(place, carried(triangles, rest, shape, p));
   const [foot, head] = lineAt(known, known.grainAngle);
-  return [onCloth(foot), onCloth(head)];
+  return [onFabric(foot), onFabric(head)];
 }
 
 /** Names of pieces, with the garment's number if there are several garments. */
@@ -121,13 +121,13 @@ export function repeatCorner({
   const basis = [w1, w2] as const;
   const [s, t] = coordinates(basis, printOrigin);
   const steps = [-2, -1, 0, 1, 2];
-  const onCloth = steps
+  const onFabric = steps
     .flatMap((i) =>
       steps.map((j) => plus(printOrigin, combined(basis, i - Math.floor(s), j - Math.floor(t)))),
     )
     .filter(([x, y]) => x >= 0 && x <= widthCm && y >= 0 && y <= lengthCm);
   const off = ([x, y]: Point): number => x + y;
-  return onCloth.length === 0
+  return onFabric.length === 0
     ? undefined
-    : onCloth.reduce((best, p) => (off(p) < off(best) ? p : best));
+    : onFabric.reduce((best, p) => (off(p) < off(best) ? p : best));
 }

@@ -17,7 +17,7 @@ import {
   type SheetFormat,
   type Size,
 } from './plan-style.js';
-import {clothMarks, ruler, type DrawnCloth} from './plan-cloth.js';
+import {clothMarks, ruler, type DrawnFabric} from './plan-cloth.js';
 import {namesIn, planPieces, repeatCorner, type KnownPieces} from './plan-pieces.js';
 import {crossesTable, otherwiseTables, rowMarks, type Row, type Table} from './plan-tables.js';
 import {
@@ -42,14 +42,14 @@ const rounding = 1e-9;
 /** All in mm on paper. */
 const tableWidth = 188;
 const rulerRoom = 9;
-const belowCloth = 11;
-const aboveCloth = 4;
+const belowFabric = 11;
+const aboveFabric = 4;
 const gapBetween = 5;
 const headingHeight = 10;
 const figureHeight = 17;
 const factHeight = 4.4;
 const factSize = 2.6;
-const leastCloth = 40;
+const leastFabric = 40;
 
 const heightOf = (rows: readonly Row[]): number => rows.reduce((sum, row) => sum + row.height, 0);
 
@@ -106,28 +106,28 @@ function addTable(filling: Filling, {head, rows}: Table): void {
 const rulerSteps = {cm: {step: 5, long: 2, unitCm: 1}, inch: {step: 1, long: 6, unitCm: 2.54}};
 const fineSteps = {cm: {step: 1, long: 10, unitCm: 1}, inch: {step: 1, long: 6, unitCm: 2.54}};
 
-function addCloth(
+function addFabric(
   filling: Filling,
-  cloth: DrawnCloth,
+  cloth: DrawnFabric,
   isRoll: boolean,
   {texts, units}: PlanWords,
 ): void {
   const {size} = filling;
   const {widthCm, lengthCm} = cloth;
   const steps = (isRoll ? fineSteps : rulerSteps)[units];
-  const [beside, below] = isRoll ? [0, 0] : [cm(size, rulerRoom), cm(size, belowCloth)];
-  filling.add(cm(size, aboveCloth));
+  const [beside, below] = isRoll ? [0, 0] : [cm(size, rulerRoom), cm(size, belowFabric)];
+  filling.add(cm(size, aboveFabric));
   for (let from = 0; from < lengthCm - rounding;) {
     const rest = lengthCm - from;
-    if (filling.left - below < Math.min(rest, cm(size, leastCloth))) filling.turn();
+    if (filling.left - below < Math.min(rest, cm(size, leastFabric))) filling.turn();
     const to = from + Math.min(rest, filling.left - below);
     const marks = clothMarks(size, cloth, [from, to]);
     if (isRoll) {
       const along = ruler(size, 1, [from, to], {...steps, side: -1, hasPlate: true});
-      filling.addCloth([from, to], [0, 0], [...marks, ...along], []);
+      filling.addFabric([from, to], [0, 0], [...marks, ...along], []);
     } else {
       const style = {...steps, side: 1, hasPlate: false} as const;
-      filling.addCloth([from, to], [beside, below], marks, [
+      filling.addFabric([from, to], [beside, below], marks, [
         ...ruler(size, 1, [from, to], style),
         ...moved(ruler(size, 0, [0, widthCm], style), [0, from]),
         ...(from === 0 ? [textOf(size, [widthCm / 2, -cm(size, 8)], texts.start, 2.3)] : []),
@@ -162,13 +162,13 @@ export function planSheets(
   const {isRoll} = format;
   const steps = [
     () => {
-      addCloth(filling, {widthCm, lengthCm, selvedgeCm, pieces, ring}, isRoll, words);
+      addFabric(filling, {widthCm, lengthCm, selvedgeCm, pieces, ring}, isRoll, words);
     },
     () => {
       for (const table of tables) addTable(filling, table);
     },
   ];
-  if (isRoll) filling.add(cm(filling.size, aboveCloth));
+  if (isRoll) filling.add(cm(filling.size, aboveFabric));
   addHeading(filling, heading, figuresOf(plan, words), facts);
   // on a roll, the heading unrolls first, so the tables come before the fabric
   for (const step of isRoll ? steps.toReversed() : steps) step();

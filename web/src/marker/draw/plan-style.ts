@@ -148,7 +148,7 @@ export class Filling {
    * @param room space for rulers to the left and below
    * @param rulers relative to the start of the fabric at its left edge
    */
-  addCloth(
+  addFabric(
     [from, to]: Point,
     [beside, below]: Point,
     marks: readonly CutMark[],

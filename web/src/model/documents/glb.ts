@@ -158,9 +158,9 @@ const metres = (cm: ArrayLike<number>): Float32Array =>
   Float32Array.from(cm, (value) => value / 100);
 
 /** Three numbers for each vertex of a piece, taken from those of the sewn mesh. */
-const perVertex = (ofCloth: Float64Array, sewn: Uint32Array): Float64Array =>
+const perVertex = (ofFabric: Float64Array, sewn: Uint32Array): Float64Array =>
   Float64Array.from({length: 3 * sewn.length}, (_, k) => {
-    return ofCloth[3 * (sewn[Math.floor(k / 3)] ?? 0) + (k % 3)] ?? 0;
+    return ofFabric[3 * (sewn[Math.floor(k / 3)] ?? 0) + (k % 3)] ?? 0;
   });
 
 /**

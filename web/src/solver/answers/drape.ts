@@ -3,7 +3,7 @@ import type {Drape, DrapeHooks, DrapeMesh} from '../../model/result/draped-garme
 import {runInSlices, type Pace} from './slices.js';
 import {documentBytes, toError} from '../json/document.js';
 import type {DrapeModule, ModuleDrape, ModuleDrapeRequest} from '../module/drape.mjs';
-import type {DrapeTexts} from '../requests/requests.js';
+import type {DrapeInputs} from '../requests/requests.js';
 
 /**
  * Work of one call: a few steps on a coarse mesh, one on a fine one. [factorisations of a 90 x 90
@@ -14,7 +14,7 @@ const workAtOnce = 0.25;
 /** Interval between reported positions: one or two frames of a display. [ms] */
 const between = 33;
 
-export function drapeRequest(module: DrapeModule, texts: DrapeTexts): ModuleDrapeRequest {
+export function drapeRequest(module: DrapeModule, texts: DrapeInputs): ModuleDrapeRequest {
   const {result, body} = texts;
   return {
     ...texts,

@@ -75,7 +75,7 @@ export type Requests = {
   readonly symmetries: {request: GarmentTexts; answer: DetectedSymmetries; hooks: object};
   readonly garment: {request: GarmentTexts; answer: GarmentDocument; hooks: object};
   readonly convert: {request: GarmentTexts; answer: string; hooks: object};
-  readonly drape: {request: DrapeTexts; answer: Drape; hooks: DrapeHooks};
+  readonly drape: {request: DrapeInputs; answer: Drape; hooks: DrapeHooks};
   readonly marker: {request: MarkerProblem; answer: MarkerAnswer; hooks: MarkerHooks};
   readonly photo: {request: PhotoRequest; answer: PhotoReading; hooks: PhotoHooks};
   readonly photoTile: {request: PhotoTileRequest; answer: PhotoPixels; hooks: PhotoHooks};
@@ -140,7 +140,7 @@ interface MirrorTexts extends GarmentTexts {
 }
 
 /** A result to drape, and its name in messages. */
-export interface DrapeTexts {
+export interface DrapeInputs {
   readonly result: string;
   readonly resultName: string;
   /** JSON, or empty. */
@@ -293,7 +293,7 @@ export function drapeTexts(
   result: SolveResult | string,
   settings: DrapeSettings = {},
   names: NamedDrapeHooks['names'] = {},
-): DrapeTexts {
+): DrapeInputs {
   const {fabric = 'poplin', size, body, effort = 1, from} = settings;
   const check = (name: string, value: unknown, known: readonly unknown[]) => {
     if (known.includes(value)) return;

@@ -40,4 +40,4 @@ export const worn = {
   filming: 'Recording a turn, 8 seconds …',
 };
 
-export type WornTexts = typeof worn;
+export type DrapeTexts = typeof worn;

@@ -153,4 +153,4 @@ export const cloth = {
   },
 };
 
-export type ClothTexts = typeof cloth;
+export type MarkerTexts = typeof cloth;

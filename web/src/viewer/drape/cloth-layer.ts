@@ -8,7 +8,7 @@ import type {Print} from '../../model/print/repeating-print.js';
 import {apply} from '../../model/print/wallpaper.js';
 import {imageCoordinates} from '../../model/print/image-coordinates.js';
 
-export class ClothLayer {
+export class FabricLayer {
   readonly geometry = new BufferGeometry();
   readonly cloth: Cloth;
   /** Positions of the mesh's vertices as x, y, z triples. [cm] */

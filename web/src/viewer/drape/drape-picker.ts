@@ -6,7 +6,7 @@ import type {Surface} from '../../model/result/draped-garment.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {ScreenSize} from '../../scene/sheet-view.js';
 import {eyeOf, fieldOfView, screenAxes, wayOut, type Orbit} from './camera.js';
-import type {ClothLayer} from './cloth-layer.js';
+import type {FabricLayer} from './cloth-layer.js';
 import {seamVertices} from './ribbons.js';
 import {dot3, minus3, plus3, pointOf, unit3, type Vector} from './space.js';
 
@@ -15,7 +15,7 @@ export type DrapeTarget =
   | {readonly kind: 'seam'; readonly seam: number; readonly side: 'a' | 'b'};
 
 interface Look {
-  readonly layer: ClothLayer;
+  readonly layer: FabricLayer;
   readonly orbit: Orbit;
   readonly size: ScreenSize;
   /** Hides the garment behind it. */
@@ -72,7 +72,7 @@ export class DrapePicker {
   }
 
   /** Returns the mean direction that a target's surface faces. */
-  facing({cloth, normals}: ClothLayer, target: DrapeTarget): Vector {
+  facing({cloth, normals}: FabricLayer, target: DrapeTarget): Vector {
     const vertices =
       target.kind === 'seam'
         ? seamVertices(cloth.mesh)[target.seam]

@@ -7,7 +7,7 @@ import type {Raster} from '../stage.js';
 import {inks, type Appearance} from '../strokes.js';
 import type {Wipe} from '../over-layers.js';
 import type {Orbit} from './camera.js';
-import {ClothLayer} from './cloth-layer.js';
+import {FabricLayer} from './cloth-layer.js';
 import type {DrapeTarget} from './drape-picker.js';
 import {bodyOf, standOf, type Solid, type Stand} from './dummy.js';
 import type {Fineness} from './fineness.js';
@@ -35,9 +35,9 @@ export class DrapeScene {
   readonly #marks = new Ribbons(this.studio.ribbonMaterial);
   #appearance: Appearance;
   #scene: PatternScene | undefined;
-  #layer: ClothLayer | undefined;
+  #layer: FabricLayer | undefined;
   /** Layer shown once its first positions arrive. */
-  #next: ClothLayer | undefined;
+  #next: FabricLayer | undefined;
   /** Positions that are not drawn yet. */
   #pose: Float32Array | undefined;
   #form: Form | undefined;
@@ -59,7 +59,7 @@ export class DrapeScene {
     return this.#box;
   }
 
-  get layer(): ClothLayer | undefined {
+  get layer(): FabricLayer | undefined {
     return this.#layer;
   }
 
@@ -125,7 +125,7 @@ export class DrapeScene {
   /** Sets the mesh of the next poses; the current one stays visible until then. */
   set mesh(mesh: DrapeMesh) {
     if (mesh === (this.#next ?? this.#layer)?.cloth.mesh) return;
-    this.#next = new ClothLayer(mesh);
+    this.#next = new FabricLayer(mesh);
   }
 
   /**

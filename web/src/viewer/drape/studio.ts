@@ -38,7 +38,7 @@ const shadowSide = 1024;
 /** Direction from the target to the key light, relative to the camera: from above and the left. */
 const keyWay = new Vector3(-0.5, 0.72, 0.62).normalize();
 /** Unprinted fabric, as on the flat pattern. */
-const bareCloth = [0.925, 0.91, 0.87] as const;
+const bareFabric = [0.925, 0.91, 0.87] as const;
 /** Greatest radius of the soft shadow; arms held aside are far above the floor. [cm] */
 const widestShadow = 34;
 /** Matches no piece. */
@@ -98,7 +98,7 @@ export class Studio {
   };
   readonly #print = {
     tile: {value: null as Texture | null},
-    bare: {value: rgb(bareCloth)},
+    bare: {value: rgb(bareFabric)},
     accent: {value: new Color()},
     chosen: {value: noPiece},
     pointed: {value: noPiece},

@@ -1,5 +1,5 @@
 /** The user's state of a layout: choices about the fabric, pins, and flaws to avoid. */
-import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {MarkerOrder} from '../../marker/problem.js';
 import type {Failure} from '../../model/result/failure.js';
 import type {Alignment, Point} from '../../model/geometry/vectors.js';
@@ -45,7 +45,7 @@ export function askedOf(problem: MarkerProblem, step: LayStep): MarkerProblem {
   };
 }
 
-function changeBetween(from: LayStep, to: LayStep): keyof ClothTexts['steps'] {
+function changeBetween(from: LayStep, to: LayStep): keyof MarkerTexts['steps'] {
   if (from.choices !== to.choices) return 'cloth';
   if (from.flaws !== to.flaws) return 'flaw';
   const count = ({places}: LayStep): number => places.filter((one) => one !== undefined).length;
@@ -60,5 +60,5 @@ function changeBetween(from: LayStep, to: LayStep): keyof ClothTexts['steps'] {
 export const layStepWords = (
   from: LayStep | undefined,
   to: LayStep | undefined,
-  {steps}: ClothTexts,
+  {steps}: MarkerTexts,
 ): string | undefined => from && to && steps[changeBetween(from, to)];

@@ -20,8 +20,8 @@ import {
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {allowancesIn} from '../allowances.js';
-import {storedCloth, withCloth, type MarkerChoices} from './marker-choices.js';
-import {MarkerWork, type PieceOnCloth} from './marker-work.js';
+import {storedFabric, withFabric, type MarkerChoices} from './marker-choices.js';
+import {MarkerWork, type PieceOnFabric} from './marker-work.js';
 import {laid, offersFor, ownAllowancesOf, type ToLay} from './lay-run.js';
 import {noPins, type Flaw, type LayStep} from './lay-step.js';
 import {toFailure} from '../latest-solve.js';
@@ -95,7 +95,7 @@ export class Laying extends Observable {
   }
 
   /** All pieces that have a place. */
-  get pieces(): readonly PieceOnCloth[] {
+  get pieces(): readonly PieceOnFabric[] {
     return this.#work?.pieces ?? [];
   }
 
@@ -119,7 +119,7 @@ export class Laying extends Observable {
     const {design} = this.#source.history;
     const preferences = this.#source.preferences.chosen;
     const work = this.#next ?? this.#work;
-    return work?.step.choices ?? (design && storedCloth(design.print, preferences));
+    return work?.step.choices ?? (design && storedFabric(design.print, preferences));
   }
 
   /** Edges of the garment that have allowances of their own; `none` until there is a layout. */
@@ -241,7 +241,7 @@ export class Laying extends Observable {
   #remember(choices: MarkerChoices): void {
     const {design} = this.#source.history;
     const preferences = this.#source.preferences.chosen;
-    if (design) this.#source.prefer(withCloth(design.print, choices, preferences));
+    if (design) this.#source.prefer(withFabric(design.print, choices, preferences));
   }
 
   /** @param packs true to lay out the pieces anew, as part of the step */
@@ -255,9 +255,9 @@ export class Laying extends Observable {
     const {history, step} = work;
     const next = {...step, ...change, failure: undefined};
     work.history = step.plan && !isAwaited ? stepped(history, next) : amended(history, next);
-    const isSameCloth = !isAwaited && next.choices === step.choices && next.flaws === step.flaws;
-    this.#isAwaited = work === this.#work && !isSameCloth;
-    if (packs) void this.#run(work, isSameCloth ? step.plan : undefined);
+    const isSameFabric = !isAwaited && next.choices === step.choices && next.flaws === step.flaws;
+    this.#isAwaited = work === this.#work && !isSameFabric;
+    if (packs) void this.#run(work, isSameFabric ? step.plan : undefined);
     else this.#become({kind: 'done'});
   }
 
@@ -304,7 +304,7 @@ export class Laying extends Observable {
       this.#settle(known.step);
       return;
     }
-    const choices = storedCloth(design.print, preferences);
+    const choices = storedFabric(design.print, preferences);
     this.#next = MarkerWork.after(before, result, design.print, choices);
     this.#known.set(result, this.#next);
     void this.#run(this.#next);

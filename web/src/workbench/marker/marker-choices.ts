@@ -69,7 +69,7 @@ const isRight: {readonly [Name in keyof KeptChoices]: (value: unknown) => boolea
  * Last choices for a print, as far as they are valid. Otherwise, width and gap are those of the
  * last fabric, and the rest is as usual.
  */
-export function storedCloth(print: DesignPrint, preferences: Preferences): MarkerChoices {
+export function storedFabric(print: DesignPrint, preferences: Preferences): MarkerChoices {
   const all = Object.entries(preferences.cloths ?? {});
   const own = all.find(([name]) => name === nameOf(print))?.[1];
   const known = (names: readonly (keyof KeptChoices)[], from: unknown): Partial<KeptChoices> =>
@@ -87,7 +87,7 @@ export function storedCloth(print: DesignPrint, preferences: Preferences): Marke
 }
 
 /** Preferences with these choices. */
-export function withCloth(
+export function withFabric(
   print: DesignPrint,
   {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, ...rest}: MarkerChoices,
   preferences: Preferences,

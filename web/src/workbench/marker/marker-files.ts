@@ -4,12 +4,12 @@ import {decidedOf, noPicture, printOf, type DesignPrint} from '../../model/desig
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import {readable} from '../../model/garment/piece-names.js';
-import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
 import {planTextsIn} from '../../texts/plan-texts.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
 
-interface ClothFile {
+interface MarkerFileChoice {
   readonly id: string;
   readonly title: string;
   /** Suffix of the file name. */
@@ -48,11 +48,11 @@ export function markerFiles(
     workbench,
     print,
   }: {
-    readonly words: ClothTexts;
+    readonly words: MarkerTexts;
     readonly workbench: Workbench;
     readonly print: DesignPrint;
   },
-): readonly ClothFile[] {
+): readonly MarkerFileChoice[] {
   const pdf = async (scale: 10 | 1): Promise<Blob> => {
     const {planPdf} = await import('../../marker/draw/plan-pdf.js');
     const {bytes} = await planPdf(plan, {...(await drawnWith(workbench, print)), scale});

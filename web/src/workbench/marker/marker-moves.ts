@@ -10,7 +10,7 @@ import {
 } from '../../marker/places.js';
 import {minus, norm, wrapped, type Alignment, type Point} from '../../model/geometry/vectors.js';
 import {reducedBasis} from '../../model/print/wallpaper.js';
-import type {PieceOnCloth} from './marker-work.js';
+import type {PieceOnFabric} from './marker-work.js';
 import {placesOf} from './piece-drag.js';
 import {boxOf} from '../../model/geometry/polyline.js';
 import type {Units} from '../../model/base/length-text.js';
@@ -58,8 +58,8 @@ function moveTo(
  * @param takes true if the piece may overlap others
  */
 export function placeOn(
-  pieces: readonly PieceOnCloth[],
-  piece: PieceOnCloth,
+  pieces: readonly PieceOnFabric[],
+  piece: PieceOnFabric,
   bolt: Bolt,
   way: Point,
   takes: boolean,
@@ -80,7 +80,7 @@ export const reachOfPinned = ({repeat: {w1, w2}}: Bolt): number =>
   Math.max(leastReach, ...reducedBasis(w1, w2).map(norm));
 
 /** Returns whether a piece has more than one turn, free or occupied. */
-export const canTurn = ({piece}: PieceOnCloth, bolt: Bolt): boolean =>
+export const canTurn = ({piece}: PieceOnFabric, bolt: Bolt): boolean =>
   turnsOf(piece, bolt).length > 1;
 
 /**
@@ -88,8 +88,8 @@ export const canTurn = ({piece}: PieceOnCloth, bolt: Bolt): boolean =>
  * @param reach greatest distance of the move [cm]
  */
 export function placeTurned(
-  pieces: readonly PieceOnCloth[],
-  piece: PieceOnCloth,
+  pieces: readonly PieceOnFabric[],
+  piece: PieceOnFabric,
   bolt: Bolt,
   {takes, reach}: {readonly takes: boolean; readonly reach: number},
 ): Move | undefined {
@@ -144,7 +144,10 @@ const within = (value: number, least: number, most: number): number =>
   Math.max(least, Math.min(most, value));
 
 /** Limits a box to the fabric. */
-function onCloth({left, start, width, length}: FlawBox, {widthCm}: Pick<Bolt, 'widthCm'>): FlawBox {
+function onFabric(
+  {left, start, width, length}: FlawBox,
+  {widthCm}: Pick<Bolt, 'widthCm'>,
+): FlawBox {
   const wide = within(width, leastFlaw, widthCm);
   const long = within(length, leastFlaw, mostStart);
   return {
@@ -157,7 +160,7 @@ function onCloth({left, start, width, length}: FlawBox, {widthCm}: Pick<Bolt, 'w
 /** Fits the outline of a flaw into its changed box. */
 export function flawIn(flaw: Flaw, change: Partial<FlawBox>, bolt: Pick<Bolt, 'widthCm'>): Flaw {
   const from = boxAround(flaw);
-  const to = onCloth({...from, ...change}, bolt);
+  const to = onFabric({...from, ...change}, bolt);
   return flaw.map(([x, y]): Point => [
     to.left + ((x - from.left) * to.width) / from.width,
     to.start + ((y - from.start) * to.length) / from.length,
@@ -169,7 +172,7 @@ export function flawAround([x, y]: Point, units: Units, bolt: Pick<Bolt, 'widthC
   const size = firstSizes[units];
   const onStep = (at: number): number => steps[units] * Math.round((at - size / 2) / steps[units]);
   const [left, start] = [onStep(x), onStep(y)];
-  return cornersOf(onCloth({left, start, width: size, length: size}, bolt));
+  return cornersOf(onFabric({left, start, width: size, length: size}, bolt));
 }
 
 /**

@@ -14,9 +14,9 @@ import {degrees, type Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import {boxOf} from '../../model/geometry/polyline.js';
 import {fractionOrNumber, type Units} from '../../model/base/length-text.js';
-import type {ClothTexts} from '../../texts/marker-texts.js';
+import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
-import type {PieceOnCloth} from './marker-work.js';
+import type {PieceOnFabric} from './marker-work.js';
 
 /** Steps of the lengths that shops sell: 5 cm, an eighth of a yard. */
 const soldCm = 5;
@@ -28,7 +28,7 @@ const slack = 0.01;
 export const leastCost = 0.5;
 
 /** Returns the length to buy, rounded up: "1.45 m", "1 5/8 yd". */
-export function soldLength(cm: number, units: Units, words: ClothTexts, format: Format): string {
+export function soldLength(cm: number, units: Units, words: MarkerTexts, format: Format): string {
   if (units === 'inch') {
     const parts = Math.max(0, Math.ceil(((cm - slack) / yardCm) * eighths));
     return words.yards(fractionOrNumber(parts / eighths, 3));
@@ -46,7 +46,7 @@ export const roundedLength = (cm: number, units: Units, format: Format): string 
 export const lengthRange = (
   [least, most]: readonly [number, number],
   units: Units,
-  words: ClothTexts,
+  words: MarkerTexts,
   format: Format,
 ): string =>
   words.range(
@@ -58,7 +58,7 @@ export const lengthRange = (
  * Returns the fabric that the print costs and the fabric that pins cost; their sum if no marker
  * without pins exists.
  */
-export function costWords(plan: LayPlan, words: ClothTexts, format: Format): readonly string[] {
+export function costWords(plan: LayPlan, words: MarkerTexts, format: Format): readonly string[] {
   const {printCm, pinsCm, bothCm} = layCosts(plan);
   const said = (cm: number | undefined, none: string, cost: (length: string) => string) =>
     cm === undefined ? [] : [cm < leastCost ? none : cost(format.length(cm))];
@@ -70,14 +70,14 @@ export function costWords(plan: LayPlan, words: ClothTexts, format: Format): rea
 }
 
 /** Returns a position in repeats: "3rd repeat from the left, 2nd from the start". */
-export function pointWords(at: Point, bolt: Bolt, words: ClothTexts, format: Format): string {
+export function pointWords(at: Point, bolt: Bolt, words: MarkerTexts, format: Format): string {
   const counted = countedRepeats(at, bolt);
   return counted
     ? words.at(counted.across, counted.along)
     : words.atLength(format.length(at[0]), format.length(at[1]));
 }
 
-function andTurn(where: string, {place}: LaidPiece, words: ClothTexts, format: Format): string {
+function andTurn(where: string, {place}: LaidPiece, words: MarkerTexts, format: Format): string {
   const turn = ((Math.round(degrees(place.angle)) % 360) + 360) % 360;
   return turn === 0 ? where : `${where}, ${words.turned(format.number(turn))}`;
 }
@@ -86,7 +86,7 @@ function andTurn(where: string, {place}: LaidPiece, words: ClothTexts, format: F
 export const placeWords = (
   laid: LaidPiece,
   bolt: Bolt,
-  words: ClothTexts,
+  words: MarkerTexts,
   format: Format,
 ): string => andTurn(pointWords(boxAt(laid).low, bolt, words, format), laid, words, format);
 
@@ -94,7 +94,12 @@ export const placeWords = (
  * Returns the position of a piece with its length along the fabric, which also changes within a
  * repeat: "3rd repeat from the left, 42 cm from the start".
  */
-export function lyingWords(laid: LaidPiece, bolt: Bolt, words: ClothTexts, format: Format): string {
+export function lyingWords(
+  laid: LaidPiece,
+  bolt: Bolt,
+  words: MarkerTexts,
+  format: Format,
+): string {
   const {low} = boxAt(laid);
   const counted = countedRepeats(low, bolt);
   const where = counted
@@ -107,7 +112,7 @@ export function lyingWords(laid: LaidPiece, bolt: Bolt, words: ClothTexts, forma
 export function flawWords(
   flaw: readonly Point[],
   number: number,
-  words: ClothTexts,
+  words: MarkerTexts,
   format: Format,
 ): string {
   const {low} = boxOf(flaw);
@@ -115,18 +120,18 @@ export function flawWords(
 }
 
 /** Returns the size of a flaw. */
-export function flawSizeWords(flaw: readonly Point[], words: ClothTexts, format: Format): string {
+export function flawSizeWords(flaw: readonly Point[], words: MarkerTexts, format: Format): string {
   const {low, high} = boxOf(flaw);
   return words.flawSize(format.length(high[0] - low[0]), format.length(high[1] - low[1]));
 }
 
 /** Returns the obstacle of a piece as a message; undefined without an obstacle. */
 export function conflictWords(
-  piece: PieceOnCloth,
+  piece: PieceOnFabric,
   found: Obstacles,
-  pieces: readonly PieceOnCloth[],
-  label: (piece: PieceOnCloth) => string,
-  words: ClothTexts,
+  pieces: readonly PieceOnFabric[],
+  label: (piece: PieceOnFabric) => string,
+  words: MarkerTexts,
 ): string | undefined {
   if (isFree(found)) return undefined;
   const others = found.pieces.flatMap((n) => (pieces[n] ? [label(pieces[n])] : []));
@@ -136,10 +141,10 @@ export function conflictWords(
 
 /** Returns a message for each piece that is not free at its place, by piece number. */
 export function conflicts(
-  pieces: readonly PieceOnCloth[],
+  pieces: readonly PieceOnFabric[],
   bolt: Bolt,
-  label: (piece: PieceOnCloth) => string,
-  words: ClothTexts,
+  label: (piece: PieceOnFabric) => string,
+  words: MarkerTexts,
 ): ReadonlyMap<number, string> {
   return new Map(
     pieces.flatMap((piece, k): (readonly [number, string])[] => {

@@ -10,7 +10,7 @@ import {noPins, type LayStep} from './lay-step.js';
 import {lastOf} from '../../model/base/last-of.js';
 
 /** A piece on the fabric. */
-export interface PieceOnCloth extends LaidPiece {
+export interface PieceOnFabric extends LaidPiece {
   /** Number among all pieces of the layout. */
   readonly number: number;
   /** Name in the garment file. */
@@ -73,13 +73,13 @@ export class MarkerWork {
   readonly #areMoved = lastOf(isMoved);
 
   /** All pieces that have a place. */
-  get pieces(): readonly PieceOnCloth[] {
+  get pieces(): readonly PieceOnFabric[] {
     const {order, places} = this.step;
     return order ? this.#piecesOf(order, places) : [];
   }
 
   readonly #piecesOf = lastOf(
-    ({pieces, problem}: MarkerOrder, places: LayStep['places']): readonly PieceOnCloth[] =>
+    ({pieces, problem}: MarkerOrder, places: LayStep['places']): readonly PieceOnFabric[] =>
       pieces.flatMap(({piece: name}, number) => {
         const [place, piece] = [places[number], problem.pieces[number]];
         return place && piece ? [{number, name, place, piece}] : [];

@@ -11,11 +11,11 @@ import {
   type Obstacles,
 } from '../../marker/places.js';
 import {minus, plus, type Alignment, type Point} from '../../model/geometry/vectors.js';
-import type {PieceOnCloth} from './marker-work.js';
+import type {PieceOnFabric} from './marker-work.js';
 
 /** A dragged piece: its offset, and the place that it would take. */
 export interface Dragged {
-  readonly piece: PieceOnCloth;
+  readonly piece: PieceOnFabric;
   /** [cm] */
   readonly by: Point;
   readonly place: Alignment;
@@ -34,8 +34,8 @@ export function placesOf(pieces: readonly LaidPiece[], k: number, bolt: Bolt): P
 }
 
 export class PieceDrag {
-  readonly piece: PieceOnCloth;
-  readonly #pieces: readonly PieceOnCloth[];
+  readonly piece: PieceOnFabric;
+  readonly #pieces: readonly PieceOnFabric[];
   readonly #index: number;
   readonly #bolt: Bolt;
   readonly #places: Places | undefined;
@@ -48,7 +48,7 @@ export class PieceDrag {
   #by: Point = [0, 0];
   #target: Point;
 
-  constructor(pieces: readonly PieceOnCloth[], piece: PieceOnCloth, bolt: Bolt) {
+  constructor(pieces: readonly PieceOnFabric[], piece: PieceOnFabric, bolt: Bolt) {
     this.piece = piece;
     this.#pieces = pieces;
     this.#index = pieces.indexOf(piece);
