@@ -10,6 +10,7 @@ export default defineConfig({
   resolve: {alias: {'@/': at('web/src/'), '@samples/': at('web/samples/')}},
   test: {
     testTimeout: 120_000,
+    setupFiles: ['tests/support/random-seed.ts'],
     hookTimeout: 240_000,
     // parts of the page render when there is time: a second is too short on two cores that also
     // compile

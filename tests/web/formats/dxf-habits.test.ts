@@ -14,7 +14,7 @@ import {atShare, signedArea} from '@/model/geometry/polyline.js';
 import {dxfOf, habits, type Habits, type PatternPiece} from '../../support/formats/dxf-habits.js';
 import {cases, sampleOf} from '../../support/level.js';
 import {drawnOutline} from '../../support/garments/panel-curves.js';
-import {at, greatest, scale, toLine} from '../../support/plane.js';
+import {at, crossesItself, greatest, scale, toLine} from '../../support/plane.js';
 
 const garments = ['tee-m', 'shirt-m', 'princess-dress-l', 'trousers-s'];
 
@@ -113,7 +113,12 @@ const randomPiece = fc
       });
     });
     return {name: 'piece', edges};
-  });
+  })
+  .filter(({edges}) => !crossesItself(edges.flatMap(sides)));
+
+/** The straight parts of a line. */
+const sides = (line: readonly Point[]): (readonly [Point, Point])[] =>
+  line.slice(1).map((to, k) => [at(line, k), to]);
 
 const randomHabits: fc.Arbitrary<Habits> = fc.record(
   {
