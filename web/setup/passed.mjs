@@ -43,7 +43,9 @@ function contentsOf(paths) {
   return hash.digest('hex');
 }
 
+/** The files below a path; none for a program that could not be built. */
 function filesIn(path) {
+  if (!existsSync(join(root, path))) return [];
   if (!statSync(join(root, path)).isDirectory()) return [path];
   return readdirSync(join(root, path))
     .sort()

@@ -6,7 +6,7 @@ import {pointsOfChain, runOfChain, type Chain} from '../base/chain.js';
 import {chainsOf} from '../base/chains.js';
 import type {LineEntity} from './entities.js';
 
-/** Where the ends of two lines lie apart. */
+/** Gap between the ends of two lines. */
 export interface Gap {
   readonly width: number;
   readonly at: Point;
