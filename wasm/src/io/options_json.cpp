@@ -109,6 +109,14 @@ OpenEdges readOpenEdges(const JsonValue& json, const Place& place) {
                     "has " + inQuotes(word) + " for 'openEdges'; write \"kept\" or \"free\"");
 }
 
+Visibility readVisibility(const JsonValue& json, const Place& place) {
+  const std::string word = text(json, place, "'visibility'");
+  if (word == "place") return Visibility::kByPlace;
+  if (word == "even") return Visibility::kEven;
+  return place.fail(place.shape,
+                    "has " + inQuotes(word) + " for 'visibility'; write \"place\" or \"even\"");
+}
+
 Outcome<SolveOptions> read(const JsonValue& document, const Garment& garment, const Place& place) {
   object(document, place, "content");
   onlyKnown(document, place,
@@ -130,6 +138,7 @@ Outcome<SolveOptions> read(const JsonValue& document, const Garment& garment, co
              "proof",
              "locked",
              "openEdges",
+             "visibility",
              "effort",
              "otherAlignments"});
   checkFormat(document, place, "seamwise-options", 1);
@@ -173,6 +182,8 @@ Outcome<SolveOptions> read(const JsonValue& document, const Garment& garment, co
     readLocked(locked, garment, place, &options);
   if (const JsonValue open = document.find("openEdges"))
     options.open_edges = readOpenEdges(open, place);
+  if (const JsonValue visibility = document.find("visibility"))
+    options.visibility = readVisibility(visibility, place);
   if (const JsonValue matches = document.find("matches"))
     options.matches = readMatches(matches, place, garment);
   const std::string problem = options.problem();

@@ -165,7 +165,7 @@ std::optional<Error> ProblemReader::read() {
   if (!print.ok()) return print.error();
   GarmentFile& file = garment.value();
   problem_.reset(new Problem{
-      std::move(file.garment), std::move(print).value(), {}, {}, std::move(file.notes)});
+      std::move(file.garment), std::move(print).value(), {}, {}, std::move(file.notes), {}});
   of_garment_ = std::move(file.symmetries);
   return readOptionsInto(texts_, problem_.get());
 }
@@ -176,6 +176,9 @@ Outcome<Problem> ProblemReader::take() {
   if (error_) return *error_;
   if (auto note = assumedGrain(*problem_, texts_.garment_name))
     problem_->notes.push_back(std::move(*note));
+  problem_->groups = seamGroups(problem_->garment, problem_->symmetries.known);
+  if (problem_->options.visibility == Visibility::kByPlace)
+    weighByVisibility(problem_->groups, &problem_->garment, &problem_->options.matches);
   return std::move(*problem_);
 }
 

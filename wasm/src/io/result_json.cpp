@@ -1,5 +1,7 @@
 #include "io/result_json.h"
 
+#include <algorithm>
+
 #include "io/json_ends.h"
 #include "io/json_writer.h"
 
@@ -91,6 +93,55 @@ const char* reasonName(SeamReason reason) {
       break;
   }
   return "";
+}
+
+const char* stateName(SeamState state) {
+  switch (state) {
+    case SeamState::kClose:
+      return "close";
+    case SeamState::kOff:
+      return "off";
+    case SeamState::kCannot:
+      return "cannot";
+    case SeamState::kChoice:
+      return "choice";
+    case SeamState::kMatches:
+      break;
+  }
+  return "matches";
+}
+
+const char* endName(SeamEnd end) {
+  switch (end) {
+    case SeamEnd::kBottom:
+      return "bottom";
+    case SeamEnd::kLeft:
+      return "left";
+    case SeamEnd::kRight:
+      return "right";
+    case SeamEnd::kTop:
+      break;
+  }
+  return "top";
+}
+
+void writeGroup(JsonWriter& out, const SeamGroup& group, const GroupFigures& figures) {
+  std::vector<int> seams = group.seams;
+  std::sort(seams.begin(), seams.end());
+  out.openObject();
+  out.field("seams", seams);
+  out.field("place", placeName(group.place));
+  out.field("visibility", group.visibility);
+  out.field("state", stateName(figures.state));
+  if (figures.reason != SeamReason::kNone) out.field("reason", reasonName(figures.reason));
+  if (figures.end) {
+    out.key("unmatchedEnd");
+    out.openObject();
+    out.field("from", endName(figures.end->from));
+    out.field("cm", figures.end->cm);
+    out.close();
+  }
+  out.close();
 }
 
 void writeFigures(JsonWriter& out, const SeamFigures& of) {
@@ -204,6 +255,10 @@ std::string writeResult(const Result& r) {
   out.field("format", "seamwise-result/1");
   out.field("units", "cm");
   writePrinted(out, r, &r);
+  out.key("seamGroups");
+  out.openList();
+  for (std::size_t g = 0; g < r.groups.size(); ++g) writeGroup(out, r.groups[g], r.states[g]);
+  out.close();
   out.field("drafted", r.drafted);
   out.field("search", r.search);
   if (r.others)

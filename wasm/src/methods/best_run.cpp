@@ -97,7 +97,9 @@ std::vector<FittingStart> BestRun::bestPredicted(std::size_t count) const {
   for (std::size_t k = 0; k < answers.size(); ++k) {
     const Alignments at = match_.expanded(answers[k]);
     by_mismatch.emplace_back(
-        mismatchUnderRules(predictedMismatches(group, pattern_, at, reach_), lengths, placed), k);
+        mismatchUnderRules(pattern_, predictedMismatches(group, pattern_, at, reach_), lengths,
+                           placed),
+        k);
   }
   std::sort(by_mismatch.begin(), by_mismatch.end());
   std::vector<FittingStart> starts;
@@ -245,14 +247,17 @@ void BestRun::restIfBetter() {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = evenedShapes(pattern_);
   if (!isSewable(pattern_, rest)) return;
-  if (totalMismatch(group, pattern_, rest, search_result_) <
-      totalMismatch(group, pattern_, fitting_->fitting().shapes(), alignment_))
+  if (answerCost(group, pattern_, rest, search_result_) <
+      answerCost(group, pattern_, fitting_->fitting().shapes(), alignment_))
     restAt(search_result_);
   const Alignments drafted = draftedLayout(problem_, match_);
   const std::vector<double> lengths = seamLengths(pattern_, fitting_->fitting().shapes());
-  if (meanMismatch(localMismatches(group, pattern_, rest, drafted), lengths) <
-      meanMismatch(localMismatches(group, pattern_, fitting_->fitting().shapes(), alignment_),
-                   lengths)) {
+  const auto missed = [&](const Shapes& shapes, const Alignments& at) {
+    if (problem_.options.visibility == Visibility::kByPlace)
+      return answerCost(group, pattern_, shapes, at);
+    return meanMismatch(localMismatches(group, pattern_, shapes, at), lengths);
+  };
+  if (missed(rest, drafted) < missed(fitting_->fitting().shapes(), alignment_)) {
     const double cost = costAtRest(drafted);
     if (cost > SearchTuning::kPerfectCost) of_bound_ = costAtRest(search_result_) / cost;
     restAt(search_result_ = drafted);

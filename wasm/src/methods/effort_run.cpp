@@ -46,7 +46,7 @@ void EffortRun::begin() {
 }
 
 double EffortRun::mismatchOf(const BestRun& run) const {
-  return totalMismatch(problem_.print.group.joining(rules_.continuous_only), requested_.pattern,
+  return answerCost(problem_.print.group.joining(rules_.continuous_only), requested_.pattern,
                        run.shapes(), run.alignment());
 }
 

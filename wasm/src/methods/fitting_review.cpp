@@ -41,12 +41,15 @@ FittingStage::Judgement FittingStage::judge() {
   excess_ = 0;
   for (std::size_t s = 0; s < shaped.size(); ++s) {
     if (!counts(pattern.seams[s])) continue;
-    const double moved = seamMovement(pattern.seams[s], pattern, fitting_->shapes());
-    const Verdict verdict = verdictOn({placed[s], aligned[s], shaped[s]}, moved);
+    const Seam& seam = pattern.seams[s];
+    const double moved = seam.visibility > 0 ? seamBend(seam, pattern, fitting_->shapes())
+                                             : seamMovement(seam, pattern, fitting_->shapes());
+    const Verdict verdict =
+        verdictOn({placed[s], aligned[s], shaped[s]}, moved, seam.visibility);
     if (verdict == Verdict::kKept) continue;
     worse_[s] = verdict == Verdict::kWorse;
     if (worse_[s]) {
-      const double most = greatestMean(placed[s]);
+      const double most = greatestMean(placed[s], seam.visibility);
       start.margins[s] += shaped[s] - most;
       excess_ = std::max(excess_, shaped[s] / most - 1);
     }

@@ -60,6 +60,7 @@ void FittingStage::begin() {
     for (std::size_t s = 0; s < pattern_.seams.size(); ++s) {
       coarse_pattern_.seams[s].weight = pattern_.seams[s].weight;
       coarse_pattern_.seams[s].matched = pattern_.seams[s].matched;
+      coarse_pattern_.seams[s].visibility = pattern_.seams[s].visibility;
     }
     coarse_fitting_ =
         std::make_unique<SeamFitting>(plan_->plan, coarse_pattern_, match_.group, fitting_rules_);
@@ -98,7 +99,7 @@ bool FittingStage::isWorseThanPlaced() const {
   const auto now = localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_);
   const auto placed = placedMismatches();
   for (std::size_t s = 0; s < now.size(); ++s)
-    if (now[s] > greatestMean(placed[s])) return true;
+    if (now[s] > greatestMean(placed[s], fitted().seams[s].visibility)) return true;
   return false;
 }
 
@@ -157,12 +158,14 @@ void FittingStage::realign() {
   MatchProblem now =
       makeMatchProblem(reweighted, fitting_->shapes(), reweighted.mirrors, rules_, match_.group);
   const std::vector<double> placed = placedMismatches();
-  for (MatchSeam& seam : now.seams)
-    if (seam.seam >= 0 && (!start.shaped[static_cast<std::size_t>(seam.seam)] || start.rounds > 0 ||
-                           start.steps >= ShapingTuning::kLimitedFrom))
-      seam.limit =
-          ShapingTuning::kLimitShare * greatestMean(placed[static_cast<std::size_t>(seam.seam)]) -
-          start.margins[static_cast<std::size_t>(seam.seam)];
+  for (MatchSeam& seam : now.seams) {
+    if (seam.seam < 0) continue;
+    const auto s = static_cast<std::size_t>(seam.seam);
+    if (!start.shaped[s] || start.rounds > 0 || start.steps >= ShapingTuning::kLimitedFrom)
+      seam.limit = ShapingTuning::kLimitShare *
+                       greatestMean(placed[s], reweighted.seams[s].visibility) -
+                   start.margins[s];
+  }
   std::vector<int> all(now.leaders.size());
   std::iota(all.begin(), all.end(), 0);
   refine(now, SampledSeams<double>(now, 0), leaders_, all, ShapingTuning::kRealignIterations);
@@ -214,10 +217,12 @@ bool FittingStage::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
-  start.mismatch = totalMismatch(match_.joining(), fitted(), fitting_->shapes(), alignment_);
-  start.mismatch_under_rules = mismatchUnderRules(
-      localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
-      seamLengths(fitted(), fitting_->shapes()), placedMismatches());
+  start.mismatch = answerCost(match_.joining(), fitted(), fitting_->shapes(), alignment_);
+  start.mismatch_under_rules =
+      mismatchUnderRules(
+          fitted(), localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
+          seamLengths(fitted(), fitting_->shapes()), placedMismatches()) +
+      unmatchedCost(match_.joining(), fitted(), fitting_->shapes(), alignment_);
   return goOnFromBest();
 }
 

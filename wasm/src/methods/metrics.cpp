@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "methods/seam_rules.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
@@ -49,6 +50,35 @@ double totalMismatch(const WallpaperGroup& group, const Pattern& pattern, const 
       total += m.length[i] * group.distance(m.x[i], m.y[i]);
   }
   return total;
+}
+
+double unmatchedCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+                     const std::vector<Alignment>& at) {
+  double total = 0;
+  for (const Seam& seam : pattern.seams) {
+    if (!counts(seam) || seam.visibility <= 0 || isGathered(seam)) continue;
+    const SeamMidpoints m = seamMidpoints(seam, shapes, at);
+    double length = 0, off = 0;
+    for (std::size_t i = 0; i < m.x.size(); ++i) {
+      length += m.length[i];
+      if (group.distance(m.x[i], m.y[i]) > ShapingTuning::kSeen) off += m.length[i];
+    }
+    if (length > 0)
+      total += ShapingTuning::kUnmatchedCost * seam.visibility * length * unmatched(off / length);
+  }
+  return total;
+}
+
+double answerCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+                  const std::vector<Alignment>& at) {
+  double total = 0;
+  for (const Seam& seam : pattern.seams) {
+    if (!counts(seam)) continue;
+    const SeamMidpoints m = seamMidpoints(seam, shapes, at);
+    for (std::size_t i = 0; i < m.x.size(); ++i)
+      total += costWeight(seam) * (m.length[i] * group.distance(m.x[i], m.y[i]));
+  }
+  return total + unmatchedCost(group, pattern, shapes, at);
 }
 
 TotalMismatch measureTotal(const WallpaperGroup& group, const Pattern& pattern,

@@ -31,6 +31,17 @@ struct MismatchTotals {
 /// @param at   alignment per piece
 double totalMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                      const std::vector<Alignment>& at);
+
+/// Cost of the seams that do not match, softly counted by their visible length; 0 if all seams count
+/// equally. [cm2]
+double unmatchedCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+                     const std::vector<Alignment>& at);
+
+/// Cost by which answers compete: unmatchedCost() plus the mismatch by visibility. It is
+/// totalMismatch() if all seams count equally. [cm2]
+double answerCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+                  const std::vector<Alignment>& at);
+
 TotalMismatch measureTotal(const WallpaperGroup& group, const Pattern& pattern,
                            const Shapes& shapes, const std::vector<Alignment>& at);
 

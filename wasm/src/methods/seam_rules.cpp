@@ -1,6 +1,8 @@
 #include "methods/seam_rules.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "tuning/shaping.h"
 
@@ -41,26 +43,46 @@ double meanMismatch(const std::vector<double>& mismatches, const std::vector<dou
   return length > 0 ? total / length : 0;
 }
 
-double greatestMean(double placed) {
-  return std::max(ShapingTuning::kMet, placed + ShapingTuning::kUnseen);
+double costWeight(const Seam& seam) {
+  if (seam.visibility <= 0) return 1;
+  return isGathered(seam) ? ShapingTuning::kGatheredCost : seam.visibility;
 }
 
-double mismatchUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
-                          const std::vector<double>& placed) {
+double unmatched(double off) {
+  const double t = std::min(1.0, off / ShapingTuning::kUnmatchedShare);
+  return t * t * (3 - 2 * t);
+}
+
+double greatestMean(double placed, double visibility) {
+  double met = ShapingTuning::kMet;
+  if (visibility > 0) {
+    if (placed > ShapingTuning::kLost) return std::numeric_limits<double>::infinity();
+    if (visibility < ShapingTuning::kVisible) met = ShapingTuning::kSeen;
+  }
+  return std::max(met, placed + ShapingTuning::kUnseen);
+}
+
+double mismatchUnderRules(const Pattern& pattern, const std::vector<double>& mismatches,
+                          const std::vector<double>& lengths, const std::vector<double>& placed) {
   double total = 0;
-  for (std::size_t s = 0; s < lengths.size(); ++s)
-    total +=
-        lengths[s] * (mismatches[s] + ShapingTuning::kBeyondLimit *
-                                          std::max(0.0, mismatches[s] - greatestMean(placed[s])));
+  for (std::size_t s = 0; s < lengths.size(); ++s) {
+    const Seam& seam = pattern.seams[s];
+    const double excess =
+        std::max(0.0, mismatches[s] - greatestMean(placed[s], seam.visibility));
+    total += costWeight(seam) *
+             (lengths[s] * (mismatches[s] + ShapingTuning::kBeyondLimit * excess));
+  }
   return total;
 }
 
-Verdict verdictOn(const SeamMeans& means, double moved) {
+Verdict verdictOn(const SeamMeans& means, double moved, double visibility) {
   const bool bent = moved > ShapingTuning::kStraight;
   const double most = means.shaped > ShapingTuning::kBroken ? ShapingTuning::kWorthwhileBroken
+                      : visibility > 0                      ? ShapingTuning::kWorthwhileSeen
                                                             : ShapingTuning::kWorthwhile;
   if (bent && means.shaped > most * means.aligned) return Verdict::kInVain;
-  if (means.shaped > greatestMean(std::min(means.placed, means.aligned))) return Verdict::kWorse;
+  if (means.shaped > greatestMean(std::min(means.placed, means.aligned), visibility))
+    return Verdict::kWorse;
   return Verdict::kKept;
 }
 
@@ -79,6 +101,28 @@ double seamMovement(const Seam& seam, const Pattern& pattern, const Shapes& shap
           std::max(moved, (shapes[side->piece][v] - pattern.pieces[side->piece].rest[v]).norm());
     }
   return moved;
+}
+
+double seamBend(const Seam& seam, const Pattern& pattern, const Shapes& shapes) {
+  double bend = 0;
+  for (const SeamSide* side : {&seam.a, &seam.b}) {
+    const std::vector<Vec2>&rest = pattern.pieces[side->piece].rest, &shape = shapes[side->piece];
+    Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+    for (const int v : side->vertices) from += rest[v], to += shape[v];
+    const auto count = static_cast<double>(side->vertices.size());
+    from /= count, to /= count;
+    double dot = 0, turn = 0;
+    for (const int v : side->vertices) {
+      dot += (rest[v] - from).dot(shape[v] - to);
+      turn += cross(rest[v] - from, shape[v] - to);
+    }
+    const Mat2 turned = rotation(std::atan2(turn, dot));
+    for (std::size_t k = 1; k + 1 < side->vertices.size(); ++k) {
+      const int v = side->vertices[k];
+      bend = std::max(bend, (shape[v] - to - turned * (rest[v] - from)).norm());
+    }
+  }
+  return bend;
 }
 
 }  // namespace seamwise

@@ -25,13 +25,23 @@ double meanMismatch(const std::vector<double>& mismatches, const std::vector<dou
 /// Returns whether a seam counts: it is matched, and does not join a piece to its own mirror twin.
 inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 
-/// The greatest final mean of a seam with mean `placed` by placing alone. [cm]
-double greatestMean(double placed);
+/// Weight of a seam's mismatch where answers are compared: its visibility, little if it is gathered,
+/// and 1 if all seams count equally.
+double costWeight(const Seam& seam);
 
-/// Total mismatch of seams with these means, by their lengths. The excess over the greatest mean
-/// that placing alone allows counts several times more, because no result may end with it. [cm2]
-double mismatchUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
-                          const std::vector<double>& placed);
+/// Degree to which a seam does not match, 0 to 1, if this share of its length is off.
+double unmatched(double off);
+
+/// The greatest final mean of a seam with mean `placed` by placing alone. [cm] Infinite if the seam
+/// is lost there anyway and seams count by their visibility.
+/// @param visibility   of the seam; 0: all seams count equally
+double greatestMean(double placed, double visibility);
+
+/// Total mismatch of the pattern's seams with these means, by their lengths and costWeight(). The
+/// excess over the greatest mean that placing alone allows counts several times more, because no
+/// result may end with it. [cm2]
+double mismatchUnderRules(const Pattern& pattern, const std::vector<double>& mismatches,
+                          const std::vector<double>& lengths, const std::vector<double>& placed);
 
 /// Mean mismatches of one seam: drafted pieces by placing alone, drafted pieces at the final
 /// alignments, and final shapes there. [cm]
@@ -47,7 +57,8 @@ enum class Verdict : std::uint8_t {
 
 /// Judges the mismatch of a seam.
 /// @param moved   greatest movement of its vertices, ends excluded. [cm]
-Verdict verdictOn(const SeamMeans& means, double moved);
+/// @param visibility   of the seam; 0: all seams count equally
+Verdict verdictOn(const SeamMeans& means, double moved, double visibility);
 
 /// Returns whether shaping may reduce a seam's mismatch enough to be worth bending it, if each side
 /// may move by `reach` cm.
@@ -56,5 +67,8 @@ bool isWithinReach(const std::vector<double>& mismatch, double reach);
 
 /// Greatest movement of a seam's vertices, ends excluded. [cm]
 double seamMovement(const Seam& seam, const Pattern& pattern, const Shapes& shapes);
+
+/// The same, after the best rigid motion of each line. [cm]
+double seamBend(const Seam& seam, const Pattern& pattern, const Shapes& shapes);
 
 }  // namespace seamwise

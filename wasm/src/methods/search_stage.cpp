@@ -113,7 +113,8 @@ void SearchStage::limit(Search& search) const {
     const double mean = edges.cost(static_cast<int>(s), edges.pose(seam.a, placed[seam.a]),
                                    edges.pose(seam.b, placed[seam.b]), 0) /
                         seam.weight;
-    seam.limit = ShapingTuning::kLimitShare * greatestMean(mean);
+    const Stitch& stitch = problem_.garment.stitches[static_cast<std::size_t>(seam.seam)];
+    seam.limit = ShapingTuning::kLimitShare * greatestMean(mean, stitch.visibility);
   }
 }
 

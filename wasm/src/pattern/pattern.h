@@ -47,6 +47,7 @@ struct Seam {
   double length_ratio = 1.0;  ///< rho: rest length of a / rest length of b
   bool twin = false;  ///< joins a piece to its own mirror image along corresponding points: any
                       ///< symmetric alignment matches it, so it never counts
+  double visibility = 0;  ///< as of its stitch
 };
 
 /// True if the sides differ too much in length for the print to match along all of the seam at any

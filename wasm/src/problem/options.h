@@ -18,6 +18,12 @@ enum class OpenEdges : std::uint8_t {
   kFree
 };
 
+/// Default weights of seams.
+enum class Visibility : std::uint8_t {
+  kByPlace,  ///< by how much a seam is seen at its place on the body
+  kEven      ///< the same for all
+};
+
 struct GrainRule {
   GrainLock lock = GrainLock::kFree;
   double tolerance = 0;  ///< rad
@@ -50,6 +56,7 @@ struct SolveOptions {
   std::vector<MatchLine> matches;
   std::vector<EdgeRef> locked;  ///< edges that stay as drafted
   OpenEdges open_edges = OpenEdges::kKept;
+  Visibility visibility = Visibility::kByPlace;
   /// Search effort as a multiple of the usual one; a greater effort never gives a worse result.
   double effort = 1;
   /// Work for a proof of the alignment, as a multiple of the search's; unset: a little, if that may

@@ -5,6 +5,7 @@
 #include "pattern/garment.h"
 #include "pattern/note.h"
 #include "problem/options.h"
+#include "problem/seam_groups.h"
 #include "wallpaper/print.h"
 
 namespace seamwise {
@@ -25,6 +26,7 @@ struct Problem {
   GarmentSymmetries symmetries;
   SolveOptions options;
   std::vector<Note> notes;  ///< items dropped or assumed by reading
+  std::vector<SeamGroup> groups;  ///< the stitches as seams of a sewist
 };
 
 }  // namespace seamwise

@@ -8,6 +8,7 @@
 #include "pattern/note.h"
 #include "pattern/pattern.h"
 #include "problem/options.h"
+#include "problem/seam_groups.h"
 #include "seam/join.h"
 #include "solve/seam_reasons.h"
 
@@ -21,6 +22,28 @@ struct SeamFigures {
   double whole = 0;     ///< mismatch of the result under one join for the whole seam
   bool shaped = false;  ///< its line differs from the drafted one by more than 1 mm
   SeamReason reason = SeamReason::kNone;
+};
+
+/// State of a seam. Values are part of the result file: append only.
+enum class SeamState : std::uint8_t {
+  kMatches,  ///< 95 % of its length within 3 mm
+  kClose,    ///< within 6 mm, or all but one short end matches
+  kOff,
+  kCannot,  ///< no alignment and no allowed shape matches it
+  kChoice   ///< left out by the user
+};
+
+/// End of a seam that does not match while the rest does.
+struct UnmatchedEnd {
+  SeamEnd from = SeamEnd::kTop;
+  double cm = 0;  ///< its length
+};
+
+/// State of a seam of one or several stitches.
+struct GroupFigures {
+  SeamState state = SeamState::kMatches;
+  SeamReason reason = SeamReason::kNone;  ///< unless it matches
+  std::optional<UnmatchedEnd> end;
 };
 
 /// Means over all seams that count, weighted by length. [cm]
@@ -60,6 +83,8 @@ struct OtherAlignment {
 struct Result : PrintedPattern {
   std::vector<Alignment> drafted;    ///< a cutter's layout of the pieces as drafted
   std::vector<SeamFigures> figures;  ///< per seam
+  std::vector<SeamGroup> groups;     ///< seams of a sewist
+  std::vector<GroupFigures> states;  ///< per group
   LocalMeans local;
   std::vector<Alignment> search;  ///< end of the alignment search, before any deformation
   double search_bound = 0;        ///< no alignment of the pieces as drafted costs less than this

@@ -39,7 +39,7 @@ void fillSeamFigures(const WallpaperGroup& group, const MatchProblem& match,
     }
     of.whole /= length;
     if (!counts(seam)) continue;
-    if (of.final > kSeenMismatch) of.reason = reasonOf(pattern, seam, match, locked);
+    if (of.final > kSeenMismatch) of.reason = obstacleOf(pattern, seam, match, locked).reason;
     total += length;
     all.drafted += length * of.drafted, all.placed += length * of.placed;
     all.final += length * of.final;

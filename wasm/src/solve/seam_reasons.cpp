@@ -68,11 +68,11 @@ bool isLocked(const Pattern& pattern, const SeamSide& side, const std::vector<Ed
 
 }  // namespace
 
-SeamReason reasonOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
+SeamObstacle obstacleOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
                     const std::vector<EdgeRef>& locked) {
   if (isLocked(pattern, seam.a, locked) || isLocked(pattern, seam.b, locked))
-    return SeamReason::kLocked;
-  if (isGathered(seam)) return SeamReason::kGather;
+    return {SeamReason::kLocked, 0};
+  if (isGathered(seam)) return {SeamReason::kGather, 0};
   const Alignments as_drafted(pattern.pieces.size());
   const SeamMidpoints m = seamMidpoints(seam, restShapes(pattern), as_drafted);
   const auto& elements = match.group.elements();
@@ -83,17 +83,18 @@ SeamReason reasonOf(const Pattern& pattern, const Seam& seam, const MatchProblem
   for (const bool mirrored : {false, true}) free[mirrored] = apart(m, bestLinear(m, mirrored));
   const double possible = has[1] ? std::min(free[0], free[1]) : free[0];
   if (possible > kSeenMismatch)
-    return free[1] > kSeenMismatch ? SeamReason::kSize : SeamReason::kGroup;
+    return {free[1] > kSeenMismatch ? SeamReason::kSize : SeamReason::kGroup, possible};
   const std::vector<double> of_a = anglesOf(match, seam.a.piece);
   const std::vector<double> of_b = anglesOf(match, seam.b.piece);
-  if (of_a.empty() || of_b.empty()) return SeamReason::kOthers;
+  if (of_a.empty() || of_b.empty()) return {SeamReason::kOthers, 0};
   double allowed = std::numeric_limits<double>::infinity();
   for (const double a : of_a)
     for (const double b : of_b)
       for (const Element& e : elements)
         if (has[e.mirrored] && (seam.a.piece != seam.b.piece || a == b))
           allowed = std::min(allowed, apart(m, rotation(a) * e.A * rotation(-b)));
-  return allowed > kSeenMismatch ? SeamReason::kGrain : SeamReason::kOthers;
+  if (allowed > kSeenMismatch) return {SeamReason::kGrain, allowed};
+  return {SeamReason::kOthers, 0};
 }
 
 }  // namespace seamwise

@@ -22,9 +22,16 @@ enum class SeamReason : std::uint8_t {
 /// Greatest mean mismatch of a seam that matches visually. [cm]
 inline constexpr double kSeenMismatch = 0.3;
 
+struct SeamObstacle {
+  SeamReason reason;
+  /// Mean mismatch of the drafted lines under the best motion that the reason allows; 0 for gathers,
+  /// locks and other seams. [cm]
+  double left;
+};
+
 /// The first reason that applies to a seam with a mismatch.
 /// @param match   match problem of the pieces as drafted
-SeamReason reasonOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
+SeamObstacle obstacleOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
                     const std::vector<EdgeRef>& locked);
 
 }  // namespace seamwise

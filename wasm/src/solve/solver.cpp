@@ -16,6 +16,7 @@
 #include "solve/other_alignments.h"
 #include "solve/remarks.h"
 #include "solve/seam_figures.h"
+#include "solve/seam_states.h"
 #include "tuning/progress.h"
 
 namespace seamwise {
@@ -197,6 +198,9 @@ Outcome<Result> Solver::finish() {
         otherAlignments(joining, result.pattern, rest, {result.alignment, result.search},
                         run.compared(), BestRun::reachOf(problem.options));
   fillSeamFigures(joining, *state_->match, problem.options.locked, result);
+  result.groups = problem.groups;
+  result.states = seamStates(joining, *state_->match, problem.options.locked, result.groups,
+                             BestRun::reachOf(problem.options), result);
   result.max_moved_cm = greatestMovement(result.pattern, result.shapes);
   if (problem.options.max_change_cm >= kLeastChange)
     if (auto note = remarkOnRest(result.pattern, result.shapes, result.local.worst))

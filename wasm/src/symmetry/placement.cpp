@@ -27,12 +27,13 @@ Placement::Placement(const Garment& garment) : garment_(garment) {
   }
 }
 
+Vec3 Placement::placed(int piece, const Vec2& p) const {
+  return turns_[piece] * Vec3(p.x(), p.y(), 0) + garment_.panels[piece].placement_shift;
+}
+
 double Placement::disagreement(int from, int to, const RigidMotion& map,
                                const Outline& outline) const {
   if (!known_) return 0;
-  const auto placed = [&](int piece, const Vec2& p) -> Vec3 {
-    return turns_[piece] * Vec3(p.x(), p.y(), 0) + garment_.panels[piece].placement_shift;
-  };
   double sum = 0;
   for (const Vec2& p : outline.even()) {
     Vec3 mirrored = placed(from, p);

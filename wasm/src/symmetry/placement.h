@@ -10,6 +10,8 @@ class Placement {
  public:
   explicit Placement(const Garment& garment);
 
+  /// Position on the body of a point of a piece: x to the left, y up, z ahead. [cm]
+  Vec3 placed(int piece, const Vec2& p) const;
   /// False if every piece has the same placement, as in files without placements.
   bool known() const { return known_; }
   /// Root mean square distance between the 3D mirror image of piece `from` and its image on piece

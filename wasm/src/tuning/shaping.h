@@ -111,12 +111,30 @@ struct ShapingTuning {
   /// Greatest share of its mean that remains if bending a seam pays off, and the same for a seam
   /// that still looks broken. Rule.
   static constexpr double kWorthwhile = 0.75, kWorthwhileBroken = 0.5;
+  /// The first of both if seams count by their visibility. Rule.
+  static constexpr double kWorthwhileSeen = 0.85;
+  /// Mean by placing alone above which a seam is lost anyway, so that shaping may worsen it, if
+  /// seams count by their visibility. [cm] Rule.
+  static constexpr double kLost = 0.5;
+  /// Least visibility of a seam that is seen at first sight. Rule.
+  static constexpr double kVisible = 1.5;
   /// Greatest movement of a line that still looks as drafted. [cm] Rule.
   static constexpr double kStraight = 0.1;
   /// Share of the greatest mean that limits alignments, so that shaping has some tolerance. Chosen.
   static constexpr double kLimitShare = 0.98;
   /// Factor of the excess over the greatest mean in the comparison of starts. Chosen.
   static constexpr double kBeyondLimit = 8;
+
+  // --- comparison of answers, if seams count by their visibility
+
+  /// Greatest mismatch that is not seen. [cm] Rule.
+  static constexpr double kSeen = 0.3;
+  /// Share of a seam's length that is off at which it no longer counts as matched. Chosen.
+  static constexpr double kUnmatchedShare = 0.2;
+  /// Cost of a seam that does not match, per cm of its length. [cm]
+  static constexpr double kUnmatchedCost = 1.0;
+  /// Weight of the mismatch of a gathered seam. Chosen.
+  static constexpr double kGatheredCost = 0.1;
 
   // --- settling, once targets are fixed
 

@@ -47,6 +47,11 @@ export interface SolveOptions {
   readonly locked?: Locks;
   /** Hems and other unsewn edges: `kept` as drafted, or `free` to change. Default `kept`. */
   readonly openEdges?: OpenEdges;
+  /**
+   * Default weights of seams: by how much a seam is seen at its place on the body (`place`), or the
+   * same for all (`even`). Default `place`.
+   */
+  readonly visibility?: Visibility;
   /** Effort of the search, from 1, the default. A result with more effort is never worse. */
   readonly effort?: number;
   /**
@@ -64,6 +69,8 @@ export type Lock = true | readonly number[];
 export type Locks = Readonly<Record<string, Lock>>;
 
 export type OpenEdges = 'kept' | 'free';
+
+export type Visibility = 'place' | 'even';
 
 /** Two marked lines that coincide without being sewn (a button front, a patch pocket). */
 export interface MatchedLines {

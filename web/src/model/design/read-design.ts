@@ -99,6 +99,7 @@ const options: Read<SolveOptions> = shape(
     ),
     locked: recordOf(lock),
     openEdges: oneOf(['kept', 'free']),
+    visibility: oneOf(['place', 'even']),
     proof: number(...optionLimits.proof),
   },
 );

@@ -86,6 +86,54 @@ export interface LocalMismatch {
  */
 export type SeamReason = 'grain' | 'gather' | 'group' | 'size' | 'others' | 'locked';
 
+/** Places of seams on the body. */
+export type SeamPlace =
+  | 'other'
+  | 'centre front'
+  | 'centre back'
+  | 'side'
+  | 'shoulder'
+  | 'princess'
+  | 'yoke'
+  | 'waist'
+  | 'sleeve head, front'
+  | 'sleeve head, back'
+  | 'sleeve'
+  | 'inseam'
+  | 'outseam'
+  | 'crotch'
+  | 'band'
+  | 'cuff'
+  | 'collar'
+  | 'hood'
+  | 'pocket'
+  | 'dart'
+  | 'facing'
+  | 'inside';
+
+/**
+ * `matches`: 95 % of the length within 3 mm; `close`: within 6 mm, or all but one short end
+ * matches; `cannot`: no alignment and no allowed shape matches it; `choice`: left out by the user.
+ */
+export type SeamState = 'matches' | 'close' | 'off' | 'cannot' | 'choice';
+
+/** Consecutive stitches that a sewist calls one seam. */
+export interface SeamGroup {
+  /** Indices of its seams. */
+  readonly seams: readonly number[];
+  readonly place: SeamPlace;
+  /** How much a mismatch is seen: 1.5 or more at first sight. */
+  readonly visibility: number;
+  readonly state: SeamState;
+  /** Reason why it does not match. */
+  readonly reason?: SeamReason | 'reach';
+  /** The end that does not match while the rest does, as worn. */
+  readonly unmatchedEnd?: {
+    readonly from: 'top' | 'bottom' | 'left' | 'right';
+    readonly cm: number;
+  };
+}
+
 /** An imposed symmetry; `pairs` cover every outline vertex. */
 export type ResultSymmetry =
   | {
@@ -192,6 +240,8 @@ export interface SolveResult {
   readonly continuousOnly?: boolean;
   readonly pieces: readonly ResultPiece[];
   readonly seams: readonly ResultSeam[];
+  /** The seams of a sewist, with their states; absent in results of earlier versions. */
+  readonly seamGroups?: readonly SeamGroup[];
   readonly symmetries: readonly ResultSymmetry[];
   /** Lines that coincide without being sewn, as in a button front. */
   readonly matches?: readonly {readonly a: ResultMatchSide; readonly b: ResultMatchSide}[];
