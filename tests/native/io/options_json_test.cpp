@@ -30,7 +30,7 @@ TEST(OptionsFile, KeepsTheDefaultsOfWhatItLeavesOut) {
 TEST(OptionsFile, IsReadInAllItsFields) {
   const auto read = options(R"({
       "maxChangeCm": 0.5, "alpha": 2, "edgeLengthCm": 0.8, "continuousOnly": true,
-      "averageSeamShapes": false, "proof": 0.5, "starts": 50, "clipTargets": true,
+      "averageSeamShapes": false, "visibility": "even", "proof": 0.5, "starts": 50, "clipTargets": true,
       "grain": {"default": "bias", "toleranceDeg": 9,
                 "pieces": {"front": "on", "back": {"lock": "free", "toleranceDeg": 18}}},
       "pins": {"back": {"angle": 0.25, "translation": [1, 2]}},
@@ -44,6 +44,7 @@ TEST(OptionsFile, IsReadInAllItsFields) {
   EXPECT_EQ(o.edge_length_cm, 0.8);
   EXPECT_TRUE(o.continuous_only);
   EXPECT_EQ(o.average_seam_shapes, false);
+  EXPECT_EQ(o.visibility, Visibility::kEven);
   EXPECT_EQ(o.proof, 0.5);
   EXPECT_EQ(o.starts, 50);
   EXPECT_TRUE(o.clip_targets);

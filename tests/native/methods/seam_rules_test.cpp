@@ -1,5 +1,7 @@
 #include "methods/seam_rules.h"
 
+#include "pattern/discretise.h"
+#include "support/garment_texts.h"
 #include "support/solver_samples.h"
 
 namespace seamwise {
@@ -29,22 +31,56 @@ double offLine(const Result& result, int piece, int edge) {
   return off;
 }
 
+Pattern twoRectanglesPattern() {
+  const Garment garment = testing::mustRead(testing::twoRectangles()).garment;
+  return discretise(garment, {}, {}, 1).value();
+}
+
 TEST(Verdict, LeavesAloneWhatIsNotBentAndNoWorse) {
-  EXPECT_EQ(verdictOn({1.2, 1.2, 1.2}, 0), Verdict::kKept);
-  EXPECT_EQ(verdictOn({0, 0.8, 0.09}, 0.9), Verdict::kKept);  // matches nevertheless
-  EXPECT_EQ(verdictOn({1.2, 1.2, 0.4}, 0.9), Verdict::kKept);
+  EXPECT_EQ(verdictOn({1.2, 1.2, 1.2}, 0, 0), Verdict::kKept);
+  EXPECT_EQ(verdictOn({0, 0.8, 0.09}, 0.9, 0), Verdict::kKept);  // matches nevertheless
+  EXPECT_EQ(verdictOn({1.2, 1.2, 0.4}, 0.9, 0), Verdict::kKept);
 }
 
 TEST(Verdict, FindsWhatIsBentInVain) {
-  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.2), Verdict::kInVain);  // gains less than a quarter
-  EXPECT_EQ(verdictOn({3.0, 3.0, 2.0}, 0.2), Verdict::kInVain);   // mismatched, gains under a half
-  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.05), Verdict::kKept);   // movement too small to see
+  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.2, 0), Verdict::kInVain);  // gains less than a quarter
+  EXPECT_EQ(verdictOn({3.0, 3.0, 2.0}, 0.2, 0),
+            Verdict::kInVain);  // mismatched, gains under a half
+  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.05, 0), Verdict::kKept);  // movement too small to see
 }
 
 TEST(Verdict, FindsWhatIsWorseThanByPlacingAlone) {
-  EXPECT_EQ(verdictOn({0, 1, 0.3}, 0.9), Verdict::kWorse);
-  EXPECT_EQ(verdictOn({0.5, 0.5, 0.55}, 0), Verdict::kWorse);
-  EXPECT_EQ(verdictOn({0.5, 0.5, 0.52}, 0), Verdict::kKept);
+  EXPECT_EQ(verdictOn({0, 1, 0.3}, 0.9, 0), Verdict::kWorse);
+  EXPECT_EQ(verdictOn({0.5, 0.5, 0.55}, 0, 0), Verdict::kWorse);
+  EXPECT_EQ(verdictOn({0.5, 0.5, 0.52}, 0, 0), Verdict::kKept);
+}
+
+TEST(Verdict, LeavesALostSeamUnprotectedIfSeamsCountByVisibility) {
+  EXPECT_EQ(verdictOn({0.6, 0.6, 0.9}, 0, 2), Verdict::kKept);
+  EXPECT_EQ(verdictOn({0.4, 0.4, 0.45}, 0, 2), Verdict::kWorse);
+  EXPECT_EQ(verdictOn({0.1, 0.1, 0.25}, 0, 2), Verdict::kWorse);
+  EXPECT_EQ(verdictOn({0.1, 0.1, 0.25}, 0, 0.5), Verdict::kKept);  // hardly seen, within 3 mm
+  EXPECT_EQ(verdictOn({0.8, 0.8, 0.65}, 0.2, 2), Verdict::kKept);
+  EXPECT_EQ(verdictOn({0.8, 0.8, 0.7}, 0.2, 2), Verdict::kInVain);
+}
+
+TEST(Unmatched, GrowsSmoothlyWithTheShareThatIsOff) {
+  EXPECT_EQ(unmatched(0), 0);
+  EXPECT_NEAR(unmatched(0.1), 0.5, 1e-12);
+  EXPECT_EQ(unmatched(0.2), 1);
+  EXPECT_EQ(unmatched(1), 1);
+}
+
+TEST(Bend, LeavesOutRigidMotions) {
+  const Pattern pattern = twoRectanglesPattern();
+  Shapes shapes = restShapes(pattern);
+  const RigidMotion motion{0.3, Vec2(1, -2), false};
+  for (Vec2& p : shapes[0]) p = motion(p);
+  EXPECT_LT(seamBend(pattern.seams[0], pattern, shapes), 1e-12);
+  EXPECT_GT(seamMovement(pattern.seams[0], pattern, shapes), 1);
+  const int middle = pattern.seams[0].a.vertices[3];
+  shapes[0][middle] += Vec2(0.5, 0);
+  EXPECT_GT(seamBend(pattern.seams[0], pattern, shapes), 0.3);
 }
 
 TEST(Reach, IsWhatBothSidesMayMoveTogether) {

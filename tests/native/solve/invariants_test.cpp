@@ -167,9 +167,9 @@ TEST(SolverInvariants, TwiceTheGarmentOnTwiceThePrintHasFourTimesTheFit) {
   for (Task small : settledTasks()) {
     // Scaling a problem also scales its sampling, which stays below 1.05 cm at seams. Stiffness and
     // the least relevant distances are in cm, so only the search scales.
-    small.options = {{"edgeLengthCm", 0.5}, {"maxChangeCm", 0.5}};
+    small.options.update({{"edgeLengthCm", 0.5}, {"maxChangeCm", 0.5}});
     Task large = small;
-    large.options = {{"edgeLengthCm", 1}, {"maxChangeCm", 1}};
+    large.options.update({{"edgeLengthCm", 1}, {"maxChangeCm", 1}});
     moveVertices(large.garment, [](int, const Vec2& p) { return Vec2(2 * p); });
     large.print = testing::samplePrint(small.print["group"], 20);
     const Result a = solved(small), b = solved(large);

@@ -37,11 +37,12 @@ inline Json samplePrint(const std::string& group, double size = 10) {
   return {{"group", group}, {"w1", {size, 0}}, {"w2", w2}};
 }
 
-/// Problem to solve, with everything that a test may reformulate.
+/// Problem to solve, with everything that a test may reformulate. All seams count equally, so that
+/// the cost of an answer is its total mismatch.
 struct Task {
   Json garment, print;
   std::string symmetry = "auto";
-  Json options = Json::object();
+  Json options = {{"visibility", "even"}};
   Method method = Method::kBest;
   std::uint32_t seed = 1;
 };

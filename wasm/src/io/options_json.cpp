@@ -119,28 +119,12 @@ Visibility readVisibility(const JsonValue& json, const Place& place) {
 
 Outcome<SolveOptions> read(const JsonValue& document, const Garment& garment, const Place& place) {
   object(document, place, "content");
-  onlyKnown(document, place,
-            {"$schema",
-             "format",
-             "maxChangeCm",
-             "edgeLengthCm",
-             "alpha",
-             "continuousOnly",
-             "averageSeamShapes",
-             "starts",
-             "clipTargets",
-             "grain",
-             "pins",
-             "weights",
-             "unmatched",
-             "plain",
-             "matches",
-             "proof",
-             "locked",
-             "openEdges",
-             "visibility",
-             "effort",
-             "otherAlignments"});
+  onlyKnown(
+      document, place,
+      {"$schema",           "format", "maxChangeCm",    "edgeLengthCm", "alpha",  "continuousOnly",
+       "averageSeamShapes", "starts", "clipTargets",    "grain",        "pins",   "weights",
+       "unmatched",         "plain",  "matches",        "proof",        "locked", "openEdges",
+       "visibility",        "effort", "otherAlignments"});
   checkFormat(document, place, "seamwise-options", 1);
   for (const auto& [key, value] : document.members())
     if (value.isNull())

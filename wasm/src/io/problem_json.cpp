@@ -177,6 +177,8 @@ Outcome<Problem> ProblemReader::take() {
   if (auto note = assumedGrain(*problem_, texts_.garment_name))
     problem_->notes.push_back(std::move(*note));
   problem_->groups = seamGroups(problem_->garment, problem_->symmetries.known);
+  if (problem_->options.method != Method::kBest)
+    problem_->options.visibility = Visibility::kEven;  // as published
   if (problem_->options.visibility == Visibility::kByPlace)
     weighByVisibility(problem_->groups, &problem_->garment, &problem_->options.matches);
   return std::move(*problem_);

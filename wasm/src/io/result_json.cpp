@@ -291,6 +291,7 @@ std::string writeResult(const Result& r) {
   out.field("p90", r.local.p90);
   out.close();
   out.field("offCm", r.local.off);
+  out.field("answerCost", r.cost);
   out.field("maxMovedCm", r.max_moved_cm);
   out.field("iterations", r.iterations);
   out.field("factorisations", r.factorisations);

@@ -47,7 +47,7 @@ void EffortRun::begin() {
 
 double EffortRun::mismatchOf(const BestRun& run) const {
   return answerCost(problem_.print.group.joining(rules_.continuous_only), requested_.pattern,
-                       run.shapes(), run.alignment());
+                    run.shapes(), run.alignment());
 }
 
 /// No alignment costs less than this share of search(), which may be that of the symmetric pattern.

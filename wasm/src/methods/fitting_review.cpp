@@ -44,8 +44,7 @@ FittingStage::Judgement FittingStage::judge() {
     const Seam& seam = pattern.seams[s];
     const double moved = seam.visibility > 0 ? seamBend(seam, pattern, fitting_->shapes())
                                              : seamMovement(seam, pattern, fitting_->shapes());
-    const Verdict verdict =
-        verdictOn({placed[s], aligned[s], shaped[s]}, moved, seam.visibility);
+    const Verdict verdict = verdictOn({placed[s], aligned[s], shaped[s]}, moved, seam.visibility);
     if (verdict == Verdict::kKept) continue;
     worse_[s] = verdict == Verdict::kWorse;
     if (worse_[s]) {

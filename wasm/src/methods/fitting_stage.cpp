@@ -162,9 +162,9 @@ void FittingStage::realign() {
     if (seam.seam < 0) continue;
     const auto s = static_cast<std::size_t>(seam.seam);
     if (!start.shaped[s] || start.rounds > 0 || start.steps >= ShapingTuning::kLimitedFrom)
-      seam.limit = ShapingTuning::kLimitShare *
-                       greatestMean(placed[s], reweighted.seams[s].visibility) -
-                   start.margins[s];
+      seam.limit =
+          ShapingTuning::kLimitShare * greatestMean(placed[s], reweighted.seams[s].visibility) -
+          start.margins[s];
   }
   std::vector<int> all(now.leaders.size());
   std::iota(all.begin(), all.end(), 0);

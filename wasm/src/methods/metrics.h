@@ -32,8 +32,8 @@ struct MismatchTotals {
 double totalMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                      const std::vector<Alignment>& at);
 
-/// Cost of the seams that do not match, softly counted by their visible length; 0 if all seams count
-/// equally. [cm2]
+/// Cost of the seams that do not match, softly counted by their visible length; 0 if all seams
+/// count equally. [cm2]
 double unmatchedCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                      const std::vector<Alignment>& at);
 

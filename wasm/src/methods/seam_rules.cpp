@@ -67,10 +67,9 @@ double mismatchUnderRules(const Pattern& pattern, const std::vector<double>& mis
   double total = 0;
   for (std::size_t s = 0; s < lengths.size(); ++s) {
     const Seam& seam = pattern.seams[s];
-    const double excess =
-        std::max(0.0, mismatches[s] - greatestMean(placed[s], seam.visibility));
-    total += costWeight(seam) *
-             (lengths[s] * (mismatches[s] + ShapingTuning::kBeyondLimit * excess));
+    const double excess = std::max(0.0, mismatches[s] - greatestMean(placed[s], seam.visibility));
+    total +=
+        costWeight(seam) * (lengths[s] * (mismatches[s] + ShapingTuning::kBeyondLimit * excess));
   }
   return total;
 }

@@ -25,8 +25,8 @@ double meanMismatch(const std::vector<double>& mismatches, const std::vector<dou
 /// Returns whether a seam counts: it is matched, and does not join a piece to its own mirror twin.
 inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 
-/// Weight of a seam's mismatch where answers are compared: its visibility, little if it is gathered,
-/// and 1 if all seams count equally.
+/// Weight of a seam's mismatch where answers are compared: its visibility, little if it is
+/// gathered, and 1 if all seams count equally.
 double costWeight(const Seam& seam);
 
 /// Degree to which a seam does not match, 0 to 1, if this share of its length is off.

@@ -150,9 +150,8 @@ Pattern assembled(const Garment& garment, const Outlines& outlines, const Breakp
     return out;
   };
   for (const Stitch& s : garment.stitches)
-    pattern.seams.push_back(
-        {side(s.a, false), side(s.b, !s.same_direction), s.weight, s.matched, 1.0, false,
-         s.visibility});
+    pattern.seams.push_back({side(s.a, false), side(s.b, !s.same_direction), s.weight, s.matched,
+                             1.0, false, s.visibility});
   setLengthRatios(pattern);
   return pattern;
 }

@@ -40,7 +40,7 @@ struct Stitch {
   EdgeRef a, b;
   bool same_direction = false;  ///< "right_wrong" in GarmentCode
   double weight = 1.0;
-  bool matched = true;  ///< false: sewn, but the print need not match
+  bool matched = true;    ///< false: sewn, but the print need not match
   double visibility = 0;  ///< how much a mismatch is seen; 0: all seams count equally
   bool operator==(const Stitch&) const = default;
 };

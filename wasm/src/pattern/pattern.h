@@ -45,8 +45,8 @@ struct Seam {
   double weight = 1.0;
   bool matched = true;        ///< false: sewn, but its mismatch does not count
   double length_ratio = 1.0;  ///< rho: rest length of a / rest length of b
-  bool twin = false;  ///< joins a piece to its own mirror image along corresponding points: any
-                      ///< symmetric alignment matches it, so it never counts
+  bool twin = false;      ///< joins a piece to its own mirror image along corresponding points: any
+                          ///< symmetric alignment matches it, so it never counts
   double visibility = 0;  ///< as of its stitch
 };
 

@@ -25,7 +25,7 @@ struct Problem {
   Print print;
   GarmentSymmetries symmetries;
   SolveOptions options;
-  std::vector<Note> notes;  ///< items dropped or assumed by reading
+  std::vector<Note> notes;        ///< items dropped or assumed by reading
   std::vector<SeamGroup> groups;  ///< the stitches as seams of a sewist
 };
 

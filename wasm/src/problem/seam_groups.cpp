@@ -75,7 +75,8 @@ double turnAt(const Panel& panel, int edge, int next) {
   return std::abs(turnBetween(panel.edges[edge].derivative(1), panel.edges[next].derivative(0)));
 }
 
-/// Returns whether two edges of a panel follow each other, and whether the outline goes straight on.
+/// Returns whether two edges of a panel follow each other, and whether the outline goes straight
+/// on.
 struct Neighbours {
   bool adjacent = false, smooth = false;
 };

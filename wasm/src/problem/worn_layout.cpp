@@ -14,6 +14,8 @@ namespace {
 constexpr int kSteps = 8;  ///< of each edge
 /// Height over the shoulders of the middle of a collar or hood. [cm]
 constexpr double kOverShoulders = 1;
+/// Least difference of the top edges of front and back that decides which is which. [cm]
+constexpr double kLowerTop = 1;
 /// Least distance between the pieces of front and back. [cm]
 constexpr double kOneSided = 8;
 /// Breadth around an axis at which the top edges of front and back are compared. [cm]
@@ -28,7 +30,8 @@ Pattern sketchOf(const Garment& garment) {
       piece.edge_start.push_back(static_cast<int>(piece.rest.size()));
       for (int k = 0; k < kSteps; ++k) piece.rest.push_back(edge.at(double(k) / kSteps));
     }
-    for (std::size_t v = 0; v < piece.rest.size(); ++v) piece.outline.push_back(static_cast<int>(v));
+    for (std::size_t v = 0; v < piece.rest.size(); ++v)
+      piece.outline.push_back(static_cast<int>(v));
     sketch.pieces.push_back(std::move(piece));
   }
   const auto side = [&](const EdgeRef& edge, bool backwards) {
@@ -69,7 +72,7 @@ class WoundPieces {
   }
 
  private:
-  /// An axis of the garment, or the opposite one: by names, else where the top edge is lower.
+  /// An axis of the garment, or the opposite one: where the top edge is lower, else by names.
   double frontAxis() const {
     double axis = axis_;
     for (const BodySymmetry& symmetry : known_) {
@@ -91,11 +94,10 @@ class WoundPieces {
         const Vec2 p = layout_.laid(i, v);
         const double halves = 2 * (p.x() - axis) / girth_, nearest = std::round(halves);
         double& highest = top[static_cast<int>(std::abs(nearest)) % 2];
-        if (std::abs(halves - nearest) * girth_ < 2 * kNearAxis)
-          highest = std::max(highest, p.y());
+        if (std::abs(halves - nearest) * girth_ < 2 * kNearAxis) highest = std::max(highest, p.y());
       }
     }
-    if (facing == 0) facing = top[1] - top[0];
+    if (std::abs(top[1] - top[0]) > kLowerTop) facing = top[1] - top[0];
     return facing < 0 ? axis + girth_ / 2 : axis;
   }
 
@@ -153,7 +155,8 @@ WornLayout wornLayout(const Garment& garment, const std::vector<BodySymmetry>& k
   }
   if (placement.known()) findNeck(upright, &worn);
   // A garment that covers one side of the body covers its front, unless it is placed behind.
-  if (front - back < kOneSided) (front < -kOneSided ? front : back) = front < -kOneSided ? kOneSided : back - 2 * kOneSided;
+  if (front - back < kOneSided)
+    (front < -kOneSided ? front : back) = front < -kOneSided ? kOneSided : back - 2 * kOneSided;
   worn.middle_depth = (front + back) / 2;
   worn.depth = (front - back) / 2;
   return worn;

@@ -91,6 +91,8 @@ struct Result : PrintedPattern {
                                   ///< share of the cost at `search`
   double search_cost = 0;         ///< cost of drafted pieces at `search`, by seam weights. [cm2]
   std::optional<std::vector<OtherAlignment>> others;  ///< set if requested
+  /// answerCost() of the result; a lower one is a better answer to the same problem. [cm2]
+  double cost = 0;
   double max_moved_cm = 0;
   int iterations = 0;      ///< number of iterations of the deformation
   int factorisations = 0;  ///< number of sparse LDLT factorisations

@@ -69,7 +69,7 @@ bool isLocked(const Pattern& pattern, const SeamSide& side, const std::vector<Ed
 }  // namespace
 
 SeamObstacle obstacleOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
-                    const std::vector<EdgeRef>& locked) {
+                        const std::vector<EdgeRef>& locked) {
   if (isLocked(pattern, seam.a, locked) || isLocked(pattern, seam.b, locked))
     return {SeamReason::kLocked, 0};
   if (isGathered(seam)) return {SeamReason::kGather, 0};

@@ -24,14 +24,14 @@ inline constexpr double kSeenMismatch = 0.3;
 
 struct SeamObstacle {
   SeamReason reason;
-  /// Mean mismatch of the drafted lines under the best motion that the reason allows; 0 for gathers,
-  /// locks and other seams. [cm]
+  /// Mean mismatch of the drafted lines under the best motion that the reason allows; 0 for
+  /// gathers, locks and other seams. [cm]
   double left;
 };
 
 /// The first reason that applies to a seam with a mismatch.
 /// @param match   match problem of the pieces as drafted
 SeamObstacle obstacleOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
-                    const std::vector<EdgeRef>& locked);
+                        const std::vector<EdgeRef>& locked);
 
 }  // namespace seamwise

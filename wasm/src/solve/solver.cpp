@@ -198,6 +198,7 @@ Outcome<Result> Solver::finish() {
         otherAlignments(joining, result.pattern, rest, {result.alignment, result.search},
                         run.compared(), BestRun::reachOf(problem.options));
   fillSeamFigures(joining, *state_->match, problem.options.locked, result);
+  result.cost = answerCost(joining, result.pattern, result.shapes, result.alignment);
   result.groups = problem.groups;
   result.states = seamStates(joining, *state_->match, problem.options.locked, result.groups,
                              BestRun::reachOf(problem.options), result);

@@ -1,0 +1,137 @@
+#include "problem/seam_groups.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "support/garment_texts.h"
+#include "io/garment_json.h"
+#include "symmetry/detection.h"
+
+namespace seamwise {
+namespace {
+
+using testing::mustRead;
+using testing::twoRectangles;
+
+/// A sample garment in its middle size, with the placements of its file or without.
+Garment sample(const std::string& name, bool placed = true) {
+  std::ifstream file(std::string(SEAMWISE_GARMENTS) + "/" + name + "-m.json");
+  std::ostringstream text;
+  text << file.rdbuf();
+  Garment garment = readGarment(text.str(), name).value().garment;
+  for (Panel& panel : garment.panels)
+    if (!placed) panel.placement_shift = panel.placement_turn = Vec3::Zero();
+  return garment;
+}
+
+std::vector<SeamGroup> groupsOf(const Garment& garment) {
+  SymmetryDetection detection(garment);
+  while (detection.advance()) {
+  }
+  return seamGroups(garment, detection.found());
+}
+
+/// Names of places by stitch.
+std::vector<std::string> placesOf(const Garment& garment) {
+  std::vector<std::string> places(garment.stitches.size());
+  for (const SeamGroup& group : groupsOf(garment))
+    for (const int s : group.seams) places[s] = placeName(group.place);
+  return places;
+}
+
+struct Expected {
+  const char* garment;
+  std::map<int, std::string> places;  ///< by stitch
+};
+
+const Expected kExpected[] = {{"tee",
+                               {{0, "side"},
+                                {1, "side"},
+                                {2, "shoulder"},
+                                {4, "sleeve head, front"},
+                                {6, "sleeve head, back"},
+                                {8, "sleeve"}}},
+                              {"princess-dress",
+                               {{0, "princess"},
+                                {6, "dart"},
+                                {8, "side"},
+                                {14, "shoulder"},
+                                {18, "princess"},
+                                {24, "centre back"}}},
+                              {"raglan",
+                               {{0, "centre front"},
+                                {1, "centre back"},
+                                {2, "side"},
+                                {4, "sleeve head, front"},
+                                {6, "sleeve head, back"},
+                                {10, "sleeve"}}},
+                              {"trousers",
+                               {{0, "outseam"},
+                                {6, "inseam"},
+                                {10, "centre front"},
+                                {11, "centre back"},
+                                {14, "dart"},
+                                {16, "band"}}}};
+
+TEST(SeamGroups, HavePlacesFromThePlacementsOfTheFile) {
+  for (const Expected& one : kExpected) {
+    const std::vector<std::string> places = placesOf(sample(one.garment));
+    for (const auto& [stitch, place] : one.places)
+      EXPECT_EQ(places[stitch], place) << one.garment << " stitch " << stitch;
+  }
+  const std::vector<std::string> hoodie = placesOf(sample("hoodie"));
+  EXPECT_EQ(hoodie[10], "cuff");
+  EXPECT_EQ(hoodie[14], "hood");
+  EXPECT_EQ(hoodie[21], "band");
+  EXPECT_EQ(placesOf(sample("shirt"))[26], "collar");
+}
+
+TEST(SeamGroups, HavePlacesFromTheSeamsWithoutPlacements) {
+  for (const Expected& one : kExpected) {
+    const std::vector<std::string> places = placesOf(sample(one.garment, false));
+    for (const auto& [stitch, place] : one.places)
+      EXPECT_EQ(places[stitch], place) << one.garment << " stitch " << stitch;
+  }
+}
+
+TEST(SeamGroups, JoinStitchesAcrossDartsAlongOneLine) {
+  const Garment garment = sample("shift-dress");
+  std::vector<int> stitches(garment.stitches.size());
+  for (const SeamGroup& group : groupsOf(garment)) {
+    for (const int s : group.seams) ++stitches[s];
+    if (group.place == SeamPlace::kSide) {
+      EXPECT_EQ(group.seams.size(), 2u);  // below and above the bust dart
+      EXPECT_EQ(group.ends[0] == SeamEnd::kTop, group.ends[1] == SeamEnd::kBottom);
+    }
+  }
+  EXPECT_EQ(stitches, std::vector<int>(stitches.size(), 1));
+}
+
+TEST(SeamGroups, AreSeparateAtCorners) {
+  // both sides and the top of two rectangles
+  Json text = twoRectangles();
+  text["pattern"]["stitches"].push_back(
+      {{{"panel", "front"}, {"edge", 2}}, {{"panel", "back"}, {"edge", 2}}});
+  EXPECT_EQ(groupsOf(mustRead(text).garment).size(), 3u);
+}
+
+TEST(Visibility, SetsWeightsThatTheFileLeavesOpen) {
+  Garment garment = sample("gathered-skirt");  // 0, 1 sides, 4, 5 gathered
+  for (Stitch& stitch : garment.stitches) stitch.weight = 1;
+  garment.stitches[1].weight = 0.5;
+  garment.matches.push_back({0, 1, {{0, 0}, {0, 1}}, {{0, 0}, {0, 1}}, 1});
+  garment.matches.push_back({0, 1, {{0, 0}, {0, 1}}, {{0, 0}, {0, 1}}, 3});
+  weighByVisibility(groupsOf(garment), &garment, &garment.matches);
+  EXPECT_EQ(garment.stitches[0].weight, 2);
+  EXPECT_EQ(garment.stitches[1].weight, 0.5);
+  EXPECT_EQ(garment.stitches[1].visibility, 2);
+  EXPECT_EQ(garment.stitches[4].weight, 0.1);
+  EXPECT_EQ(garment.matches[0].weight, 2);
+  EXPECT_EQ(garment.matches[1].weight, 3);
+}
+
+}  // namespace
+}  // namespace seamwise
