@@ -44,11 +44,25 @@ function mismatch(result: SolveResult, asked: Asked): string[] {
   ];
 }
 
+/** Least visibility of a seam that is seen at first sight. */
+const visible = 1.5;
+
+/** The number of visible seams that match, without those that the user has left out. */
+function matching({seamGroups = []}: SolveResult): string[] {
+  const seen = seamGroups.filter(
+    ({visibility, state}) => visibility >= visible && state !== 'choice',
+  );
+  if (seen.length === 0) return [];
+  const matched = seen.filter(({state}) => state === 'matches');
+  return [`${String(matched.length)} of ${String(seen.length)} visible seams match`];
+}
+
 /** The figures of a result in one line. */
 export function figuresLine(name: string, result: SolveResult, asked: Asked): string {
   const {print, pieces, seams, metrics} = result;
   return [
     `${name}: ${String(pieces.length)} pieces, ${String(seams.length)} seams, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
+    ...matching(result),
     ...mismatch(result, asked),
     `moved at most ${millimetres(metrics.maxMovedCm)}`,
     `${String(metrics.milliseconds.total)} ms`,
