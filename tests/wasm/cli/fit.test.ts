@@ -56,7 +56,7 @@ describe('align', () => {
     async (garment) => {
       const once = await aligned(garment, '--no-remedies');
       const longer = await aligned(garment, '--no-remedies', '--effort', '3');
-      expect(longer.fit).toBeLessThanOrEqual(once.fit);
+      expect(longer.answerCost).toBeLessThanOrEqual(once.answerCost ?? NaN);
     },
   );
 
@@ -69,7 +69,7 @@ describe('align', () => {
     };
     const tee = shipped('garments/tee-m.json');
     expect(await figures(tee)).toMatch(
-      /; on average the print misses by [\d.]+ mm at the seams, at the worst by [\d.]+ mm; before [\d.]+ mm; /,
+      /; \d+ of \d+ visible seams match; on average the print misses by [\d.]+ mm at the seams, at the worst by [\d.]+ mm; before [\d.]+ mm; /,
     );
     const {pattern, ...rest} = JSON.parse(readFileSync(tee, 'utf8')) as {
       pattern: {panels: Record<string, {grain?: unknown}>};

@@ -199,6 +199,11 @@ export interface Metrics extends Fits {
   readonly localCm?: LocalMismatch & {readonly worst: number; readonly p90?: number};
   /** Length of seam with a mismatch above 5 mm. [cm] */
   readonly offCm?: number;
+  /**
+   * Cost by which answers to one problem compete: mismatch by visibility, and the visible length
+   * that does not match. [cm2]
+   */
+  readonly answerCost?: number;
   /** Number of iterations of the deformation. */
   readonly iterations: number;
   /** Number of factorisations of sparse matrices, the costly part. */
