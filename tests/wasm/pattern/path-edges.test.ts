@@ -31,10 +31,15 @@ describe('a garment drawn as paths', () => {
 
   it.each([2, 40])('fits as before, by %d cubics an edge', async (parts) => {
     const drawn = garmentFile(await pathsOf('tee', parts));
+    // with even weights, the course of this search does not depend on the last digits
+    const options = {visibility: 'even'} as const;
     const [before, after] = [
-      await solve({garment: sample('tee'), print: checks}),
-      await solve({garment: drawn, print: checks}),
+      await solve({garment: sample('tee'), print: checks, options}),
+      await solve({garment: drawn, print: checks, options}),
     ];
+    expect(after.seamGroups?.map(({place}) => place)).toEqual(
+      before.seamGroups?.map(({place}) => place),
+    );
     for (const [p, {name, rest, outline}] of before.pieces.entries()) {
       const drawn = after.pieces[p];
       expect(drawn?.outline).toEqual(outline);
