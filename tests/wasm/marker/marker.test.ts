@@ -19,6 +19,9 @@ import type {PlanRules} from '../../support/marker/plan-rules.js';
 import {extentOf} from '../../support/marker/rings.js';
 import {sample} from '../../support/garments/samples.js';
 
+/** The layouts below are measured on results with even weights. */
+const even = {visibility: 'even'} as const;
+
 const print: Print = {group: 'p4m', w1: [11, 0], w2: [0, 11]};
 const rules: PlanRules = {turns: () => 'half'};
 const usual: MarkerSettings = {
@@ -33,8 +36,10 @@ let tee: SolveResult;
 /** Most tests lay out a skirt of two pieces, which takes a seventh of the tee's time. */
 let usualGarment: SolveResult;
 beforeAll(async () => {
-  tee = await solve({garment: sample('tee'), print});
-  usualGarment = isThorough ? tee : await solve({garment: sample('gathered-skirt'), print});
+  tee = await solve({garment: sample('tee'), print, options: even});
+  usualGarment = isThorough
+    ? tee
+    : await solve({garment: sample('gathered-skirt'), print, options: even});
 });
 
 /** Three pieces that no seam joins, solved on a print with or without half turns. */
