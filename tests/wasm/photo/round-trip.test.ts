@@ -66,10 +66,10 @@ async function readAgain(print: Print, name: string, level: PhotoLevel): Promise
   };
 }
 
-/** Mismatch of the tee, as a share of the random one. */
+/** Mismatch of the tee, which is what even weights minimise, as a share of the random one. */
 async function fitOn({group, w1, w2, oneWay = false}: Print): Promise<number> {
   const print = {format: 'seamwise-print/1', group, w1, w2, oneWay} as const;
-  const {metrics} = await solve({garment: tee, print});
+  const {metrics} = await solve({garment: tee, print, options: {visibility: 'even'}});
   return metrics.fit / metrics.fitRandom;
 }
 
