@@ -24,17 +24,15 @@ export interface MarkerPlanHooks extends Pick<MarkerHooks, 'signal' | 'onProgres
 }
 
 /**
- * Computes a layout.
+ * Computes a layout with its fold and shifts, without looking for cheaper ones.
  * @throws {SolverError} under the conditions of `marker`
  */
-export async function markerWith(
-  {lay, solve}: {readonly lay: Lay; readonly solve: SolveDesign},
-  results: readonly (SolveResult | MarkerGarment)[],
+export async function layWith(
+  lay: Lay,
+  garments: readonly MarkerGarment[],
   {print, ...settings}: NodeMarkerSettings,
   {onLayout, ...hooks}: MarkerPlanHooks,
 ): Promise<LayPlan> {
-  hooks.signal?.throwIfAborted();
-  const garments = results.map((one) => ('result' in one ? one : {result: one}));
   const whole = markerOrder(garments, settings, print);
   const solved = garments.map(({result}) => result);
   const folded = settings.fold ? foldedOrder(whole, solved, settings.phaseCm) : undefined;
@@ -60,9 +58,25 @@ export async function markerWith(
   }).catch(explained);
   const shifted =
     settings.shift === 'component' ? await layShifted(order, answer, lay, hooks) : {order, answer};
-  const plan = planOf(shifted.answer, shifted.order);
+  return planOf(shifted.answer, shifted.order);
+}
+
+/**
+ * Computes a layout, and offers cheaper ones.
+ * @throws {SolverError} under the conditions of `marker`
+ */
+export async function markerWith(
+  {lay, solve}: {readonly lay: Lay; readonly solve: SolveDesign},
+  results: readonly (SolveResult | MarkerGarment)[],
+  settings: NodeMarkerSettings,
+  hooks: MarkerPlanHooks,
+): Promise<LayPlan> {
   const {signal} = hooks;
-  const laid = {garments, settings, print, plan};
+  signal?.throwIfAborted();
+  const garments = results.map((one) => ('result' in one ? one : {result: one}));
+  const plan = await layWith(lay, garments, settings, hooks);
+  const {print, ...rest} = settings;
+  const laid = {garments, settings: rest, print, plan};
   const cheaper = await cheaperLays(laid, {lay, solve}, {...(signal && {signal})});
   return withOffers(plan, cheaper);
 }

@@ -1,6 +1,4 @@
 /** Orders: a stored design is solved again from its files, and laid out on its fabric. */
-import {layPlan} from '../marker/plan.js';
-import {markerOrder} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import {problemOfStored} from '../model/documents/design-problem.js';
 import {onPrint} from '../model/geometry/vectors.js';
@@ -22,6 +20,7 @@ import {printDistance} from '../model/print/wallpaper.js';
 import type {SolverService} from '../solver/service.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';
+import {layWith} from './marker.js';
 
 export interface OrderHooks extends SolveHooks, ReadingLimits {
   /**
@@ -106,8 +105,7 @@ async function planOf(
   const ending = signal && {signal};
   const document = await solver.garment(garment, {name: design.garment.url, ...ending});
   const laid = {result, garment: document, options: design.options};
-  const order = markerOrder([laid], cloth, print);
-  return layPlan(order, await solver.marker(order.problem, ending));
+  return layWith(solver.marker.bind(solver), [laid], {...cloth, print}, {...ending});
 }
 
 function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read']> {
