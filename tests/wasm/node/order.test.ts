@@ -5,8 +5,10 @@ import {fileURLToPath} from 'node:url';
 
 import {
   designOf,
+  marker,
   order,
   problemOfStored,
+  readGarment,
   resultText,
   sha256Of,
   solve,
@@ -59,6 +61,18 @@ describe('an order', () => {
     expect(answer).toMatchObject({reproduced: true, differenceCm: 0});
     expect(sha256Of(answer.text)).toBe(design.result);
     expect(answer.text).toBe(resultText(answer.result));
+  });
+
+  it('is laid on folded fabric as any other result', async () => {
+    const design = await sold({...chosen, symmetry: [{kind: 'pair', pieces: ['left', 'right']}]});
+    const cloth = {widthCm: 140, fold: true};
+    const {plan, result} = await order(design, {read, cloth});
+    const laid = await marker([{result, garment: await readGarment(garment)}], {
+      ...cloth,
+      print: checks,
+    });
+    expect(plan?.pieces).toEqual(laid.pieces);
+    expect(plan?.foldCm).toBeGreaterThan(0);
   });
 
   it('is the same whatever its files are called', async () => {
