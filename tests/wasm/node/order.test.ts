@@ -71,7 +71,7 @@ describe('an order', () => {
       ...cloth,
       print: checks,
     });
-    expect(plan?.pieces).toEqual(laid.pieces);
+    expect(plan?.placements).toEqual(laid.placements);
     expect(plan?.foldCm).toBeGreaterThan(0);
   });
 

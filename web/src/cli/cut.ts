@@ -1,3 +1,4 @@
+import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {chosenNames} from '../model/garment/panel-marks.js';
 import {notAsSold} from '../picture/svg.js';
 import {noPaper, paperOf} from '../paper/papers.js';
@@ -40,9 +41,6 @@ const grammar = {
   ],
   switches: ['--sew-as-1'],
 };
-
-/** Greatest allowance, above any in use. [cm] */
-const greatestAllowance = 10;
 
 /** `cut`: writes cutting sheets of a result at true scale. */
 export async function cut(words: readonly string[]): Promise<void> {

@@ -1,3 +1,4 @@
+import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {convert, garmentDxf, symmetries} from '../node/index.js';
 import {readGarmentText} from './base/garment-text.js';
 import {choice, lengthCm, parseArguments, UsageError} from './base/arguments.js';
@@ -16,9 +17,6 @@ export async function listSymmetries(words: readonly string[]): Promise<void> {
     out,
   );
 }
-
-/** Greatest allowance, above any in use. [cm] */
-const greatestAllowance = 10;
 
 /** `convert`: writes the garment in the native format, as plain GarmentCode, or as DXF. */
 export async function convertFile(words: readonly string[]): Promise<void> {

@@ -26,7 +26,7 @@ seamwise order DESIGN.json [flags]
     --pdf FILE.pdf              writes the pieces to cut, at true scale; as one sheet with --svg FILE.svg,
                                 for CAD programs with --dxf FILE.dxf, for plotters with --plt FILE.plt
     --paper a4|letter|...|WxH   of the PDF, as for cut; default a4
-    --allowance CM, --hem CM    around them; default 1, hems the same
+    --allowance CM, --hem CM    around them; default 1, and 3 at hems, or what --allowance says
     --ink full|outline          in their print, the default, or lines alone
     --json                      prints the line as JSON
 

@@ -4,6 +4,7 @@ import {minus, unit, type Point} from '../model/geometry/vectors.js';
 import {crossingsOf, distanceTo} from '../model/geometry/polyline.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
+import type {AllowanceRule} from './allowance-rule.js';
 import {bandOf, type CornerPlan, type Own} from './corners.js';
 import {cornerOf, type EdgeEnd, type EdgeKey, type GarmentEdges} from './garment-edges.js';
 import {hems} from './openings.js';
@@ -15,13 +16,6 @@ export interface Allowances {
   /** Corners, by the edge that begins there. */
   readonly corners: ReadonlyMap<EdgeKey, CornerPlan>;
   readonly hems: ReadonlySet<EdgeKey>;
-}
-
-/** Allowances of edges without their own. */
-export interface AllowanceRule {
-  readonly allowanceCm: number;
-  /** Hem allowance; defaults to `allowanceCm`. */
-  readonly hemCm?: number;
 }
 
 /** The share of edges with their own width. */

@@ -3,7 +3,8 @@ import {Clipper, FillRule} from 'clipper2-ts';
 
 import {dot, minus, unit, type Point} from '../model/geometry/vectors.js';
 import {isInside, signedArea} from '../model/geometry/polyline.js';
-import {allowancesOf, type AllowanceRule, type Allowances} from './allowances.js';
+import type {AllowanceRule} from './allowance-rule.js';
+import {allowancesOf, type Allowances} from './allowances.js';
 import {bandOf, cornerFabric, longer, turnedCorner, type Band, type Corner} from './corners.js';
 import {allowedLoops, garmentEdges, type EdgeKey, type GarmentEdges} from './garment-edges.js';
 import {drained} from '../model/base/drained.js';

@@ -3,7 +3,7 @@ import {angleOf, degrees, minus} from '../model/geometry/vectors.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {repeatOf} from '../model/print/repeat.js';
 import {formatLength, type Units} from '../model/base/length-text.js';
-import type {AllowanceRule} from './allowances.js';
+import type {AllowanceRule} from './allowance-rule.js';
 import type {CutPiece, EdgeAllowance} from './cut-piece.js';
 
 export interface WordsOptions extends AllowanceRule {

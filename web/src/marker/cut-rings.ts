@@ -1,5 +1,6 @@
 /** The cut lines of the pieces of a solved garment, cached. Lengths in cm. */
-import {ownShare, type AllowanceRule, type OwnShare} from '../cutting/allowances.js';
+import type {AllowanceRule} from '../cutting/allowance-rule.js';
+import {ownShare, type OwnShare} from '../cutting/allowances.js';
 import {cutLineSteps} from '../cutting/cut-line.js';
 import {decidedOf} from '../model/design/design.js';
 import {drained} from '../model/base/drained.js';

@@ -1,6 +1,6 @@
 /** The pieces of solved garments, prepared for a layout. Lengths in cm, angles in radians. */
 import type {GrainLock} from '../model/garment/grain.js';
-import type {AllowanceRule} from '../cutting/allowances.js';
+import type {AllowanceRule} from '../cutting/allowance-rule.js';
 import type {GarmentPiece} from '../model/garment/garment-document.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {dot, radians, towards, type Point} from '../model/geometry/vectors.js';

@@ -4,6 +4,7 @@ import {distance, norm, rotated} from '../model/geometry/vectors.js';
 import {layNote, type LayNote} from '../model/result/lay-note.js';
 import type {MarkerProblem} from '../model/result/marker-search.js';
 import type {Print} from '../model/print/repeating-print.js';
+import {ruleOf} from '../cutting/allowance-rule.js';
 import {checkScaled, type PrintScale} from '../model/result/unscaled-print.js';
 import type {Repeat} from '../model/print/wallpaper.js';
 import {laidPieces, type MarkerGarment, type PieceOfMarker} from './pieces.js';
@@ -26,9 +27,6 @@ export interface MarkerOrder {
 
 /** Print properties in addition to its repeat. */
 export type LaidPrint = Pick<Print, 'oneWay'> & PrintScale;
-
-const usualAllowance = 1;
-const usualHem = 3;
 
 /** Greatest number of pieces that people cut at once and wait for. */
 const mostPieces = 500;
@@ -111,7 +109,7 @@ export function markerOrder(
   checkScaled(cloth);
   const {oneWay = false} = cloth;
   const settings = checkedSettings(asked);
-  const {allowanceCm = usualAllowance, hemCm = asked.allowanceCm ?? usualHem} = settings;
+  const {allowanceCm, hemCm} = ruleOf(asked);
   const {copies, phaseCm, plies, ignoresPrint, flaws, nap = oneWay ? 'one-way' : 'none'} = settings;
   const print = commonPrint(garments);
   const startCm = settings.startCm ?? (flaws.length > 0 ? 0 : undefined);

@@ -1,4 +1,5 @@
 /** Cutting sheets of a result, and their files. */
+import {ruleOf} from '../cutting/allowance-rule.js';
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {sheetsOf} from '../cutting/lay-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
@@ -64,17 +65,12 @@ export interface Cut {
   readonly hpgl: () => string;
 }
 
-/** [cm] */
-const usualAllowance = 1;
-const usualHem = 3;
-
 /**
  * Lays out the cutting sheet of a result.
  * @throws {RangeError} for an unknown paper
  */
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {print, garment, garmentFile, plain = [], mark} = settings;
-  const {allowanceCm = usualAllowance, hemCm = settings.allowanceCm ?? usualHem} = settings;
   const {paper: word = 'a4', ink, date, pixels, colourway} = settings;
   const paper = paperOf(word);
   if (!paper) throw new RangeError(noPaper(word));
@@ -83,7 +79,7 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
     panels: garment ? panelMarks(garment, settings) : new Map(),
   };
   const sheetAt = sheetsOf(result, print, marks, {
-    ...{allowanceCm, hemCm, plain, units: 'cm'},
+    ...{...ruleOf(settings), plain, units: 'cm'},
     ...(colourway !== undefined && {colourway}),
     ...(date && {date: date.toISOString().slice(0, 10)}),
   });

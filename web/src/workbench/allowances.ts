@@ -4,9 +4,6 @@ import type {ChosenAllowances, Preferences} from '../texts/preferences.js';
 
 type Chosen = Pick<Preferences, 'units' | 'allowances'>;
 
-/** Greatest allowance, more than any hem. [cm] */
-export const greatestAllowance = 10;
-
 /** Allowances of most patterns, in centimetres, or in inches that a ruler shows. */
 const usual: Readonly<Record<Units, ChosenAllowances>> = {
   cm: {allowanceCm: 1, hemCm: 3},

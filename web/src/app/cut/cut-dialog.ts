@@ -15,7 +15,7 @@ import {cutFileKinds, keepChoices, papers, storedChoices, type CutChoices} from 
 import {cutFile, cutPlan, type CutPlan} from './cut-job.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {cutStyle} from './cut-style.js';
-import {greatestAllowance} from '../../workbench/allowances.js';
+import {greatestAllowance} from '../../cutting/allowance-rule.js';
 import type {Units} from '../../model/base/length-text.js';
 import {paperOf} from '../../paper/papers.js';
 import type {Format} from '../../texts/format.js';

@@ -1,5 +1,5 @@
 /** Preferences belong to the browser, not to a design. */
-import {greatestAllowance} from '../../workbench/allowances.js';
+import {greatestAllowance} from '../../cutting/allowance-rule.js';
 import {
   languages,
   preferencesFor,

@@ -1,4 +1,5 @@
 /** Writes cutting sheets of a solved garment. */
+import {ruleOf} from '../../cutting/allowance-rule.js';
 import {cutSheet, type CuttingMarks} from '../../cutting/lay-sheet.js';
 import {garmentTitle, panelMarks, type PanelDecisions} from '../../model/garment/panel-marks.js';
 import type {Print} from '../../model/print/repeating-print.js';
@@ -14,15 +15,11 @@ export interface CutWish {
   readonly paper?: string;
   /** Seam allowance. Default 1. */
   readonly allowance?: number;
-  /** Hem allowance. Default: the seam allowance. */
+  /** Hem allowance. Default: the seam allowance if stated, otherwise 3. */
   readonly hem?: number;
   /** Default full. */
   readonly ink?: 'full' | 'outline';
 }
-
-/** Greatest allowance, above any in use. [cm] */
-export const greatestAllowance = 10;
-const usualAllowance = 1;
 
 /** A result with the data of its garment file and its design. */
 export interface CutAnswer {
@@ -55,14 +52,14 @@ async function marksOf({garment: {text, name, size}, decisions}: CutAnswer): Pro
 export async function cutFiles(
   answer: CutAnswer,
   kinds: readonly CutFileKind[],
-  {paper = 'a4', allowance: allowanceCm = usualAllowance, hem, ink = 'full'}: CutWish,
+  {paper = 'a4', allowance, hem, ink = 'full'}: CutWish,
 ): Promise<readonly (string | Uint8Array)[]> {
   const {result, address, limits = {}, plain = [], mark} = answer;
   const tile = await fetchTile(answer.print, address, limits);
   const print = {...answer.print, ...(tile !== undefined && {tile})};
   const sheet = cutSheet(result, print, await marksOf(answer), {
-    ...{allowanceCm, units: 'cm', plain},
-    ...(hem !== undefined && {hemCm: hem}),
+    ...ruleOf({allowanceCm: allowance, hemCm: hem}),
+    ...{units: 'cm', plain},
   });
   const raster = print.colourways?.find(({image}) => image === print.image)?.raster;
   const pixels = async (): Promise<Uint8Array<ArrayBuffer> | undefined> =>

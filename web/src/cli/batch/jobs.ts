@@ -21,7 +21,8 @@ import {sha256Of} from '../../model/documents/result-text.js';
 import {packageVersion} from '../../model/base/version.js';
 import {addressFrom} from '../../node/addresses.js';
 import {paperOf} from '../../paper/papers.js';
-import {greatestAllowance, type CutWish} from '../base/cut-files.js';
+import {greatestAllowance} from '../../cutting/allowance-rule.js';
+import type {CutWish} from '../base/cut-files.js';
 import {layFields, type LayWish} from '../base/lay-wish.js';
 
 /** A garment in a print. Addresses are absolute; options and symmetries are unchanged. */

@@ -1,4 +1,5 @@
 /** Pictures and cutting sheets of a pattern, in the requested format. */
+import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
 import {SolverError} from '../../model/result/failure.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
@@ -31,14 +32,11 @@ export interface BlobRequest {
   readonly paper?: string | undefined;
   /** Seam allowance of a cutting sheet. Default 1. [cm] */
   readonly allowance?: number | undefined;
-  /** Hem allowance. Default: the seam allowance. [cm] */
+  /** Hem allowance. Default: the seam allowance if stated, otherwise 3. [cm] */
   readonly hem?: number | undefined;
   /** Fills the pieces of a cutting sheet with the print, or draws lines only. Default full. */
   readonly ink?: 'full' | 'outline' | undefined;
 }
-
-/** Greatest seam allowance; nobody sews with more. [cm] */
-const greatestAllowance = 10;
 
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
 
@@ -48,17 +46,18 @@ const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
  */
 async function cutFileFor(
   workbench: Workbench,
-  {type = '', paper = 'a4', allowance = 1, hem = allowance, ink = 'full'}: BlobRequest,
+  {type = '', paper = 'a4', allowance, hem, ink = 'full'}: BlobRequest,
   {garment}: Texts,
 ): Promise<Blob | undefined> {
   const file = Object.hasOwn(cutTypes, type) ? cutTypes[type] : undefined;
   if (!file) return undefined;
-  if (!isAllowance(allowance) || !isAllowance(hem)) {
+  const rule = ruleOf({allowanceCm: allowance, hemCm: hem});
+  if (!isAllowance(rule.allowanceCm) || !isAllowance(rule.hemCm)) {
     throw new SolverError({code: 'options', message: garment.allowance(`${greatestAllowance} cm`)});
   }
   const {cutHere} = await import('../../workbench/cutting/cut-material.js');
   try {
-    const request = {file, paper, ink, allowanceCm: allowance, hemCm: hem};
+    const request = {file, paper, ink, ...rule};
     const content = await cutHere(workbench, request);
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {

@@ -3,7 +3,7 @@ import {decidedOf, noPicture, printOf} from '../../model/design/design.js';
 import {SolverError} from '../../model/result/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
-import type {AllowanceRule} from '../../cutting/allowances.js';
+import type {AllowanceRule} from '../../cutting/allowance-rule.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
 import {textsOf} from '../../texts/texts.js';

@@ -5,7 +5,8 @@
 import type {DesignPrint} from '../../model/design/design.js';
 import {fieldOf} from '../../model/base/read.js';
 import type {ChosenAllowances, Preferences} from '../../texts/preferences.js';
-import {allowancesIn, greatestAllowance, withAllowances} from '../allowances.js';
+import {greatestAllowance} from '../../cutting/allowance-rule.js';
+import {allowancesIn, withAllowances} from '../allowances.js';
 
 /** Choices that are stored with the print. */
 interface KeptChoices {
