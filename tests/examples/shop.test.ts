@@ -120,6 +120,7 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
 async function dragPrint(page: Page): Promise<void> {
   const pane = garment(page).locator('sw-pattern');
   await pane.getByRole('button', {name: 'Show all'}).waitFor();
+  await garment(page).locator('[part=poster]').waitFor({state: 'hidden'});
   const box = await pane.boundingBox();
   if (!box) throw new Error('The pattern is not shown.');
   const [x, y] = [box.x + 0.35 * box.width, box.y + 0.5 * box.height];
@@ -170,8 +171,15 @@ it(
       return centimetres();
     };
     const first = await sold();
+    const withdrawal = await price(page).evaluateHandle((element) => ({
+      done: new Promise<void>((resolve) => {
+        new MutationObserver(() => {
+          if (element.textContent === '…') resolve();
+        }).observe(element, {childList: true});
+      }),
+    }));
     await page.getByText('XL', {exact: true}).click();
-    await expect.poll(() => price(page).textContent(), patient).toBe('…');
+    await withdrawal.evaluate(({done}) => done);
     expect(await sold()).toBeGreaterThan(first);
   },
 );

@@ -83,6 +83,7 @@ it('wipes between before and after', {tags: ['thorough']}, async () => {
 it('tells where on the seam the pointer is', {tags: ['thorough']}, async () => {
   const page = await opened();
   await seam(page, 'Centre back').click();
+  expect(await name(page)).toBe('Centre back');
   await page.evaluate(() => {
     document.addEventListener('sw-lens-cursor', (event) => {
       const {detail} = event as CustomEvent<{share: number} | undefined>;

@@ -36,13 +36,14 @@ it(
 it('has a headline that no seam of the table contradicts, the same in every window', async () => {
   const page = await openPage();
   await solved(page);
+  const seams = page.getByRole('table', {name: 'Seams', exact: true});
   const figures = async () => {
+    await drawn(seams);
     const headline = await page
       .getByRole('heading', {name: /^On average the print misses by/})
       .textContent();
     const worst = await page.getByLabel('How well it meets', {exact: true}).textContent();
-    const rows = await page
-      .getByRole('table', {name: 'Seams', exact: true})
+    const rows = await seams
       .locator('tbody tr')
       .evaluateAll((all) =>
         all.map((row) =>
@@ -58,7 +59,6 @@ it('has a headline that no seam of the table contradicts, the same in every wind
   expect(Math.max(...after)).toBeGreaterThanOrEqual(number(wide.headline ?? ''));
   await page.setViewportSize({width: 2200, height: 900});
   await frames(page);
-  await drawn(page.getByRole('table', {name: 'Seams', exact: true}));
   expect(await figures()).toEqual(wide);
 });
 

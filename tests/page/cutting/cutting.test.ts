@@ -151,6 +151,7 @@ it(
     const paper = dialogOf(page).getByLabel('Paper');
     const opened = async (): Promise<string> => {
       await page.keyboard.press('Control+Shift+S');
+      await paper.waitFor(); // a closed dialog keeps its fields
       return paper.inputValue();
     };
     expect(await opened()).toBe('a4');

@@ -126,8 +126,9 @@ it(
     const heard = await listening(page);
     await page.evaluate(noteLaying);
     await put(onFabric);
-    await page.locator('seamwise-garment:state(ready)').waitFor();
+    // a single call, as the layout could end between separate ones
     const [plan, width] = await run(async (element) => {
+      await element.solve();
       const waiting = element.layPlan();
       await laying; // the worker has its request
       element.print = 'prints/cm.json';

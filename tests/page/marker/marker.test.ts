@@ -300,10 +300,10 @@ it('keeps pieces off a flaw that is drawn, until it is removed', {tags: ['thorou
   const page = await openCloth();
   const places = () => panel(page).locator('.pieces').innerText();
   const before = await places();
-  const front = await pane(page).locator('.piece', {hasText: 'Front'}).boundingBox();
-  if (!front) throw new Error('The front is not there.');
   await pane(page).getByRole('button', {name: 'Mark a flaw'}).click();
   await expect.poll(() => said(page)).toMatch(/^Drag a box over the flaw/);
+  const front = await pane(page).locator('.piece', {hasText: 'Front'}).boundingBox();
+  if (!front) throw new Error('The front is not there.');
   const [x, y] = [front.x + front.width / 2, front.y + front.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();

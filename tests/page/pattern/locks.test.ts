@@ -91,7 +91,9 @@ it(
     const kept = page.getByRole('row').filter({hasText: 'kept on Front'});
     await expect.poll(() => kept.count()).toBe(2);
     const box = page.getByRole('checkbox', {name: 'Kept as drafted: Front'});
-    expect(await box.evaluate((input: HTMLInputElement) => input.indeterminate)).toBe(true);
+    await expect
+      .poll(() => box.evaluate((input: HTMLInputElement) => input.indeterminate))
+      .toBe(true);
     expect(await lockedOf(page)).toEqual({front: [1]});
     await solved(page);
     for (const edge of [1, 7]) expect(await movedAlong(page, 'front', edge)).toBeLessThan(0.02);

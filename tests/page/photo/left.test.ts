@@ -44,6 +44,7 @@ it('is there again as it was left, until its print is taken', {tags: ['thorough'
   await expect.poll(() => dialogOf(page).count()).toBe(0);
   expect((await designOf(page)).print.title).toBe(before);
   await openSheet(page);
+  await found(dialog);
   const isTurned = (): Promise<boolean> => dialog.getByText(/turned by -?90°/).isVisible();
   if (!(await isTurned())) await dialog.getByRole('button', {name: 'Turn by 90°'}).click();
   await expect.poll(isTurned).toBe(true);

@@ -113,10 +113,20 @@ describe('a photograph', () => {
 
   it('is stopped at once, and read again when asked', async () => {
     const page = await openPage();
+    let release = (): void => undefined;
+    const stopped = new Promise<void>((resolve) => {
+      release = resolve;
+    });
+    // the reading cannot end before it is cancelled
+    await page.route('**/photo-*.wasm', async (route) => {
+      await stopped;
+      await route.continue();
+    });
     const dialog = await openSheet(page);
     await give(page, photograph);
     await dialog.getByRole('button', {name: 'Cancel'}).click();
     await dialog.getByText('Stopped.').waitFor({timeout: 5000});
+    release();
     await expect.poll(() => use(page).isDisabled()).toBe(true);
     await dialog.getByRole('button', {name: 'Look again'}).click();
     expect(await found(dialog)).toBe('Found: pmm.');

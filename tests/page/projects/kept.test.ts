@@ -67,11 +67,14 @@ it('keeps all steps over a reload', async () => {
 
 it('keeps what is changed at the very moment of a reload', {tags: ['thorough']}, async () => {
   const page = await quietPage();
-  await page.locator('seamwise-page').evaluate((element) => {
-    const {workbench} = element as SeamwisePage;
-    for (const maxChangeCm of [0.2, 0.3]) workbench.history.change({options: {maxChangeCm}});
-    location.reload();
-  });
+  await Promise.all([
+    page.waitForEvent('load'),
+    page.locator('seamwise-page').evaluate((element) => {
+      const {workbench} = element as SeamwisePage;
+      for (const maxChangeCm of [0.2, 0.3]) workbench.history.change({options: {maxChangeCm}});
+      location.reload();
+    }),
+  ]);
   await expect
     .poll(async () => (await designOf(page)).options.maxChangeCm, {timeout: 20_000})
     .toBe(0.3);
@@ -86,6 +89,7 @@ it('carries a design of samples in a link', {tags: ['thorough']}, async () => {
   await solved(page);
   await showSample(page, 'tee');
   await page.getByLabel('Size', {exact: true}).selectOption('l');
+  await expect.poll(async () => (await designOf(page)).garment.sample?.size).toBe('l');
   await button(page, 'Accept all symmetries').click();
   await button(page, 'Plum').click();
   await solved(page);

@@ -118,7 +118,10 @@ it(
     const otherList = await listOf(other);
     const [width, height] = await card(otherList, 'Apron, M')
       .locator('img')
-      .evaluate((image: HTMLImageElement) => [image.naturalWidth, image.naturalHeight]);
+      .evaluate(async (image: HTMLImageElement) => {
+        await image.decode();
+        return [image.naturalWidth, image.naturalHeight];
+      });
     expect(width).toBe(448);
     expect(height).toBeGreaterThan(100);
     await card(otherList, 'Apron, M').click();
@@ -259,7 +262,7 @@ it(
     expect(link.length).toBeLessThan(3000);
     const other = await quietPage({query: new URL(link).hash});
     expect(await designOf(other)).toEqual(design);
-    expect(other.url()).not.toContain('#');
+    await expect.poll(() => other.url()).not.toContain('#');
     expect(await cards(await listOf(other))).toEqual(['scarf']);
   },
 );
@@ -277,10 +280,13 @@ it(
     await page.getByRole('alert').filter({hasText: 'The link is damaged'}).waitFor();
     expect(await designOf(page)).toEqual(before);
     await expect.poll(() => button(page, 'Undo').isEnabled()).toBe(true);
-    await page.evaluate(() => {
-      history.replaceState(null, '', '#design=AAAA');
-      location.reload();
-    });
+    await Promise.all([
+      page.waitForEvent('load'),
+      page.evaluate(() => {
+        history.replaceState(null, '', '#design=AAAA');
+        location.reload();
+      }),
+    ]);
     await page.getByRole('alert').filter({hasText: 'The link is damaged'}).waitFor();
     expect(await designOf(page)).toEqual(before);
   },

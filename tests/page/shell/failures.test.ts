@@ -5,7 +5,7 @@ import {describe, expect, it, vi} from 'vitest';
 import {sampleOf} from '../../support/level.js';
 import {designOf} from '../../support/page/design.js';
 import {choose, jsonFile, squares} from '../../support/page/files.js';
-import {button, cancelButton, progress, solved, usePage} from '../../support/page/page.js';
+import {button, cancelNext, progress, solved, usePage} from '../../support/page/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -80,7 +80,7 @@ it(
     await page.reload();
     await solved(page);
     await page.getByText(/^The solver's worker could not be started from /).waitFor();
-    expect(page.workers()).toEqual([]);
+    await expect.poll(() => page.workers()).toEqual([]);
     await group(page, 'pgg');
     await solved(page);
     expect((await designOf(page)).print.group).toBe('pgg');
@@ -119,12 +119,9 @@ it(
   async () => {
     const page = await openPage();
     await solved(page);
-    const cancelled = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
-      while (cancel.hidden) await new Promise(requestAnimationFrame);
-      cancel.click();
-    });
+    const cancelled = await cancelNext(page);
     await group(page, 'pgg');
-    await cancelled;
+    await cancelled();
     await says(page, /^Cancelled/);
     await page.getByText('The picture is out of date').waitFor();
     await expect.poll(() => button(page, 'Cancel').count()).toBe(0);

@@ -212,10 +212,10 @@ it('shows nothing but the cloth when asked, and all again', {tags: ['thorough']}
   await expect.poll(() => name.isVisible()).toBe(true);
   const hasRanks = (): Promise<boolean> =>
     page.locator('sw-pattern .stage span').filter({hasText: /^1$/}).isVisible();
-  expect(await hasRanks()).toBe(true);
+  await expect.poll(hasRanks).toBe(true);
   await button(page, 'Cloth only').click();
   await name.waitFor({state: 'hidden'});
-  expect(await hasRanks()).toBe(false);
+  await expect.poll(hasRanks).toBe(false);
   await page.getByRole('application', {name: 'Pattern'}).press('c');
   await name.waitFor();
 });

@@ -5,6 +5,7 @@ import {afterAll, afterEach, beforeAll, beforeEach, describe, expect, it} from '
 import {openBrowser, serveBuilt, strictPolicy} from '../../support/page/browser.js';
 import {checks, twoStrips} from '../../support/garments/samples.js';
 import {tee, useSolverPage, withoutTimes} from '../../support/page/solver-page.js';
+import {caughtUp} from '../../support/page/waiting.js';
 
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 
@@ -62,7 +63,7 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
     ],
   ])('%s', async (_, places, reason) => {
     await expectSolved(await solveWhile(page, places), reason);
-    expect(page.workers()).toEqual([]);
+    await expect.poll(() => page.workers()).toEqual([]);
   });
 
   it('also for leases that come later, which try again only once all others are released', async () => {
@@ -82,12 +83,14 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
       return heard;
     }, strips.garment);
     expect(heard).toEqual(['first', 'second', 'third']);
+    await caughtUp(page);
     expect(asked).toBe(2); // the first two started before the failure was known
     await page.clock.fastForward(6000); // no leases for a while
     await page.evaluate(
       (garment) => lease({workerUrl: 'nowhere.js'}).solver.convert(garment),
       strips.garment,
     );
+    await caughtUp(page);
     expect(asked).toBe(3);
   });
 
@@ -169,7 +172,7 @@ describe("a page's policy", () => {
     const policy = strictPolicy.replace("worker-src 'self'", "worker-src 'none'");
     await withPolicy(policy, async (page) => {
       await expectSolved(await solveWhile(page, {}), /worker-src 'self'\.$/);
-      expect(page.workers()).toEqual([]);
+      await expect.poll(() => page.workers()).toEqual([]);
     });
   });
 

@@ -1,7 +1,7 @@
 /** Ways to give files to the page: a button, a drop, the clipboard. */
 import type {Page} from 'playwright-core';
 
-import {button} from './page.js';
+import {begun, button} from './page.js';
 
 export interface HandedFile {
   readonly name: string;
@@ -44,6 +44,7 @@ export async function choose(
   name: string,
   {content, ...file}: HandedFile,
 ): Promise<void> {
+  await begun(page);
   const [chooser] = await Promise.all([
     page.waitForEvent('filechooser'),
     button(page, name).click(),

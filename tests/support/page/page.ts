@@ -73,6 +73,28 @@ export const button = (page: Page, name: string): Locator =>
 /** The button that cancels a running solve. */
 export const cancelButton = (page: Page): Locator => page.locator('sw-editor .solving button');
 
+/**
+ * Clicks that button in the very task that shows it, as a fast solve ends within a frame.
+ * @returns a function that waits for the click, and returns the progress that the same task shows
+ */
+export async function cancelNext(page: Page): Promise<() => Promise<string>> {
+  const click = await cancelButton(page).evaluateHandle((cancel: HTMLButtonElement) => {
+    const status = (cancel.getRootNode() as ShadowRoot).querySelector('sw-progress')?.shadowRoot;
+    const shown = new Promise((resolve) => {
+      new MutationObserver(resolve).observe(cancel, {attributeFilter: ['hidden']});
+    });
+    const clicked = async (): Promise<string> => {
+      await shown;
+      cancel.click();
+      for (let k = 0; k < 100 && !status?.textContent.includes('Cancelled'); k++)
+        await Promise.resolve();
+      return status?.textContent.trim() ?? '';
+    };
+    return {progress: clicked()};
+  });
+  return () => click.evaluate(({progress}) => progress);
+}
+
 export const progress = (page: Page): Locator => page.getByRole('status', {name: 'Progress'});
 
 /** Waits until the component that draws this element has rendered the workbench's state. */
@@ -81,6 +103,14 @@ export const drawn = (shown: Locator): Promise<void> =>
     const {host} = element.getRootNode() as ShadowRoot;
     await (host as Element & {readonly updateComplete: Promise<unknown>}).updateComplete;
   });
+
+/** Waits for the page's first design, which would replace a file that is opened before. */
+export async function begun(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    return workbench !== undefined && workbench.solving.state.kind !== 'opening';
+  });
+}
 
 /** Waits for the final answer to the current problem. */
 export const solved = (page: Page): Promise<void> =>
