@@ -130,11 +130,15 @@ it(
       expect((await alert.textContent())?.trim()).toMatch(complaint);
       expect(await designOf(page)).toEqual(before);
     }
-    // an error in the garment appears in the dialog, so that no choice is lost
+    // a piece that cannot be sewn is left out; taken all the same, its error appears in the dialog,
+    // so that no choice is lost
     const [front, ...others] = pieces;
     const [a, b, ...rest] = front?.outline ?? [];
     const crossed = {name: 'front', outline: [b, a, ...rest].filter((p) => p !== undefined)};
     const dialog = await offered(page, dxf(plainDxf([crossed, ...others])));
+    const odd = dialog.getByRole('checkbox', {name: /^front/i});
+    await expect.poll(() => odd.isChecked()).toBe(false);
+    await odd.check();
     await dialog.getByRole('checkbox', {name: 'Sleeve left'}).uncheck();
     await dialog.getByRole('button', {name: 'Open', exact: true}).click();
     await dialog.getByRole('alert').filter({hasText: 'front'}).waitFor();
