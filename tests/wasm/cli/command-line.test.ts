@@ -220,7 +220,7 @@ describe('order', () => {
     expect(done).toMatchObject({code: 0, err: ''});
     expect(JSON.parse(done.out)).toMatchObject({reproduced: true, differenceCm: 0, group: 'p4m'});
     expect(text('made.json')).toBe(text('sold.json'));
-    expect(text('cut.svg')).toContain('Solid: cut. Dashed: sew, 1 cm inside.');
+    expect(text('cut.svg')).toContain('Solid: cut. Dashed: sew, 1 cm inside, 3 cm at hems.');
     expect(text('cut.svg')).not.toContain('NOT AS IT WAS SOLD');
   });
 

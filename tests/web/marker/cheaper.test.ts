@@ -1,8 +1,8 @@
+import type {MarkerGarment} from '@/model/design/marker-garment.js';
 import {describe, expect, it} from 'vitest';
 
 import {cheaperLays} from '@/marker/cheaper.js';
 import {markerOrder, type MarkerOrder} from '@/marker/problem.js';
-import type {MarkerGarment} from '@/marker/pieces.js';
 import type {MarkerSettings} from '@/marker/settings.js';
 import {layPlan} from '@/marker/plan.js';
 import {layShifted, plainBound, type Lay} from '@/marker/shifted.js';

@@ -1,3 +1,4 @@
+import type {MarkerGarment} from '@/model/design/marker-garment.js';
 import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it} from 'vitest';
 
@@ -5,7 +6,6 @@ import {cutRings, cutRingSteps} from '@/marker/cut-rings.js';
 import {saidNote} from '@/marker/draw/note-texts.js';
 import {layPlan} from '@/marker/plan.js';
 import {markerOrder} from '@/marker/problem.js';
-import type {MarkerGarment} from '@/marker/pieces.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from '@/marker/repeats.js';
 import type {MarkerSettings} from '@/marker/settings.js';
 import {

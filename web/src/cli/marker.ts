@@ -126,7 +126,7 @@ async function filesOf(
   );
   return layPlanFiles(plan, {
     print: {...cloth, ...(tile !== undefined && {tile})},
-    results: laid.map(({garment}) => garment.result),
+    results: laid.map(({garment}) => garment),
     names: (result, piece) => called[result]?.(piece) ?? readable(piece),
     title: resultFiles.map(titleOfFile).join(', '),
     pixels: () => readRaster(cloth, printFile),

@@ -3,6 +3,7 @@ import {onPiece, type Point} from '../model/geometry/vectors.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
 import {escaped, markAcross, polyline, short, text} from '../picture/svg.js';
 import {textWidth} from '../layout/name-lines.js';
+import {lineColours} from './line-colours.js';
 import type {CutLine, CutMark, CutSheet, CutText, LaidPiece} from './cut-sheet.js';
 
 /** [mm] */
@@ -13,7 +14,7 @@ const foot = 82;
 const belowWords = 24;
 const leading = 7;
 const leastWidth = 240;
-const ink = '#1d1f23';
+const ink = lineColours.words.hex;
 
 type Page = (p: Point) => Point;
 
@@ -23,7 +24,10 @@ const pathOf = (page: Page, points: readonly Point[], isClosed: boolean): string
 const closed = (loops: readonly (readonly Point[])[], page: Page): string =>
   loops.map((loop) => pathOf(page, loop, true)).join('');
 
-function drawnLine({points, isClosed, widthMm, dashMm, haloMm, isFaint}: CutLine, page: Page) {
+function drawnLine(
+  {layer, points, isClosed, widthMm, dashMm, haloMm, isFaint}: CutLine,
+  page: Page,
+) {
   const d = pathOf(page, points, isClosed);
   const opacity = isFaint ? ' opacity="0.4"' : '';
   const halo =
@@ -33,7 +37,7 @@ function drawnLine({points, isClosed, widthMm, dashMm, haloMm, isFaint}: CutLine
   const dash = dashMm ? ` stroke-dasharray="${dashMm.join(' ')}"` : '';
   return {
     halo,
-    line: `<path d="${d}" stroke="${ink}" stroke-width="${short(widthMm)}"${dash}${opacity}/>`,
+    line: `<path class="${layer}" d="${d}" stroke="${lineColours[layer].hex}" stroke-width="${short(widthMm)}"${dash}${opacity}/>`,
   };
 }
 

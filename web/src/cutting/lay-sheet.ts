@@ -1,27 +1,15 @@
 /** Lays all pieces of a garment out on one cutting sheet at true scale. Lengths in cm. */
 import type {GarmentTitle, PanelMarks} from '../model/garment/panel-marks.js';
-import {
-  angleOf,
-  onPiece,
-  onPrint,
-  wrapped,
-  type Alignment,
-  type Point,
-} from '../model/geometry/vectors.js';
+import type {Alignment} from '../model/geometry/vectors.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {checkScaled} from '../model/result/unscaled-print.js';
-import type {Pattern} from '../model/result/result.js';
 import type {SheetPlace} from '../model/geometry/sheet-place.js';
 import {layOut, type Layout} from '../layout/layout.js';
 import {placementsIn, type Placements} from '../layout/on-body.js';
-import {seamLetters} from '../scene/seam-letters.js';
 import {ownShare} from './allowances.js';
-import {cutPiece, type CutPiece} from './cut-piece.js';
-import {cutLinesOf} from './cut-line.js';
-import type {CutSheet, LaidPiece} from './cut-sheet.js';
-import {garmentNotches} from './notches.js';
-import {pieceMarks} from './piece-marks.js';
-import {matchTicks} from './ticks.js';
+import type {CutPiece} from './cut-piece.js';
+import type {CutSheet} from './cut-sheet.js';
+import {cutPieces, laidPiece, type SolvedPattern} from './garment-pieces.js';
 import {factsOf, pieceWords, type WordsOptions} from './words.js';
 
 export interface CuttingMarks extends GarmentTitle {
@@ -33,11 +21,6 @@ export interface SheetOptions extends WordsOptions {
   readonly plain?: readonly string[];
 }
 
-/** The part of a result that the cutting sheet uses. */
-type SolvedPattern = Omit<Pattern, 'print'>;
-
-/** Distance from a sewn line to the centre of its letter. */
-const letterRoom = 0.6;
 /** Distance between cut lines. */
 const gap = 1.5;
 const usualAspect = 1.4;
@@ -75,93 +58,6 @@ const placeOf = ({offset, isTurned}: SheetPlace): Alignment => ({
   translation: offset,
 });
 
-/** Transforms from piece coordinates to the sheet. */
-const placed = (place: Alignment) => {
-  const onto = (p: Point): Point => onPiece(place, p);
-  return {
-    onto,
-    line: (points: readonly Point[]): readonly Point[] => points.map(onto),
-    pair: ([from, to]: readonly [Point, Point]): readonly [Point, Point] => [onto(from), onto(to)],
-    angle: (way: Point): number => wrapped(angleOf(way) + place.angle),
-  };
-};
-
-function laidPiece(
-  piece: CutPiece,
-  place: Alignment,
-  {
-    print,
-    words,
-    material,
-  }: {
-    readonly print: Print | undefined;
-    readonly words: readonly string[];
-    readonly material: string | undefined;
-  },
-): LaidPiece {
-  const {onto, line, pair, angle} = placed(place);
-  const {stripe, plaid} = piece;
-  return {
-    ...{name: piece.name, label: piece.label, copy: 1, place, words, quantity: piece.quantity},
-    ...(print && {alignment: piece.alignment}),
-    ...(material !== undefined && {material}),
-    cut: piece.cut.map(line),
-    sewn: piece.sewn.map(line),
-    corners: line(piece.corners),
-    notches: piece.notches.map(({at, outward, width, depth, seam}) => ({
-      ...{at: onto(at), angle: angle(outward), allowanceCm: width, depthCm: depth},
-      ...(seam !== undefined && {seam}),
-    })),
-    grain: pair(piece.grain),
-    matchPoints: piece.matches.map((p, k) => ({at: onto(p), number: k + 1})),
-    ticks: piece.ticks.map(({at, along, label, seam}) => ({
-      ...{at: onto(at), angle: angle(along), label, seam},
-    })),
-    ...(stripe && {stripe: pair(stripe)}),
-    ...(plaid && {plaid: pair(plaid)}),
-    letters: piece.letters.map(({letter, at}) => ({letter, at: onto(at)})),
-    internalLines: piece.internalLines.map(line),
-    drillHoles: line(piece.drillHoles),
-    marks: pieceMarks(piece, {print, words, onto}),
-  };
-}
-
-/** The pieces of a garment with all of their marks. */
-function cutPieces(
-  result: SolvedPattern,
-  print: Print | undefined,
-  {panels}: CuttingMarks,
-  options: SheetOptions,
-): readonly CutPiece[] {
-  const {plain = []} = options;
-  const letters = seamLetters(result, letterRoom);
-  const {marks, garment, allowances, loops: all, cut} = cutLinesOf(result, panels, options);
-  const notches = garmentNotches(garment, result.pieces, marks, allowances.widths);
-  const cuts = result.pieces.map((piece, k) => {
-    const loops = all[k] ?? [];
-    const edges = loops.flat();
-    return cutPiece(piece, marks[k] ?? {label: piece.name}, {
-      print: plain.includes(piece.name) ? undefined : print,
-      ...{letters: letters[k] ?? [], notches: notches[k] ?? []},
-      sewn: loops.map((loop) => loop.flatMap(({points}) => points.slice(0, -1))),
-      cut: cut[k] ?? [],
-      corners: edges.flatMap(({points}) => points.slice(0, 1)),
-      allowances: edges.map(({key}) => ({
-        widthCm: allowances.widths.get(key) ?? 0,
-        isHem: allowances.hems.has(key),
-        isOwn: allowances.own.has(key),
-      })),
-    });
-  });
-  const ticks = print
-    ? matchTicks(result, print, (k) => {
-        const {alignment, matches: [first] = []} = cuts[k] ?? {};
-        return alignment && first && onPrint(alignment, first);
-      })
-    : [];
-  return cuts.map((cut, k) => ({...cut, ticks: ticks[k] ?? []}));
-}
-
 /**
  * Cutting sheets of a result for a desired ratio of width to height, which a sheet approximates.
  * @param print undefined for plain fabric only
@@ -176,7 +72,7 @@ export function sheetsOf(
   if (print) checkScaled(print);
   const {plain = []} = options;
   const {title, size, panels} = marks;
-  const cuts = cutPieces(result, print, marks, options);
+  const cuts = cutPieces(result, print, panels, options);
   const twinOf = twins(result);
   const heading = [title, size].filter((word) => word !== undefined).join(', ');
   const facts = factsOf(cuts, print, options);

@@ -1,13 +1,13 @@
 /**
  * Suggestions that save fabric. They are offered and never applied automatically. Lengths in cm.
  */
+import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {combined, onPiece, onPrint, type Point} from '../model/geometry/vectors.js';
 import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
 import type {MarkerAnswer, MarkerHooks} from '../model/result/marker-search.js';
 import {signedArea} from '../model/geometry/polyline.js';
 import {printDistance, type Repeat} from '../model/print/wallpaper.js';
 import {cheaperDesign, type SolveDesign} from './designs.js';
-import type {MarkerGarment} from './pieces.js';
 import {markerOrder, type LaidPrint, type MarkerOrder} from './problem.js';
 import type {MarkerSettings} from './settings.js';
 import {hasShiftsToTry, layShifted, unlessFailed, type Lay} from './shifted.js';

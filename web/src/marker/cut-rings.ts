@@ -3,15 +3,12 @@ import type {AllowanceRule} from '../cutting/allowance-rule.js';
 import {ownShare, type OwnShare} from '../cutting/allowances.js';
 import {cutLineSteps} from '../cutting/cut-line.js';
 import {decidedOf} from '../model/design/design.js';
+import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {drained} from '../model/base/drained.js';
 import {SolverError} from '../model/result/failure.js';
-import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {panelMarks, type PanelMarks} from '../model/garment/panel-marks.js';
 import {cross, minus, type Point} from '../model/geometry/vectors.js';
-import type {SolveOptions} from '../model/design/options.js';
-import type {PieceNames} from '../model/garment/piece-names.js';
-import type {Problem} from '../model/design/solve-problem.js';
-import type {OtherAlignment, SolveResult} from '../model/result/result.js';
+import type {SolveResult} from '../model/result/result.js';
 import {boxOf, signedArea} from '../model/geometry/polyline.js';
 
 // The cut line of a piece in a layout. Lengths in cm.
@@ -60,23 +57,6 @@ export function selfCrossing(ring: readonly Point[]): Point | undefined {
     }
   }
   return undefined;
-}
-
-/** A solved garment with its source data. */
-export interface MarkerGarment {
-  readonly result: SolveResult;
-  /** File name, used in messages. */
-  readonly name?: string;
-  /** Garment file: allowances, grain, and quantity of each piece. */
-  readonly garment?: GarmentDocument;
-  /** Options of the solve: grain rules, and pieces of plain fabric. */
-  readonly options?: Pick<SolveOptions, 'grain' | 'plain'>;
-  /** Names chosen for the pieces. */
-  readonly names?: PieceNames;
-  /** The solved problem, required to solve other designs of the garment. */
-  readonly problem?: Problem;
-  /** Other designs that match as well. Default: those of the result. */
-  readonly others?: readonly OtherAlignment[];
 }
 
 interface CutRings {

@@ -1,10 +1,10 @@
 /** Layouts of a result's other designs that match as well, on the same fabric. Lengths in cm. */
+import type {MarkerGarment} from '../model/design/marker-garment.js';
 import type {CheaperDesign, CheaperLay} from '../model/result/marker-plan.js';
 import type {MarkerHooks} from '../model/result/marker-search.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {Problem} from '../model/design/solve-problem.js';
 import type {OtherAlignment, SolveResult} from '../model/result/result.js';
-import type {MarkerGarment} from './pieces.js';
 import type {MarkerOrder} from './problem.js';
 import {unlessFailed, type Lay} from './shifted.js';
 

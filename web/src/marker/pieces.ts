@@ -1,4 +1,5 @@
 /** The pieces of solved garments, prepared for a layout. Lengths in cm, angles in radians. */
+import type {MarkerGarment} from '../model/design/marker-garment.js';
 import type {GrainLock} from '../model/garment/grain.js';
 import type {AllowanceRule} from '../cutting/allowance-rule.js';
 import type {GarmentPiece} from '../model/garment/garment-document.js';
@@ -7,9 +8,7 @@ import {dot, radians, towards, type Point} from '../model/geometry/vectors.js';
 import type {LaidTurns, MarkerPiece, Nap} from '../model/result/marker-search.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {ResultPiece, SolveResult} from '../model/result/result.js';
-import {calledIn, cutRings, type MarkerGarment} from './cut-rings.js';
-
-export type {MarkerGarment} from './cut-rings.js';
+import {calledIn, cutRings} from './cut-rings.js';
 
 /** Identifies the source of a problem's piece: its garment and its name there. */
 export interface PieceOfMarker {

@@ -79,7 +79,7 @@ function widthsOf(
  * @param layout the final answer, or the best layout so far without figures of its quality
  */
 export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
-  const {problem, pieces, allowanceCm, notes} = order;
+  const {problem, pieces, allowanceCm, hemCm, notes} = order;
   const {widthCm, selvedgeCm, gapCm, ignoresPrint, wholeRepeats, startCm} = problem;
   const laid = placementsOf(order, layout);
   const {low, high} = boxOf(laid.flatMap(({cut}) => cut));
@@ -98,7 +98,7 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
   const details = [...notes, ...(ignoresPrint || !layout.phaseLengthsCm ? [] : phaseNotes(phases))];
   return {
     ...{format: 'seamwise-layplan/1', print: problem.print},
-    ...{widthCm, selvedgeCm, gapCm, allowanceCm, lengthCm},
+    ...{widthCm, selvedgeCm, gapCm, allowanceCm, hemCm, lengthCm},
     printOrigin: ignoresPrint ? null : [x, y],
     placements,
     unplaced: pieces.filter((_, k) => !layout.places[k]),

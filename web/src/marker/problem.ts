@@ -1,4 +1,5 @@
 /** Combines solved garments into one layout problem: pieces, fabric and settings. Lengths in cm. */
+import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {SolverError} from '../model/result/failure.js';
 import {distance, norm, rotated} from '../model/geometry/vectors.js';
 import {layNote, type LayNote} from '../model/result/lay-note.js';
@@ -7,7 +8,7 @@ import type {Print} from '../model/print/repeating-print.js';
 import {ruleOf} from '../cutting/allowance-rule.js';
 import {checkScaled, type PrintScale} from '../model/result/unscaled-print.js';
 import type {Repeat} from '../model/print/wallpaper.js';
-import {laidPieces, type MarkerGarment, type PieceOfMarker} from './pieces.js';
+import {laidPieces, type PieceOfMarker} from './pieces.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from './repeats.js';
 import {checkedSettings, type MarkerSettings} from './settings.js';
 
@@ -21,6 +22,7 @@ export interface MarkerOrder {
    */
   readonly components: readonly (readonly number[])[];
   readonly allowanceCm: number;
+  readonly hemCm: number;
   /** Notes for people. */
   readonly notes: readonly LayNote[];
 }
@@ -146,7 +148,7 @@ export function markerOrder(
       ...{result, copy, piece},
       ...(nth !== undefined && {nth}),
     })),
-    allowanceCm,
+    ...{allowanceCm, hemCm},
     notes: notesOf(garments, settings, repeat),
   };
 }

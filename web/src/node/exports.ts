@@ -1,4 +1,5 @@
 /** Types of the functions of `seamwise/node`, and writers of its files. */
+export type {MarkerGarment} from '../model/design/marker-garment.js';
 export type {Alignment, MirrorMap, Point} from '../model/geometry/vectors.js';
 export * from '../model/result/draped-garment.js';
 export * from '../model/documents/drape-file.js';
@@ -34,7 +35,6 @@ export type {OwnShare} from '../cutting/allowances.js';
 export type * from '../cutting/cut-sheet.js';
 export type {DxfOptions} from '../cutting/out/sheet-dxf.js';
 export {layPlanText} from '../marker/plan.js';
-export type {MarkerGarment} from '../marker/pieces.js';
 export type {LaidPrint} from '../marker/problem.js';
 export type {PrintScale} from '../model/result/unscaled-print.js';
 export type {MarkerSettings} from '../marker/settings.js';

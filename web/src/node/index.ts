@@ -1,3 +1,4 @@
+import type {MarkerGarment} from '../model/design/marker-garment.js';
 import type {Drape, DrapeSettings} from '../model/result/draped-garment.js';
 import type {Garment} from '../model/garment/specification.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
@@ -8,7 +9,6 @@ import type {Problem, SolveHooks} from '../model/design/solve-problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
 import type {StoredDesign} from '../model/documents/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
-import type {MarkerGarment} from '../marker/pieces.js';
 import type {SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 import type {Remedy} from '../remedies/remedy.js';
 import {

@@ -1,8 +1,8 @@
 /** Computes the layout of results on fabric. */
+import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {cheaperLays, withOffers} from '../marker/cheaper.js';
 import type {SolveDesign} from '../marker/designs.js';
 import {foldedOrder} from '../marker/fold.js';
-import type {MarkerGarment} from '../marker/pieces.js';
 import {layPlan} from '../marker/plan.js';
 import {markerOrder, type LaidPrint} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';

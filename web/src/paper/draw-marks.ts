@@ -1,9 +1,19 @@
 /** Draws lines, marks and text of pieces as page content, in cm on the sheet. */
 import type {CutLine, CutMark, CutText} from '../cutting/cut-sheet.js';
+import {lineColours} from '../cutting/line-colours.js';
 import {plus, rotated, towards, type Point} from '../model/geometry/vectors.js';
 import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {grown, overlap} from './boxes.js';
-import {filledWith, line, nums, onLayer, scoped, strokedWith, through} from './pdf-content.js';
+import {
+  filledWith,
+  line,
+  nums,
+  onLayer,
+  scoped,
+  strokedWith,
+  through,
+  type Colour,
+} from './pdf-content.js';
 import type {PdfResources} from './pdf-resources.js';
 import {textAt, widthOf, type Weight} from './pdf-text.js';
 
@@ -17,6 +27,12 @@ const light = 0.85;
 const faint = 0.4;
 
 const white = filledWith([1, 1, 1]);
+
+/** The colour of `#rrggbb`. */
+const colourOf = (hex: string): Colour => {
+  const part = (k: number): number => parseInt(hex.slice(2 * k + 1, 2 * k + 3), 16) / 255;
+  return [part(0), part(1), part(2)];
+};
 
 /** A rectangle with rounded corners, from its lower left corner. */
 function roundBox([x, y]: Point, width: number, height: number, radius: number): string {
@@ -53,7 +69,8 @@ function drawnLine(mark: CutLine, resources: PdfResources): readonly [string, st
           strokedWith([1, 1, 1]),
           stroke(mark, widthMm + haloMm, []),
         );
-  const drawn = stroke(mark, widthMm, dashMm);
+  const colour = strokedWith(colourOf(lineColours[mark.layer].hex));
+  const drawn = `${colour}\n${stroke(mark, widthMm, dashMm)}`;
   return [halo, isFaint ? scoped(seen(faint), drawn) : drawn];
 }
 

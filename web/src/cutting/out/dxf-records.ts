@@ -63,13 +63,16 @@ export const line = (layer: number, [from, to]: readonly [Point, Point]): readon
   [21, mm(to[1])],
 ];
 
+/** @param colour AutoCAD colour index; that of the layer when omitted */
 export const polyline = (
   layer: number,
   points: readonly Point[],
   isClosed: boolean,
+  colour?: number,
 ): readonly Pair[] => [
   [0, 'POLYLINE'],
   [8, layer],
+  ...(colour === undefined ? [] : [[62, colour] as const]),
   [66, 1],
   [10, '0'],
   [20, '0'],

@@ -11,8 +11,10 @@ import {
   turnBetween,
   type Point,
 } from '../../model/geometry/vectors.js';
+import {signedArea} from '../../model/geometry/polyline.js';
 import {packageVersion} from '../../model/base/version.js';
 import type {CutSheet, LaidPiece} from '../cut-sheet.js';
+import {lineColours} from '../line-colours.js';
 import {
   block,
   dxfFile,
@@ -72,26 +74,34 @@ function pointsOf(loop: readonly Point[], corners: readonly Point[]): readonly P
   });
 }
 
+/** Greatest difference of the areas of equal lines. [cm2] */
+const leastArea = 1e-6;
+
 /** Returns whether the cut line differs from the sewn line. */
 const hasAllowance = ({cut, sewn}: LaidPiece): boolean =>
   cut.length !== sewn.length ||
-  cut.some((loop, k) => {
-    const other = sewn[k] ?? [];
-    return loop.length !== other.length || loop.some((p, n) => distance(p, other[n] ?? p) > 0);
-  });
+  cut.some((loop, k) => Math.abs(signedArea(loop) - signedArea(sewn[k] ?? [])) > leastArea);
 
 /** The boundary with its validation copy, the other line, and cut-outs. */
 function outlines(piece: LaidPiece, {sewAsBoundary = false}: DxfOptions): readonly Pair[] {
   const {cut, sewn, corners} = piece;
   const [boundary, other] = sewAsBoundary ? [sewn, cut] : [cut, sewn];
+  const [ofCut, ofSewn] = [lineColours.cut.index, lineColours.sew.index];
+  const [first, second] = sewAsBoundary ? [ofSewn, ofCut] : [ofCut, ofSewn];
   const [outer = [], ...holes] = boundary;
   const others = hasAllowance(piece) ? other : [];
   return [
-    ...polyline(layers.cut, outer, true),
+    ...polyline(layers.cut, outer, true, first),
     ...pointsOf(outer, corners),
     ...polyline(layers.copy, outer, true),
-    ...holes.flatMap((hole) => [...polyline(layers.hole, hole, true), ...pointsOf(hole, corners)]),
-    ...others.flatMap((loop) => [...polyline(layers.sew, loop, true), ...pointsOf(loop, corners)]),
+    ...holes.flatMap((hole) => [
+      ...polyline(layers.hole, hole, true, first),
+      ...pointsOf(hole, corners),
+    ]),
+    ...others.flatMap((loop) => [
+      ...polyline(layers.sew, loop, true, second),
+      ...pointsOf(loop, corners),
+    ]),
   ];
 }
 
@@ -105,6 +115,13 @@ function notches(piece: LaidPiece, {sewAsBoundary = false}: DxfOptions): readonl
     ]),
   );
 }
+
+/** All lines and points of a piece. */
+export const drawn = (piece: LaidPiece, options: DxfOptions = {}): readonly Pair[] => [
+  ...outlines(piece, options),
+  ...notches(piece, options),
+  ...inside(piece),
+];
 
 function inside(piece: LaidPiece): readonly Pair[] {
   const {grain, internalLines, ticks, stripe, plaid, drillHoles, matchPoints} = piece;
@@ -190,12 +207,7 @@ export function sheetDxf(sheet: CutSheet, options: DxfOptions = {}): string {
   const names = namesOf(sheet.pieces);
   const blocks = sheet.pieces.flatMap((piece, k) => {
     const name = names[k] ?? piece.name;
-    return block(blockName(name), [
-      ...words(piece, name, sheet),
-      ...outlines(piece, options),
-      ...notches(piece, options),
-      ...inside(piece),
-    ]);
+    return block(blockName(name), [...words(piece, name, sheet), ...drawn(piece, options)]);
   });
   const entities = [
     ...style(sheet, options).flatMap((one, k) => text(layers.cut, [0, -2 - k], one)),

@@ -28,7 +28,7 @@ function drawnFabric(
   if (!cloth) return {defs: '', drawn: ''};
   const onSheet: Page = (p) => page(plus(cloth.at, p));
   const {printOrigin} = plan;
-  const {around, outside, inside} = veils(plan, cloth);
+  const {around, outside, inside} = veils(plan, cloth, cloth.holes);
   const ground = (fill: string, loops: readonly (readonly Point[])[], opacity = 1): string =>
     `<path d="${closed(loops, onSheet)}" fill="${fill}" fill-opacity="${opacity}" fill-rule="evenodd"/>`;
   return {

@@ -29,6 +29,9 @@ const fontRoom = 1.25;
 /** Half the size of a cross, and the distance of its number from its centre. [mm on paper] */
 const crossReach = 1.3;
 const numberAside = 3.1;
+/** Width of lines inside pieces, and their dashes over those of a cutting sheet. [mm on paper, 1] */
+const thin = 0.2;
+const dashShare = 0.5;
 const ringRadius = 1.6;
 const ringSteps = 24;
 const upright = Math.PI / 2;
@@ -64,6 +67,29 @@ function crossMarks(size: Size, {cut, crosses}: PlanPiece): readonly CutMark[] {
     .map((points) => lineOf(size, points, {width: 0.3, halo: 0.5, layer: 'matches'}));
   return [...numbers, ...lines];
 }
+
+/**
+ * Cut-outs, sewn lines, notches, drill holes, inner lines and grain of a piece, as on its cutting
+ * sheet.
+ */
+const marksInside = (size: Size, {laid}: PlanPiece): readonly CutMark[] =>
+  laid
+    ? [
+        ...laid.cut
+          .slice(1)
+          .map((hole) => lineOf(size, hole, {width: 0.4, halo: 0.5, isClosed: true, layer: 'cut'})),
+        ...laid.marks.flatMap((mark) =>
+          mark.kind === 'line' && (mark.layer === 'sew' || mark.layer === 'marks')
+            ? [
+                lineOf(size, mark.points, {
+                  ...{width: thin, halo: thin, isClosed: mark.isClosed, layer: mark.layer},
+                  ...(mark.dashMm && {dash: mark.dashMm.map((part) => dashShare * part)}),
+                }),
+              ]
+            : [],
+        ),
+      ]
+    : [];
 
 /**
  * The number and name of a piece, in the largest size that fits the piece and the window,
@@ -129,6 +155,7 @@ export function clothMarks(
     ...shown.map(({cut}) =>
       lineOf(size, cut, {width: 0.4, halo: 0.5, isClosed: true, layer: 'cut'}),
     ),
+    ...shown.flatMap((piece) => marksInside(size, piece)),
     ...ringMarks,
     ...shown.flatMap((piece) => {
       const crosses = crossMarks(size, piece);

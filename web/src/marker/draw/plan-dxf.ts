@@ -2,8 +2,9 @@
  * Writes a layout as DXF for CAD programs and cutters, one block per piece in its place on the
  * fabric.
  */
-import {blockName, crosses, layers, namesOf} from '../../cutting/out/sheet-dxf.js';
+import {blockName, crosses, drawn, layers, namesOf} from '../../cutting/out/sheet-dxf.js';
 import {block, dxfFile, insert, line, polyline, text} from '../../cutting/out/dxf-records.js';
+import {lineColours} from '../../cutting/line-colours.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import {namesIn, planPieces, type KnownPieces} from './plan-pieces.js';
@@ -19,15 +20,19 @@ interface PlanDxfOptions extends KnownPieces {
 export function planDxf(plan: LayPlan, {texts = english, ...known}: PlanDxfOptions = {}): string {
   const pieces = planPieces(plan, known, namesIn(plan, known, texts.garment));
   const names = namesOf(pieces);
-  const blocks = pieces.flatMap(({cut, grain, crosses: marked}, k) => {
+  const blocks = pieces.flatMap(({cut, grain, laid, crosses: marked}, k) => {
     const name = names[k] ?? '';
     return block(blockName(name), [
       ...text(layers.cut, grain[0], `Piece Name: ${name}`),
       ...text(layers.cut, grain[0], 'Quantity: 1,0'),
       ...text(layers.words, grain[0], name),
-      ...polyline(layers.cut, cut, true),
-      ...line(layers.grain, grain),
-      ...crosses(marked.map((at, n) => ({at, number: n + 1}))),
+      ...(laid
+        ? drawn(laid)
+        : [
+            ...polyline(layers.cut, cut, true, lineColours.cut.index),
+            ...line(layers.grain, grain),
+            ...crosses(marked.map((at, n) => ({at, number: n + 1}))),
+          ]),
     ]);
   });
   const {widthCm, lengthCm, selvedgeCm} = plan;

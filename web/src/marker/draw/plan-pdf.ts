@@ -49,10 +49,11 @@ const footRise = 0.5;
 const longest = 500;
 
 const layerNames = {
-  ...{print: 'Print', cut: 'Cut line', marks: 'Marks', matches: 'Match points', words: 'Words'},
+  ...{print: 'Print', cut: 'Cut line', sew: 'Sew line', marks: 'Marks', matches: 'Match points'},
+  words: 'Words',
 };
 
-type Layers = Readonly<Record<keyof typeof layerNames | 'sew', string>>;
+type Layers = Readonly<Record<keyof typeof layerNames, string>>;
 
 /** Portrait if the fabric fits, otherwise landscape, otherwise a smaller scale. */
 function formatOn({widthCm, heightCm = longest}: Paper, plan: LayPlan, scale: number): SheetFormat {
@@ -78,7 +79,7 @@ const white = filledWith([1, 1, 1]);
 
 function drawnFabric(
   plan: LayPlan,
-  {from, to, at, marks}: NonNullable<PlanSheet['cloth']>,
+  {from, to, at, marks, holes}: NonNullable<PlanSheet['cloth']>,
   resources: PdfResources,
   {layers, cell}: {readonly layers: Layers; readonly cell: Cell | undefined},
 ): string {
@@ -86,7 +87,7 @@ function drawnFabric(
   // edge lines of the fabric extend beyond it, so the clip box is wider there
   const [first, last] = [from > 0 ? from : -1, to < plan.lengthCm ? to : to + 1];
   const clip = boxAt([-1, first], plan.widthCm + 2, last - first);
-  const {around, outside, inside} = veils(plan, {from, to});
+  const {around, outside, inside} = veils(plan, {from, to}, holes);
   const cloth = {
     ...{cut: [around], place: printOnFabric([0, 0])},
     ...(plan.printOrigin && {alignment: printOnFabric(plan.printOrigin)}),
@@ -130,7 +131,7 @@ export async function planPdf(
   const layer = (name: keyof typeof layerNames): string => resources.layer(layerNames[name]);
   const layers: Layers = {
     ...{print: layer('print'), cut: layer('cut'), marks: layer('marks')},
-    ...{matches: layer('matches'), words: layer('words'), sew: ''},
+    ...{matches: layer('matches'), words: layer('words'), sew: layer('sew')},
   };
   const cell = plan.printOrigin
     ? await clothCell(resources, print, pixels, (sentence) => notes.push(sentence))

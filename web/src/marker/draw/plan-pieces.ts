@@ -2,12 +2,17 @@
  * The pieces of a layout, prepared for drawing: number, name, and crosses that align them with the
  * print. Lengths in cm on the fabric.
  */
-import {finer} from '../../cutting/cut-piece.js';
+import type {MarkerGarment} from '../../model/design/marker-garment.js';
+import {finer, type CutPiece} from '../../cutting/cut-piece.js';
+import type {LaidPiece} from '../../cutting/cut-sheet.js';
+import {cutPieces, laidPiece} from '../../cutting/garment-pieces.js';
 import {matchMarks} from '../../cutting/match-marks.js';
+import {decidedOf} from '../../model/design/design.js';
+import {panelMarks, type PanelMarks} from '../../model/garment/panel-marks.js';
+import {signedArea} from '../../model/geometry/polyline.js';
 import {
   combined,
   coordinates,
-  onPiece,
   plus,
   towards,
   type Alignment,
@@ -15,17 +20,15 @@ import {
 } from '../../model/geometry/vectors.js';
 import type {LaidPlacement, LayPlan} from '../../model/result/marker-plan.js';
 import {readable} from '../../model/garment/piece-names.js';
-import type {Print} from '../../model/print/repeating-print.js';
-import type {ResultPiece, SolveResult} from '../../model/result/result.js';
-import {carried} from '../../model/geometry/triangles.js';
-import {innermost, lineAt, pick} from '../../scene/marks.js';
+import type {SolveResult} from '../../model/result/result.js';
+import {innermost} from '../../scene/marks.js';
 
 /** Data about the pieces in addition to the layout. */
 export interface KnownPieces {
   /** Returns the displayed name of a piece. Default: its own name, made readable. */
   readonly names?: (result: number, piece: string) => string;
-  /** Results that supply the grain, and the same numbered crosses as on the cutting sheets. */
-  readonly results?: readonly Pick<SolveResult, 'pieces'>[];
+  /** The garments that were laid. Their pieces have the same marks as on the cutting sheets. */
+  readonly results?: readonly (SolveResult | MarkerGarment)[];
 }
 
 export interface PlanPiece {
@@ -37,6 +40,8 @@ export interface PlanPiece {
   readonly crosses: readonly Point[];
   /** The grain line; parallel to the selvedge if the grain is unknown. */
   readonly grain: readonly [Point, Point];
+  /** The piece with all marks of the cutting sheet; undefined if its garment is unknown. */
+  readonly laid?: LaidPiece;
 }
 
 /** The alignment of the print on the fabric. */
@@ -48,33 +53,40 @@ export const printOnFabric = (origin: Point): Alignment => ({angle: 0, translati
  */
 const grainShare = 0.8;
 
-function crossesOf(
-  place: LaidPlacement,
-  known: ResultPiece | undefined,
-  print: Pick<Print, 'w1' | 'w2'>,
-  origin: Point,
-): readonly Point[] {
-  if (!known) return matchMarks(print, printOnFabric(origin), [place.cut]);
-  const loops = [known.outline, ...known.holes].map((loop) => pick(known.shape, loop));
-  return matchMarks(print, known.alignment, loops).map((p) => onPiece(place, p));
-}
-
 /** The point of a piece farthest from its cut line and from other points, with that distance. */
 export const inmost = (
   cut: readonly Point[],
   others: readonly Point[] = [],
 ): ReturnType<typeof innermost> => innermost(finer([...cut, ...cut.slice(0, 1)]), others);
 
-function grainOf(place: LaidPlacement, known: ResultPiece | undefined): readonly [Point, Point] {
-  if (known?.grainAngle === undefined) {
-    const {at, room} = inmost(place.cut);
-    const up = towards(Math.PI / 2);
-    return [plus(at, up, -grainShare * room), plus(at, up, grainShare * room)];
-  }
-  const {triangles, rest, shape} = known;
-  const onFabric = (p: Point): Point => onPiece(place, carried(triangles, rest, shape, p));
-  const [foot, head] = lineAt(known, known.grainAngle);
-  return [onFabric(foot), onFabric(head)];
+/** A grain line of a piece about which nothing else is known: along the selvedge. */
+function upright(cut: readonly Point[]): readonly [Point, Point] {
+  const {at, room} = inmost(cut);
+  const up = towards(Math.PI / 2);
+  return [plus(at, up, -grainShare * room), plus(at, up, grainShare * room)];
+}
+
+/** The pieces of a laid garment by name, in coordinates of their shapes. */
+function piecesOf(
+  one: SolveResult | MarkerGarment,
+  {allowanceCm, hemCm, printOrigin}: LayPlan,
+): ReadonlyMap<string, CutPiece> {
+  const {result, garment, names, options = {}} = 'result' in one ? one : {result: one};
+  const panels = garment
+    ? panelMarks(garment, decidedOf({options, ...(names && {names})}))
+    : new Map<string, PanelMarks>();
+  const pieces = cutPieces(result, printOrigin ? result.print : undefined, panels, {
+    allowanceCm,
+    ...(hemCm !== undefined && {hemCm}),
+    ...(options.plain && {plain: options.plain}),
+  });
+  return new Map(pieces.map((piece) => [piece.name, piece]));
+}
+
+/** The piece where it lies. Its outer cut line is that of the layout, which decides. */
+function laidAt(placement: LaidPlacement, piece: CutPiece, name: string): LaidPiece {
+  const laid = laidPiece(piece, placement, {print: undefined, words: [name], material: undefined});
+  return {...laid, cut: [placement.cut, ...laid.cut.filter((loop) => signedArea(loop) < 0)]};
 }
 
 /** Names of pieces, with the garment's number if there are several garments. */
@@ -93,17 +105,22 @@ export function namesIn(
 }
 
 export function planPieces(
-  {placements, print, printOrigin}: LayPlan,
-  {results}: KnownPieces,
+  plan: LayPlan,
+  {results = []}: KnownPieces,
   nameOf: (one: LaidPlacement) => string,
 ): readonly PlanPiece[] {
-  return placements.map((placement, k) => {
-    const known = results?.[placement.result]?.pieces.find(({name}) => name === placement.piece);
-    return {
-      ...{number: k + 1, name: nameOf(placement), cut: placement.cut},
-      crosses: printOrigin ? crossesOf(placement, known, print, printOrigin) : [],
-      grain: grainOf(placement, known),
-    };
+  const {placements, print, printOrigin} = plan;
+  const known = results.map((one) => piecesOf(one, plan));
+  return placements.map((placement, k): PlanPiece => {
+    const {cut} = placement;
+    const piece = known[placement.result]?.get(placement.piece);
+    const one = {number: k + 1, name: nameOf(placement), cut};
+    if (piece) {
+      const laid = laidAt(placement, piece, one.name);
+      return {...one, laid, grain: laid.grain, crosses: laid.matchPoints.map(({at}) => at)};
+    }
+    const crosses = printOrigin ? matchMarks(print, printOnFabric(printOrigin), [cut]) : [];
+    return {...one, crosses, grain: upright(cut)};
   });
 }
 

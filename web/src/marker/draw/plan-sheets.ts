@@ -117,6 +117,7 @@ function addFabric(
   const steps = (isRoll ? fineSteps : rulerSteps)[units];
   const [beside, below] = isRoll ? [0, 0] : [cm(size, rulerRoom), cm(size, belowFabric)];
   filling.add(cm(size, aboveFabric));
+  const holes = cloth.pieces.flatMap(({laid}) => laid?.cut.slice(1) ?? []);
   for (let from = 0; from < lengthCm - rounding;) {
     const rest = lengthCm - from;
     if (filling.left - below < Math.min(rest, cm(size, leastFabric))) filling.turn();
@@ -124,10 +125,10 @@ function addFabric(
     const marks = clothMarks(size, cloth, [from, to]);
     if (isRoll) {
       const along = ruler(size, 1, [from, to], {...steps, side: -1, hasPlate: true});
-      filling.addFabric([from, to], [0, 0], [...marks, ...along], []);
+      filling.addFabric([from, to], [0, 0], {marks: [...marks, ...along], holes}, []);
     } else {
       const style = {...steps, side: 1, hasPlate: false} as const;
-      filling.addFabric([from, to], [beside, below], marks, [
+      filling.addFabric([from, to], [beside, below], {marks, holes}, [
         ...ruler(size, 1, [from, to], style),
         ...moved(ruler(size, 0, [0, widthCm], style), [0, from]),
         ...(from === 0 ? [textOf(size, [widthCm / 2, -cm(size, 8)], texts.start, 2.3)] : []),

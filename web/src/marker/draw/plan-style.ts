@@ -67,6 +67,8 @@ export interface PlanSheet {
     readonly to: number;
     /** Marks relative to the start of the fabric, clipped to the part shown. */
     readonly marks: readonly CutMark[];
+    /** Cut-outs of the pieces. */
+    readonly holes: readonly (readonly Point[])[];
   };
   readonly marks: readonly CutMark[];
 }
@@ -151,12 +153,12 @@ export class Filling {
   addFabric(
     [from, to]: Point,
     [beside, below]: Point,
-    marks: readonly CutMark[],
+    drawn: Pick<NonNullable<PlanSheet['cloth']>, 'marks' | 'holes'>,
     rulers: readonly CutMark[],
   ): void {
     this.#put(to - from + below, ([x, y]) => {
       const at: Point = [x + beside, y - to];
-      this.#cloth = {at, from, to, marks};
+      this.#cloth = {at, from, to, ...drawn};
       return moved(rulers, at);
     });
   }

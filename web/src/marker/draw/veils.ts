@@ -19,12 +19,14 @@ interface Veils {
   readonly inside: Veil;
 }
 
+/** @param holes cut-outs of the pieces */
 export function veils(
   {widthCm, placements}: LayPlan,
   {from, to}: {readonly from: number; readonly to: number},
+  holes: readonly (readonly Point[])[] = [],
 ): Veils {
   const around = cornersOf(boxAt([0, from], widthCm, to - from));
-  const pieces = placements.map(({cut}) => cut);
+  const pieces = [...placements.map(({cut}) => cut), ...holes];
   return {
     around,
     outside: {loops: [around, ...pieces], opacity: 0.72},

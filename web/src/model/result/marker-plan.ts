@@ -73,6 +73,8 @@ export interface LayPlan {
   /** Least distance between pieces. */
   readonly gapCm: number;
   readonly allowanceCm: number;
+  /** Allowance at hems. Absent in layouts of earlier versions. */
+  readonly hemCm?: number;
   readonly lengthCm: number;
   /**
    * Distance of the fold from the left edge; the fabric is shown unfolded. Absent for single

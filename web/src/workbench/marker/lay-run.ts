@@ -1,6 +1,7 @@
 /** Lays out a result on its fabric while the page stays responsive. */
+import type {MarkerGarment} from '../../model/design/marker-garment.js';
 import {cheaperLays, type CheaperMeans} from '../../marker/cheaper.js';
-import {cutRings, cutRingSteps, type MarkerGarment} from '../../marker/cut-rings.js';
+import {cutRings, cutRingSteps} from '../../marker/cut-rings.js';
 import {withOptions} from '../../marker/designs.js';
 import {layPlan} from '../../marker/plan.js';
 import {markerOrder, type MarkerOrder} from '../../marker/problem.js';

@@ -28,7 +28,15 @@ async function drawnWith(
   const {title} = (garment && garmentTitle(garment, design?.garment.name)) ?? {};
   return {
     print: {...printOf(print), ...(tile !== undefined && {tile})},
-    ...(result && {results: [result]}),
+    ...(result && {
+      results: [
+        {
+          result,
+          ...(garment && {garment}),
+          ...(design && {options: design.options, names: design.names}),
+        },
+      ],
+    }),
     ...(title !== undefined && {title}),
     names: (_: number, piece: string) => marks?.get(piece)?.label ?? readable(piece),
     words: {
