@@ -101,7 +101,7 @@ const everything = {
                 ],
               },
             },
-            {endpoints: [6, 4]},
+            {endpoints: [6, 4], label: 'rim', allowance: 0.25, ribbon: 'red'},
           ],
         ],
         grain: {
@@ -180,7 +180,7 @@ const everything = {
           [9, 8],
         ],
       },
-      name: 'Button',
+      ...{name: 'Button', thread: 'grey'},
     },
   ],
 } as const;
@@ -208,6 +208,14 @@ describe('a garment document', () => {
     expect(back?.outline[0]?.points).toHaveLength(7);
     expect(back?.outline[0]?.points.at(-1)?.[1]).toBeCloseTo(50.8, 9);
     expect(back?.holes[0]?.map(({points}) => points.length).sort()).toEqual([2, 2, 7]);
+    // the file lists the edge between its last and its first vertex
+    const rim = back?.holes[0]?.find(({label}) => label === 'rim');
+    expect(rim).toMatchObject({allowance: {width: 0.635}, more: {ribbon: 'red'}});
+    expect(rim?.points.map(([, y]) => y / 2.54).sort((a, b) => a - b)).toEqual([
+      expect.closeTo(8, 6),
+      expect.closeTo(9, 6),
+    ]);
+    expect(document.matches[0]).toMatchObject({name: 'Button', more: {thread: 'grey'}});
     expect(back?.outline[1]?.radius).toBeCloseTo(12.7, 9);
     expect(back?.outline[1]).toMatchObject({
       allowance: {width: 1.27, corner: 'square'},

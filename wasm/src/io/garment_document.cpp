@@ -77,11 +77,14 @@ void writeAllowance(JsonWriter& out, const JsonValue& allowance, double cm) {
   out.close();
 }
 
-void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue& edges, double cm) {
+/// @param edges      the loop in the file
+/// @param reversed   the file lists its edges in the opposite order
+void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue& edges,
+               bool reversed, double cm) {
   out.openList();
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const Curve& curve = loop[k];
-    const JsonValue edge = edges[k];
+    const JsonValue edge = edges[reversed ? loop.size() - 1 - k : k];
     out.openObject();
     out.field("points", curve.points());
     if (curve.circular()) {
@@ -117,14 +120,14 @@ Vec3 turnedOver(const Vec3& rotation) {
 
 void writePlacement(JsonWriter& out, const JsonValue& panel, const Frame& frame) {
   const JsonValue translation = panel.find("translation"), rotation = panel.find("rotation");
-  if (!translation) return;
+  if (!translation && !rotation) return;
   const auto triple = [](const JsonValue& of) {
     return Vec3(of[0].number(), of[1].number(), of[2].number());
   };
   const auto put = [&](const char* name, const Vec3& v) { out.field(name, v); };
   out.key("placement");
   out.openObject();
-  put("translation", frame.cm * triple(translation));
+  put("translation", translation ? Vec3(frame.cm * triple(translation)) : Vec3(Vec3::Zero()));
   if (rotation || frame.mirrored)
     put("rotation", frame.mirrored ? turnedOver(triple(rotation)) : triple(rotation));
   out.close();
@@ -136,10 +139,12 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
   out.field("name", panel.name);
   out.field("mirroredFromInput", panel.mirrored_from_input);
   out.key("outline");
-  writeLoop(out, panel.edges, json.find("edges"), cm);
+  writeLoop(out, panel.edges, json.find("edges"), false, cm);
   out.key("holes");
   out.openList();
-  for (const std::vector<Curve>& hole : panel.holes) writeLoop(out, hole, {}, cm);
+  const JsonValue holes = json.find("holes");
+  for (std::size_t h = 0; h < panel.holes.size(); ++h)
+    writeLoop(out, panel.holes[h], holes[h], panel.hole_reversed[h], cm);
   out.close();
   out.key("internalLines");
   out.openList();
@@ -245,6 +250,7 @@ class DocumentWriter {
       out_.close();
     }
     copyMembers(out_, match, "weight name");
+    copyOthers(out_, match, "a b weight name");
     out_.close();
   }
 

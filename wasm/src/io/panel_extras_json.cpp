@@ -40,11 +40,13 @@ void readHoles(const JsonValue& json, const std::vector<Vec2>& vertices, const P
     if (here.failed()) return;
     if (panel->mirrored_from_input)
       for (Curve& edge : loop) edge = edge.transformed({0.0, Vec2::Zero(), true});
-    if (signedArea(loop) > 0) {
+    const bool reversed = signedArea(loop) > 0;
+    if (reversed) {
       std::reverse(loop.begin(), loop.end());
       for (Curve& edge : loop) edge = edge.reversed();
     }
     panel->holes.push_back(std::move(loop));
+    panel->hole_reversed.push_back(reversed);
     checkHole(*panel, h, here);
   }
 }

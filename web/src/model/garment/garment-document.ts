@@ -120,7 +120,7 @@ export interface GarmentSeam extends Unknown {
 }
 
 /** Two marked lines that coincide without being sewn. */
-export interface GarmentMatch {
+export interface GarmentMatch extends Unknown {
   readonly a: {readonly piece: string; readonly line: readonly Point[]};
   readonly b: {readonly piece: string; readonly line: readonly Point[]};
   readonly weight?: number;

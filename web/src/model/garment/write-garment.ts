@@ -172,7 +172,7 @@ export function garmentFile(document: GarmentDocument): string {
     ...member('seams', described),
     ...member(
       'matches',
-      matches.map(({a, b, ...match}) => ({a: side(a), b: side(b), ...match})),
+      matches.map(({a, b, more: others, ...match}) => ({a: side(a), b: side(b), ...match, ...others})),
     ),
     ...member(
       'symmetries',
