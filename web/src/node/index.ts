@@ -64,6 +64,27 @@ export async function remedies(
 }
 
 /**
+ * Solves each visible seam that is off by itself, at most four. What is off even then gets the state
+ * `cannot` and the reason `reach`.
+ * @param problem the problem of the result
+ * @returns the result with these states; it is not what a stored design is compared with
+ * @throws the signal's reason, an `AbortError` by default, when it aborts
+ */
+export async function withReach(
+  problem: Problem,
+  result: SolveResult,
+  {signal, names}: NamedPrepareHooks = {},
+): Promise<SolveResult> {
+  const {withReach: tried} = await import('../remedies/reach.js');
+  return tried(
+    problem,
+    result,
+    (changed, stop) => solve(changed, {...(stop && {signal: stop}), ...(names && {names})}),
+    {signal},
+  );
+}
+
+/**
  * Solves a stored design again from its original files, and lays it out on `cloth` if given.
  * @param design an object, or its JSON text
  * @throws {FileError} if the design is damaged, or if a file cannot be read or has changed;
