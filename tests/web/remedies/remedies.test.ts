@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Problem} from '@/model/design/solve-problem.js';
+import type {SingleProblem} from '@/model/design/solve-problem.js';
 import type {ResultSeam, SeamReason, SolveResult} from '@/model/result/result.js';
 import {groupWithMirrors, proposals} from '@/remedies/proposals.js';
 import {remediesOf} from '@/remedies/remedies.js';
@@ -50,7 +50,7 @@ function skirt(high: number, more: Partial<SolveResult> = {}, all = joins): Solv
   };
 }
 
-const problem: Problem = {
+const problem: SingleProblem = {
   garment: '{}',
   print: plainPrint,
   options: {grain: {default: 'on'}, unmatched: [7]},
@@ -140,14 +140,14 @@ describe('what is proposed', () => {
 });
 
 describe('what helps', () => {
-  const tried = (answer: SolveResult, asked: Problem[] = []) =>
+  const tried = (answer: SolveResult, asked: SingleProblem[] = []) =>
     remediesOf(problem, skirt(1), (changed) => {
       asked.push(changed);
       return Promise.resolve(answer);
     });
 
   it('is said with the mean along its seams, before and after', async () => {
-    const asked: Problem[] = [];
+    const asked: SingleProblem[] = [];
     const [remedy, ...more] = await tried(skirt(0.05), asked);
     expect(more).toEqual([]);
     expect(remedy).toMatchObject({kind: 'turn', pieces: ['band_front', 'band_back']});

@@ -2,17 +2,27 @@ import {basename} from 'node:path';
 
 import {optionLimits} from '../model/base/core-tables.js';
 import type {SolveOptions} from '../model/design/options.js';
+import type {ComparedAnswer} from '../model/design/solve-problem.js';
+import {atScale, scaleLimits} from '../model/print/print-scale.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {methods} from '../model/result/method.js';
 import {resultText, withoutTimes} from '../model/documents/result-text.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readText, textOf} from '../node/files.js';
-import {readGarment, remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
+import {
+  chosenProblem,
+  readGarment,
+  remedies,
+  solve,
+  type ProblemNames,
+  type Remedy,
+} from '../node/index.js';
 import {
   choice,
   factor,
   lengthCm,
   parseArguments,
+  printSizes,
   UsageError,
   wholeNumber,
 } from './base/arguments.js';
@@ -20,14 +30,14 @@ import {figuresLine, remedyLine} from './figures.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {readGarmentBytes} from './base/garment-text.js';
 import {readPicture, readPrint} from './base/print-files.js';
-import type {Aligned} from './stored.js';
+import type {Aligned, Chosen} from './stored.js';
 import {advise, print, ProgressLine, remark} from './base/terminal.js';
 
 const grammar = {
   files: ['the garment file'],
   valued: [
     ...['--print', '--symmetry', '--method', '--options', '--max-change', '--effort', '--seed'],
-    ...['--out', '--design'],
+    ...['--print-size', '--out', '--design'],
   ],
   switches: ['--json', '--no-times', '--no-remedies', '--others'],
 };
@@ -44,7 +54,9 @@ export async function align(words: readonly string[]): Promise<void> {
   const optionsFile = args.value('--options');
   const decided = {
     maxChangeCm: lengthCm(args, '--max-change', optionLimits.maxChangeCm[1]),
-    effort: factor(args, '--effort', optionLimits.effort),
+    effort:
+      args.value('--effort') === 'auto' ? 'auto' : factor(args, '--effort', optionLimits.effort),
+    printSize: printSizes(args, '--print-size', scaleLimits),
   };
   const outFile = args.value('--out');
   const designFile = args.value('--design');
@@ -73,13 +85,14 @@ export async function align(words: readonly string[]): Promise<void> {
     remedies: !exact && !args.has('--no-remedies'),
     others: args.has('--others'),
   };
-  const {result, found} = await solved(given, names, wants);
+  const {result, found, compared} = await solved(given, names, wants);
+  const chosen = chosenFor(given, result);
   if (outFile !== undefined) {
-    await writeWhole(outFile, exact ? resultText(result) : await openable(given, result, found));
+    await writeWhole(outFile, exact ? resultText(result) : await openable(chosen, result, found));
   }
   if (designFile !== undefined) {
     const {storedText} = await import('./stored.js');
-    await writeWhole(designFile, storedText(designFile, given, result));
+    await writeWhole(designFile, storedText(designFile, chosen, result));
   }
   if (args.has('--json')) {
     print(
@@ -88,6 +101,7 @@ export async function align(words: readonly string[]): Promise<void> {
         group: result.print.group,
         ...(exact ? withoutTimes(result) : result).metrics,
         notes: result.notes,
+        ...(compared.length > 0 && {scale: result.print.scale ?? 1, compared}),
         ...(found && {remedies: found}),
       }),
     );
@@ -96,7 +110,8 @@ export async function align(words: readonly string[]): Promise<void> {
     print(
       figuresLine(garmentFile, exact ? withoutTimes(result) : result, {
         garment: await readGarment(textOf(given.garment.bytes), names.garment),
-        options: JSON.parse(given.options) as SolveOptions,
+        options: JSON.parse(chosen.options) as SolveOptions,
+        compared,
       }),
     );
     found?.map(remedyLine).forEach(advise);
@@ -107,6 +122,8 @@ interface Solved {
   readonly result: SolveResult;
   /** Undefined if remedies were not requested. */
   readonly found?: readonly Remedy[];
+  /** Answers that were compared; empty for a problem of one solve. */
+  readonly compared: readonly ComparedAnswer[];
 }
 
 /** Solves with a progress display, and searches for remedies if requested. */
@@ -116,13 +133,10 @@ async function solved(
   wants: {readonly remedies: boolean; readonly others: boolean},
 ): Promise<Solved> {
   const progress = new ProgressLine();
-  const problem = {
-    ...given,
-    garment: textOf(given.garment.bytes),
-    print: textOf(given.print.bytes),
-  };
+  const problem = problemOf(given);
   // output options of this run are no part of the design
   const others = wants.others ? {otherAlignments: true} : {};
+  const compared: ComparedAnswer[] = [];
   try {
     const result = await solve(
       {...problem, options: withDecided(given.options, others)},
@@ -130,12 +144,16 @@ async function solved(
         onProgress: (step) => {
           progress.show(step);
         },
+        onCompared: (answer) => compared.push(answer),
+        onRefused: ({scale, reason}) => {
+          remark(`The print at ${scale} times its size cannot be solved: ${messageOf(reason)}`);
+        },
         names,
       },
     );
-    if (!wants.remedies) return {result};
+    if (!wants.remedies) return {result, compared};
     progress.write('Looking for remedies');
-    return {result, found: await remedies(problem, result, {names})};
+    return {result, compared, found: await remedies(problem, result, {names})};
   } finally {
     progress.clear();
   }
@@ -155,6 +173,25 @@ function withDecided(options: string, decided: Readonly<Record<string, unknown>>
   }
 }
 
+/** The problem with the size and seed that gave the result. */
+function chosenFor(given: Aligned, result: SolveResult): Chosen {
+  const {options = '{}', seed = given.seed} = chosenProblem(problemOf(given), result);
+  return {
+    ...given,
+    ...{options: typeof options === 'string' ? options : JSON.stringify(options), seed},
+    scale: result.print.scale ?? 1,
+  };
+}
+
+const problemOf = (given: Aligned) => ({
+  ...given,
+  garment: textOf(given.garment.bytes),
+  print: textOf(given.print.bytes),
+});
+
+const messageOf = (reason: unknown): string =>
+  reason instanceof Error ? reason.message : String(reason);
+
 async function checkOutputs(
   outFile: string | undefined,
   designFile: string | undefined,
@@ -167,13 +204,14 @@ async function checkOutputs(
 
 /** The result with its design, so that a page can open it, and with its remedies. */
 async function openable(
-  {garment, print, options, seed}: Aligned,
+  {garment, print, options, seed, scale}: Chosen,
   result: SolveResult,
   found: readonly Remedy[] | undefined,
 ): Promise<string> {
   const {solvedDesign} = await import('../model/design/solved-design.js');
   const {written} = await import('../model/design/read-design.js');
-  const cloth = JSON.parse(textOf(print.bytes)) as Print;
+  const file = JSON.parse(textOf(print.bytes)) as Print;
+  const cloth = atScale(file, scale / (file.scale ?? 1));
   const design = solvedDesign(
     {
       garment: {name: basename(garment.path), text: textOf(garment.bytes)},

@@ -1,7 +1,9 @@
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {panelMarks} from '../model/garment/panel-marks.js';
 import type {SolveOptions} from '../model/design/options.js';
+import type {ComparedAnswer} from '../model/design/solve-problem.js';
 import type {SolveResult} from '../model/result/result.js';
+import {visibleSeams} from '../model/result/visible-seams.js';
 import type {Remedy} from '../node/index.js';
 import {finalMismatch, mismatchOf, worstOf} from '../scene/mismatch.js';
 
@@ -11,6 +13,8 @@ const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 interface Asked {
   readonly garment: GarmentDocument;
   readonly options: SolveOptions;
+  /** Answers that were compared, the one in the print's own size first. */
+  readonly compared?: readonly ComparedAnswer[];
 }
 
 /**
@@ -44,25 +48,26 @@ function mismatch(result: SolveResult, asked: Asked): string[] {
   ];
 }
 
-/** Least visibility of a seam that is seen at first sight. */
-const visible = 1.5;
-
-/** The number of visible seams that match, without those that the user has left out. */
-function matching({seamGroups = []}: SolveResult): string[] {
-  const seen = seamGroups.filter(
-    ({visibility, state}) => visibility >= visible && state !== 'choice',
-  );
-  if (seen.length === 0) return [];
-  const matched = seen.filter(({state}) => state === 'matches');
-  return [`${String(matched.length)} of ${String(seen.length)} visible seams match`];
+/** The number of visible seams that match, and how many do in the print's own size. */
+function matching(result: SolveResult, compared: readonly ComparedAnswer[]): string[] {
+  const {visible, matched} = visibleSeams(result);
+  if (visible === 0) return [];
+  const [own] = compared;
+  const before = own && own.matched !== matched ? `, ${String(own.matched)} at first` : '';
+  return [`${String(matched)} of ${String(visible)} visible seams match${before}`];
 }
+
+/** The size of the print, if it is not its own. */
+const scaled = ({scale = 1}: SolveResult['print']): string[] =>
+  scale === 1 ? [] : [`print at ${String(Number((100 * scale).toFixed(1)))} %`];
 
 /** The figures of a result in one line. */
 export function figuresLine(name: string, result: SolveResult, asked: Asked): string {
   const {print, pieces, seams, metrics} = result;
   return [
     `${name}: ${String(pieces.length)} pieces, ${String(seams.length)} seams, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
-    ...matching(result),
+    ...scaled(print),
+    ...matching(result, asked.compared ?? []),
     ...mismatch(result, asked),
     `moved at most ${millimetres(metrics.maxMovedCm)}`,
     `${String(metrics.milliseconds.total)} ms`,

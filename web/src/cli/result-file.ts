@@ -3,8 +3,9 @@ import {groupNames} from '../model/base/core-tables.js';
 import {problemFor} from '../model/documents/design-problem.js';
 import {decisionFields, decisions, readAlignment} from '../model/design/read-design.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
-import {distance, norm, type Point} from '../model/geometry/vectors.js';
+import type {Point} from '../model/geometry/vectors.js';
 import type {SolveOptions} from '../model/design/options.js';
+import {scaleLimits} from '../model/print/print-scale.js';
 import {type Print} from '../model/print/repeating-print.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
 import {
@@ -22,6 +23,7 @@ import {
   type Read,
 } from '../model/base/read.js';
 import type {Problem} from '../model/design/solve-problem.js';
+import {printOfResult} from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readBytes, readText, resultLimit, textOf} from '../node/files.js';
 import {readGarment} from '../node/index.js';
@@ -95,7 +97,10 @@ function asResult(value: unknown, path: string): ResultFile {
     const {pieces} = shape(
       {
         pieces: listOf(piece),
-        print: shape({group: oneOf(groupNames), w1: point, w2: point}),
+        print: shape(
+          {group: oneOf(groupNames), w1: point, w2: point},
+          {scale: number(...scaleLimits)},
+        ),
         metrics: shape({maxMovedCm: finite}),
       },
       {drafted: listOf(readAlignment), otherAlignments: listOf(otherAlignment)},
@@ -191,7 +196,7 @@ export function parsed(text: string, path: string): unknown {
 }
 
 /**
- * The print of a result in one of its colourways.
+ * The print of a result in its size and in one of its colourways.
  * @throws {UsageError} if it is another print
  * @throws {FileError} if it cannot be read
  */
@@ -202,14 +207,9 @@ export async function readFabricOf(
 ): Promise<Print> {
   const own = readPrintFile(textOf(await readPrint(printFile)), printFile);
   const cloth = colourway === undefined ? own : inColourway(own, colourway, printFile);
-  if (sameRepeat(result.print, cloth)) return cloth;
+  const inSize = printOfResult(result.print, cloth);
+  if (inSize) return inSize;
   throw new UsageError(
     `${resultFile} was solved for another group or repeat than ${printFile}'s; name the print it was solved with.`,
   );
-}
-
-/** Compares with a tolerance, since the solver corrects lattices within rounding of their type. */
-function sameRepeat(one: SolveResult['print'], other: Print): boolean {
-  const close = (key: 'w1' | 'w2') => distance(one[key], other[key]) < 1e-5 * norm(other[key]);
-  return one.group === other.group && close('w1') && close('w2');
 }

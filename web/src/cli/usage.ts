@@ -8,6 +8,9 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --options FILE              weights, grain, pins and limits, as JSON
     --max-change CM             no outline moves further; 0 keeps every outline and only places
     --effort N                  looks N times as long, from 1, the default; never worse for it
+    --effort auto               tries other seeds, until four in a row gain nothing or eight are tried
+    --print-size 0.9..1.1       compares sizes of the print and takes the best; or a list, such as
+                                0.95,1,1.05, always with 1; one number sets the size
     --seed N                    same seed, same input, same result; default 1
     --out RESULT.json           writes the solved pattern
     --json                      prints the figures as JSON

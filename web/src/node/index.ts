@@ -18,6 +18,7 @@ import {
   type NamedProofHooks,
   type NamedSolveHooks,
 } from '../solver/requests/requests.js';
+import {chosenProblem} from '../solver/search/asked-search.js';
 import type {Cut, CutSettings} from './cut.js';
 import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
@@ -56,7 +57,7 @@ export async function remedies(
 ): Promise<readonly Remedy[]> {
   const {remediesOf} = await import('../remedies/remedies.js');
   return remediesOf(
-    problem,
+    chosenProblem(problem, result),
     result,
     (changed, stop) => solve(changed, {...(stop && {signal: stop}), ...(names && {names})}),
     {signal},

@@ -3,7 +3,7 @@ import type {GrainLock, GrainRule} from '../model/garment/grain.js';
 import {distance, dot, unit} from '../model/geometry/vectors.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {GroupName, Print} from '../model/print/repeating-print.js';
-import type {Problem} from '../model/design/solve-problem.js';
+import type {SingleProblem} from '../model/design/solve-problem.js';
 import type {Pattern, ResultSeam, SeamReason, SolveResult} from '../model/result/result.js';
 import type {Repeat} from '../model/print/wallpaper.js';
 import {finalMismatch, isGathered, meanOf} from '../scene/mismatch.js';
@@ -17,7 +17,7 @@ const most = 4;
 const mostPieces = 60;
 
 /** Proposals in the order in which they are tried. */
-export function proposals(problem: Problem, result: SolveResult): readonly Proposal[] {
+export function proposals(problem: SingleProblem, result: SolveResult): readonly Proposal[] {
   if (result.pieces.length > mostPieces) return [];
   const options = parsed(problem.options);
   const known = reasons(result);

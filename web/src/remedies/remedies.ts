@@ -1,5 +1,5 @@
 /** Tries proposals for a result, and keeps those that help. */
-import type {Problem} from '../model/design/solve-problem.js';
+import type {SingleProblem} from '../model/design/solve-problem.js';
 import type {SolveResult} from '../model/result/result.js';
 import {countedSeams, finalMismatch, meanOf, type PatternMismatch} from '../scene/mismatch.js';
 import {proposals} from './proposals.js';
@@ -28,9 +28,9 @@ interface RemedyHooks {
  * @throws the signal's reason when it aborts
  */
 export async function remediesOf(
-  problem: Problem,
+  problem: SingleProblem,
   result: SolveResult,
-  solve: (problem: Problem, signal?: AbortSignal) => Promise<SolveResult>,
+  solve: (problem: SingleProblem, signal?: AbortSignal) => Promise<SolveResult>,
   {signal, idle, onRemedy}: RemedyHooks = {},
 ): Promise<readonly Remedy[]> {
   const found: Remedy[] = [];

@@ -1,7 +1,7 @@
 /** Remedies: changes of a problem that reduce the mismatch at seams. */
 import type {SolveOptions} from '../model/design/options.js';
 import type {Print} from '../model/print/repeating-print.js';
-import type {Problem} from '../model/design/solve-problem.js';
+import type {SingleProblem} from '../model/design/solve-problem.js';
 
 /**
  * `turn`: rotates pieces by 90 degrees on the fabric; `ungather`: excludes gathers from the match;
@@ -41,7 +41,7 @@ export const parsed = <T extends object>(part: T | string | undefined): T =>
   typeof part === 'string' ? (JSON.parse(part === '' ? '{}' : part) as T) : (part ?? ({} as T));
 
 /** The problem with a remedy applied. */
-export function withRemedy(problem: Problem, {options, print}: RemedyChange): Problem {
+export function withRemedy(problem: SingleProblem, {options, print}: RemedyChange): SingleProblem {
   return {
     ...problem,
     ...(options && {options: {...parsed(problem.options), ...options}}),

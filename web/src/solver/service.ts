@@ -11,7 +11,12 @@ import type {
   PhotoRequest,
   PhotoTileRequest,
 } from '../model/print/photo-reading.js';
-import type {Problem, ProofHooks, SolveHooks} from '../model/design/solve-problem.js';
+import type {
+  Problem,
+  ProofHooks,
+  SingleProblem,
+  SolveHooks,
+} from '../model/design/solve-problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import {
@@ -26,6 +31,7 @@ import {
   type NamedSolveHooks,
   type Requests,
 } from './requests/requests.js';
+import {askedSearch, described, singleProblem} from './search/asked-search.js';
 
 /** Hooks for any request. Hooks for events that a request does not report are not called. */
 export type QuestionHooks = SolveHooks & ProofHooks;
@@ -44,7 +50,8 @@ export interface GarmentHooks {
 export interface SolverService {
   /**
    * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its
-   * seams.
+   * seams. With several sizes of the print, or with the effort `auto`, it solves several times and
+   * takes the best answer.
    * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it
    * fires; errors of hooks
    */
@@ -127,16 +134,26 @@ export abstract class TextService implements SolverService {
     hooks: HooksOf<Requests[K]>,
   ): Promise<Requests[K]['answer']>;
 
-  solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
-    return this.#ask('solve', () => problemTexts(problem, hooks.names), hooks);
+  async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
+    hooks.signal?.throwIfAborted();
+    const search = askedSearch(problem);
+    if (!search) return this.#solveOnce(singleProblem(problem), hooks);
+    const {bestAnswer} = await import('./search/best-answer.js');
+    return bestAnswer(search, (one, its) => this.#solveOnce(one, its), hooks);
+  }
+
+  async #solveOnce(problem: SingleProblem, hooks: NamedSolveHooks): Promise<SolveResult> {
+    const {names} = hooks;
+    const result = await this.#ask('solve', () => problemTexts(problem, names), hooks);
+    return described(result, problem);
   }
 
   prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
-    return this.#ask('prepare', () => problemTexts(problem, hooks.names), hooks);
+    return this.#ask('prepare', () => problemTexts(singleProblem(problem), hooks.names), hooks);
   }
 
   prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-    return this.#ask('prove', () => problemTexts(problem, hooks.names), hooks);
+    return this.#ask('prove', () => problemTexts(singleProblem(problem), hooks.names), hooks);
   }
 
   mirror(

@@ -1,5 +1,7 @@
 import {parseArgs} from 'node:util';
 
+import type {PrintSizes} from '../../model/design/options.js';
+
 /** An error of the user, described in one sentence; the exit code is 2. */
 export class UsageError extends Error {
   override readonly name = 'UsageError';
@@ -141,6 +143,37 @@ export function factor(
     throw new UsageError(`${flag} is '${value}', but must be a number from ${least} to ${most}.`);
   }
   return Number(value);
+}
+
+/** Separator of the ends of a range, and of the items of a list. */
+const rangeMark = '..';
+const listMark = ',';
+
+/**
+ * The flag's value as sizes of a print: one number, a list such as 0.9,1,1.1 or a range such as
+ * 0.9..1.1.
+ * @throws {UsageError} for any other value
+ */
+export function printSizes(
+  args: Arguments,
+  flag: string,
+  [least, most]: readonly [number, number],
+): PrintSizes | undefined {
+  const value = args.value(flag);
+  if (value === undefined) return undefined;
+  const isRange = value.includes(rangeMark);
+  const numbers = value
+    .split(isRange ? rangeMark : listMark)
+    .map((part) => (/^\d{1,2}(\.\d{1,6})?$/.test(part) ? Number(part) : NaN));
+  const [from = NaN, to = NaN] = numbers;
+  const isKnown = numbers.every((size) => size >= least && size <= most);
+  if (!isKnown || (isRange && (numbers.length !== 2 || from > to))) {
+    throw new UsageError(
+      `${flag} is '${value}', but must be a number from ${least} to ${most}, a range such as 0.9..1.1, or a list such as 0.95,1,1.05.`,
+    );
+  }
+  if (isRange) return {from, to};
+  return numbers.length === 1 ? from : {sizes: numbers};
 }
 
 /**

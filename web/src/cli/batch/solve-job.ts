@@ -5,6 +5,8 @@ import {SolverError} from '../../model/result/failure.js';
 import {glb} from '../../model/documents/glb.js';
 import {titleOfFile} from '../../model/garment/piece-names.js';
 import {readPrintFile} from '../../model/print/read-print-file.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import {printOfResult} from '../../model/result/print-of-result.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {resultText, sha256Of} from '../../model/documents/result-text.js';
 import {FileError} from '../../model/base/versioned-file.js';
@@ -89,7 +91,7 @@ async function draped(
   result: SolveResult,
   text: string,
 ): Promise<NonNullable<Solved['beside']>> {
-  const print = readPrintFile(printText, label.print);
+  const print = printOf(result, printText, label.print);
   const picture = await readCell(print, addressOf(address));
   const worn = await drape(text, {}, {names: {result: label.garment}});
   const {plain = []} = options;
@@ -111,7 +113,7 @@ async function cut(
       ...{text: of.garment, name: label.garment},
       ...(label.size !== null && {size: label.size}),
     },
-    ...{result: of.result, print: readPrintFile(of.print, label.print)},
+    ...{result: of.result, print: printOf(of.result, of.print, label.print)},
     ...{address: addressOf(address), plain: options.plain ?? []},
   };
   const [pdf = ''] = await cutFiles(answer, ['pdf'], wish);
@@ -125,12 +127,18 @@ async function laid(
   of: {readonly garment: string; readonly print: string; readonly result: SolveResult},
 ): Promise<NonNullable<Solved['beside']>> {
   const garment = await readGarment(of.garment, label.garment);
-  const print = readPrintFile(of.print, label.print);
+  const print = printOf(of.result, of.print, label.print);
   const plan = await marker([{result: of.result, garment, options}], {
     ...laySettings(wish),
     print,
   });
   return {'.layplan.json': layPlanText(plan)};
+}
+
+/** The print in the size of the result. @throws {FileError} if it cannot be read */
+function printOf(result: SolveResult, text: string, called: string): Print {
+  const print = readPrintFile(text, called);
+  return printOfResult(result.print, print) ?? print;
 }
 
 function refused({code, message, piece, seam}: SolverError): Solved {

@@ -63,6 +63,27 @@ export interface SolveOptions {
   readonly otherAlignments?: boolean;
 }
 
+/**
+ * Sizes of the print, as multiples of its size: one size; some, such as those that a shop offers;
+ * or a range. Several sizes are compared, always with the print's own, and the best one is taken.
+ */
+export type PrintSizes =
+  number | {readonly sizes: readonly number[]} | {readonly from: number; readonly to: number};
+
+/**
+ * Options of a problem. Those beyond `SolveOptions` ask for several solves, of which the best
+ * answer counts; a design never stores them.
+ */
+export interface ProblemOptions extends Omit<SolveOptions, 'effort'> {
+  /**
+   * As in `SolveOptions`; or `auto`: searches with other seeds, until four in a row gain nothing or
+   * eight are tried.
+   */
+  readonly effort?: number | 'auto';
+  /** Sizes of the print among which the best one is chosen. Default: the print's own. */
+  readonly printSize?: PrintSizes;
+}
+
 /** A whole piece, or edges of its outline by number in the garment file. */
 export type Lock = true | readonly number[];
 

@@ -1,6 +1,6 @@
 import type {Garment} from '../garment/specification.js';
 import type {Method} from '../result/method.js';
-import type {SolveOptions} from './options.js';
+import type {ProblemOptions, SolveOptions} from './options.js';
 import type {Print} from '../print/repeating-print.js';
 import type {MeshedPattern, Proof} from '../result/result.js';
 import type {Symmetries} from '../garment/symmetries.js';
@@ -14,9 +14,14 @@ export interface Problem {
    */
   readonly symmetry?: Symmetries | string;
   readonly method?: Method;
-  readonly options?: SolveOptions | string;
+  readonly options?: ProblemOptions | string;
   /** A whole number from 0 to 4294967295. Same seed, same input, same result. Default 1. */
   readonly seed?: number;
+}
+
+/** A problem that one solve answers. */
+export interface SingleProblem extends Omit<Problem, 'options'> {
+  readonly options?: SolveOptions | string;
 }
 
 /**
@@ -31,6 +36,20 @@ export interface Progress {
   readonly fraction: number;
 }
 
+/** One of the answers among which a solve of several sizes or seeds chooses. */
+export interface ComparedAnswer {
+  /** Size of the print, as a multiple of its own. */
+  readonly scale: number;
+  readonly seed: number;
+  /** Number of visible seams, and how many of them match. */
+  readonly visible: number;
+  readonly matched: number;
+  /** `answerCost` of its metrics. [cm2] */
+  readonly answerCost: number;
+  /** True if it is better than all answers before. */
+  readonly isBest: boolean;
+}
+
 /** Callbacks to follow a solve, and a signal to end it early. */
 export interface SolveHooks {
   readonly signal?: AbortSignal;
@@ -42,6 +61,10 @@ export interface SolveHooks {
    * array.
    */
   readonly onPartial?: (alignments: Float64Array) => void;
+  /** Receives each answer to a problem with several sizes or seeds. */
+  readonly onCompared?: (answer: ComparedAnswer) => void;
+  /** Receives each size that cannot be solved, and the reason. */
+  readonly onRefused?: (refused: {readonly scale: number; readonly reason: unknown}) => void;
 }
 
 /** Callback to follow a proof, and a signal to end it early. */

@@ -3,7 +3,7 @@
  */
 import {decisionsOf, printOf, type Decisions, type Design} from '../design/design.js';
 import type {Print} from '../print/repeating-print.js';
-import type {Problem} from '../design/solve-problem.js';
+import type {SingleProblem} from '../design/solve-problem.js';
 import {changesOf, printOfStored, printTextOf, type FiledDesign} from './stored-design.js';
 
 /**
@@ -15,7 +15,7 @@ export const problemFor = (
   {symmetry, method, options, seed}: Decisions,
   garment: string,
   print: Print | string,
-): Problem => ({
+): SingleProblem => ({
   garment,
   print,
   symmetry: typeof symmetry === 'string' ? symmetry : {symmetries: symmetry},
@@ -30,7 +30,7 @@ export const problemFor = (
 export const problemOfStored = (
   design: FiledDesign,
   texts: {readonly garment: string; readonly print: string},
-): Problem => problemFor(design, texts.garment, printTextOf(design, texts.print));
+): SingleProblem => problemFor(design, texts.garment, printTextOf(design, texts.print));
 
 /** Placeholder for a garment or print without an address; the design can be solved nevertheless. */
 const nowhere = {url: 'print', sha256: ''};
@@ -48,7 +48,7 @@ export function filedDesign({garment, print, ...decided}: Design): FiledDesign {
 }
 
 /** Problem of a design. A print from a file gives exactly the problem of its stored design. */
-export const problemOf = (design: Design): Problem => {
+export const problemOf = (design: Design): SingleProblem => {
   const {garment, print} = design;
   return print.file
     ? problemOfStored(filedDesign(design), {garment: garment.text, print: print.file.text})

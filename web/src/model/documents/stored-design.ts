@@ -8,8 +8,9 @@ import {
   repeatFields,
   seed,
 } from '../design/read-design.js';
-import type {Alignment, Point} from '../geometry/vectors.js';
+import type {Alignment} from '../geometry/vectors.js';
 import {colourwayOf, type Print} from '../print/repeating-print.js';
+import {atScale, scaleBetween, settled} from '../print/print-scale.js';
 import {readPrintFile} from '../print/read-print-file.js';
 import {fail, recordOf, shape, text, type Read} from '../base/read.js';
 import {latticeVectors, repeatOf} from '../print/repeat.js';
@@ -135,35 +136,36 @@ export function changesOf(
 }
 
 /**
- * Rounds a vector, because browsers differ in the last digit of a sine and results must not. [cm]
- */
-const settled = ([x, y]: Point): Point => [
-  Math.round(x * 1e9) / 1e9 + 0,
-  Math.round(y * 1e9) / 1e9 + 0,
-];
-
-/**
  * The print of a design, made from its file and the changes.
  * @throws {FileError} naming the print's file
  */
 export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: string): Print {
   const file = readPrintFile(content, print.url);
-  const {colourway, group = file.group, size, turnDeg, oneWay, cell} = print;
+  const {colourway, size, oneWay, cell} = print;
   const worn = colourway === undefined ? undefined : colourwayOf(file, colourway);
   if (colourway !== undefined && !worn) {
     throw new FileError(print.url, `has no colourway '${colourway}'; choose one that it has.`);
   }
-  const own = repeatOf(file);
-  const turn = turnDeg ?? own.turnDeg;
-  const [w1, w2] = latticeVectors(group, size ?? own.size, turn, cell ?? file.cell);
   return {
-    ...file,
+    ...(hasNewLattice(print) ? withLattice(file, print) : file),
     ...(worn && {image: worn.image}),
-    ...(hasNewLattice(print) && {group, w1: settled(w1), w2: settled(w2)}),
     ...(oneWay !== undefined && {oneWay}),
     ...(cell !== undefined && {cell}),
     ...(size && {unscaled: false}), // measured by the user
   };
+}
+
+/** The print with a changed lattice. A change of its size alone gives exactly the scaled print. */
+function withLattice(
+  file: Print,
+  {group = file.group, size, turnDeg, cell = file.cell}: PrintChanges,
+): Print {
+  const own = repeatOf(file);
+  const isOther = turnDeg !== undefined || group !== file.group || cell !== file.cell;
+  const scale = size && !isOther ? scaleBetween(own.size, size) : undefined;
+  if (scale !== undefined) return atScale(file, scale);
+  const [w1, w2] = latticeVectors(group, size ?? own.size, turnDeg ?? own.turnDeg, cell);
+  return {...file, group, w1: settled(w1), w2: settled(w2)};
 }
 
 const hasNewLattice = ({group, size, turnDeg}: PrintChanges): boolean =>

@@ -1,5 +1,6 @@
 /** Print files: JSON with the group and lattice of a print, and optionally images of its cell. */
 import {groupNames} from '../base/core-tables.js';
+import {scaleLimits} from './print-scale.js';
 import {printCells, type Print} from './repeating-print.js';
 import {
   flag,
@@ -24,6 +25,7 @@ const fields: Read<Print> = shape(
     colourways: listOf(shape({name: text(), image: text()}, {raster: text()})),
     oneWay: flag,
     unscaled: flag,
+    scale: number(...scaleLimits),
     cell: oneOf(printCells),
   },
 );

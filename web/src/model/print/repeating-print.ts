@@ -42,6 +42,11 @@ export interface Print {
    * not cut.
    */
   readonly unscaled?: boolean;
+  /**
+   * Scale of `w1` and `w2` relative to the file of the print, as in `print.scale` of a result.
+   * Default 1.
+   */
+  readonly scale?: number;
   readonly fabric?: {readonly usableWidthCm?: number};
   /** The first one is the one in `image`. */
   readonly colourways?: readonly Colourway[];

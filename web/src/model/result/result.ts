@@ -211,6 +211,8 @@ export interface Metrics extends Fits {
   readonly milliseconds: Milliseconds;
   readonly method: Method;
   readonly seed: number;
+  /** Effort of the search. Default 1. */
+  readonly effort?: number;
 }
 
 /** Bound on alignments of the pieces as drafted: like `searchBound`, but computed for longer. */
@@ -240,7 +242,13 @@ export interface OtherAlignment {
 export interface SolveResult {
   readonly format: 'seamwise-result/1';
   readonly units: 'cm';
-  readonly print: {readonly group: GroupName; readonly w1: Point; readonly w2: Point};
+  /** `scale`: the size, if not that of the print's file, as a multiple of it. */
+  readonly print: {
+    readonly group: GroupName;
+    readonly w1: Point;
+    readonly w2: Point;
+    readonly scale?: number;
+  };
   /** Mirrored seams were forbidden: seams that would only match as a mirror image do not match. */
   readonly continuousOnly?: boolean;
   readonly pieces: readonly ResultPiece[];
