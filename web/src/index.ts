@@ -17,6 +17,7 @@ export {groupNames} from './model/base/core-tables.js';
 export * from './model/result/method.js';
 export * from './model/design/solve-problem.js';
 export * from './model/result/notes.js';
+export {printOfResult} from './model/result/print-of-result.js';
 export type * from './model/result/result.js';
 export type * from './model/garment/symmetries.js';
 export {
@@ -50,6 +51,7 @@ export {resultText} from './model/documents/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/design/solved-design.js';
 export * from './model/documents/stored-design.js';
 
+export {chosenProblem} from './solver/search/asked-search.js';
 export * from './solver/page-solvers.js';
 export * from './solver/page-solvers.js';
 export * from './solver/pool.js';

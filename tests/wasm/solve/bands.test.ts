@@ -4,7 +4,7 @@
  */
 import {readFileSync} from 'node:fs';
 
-import {remedies, solve, type Problem, type SolveResult} from 'seamwise/node';
+import {remedies, solve, type SingleProblem, type SolveResult} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
 import {withRemedy} from '@/remedies/remedy.js';
@@ -22,7 +22,7 @@ const file = (path: string): string =>
   readFileSync(new URL(`../../../public/${path}`, import.meta.url), 'utf8');
 
 /** A sample on grain, with the grain of some of its pieces set lengthwise. */
-function lengthwise(garment: string, bands: readonly string[], print = 'pmm'): Problem {
+function lengthwise(garment: string, bands: readonly string[], print = 'pmm'): SingleProblem {
   const drafted = JSON.parse(file(`garments/${garment}-m.json`)) as Drafted;
   for (const name of bands) {
     const panel = drafted.pattern.panels[name];

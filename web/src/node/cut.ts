@@ -7,6 +7,7 @@ import {sheetDxf, type DxfOptions} from '../cutting/out/sheet-dxf.js';
 import {sheetHpgl} from '../cutting/out/sheet-hpgl.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {garmentTitle, panelMarks, type PanelDecisions} from '../model/garment/panel-marks.js';
+import {printOfResult} from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import type {CellPixels} from '../paper/cloth-cell.js';
 import {cuttingPdf, pagesOf, sheetFor, type CuttingPdf} from '../paper/cutting-pdf.js';
@@ -16,7 +17,7 @@ import {sheetMap, type SheetMap} from '../paper/sheet-map.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 
 export interface CutSettings extends PanelDecisions {
-  /** The print of the result. `tile` is the image of its cell, as SVG text or `data:` URL. */
+  /** The print of the result, in its size or in that of its file. `tile` is the image of its cell, as SVG text or `data:` URL. */
   readonly print: PrintWithTile;
   /** Garment file: names, notches, grain lines and placements of the pieces. */
   readonly garment?: GarmentDocument;
@@ -70,7 +71,8 @@ export interface Cut {
  * @throws {RangeError} for an unknown paper
  */
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
-  const {print, garment, garmentFile, plain = [], mark} = settings;
+  const {garment, garmentFile, plain = [], mark} = settings;
+  const print = printOfResult(result.print, settings.print) ?? settings.print;
   const {paper: word = 'a4', ink, date, pixels, colourway} = settings;
   const paper = paperOf(word);
   if (!paper) throw new RangeError(noPaper(word));

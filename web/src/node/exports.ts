@@ -26,6 +26,7 @@ export type {
   ProblemNames,
 } from '../solver/requests/requests.js';
 export {SolverError, type Failure, type FailureCode} from '../model/result/failure.js';
+export {printOfResult} from '../model/result/print-of-result.js';
 export {chosenProblem} from '../solver/search/asked-search.js';
 export {problemOfStored} from '../model/documents/design-problem.js';
 export * from '../model/documents/stored-design.js';

@@ -100,6 +100,7 @@ const options: Read<SolveOptions> = shape(
     locked: recordOf(lock),
     openEdges: oneOf(['kept', 'free']),
     visibility: oneOf(['place', 'even']),
+    effort: number(...optionLimits.effort),
     proof: number(...optionLimits.proof),
   },
 );

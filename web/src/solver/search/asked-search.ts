@@ -81,12 +81,11 @@ function scalesOf(sizes: PrintSizes | undefined): readonly number[] {
 const withOwn = (scales: readonly number[]): readonly number[] => [...new Set([1, ...scales])];
 
 /** The same problem without the options of a search. */
-function single(problem: Problem, {printSize, effort, ...options}: ProblemOptions): SingleProblem {
-  const kept: SolveOptions = {
-    ...options,
-    ...(effort !== 'auto' && effort !== undefined && {effort}),
-  };
-  return {...problem, options: kept};
+function single(problem: Problem, options: ProblemOptions): SingleProblem {
+  const kept = Object.entries(options).filter(
+    ([name, value]) => name !== 'printSize' && value !== 'auto',
+  );
+  return {...problem, options: Object.fromEntries(kept) as SolveOptions};
 }
 
 /**
