@@ -48,12 +48,12 @@ function mismatch(result: SolveResult, asked: Asked): string[] {
   ];
 }
 
-/** The number of visible seams that match, and how many do in the print's own size. */
+/** The number of visible seams that match, and how many do in the first of several answers. */
 function matching(result: SolveResult, compared: readonly ComparedAnswer[]): string[] {
   const {visible, matched} = visibleSeams(result);
   if (visible === 0) return [];
   const [own] = compared;
-  const before = own && own.matched !== matched ? `, ${String(own.matched)} at first` : '';
+  const before = own && own.matched !== matched ? ` (${String(own.matched)} in the first answer)` : '';
   return [`${String(matched)} of ${String(visible)} visible seams match${before}`];
 }
 

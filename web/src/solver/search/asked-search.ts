@@ -85,7 +85,7 @@ function single(problem: Problem, options: ProblemOptions): SingleProblem {
   const kept = Object.entries(options).filter(
     ([name, value]) => name !== 'printSize' && value !== 'auto',
   );
-  return {...problem, options: Object.fromEntries(kept) as SolveOptions};
+  return {...problem, options: Object.fromEntries(kept)};
 }
 
 /**
