@@ -14,6 +14,7 @@ import {WipeHandle} from './pattern/wipe-handle.js';
 import {DoubtfulTile} from './print/doubtful-tile.js';
 import {FileSizeNote} from './print/file-size-note.js';
 import {MeasureDialog} from './print/measure-dialog.js';
+import {PrintSize} from './print/print-size.js';
 import {TileRepeatChoice} from './print/tile-repeat-choice.js';
 import {TileReport} from './print/tile-report.js';
 import {registerAll} from './base/register.js';
@@ -36,6 +37,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-lens-strip': LensStrip,
   'sw-measure': MeasureDialog,
   'sw-piece-table': PieceTable,
+  'sw-print-size': PrintSize,
   'sw-seam-table': SeamTable,
   'sw-sew-bar': SewBar,
   'sw-stays-off': StaysOff,

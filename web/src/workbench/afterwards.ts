@@ -8,6 +8,7 @@ import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
 import {Comparison, Improvement, Proving, RemedySearch, type Improving} from './improvement.js';
 import {Observable} from './observable.js';
+import {PrintSizes, type SizeComparison} from './print-sizes.js';
 
 /**
  * Stores a better result of the present design, found with more effort.
@@ -20,6 +21,7 @@ export class Afterwards extends Observable {
   readonly #remedies: RemedySearch;
   readonly #proving: Proving;
   readonly #improvement: Improvement;
+  readonly #sizes: PrintSizes;
   #latest: Design | undefined;
 
   constructor(solver: SolverService, improved: Improved) {
@@ -30,6 +32,7 @@ export class Afterwards extends Observable {
     this.#comparison = new Comparison(solver, changed);
     this.#remedies = new RemedySearch(solver, changed);
     this.#proving = new Proving(solver, changed);
+    this.#sizes = new PrintSizes(solver, changed);
     this.#improvement = new Improvement(solver, changed, (design, effort, result) => {
       this.#latest = improved(design, effort, result);
       return this.#latest;
@@ -56,6 +59,11 @@ export class Afterwards extends Observable {
     return this.#improvement.of(design);
   }
 
+  /** Comparison of sizes of the print; undefined unless it was requested. */
+  printSizes(design: Design): SizeComparison | undefined {
+    return this.#sizes.of(design);
+  }
+
   /** Follows a solved design until there is another request. */
   async follow(design: Design, result: SolveResult): Promise<void> {
     this.stop();
@@ -76,12 +84,29 @@ export class Afterwards extends Observable {
     if (this.#latest === best.design) await this.follow(best.design, best.result);
   }
 
+  /**
+   * Compares sizes of the print until it is stopped or there is another request.
+   * @param result the result of `design`
+   */
+  async comparePrintSizes(design: Design, result: SolveResult): Promise<void> {
+    this.stop();
+    this.#latest = design;
+    await this.#sizes.compare(design);
+    if (this.#latest === design) await this.follow(design, result);
+  }
+
   stop(): void {
     this.#latest = undefined;
     this.#comparison.stop();
     this.#remedies.stop();
     this.#proving.stop();
     this.#improvement.stop();
+    this.#sizes.stop();
+  }
+
+  /** Stops the comparison of sizes; the answers so far stay. */
+  stopPrintSizes(): void {
+    this.#sizes.stop();
   }
 
   /** Stops the improvement; the gain so far stays. */

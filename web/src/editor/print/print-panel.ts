@@ -80,6 +80,7 @@ export class PrintPanel extends WorkbenchElement {
       ${workbench.history.design.print.sample ? nothing : this.#own(workbench.history.design.print)}
       <sw-print-gallery .workbench=${workbench} .samples=${samples}></sw-print-gallery>
       <sw-repeat-fields .workbench=${workbench}></sw-repeat-fields>
+      <sw-print-size .workbench=${workbench}></sw-print-size>
     </section>`;
   }
 

@@ -73,6 +73,16 @@ export const print = {
       makes: text('One repeat is then {width} × {height}.'),
       apply: 'Use this size',
     },
+    sizes: {
+      compare: 'Compare print sizes',
+      note: 'Solves the print from 90 to 110 % of its size. For fabric that is not printed yet.',
+      comparing: 'Comparing print sizes …',
+      stop: 'Stop comparing',
+      nothing: 'No other size matches better.',
+      found: text('At {size} {matched} of {visible} visible seams match, now {present}.'),
+      use: text('Use {size}'),
+      chart: 'Matching seams by print size',
+    },
     repeats: {
       label: 'How the picture repeats',
       straight: 'Straight',
