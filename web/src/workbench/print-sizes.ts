@@ -2,6 +2,7 @@
 import type {Design, DesignPrint} from '../model/design/design.js';
 import type {ComparedAnswer} from '../model/design/solve-problem.js';
 import {problemOf} from '../model/documents/design-problem.js';
+import {scalesOf} from '../solver/search/asked-search.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
 import {idle} from './idle.js';
@@ -29,6 +30,7 @@ export const bestSize = ({answers}: SizeComparison): ComparedAnswer | undefined 
 
 /** The print with `scale` times its size. */
 export function enlarged(print: DesignPrint, scale: number): DesignPrint {
+  if (scale === 1) return print;
   const {width, height, angleDeg} = print.size;
   return {...print, size: {width: scale * width, height: scale * height, angleDeg}};
 }
@@ -57,19 +59,19 @@ export class PrintSizes {
     };
     tell(true);
     await idle();
-    const options = {...design.options, printSize: range};
-    await this.#solver
-      .solve(
-        {...problemOf(design), options},
-        {
-          signal,
-          onCompared: (answer) => {
-            answers.push(answer);
-            tell(!signal.aborted);
-          },
-        },
-      )
-      .catch(() => undefined); // stopped, or solved anew by the user, who then sees the error
+    const {bestAnswer} = await import('../solver/search/best-answer.js');
+    const search = {
+      ...{scales: scalesOf(range), isLong: false, seed: design.seed},
+      // exactly the problem of the design that the user would choose
+      problemAt: (scale: number) => problemOf({...design, print: enlarged(design.print, scale)}),
+    };
+    await bestAnswer(search, (problem, hooks) => this.#solver.solve(problem, hooks), {
+      signal,
+      onCompared: (answer) => {
+        answers.push(answer);
+        tell(!signal.aborted);
+      },
+    }).catch(() => undefined); // stopped, or an error that the main solve reports
     tell(false);
   }
 

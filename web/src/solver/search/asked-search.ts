@@ -9,8 +9,10 @@ import {checkScaled} from '../../model/result/unscaled-print.js';
 
 /** A problem of several solves. */
 export interface AskedSearch {
-  /** The problem of one solve, in the print's own size. */
-  readonly problem: SingleProblem;
+  /** The problem of one solve, in this size of the print. */
+  readonly problemAt: (scale: number) => SingleProblem;
+  /** The first seed. */
+  readonly seed: number;
   /** Sizes to compare, the print's own first. */
   readonly scales: readonly number[];
   /** True if other seeds are tried, too. */
@@ -48,7 +50,7 @@ function askingOptions({options}: Problem): ProblemOptions | undefined {
  * The sizes that a problem compares; without an option, the print's own.
  * @throws {SolverError} for invalid sizes
  */
-function scalesOf(sizes: PrintSizes | undefined): readonly number[] {
+export function scalesOf(sizes: PrintSizes | undefined): readonly number[] {
   if (sizes === undefined) return [1];
   const [least, most] = scaleLimits;
   const scale = (value: unknown, at: string): number => {
@@ -92,7 +94,7 @@ function single(problem: Problem, options: ProblemOptions): SingleProblem {
  * The problem in another size of its print.
  * @throws {SolverError} if the print has no known size
  */
-export function resized<P extends Pick<Problem, 'print'>>(problem: P, scale: number): P {
+function resized<P extends Pick<Problem, 'print'>>(problem: P, scale: number): P {
   if (scale === 1) return problem;
   const print = objectOf<Print>(problem.print);
   if (!print || ![print.w1, print.w2].every(Array.isArray)) return problem; // the core reports it
@@ -110,9 +112,10 @@ export function askedSearch(problem: Problem): AskedSearch | undefined {
   const scales = scalesOf(options.printSize);
   // other methods have no effort, and their seeds are random starts
   const isLong = options.effort === 'auto' && (problem.method ?? 'best') === 'best';
-  return scales.length > 1 || isLong
-    ? {problem: single(problem, options), scales, isLong}
-    : undefined;
+  if (scales.length === 1 && !isLong) return undefined;
+  const plain = single(problem, options);
+  const problemAt = (scale: number): SingleProblem => resized(plain, scale);
+  return {problemAt, seed: problem.seed ?? 1, scales, isLong};
 }
 
 /**

@@ -3,7 +3,7 @@ import type {Progress, SingleProblem} from '../../model/design/solve-problem.js'
 import type {SolveResult} from '../../model/result/result.js';
 import {isBetter, visibleSeams} from '../../model/result/visible-seams.js';
 import type {NamedSolveHooks} from '../requests/requests.js';
-import {resized, type AskedSearch} from './asked-search.js';
+import type {AskedSearch} from './asked-search.js';
 
 /** Greatest number of seeds: eight times the effort of one solve. */
 const mostSeeds = 8;
@@ -21,24 +21,26 @@ type Solve = (problem: SingleProblem, hooks: NamedSolveHooks) => Promise<SolveRe
  * @throws errors of the first solve; the signal's reason
  */
 export async function bestAnswer(
-  {problem, scales, isLong}: AskedSearch,
+  {problemAt, seed: firstSeed, scales, isLong}: AskedSearch,
   solve: Solve,
   hooks: NamedSolveHooks,
 ): Promise<SolveResult> {
   const {signal, names, onPattern, onPartial, onCompared, onRefused, onProgress} = hooks;
-  const {seed: firstSeed = 1} = problem;
   const count = scales.length + (isLong ? mostSeeds - 1 : 0);
   let done = 0;
   let best: {readonly scale: number; readonly result: SolveResult} | undefined;
 
   const attempt = async (scale: number, seed: number): Promise<boolean> => {
-    const result = await solve(resized({...problem, seed}, scale), {
-      ...(signal && {signal}),
-      ...(names && {names}),
-      // the intermediate results of one solve, since those of several would jump
-      ...(done === 0 && {...(onPattern && {onPattern}), ...(onPartial && {onPartial})}),
-      ...(onProgress && {onProgress: share(onProgress, done, count)}),
-    });
+    const result = await solve(
+      {...problemAt(scale), seed},
+      {
+        ...(signal && {signal}),
+        ...(names && {names}),
+        // the intermediate results of one solve, since those of several would jump
+        ...(done === 0 && {...(onPattern && {onPattern}), ...(onPartial && {onPartial})}),
+        ...(onProgress && {onProgress: share(onProgress, done, count)}),
+      },
+    );
     const isBest = !best || isBetter(result, best.result);
     onCompared?.({
       ...{scale, seed, ...visibleSeams(result)},
