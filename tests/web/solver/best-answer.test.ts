@@ -131,7 +131,7 @@ describe('several sizes of the print', () => {
   ])('must not be %j', async (printSize, sentence) => {
     const solver = new StandIn(() => answer(1));
     const asked = sized(printSize as PrintSizes);
-    await expect(solver.solve(asked)).rejects.toThrow(sentence);
+    await expect(solver.solve(asked)).rejects.toThrow(`options: ${sentence}`);
   });
 
   it('need a print of known size', async () => {

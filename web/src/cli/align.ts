@@ -54,8 +54,7 @@ export async function align(words: readonly string[]): Promise<void> {
   const optionsFile = args.value('--options');
   const decided = {
     maxChangeCm: lengthCm(args, '--max-change', optionLimits.maxChangeCm[1]),
-    effort:
-      args.value('--effort') === 'auto' ? 'auto' : factor(args, '--effort', optionLimits.effort),
+    effort: factor(args, '--effort', optionLimits.effort, 'auto'),
     printSize: printSizes(args, '--print-size', scaleLimits),
   };
   const outFile = args.value('--out');

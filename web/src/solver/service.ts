@@ -136,8 +136,8 @@ export abstract class TextService implements SolverService {
 
   async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
     hooks.signal?.throwIfAborted();
-    const search = askedSearch(problem);
-    if (!search) return this.#solveOnce(singleProblem(problem), hooks);
+    const search = askedSearch(problem, hooks.names?.options);
+    if (!search) return this.#solveOnce(singleProblem(problem, hooks.names?.options), hooks);
     const {bestAnswer} = await import('./search/best-answer.js');
     return bestAnswer(search, (one, its) => this.#solveOnce(one, its), hooks);
   }
@@ -149,11 +149,19 @@ export abstract class TextService implements SolverService {
   }
 
   prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
-    return this.#ask('prepare', () => problemTexts(singleProblem(problem), hooks.names), hooks);
+    return this.#ask(
+      'prepare',
+      () => problemTexts(singleProblem(problem, hooks.names?.options), hooks.names),
+      hooks,
+    );
   }
 
   prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-    return this.#ask('prove', () => problemTexts(singleProblem(problem), hooks.names), hooks);
+    return this.#ask(
+      'prove',
+      () => problemTexts(singleProblem(problem, hooks.names?.options), hooks.names),
+      hooks,
+    );
   }
 
   mirror(

@@ -129,18 +129,23 @@ export function wholeNumber(
 }
 
 /**
- * The flag's value as a number in a range.
+ * The flag's value as a number in a range, or the word that it may be instead.
  * @throws {UsageError} for any other value
  */
-export function factor(
+export function factor<T extends string = never>(
   args: Arguments,
   flag: string,
   [least, most]: readonly [number, number],
-): number | undefined {
+  word?: T,
+): number | T | undefined {
   const value = args.value(flag);
   if (value === undefined) return undefined;
+  if (value === word) return word;
   if (!/^\d{1,6}(\.\d{1,6})?$/.test(value) || Number(value) < least || Number(value) > most) {
-    throw new UsageError(`${flag} is '${value}', but must be a number from ${least} to ${most}.`);
+    const or = word === undefined ? '' : `, or ${word}`;
+    throw new UsageError(
+      `${flag} is '${value}', but must be a number from ${least} to ${most}${or}.`,
+    );
   }
   return Number(value);
 }

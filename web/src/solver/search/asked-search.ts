@@ -6,6 +6,7 @@ import type {Print} from '../../model/print/repeating-print.js';
 import {SolverError} from '../../model/result/failure.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {checkScaled} from '../../model/result/unscaled-print.js';
+import {plainNames} from '../requests/requests.js';
 
 /** A problem of several solves. */
 export interface AskedSearch {
@@ -22,8 +23,6 @@ export interface AskedSearch {
 /** Number of sizes of a range: steps of 2 % from 90 to 110 %. */
 const sizesOfRange = 11;
 const mostSizes = 32;
-
-const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
 
 /** The part as an object; undefined if it is none, which the core reports. */
 function objectOf<T extends object>(part: T | string | undefined): T | undefined {
@@ -48,10 +47,16 @@ function askingOptions({options}: Problem): ProblemOptions | undefined {
 
 /**
  * The sizes that a problem compares; without an option, the print's own.
+ * @param called name of the options in messages
  * @throws {SolverError} for invalid sizes
  */
-export function scalesOf(sizes: PrintSizes | undefined): readonly number[] {
+export function scalesOf(
+  sizes: PrintSizes | undefined,
+  called: string = plainNames.options,
+): readonly number[] {
   if (sizes === undefined) return [1];
+  const wrong = (what: string): SolverError =>
+    new SolverError({code: 'options', message: `${called}: ${what}`});
   const [least, most] = scaleLimits;
   const scale = (value: unknown, at: string): number => {
     if (typeof value === 'number' && value >= least && value <= most) {
@@ -106,10 +111,10 @@ function resized<P extends Pick<Problem, 'print'>>(problem: P, scale: number): P
  * The search that a problem asks for; undefined if it asks for one solve.
  * @throws {SolverError} for invalid options
  */
-export function askedSearch(problem: Problem): AskedSearch | undefined {
+export function askedSearch(problem: Problem, called?: string): AskedSearch | undefined {
   const options = askingOptions(problem);
   if (!options) return undefined;
-  const scales = scalesOf(options.printSize);
+  const scales = scalesOf(options.printSize, called);
   // other methods have no effort, and their seeds are random starts
   const isLong = options.effort === 'auto' && (problem.method ?? 'best') === 'best';
   if (scales.length === 1 && !isLong) return undefined;
@@ -122,10 +127,10 @@ export function askedSearch(problem: Problem): AskedSearch | undefined {
  * The problem of one solve: in the print's own size if several are asked for.
  * @throws {SolverError} for invalid options
  */
-export function singleProblem(problem: Problem): SingleProblem {
+export function singleProblem(problem: Problem, called?: string): SingleProblem {
   const options = askingOptions(problem);
   if (!options) return problem as SingleProblem;
-  const [scale = 1] = scalesOf(options.printSize);
+  const [scale = 1] = scalesOf(options.printSize, called);
   return resized(single(problem, options), scale);
 }
 
