@@ -53,7 +53,8 @@ function matching(result: SolveResult, compared: readonly ComparedAnswer[]): str
   const {visible, matched} = visibleSeams(result);
   if (visible === 0) return [];
   const [own] = compared;
-  const before = own && own.matched !== matched ? ` (${String(own.matched)} in the first answer)` : '';
+  const before =
+    own && own.matched !== matched ? ` (${String(own.matched)} in the first answer)` : '';
   return [`${String(matched)} of ${String(visible)} visible seams match${before}`];
 }
 
