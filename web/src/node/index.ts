@@ -78,7 +78,7 @@ export async function withReach(
 ): Promise<SolveResult> {
   const {withReach: tried} = await import('../remedies/reach.js');
   return tried(
-    problem,
+    chosenProblem(problem, result),
     result,
     (changed, stop) => solve(changed, {...(stop && {signal: stop}), ...(names && {names})}),
     {signal},

@@ -1,15 +1,14 @@
 /** Finds seams that the print cannot match even where no other seam counts. */
-import type {Problem} from '../model/design/solve-problem.js';
+import type {SingleProblem} from '../model/design/solve-problem.js';
 import type {SeamGroup, SolveResult} from '../model/result/result.js';
+import {leastVisible} from '../model/result/visible-seams.js';
 import {parsed, withRemedy} from './remedy.js';
 
 /** Greatest number of seams that are tried, the most visible first, since each takes a solve. */
 const most = 4;
-/** Least visibility of a seam that is seen at first sight. */
-const visible = 1.5;
 
 const isCandidate = ({state, reason, visibility}: SeamGroup): boolean =>
-  state === 'off' && visibility >= visible && (reason === 'others' || reason === 'size');
+  state === 'off' && visibility >= leastVisible && (reason === 'others' || reason === 'size');
 
 /**
  * Solves each visible seam by itself. A seam that is still off cannot match.
@@ -17,9 +16,9 @@ const isCandidate = ({state, reason, visibility}: SeamGroup): boolean =>
  * @throws the signal's reason when it aborts
  */
 export async function withReach(
-  problem: Problem,
+  problem: SingleProblem,
   result: SolveResult,
-  solve: (problem: Problem, signal?: AbortSignal) => Promise<SolveResult>,
+  solve: (problem: SingleProblem, signal?: AbortSignal) => Promise<SolveResult>,
   {signal}: {readonly signal?: AbortSignal | undefined} = {},
 ): Promise<SolveResult> {
   const groups = result.seamGroups ?? [];
@@ -28,7 +27,7 @@ export async function withReach(
     .toSorted((one, other) => other.visibility - one.visibility)
     .slice(0, most);
   const beyond = new Set<SeamGroup>();
-  const {unmatched = []} = parsed(problem.options) as {readonly unmatched?: readonly number[]};
+  const {unmatched = []} = parsed(problem.options);
   for (const group of tried) {
     const others = result.seams.flatMap((_, k) => (group.seams.includes(k) ? [] : [k]));
     const options = {unmatched: [...new Set([...unmatched, ...others])].sort((a, b) => a - b)};

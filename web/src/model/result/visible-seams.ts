@@ -2,7 +2,7 @@
 import type {SolveResult} from './result.js';
 
 /** Least visibility of a seam that is seen at first sight. */
-const leastVisible = 1.5;
+export const leastVisible = 1.5;
 
 /** Number of visible seams, without those that the user has left out, and how many match. */
 export function visibleSeams({seamGroups = []}: Pick<SolveResult, 'seamGroups'>): {
