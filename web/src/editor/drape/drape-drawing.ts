@@ -15,9 +15,13 @@ export const drapeStyle = css`
     grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
     position: relative;
   }
+  /* the bar lies over it */
   .application {
-    grid-area: 2 / 1;
+    grid-area: 1 / 1 / 3 / 2;
     position: relative;
+  }
+  .bar {
+    justify-self: start;
   }
   .wipe {
     grid-area: 2 / 1;
@@ -29,10 +33,8 @@ export const drapeStyle = css`
   progress {
     z-index: 1;
   }
-  .bar {
-    margin-right: var(--sw-views-room, 0); /* of what lies over it */
-  }
   .foot {
+    flex-wrap: nowrap;
     align-items: end;
   }
   .group select {
@@ -44,7 +46,7 @@ export const drapeStyle = css`
     color: var(--sw-ink);
   }
   .truth {
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   @media (prefers-reduced-motion: reduce) {
     .turntable {
@@ -62,13 +64,15 @@ export const drapeStyle = css`
       padding: var(--sw-space-1) var(--sw-space-2);
     }
     .foot {
+      flex-wrap: wrap;
       gap: 0 var(--sw-space-2);
     }
     .said {
       min-height: 0;
     }
     .zoom,
-    .truth {
+    .truth,
+    sw-legend {
       display: none;
     }
   }

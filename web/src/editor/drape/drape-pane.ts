@@ -30,7 +30,7 @@ export class DrapePane extends DrapeDrawing {
   static override styles = [...DrapeDrawing.styles, controls, drapeStyle];
   /** `show`: for display only, in a page that scrolls. */
   declare purpose: 'show' | 'edit';
-  #showsSeams = false;
+  #showsSeams = true;
   /** Share of the width that shows the garment before the solve; undefined for none. */
   #split: number | undefined;
   /** The preset nearest to the camera; a change of it is announced. */
@@ -52,9 +52,14 @@ export class DrapePane extends DrapeDrawing {
     this.requestUpdate();
   }
 
+  /** False while all of the garment is shown as before. */
+  get #isWiping(): boolean {
+    return this.#split !== undefined && this.#split < 1;
+  }
+
   /** Shows or hides the garment before the solve on one half. */
   toggleWipe(): void {
-    this.split = this.#split === undefined ? 0.5 : undefined;
+    this.split = this.#isWiping ? undefined : 0.5;
   }
 
   toggleSeams(): void {
@@ -145,7 +150,7 @@ export class DrapePane extends DrapeDrawing {
       >
         <div class="stage"></div>
       </div>
-      ${this.#split === undefined ? nothing : this.#wiping(this.#split)}
+      ${this.#split !== undefined && this.#isWiping ? this.#wiping(this.#split) : nothing}
       ${edits ? this.#bar(words) : nothing}
       <slot name="notice"></slot>
       <div class="foot">
@@ -219,16 +224,23 @@ export class DrapePane extends DrapeDrawing {
     return html`<div class="group" role="group" aria-label=${pattern.view}>
       ${
         edits
-          ? html`<button
+          ? html`<sw-before
+                .workbench=${this.workbench}
+                .isOn=${this.#split === 1}
+                @hold=${({detail}: CustomEvent<boolean>) => {
+                  this.split = detail ? 1 : undefined;
+                }}
+              ></sw-before>
+              <button
                 class="icon"
                 aria-label=${pattern.wipe}
                 title=${pattern.wipe}
-                aria-pressed=${this.#split !== undefined}
+                aria-pressed=${this.#isWiping}
                 @click=${() => {
                   this.toggleWipe();
                 }}
               >
-                ${icon.before}</button
+                ${icon.wipe}</button
               ><select
                 aria-label=${words.look}
                 title=${words.look}

@@ -35,8 +35,8 @@ export const print = {
     paperScale: 'Mismatch 0–2 cm, as in the paper',
   },
   print: {
-    title: 'Print',
-    open: 'Open print',
+    title: 'Fabric',
+    open: 'My fabric',
     photo: 'Photo of your cloth',
     own: text('Your own: {title}'),
     group: 'Wallpaper group',
@@ -86,13 +86,10 @@ export const print = {
     turn: 'Turn (degrees)',
     oneWay: 'Looks different upside down',
     oneWayNote: 'Does it look the same upside down? Then leave this off.',
-    lacks: {
-      piece: text(
-        'A piece that is symmetric in itself needs a print with mirrors, and {group} has none.',
-      ),
-      pair: text('A mirrored pair needs a print with mirrors or glides, and {group} has neither.'),
+    lost: {
+      piece: text('{print} has no mirrors, so pieces can’t be symmetric in themselves.'),
+      pair: text('{print} has no mirrors, so left and right can’t be mirror images.'),
     },
-    wouldDo: 'These would do:',
     notQuite: text('Your cloth is not quite {group}; {fitting} still fits.'),
     take: text('Take {group}'),
     keep: text('Keep {group}'),
