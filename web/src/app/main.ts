@@ -51,7 +51,10 @@ async function begin(address: URL): Promise<void> {
   if (await followed(address)) return;
   if (address.search === '' && isFirstVisit()) {
     page.isFirst = true;
-    projects.beginWith(await welcomeDesign(samples, workbench.solver), {origin: 'given'});
+    const {beginOpening} = await import('./introduction/opening.js');
+    await beginOpening(workbench, welcomeDesign(samples), (design) => {
+      projects.beginWith(design, {origin: 'given'});
+    });
     return;
   }
   const design = await firstDesign(samples);

@@ -379,10 +379,7 @@ export class Editor extends WorkbenchElement {
     const notice = this.#showsPattern ? nothing : this.#notice();
     return shows === 'cloth'
       ? html`<sw-marker-pane .workbench=${workbench}>${notice}</sw-marker-pane>`
-      : html`<sw-drape-pane
-          camera="three-quarter"
-          .workbench=${workbench}
-          .beside=${true}
+      : html`<sw-drape-pane camera="three-quarter" .workbench=${workbench} .beside=${true}
           >${notice}</sw-drape-pane
         >`;
   }

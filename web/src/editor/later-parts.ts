@@ -5,7 +5,6 @@ import {SeamLens} from './lens/lens.js';
 import {PieceTable} from './lists/piece-table.js';
 import {SeamTable} from './lists/seam-table.js';
 import {Tables} from './lists/tables.js';
-import {BeforeButton} from './pattern/before-button.js';
 import {GrainQuestion} from './pattern/grain-question.js';
 import {KeepMenu} from './pattern/keep-menu.js';
 import {TiesMenu} from './pattern/ties-menu.js';
@@ -26,7 +25,6 @@ import {WaysOut} from './shell/ways-out.js';
 import {SymmetryPanel} from './symmetry/symmetry-panel.js';
 
 const parts: Readonly<Record<string, CustomElementConstructor>> = {
-  'sw-before': BeforeButton,
   'sw-doubtful-tile': DoubtfulTile,
   'sw-file-size': FileSizeNote,
   'sw-solve-panel': SolvePanel,

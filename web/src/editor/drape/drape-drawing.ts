@@ -2,6 +2,10 @@
 import {css, type PropertyValues} from 'lit';
 
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
+import {lastOf} from '../../model/base/last-of.js';
+import {printOf} from '../../model/design/design.js';
+import type {PatternScene} from '../../scene/scene.js';
+import {standInScene} from '../../scene/stand-in.js';
 import type {CameraPreset} from '../../viewer/drape/camera.js';
 import {drapingOf, type Draping} from '../../workbench/drape/draping.js';
 import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
@@ -36,6 +40,7 @@ export const drapeStyle = css`
   .foot {
     flex-wrap: nowrap;
     align-items: end;
+    min-height: 4.25rem; /* of two lines */
   }
   .group select {
     flex: none;
@@ -65,6 +70,7 @@ export const drapeStyle = css`
     }
     .foot {
       flex-wrap: wrap;
+      min-height: 0;
       gap: 0 var(--sw-space-2);
     }
     .said {
@@ -101,6 +107,13 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
   declare form: 'shown' | 'hidden';
   /** True for a turntable, which runs until the user touches the drape. */
   declare turntable: boolean;
+  readonly #standIn = lastOf(({drape, alignments, design}: NonNullable<Draping['known']>) =>
+    standInScene(
+      drape.mesh.pieces.map(({name}) => name),
+      alignments,
+      printOf(design.print),
+    ),
+  );
   #observer: IntersectionObserver | undefined;
   #isInView = false;
   /** Ends the draping. */
@@ -162,6 +175,11 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
     if (!this.view) return;
     if (changed.has('camera')) this.view.camera.look(this.camera);
     if (changed.has('turntable')) this.view.camera.setTurntable(this.turntable);
+  }
+
+  protected override standIn(): PatternScene | undefined {
+    const {known} = this.draping;
+    return known && this.#standIn(known);
   }
 
   protected override drew(view: DrapeView): void {

@@ -125,6 +125,9 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
   /** Returns whether seams are drawn in mismatch colours. */
   protected hasSeams?(): boolean;
 
+  /** Returns a scene to show until the solver has read the garment. */
+  protected standIn?(): PatternScene | undefined;
+
   /** Loads the code of the view. */
   protected abstract load(): Promise<OpenView<View>>;
 
@@ -237,11 +240,13 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     if (!view) return;
     view.setAppearance(this.#appearance.value);
     const {scenes} = this.workbench.sheet;
+    const standIn = scenes ? undefined : this.standIn?.();
+    if (standIn) view.show(standIn);
     if (scenes) {
       view.show(scenes.now, this.#motion());
       this.drew?.(view);
     }
-    if (scenes && this.#life) this.#tile.show(view, this.#life.signal);
+    if ((scenes ?? standIn) && this.#life) this.#tile.show(view, this.#life.signal);
   }
 
   /** Waits for changes to the workbench, which are drawn later in a separate task. */
