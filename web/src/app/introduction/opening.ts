@@ -18,7 +18,9 @@ export async function beginOpening(
     if (!response.ok) throw new Error('opening.drape cannot be read; load the page again.');
     return readStoredDrape(await response.blob());
   });
-  const [design, {symmetries, drape, alignments}] = await Promise.all([plain, stored]);
+  // fetched before the samples of the gallery, so that the first picture has its print
+  const tile = plain.then(({print}) => workbench.tileOf(print.image).catch(() => undefined));
+  const [design, {symmetries, drape, alignments}] = await Promise.all([plain, stored, tile]);
   begin({...design, symmetry: askingFor(symmetries)});
   drapingOf(workbench).know({drape, alignments});
 }

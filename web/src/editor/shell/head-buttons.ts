@@ -38,7 +38,9 @@ export function sheetTabs(
     )}
     ${
       cut
-        ? html`<button class="goal" aria-haspopup="dialog" @click=${cut}>${app.cutShort}</button>`
+        ? html`<button class="goal" aria-label=${app.cut} aria-haspopup="dialog" @click=${cut}>
+            ${app.cutShort}
+          </button>`
         : nothing
     }
   </nav>`;

@@ -22,7 +22,7 @@ export const pattern = {
     lost: 'The browser has taken the graphics away and not given them back; load the page again to see the pattern.',
     nothing: 'Open a garment to begin',
     howToOpen:
-      'Choose Open garment, or drop or paste a sewing pattern here: GarmentCode, or a project or result of Seamwise.',
+      'Choose My pattern, or drop or paste a sewing pattern here: GarmentCode, or a project or result of Seamwise.',
     stale: 'The picture is out of date',
     failed: 'Not aligned: the pieces are shown as they lay',
     noSeams: 'No seams yet: sew edges to each other, and the print is matched there.',

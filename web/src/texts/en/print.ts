@@ -176,7 +176,7 @@ export const print = {
         '{name} is {kind}, which cannot be a print: save it as PNG or JPEG, and open that.',
       ),
       damaged: text('{name} is {kind}, but damaged: save it again, or take another copy.'),
-      pattern: text('{name} is a sewing pattern, no print: use Open garment.'),
+      pattern: text('{name} is a sewing pattern, no print: use My pattern.'),
       openEdges: {
         across: text(
           '{name} does not repeat: its left and right edges do not meet. Decide under Print what becomes of it.',
