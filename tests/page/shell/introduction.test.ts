@@ -14,7 +14,7 @@ const phone = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: tr
 const ways = (page: Page) => page.getByRole('group', {name: 'Where to begin?'});
 
 it('shows the garment in its print without the solver, and does not load the drape', async () => {
-  const page = await openPage({isFirst: true, query: 'samples.json'}); // a file of the same host
+  const page = await openPage({isFirst: true, query: 'samples.json', maySay: /404/}); // a file of the same host
   const asked: string[] = [];
   await page.route('**/*.wasm', (route) => void asked.push(route.request().url())); // no answer
   await page.addInitScript(() => {

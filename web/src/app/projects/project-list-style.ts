@@ -135,7 +135,7 @@ export const projectListStyle = css`
     }
     input.name {
       min-height: 2.75rem;
-      font-size: 1rem;
+      font-size: var(--sw-text-large);
     }
   }
   @media (max-width: 30rem) {

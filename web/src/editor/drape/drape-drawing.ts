@@ -63,14 +63,21 @@ export const drapeStyle = css`
       display: none; /* where there is hardly room for the garment */
     }
   }
+  @container (width < 44rem) {
+    .foot {
+      flex-wrap: wrap;
+      min-height: 0;
+    }
+  }
   @container (width < 26rem) {
+    .application {
+      grid-area: 2 / 1;
+    }
     .bar,
     .foot {
       padding: var(--sw-space-1) var(--sw-space-2);
     }
     .foot {
-      flex-wrap: wrap;
-      min-height: 0;
       gap: 0 var(--sw-space-2);
     }
     .said {

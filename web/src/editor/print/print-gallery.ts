@@ -53,6 +53,10 @@ const swatches = css`
     font-size: var(--sw-text);
     color: var(--sw-soft);
   }
+  :is(.groups, .more, .colourways) span {
+    overflow: hidden;
+    text-overflow: ellipsis; /* the button's title has the whole name */
+  }
   svg {
     display: block;
     width: 100%;
