@@ -28,7 +28,8 @@ export const tokens = css`
     --sw-bad: light-dark(#a92a22, #ff9c92);
     --sw-bad-tint: light-dark(#fbeae8, #3b2322);
     font:
-      400 var(--sw-text) / 1.45 system-ui,
+      400 var(--sw-text) / 1.45 var(--sw-font, system-ui),
+      system-ui,
       -apple-system,
       'Segoe UI',
       Roboto,
