@@ -27,7 +27,7 @@ it('is small, and shows the sample of a first visit sewn together', async () => 
 
 it('returns a mesh to within half a unit, in another order of vertices', async () => {
   const whole = await readStoredDrape(new Blob([file]));
-  const again = await readStoredDrape(new Blob([storedDrape(whole)]));
+  const again = await readStoredDrape(new Blob([Uint8Array.from(storedDrape(whole))]));
   const places = ({drape}: typeof whole): readonly string[] =>
     drape.mesh.pieces.flatMap(({triangles, sewn}) =>
       Array.from(triangles, (vertex) =>

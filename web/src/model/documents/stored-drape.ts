@@ -32,7 +32,7 @@ export interface StoredDrape extends Pick<StoredHeader, 'sample' | 'symmetries'>
 }
 
 /** The lists of a file: a walk over each piece, over the form, and the vertices of seams. */
-export interface StoredNumbers {
+interface StoredNumbers {
   readonly pieces: readonly WalkNumbers[];
   readonly form: WalkNumbers;
   readonly seams: NumberList;
