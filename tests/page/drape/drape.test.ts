@@ -29,7 +29,9 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   await expect.poll(() => worn.count()).toBe(0);
   await views.getByRole('button', {name: 'Garment'}).click();
   const status = worn.locator('[role=status]');
-  await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('Front view.');
+  await expect
+    .poll(() => status.textContent(), {timeout: 120_000})
+    .toContain('Three-quarter view.');
   await expect.poll(() => page.locator('sw-pattern').isVisible()).toBe(false);
   await views.getByRole('button', {name: 'Both'}).click();
   await expect.poll(() => page.locator('sw-pattern').isVisible()).toBe(true);

@@ -16,7 +16,7 @@ const quietPage = async (width = 640): Promise<Page> => {
   const page = await openPage({viewport: {width, height: 700}});
   const cutting = page
     .getByRole('navigation', {name: 'Panels'})
-    .getByRole('button', {name: 'Pattern'});
+    .getByRole('button', {name: 'Pattern', exact: true});
   const isPhone = width < 640; // panels are bottom sheets there, one at a time
   if (isPhone) await cutting.click();
   await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');

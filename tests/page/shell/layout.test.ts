@@ -38,7 +38,7 @@ it(
       ['Seams', page.getByRole('table', {name: 'Seams', exact: true})],
       ['Fabric', button(page, 'My fabric')],
     ] as const) {
-      const tab = sheets.getByRole('button', {name});
+      const tab = sheets.getByRole('button', {name, exact: true});
       if ((await tab.getAttribute('aria-expanded')) !== 'true') await tab.tap();
       await what.scrollIntoViewIfNeeded();
       await expect.poll(() => what.isVisible(), {message: name}).toBe(true);
@@ -84,7 +84,10 @@ it(
         return found;
       });
     for (const name of ['Pattern', 'Seams', 'Fabric']) {
-      await page.getByRole('navigation', {name: 'Panels'}).getByRole('button', {name}).tap();
+      await page
+        .getByRole('navigation', {name: 'Panels'})
+        .getByRole('button', {name, exact: true})
+        .tap();
       expect(await small(), name).toEqual([]);
     }
   },

@@ -124,6 +124,7 @@ export class SeamwisePage extends WorkbenchElement {
         .commands=${this.#keyed}
         .photos=${keptPhotos}
         .shows=${this.#view}
+        .camera=${'three-quarter'}
         @sw-view=${({detail}: CustomEvent<EditorView>) => {
           keepView(detail);
           this.#endFirst();

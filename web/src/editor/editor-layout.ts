@@ -151,7 +151,7 @@ export const editorLayout = css`
   }
   sw-lens {
     display: block;
-    min-height: 14.25rem;
+    min-height: 14.5rem;
   }
   @container (width >= 120rem) {
     .workbench {

@@ -15,6 +15,7 @@ import type {PatternPane} from './pattern/pattern-pane.js';
 import type {PhotoWanted} from '../print/openable-files.js';
 import type {PrintPanel} from './print/print-panel.js';
 import type {DrapePane} from './drape/drape-pane.js';
+import type {CameraPreset} from '../viewer/drape/camera.js';
 import {register} from './base/register.js';
 import {
   sheetTabs,
@@ -119,6 +120,7 @@ export class Editor extends WorkbenchElement {
     commands: {attribute: false},
     photos: {attribute: false},
     shows: {attribute: false},
+    camera: {attribute: false},
     sheet: {state: true},
   };
   /** The prints that come with Seamwise. */
@@ -128,6 +130,8 @@ export class Editor extends WorkbenchElement {
   /** Opens the storage of photos that became prints; undefined if the page stores nothing. */
   declare photos: (() => Promise<PhotoKeeper>) | undefined;
   declare shows: EditorView;
+  /** Initial view of the drape. */
+  declare camera: CameraPreset;
   /** The sheet that is open below the pattern in a narrow editor. */
   declare protected sheet: Sheet | undefined;
 
@@ -154,6 +158,7 @@ export class Editor extends WorkbenchElement {
     super();
     this.commands = {};
     this.shows = 'pattern';
+    this.camera = 'front';
     this.sheet = 'fabric';
     this.addEventListener('keydown', (event) => {
       this.press(event);
@@ -379,7 +384,7 @@ export class Editor extends WorkbenchElement {
     const notice = this.#showsPattern ? nothing : this.#notice();
     return shows === 'cloth'
       ? html`<sw-marker-pane .workbench=${workbench}>${notice}</sw-marker-pane>`
-      : html`<sw-drape-pane camera="three-quarter" .workbench=${workbench} .beside=${true}
+      : html`<sw-drape-pane camera=${this.camera} .workbench=${workbench} .beside=${true}
           >${notice}</sw-drape-pane
         >`;
   }

@@ -100,7 +100,7 @@ export function printCommands({workbench, texts, samples}: PageParts): readonly 
       const {name, title, group} = sample;
       return {
         id: `print ${name}`,
-        title: lists.of(print.title, titleOf(name, title)),
+        title: lists.of(print.print, titleOf(name, title)),
         words: `${group} ${commands.also.print}`,
         run: () => {
           takePrint(workbench, samplePrint(sample));

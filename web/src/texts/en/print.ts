@@ -36,6 +36,7 @@ export const print = {
   },
   print: {
     title: 'Fabric',
+    print: 'Print',
     open: 'My fabric',
     photo: 'Photo of your cloth',
     own: text('Your own: {title}'),
