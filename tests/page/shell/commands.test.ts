@@ -189,7 +189,7 @@ it(
     const toggled = (name: string): Promise<string | null> =>
       worn.getByRole('button', {name, exact: true}).getAttribute('aria-pressed');
     for (const [key, name, is] of [
-      ['s', 'Seams', 'true'],
+      ['s', 'Seams', 'false'],
       ['b', 'Before and after', 'true'],
       ['d', 'Form', 'false'],
       ['t', 'Turntable', 'true'],

@@ -125,6 +125,7 @@ export class SeamwisePage extends WorkbenchElement {
         .photos=${keptPhotos}
         .shows=${this.#view}
         .camera=${'three-quarter'}
+        .seams=${true}
         @sw-view=${({detail}: CustomEvent<EditorView>) => {
           keepView(detail);
           this.#endFirst();

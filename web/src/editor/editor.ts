@@ -121,6 +121,7 @@ export class Editor extends WorkbenchElement {
     photos: {attribute: false},
     shows: {attribute: false},
     camera: {attribute: false},
+    seams: {attribute: false},
     sheet: {state: true},
   };
   /** The prints that come with Seamwise. */
@@ -132,6 +133,8 @@ export class Editor extends WorkbenchElement {
   declare shows: EditorView;
   /** Initial view of the drape. */
   declare camera: CameraPreset;
+  /** The drape begins with coloured seams. */
+  declare seams: boolean;
   /** The sheet that is open below the pattern in a narrow editor. */
   declare protected sheet: Sheet | undefined;
 
@@ -159,6 +162,7 @@ export class Editor extends WorkbenchElement {
     this.commands = {};
     this.shows = 'pattern';
     this.camera = 'front';
+    this.seams = false;
     this.sheet = 'fabric';
     this.addEventListener('keydown', (event) => {
       this.press(event);
@@ -384,7 +388,11 @@ export class Editor extends WorkbenchElement {
     const notice = this.#showsPattern ? nothing : this.#notice();
     return shows === 'cloth'
       ? html`<sw-marker-pane .workbench=${workbench}>${notice}</sw-marker-pane>`
-      : html`<sw-drape-pane camera=${this.camera} .workbench=${workbench} .beside=${true}
+      : html`<sw-drape-pane
+          camera=${this.camera}
+          .seams=${this.seams}
+          .workbench=${workbench}
+          .beside=${true}
           >${notice}</sw-drape-pane
         >`;
   }

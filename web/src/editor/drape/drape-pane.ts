@@ -26,11 +26,13 @@ export class DrapePane extends DrapeDrawing {
   static override properties = {
     ...DrapeDrawing.properties,
     purpose: {},
+    seams: {attribute: false},
   };
   static override styles = [...DrapeDrawing.styles, controls, drapeStyle];
   /** `show`: for display only, in a page that scrolls. */
   declare purpose: 'show' | 'edit';
-  #showsSeams = true;
+  /** Seams are coloured by mismatch. */
+  declare seams: boolean;
   /** Share of the width that shows the garment before the solve; undefined for none. */
   #split: number | undefined;
   /** The preset nearest to the camera; a change of it is announced. */
@@ -41,6 +43,7 @@ export class DrapePane extends DrapeDrawing {
   constructor() {
     super();
     this.purpose = 'edit';
+    this.seams = false;
   }
 
   /**
@@ -63,8 +66,7 @@ export class DrapePane extends DrapeDrawing {
   }
 
   toggleSeams(): void {
-    this.#showsSeams = !this.#showsSeams;
-    this.requestUpdate();
+    this.seams = !this.seams;
   }
 
   /** Shows or hides the form under the garment. */
@@ -88,7 +90,7 @@ export class DrapePane extends DrapeDrawing {
   }
 
   protected override hasSeams(): boolean {
-    return this.#showsSeams;
+    return this.seams;
   }
 
   protected override viewOptions(): ConstructorParameters<typeof DrapeView>[1] {
@@ -124,7 +126,7 @@ export class DrapePane extends DrapeDrawing {
 
   protected override drew(view: DrapeView): void {
     super.drew(view);
-    view.setSeams(this.#showsSeams);
+    view.setSeams(this.seams);
     const {selected, pointed} = this.workbench.selection;
     const {scenes} = this.workbench.sheet;
     const split = this.#split;
@@ -197,7 +199,7 @@ export class DrapePane extends DrapeDrawing {
         ${this.#toggle(words.form, this.form !== 'hidden', () => {
           this.toggleForm();
         })}
-        ${this.#toggle(words.seams, this.#showsSeams, () => {
+        ${this.#toggle(words.seams, this.seams, () => {
           this.toggleSeams();
         })}
       </div>
@@ -314,7 +316,7 @@ export class DrapePane extends DrapeDrawing {
       }
       case 'done': {
         const notes = drape?.notes ?? [];
-        if (this.#showsSeams && notes.length === 0)
+        if (this.seams && notes.length === 0)
           return html`<sw-legend .workbench=${this.workbench}></sw-legend>`;
         return notes.length > 0
           ? html`<p class="told">${notes.join(' ')}</p>`
