@@ -205,8 +205,9 @@ it(
     await page.keyboard.press('Escape');
     await page.keyboard.press('v');
     await expect.poll(() => pattern(page).isVisible()).toBe(true);
-    await expect.poll(() => garment.isVisible()).toBe(true);
-    await page.keyboard.press('v');
     await expect.poll(() => worn.count()).toBe(0);
+    await page.keyboard.press('v');
+    await expect.poll(() => pattern(page).isVisible()).toBe(true);
+    await expect.poll(() => garment.isVisible()).toBe(true);
   },
 );
