@@ -176,7 +176,9 @@ it(
 
 it('gives away a picture of what is seen, a model and a film', {tags: ['thorough']}, async () => {
   const page = await openWorn();
-  await page.keyboard.press('v'); // both views, since nothing has the focus
+  // both views, since nothing has the focus
+  await page.keyboard.press('v');
+  await page.keyboard.press('v');
   await expect
     .poll(() => page.locator('sw-drape-pane progress').isVisible(), {timeout: 60_000})
     .toBe(false);
