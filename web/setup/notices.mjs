@@ -65,7 +65,7 @@ export function notices() {
     name: 'seamwise-notices',
     apply: 'build',
     config: () => ({build: {license: {fileName: noticesFile}}}),
-    writeBundle({dir}) {
+    writeBundle({dir}, bundle) {
       const file = join(dir, noticesFile);
       const bundled = readFileSync(file, 'utf8').trim().replace(/^# .*/, '## In the scripts');
       const more = [...inWorkers]
@@ -78,9 +78,17 @@ export function notices() {
         `### Eigen${eigenVersion()}\n`,
       );
       const heading = '# Licences of Seamwise and of what is in it';
-      writeFileSync(file, `${heading}\n\n## Seamwise\n\n${own}\n\n${scripts}\n\n${module}`);
+      const parts = [heading, `## Seamwise\n\n${own}`, scripts, ...fontNotices(bundle), module];
+      writeFileSync(file, parts.join('\n\n'));
     },
   };
+}
+
+/** Licences of the typefaces in a bundle. */
+function fontNotices(bundle) {
+  if (!Object.keys(bundle).some((name) => name.endsWith('.woff2'))) return [];
+  const words = readFileSync(join(root, 'web/src/app/fonts/OFL.txt'), 'utf8').trim();
+  return [`## Source Sans 3 (OFL-1.1)\n\n${words}`];
 }
 
 /** The first line of a notice up to the version. */

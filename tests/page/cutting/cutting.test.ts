@@ -21,7 +21,7 @@ const dialogOf = (page: Page): Locator => page.locator('sw-cut-dialog').getByRol
 
 async function squaresShown(page: Page): Promise<void> {
   await solved(page);
-  await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
+  await choose(page, 'My pattern', jsonFile('squares.json', squares(40)));
   await page.waitForFunction(() => document.title.startsWith('squares'));
   await solved(page);
 }
@@ -121,7 +121,7 @@ it('says that the pattern has its own allowances', {tags: ['thorough']}, async (
     for (const edge of panel.edges) Object.assign(edge, {allowance: 1.5});
   }
   const own = {...garment, format: 'seamwise-garment/1'};
-  await choose(page, 'Open garment', jsonFile('own.json', own));
+  await choose(page, 'My pattern', jsonFile('own.json', own));
   await page.waitForFunction(() => document.title.startsWith('own'));
   await solved(page);
   await page.keyboard.press('Control+Shift+S');

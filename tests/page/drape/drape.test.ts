@@ -29,7 +29,9 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   await expect.poll(() => worn.count()).toBe(0);
   await views.getByRole('button', {name: 'Garment'}).click();
   const status = worn.locator('[role=status]');
-  await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('Front view.');
+  await expect
+    .poll(() => status.textContent(), {timeout: 120_000})
+    .toContain('Three-quarter view.');
   await expect.poll(() => page.locator('sw-pattern').isVisible()).toBe(false);
   await views.getByRole('button', {name: 'Both'}).click();
   await expect.poll(() => page.locator('sw-pattern').isVisible()).toBe(true);
@@ -174,7 +176,9 @@ it(
 
 it('gives away a picture of what is seen, a model and a film', {tags: ['thorough']}, async () => {
   const page = await openWorn();
-  await page.keyboard.press('v'); // both views, since nothing has the focus
+  // both views, since nothing has the focus
+  await page.keyboard.press('v');
+  await page.keyboard.press('v');
   await expect
     .poll(() => page.locator('sw-drape-pane progress').isVisible(), {timeout: 60_000})
     .toBe(false);

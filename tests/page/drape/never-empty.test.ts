@@ -66,7 +66,7 @@ it('is looked at and walked over by keys alone', async () => {
   };
   await pressed('button Garment');
   await page.keyboard.press('Enter');
-  await expect.poll(() => status(page), {timeout: 120_000}).toContain('Front view.');
+  await expect.poll(() => status(page), {timeout: 120_000}).toContain('Three-quarter view.');
   await pressed('div Garment, worn');
   for (const [key, said] of [
     ['2', 'Back view.'],

@@ -210,7 +210,7 @@ it(
     const {page, put} = await openPage();
     await put(tee.replace('alt=', 'mode="edit" alt='));
     const editor = page.locator('seamwise-garment sw-editor');
-    await editor.getByRole('button', {name: 'Cloth', exact: true}).click();
+    await editor.getByRole('button', {name: 'Fabric layout', exact: true}).click();
     const panel = page.locator('sw-marker-panel');
     const facts = () => panel.locator('.facts').innerText();
     await expect.poll(facts, patient).toMatch(/long/);

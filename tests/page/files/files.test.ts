@@ -38,7 +38,7 @@ function answerIn(result: string): string {
 
 it('opens a garment that is chosen, dropped or pasted', {tags: ['thorough']}, async () => {
   const page = await openPage();
-  await choose(page, 'Open garment', jsonFile('chosen.json', squares(40)));
+  await choose(page, 'My pattern', jsonFile('chosen.json', squares(40)));
   await garmentShown(page, 'chosen.json');
   await hand(page, 'drop', jsonFile('dropped.json', squares(50)));
   await garmentShown(page, 'dropped.json');
@@ -52,7 +52,7 @@ it('opens a garment that is chosen, dropped or pasted', {tags: ['thorough']}, as
 
 it('opens a saved project to the same design', {tags: ['thorough']}, async () => {
   const page = await quietPage();
-  await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
+  await choose(page, 'My pattern', jsonFile('squares.json', squares(40)));
   await garmentShown(page, 'squares.json');
   await page.getByRole('radio', {name: /^pgg\b/}).click();
   const before = await designOf(page);
@@ -96,7 +96,7 @@ it(
     const content = await readFile(out, 'utf8');
     await rm(folder, {recursive: true});
     const page = await openPage();
-    await choose(page, 'Open garment', {
+    await choose(page, 'My pattern', {
       name: 'skirt.result.json',
       mimeType: 'application/json',
       content,
@@ -119,13 +119,13 @@ it(
 it('opens a print file, and a picture as a print', async () => {
   const page = await quietPage();
   const print = {title: 'Mine', group: 'pmm', w1: [6, 0], w2: [0, 8]};
-  await choose(page, 'Open print', jsonFile('mine.json', print));
+  await choose(page, 'My fabric', jsonFile('mine.json', print));
   await page.getByText('Your own: Mine').waitFor();
   expect((await designOf(page)).print).toMatchObject({group: 'pmm', size: {width: 6, height: 8}});
   const png = await readFile(new URL('../../../public/prints/pgg.png', import.meta.url));
   const [chooser] = await Promise.all([
     page.waitForEvent('filechooser'),
-    button(page, 'Open print').click(),
+    button(page, 'My fabric').click(),
   ]);
   await chooser.setFiles({name: 'feet.png', mimeType: 'image/png', buffer: png});
   await expect
@@ -194,7 +194,7 @@ it('offers to sew when a file has no seams', {tags: ['thorough']}, async () => {
   const page = await openPage();
   const garment = squares(40) as {pattern: {stitches: unknown[]}};
   garment.pattern.stitches = [];
-  await choose(page, 'Open garment', jsonFile('loose.json', garment));
+  await choose(page, 'My pattern', jsonFile('loose.json', garment));
   await solved(page);
   await page.locator('sw-pattern').getByText('0 of 8 edges sewn, 0 open').waitFor();
   await page.getByText('No seams to match').waitFor();
@@ -202,7 +202,7 @@ it('offers to sew when a file has no seams', {tags: ['thorough']}, async () => {
 
 it('asks about the unit of a garment that fits nobody', {tags: ['thorough']}, async () => {
   const page = await openPage();
-  await choose(page, 'Open garment', jsonFile('small.json', squares(6)));
+  await choose(page, 'My pattern', jsonFile('small.json', squares(6)));
   await page.getByText('Is the tallest piece really 6 cm tall?').waitFor();
   await button(page, 'No, the file is in inches').click();
   await page.getByText('Is the tallest piece').waitFor({state: 'detached'});
@@ -256,7 +256,7 @@ it.each(
 
 it('gives the pieces to cut in millimetres, and a picture', {tags: ['thorough']}, async () => {
   const page = await openPage();
-  await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
+  await choose(page, 'My pattern', jsonFile('squares.json', squares(40)));
   await garmentShown(page, 'squares.json');
   await solved(page);
   const svg = await savedCut(page, 'SVG');
@@ -278,13 +278,12 @@ it.each(sampleOf(1, ['-1', '12', '']))(
   {tags: ['thorough']},
   async (typed) => {
     const page = await openPage();
-    await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
+    await choose(page, 'My pattern', jsonFile('squares.json', squares(40)));
     await garmentShown(page, 'squares.json');
     await solved(page);
     let downloads = 0;
     page.on('download', () => downloads++);
-    await button(page, 'Save …').click();
-    await button(page, 'Cut …').click();
+    await button(page, 'Cut pattern').click();
     const field = page.getByLabel('Seam allowance (cm)');
     await field.fill(typed);
     await page.getByRole('button', {name: 'Save PDF'}).click();

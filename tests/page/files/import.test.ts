@@ -72,7 +72,7 @@ it(
 it('opens what is chosen of a DXF as a project of its own, ready to be sewn', async () => {
   const page = await quietPage();
   const pieces = await samplePieces();
-  await choose(page, 'Open garment', dxf(plainDxf(pieces, {words: ['Style Name: Summer tee']})));
+  await choose(page, 'My pattern', dxf(plainDxf(pieces, {words: ['Style Name: Summer tee']})));
   const dialog = sheet(page);
   await dialog.getByRole('checkbox', {name: 'Sleeve right'}).uncheck();
   await dialog.getByLabel('How often Sleeve left is cut').selectOption('Cut a pair');
@@ -159,11 +159,11 @@ it(
     const page = await quietPage();
     const alert = page.getByRole('alert');
     const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="60cm" height="50cm"><path d="M0 0';
-    await choose(page, 'Open garment', {name: 'cut.svg', mimeType: 'image/svg+xml', content: svg});
+    await choose(page, 'My pattern', {name: 'cut.svg', mimeType: 'image/svg+xml', content: svg});
     await alert.filter({hasText: /cut\.svg is damaged near line 1/}).waitFor();
-    await choose(page, 'Open garment', {name: 'no.dxf', mimeType: 'image/vnd.dxf', content: ''});
+    await choose(page, 'My pattern', {name: 'no.dxf', mimeType: 'image/vnd.dxf', content: ''});
     await alert.filter({hasText: 'no.dxf is empty; export it again.'}).waitFor();
-    await choose(page, 'Open garment', {name: 'a.pdf', mimeType: '', content: '%PDF-1.7\n'});
+    await choose(page, 'My pattern', {name: 'a.pdf', mimeType: '', content: '%PDF-1.7\n'});
     await alert.filter({hasText: 'choose DXF, SVG, OBJ or a GarmentCode file'}).waitFor();
   },
 );

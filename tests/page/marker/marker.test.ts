@@ -432,7 +432,7 @@ it(
     await page.locator('sw-editor .views').getByRole('button', {name: 'Pattern'}).click();
     await page.reload();
     await solved(page);
-    await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Fabric layout'}).click();
     await expect.poll(() => width.inputValue()).toBe('150');
   },
 );
@@ -481,7 +481,7 @@ it(
       const print = workbench?.history.design?.print;
       if (print) workbench.history.change({print: {...print, group: 'p2'}});
     });
-    await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+    await page.locator('sw-editor .views').getByRole('button', {name: 'Fabric layout'}).click();
     const why = panel(page).getByRole('alert');
     await why.filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
     await expect.poll(() => said(page)).toBe('Not aligned');

@@ -51,7 +51,7 @@ const garment = {
 
 async function opened(): Promise<Page> {
   const page = await openPage();
-  await choose(page, 'Open garment', jsonFile('my_shirt_specification.json', garment));
+  await choose(page, 'My pattern', jsonFile('my_shirt_specification.json', garment));
   await page.getByRole('button', {name: 'Rename: Left front torso'}).waitFor({timeout: 30_000});
   await solved(page);
   return page;

@@ -16,11 +16,11 @@ const quietPage = async (width = 640): Promise<Page> => {
   const page = await openPage({viewport: {width, height: 700}});
   const cutting = page
     .getByRole('navigation', {name: 'Panels'})
-    .getByRole('button', {name: 'Cutting'});
+    .getByRole('button', {name: 'Pattern', exact: true});
   const isPhone = width < 640; // panels are bottom sheets there, one at a time
   if (isPhone) await cutting.click();
   await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
-  if (isPhone) await page.getByRole('button', {name: 'Print', exact: true}).click();
+  if (isPhone) await page.getByRole('button', {name: 'Fabric', exact: true}).click();
   return page;
 };
 
@@ -208,7 +208,7 @@ it(
       ['f.pdf', '%PDF-1.4', `f.pdf is a PDF document, ${tail}`],
       ['g.tif', 'II*\0', `g.tif is a TIFF picture, ${tail}`],
       ['h.png', '\0\0\0\x18ftypheic\0\0\0\0', `h.png is a HEIC photo, ${tail}`],
-      ['i.json', '{"pattern": {}}', 'i.json is a sewing pattern, no print: use Open garment.'],
+      ['i.json', '{"pattern": {}}', 'i.json is a sewing pattern, no print: use My pattern.'],
       ['j.svg', svg('<image href="photo.jpg"/>'), 'j.svg takes in pictures from elsewhere'],
       ['k.svg', svg('<rect fill="url(https://a.b/c.svg#d)"/>'), 'k.svg takes in pictures'],
     ] as const) {

@@ -83,7 +83,7 @@ it(
   async () => {
     const page = await openPage();
     await solved(page);
-    await choose(page, 'Open garment', jsonFile('tee.json', stripped));
+    await choose(page, 'My pattern', jsonFile('tee.json', stripped));
     await says(page, /^Choose an edge/);
     await expect.poll(() => button(page, 'Sew').getAttribute('aria-pressed')).toBe('true');
     await pattern(page).focus();
@@ -121,7 +121,7 @@ it(
     await page.keyboard.press('Control+Shift+z');
     await expect.poll(async () => seamsOf(await garmentOf(page))).toEqual(wanted);
 
-    await choose(page, 'Open garment', jsonFile('tee-sewn.json', plain));
+    await choose(page, 'My pattern', jsonFile('tee-sewn.json', plain));
     await expect.poll(async () => (await garmentOf(page)).seams.length).toBe(stitches.length);
     const sewn = await fitOf(page);
     expect(Math.abs(fit - sewn)).toBeLessThan(0.02 * sewn);
@@ -156,7 +156,7 @@ async function click(page: Page, name: string, edge: number, keys: 'Shift'[] = [
 it('is sewn by clicks, several edges as one side, split, left open and taken apart', async () => {
   const page = await openPage();
   await solved(page);
-  await choose(page, 'Open garment', jsonFile('tee.json', stripped));
+  await choose(page, 'My pattern', jsonFile('tee.json', stripped));
   await says(page, /^Choose an edge/);
   expect(await barriers(page)).toEqual([]);
 
@@ -224,7 +224,7 @@ const sides = async (page: Page): Promise<readonly string[]> => seamsOf(await ga
 it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
-  await choose(page, 'Open garment', jsonFile('shirt.json', shirtSpecification()));
+  await choose(page, 'My pattern', jsonFile('shirt.json', shirtSpecification()));
   await says(page, /^Choose an edge/);
   await page.locator('sw-pattern').evaluate((pane: PatternPane) => pane.updateComplete);
   const before = await places(page);
@@ -311,6 +311,6 @@ it('tells who has a finger what to tap', {tags: ['thorough']}, async () => {
     isMobile: true,
   });
   await solved(page);
-  await choose(page, 'Open garment', jsonFile('tee.json', stripped));
+  await choose(page, 'My pattern', jsonFile('tee.json', stripped));
   await says(page, /^Tap an edge/);
 });

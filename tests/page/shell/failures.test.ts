@@ -94,7 +94,7 @@ it('takes a garment where no sample can be read', async () => {
   await page.getByText('Open a garment to begin', {exact: true}).waitFor();
   const alert = page.getByRole('alert');
   await alert.filter({hasText: 'samples.json cannot be reached; check the connection.'}).waitFor();
-  await choose(page, 'Open garment', jsonFile('own.json', squares(40)));
+  await choose(page, 'My pattern', jsonFile('own.json', squares(40)));
   await solved(page);
   expect((await designOf(page)).garment.name).toBe('own.json');
 });

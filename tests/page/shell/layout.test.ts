@@ -33,12 +33,13 @@ it(
     const stage = page.locator('sw-pattern .stage');
     const sheets = page.getByRole('navigation', {name: 'Panels'});
     for (const [name, what] of [
-      ['Cutting', page.getByLabel('Greatest change (mm)')],
-      ['How well it meets', page.getByRole('group', {name: 'Seam lens'})],
-      ['Pieces', page.getByRole('table', {name: 'Seams', exact: true})],
-      ['Print', button(page, 'Open print')],
+      ['Pattern', page.getByLabel('Greatest change (mm)')],
+      ['Seams', page.getByRole('group', {name: 'Seam lens'})],
+      ['Seams', page.getByRole('table', {name: 'Seams', exact: true})],
+      ['Fabric', button(page, 'My fabric')],
     ] as const) {
-      await sheets.getByRole('button', {name}).tap();
+      const tab = sheets.getByRole('button', {name, exact: true});
+      if ((await tab.getAttribute('aria-expanded')) !== 'true') await tab.tap();
       await what.scrollIntoViewIfNeeded();
       await expect.poll(() => what.isVisible(), {message: name}).toBe(true);
       const [{y, height}, below] = [
@@ -50,8 +51,9 @@ it(
       expect(below.y, name).toBeGreaterThanOrEqual(y + height);
       expect(await page.evaluate(() => document.documentElement.scrollHeight), name).toBe(844);
     }
-    await sheets.getByRole('button', {name: 'Print'}).tap();
-    expect((await box(stage)).height).toBeGreaterThan(500); // no panel is open
+    await sheets.getByRole('button', {name: 'Fabric'}).tap();
+    // no panel is open
+    await expect.poll(async () => (await box(stage)).height).toBeGreaterThan(440);
   },
 );
 
@@ -82,8 +84,11 @@ it(
         visit(document);
         return found;
       });
-    for (const name of ['Cutting', 'How well it meets', 'Print']) {
-      await page.getByRole('navigation', {name: 'Panels'}).getByRole('button', {name}).tap();
+    for (const name of ['Pattern', 'Seams', 'Fabric']) {
+      await page
+        .getByRole('navigation', {name: 'Panels'})
+        .getByRole('button', {name, exact: true})
+        .tap();
       expect(await small(), name).toEqual([]);
     }
   },
@@ -112,8 +117,8 @@ it.each(sampleOf(2, [820, 1280, 1366, 1440]))('has one row at its head at %d px'
   const page = await openPage({viewport: {width, height: 800}});
   await solved(page);
   expect(await heightOfHead(page)).toBeLessThan(52);
-  const tools = await box(page.getByRole('toolbar', {name: 'Tools'}));
-  expect(tools.height).toBeLessThan(44);
+  for (const name of ['Garment', 'Pattern', 'Both', 'Fabric layout'])
+    expect(await button(page, name).innerText(), name).toBe(name);
 });
 
 it('says what the next step back takes back', {tags: ['thorough']}, async () => {

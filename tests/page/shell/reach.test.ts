@@ -75,11 +75,11 @@ it.each(sampleOf(1, ['light', 'dark'] as const))(
     expect(corner).toEqual([255, 255, 255, 255]);
     expect(shares).toBeGreaterThan(0.2);
     expect(shares).toBeLessThan(0.9);
-    await expect.poll(() => button(page, 'Open print').isVisible()).toBe(false);
+    await expect.poll(() => button(page, 'My fabric').isVisible()).toBe(false);
     await expect.poll(() => sheet.isVisible()).toBe(true);
     await page.evaluate(() => dispatchEvent(new Event('afterprint')));
     await page.emulateMedia({media: 'screen', colorScheme: theme});
     await expect.poll(() => sheet.count()).toBe(0);
-    await button(page, 'Open print').waitFor();
+    await button(page, 'My fabric').waitFor();
   },
 );

@@ -18,10 +18,10 @@ it('says notes on a garment and faults of files in German, around the place in t
     .getByText(/Eine Seite ist um mehr als ein Zehntel länger .*: Front waist, Back waist\./)
     .waitFor();
 
-  await choose(page, 'Schnitt öffnen', jsonFile('leer.json', {pattern: {}}));
+  await choose(page, 'Mein Schnitt', jsonFile('leer.json', {pattern: {}}));
   const alert = page.getByRole('alert');
   await alert.filter({hasText: /Das ist kein Schnitt.*Auf Englisch: leer\.json has no/}).waitFor();
-  await choose(page, 'Schnitt öffnen', jsonFile('ergebnis.json', {format: 'seamwise-result/1'}));
+  await choose(page, 'Mein Schnitt', jsonFile('ergebnis.json', {format: 'seamwise-result/1'}));
   await alert.filter({hasText: 'ergebnis.json ist ein Ergebnis ohne seinen Entwurf'}).waitFor();
   await expect.poll(() => page.getByText(/^In .* ausgerichtet$/).count()).toBe(1);
 });

@@ -46,7 +46,7 @@ export async function clothOf(page: Page): Promise<Page> {
       workbench.history.change({print: {...print, group: 'p2', oneWay: false}, symmetry: 'none'});
   });
   await solved(page);
-  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Fabric layout'}).click();
   await laid(page);
   return page;
 }

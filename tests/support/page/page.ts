@@ -10,7 +10,7 @@ export interface PageOptions extends BrowserContextOptions {
   readonly query?: string;
   /** Page whose context, and so whose storage, is shared. */
   readonly beside?: Page;
-  /** Simulates a first visit; by default the introduction is off. */
+  /** Simulates a first visit; by default the page shows the pattern, as left by a visit before. */
   readonly isFirst?: boolean;
   /** Console messages to accept, where a test breaks something on purpose. */
   readonly maySay?: RegExp;
@@ -45,6 +45,8 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
       await page.addInitScript(() => {
         try {
           localStorage.setItem('seamwise.introduction', '');
+          if (localStorage.getItem('seamwise.view') === null)
+            localStorage.setItem('seamwise.view', 'pattern');
         } catch {
           // no storage, no introduction
         }
@@ -141,8 +143,7 @@ export async function saved(page: Page, name: string): Promise<string> {
 export async function savedCut(page: Page, file: 'PDF' | 'SVG' | 'DXF' | 'HP-GL'): Promise<string> {
   const dialog = page.locator('sw-cut-dialog').getByRole('dialog');
   if (!(await dialog.isVisible())) {
-    await button(page, 'Save …').click();
-    await button(page, 'Cut …').click();
+    await button(page, 'Cut pattern').click();
   }
   await dialog.getByRole('button', {name: file, exact: true}).click();
   const [download] = await Promise.all([

@@ -1,6 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {choiceOf, choices, groupOf, missing} from '@/print/group-choice.js';
+import {choiceOf, choices, groupOf} from '@/print/group-choice.js';
+import {lostSymmetries} from '@/workbench/print/take-print.js';
 import {turnsOver} from '@/model/print/repeat.js';
 import {noPicture, type Design} from '@/model/design/design.js';
 import {printFrom} from '@/print/read-print.js';
@@ -26,12 +27,11 @@ describe('the gallery', () => {
     expect(choiceOf({group: 'pmm', size: square})).toBe('pmm');
   });
 
-  it('asks for mirrors where a piece is symmetric, for mirrors or glides where a pair is', () => {
-    expect(missing('pg', {symmetry: [front, sleeves]})).toBe('piece');
-    expect(missing('pg', {symmetry: [sleeves]})).toBeUndefined();
-    expect(missing('p4', {symmetry: [sleeves]})).toBe('pair');
-    expect(missing('cm', {symmetry: [front, sleeves]})).toBeUndefined();
-    expect(missing('p1', {symmetry: 'none'})).toBeUndefined();
+  it('keeps pieces symmetric on mirrors, and pairs on mirrors or glides', () => {
+    expect(lostSymmetries('pg', {symmetry: [front, sleeves]})).toEqual([front]);
+    expect(lostSymmetries('p4', {symmetry: [front, sleeves]})).toEqual([front, sleeves]);
+    expect(lostSymmetries('cm', {symmetry: [front, sleeves]})).toEqual([]);
+    expect(lostSymmetries('p1', {symmetry: 'none'})).toEqual([]);
   });
 
   it('knows the groups that look the same upside down', () => {

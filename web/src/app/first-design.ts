@@ -1,5 +1,5 @@
 /** The page's first design: the files in its URL, or the opening sample. */
-import {askingFor, type Design} from '../model/design/design.js';
+import type {Design} from '../model/design/design.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
 import {
   newDesign,
@@ -9,7 +9,6 @@ import {
   welcome,
   type Samples,
 } from '../workbench/samples.js';
-import {withAll} from '../workbench/symmetry-steps.js';
 import type {Workbench} from '../workbench/workbench.js';
 
 /** @throws {Error} if a sample cannot be read; the message is one sentence */
@@ -17,17 +16,11 @@ export const firstDesign = (samples: Promise<Samples>): Promise<Design> =>
   sampleDesign(samples, opening);
 
 /**
- * Returns the design for a first visit: a garment with all its symmetries kept.
+ * Returns the design for a first visit, without symmetries.
  * @throws {Error} if a sample cannot be read; the message is one sentence
  */
-export async function welcomeDesign(
-  samples: Promise<Samples>,
-  solver: Workbench['solver'],
-): Promise<Design> {
-  const design = await sampleDesign(samples, welcome);
-  const {symmetries} = await solver.symmetries(design.garment.text, {name: design.garment.name});
-  return {...design, symmetry: askingFor(withAll([], design.print.group, symmetries))};
-}
+export const welcomeDesign = (samples: Promise<Samples>): Promise<Design> =>
+  sampleDesign(samples, welcome);
 
 async function sampleDesign(
   samples: Promise<Samples>,

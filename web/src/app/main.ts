@@ -8,7 +8,8 @@ import {toFailure} from '../workbench/latest-solve.js';
 import {Workbench} from '../workbench/workbench.js';
 import type {Design} from '../model/design/design.js';
 import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
-import {Hints, hints, hintsLeft, keepHints} from './introduction/hints.js';
+import {isFirstVisit} from './introduction/first-visit.js';
+import {Welcome} from './introduction/welcome.js';
 import {SeamwisePage} from './page.js';
 import {illustrate, ProjectList} from './projects/project-list.js';
 import {Projects} from './projects/projects.js';
@@ -31,16 +32,14 @@ const projects = new Projects(workbench, (trouble) => {
 });
 
 defineEditor();
-customElements.define('sw-hints', Hints);
 customElements.define('sw-project-list', ProjectList);
 customElements.define('sw-save-menu', SaveMenu);
+customElements.define('sw-welcome', Welcome);
 customElements.define('seamwise-page', SeamwisePage);
 const page = new SeamwisePage();
 page.workbench = workbench;
 page.projects = projects;
 page.blank = () => firstDesign(samples);
-const hintsAtFirst = hintsLeft();
-page.hints = hintsAtFirst ?? [];
 
 const sayFailure = (error: unknown): void => {
   workbench.notices.say({tone: 'error', text: toFailure(error).message});
@@ -50,8 +49,12 @@ async function begin(address: URL): Promise<void> {
   await projects.rescue();
   if (address.hash === '' && address.search === '' && (await projects.resume())) return;
   if (await followed(address)) return;
-  if (address.search === '' && hintsAtFirst === undefined && keepHints(hints)) {
-    await welcome();
+  if (address.search === '' && isFirstVisit()) {
+    page.isFirst = true;
+    const {beginOpening} = await import('./introduction/opening.js');
+    await beginOpening(workbench, welcomeDesign(samples), (design) => {
+      projects.beginWith(design, {origin: 'given'});
+    });
     return;
   }
   const design = await firstDesign(samples);
@@ -61,18 +64,6 @@ async function begin(address: URL): Promise<void> {
   // shown last, since a new design removes previous notices
   if (asked.status === 'rejected') sayFailure(asked.reason);
   forgetAddress();
-}
-
-/** Shows the introduction on a first visit. */
-async function welcome(): Promise<void> {
-  const [{showBeforeAndAfter}, design] = await Promise.all([
-    import('./introduction/before-and-after.js'),
-    welcomeDesign(samples, workbench.solver),
-  ]);
-  projects.beginWith(design, {origin: 'given'});
-  page.hints = hints;
-  const {pattern} = page;
-  if (pattern) showBeforeAndAfter(workbench, pattern);
 }
 
 /**

@@ -8,7 +8,7 @@ import {icon} from '../editor/style/icons.js';
 import {keyOf} from '../commands/shortcuts.js';
 import {printFiles} from '../print/openable-files.js';
 import {tokens} from '../editor/style/tokens.js';
-import type {Editor} from '../editor/editor.js';
+import type {Editor, EditorView} from '../editor/editor.js';
 import type {GarmentChoice} from '../editor/shell/garment-choice.js';
 import type {PatternPane} from '../editor/pattern/pattern-pane.js';
 import type {PhotoKeeper} from '../photo/photo-keeper.js';
@@ -16,7 +16,8 @@ import type {Samples} from '../workbench/samples.js';
 import type {DrapePane} from '../editor/drape/drape-pane.js';
 import type {MarkerPane} from '../editor/marker/marker-pane.js';
 import {chooseFile, takeFiles} from './files.js';
-import {keepHints, type Hint} from './introduction/hints.js';
+import {endFirstVisit} from './introduction/first-visit.js';
+import {keepView, storedView} from './storage/shown-view.js';
 import type {How} from './open-file.js';
 import {pageLayout} from './style/page-layout.js';
 import type {PageParts} from './palette/page-parts.js';
@@ -35,7 +36,7 @@ export class SeamwisePage extends WorkbenchElement {
     samples: {attribute: false},
     projects: {attribute: false},
     blank: {attribute: false},
-    hints: {attribute: false},
+    isFirst: {attribute: false},
     isHeld: {state: true},
   };
   static override styles = [tokens, controls, pageLayout];
@@ -43,17 +44,18 @@ export class SeamwisePage extends WorkbenchElement {
   declare projects: Projects;
   /** Returns the design for a page without a project. */
   declare blank: () => Promise<Design>;
-  /** Hints that are still to be shown. */
-  declare hints: readonly Hint[];
+  /** Shows the three ways to begin, until the first action. */
+  declare isFirst: boolean;
   /** A file is being dragged over the page. */
   declare protected isHeld: boolean;
   #life: AbortController | undefined;
+  /** The view at the start. */
+  readonly #view = storedView();
 
   get #editor(): Editor | null {
     return this.renderRoot.querySelector('sw-editor');
   }
 
-  readonly #shownEditor = (): Editor | null => this.#editor;
   readonly #shownView = (): DrapePane | MarkerPane | undefined =>
     this.#editor?.worn ?? this.#editor?.cloth;
 
@@ -64,7 +66,7 @@ export class SeamwisePage extends WorkbenchElement {
     save: (): void => {
       saveProject(this);
     },
-    cut: (): void => void this.renderRoot.querySelector<SaveMenu>('sw-save-menu')?.cut(),
+    cut: (): void => void this.#cut(),
   };
 
   get pattern(): PatternPane | null {
@@ -73,7 +75,7 @@ export class SeamwisePage extends WorkbenchElement {
 
   constructor() {
     super();
-    this.hints = [];
+    this.isFirst = false;
     this.isHeld = false;
   }
 
@@ -121,22 +123,31 @@ export class SeamwisePage extends WorkbenchElement {
         .samples=${samples}
         .commands=${this.#keyed}
         .photos=${keptPhotos}
+        .shows=${this.#view}
+        .camera=${'three-quarter'}
+        .seams=${true}
+        @sw-view=${({detail}: CustomEvent<EditorView>) => {
+          keepView(detail);
+          this.#endFirst();
+        }}
       >
         <h1 slot="start">${app.name}</h1>
+        <p slot="start" class="tagline">${app.tagline}</p>
+        <section slot="garment" aria-labelledby="garment">
+          <header>
+            <h2 id="garment">${this.texts.pattern.views.pattern}</h2>
+            <button class="outlined" @click=${this.#keyed.open}>
+              ${icon.open} ${app.openGarment}
+            </button>
+          </header>
+          <sw-garment-choice .workbench=${workbench} .samples=${samples}></sw-garment-choice>
+        </section>
         <sw-project-list
-          slot="start"
+          slot="actions"
           .workbench=${workbench}
           .projects=${projects}
           .blank=${this.blank}
         ></sw-project-list>
-        <sw-garment-choice
-          slot="start"
-          .workbench=${workbench}
-          .samples=${samples}
-        ></sw-garment-choice>
-        <button slot="start" class="outlined" title=${app.openGarment} @click=${this.#keyed.open}>
-          ${icon.open} <span class="label">${app.openGarment}</span>
-        </button>
         <sw-save-menu
           slot="actions"
           .workbench=${workbench}
@@ -145,7 +156,7 @@ export class SeamwisePage extends WorkbenchElement {
         ></sw-save-menu>
         <button
           slot="actions"
-          class="icon"
+          class="icon commands"
           aria-label=${commands.title}
           title="${commands.title} (${keyOf('commands', this.texts)})"
           aria-haspopup="dialog"
@@ -154,19 +165,29 @@ export class SeamwisePage extends WorkbenchElement {
           ${icon.search}
         </button>
         <sw-settings slot="actions" .workbench=${workbench}></sw-settings>
+        <button
+          slot="goal"
+          class="primary"
+          aria-haspopup="dialog"
+          title="${app.cut} (${keyOf('cut', this.texts)})"
+          ?disabled=${!workbench.history.design}
+          @click=${this.#keyed.cut}
+        >
+          ${app.cut}
+        </button>
         ${
-          this.hints.length === 0
-            ? nothing
-            : html`<sw-hints
-                slot="hint"
+          this.isFirst
+            ? html`<sw-welcome
+                slot="welcome"
                 .workbench=${workbench}
-                .editor=${this.#shownEditor}
-                .left=${this.hints}
-                @given=${({detail}: CustomEvent<Hint>) => {
-                  this.hints = this.hints.filter((hint) => hint !== detail);
-                  keepHints(this.hints);
+                @pattern=${this.#keyed.open}
+                @fabric=${() => void this.#openPrint()}
+                @sample=${() => this.#garments?.focus()}
+                @done=${() => {
+                  this.#endFirst();
                 }}
-              ></sw-hints>`
+              ></sw-welcome>`
+            : nothing
         }
       </sw-editor>
       <p class="drop" ?hidden=${!this.isHeld}>${app.drop}</p>
@@ -182,6 +203,24 @@ export class SeamwisePage extends WorkbenchElement {
     document.title = name ? `${name} – ${this.texts.app.name}` : this.texts.app.name;
     if (theme === 'system') delete root.dataset.theme;
     else root.dataset.theme = theme;
+  }
+
+  #endFirst(): void {
+    if (!this.isFirst) return;
+    this.isFirst = false;
+    endFirstVisit();
+  }
+
+  get #garments(): GarmentChoice | null {
+    return this.renderRoot.querySelector('sw-garment-choice');
+  }
+
+  /** Opens the dialog for a cutting sheet. */
+  async #cut(): Promise<void> {
+    const menu = this.renderRoot.querySelector<SaveMenu>('sw-save-menu');
+    if (!menu || !this.workbench.history.design) return;
+    const {openCut} = await import('./cut/cut-dialog.js');
+    await openCut(this.workbench, this.renderRoot, menu.saveOther);
   }
 
   async #open(): Promise<void> {
@@ -210,7 +249,7 @@ export class SeamwisePage extends WorkbenchElement {
   get #parts(): PageParts | undefined {
     const {workbench, texts, format, samples, renderRoot: root} = this;
     const [editor, list] = [this.#editor, root.querySelector<ProjectList>('sw-project-list')];
-    const garments = root.querySelector<GarmentChoice>('sw-garment-choice');
+    const garments = this.#garments;
     const menu = root.querySelector<SaveMenu>('sw-save-menu');
     if (!editor || !list || !garments || !menu) return undefined;
     return {

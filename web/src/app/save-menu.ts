@@ -155,9 +155,6 @@ export class SaveMenu extends WorkbenchElement {
           >
             ${icon.save} ${app.savePicture}
           </button>
-          <button class="outlined" aria-haspopup="dialog" @click=${() => void this.cut()}>
-            ${icon.cut} ${app.cut}
-          </button>
           ${this.ofView.map(
             ({title, run}) =>
               html`<button class="outlined" @click=${run}>${icon.save} ${title}</button>`,
@@ -166,12 +163,5 @@ export class SaveMenu extends WorkbenchElement {
         </div>
       </div>
     `;
-  }
-
-  /** Opens the dialog for a cutting sheet. */
-  async cut(): Promise<void> {
-    if (!this.workbench.history.design) return;
-    const {openCut} = await import('./cut/cut-dialog.js');
-    await openCut(this.workbench, this.renderRoot, this.saveOther);
   }
 }

@@ -1,10 +1,43 @@
 import {css} from 'lit';
 
-import {framed} from './style/tool-group.js';
+/** The row of views, which stays where it is whatever view is shown. */
+const viewsRow = css`
+  .views {
+    grid-area: 1 / 1 / 2 / -1;
+    display: flex;
+    gap: var(--sw-space-1);
+    padding: var(--sw-space-1) var(--sw-space-3);
+    border-bottom: 1px solid var(--sw-line);
+    background: var(--sw-paper);
+  }
+  .views button {
+    position: relative;
+    padding: 0 var(--sw-space-3);
+    color: var(--sw-soft);
+  }
+  .views button[aria-pressed='true'] {
+    border-color: transparent;
+    background: color-mix(in srgb, var(--sw-ink) 7%, transparent);
+    color: var(--sw-ink);
+    font-weight: 600;
+  }
+  /* as wide as in bold, so that nothing moves with the choice */
+  .views button::after {
+    content: attr(data-label);
+    height: 0;
+    overflow: hidden;
+    visibility: hidden;
+    font-weight: 600;
+  }
+  .views button {
+    display: inline-grid;
+    align-content: center;
+  }
+`;
 
 /**
  * The layout depends on the width of the editor itself; `--sw-editor-height` sets its height. The
- * pattern is always visible: scrolling panels are beside it, or below it in a narrow editor.
+ * view is always visible: scrolling panels are beside it, or below it in a narrow editor.
  */
 export const editorLayout = css`
   :host {
@@ -17,17 +50,18 @@ export const editorLayout = css`
     display: grid;
     grid:
       'header header header' auto
-      'setup pattern report' minmax(0, 1fr) / 20rem minmax(0, 1fr) 24rem;
+      'setup pattern report' minmax(0, 1fr) / 18rem minmax(0, 1fr) 24rem;
     height: var(--height);
     overflow: hidden;
     background: var(--sw-ground);
   }
   header {
     grid-area: header;
+    position: relative;
     display: flex;
     flex-wrap: wrap;
     align-items: center;
-    gap: var(--sw-space-2);
+    gap: var(--sw-space-1) var(--sw-space-2);
     padding: var(--sw-space-2) var(--sw-space-4);
     border-bottom: 1px solid var(--sw-line);
     background: var(--sw-paper);
@@ -41,12 +75,14 @@ export const editorLayout = css`
     justify-content: end;
     gap: var(--sw-space-2);
   }
-  .solving button {
-    min-width: 5.5rem;
-  }
   .solving sw-progress {
+    display: grid;
+    align-content: center;
+    min-width: 9rem;
+    max-width: 9rem;
+    height: 2.4em; /* of two lines, so that nothing moves when there is one */
     overflow-x: clip; /* its bar lies below it */
-    white-space: nowrap;
+    line-height: 1.2;
   }
   .solving [hidden] {
     display: inline-flex;
@@ -55,42 +91,39 @@ export const editorLayout = css`
   .pattern {
     grid-area: pattern;
     display: grid;
-    grid-template: auto auto minmax(0, 1fr) / minmax(0, 1fr);
+    grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 1fr);
     position: relative;
     min-height: 0;
+  }
+  ${viewsRow}
+  sw-units-question {
+    grid-area: 2 / 1 / 3 / -1;
+  }
+  sw-grain-question {
+    grid-area: 3 / 1 / 4 / -1;
   }
   sw-pattern,
   sw-drape-pane,
   sw-marker-pane {
-    grid-row: 3;
+    grid-area: 4 / 1;
+  }
+  slot[name='welcome'] {
+    grid-area: 4 / 1 / -1 / -1;
+    display: block;
+    align-self: end;
+    z-index: 2;
   }
   :is([data-shows='garment'], [data-shows='cloth']) sw-pattern {
     display: none;
   }
+  /* the garment, and the pieces in a strip below it; their tools come with the view Pattern */
   [data-shows='both'] {
-    grid-template-columns: repeat(2, minmax(0, 1fr));
-  }
-  [data-shows='both'] > :not(sw-pattern, sw-drape-pane) {
-    grid-column: 1 / -1;
+    grid-template-rows: auto auto auto minmax(0, 1fr) clamp(8rem, 26%, 16rem);
   }
   [data-shows='both'] sw-pattern {
-    --sw-foot-wrap: wrap;
-    --sw-said-room: 100%;
-  }
-  [data-shows='both'] sw-drape-pane {
-    border-left: 1px solid var(--sw-line);
-  }
-  .views {
-    display: flex;
-    gap: 1px;
-    ${framed}
-  }
-  .views button {
-    min-height: calc(var(--sw-target) - 6px); /* as high as what is beside it */
-    padding: 0 calc(var(--sw-space-2) - 2px);
-  }
-  .views svg {
-    display: none;
+    --sw-tools: none;
+    grid-area: 5 / 1;
+    border-top: 1px solid var(--sw-line);
   }
   .side {
     display: contents;
@@ -118,72 +151,33 @@ export const editorLayout = css`
   }
   sw-lens {
     display: block;
-    min-height: 14.25rem;
+    min-height: 14.5rem;
   }
-  /* over the pattern and in pictures: there is no room for words, nor in the header */
-  @container (width < 90rem) {
-    header {
-      position: relative;
-    }
-    .views {
-      position: absolute;
-      z-index: 3;
-      inset: calc(100% + 1px + var(--sw-space-1)) calc(var(--beside, 0px) + var(--sw-space-2)) auto
-        auto;
-    }
-    .views button {
-      width: var(--sw-target);
-      min-height: var(--sw-target);
-      padding: 0;
-    }
-    .views span {
-      position: absolute;
-      width: 1px;
-      height: 1px;
-      overflow: hidden;
-      clip-path: inset(50%);
-    }
-    .views svg {
-      display: block;
-    }
-    .pattern {
-      --sw-views-room: calc(4 * var(--sw-target) + var(--sw-space-4));
-    }
-  }
-  @container (88rem <= width < 90rem) {
-    header {
-      --beside: 24rem;
-    }
-  }
-  @container (64rem <= width < 88rem) {
+  @container (width >= 120rem) {
     .workbench {
-      grid-template-columns: 19rem minmax(0, 1fr) 23rem;
+      grid-template-columns: 22rem minmax(0, 1fr) 26rem;
     }
-    header {
-      --beside: 23rem;
+    [data-shows='both'] {
+      grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 5fr) minmax(0, 4fr);
+    }
+    [data-shows='both'] sw-pattern {
+      grid-area: 4 / 2;
+      border: 0;
+      border-left: 1px solid var(--sw-line);
     }
   }
-  @container (width >= 90rem) {
-    .solving sw-progress {
-      min-width: 9rem;
-      max-width: 9rem;
-      display: grid;
-      align-content: center;
-      height: 2.4em; /* of two lines, so that nothing moves when there is one */
-      line-height: 1.2;
-      white-space: normal; /* the views want the room of a long sentence */
+  @container (64rem <= width < 84rem) {
+    .workbench {
+      grid-template-columns: 16rem minmax(0, 1fr) 23rem;
     }
   }
   @container (width >= 64rem) {
-    /* what it says of seams is not what is asked there */
+    /* the report on seams does not concern the layout, which takes its room */
     .workbench:has([data-shows='cloth']) .report {
       display: none;
     }
     [data-shows='cloth'] {
       grid-column: pattern / report;
-    }
-    header:has(~ [data-shows='cloth']) {
-      --beside: 0px;
     }
     sw-lens {
       position: sticky;
@@ -208,51 +202,37 @@ export const editorLayout = css`
       grid-area: side;
       display: grid;
       grid-template-columns: minmax(0, 1fr);
+      grid-auto-rows: max-content;
       min-height: 0;
+      overflow-y: auto;
       background: var(--sw-paper);
     }
     .setup,
     .report {
-      grid-area: auto;
+      display: contents;
     }
     header {
       gap: var(--sw-space-1);
+      padding: var(--sw-space-2);
     }
     .solving sw-progress {
       min-width: 6.5rem;
+      max-width: 6.5rem;
     }
     .solving button {
-      min-width: 4.75rem;
+      padding: 0 var(--sw-space-2);
     }
   }
-  /* above each other: there is no room side by side */
-  @container (width < 64rem) {
-    [data-shows='both'] {
-      grid-template: auto auto repeat(2, minmax(0, 1fr)) / minmax(0, 1fr);
-    }
-    [data-shows='both'] sw-drape-pane {
-      --sw-views-room: 0px;
-      grid-row: 4;
-      border: 0;
-      border-top: 1px solid var(--sw-line);
-    }
-  }
-  /* beside it: how well it fits, then what is asked most often; the tables last */
+  /* beside it: how well it fits, then pattern and fabric; the tables last */
   @container (40rem <= width < 64rem) {
     .workbench {
       grid: 'header header' auto 'pattern side' minmax(0, 1fr) / minmax(0, 1fr) 20rem;
     }
-    header {
-      --beside: 20rem;
-    }
     .side {
-      grid-auto-rows: max-content;
-      overflow-y: auto;
       border-left: 1px solid var(--sw-line);
     }
-    .setup,
-    .report {
-      display: contents;
+    slot[name='garment'] {
+      display: block;
     }
     sw-headline,
     sw-lens {
@@ -265,39 +245,60 @@ export const editorLayout = css`
       order: 3;
     }
   }
-  /* below it: one sheet at a time */
+  /* below it: the headline, one sheet at a time, and the tabs */
   @container (width < 40rem) {
     .workbench {
       grid: 'header' auto 'pattern' minmax(0, 1fr) 'side' auto / minmax(0, 1fr);
     }
     header {
+      flex-wrap: nowrap;
+      gap: 0;
       padding: var(--sw-space-1) var(--sw-space-2);
     }
-    /* two rows: the steps and the solve, then what is worked on */
-    .gap {
-      flex: none;
-      order: -1;
-      width: 100%;
+    .views {
+      justify-content: center;
+      padding: 0 var(--sw-space-2);
     }
-    .solving,
-    header > .icon:not(.keys) {
-      order: -2;
+    .views [data-view='both'] {
+      display: none;
     }
+    /* over the picture, while it is at work */
     .solving {
-      flex: 1;
-      min-width: 0;
+      position: absolute;
+      z-index: 3;
+      inset: calc(100% + var(--sw-target) + var(--sw-space-1)) var(--sw-space-2) auto auto;
     }
     .solving sw-progress {
-      flex: 1;
       min-width: 0;
-      text-overflow: ellipsis;
+      max-width: none;
+      height: auto;
+      padding: 0 var(--sw-space-2) var(--sw-space-1);
     }
     .solving [hidden] {
-      display: none; /* nothing beside it would move */
+      display: none;
+    }
+    .solving button {
+      background: var(--sw-raised);
+    }
+    .side {
+      max-height: calc(0.42 * var(--height));
+      border-top: 1px solid var(--sw-line);
+    }
+    /* the pieces have to be in sight for a question about them, and for sewing */
+    .workbench:has(sw-grain-question[asks], sw-pattern[sews]) .side {
+      max-height: calc(0.15 * var(--height));
+    }
+    sw-headline {
+      order: -1;
     }
     .tabs {
+      order: 1;
+      position: sticky;
+      bottom: 0;
+      z-index: 2;
       display: flex;
       border-top: 1px solid var(--sw-line);
+      background: var(--sw-paper);
     }
     .tabs button {
       flex: 1;
@@ -308,31 +309,30 @@ export const editorLayout = css`
       background: none;
     }
     .tabs [aria-expanded='true'] {
+      font-weight: 600;
+      box-shadow: inset 0 -2px var(--sw-ink);
+    }
+    .tabs .goal {
       color: var(--sw-accent);
       font-weight: 600;
-      box-shadow: inset 0 -3px var(--sw-accent);
     }
-    section {
-      order: -1;
-      border: 0;
-      border-top: 1px solid var(--sw-line);
-    }
-    .side section {
+    slot[name='goal'] {
       display: none;
-      height: min(22rem, calc(0.37 * var(--height)));
     }
-    /* who is asked how the grain runs, or sews, has to see the pieces */
-    .workbench:has(sw-grain-question[asks], sw-pattern[sews]) .side section {
-      height: calc(0.15 * var(--height));
+    .workbench:not([data-sheet='seams']) sw-headline {
+      position: sticky;
+      top: 0;
+      z-index: 1;
+      min-height: 3.5rem;
+      max-height: 3.5rem;
+      padding-block: var(--sw-space-3);
+      overflow: hidden;
+      background: var(--sw-paper);
     }
-    :is([data-sheet='print'], [data-sheet='cutting']) .setup,
-    :is([data-sheet='fit'], [data-sheet='lists']) .report {
-      display: block;
-    }
-    [data-sheet='print'] .setup > :not(sw-print-panel),
-    [data-sheet='cutting'] .setup > sw-print-panel,
-    [data-sheet='fit'] .report > sw-tables,
-    [data-sheet='lists'] .report > :not(sw-tables) {
+    .workbench:not([data-sheet='seams']) :is(sw-lens, sw-tables),
+    .workbench:not([data-sheet='fabric']) sw-print-panel,
+    .workbench:not([data-sheet='pattern'])
+      :is(slot[name='garment'], sw-symmetry-panel, sw-solve-panel) {
       display: none;
     }
   }

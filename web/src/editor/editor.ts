@@ -1,4 +1,4 @@
-/** The editing workbench: settings on the left, pattern in the middle, mismatch on the right. */
+/** The editing workbench: pattern and fabric on the left, the views in the middle, seams on the right. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries} from '../model/design/design.js';
@@ -15,6 +15,7 @@ import type {PatternPane} from './pattern/pattern-pane.js';
 import type {PhotoWanted} from '../print/openable-files.js';
 import type {PrintPanel} from './print/print-panel.js';
 import type {DrapePane} from './drape/drape-pane.js';
+import type {CameraPreset} from '../viewer/drape/camera.js';
 import {register} from './base/register.js';
 import {
   sheetTabs,
@@ -100,17 +101,17 @@ class KeptHeight {
   }
 }
 
-/** Views of the garment: pattern pieces, drape, both side by side, or fabric layout. */
-export const editorViews = ['pattern', 'garment', 'both', 'cloth'] as const;
-type EditorView = (typeof editorViews)[number];
+/** Views of the garment: drape, pattern pieces, both, or fabric layout. */
+export const editorViews = ['garment', 'pattern', 'both', 'cloth'] as const;
+export type EditorView = (typeof editorViews)[number];
 
 /** The first of these interactions loads the later parts, even before the first result. */
 const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
 
 /**
- * Slots: `start` in the header for the name of the design, `actions` in the header for its
- * commands, and `hint` for a hint that may cover the legend for a while. In a narrow editor,
- * slotted elements with `order: -1` join undo and redo in the first row of the header.
+ * Slots: `start` in the header for the page's name, `actions` and `goal` in the header for
+ * commands, `garment` in the left panel for the choice of the garment, and `welcome` over the lower
+ * edge of the view.
  */
 export class Editor extends WorkbenchElement {
   static override properties = {
@@ -119,6 +120,8 @@ export class Editor extends WorkbenchElement {
     commands: {attribute: false},
     photos: {attribute: false},
     shows: {attribute: false},
+    camera: {attribute: false},
+    seams: {attribute: false},
     sheet: {state: true},
   };
   /** The prints that come with Seamwise. */
@@ -128,6 +131,10 @@ export class Editor extends WorkbenchElement {
   /** Opens the storage of photos that became prints; undefined if the page stores nothing. */
   declare photos: (() => Promise<PhotoKeeper>) | undefined;
   declare shows: EditorView;
+  /** Initial view of the drape. */
+  declare camera: CameraPreset;
+  /** The drape begins with coloured seams. */
+  declare seams: boolean;
   /** The sheet that is open below the pattern in a narrow editor. */
   declare protected sheet: Sheet | undefined;
 
@@ -146,7 +153,7 @@ export class Editor extends WorkbenchElement {
     keys: () => void this.#toggleKeys(),
     views: () => {
       const next = editorViews[editorViews.indexOf(this.shows) + 1];
-      this.show(next ?? 'pattern');
+      this.show(next ?? editorViews[0]);
     },
   } satisfies KeyCommands;
 
@@ -154,7 +161,9 @@ export class Editor extends WorkbenchElement {
     super();
     this.commands = {};
     this.shows = 'pattern';
-    this.sheet = 'print';
+    this.camera = 'front';
+    this.seams = false;
+    this.sheet = 'fabric';
     this.addEventListener('keydown', (event) => {
       this.press(event);
     });
@@ -191,9 +200,12 @@ export class Editor extends WorkbenchElement {
     return this.renderRoot.querySelector<MarkerPane>('sw-marker-pane:defined') ?? undefined;
   }
 
+  /** Shows a view, and sends it as the detail of `sw-view`. */
   show(view: EditorView): void {
+    if (view === this.shows) return;
     this.shows = view;
-    if (view === 'both' || view === 'cloth') this.sheet = undefined; // both need the room
+    if (view === 'cloth') this.sheet = undefined; // it needs the room
+    this.dispatchEvent(new CustomEvent('sw-view', {detail: view}));
   }
 
   /** Focuses the pattern, so that its keys work. */
@@ -230,17 +242,17 @@ export class Editor extends WorkbenchElement {
     }
   }
 
-  /** The lens is on the sheet `fit` in a narrow editor. */
+  /** The lens is on the sheet `seams` in a narrow editor. */
   async #toLens(): Promise<void> {
-    this.sheet = 'fit';
+    this.sheet = 'seams';
     await loadLaterParts();
     await this.updateComplete;
     this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
   }
 
-  /** The size fields are on the sheet `print` in a narrow editor. */
+  /** The size fields are on the sheet `fabric` in a narrow editor. */
   async #toSize(): Promise<void> {
-    this.sheet = 'print';
+    this.sheet = 'fabric';
     await this.updateComplete;
     this.renderRoot.querySelector<PrintPanel>('sw-print-panel')?.toSize();
   }
@@ -252,7 +264,7 @@ export class Editor extends WorkbenchElement {
     const {selected} = this.workbench.selection;
     if (sameTarget(selected, this.#selected)) return;
     this.#selected = selected;
-    if (selected?.kind === 'seam' && this.sheet !== 'lists') this.sheet = 'fit';
+    if (selected?.kind === 'seam') this.sheet = 'seams';
   }
 
   override disconnectedCallback(): void {
@@ -283,12 +295,12 @@ export class Editor extends WorkbenchElement {
       <header>
         <slot name="start"></slot>
         <span class="gap"></span>
-        ${this.#buttons()}
-        <slot name="actions"></slot>
         <span class="solving">
           <sw-progress .workbench=${workbench}></sw-progress>
           ${solvingButton(workbench, app)}
         </span>
+        ${this.#steps()}
+        <slot name="actions"></slot>
         <button
           class="icon keys"
           aria-label=${app.keys}
@@ -297,17 +309,23 @@ export class Editor extends WorkbenchElement {
         >
           ?
         </button>
+        <slot name="goal"></slot>
       </header>
       <div class="pattern" data-shows=${this.shows}>
+        ${viewButtons(editorViews, this.shows, this.texts, (view) => {
+          this.show(view);
+        })}
         <sw-units-question .workbench=${workbench}></sw-units-question>
         <sw-grain-question .workbench=${workbench}></sw-grain-question>
         <sw-pattern .workbench=${workbench}
-          >${this.#showsPattern ? this.#notice() : nothing}<slot name="hint" slot="hint"></slot
-        ></sw-pattern>
+          >${this.#showsPattern ? this.#notice() : nothing}</sw-pattern
+        >
         ${this.#beside()}
+        <slot name="welcome"></slot>
       </div>
       <div class="side">
         <section class="setup" aria-label=${app.setup}>
+          <slot name="garment"></slot>
           <sw-print-panel .workbench=${workbench} .samples=${this.samples}></sw-print-panel>
           <sw-symmetry-panel .workbench=${workbench}></sw-symmetry-panel>
           <sw-solve-panel .workbench=${workbench}></sw-solve-panel>
@@ -322,9 +340,14 @@ export class Editor extends WorkbenchElement {
           ></sw-lens>
           <sw-tables .workbench=${workbench}></sw-tables>
         </section>
-        ${sheetTabs(this.texts, this.sheet, (sheet) => {
-          this.sheet = sheet;
-        })}
+        ${sheetTabs(
+          this.texts,
+          this.sheet,
+          (sheet) => {
+            this.sheet = sheet;
+          },
+          this.commands.cut,
+        )}
       </div>
       <sw-key-map
         .workbench=${workbench}
@@ -336,16 +359,13 @@ export class Editor extends WorkbenchElement {
     </div>`;
   }
 
-  #buttons(): TemplateResult {
+  #steps(): TemplateResult {
     const {cloth, workbench, texts} = this;
     const {undo, redo} = this.#own;
-    return html`${viewButtons(editorViews, this.shows, texts, (view) => {
-      this.show(view);
-    })}
-    ${stepButtons(texts, {
+    return stepButtons(texts, {
       undo: {words: cloth?.undoWords ?? undoWords(workbench, texts), run: undo},
       redo: {words: cloth?.redoWords ?? redoWords(workbench, texts), run: redo},
-    })}`;
+    });
   }
 
   async #load(): Promise<void> {
@@ -368,7 +388,13 @@ export class Editor extends WorkbenchElement {
     const notice = this.#showsPattern ? nothing : this.#notice();
     return shows === 'cloth'
       ? html`<sw-marker-pane .workbench=${workbench}>${notice}</sw-marker-pane>`
-      : html`<sw-drape-pane .workbench=${workbench} .beside=${true}>${notice}</sw-drape-pane>`;
+      : html`<sw-drape-pane
+          camera=${this.camera}
+          .seams=${this.seams}
+          .workbench=${workbench}
+          .beside=${true}
+          >${notice}</sw-drape-pane
+        >`;
   }
 
   #notice(): TemplateResult {

@@ -4,6 +4,7 @@
  */
 import {NumberField} from './controls/number-field.js';
 import {Settings} from './controls/settings.js';
+import {BeforeButton} from './pattern/before-button.js';
 import {Legend} from './pattern/legend.js';
 import {PatternPane} from './pattern/pattern-pane.js';
 import {Toolbar} from './pattern/toolbar.js';
@@ -18,6 +19,7 @@ import {NoticeBar} from './shell/notice.js';
 import {SolveProgress} from './shell/solve-progress.js';
 
 const parts: Readonly<Record<string, CustomElementConstructor>> = {
+  'sw-before': BeforeButton,
   'sw-garment-choice': GarmentChoice,
   'sw-headline': Headline,
   'sw-legend': Legend,

@@ -1,8 +1,8 @@
 /** Choices of the gallery: the 17 groups, and stripes, which have no group of their own. */
 import {groupNames} from '../model/base/core-tables.js';
-import {askedSymmetries, type Decisions, type DesignPrint} from '../model/design/design.js';
+import type {DesignPrint} from '../model/design/design.js';
 import {type GroupName} from '../model/print/repeating-print.js';
-import {alongStripe, carries, type SymmetryKind} from '../model/print/repeat.js';
+import {alongStripe} from '../model/print/repeat.js';
 
 export type Choice = GroupName | 'stripes';
 
@@ -15,14 +15,3 @@ export const sampleOf = (choice: Choice): string => (choice === 'stripes' ? 'tic
 
 export const choiceOf = ({group, size}: Pick<DesignPrint, 'group' | 'size'>): Choice =>
   ['pm', 'pmm'].includes(group) && size.height <= alongStripe ? 'stripes' : group;
-
-/** Returns the symmetry that the design requires and this group lacks; the harder one of two. */
-export function missing(
-  group: GroupName,
-  design: Pick<Decisions, 'symmetry'> | undefined,
-): SymmetryKind | undefined {
-  const symmetries = design ? askedSymmetries(design) : [];
-  return (['piece', 'pair'] as const).find(
-    (kind) => symmetries.some((one) => one.kind === kind) && !carries(group, kind),
-  );
-}

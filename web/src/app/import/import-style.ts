@@ -63,7 +63,7 @@ export const importStyle = css`
   }
   small,
   .notes {
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   .notes {
     display: grid;
@@ -115,7 +115,7 @@ export const importStyle = css`
     cursor: pointer;
   }
   .pieces li > .soft {
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
     overflow-wrap: anywhere;
   }
   .shape {

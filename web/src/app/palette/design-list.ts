@@ -9,7 +9,7 @@ import {
 } from '../../workbench/presets.js';
 import {improvementOffer} from '../../workbench/remedies/improvement-offer.js';
 import {inColours, samplePrint} from '../../workbench/samples.js';
-import {missing} from '../../print/group-choice.js';
+import {takePrint} from '../../workbench/print/take-print.js';
 import {redoWords, undoWords} from '../../workbench/history/step-change.js';
 import {remedied, remedyWords} from '../../workbench/remedies/remedied.js';
 import type {Command} from '../../commands/editor-command.js';
@@ -89,10 +89,6 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
   return list;
 }
 
-/**
- * Returns the print commands; prints that the symmetries do not allow are unavailable, with the
- * reason.
- */
 export function printCommands({workbench, texts, samples}: PageParts): readonly Command[] {
   const {design} = workbench.history;
   if (!design || !samples) return [];
@@ -102,14 +98,12 @@ export function printCommands({workbench, texts, samples}: PageParts): readonly 
   return [
     ...samples.prints.map((sample): Command => {
       const {name, title, group} = sample;
-      const lacks = missing(group, design);
       return {
         id: `print ${name}`,
-        title: lists.of(print.title, titleOf(name, title)),
+        title: lists.of(print.print, titleOf(name, title)),
         words: `${group} ${commands.also.print}`,
-        why: lacks && print.lacks[lacks](group),
         run: () => {
-          workbench.history.change({print: samplePrint(sample)}, 'print');
+          takePrint(workbench, samplePrint(sample));
         },
       };
     }),

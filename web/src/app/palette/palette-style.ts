@@ -70,7 +70,7 @@ export const paletteStyle = css`
     cursor: default;
   }
   .why {
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   kbd {
     padding: 0 var(--sw-space-2);
@@ -79,7 +79,7 @@ export const paletteStyle = css`
     background: var(--sw-raised);
     color: var(--sw-soft);
     font: inherit;
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
     white-space: nowrap;
   }
   .none {

@@ -3,7 +3,7 @@ import {css} from 'lit';
 import {unseen} from '../style/page-layout.js';
 
 export const projectListStyle = css`
-  @container (width < 100rem) {
+  @container (width < 72rem) {
     .label {
       ${unseen}
     }
@@ -114,7 +114,7 @@ export const projectListStyle = css`
   .foot .soft {
     flex: 1;
     min-width: 0;
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   .deleted {
     align-content: center;
@@ -135,7 +135,7 @@ export const projectListStyle = css`
     }
     input.name {
       min-height: 2.75rem;
-      font-size: 1rem;
+      font-size: var(--sw-text-large);
     }
   }
   @media (max-width: 30rem) {

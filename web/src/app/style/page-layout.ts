@@ -1,5 +1,7 @@
 import {css} from 'lit';
 
+import {section} from '../../editor/controls/section.js';
+
 /** Invisible, but available to screen readers. */
 export const unseen = css`
   position: absolute;
@@ -58,22 +60,19 @@ export const pageLayout = css`
   .drop[hidden] {
     display: none;
   }
+  ${section}
+  .tagline {
+    color: var(--sw-soft);
+  }
   ${labelled}
-  /* what can be done goes before the page's name */
-  @container (width < 56rem) {
-    h1 {
+  @container (width < 84rem) {
+    .tagline {
       ${unseen}
     }
   }
-  /* the garment and its files make a row of their own */
   @container (width < 40rem) {
-    sw-project-list,
-    sw-settings {
-      order: -2;
-    }
-    sw-garment-choice {
-      flex: 1 1 9rem;
-      min-width: 0;
+    .commands {
+      display: none; /* each command is also a button */
     }
   }
 `;

@@ -11,6 +11,12 @@ export const section = css`
     padding: var(--sw-space-4);
     border-bottom: 1px solid var(--sw-line);
   }
+  header {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    gap: var(--sw-space-2);
+  }
   h2 {
     font-size: var(--sw-text-large);
   }

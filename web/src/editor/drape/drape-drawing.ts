@@ -2,6 +2,10 @@
 import {css, type PropertyValues} from 'lit';
 
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
+import {lastOf} from '../../model/base/last-of.js';
+import {printOf} from '../../model/design/design.js';
+import type {PatternScene} from '../../scene/scene.js';
+import {standInScene} from '../../scene/stand-in.js';
 import type {CameraPreset} from '../../viewer/drape/camera.js';
 import {drapingOf, type Draping} from '../../workbench/drape/draping.js';
 import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
@@ -15,9 +19,13 @@ export const drapeStyle = css`
     grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
     position: relative;
   }
+  /* the bar lies over it */
   .application {
-    grid-area: 2 / 1;
+    grid-area: 1 / 1 / 3 / 2;
     position: relative;
+  }
+  .bar {
+    justify-self: start;
   }
   .wipe {
     grid-area: 2 / 1;
@@ -29,11 +37,10 @@ export const drapeStyle = css`
   progress {
     z-index: 1;
   }
-  .bar {
-    margin-right: var(--sw-views-room, 0); /* of what lies over it */
-  }
   .foot {
+    flex-wrap: nowrap;
     align-items: end;
+    min-height: 4.25rem; /* of two lines */
   }
   .group select {
     flex: none;
@@ -44,7 +51,7 @@ export const drapeStyle = css`
     color: var(--sw-ink);
   }
   .truth {
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   @media (prefers-reduced-motion: reduce) {
     .turntable {
@@ -56,7 +63,16 @@ export const drapeStyle = css`
       display: none; /* where there is hardly room for the garment */
     }
   }
+  @container (width < 44rem) {
+    .foot {
+      flex-wrap: wrap;
+      min-height: 0;
+    }
+  }
   @container (width < 26rem) {
+    .application {
+      grid-area: 2 / 1;
+    }
     .bar,
     .foot {
       padding: var(--sw-space-1) var(--sw-space-2);
@@ -68,7 +84,8 @@ export const drapeStyle = css`
       min-height: 0;
     }
     .zoom,
-    .truth {
+    .truth,
+    sw-legend {
       display: none;
     }
   }
@@ -97,6 +114,13 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
   declare form: 'shown' | 'hidden';
   /** True for a turntable, which runs until the user touches the drape. */
   declare turntable: boolean;
+  readonly #standIn = lastOf(({drape, alignments, design}: NonNullable<Draping['known']>) =>
+    standInScene(
+      drape.mesh.pieces.map(({name}) => name),
+      alignments,
+      printOf(design.print),
+    ),
+  );
   #observer: IntersectionObserver | undefined;
   #isInView = false;
   /** Ends the draping. */
@@ -158,6 +182,11 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
     if (!this.view) return;
     if (changed.has('camera')) this.view.camera.look(this.camera);
     if (changed.has('turntable')) this.view.camera.setTurntable(this.turntable);
+  }
+
+  protected override standIn(): PatternScene | undefined {
+    const {known} = this.draping;
+    return known && this.#standIn(known);
   }
 
   protected override drew(view: DrapeView): void {

@@ -26,11 +26,13 @@ export class DrapePane extends DrapeDrawing {
   static override properties = {
     ...DrapeDrawing.properties,
     purpose: {},
+    seams: {attribute: false},
   };
   static override styles = [...DrapeDrawing.styles, controls, drapeStyle];
   /** `show`: for display only, in a page that scrolls. */
   declare purpose: 'show' | 'edit';
-  #showsSeams = false;
+  /** Seams are coloured by mismatch. */
+  declare seams: boolean;
   /** Share of the width that shows the garment before the solve; undefined for none. */
   #split: number | undefined;
   /** The preset nearest to the camera; a change of it is announced. */
@@ -41,6 +43,7 @@ export class DrapePane extends DrapeDrawing {
   constructor() {
     super();
     this.purpose = 'edit';
+    this.seams = false;
   }
 
   /**
@@ -52,14 +55,18 @@ export class DrapePane extends DrapeDrawing {
     this.requestUpdate();
   }
 
+  /** False while all of the garment is shown as before. */
+  get #isWiping(): boolean {
+    return this.#split !== undefined && this.#split < 1;
+  }
+
   /** Shows or hides the garment before the solve on one half. */
   toggleWipe(): void {
-    this.split = this.#split === undefined ? 0.5 : undefined;
+    this.split = this.#isWiping ? undefined : 0.5;
   }
 
   toggleSeams(): void {
-    this.#showsSeams = !this.#showsSeams;
-    this.requestUpdate();
+    this.seams = !this.seams;
   }
 
   /** Shows or hides the form under the garment. */
@@ -83,7 +90,7 @@ export class DrapePane extends DrapeDrawing {
   }
 
   protected override hasSeams(): boolean {
-    return this.#showsSeams;
+    return this.seams;
   }
 
   protected override viewOptions(): ConstructorParameters<typeof DrapeView>[1] {
@@ -119,7 +126,7 @@ export class DrapePane extends DrapeDrawing {
 
   protected override drew(view: DrapeView): void {
     super.drew(view);
-    view.setSeams(this.#showsSeams);
+    view.setSeams(this.seams);
     const {selected, pointed} = this.workbench.selection;
     const {scenes} = this.workbench.sheet;
     const split = this.#split;
@@ -145,7 +152,7 @@ export class DrapePane extends DrapeDrawing {
       >
         <div class="stage"></div>
       </div>
-      ${this.#split === undefined ? nothing : this.#wiping(this.#split)}
+      ${this.#split !== undefined && this.#isWiping ? this.#wiping(this.#split) : nothing}
       ${edits ? this.#bar(words) : nothing}
       <slot name="notice"></slot>
       <div class="foot">
@@ -192,7 +199,7 @@ export class DrapePane extends DrapeDrawing {
         ${this.#toggle(words.form, this.form !== 'hidden', () => {
           this.toggleForm();
         })}
-        ${this.#toggle(words.seams, this.#showsSeams, () => {
+        ${this.#toggle(words.seams, this.seams, () => {
           this.toggleSeams();
         })}
       </div>
@@ -219,16 +226,23 @@ export class DrapePane extends DrapeDrawing {
     return html`<div class="group" role="group" aria-label=${pattern.view}>
       ${
         edits
-          ? html`<button
+          ? html`<sw-before
+                .workbench=${this.workbench}
+                .isOn=${this.#split === 1}
+                @hold=${({detail}: CustomEvent<boolean>) => {
+                  this.split = detail ? 1 : undefined;
+                }}
+              ></sw-before>
+              <button
                 class="icon"
                 aria-label=${pattern.wipe}
                 title=${pattern.wipe}
-                aria-pressed=${this.#split !== undefined}
+                aria-pressed=${this.#isWiping}
                 @click=${() => {
                   this.toggleWipe();
                 }}
               >
-                ${icon.before}</button
+                ${icon.wipe}</button
               ><select
                 aria-label=${words.look}
                 title=${words.look}
@@ -302,7 +316,7 @@ export class DrapePane extends DrapeDrawing {
       }
       case 'done': {
         const notes = drape?.notes ?? [];
-        if (this.#showsSeams && notes.length === 0)
+        if (this.seams && notes.length === 0)
           return html`<sw-legend .workbench=${this.workbench}></sw-legend>`;
         return notes.length > 0
           ? html`<p class="told">${notes.join(' ')}</p>`

@@ -49,7 +49,7 @@ export class LensStrip extends PatientElement {
         overflow: hidden;
         border-radius: 4px;
         background: var(--sw-paper);
-        font-size: var(--sw-text-small);
+        font-size: var(--sw-text);
         text-overflow: ellipsis;
         white-space: nowrap;
         pointer-events: none;

@@ -54,7 +54,7 @@ export class SeamLens extends PatientElement {
         white-space: nowrap;
       }
       p {
-        font-size: var(--sw-text-small);
+        font-size: var(--sw-text);
       }
       .title,
       .name p {

@@ -9,7 +9,7 @@ export const listStyle = css`
   table {
     width: 100%;
     border-collapse: collapse;
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   caption {
     padding: var(--sw-space-2) var(--sw-space-1);
@@ -48,7 +48,7 @@ export const listStyle = css`
     padding: 0;
     border: 0;
     border-radius: 2px;
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
     line-height: inherit;
     text-align: inherit;
     white-space: inherit;
@@ -124,7 +124,7 @@ export const listStyle = css`
     min-height: 1.5rem;
     margin-top: -0.2rem;
     padding: 0 2px;
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   input.name {
     width: 100%;
@@ -137,7 +137,7 @@ export const listStyle = css`
     padding: 0;
     border: 0;
     color: var(--sw-soft);
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
     vertical-align: middle;
   }
   .named {

@@ -47,7 +47,7 @@ export const panelStyle = css`
   table {
     width: 100%;
     border-collapse: collapse;
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   caption {
     padding: var(--sw-space-4) var(--sw-space-4) var(--sw-space-2);
@@ -111,7 +111,7 @@ export const panelStyle = css`
   .widths .of {
     display: block;
     color: var(--sw-soft);
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
     font-weight: 400;
   }
   .widths .present > * {

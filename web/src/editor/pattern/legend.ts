@@ -38,7 +38,7 @@ export class Legend extends WorkbenchElement {
         flex-wrap: wrap;
         align-items: center;
         gap: 0 var(--sw-space-2);
-        font-size: var(--sw-text-small);
+        font-size: var(--sw-text);
         color: var(--sw-soft);
       }
       .dotted::before {
@@ -67,7 +67,7 @@ export class Legend extends WorkbenchElement {
       button {
         min-height: var(--sw-target);
         padding: 0 var(--sw-space-2);
-        font-size: var(--sw-text-small);
+        font-size: var(--sw-text);
         color: var(--sw-soft);
       }
     `,

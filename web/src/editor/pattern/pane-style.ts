@@ -14,6 +14,7 @@ export const paneStyle = css`
   }
   sw-toolbar {
     grid-area: 1 / 1;
+    display: var(--sw-tools, flex);
   }
   .application {
     grid-area: 2 / 1;
@@ -37,12 +38,12 @@ export const paneStyle = css`
   }
   .foot {
     grid-area: 3 / 1;
-    display: flex;
+    display: var(--sw-tools, flex);
     min-height: 4rem; /* for two lines of a hint: the pattern must not move under the next click */
     align-items: center;
     justify-content: space-between;
     gap: var(--sw-space-1) var(--sw-space-4);
-    flex-wrap: var(--sw-foot-wrap, nowrap);
+    flex-wrap: nowrap;
     padding: var(--sw-space-1) var(--sw-space-3) var(--sw-space-2);
   }
   .foot:has(sw-sew-bar) {
@@ -61,7 +62,7 @@ export const paneStyle = css`
   }
   sw-tool-hint,
   .said {
-    flex: 1 1 var(--sw-said-room, 0);
+    flex: 1;
   }
   .said {
     position: relative; /* a hint lies over it */

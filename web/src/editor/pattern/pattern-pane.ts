@@ -128,6 +128,11 @@ export class PatternPane extends PatternDrawing {
     return this.#split;
   }
 
+  /** False while all of the garment is shown as before. */
+  get #isWiping(): boolean {
+    return this.#split !== undefined && this.#split < 1;
+  }
+
   /** Shows the fabric alone, or all marks over it again. */
   toggleBare(): void {
     this.#isBare = !this.#isBare;
@@ -136,7 +141,7 @@ export class PatternPane extends PatternDrawing {
 
   /** Shows or hides the garment before the solve on one half. */
   toggleWipe(): void {
-    this.split = this.#split === undefined ? 0.5 : undefined;
+    this.split = this.#isWiping ? undefined : 0.5;
   }
 
   /** Shows or hides the change of each outline. */
@@ -250,7 +255,7 @@ export class PatternPane extends PatternDrawing {
       <slot name="notice"></slot>
       ${this.#menu()}
       ${
-        this.#split === undefined
+        !this.#isWiping
           ? nothing
           : html`<sw-wipe-handle
               .workbench=${workbench}
@@ -272,7 +277,7 @@ export class PatternPane extends PatternDrawing {
                 }}
               ></sw-tool-hint>`
             : html`<div class="said">
-                <sw-legend .workbench=${workbench}></sw-legend><slot name="hint"></slot>
+                <sw-legend .workbench=${workbench}></sw-legend>
               </div>`
         }
         <div class="group view" role="group" aria-label=${pattern.view}>
@@ -316,15 +321,22 @@ export class PatternPane extends PatternDrawing {
 
   #comparing(): TemplateResult {
     const {pattern} = this.texts;
-    return html`${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
-      this.toggleWipe();
-    })}
-    ${this.#toggle(pattern.clothOnly, icon.cloth, this.#isBare, () => {
-      this.toggleBare();
-    })}
-    ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
-      this.toggleMovement();
-    })}`;
+    return html`<sw-before
+        .workbench=${this.workbench}
+        .isOn=${this.#split === 1}
+        @hold=${({detail}: CustomEvent<boolean>) => {
+          this.split = detail ? 1 : undefined;
+        }}
+      ></sw-before>
+      ${this.#toggle(pattern.wipe, icon.wipe, this.#isWiping, () => {
+        this.toggleWipe();
+      })}
+      ${this.#toggle(pattern.clothOnly, icon.cloth, this.#isBare, () => {
+        this.toggleBare();
+      })}
+      ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
+        this.toggleMovement();
+      })}`;
   }
 
   #note(): TemplateResult | typeof nothing {

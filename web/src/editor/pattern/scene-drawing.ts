@@ -75,9 +75,6 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
   #undrawable: string | undefined;
   #isLost = false;
   #waiting: ReturnType<typeof setTimeout> | undefined;
-  #showsDraft = false;
-  /** Duration of the next transition to the result; undefined for the default. [ms] */
-  #time: number | undefined;
   /** The last garment drawn. */
   #drawn: DesignGarment | undefined;
   readonly #tile = new ShownTile(this, {
@@ -116,24 +113,6 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     if (this.workbench.sheet.view === this.#window) this.workbench.sheet.view = undefined;
   }
 
-  /** True if the drawing shows the garment as drafted. */
-  get showsDraft(): boolean {
-    return this.#showsDraft;
-  }
-
-  /** Shows the garment as drafted until `showAnswer`, also for points and images. */
-  showDraft(): void {
-    this.#showsDraft = true;
-    this.requestUpdate();
-  }
-
-  /** Shows the result again, after a transition of `ms` milliseconds. */
-  showAnswer(ms: number): void {
-    this.#showsDraft = false;
-    this.#time = ms;
-    this.requestUpdate();
-  }
-
   get view(): View | undefined {
     return this.#view;
   }
@@ -145,6 +124,9 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
 
   /** Returns whether seams are drawn in mismatch colours. */
   protected hasSeams?(): boolean;
+
+  /** Returns a scene to show until the solver has read the garment. */
+  protected standIn?(): PatternScene | undefined;
 
   /** Loads the code of the view. */
   protected abstract load(): Promise<OpenView<View>>;
@@ -258,13 +240,13 @@ export abstract class SceneDrawing<View extends SceneView> extends PatientElemen
     if (!view) return;
     view.setAppearance(this.#appearance.value);
     const {scenes} = this.workbench.sheet;
+    const standIn = scenes ? undefined : this.standIn?.();
+    if (standIn) view.show(standIn);
     if (scenes) {
-      if (this.#showsDraft) view.show(scenes.before);
-      else view.show(scenes.now, this.#motion(), this.#time);
-      this.#time = undefined;
+      view.show(scenes.now, this.#motion());
       this.drew?.(view);
     }
-    if (scenes && this.#life) this.#tile.show(view, this.#life.signal);
+    if ((scenes ?? standIn) && this.#life) this.#tile.show(view, this.#life.signal);
   }
 
   /** Waits for changes to the workbench, which are drawn later in a separate task. */

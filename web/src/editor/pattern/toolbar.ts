@@ -17,30 +17,17 @@ export class Toolbar extends WorkbenchElement {
     css`
       :host {
         display: flex;
-        margin-right: var(--sw-views-room, 0); /* of what lies over it */
       }
-      /* long words take two lines rather than a row of their own */
-      .group .all {
-        flex: 1 1 5.5rem;
-        justify-content: start;
-        max-width: max-content;
-        line-height: 1.2;
-        text-align: start;
-        white-space: normal;
-      }
-      @container (48rem <= width < 90rem) {
+      /* only icons fit on a phone */
+      @container (width < 40rem) {
         .group .all {
-          flex: none;
-          white-space: nowrap;
+          flex: 0 1 auto;
+          line-height: 1.2;
+          text-align: start;
+          white-space: normal;
         }
-      }
-      /* the pictures say it where there is no room for words */
-      @container (width < 90rem) {
         .group {
           flex-wrap: nowrap;
-        }
-        .group .all {
-          flex-basis: auto;
         }
         ${wordlessTools}
       }

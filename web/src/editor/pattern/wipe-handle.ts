@@ -42,10 +42,15 @@ export class WipeHandle extends WorkbenchElement {
         top: 0;
         bottom: 0;
         left: var(--at);
-        width: 2px;
-        translate: -1px 0;
-        background: var(--sw-paper);
-        box-shadow: 0 0 0 1px var(--sw-strong-line);
+        width: 1.5rem;
+        translate: -50% 0;
+        /* soft, so that it is not taken for a seam */
+        background: linear-gradient(
+          to right,
+          transparent,
+          color-mix(in srgb, var(--sw-paper) 85%, transparent) 40% 60%,
+          transparent
+        );
       }
       input {
         position: absolute;

@@ -6,6 +6,7 @@ import {dataUrlOf} from '../../image/data-url.js';
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {focused} from '../base/focused.js';
+import {takePrint} from '../../workbench/print/take-print.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import type {PhotoOfFabric} from '../../print/openable-files.js';
 import {controls} from '../style/controls.js';
@@ -429,9 +430,7 @@ export class PhotoDialog extends WorkbenchElement {
       const image = await dataUrlOf(await pngOf(canvas));
       if (this.session !== session) return;
       this.workbench.notices.doubtful = undefined;
-      this.workbench.history.change({
-        print: {title: this.name || this.words.title, ...measures, image},
-      });
+      takePrint(this.workbench, {title: this.name || this.words.title, ...measures, image});
       void this.keeper?.keep(image, {picture: session.picture, name: this.name, step});
       this.#close();
       this.#drop();

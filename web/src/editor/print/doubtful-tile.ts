@@ -3,6 +3,7 @@ import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit'
 
 import type {TileRepeat} from '../../model/print/opened-image.js';
 import {blobOf} from '../../image/data-url.js';
+import {takePrint} from '../../workbench/print/take-print.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../../workbench/state.js';
@@ -90,6 +91,6 @@ export class DoubtfulTile extends WorkbenchElement {
     const print = await printOfPicture(this.workbench.solver, {...doubtful.own, repeat});
     if (this.workbench.notices.doubtful !== doubtful) return;
     this.workbench.notices.doubtful = undefined;
-    this.workbench.history.change({print});
+    takePrint(this.workbench, print);
   }
 }

@@ -3,19 +3,12 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 
 import type {Design, DesignPrint} from '../../model/design/design.js';
-import type {GroupName} from '../../model/print/repeating-print.js';
-import {carries, groupsThatCarry} from '../../model/print/repeat.js';
+import {carries} from '../../model/print/repeat.js';
 import {PatientElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';
-import {
-  choiceOf,
-  choices,
-  groupOf,
-  missing,
-  sampleOf,
-  type Choice,
-} from '../../print/group-choice.js';
+import {choiceOf, choices, sampleOf, type Choice} from '../../print/group-choice.js';
+import {takePrint} from '../../workbench/print/take-print.js';
 import {swatch} from './swatch.js';
 
 /** Styles of swatches to choose from. */
@@ -27,7 +20,7 @@ const swatches = css`
   .groups,
   .more {
     display: grid;
-    grid-template-columns: repeat(4, minmax(0, 5.5rem));
+    grid-template-columns: repeat(3, minmax(0, 7rem));
     gap: var(--sw-space-2);
   }
   .filters {
@@ -38,7 +31,7 @@ const swatches = css`
   .filters button {
     padding: 0 var(--sw-space-2);
     border-radius: var(--sw-target);
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
   }
   .colourways {
     display: grid;
@@ -48,7 +41,6 @@ const swatches = css`
   :is(.groups, .more, .colourways) button {
     display: grid;
     grid-template-columns: minmax(0, 1fr); /* a long word gives way, not the picture above it */
-    overflow-wrap: anywhere;
     hyphens: auto;
     gap: 2px;
     min-height: 0;
@@ -58,8 +50,12 @@ const swatches = css`
     align-content: start;
     line-height: 1.2;
     white-space: normal;
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
     color: var(--sw-soft);
+  }
+  :is(.groups, .more, .colourways) span {
+    overflow: hidden;
+    text-overflow: ellipsis; /* the button's title has the whole name */
   }
   svg {
     display: block;
@@ -81,28 +77,10 @@ const swatches = css`
   button:focus-visible {
     outline-offset: 4px;
   }
-  [aria-disabled='true'] svg {
-    filter: grayscale(1);
-    opacity: 0.35;
-  }
-  button[aria-disabled='true'] {
-    cursor: help;
-  }
-  .refusal {
-    padding: var(--sw-space-3);
-    border-radius: var(--sw-radius);
-    background: var(--sw-tint);
-  }
-  .row {
-    display: flex;
-    flex-wrap: wrap;
-    gap: var(--sw-space-1) var(--sw-space-2);
-    margin-top: var(--sw-space-1);
-  }
 `;
 
 /** Columns of the gallery, as in its style; the arrow keys up and down move by a row. */
-const columns = 4;
+const columns = 3;
 
 const steps: Readonly<Record<string, number>> = {
   ...{ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns, ArrowDown: columns},
@@ -132,13 +110,10 @@ export class PrintGallery extends PatientElement {
     ...PatientElement.properties,
     samples: {attribute: false},
     focused: {state: true},
-    refused: {state: true},
     filter: {state: true},
   };
   declare samples: Samples | undefined;
   declare protected focused: Choice | undefined;
-  /** The chosen group that the symmetries do not allow; displayed until the design changes. */
-  declare protected refused: {readonly group: GroupName; readonly design: Design} | undefined;
 
   /** Filter of the prints that come with Seamwise. */
   declare protected filter: Filter | undefined;
@@ -150,16 +125,15 @@ export class PrintGallery extends PatientElement {
     const preferences = this.workbench.preferences.chosen;
     const {samples, focused, filter} = this;
     if (!design || !samples) return nothing;
-    const refused = this.refused?.design === design ? this.refused.group : undefined;
-    const {print, symmetry} = design;
+    const {print} = design;
     // redrawn only for a new value of these, not with every step of a solve
-    const seen = [print, symmetry, preferences, samples, focused, refused, filter];
+    const seen = [print, preferences, samples, focused, filter];
     return html`${guard(
       seen,
       () => html`
         ${print.sample ? this.#filters() : nothing} ${this.#groups(design, samples)}
-        ${this.#meaning(design, refused)} ${this.#more(design, samples)}
-        ${this.#colourways(design, samples)}
+        <p class="soft" role="status">${this.texts.print.meanings[choiceOf(print)]}</p>
+        ${this.#more(design, samples)} ${this.#colourways(design, samples)}
       `,
     )}`;
   }
@@ -217,12 +191,10 @@ export class PrintGallery extends PatientElement {
           role="radio"
           aria-label="${label}, ${what}"
           aria-checked=${choice === checked}
-          aria-disabled=${missing(groupOf(choice), design) ? 'true' : nothing}
           title=${print.sample ? `${what}, ${label}` : what}
           tabindex=${choice === first ? 0 : -1}
           @focus=${() => {
             this.focused = choice;
-            this.#ask(groupOf(choice));
           }}
           @click=${() => {
             this.#choose(choice);
@@ -232,32 +204,6 @@ export class PrintGallery extends PatientElement {
           <span>${print.sample ? this.#titleOf(sample) : label}</span>
         </button>`;
       })}
-    </div>`;
-  }
-
-  /** Meaning of the group; or the reason that it is not possible, and the groups that are. */
-  #meaning(design: Design, refused: GroupName | undefined): TemplateResult {
-    const texts = this.texts.print;
-    const {print} = design;
-    const group = refused ?? print.group;
-    const kind = missing(group, design);
-    if (!kind) return html`<p class="soft" role="status">${texts.meanings[choiceOf(print)]}</p>`;
-    return html`<div class="refusal" role="status">
-      <p>${texts.lacks[kind](group)}</p>
-      <div class="row">
-        ${texts.wouldDo}
-        ${groupsThatCarry(kind).map(
-          (one) =>
-            html`<button
-              class="link"
-              @click=${() => {
-                this.#choose(one);
-              }}
-            >
-              ${one}
-            </button>`,
-        )}
-      </div>
     </div>`;
   }
 
@@ -274,7 +220,6 @@ export class PrintGallery extends PatientElement {
             html`<button
               aria-label="${this.#titleOf(sample)}, ${sample.group}"
               aria-pressed=${sample.name === print.sample?.name}
-              aria-disabled=${missing(sample.group, design) ? 'true' : nothing}
               title="${this.#titleOf(sample)}, ${sample.group}"
               @click=${() => {
                 this.#take(sample);
@@ -311,17 +256,9 @@ export class PrintGallery extends PatientElement {
       </div>`;
   }
 
-  /** @returns true if the symmetries allow this group; otherwise the gallery shows the reason */
-  #ask(group: GroupName): boolean {
-    const {design} = this.workbench.history;
-    const allowed = !missing(group, design);
-    this.refused = allowed || !design ? undefined : {group, design};
-    return allowed;
-  }
-
   #choose(choice: Choice): void {
     const {design} = this.workbench.history;
-    if (!design || !this.#ask(groupOf(choice))) return;
+    if (!design) return;
     const sample = this.samples?.prints.find(({name}) => name === sampleOf(choice));
     if (!design.print.sample) void this.#regroup(design.print, choice);
     else if (sample) this.#take(sample);
@@ -330,14 +267,11 @@ export class PrintGallery extends PatientElement {
   async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
     const {ownPrintAs} = await import('../../print/own-print.js');
     const regrouped = await ownPrintAs(this.workbench.solver, print, choice);
-    if (this.workbench.history.design?.print === print)
-      this.workbench.history.change({print: regrouped}, 'print');
+    if (this.workbench.history.design?.print === print) takePrint(this.workbench, regrouped);
   }
 
   #take(sample: SamplePrint): void {
-    const {design} = this.workbench.history;
-    if (!design || !this.#ask(sample.group)) return;
-    this.workbench.history.change({print: samplePrint(sample)}, 'print');
+    takePrint(this.workbench, samplePrint(sample));
   }
 
   #walk(event: KeyboardEvent, shown: readonly Choice[], from: Choice | undefined): void {

@@ -25,13 +25,8 @@ export class PrintPanel extends WorkbenchElement {
     controls,
     section,
     css`
-      header {
-        display: flex;
-        align-items: center;
-        gap: var(--sw-space-2);
-      }
-      h2 {
-        flex: 1;
+      .photo {
+        justify-self: start;
       }
     `,
   ];
@@ -57,7 +52,7 @@ export class PrintPanel extends WorkbenchElement {
         <button class="outlined" @click=${this.#choose}>${icon.open} ${texts.open}</button>
       </header>
       <button
-        class="outlined"
+        class="link photo"
         aria-haspopup="dialog"
         @click=${() => {
           this.#photo();

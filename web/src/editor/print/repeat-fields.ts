@@ -19,7 +19,8 @@ import {directionSign} from '../../texts/direction-sign.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {choiceOf, missing} from '../../print/group-choice.js';
+import {choiceOf} from '../../print/group-choice.js';
+import {takePrint} from '../../workbench/print/take-print.js';
 
 /** Diagram of a print's cell on the fabric, with its two measured sides. */
 interface CellDiagram {
@@ -332,16 +333,10 @@ export class RepeatFields extends WorkbenchElement {
     const drawn = latticeType(print.group) === 'square' || print.cell === 'rectangular';
     if (!fitting || !drawn) return nothing;
     const texts = this.texts.print;
-    const lacks = missing(fitting.group, this.workbench.history.design);
     return html`<div class="offer" role="status">
       <p>${texts.notQuite(print.group, fitting.group)}</p>
-      ${lacks ? html`<p>${texts.lacks[lacks](fitting.group)}</p>` : nothing}
       <div>
-        <button
-          class="outlined"
-          ?disabled=${lacks !== undefined}
-          @click=${() => this.#take(print, fitting)}
-        >
+        <button class="outlined" @click=${() => this.#take(print, fitting)}>
           ${texts.take(fitting.group)}
         </button>
         <button
@@ -362,7 +357,6 @@ export class RepeatFields extends WorkbenchElement {
   async #take(print: DesignPrint, fitting: FittingGroup): Promise<void> {
     const {withGroup} = await import('../../print/own-print.js');
     const smaller = await withGroup(print, fitting);
-    if (this.workbench.history.design?.print === print)
-      this.workbench.history.change({print: smaller});
+    if (this.workbench.history.design?.print === print) takePrint(this.workbench, smaller);
   }
 }

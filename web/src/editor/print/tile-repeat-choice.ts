@@ -49,7 +49,7 @@ export class TileRepeatChoice extends WorkbenchElement {
         padding: var(--sw-space-1);
         border-color: var(--sw-line);
         background: var(--sw-raised);
-        font-size: var(--sw-text-small);
+        font-size: var(--sw-text);
         line-height: 1.25;
         white-space: normal;
       }

@@ -11,7 +11,8 @@ import type {TileCheck} from '../../image/tile-check.js';
 import type {OpenEdge} from '../../model/print/photo-reading.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {choiceOf, missing} from '../../print/group-choice.js';
+import {choiceOf} from '../../print/group-choice.js';
+import {takePrint} from '../../workbench/print/take-print.js';
 import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';
 import {
   closedRepeats,
@@ -83,7 +84,7 @@ export class TileReport extends WorkbenchElement {
         gap: var(--sw-space-2);
       }
       small {
-        font-size: var(--sw-text-small);
+        font-size: var(--sw-text);
         color: var(--sw-soft);
       }
     `,
@@ -160,10 +161,8 @@ export class TileReport extends WorkbenchElement {
   }
 
   #found(print: DesignPrint, found: FoundGroup): TemplateResult {
-    const lacks = missing(found.group, this.workbench.history.design);
     return html`<button
       class="outlined"
-      ?disabled=${lacks !== undefined}
       title=${found.group}
       @click=${() => this.#take(print, withFound(this.workbench.solver, print, found))}
     >
@@ -182,7 +181,6 @@ export class TileReport extends WorkbenchElement {
 
   async #take(print: DesignPrint, taken: Promise<DesignPrint>): Promise<void> {
     const next = await taken;
-    if (this.workbench.history.design?.print === print)
-      this.workbench.history.change({print: next});
+    if (this.workbench.history.design?.print === print) takePrint(this.workbench, next);
   }
 }

@@ -17,24 +17,17 @@ export class GarmentChoice extends WorkbenchElement {
     controls,
     css`
       :host {
-        display: flex;
-        gap: var(--sw-space-1);
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        gap: var(--sw-space-2);
+        min-height: var(--sw-target);
       }
       select {
-        width: auto;
-        min-width: 0;
-        max-width: 12rem;
-        border-color: transparent;
-        background: transparent;
-        font-weight: 600;
+        text-overflow: ellipsis;
         cursor: pointer;
       }
-      /* the name of a garment gives way, its size does not */
       select + select {
-        flex: none;
-      }
-      select:hover {
-        background: color-mix(in srgb, var(--sw-ink) 7%, transparent);
+        width: auto;
       }
       option {
         background: var(--sw-raised);
@@ -42,6 +35,11 @@ export class GarmentChoice extends WorkbenchElement {
       }
     `,
   ];
+
+  /** Focuses the list of garments. */
+  override focus(): void {
+    this.renderRoot.querySelector('select')?.focus();
+  }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();

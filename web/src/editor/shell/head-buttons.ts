@@ -1,5 +1,5 @@
 /** Buttons in the header of the editor: views, undo and redo, and start or end of a solve. */
-import {html, type TemplateResult} from 'lit';
+import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
@@ -10,18 +10,19 @@ import {icon} from '../style/icons.js';
  * Tabs of a narrow editor, whose sheets open below the pattern, one at a time. A second press
  * closes a sheet.
  */
-export type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
+export type Sheet = 'pattern' | 'fabric' | 'seams';
 
+/** @param cut opens the dialog for a cutting sheet; undefined if the page has none */
 export function sheetTabs(
-  {app, print, controls, headline, lists}: Texts,
+  {app, pattern, print, lists}: Texts,
   open: Sheet | undefined,
   show: (sheet: Sheet | undefined) => void,
+  cut?: () => void,
 ): TemplateResult {
   const names: readonly (readonly [Sheet, string])[] = [
-    ['print', print.title],
-    ['cutting', controls.fit],
-    ['fit', headline.fit],
-    ['lists', lists.pieces],
+    ['pattern', pattern.views.pattern],
+    ['fabric', print.title],
+    ['seams', lists.seams],
   ];
   return html`<nav class="tabs" aria-label=${app.panels}>
     ${names.map(
@@ -35,10 +36,17 @@ export function sheetTabs(
           ${label}
         </button>`,
     )}
+    ${
+      cut
+        ? html`<button class="goal" aria-label=${app.cut} aria-haspopup="dialog" @click=${cut}>
+            ${app.cutShort}
+          </button>`
+        : nothing
+    }
   </nav>`;
 }
 
-export function viewButtons<View extends keyof Texts['pattern']['views'] & keyof typeof icon>(
+export function viewButtons<View extends keyof Texts['pattern']['views']>(
   views: readonly View[],
   shown: View,
   {pattern}: Texts,
@@ -49,13 +57,14 @@ export function viewButtons<View extends keyof Texts['pattern']['views'] & keyof
     ${views.map(
       (view) =>
         html`<button
-          title=${words[view]}
+          data-view=${view}
+          data-label=${words[view]}
           aria-pressed=${view === shown}
           @click=${() => {
             show(view);
           }}
         >
-          ${icon[view]}<span>${words[view]}</span>
+          ${words[view]}
         </button>`,
     )}
   </div>`;

@@ -156,7 +156,7 @@ export const controls = css`
     border-radius: 3px;
     background: color-mix(in srgb, var(--sw-ink) 9%, transparent);
     color: var(--sw-ink);
-    font-size: var(--sw-text-small);
+    font-size: var(--sw-text);
     font-weight: 600;
     line-height: 1.4;
   }

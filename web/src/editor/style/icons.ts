@@ -65,7 +65,10 @@ export const icon = {
     svg`<path d="M3 13 13 3M8.5 3H13v4.5"/><path d="M3 3v4M3 3h4" stroke-dasharray="1 2.5"/>`,
   ),
   cloth: drawn(svg`<path d="M3 3.5c2-1 3.5 1 5 0s3-1 5 0v9c-2-1-3.5-1-5 0s-3 1-5 0z"/>`),
-  before: drawn(svg`<path d="M8 2v12M2.5 4.5h3M2.5 8h3M2.5 11.5h3"/><path d="M10.5 4.5h3v7h-3"/>`),
+  before: drawn(
+    svg`<path d="M5.5 3.500A5.500 5.500 0 1 1 2.6 7.2M2.500 3v4.200h4.200M8 5v3.300l2.200 1.300"/>`,
+  ),
+  wipe: drawn(svg`<path d="M8 2v12M2.5 4.5h3M2.5 8h3M2.5 11.5h3"/><path d="M10.5 4.5h3v7h-3"/>`),
   locked: drawn(svg`<path d="M4 7.5h8v6H4zM5.5 7.5V5a2.5 2.5 0 0 1 5 0v2.5"/>`),
   unlocked: drawn(svg`<path d="M4 7.5h8v6H4zM5.5 7.5V5A2.5 2.5 0 0 1 10 3.6"/>`),
   measure: drawn(svg`<path d="M2 10.5 10.5 2 14 5.5 5.5 14zM5 7.5 6.5 9M7.5 5 9 6.5"/>`),

@@ -3,20 +3,19 @@ import {css} from 'lit';
 
 export const tokens = css`
   :host {
-    --sw-text-small: 0.75rem;
     --sw-text: 0.8125rem;
-    --sw-text-large: 1rem;
+    --sw-text-large: 0.9375rem;
     --sw-text-title: 1.375rem;
     --sw-space-1: 0.25rem;
     --sw-space-2: 0.5rem;
     --sw-space-3: 0.75rem;
     --sw-space-4: 1rem;
     --sw-space-6: 1.5rem;
-    --sw-radius: 6px;
+    --sw-radius: 8px;
     /* what is pressed is as high, so that a finger finds it */
     --sw-target: 2rem;
     --sw-field-text: var(--sw-text);
-    --sw-ground: light-dark(#f4f3f0, #17181b);
+    --sw-ground: light-dark(#f6f5f3, #17181b);
     --sw-paper: light-dark(#fdfcfb, #1f2024);
     --sw-raised: light-dark(#ffffff, #292b30);
     --sw-ink: light-dark(#26282c, #eceded);
@@ -29,7 +28,8 @@ export const tokens = css`
     --sw-bad: light-dark(#a92a22, #ff9c92);
     --sw-bad-tint: light-dark(#fbeae8, #3b2322);
     font:
-      400 var(--sw-text) / 1.45 system-ui,
+      400 var(--sw-text) / 1.45 var(--sw-font, system-ui),
+      system-ui,
       -apple-system,
       'Segoe UI',
       Roboto,

@@ -68,7 +68,7 @@ class PlaceBar extends WorkbenchElement {
         width: 4.5rem;
         min-height: 0;
         padding: var(--sw-space-1);
-        font-size: var(--sw-text-small);
+        font-size: var(--sw-text);
         white-space: normal;
       }
       svg,

@@ -180,7 +180,7 @@ export function fittingGroup(group: GroupName, measured: RepeatSize): FittingGro
 }
 
 /** A piece that is symmetric in itself, or two that are each other's mirror image. */
-export type SymmetryKind = 'piece' | 'pair';
+type SymmetryKind = 'piece' | 'pair';
 
 const turnsOnly: ReadonlySet<GroupName> = new Set<GroupName>(['p1', 'p2', 'p4', 'p3', 'p6']);
 const glidesOnly: ReadonlySet<GroupName> = new Set<GroupName>(['pg', 'pgg']);

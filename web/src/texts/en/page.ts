@@ -4,7 +4,8 @@ import {text} from '../base/message.js';
 export const page = {
   app: {
     name: 'Seamwise',
-    openGarment: 'Open garment',
+    tagline: 'Match your print across the seams, before you cut.',
+    openGarment: 'My pattern',
     garment: 'Garment',
     size: 'Size',
     undo: 'Undo',
@@ -17,7 +18,8 @@ export const page = {
     saveProject: 'Save project',
     saveResult: 'Save result',
     savePicture: 'Save picture',
-    cut: 'Cut …',
+    cut: 'Cut pattern',
+    cutShort: 'Cut',
     saveMore: 'Save …',
     panels: 'Panels',
     copyLink: 'Copy link',
@@ -30,7 +32,7 @@ export const page = {
     close: 'Close',
     dismiss: 'Dismiss',
     takenAsPrint: text('{name} was taken as a print.'),
-    setup: 'Print and cutting',
+    setup: 'Pattern and fabric',
     report: 'Pieces and seams',
     toPattern: 'To the pattern',
     drop: 'Let go to open the file',
@@ -98,11 +100,11 @@ export const page = {
     improve: 'improvement',
   },
   introduction: {
-    label: text('Hint {number, number} of {count, number}'),
-    print: 'Choose another print: the pieces adapt to it.',
-    /** Follows an image of the button. */
-    compare: 'shows before and after.',
-    seam: 'Press a seam to see both its sides from near.',
+    label: 'Where to begin?',
+    pattern: 'DXF, SVG, OBJ or GarmentCode',
+    fabric: 'One repeat as an image, or a photo',
+    sample: 'A sample',
+    samples: '12 garments, 24 prints',
   },
   progress: {
     label: 'Progress',

@@ -35,8 +35,9 @@ export const print = {
     paperScale: 'Mismatch 0–2 cm, as in the paper',
   },
   print: {
-    title: 'Print',
-    open: 'Open print',
+    title: 'Fabric',
+    print: 'Print',
+    open: 'My fabric',
     photo: 'Photo of your cloth',
     own: text('Your own: {title}'),
     group: 'Wallpaper group',
@@ -96,13 +97,10 @@ export const print = {
     turn: 'Turn (degrees)',
     oneWay: 'Looks different upside down',
     oneWayNote: 'Does it look the same upside down? Then leave this off.',
-    lacks: {
-      piece: text(
-        'A piece that is symmetric in itself needs a print with mirrors, and {group} has none.',
-      ),
-      pair: text('A mirrored pair needs a print with mirrors or glides, and {group} has neither.'),
+    lost: {
+      piece: text('{print} has no mirrors, so pieces can’t be symmetric in themselves.'),
+      pair: text('{print} has no mirrors, so left and right can’t be mirror images.'),
     },
-    wouldDo: 'These would do:',
     notQuite: text('Your cloth is not quite {group}; {fitting} still fits.'),
     take: text('Take {group}'),
     keep: text('Keep {group}'),
@@ -189,7 +187,7 @@ export const print = {
         '{name} is {kind}, which cannot be a print: save it as PNG or JPEG, and open that.',
       ),
       damaged: text('{name} is {kind}, but damaged: save it again, or take another copy.'),
-      pattern: text('{name} is a sewing pattern, no print: use Open garment.'),
+      pattern: text('{name} is a sewing pattern, no print: use My pattern.'),
       openEdges: {
         across: text(
           '{name} does not repeat: its left and right edges do not meet. Decide under Print what becomes of it.',

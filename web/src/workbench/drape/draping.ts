@@ -11,6 +11,7 @@ import {fabricOf, type Design, type DesignGarment} from '../../model/design/desi
 import type {Failure} from '../../model/result/failure.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {SolveResult} from '../../model/result/result.js';
+import type {StoredDrape} from '../../model/documents/stored-drape.js';
 import {toFailure} from '../latest-solve.js';
 import {Observable} from '../observable.js';
 import type {Workbench} from '../workbench.js';
@@ -45,6 +46,11 @@ interface Question {
   readonly fabric: FabricName;
 }
 
+/** A drape that is known before its design is solved. */
+interface KnownDrape extends Pick<StoredDrape, 'drape' | 'alignments'> {
+  readonly design: Design;
+}
+
 /** Number of stored drapes; each takes about a megabyte. */
 const most = 8;
 
@@ -68,6 +74,7 @@ export class Draping extends Observable {
   #positions: Float32Array | undefined;
   #shown: DesignGarment | undefined;
   #end: (() => void) | undefined;
+  #known: KnownDrape | undefined;
 
   constructor(source: Source) {
     super();
@@ -81,6 +88,19 @@ export class Draping extends Observable {
   /** Settled drape of the present result or of the one before. */
   get drape(): Drape | undefined {
     return this.#drape;
+  }
+
+  /** Shows a stored drape of the present design without a solve. */
+  know({drape, alignments}: Pick<StoredDrape, 'drape' | 'alignments'>): void {
+    const {design} = this.#source.history;
+    if (!design) return;
+    this.#known = {drape, alignments, design};
+    this.#show(drape, design.garment);
+  }
+
+  /** The stored drape of the present design. */
+  get known(): KnownDrape | undefined {
+    return this.#known?.design === this.#source.history.design ? this.#known : undefined;
   }
 
   /**
@@ -144,7 +164,10 @@ export class Draping extends Observable {
     if (this.#question && isSame(question, this.#question)) return;
     this.#stop();
     this.#question = question;
-    const known = this.#kept.find(([one]) => isSame(one, question))?.[1];
+    const known =
+      design === this.#known?.design
+        ? this.#known.drape
+        : this.#kept.find(([one]) => isSame(one, question))?.[1];
     if (known) this.#show(known, design.garment);
     else void this.#run(question);
   }
@@ -176,7 +199,8 @@ export class Draping extends Observable {
     this.#become({kind: 'draping', progress: begun});
     const {garment, result, fabric} = question;
     // the mesh continues from its present positions
-    const settings: DrapeSettings = {fabric, ...(this.#drape && {from: this.#drape})};
+    const from = this.#drape === this.#known?.drape ? undefined : this.#drape;
+    const settings: DrapeSettings = {fabric, ...(from && {from})};
     let mesh: DrapeMesh | undefined;
     try {
       const drape = await this.#source.solver.drape(result, settings, {

@@ -6,6 +6,7 @@ import {printOfPicture} from '../../print/own-print.js';
 import {OpenEdgesError} from '../../print/openable-files.js';
 import {looksLikePicture} from '../../print/read-picture.js';
 import {readOwnPicture, readPrint} from '../../print/read-print.js';
+import {takePrint} from './take-print.js';
 import type {Workbench} from '../workbench.js';
 
 /**
@@ -19,7 +20,7 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
   const present = workbench.history.design?.print;
   workbench.notices.doubtful = undefined;
   if (!(await looksLikePicture(file))) {
-    workbench.history.change({print: await readPrint(workbench.solver, file, words)});
+    takePrint(workbench, await readPrint(workbench.solver, file, words));
     return;
   }
   const own = await readOwnPicture(file, words);
@@ -32,5 +33,5 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
     if (present) workbench.notices.doubtful = {own, edges, beside: present};
     throw new OpenEdgesError(words.openEdges[openPairs(edges)](file.name));
   }
-  workbench.history.change({print: await printOfPicture(workbench.solver, own)});
+  takePrint(workbench, await printOfPicture(workbench.solver, own));
 }

@@ -1,0 +1,122 @@
+/**
+ * Three ways to begin, on a first visit. Sends `pattern`, `fabric` or `sample` for the chosen one,
+ * and `done` after the first action.
+ */
+import {css, html, type TemplateResult} from 'lit';
+
+import {controls} from '../../editor/style/controls.js';
+import {WorkbenchElement} from '../../editor/base/workbench-element.js';
+import {icon} from '../../editor/style/icons.js';
+
+export class Welcome extends WorkbenchElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: block;
+        padding: var(--sw-space-3);
+        pointer-events: none;
+      }
+      .cards {
+        display: grid;
+        grid-template-columns: repeat(3, minmax(0, 1fr)) auto;
+        gap: var(--sw-space-2);
+        max-width: 44rem;
+        margin: auto;
+        padding: var(--sw-space-2);
+        border: 1px solid var(--sw-line);
+        border-radius: calc(var(--sw-radius) + var(--sw-space-2));
+        background: var(--sw-raised);
+        box-shadow: 0 4px 20px light-dark(rgb(38 40 44 / 0.12), rgb(0 0 0 / 0.45));
+        pointer-events: auto;
+      }
+      .card {
+        display: grid;
+        justify-items: start;
+        align-content: start;
+        gap: 0;
+        padding: var(--sw-space-2) var(--sw-space-3);
+        text-align: start;
+        white-space: normal;
+      }
+      strong {
+        font-size: var(--sw-text-large);
+        font-weight: 600;
+      }
+      .icon {
+        align-self: start;
+      }
+      @container (width < 40rem) {
+        :host {
+          padding: var(--sw-space-2);
+        }
+        .cards {
+          gap: 0;
+        }
+        .card {
+          padding: var(--sw-space-2);
+        }
+        .card span {
+          display: none;
+        }
+        strong {
+          font-size: var(--sw-text);
+        }
+      }
+    `,
+  ];
+
+  #beginnings = 0;
+  #end: (() => void) | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#beginnings = this.workbench.history.beginnings;
+    this.#end = this.workbench.subscribe(['history'], () => {
+      const {beginnings, canUndo} = this.workbench.history;
+      // the first beginning is the sample of this visit
+      if (canUndo || beginnings > this.#beginnings + 1) this.#send('done');
+    });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#end?.();
+  }
+
+  protected override render(): TemplateResult {
+    const {app, introduction, print} = this.texts;
+    return html`<div class="cards" role="group" aria-label=${introduction.label}>
+      ${this.#card('pattern', app.openGarment, introduction.pattern)}
+      ${this.#card('fabric', print.open, introduction.fabric)}
+      ${this.#card('sample', introduction.sample, introduction.samples)}
+      <button
+        class="icon"
+        aria-label=${app.dismiss}
+        title=${app.dismiss}
+        @click=${() => {
+          this.#send('done');
+        }}
+      >
+        ${icon.close}
+      </button>
+    </div>`;
+  }
+
+  #card(way: 'pattern' | 'fabric' | 'sample', title: string, note: string): TemplateResult {
+    return html`<button
+      class="card"
+      aria-label="${title}: ${note}"
+      @click=${() => {
+        this.#send(way);
+        this.#send('done');
+      }}
+    >
+      <strong>${title}</strong><span class="soft">${note}</span>
+    </button>`;
+  }
+
+  #send(type: string): void {
+    this.dispatchEvent(new CustomEvent(type));
+  }
+}
