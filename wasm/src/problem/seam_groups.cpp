@@ -111,6 +111,8 @@ class Grouping {
     group.visibility = facing > 0 ? table.front : facing < 0 ? table.back : table.side;
     if (sides.a == sides.b) group.visibility = std::min(group.visibility, kOwnSeam);
     group.ends = endsOf(group.seams);
+    if (std::abs(sides.at.x()) > kMiddle)
+      group.side = sides.at.x() > 0 ? BodySide::kLeft : BodySide::kRight;
     return group;
   }
 

@@ -164,6 +164,11 @@ export class Editor extends WorkbenchElement {
     this.addEventListener('sw-lens-wanted', () => void this.#toLens());
     this.addEventListener('sw-photo-wanted', (event) => void this.#toPhoto(event as PhotoWanted));
     this.addEventListener('sw-size-wanted', () => void this.#toSize());
+    this.addEventListener('sw-sew-wanted', () => {
+      const {pattern} = this;
+      if (pattern?.tools.active !== 'sew') pattern?.tools.toggle('sew');
+      this.toPattern();
+    });
     this.addEventListener('sw-grain-wanted', () => {
       const {pattern} = this;
       if (pattern?.tools.active !== 'grain') pattern?.tools.toggle('grain');

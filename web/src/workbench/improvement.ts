@@ -5,7 +5,9 @@
 import type {Design} from '../model/design/design.js';
 import {problemOf} from '../model/documents/design-problem.js';
 import type {Proof, SolveResult} from '../model/result/result.js';
-import {countedSeams, finalMismatch} from '../scene/mismatch.js';
+import {seamCount, type SeamCount} from '../model/result/seam-groups.js';
+import {seamGroupsOf} from '../scene/group-states.js';
+import {finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
 import {idle, paused} from './idle.js';
@@ -16,18 +18,18 @@ import {provenShare} from '../model/base/core-tables.js';
 export class Comparison {
   readonly #solver: SolverService;
   readonly #task = new NewestTask();
-  readonly #means: DesignFindings<number>;
+  readonly #counts: DesignFindings<SeamCount>;
   /** The last design without symmetries, and its result. */
   #free: {readonly design: Design; readonly result: SolveResult} | undefined;
 
   constructor(solver: SolverService, changed: () => void) {
     this.#solver = solver;
-    this.#means = new DesignFindings(changed);
+    this.#counts = new DesignFindings(changed);
   }
 
-  /** Mean mismatch without symmetries, along the seams that count with them. [cm] */
-  of(design: Design): number | undefined {
-    return this.#means.of(design);
+  /** Numbers of visible seams, and of those that match without symmetries. */
+  of(design: Design): SeamCount | undefined {
+    return this.#counts.of(design);
   }
 
   /** Follows a solved design. If its result has symmetries, it is also solved without them. */
@@ -35,11 +37,11 @@ export class Comparison {
     this.stop();
     if (result.symmetries.length === 0) {
       this.#free = {design, result};
-    } else if (this.#means.of(design) === undefined) {
+    } else if (this.#counts.of(design) === undefined) {
       if (!this.#free || !differOnlyInSymmetry(this.#free.design, design)) {
         if (!(await this.#solveFree(design, this.#task.begin().signal))) return;
       }
-      this.#compare(design, result);
+      this.#compare(design);
     }
   }
 
@@ -56,14 +58,10 @@ export class Comparison {
     return result !== undefined;
   }
 
-  #compare(design: Design, result: SolveResult): void {
+  #compare(design: Design): void {
     if (!this.#free) return;
-    const counted = countedSeams(result);
-    // both are searches, and a solve without symmetries is free to keep the symmetric result
-    const mean = Math.min(
-      ...[this.#free.result, result].map((one) => finalMismatch(one, counted).mean),
-    );
-    this.#means.learn(design, mean);
+    const groups = seamGroupsOf(this.#free.result);
+    this.#counts.learn(design, seamCount(groups, design.options.weights));
   }
 }
 

@@ -20,7 +20,7 @@ export function sheetTabs(
   const names: readonly (readonly [Sheet, string])[] = [
     ['print', print.title],
     ['cutting', controls.fit],
-    ['fit', headline.fit],
+    ['fit', headline.result],
     ['lists', lists.pieces],
   ];
   return html`<nav class="tabs" aria-label=${app.panels}>
