@@ -255,13 +255,14 @@ export const editorLayout = css`
       display: contents;
     }
     sw-headline,
+    sw-seam-table,
     sw-lens {
       order: 1;
     }
     .setup > * {
       order: 2;
     }
-    sw-tables {
+    sw-piece-table {
       order: 3;
     }
   }
@@ -331,8 +332,8 @@ export const editorLayout = css`
     }
     [data-sheet='print'] .setup > :not(sw-print-panel),
     [data-sheet='cutting'] .setup > sw-print-panel,
-    [data-sheet='fit'] .report > sw-tables,
-    [data-sheet='lists'] .report > :not(sw-tables) {
+    [data-sheet='fit'] .report > sw-piece-table,
+    [data-sheet='lists'] .report > :not(sw-piece-table) {
       display: none;
     }
   }

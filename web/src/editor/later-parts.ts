@@ -5,7 +5,6 @@ import {SeamLens} from './lens/lens.js';
 import {PieceTable} from './lists/piece-table.js';
 import {SeamMenu} from './lists/seam-menu.js';
 import {SeamTable} from './lists/seam-table.js';
-import {Tables} from './lists/tables.js';
 import {GrainQuestion} from './pattern/grain-question.js';
 import {KeepMenu} from './pattern/keep-menu.js';
 import {TiesMenu} from './pattern/ties-menu.js';
@@ -44,7 +43,6 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-seam-menu': SeamMenu,
   'sw-sew-bar': SewBar,
   'sw-symmetry-panel': SymmetryPanel,
-  'sw-tables': Tables,
   'sw-ties-menu': TiesMenu,
   'sw-tile-repeat': TileRepeatChoice,
   'sw-tile-report': TileReport,

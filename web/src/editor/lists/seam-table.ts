@@ -9,6 +9,7 @@ import type {Texts} from '../../texts/texts.js';
 import type {Target} from '../../workbench/workbench.js';
 import {reasonOf, wayOut} from '../../workbench/lists/group-actions.js';
 import {foldedWords, groupRows, type GroupRow} from '../../workbench/lists/group-rows.js';
+import {firstUpper} from '../../workbench/lists/names.js';
 import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
 import type {SeamMenu} from './seam-menu.js';
@@ -20,11 +21,13 @@ const marks: Readonly<Record<SeamState, string>> = {
 
 const stateWords = (
   state: SeamState,
-  {after}: GroupRow,
+  {after, end}: GroupRow,
   {lists: {states}}: Texts,
   format: Format,
-): string =>
-  state === 'close' || state === 'off' ? states[state](format.fine(after)) : states[state];
+): string => {
+  if (state === 'close' && end) return states.nearly; // the rest of it matches
+  return state === 'close' || state === 'off' ? states[state](format.fine(after)) : states[state];
+};
 
 export class SeamTable extends ListTable<GroupRow> {
   static override styles = [
@@ -59,8 +62,10 @@ export class SeamTable extends ListTable<GroupRow> {
       }
       .why .link {
         display: inline;
-        min-height: 1.5rem;
+        min-height: 0;
+        padding: 0;
         font-size: inherit;
+        line-height: inherit;
         text-align: start;
         white-space: normal;
       }
@@ -179,12 +184,10 @@ export class SeamTable extends ListTable<GroupRow> {
     const why = reasonOf(this.workbench, row, texts, format);
     if (why === undefined) return nothing;
     const way = row.end ? undefined : wayOut(this.workbench, row, texts, format);
-    return html`<span class="why"
-      >${why}${
-        way &&
-        html`. <button class="link" tabindex=${tabIndex} @click=${way.act}>${way.text}</button>`
-      }</span
-    >`;
+    const button =
+      way &&
+      html` <button class="link" tabindex=${tabIndex} @click=${way.act}>${way.text}</button>`;
+    return html`<span class="why">${firstUpper(why)}.${button}</span>`;
   }
 
   #openMenu(row: GroupRow): void {

@@ -11,7 +11,7 @@ import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {firstOff, groupRows} from '../../workbench/lists/group-rows.js';
 import {seamRows} from '../../workbench/lists/rows.js';
-import {headlineOf, sentencesOf} from '../../workbench/lists/verdict.js';
+import {gainOf, headlineOf, sentencesOf} from '../../workbench/lists/verdict.js';
 import type {Samples} from '../../workbench/samples.js';
 import {spokenNote} from '../../workbench/lists/spoken-note.js';
 
@@ -90,6 +90,7 @@ export class Headline extends WorkbenchElement {
       most: Math.max(0, ...counted.map((group) => groupMismatch(group, after.seams))),
     };
     const {language} = workbench.preferences.chosen;
+    const gain = gainOf(judged, texts);
     const off = firstOff(groupRows(workbench, texts));
     return html`<output aria-label=${headline.result}>
       <h2>${headlineOf(judged, texts)}</h2>
@@ -109,6 +110,7 @@ export class Headline extends WorkbenchElement {
             : nothing
         }
       </p>
+      ${gain === undefined ? nothing : html`<p class="soft">${gain}</p>`}
     </output>`;
   }
 

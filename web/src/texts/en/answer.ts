@@ -20,7 +20,7 @@ export const answer = {
     /** `places` are the texts of `places` below, such as "at the shoulders". */
     matchesAt: text('{it} matches {places}.'),
     closeAt: text('{it} comes close {places}.'),
-    partlyAt: text('{it} matches only some of the seams {places}.'),
+    partlyAt: text('{it} matches only in part {places}.'),
     breaksAt: text('{it} breaks {places}.'),
     lacksMirrors: 'It has no mirrors for these seams, so left and right can’t both match.',
     before: text(
@@ -143,7 +143,7 @@ export const answer = {
   remedies: {
     help: 'Changes that help',
     why: {
-      grain: 'its pieces are cut across each other’s grain',
+      grain: 'on grain, its two edges run at different angles',
       gather: 'gathered: the two edges have different lengths',
       group: 'this print has no mirrors for it',
       size: 'the print is too large for it',
@@ -177,6 +177,7 @@ export const answer = {
     free: 'Free',
     states: {
       matches: 'matches',
+      nearly: 'close',
       close: text('close, {mismatch}'),
       off: text('off, {mismatch}'),
       cannot: 'can’t match',
@@ -185,10 +186,10 @@ export const answer = {
     yourChoice: 'your choice',
     /** An end that does not match while the rest does. */
     butFor: {
-      top: text('It matches but for the top {length}.'),
-      bottom: text('It matches but for the bottom {length}.'),
-      left: text('It matches but for {length} on the left.'),
-      right: text('It matches but for {length} on the right.'),
+      top: text('it matches but for the top {length}'),
+      bottom: text('it matches but for the bottom {length}'),
+      left: text('it matches but for {length} on the left'),
+      right: text('it matches but for {length} on the right'),
     },
     onSide: {left: text('{seam}, left'), right: text('{seam}, right')},
     others: text('{count, plural, one {# other} other {# others}}: {seams}'),

@@ -37,7 +37,8 @@ export function withImportance(
   );
   if (importance === 'none')
     return {...options, weights: rest, unmatched: [...others, ...seams].sort((a, b) => a - b)};
-  const own = importance === 'usual' ? [] : seams.map((seam) => [seam, weights[importance]]);
+  if (importance === 'usual') return {...options, unmatched: others, weights: rest};
+  const own = seams.map((seam): [number, number] => [seam, weights[importance]]);
   return {...options, unmatched: others, weights: {...rest, ...Object.fromEntries(own)}};
 }
 

@@ -105,17 +105,17 @@ export function wayOut(
 export const isInLine = ({kind, seams}: Remedy, row: GroupRow): boolean =>
   kind === 'turn' && row.isVisible && row.seams.some((seam) => seams.includes(seam));
 
-/** The reason why a line does not match, in words; undefined if it matches. */
+/** The reason why a line does not match, or the end that does not, in words. */
 export function reasonOf(
   {history: {design}}: Pick<Workbench, 'history'>,
   {state, reason, end, importance}: GroupRow,
   {lists, remedies}: Texts,
   format: Format,
 ): string | undefined {
-  if (state === undefined || state === 'matches') return undefined;
+  if (state === undefined) return undefined;
   if (state === 'choice') return importance === 'none' ? lists.yourChoice : undefined;
   if (end) return lists.butFor[end.from](format.length(end.cm));
-  if (reason === undefined) return undefined;
+  if (reason === undefined || state === 'matches') return undefined;
   return reason === 'reach'
     ? remedies.why.reach(format.length(design?.options.maxChangeCm ?? defaultChange))
     : remedies.why[reason];

@@ -33,20 +33,24 @@ export function headlineOf(
   return (isHidden ? headline.someHidden : headline.some)(matched, counted);
 }
 
-/** Sentences below the headline. */
+/** "Without matching, 3 of them would match"; undefined if nothing is gained. */
+export function gainOf({groups, weights, before}: Judged, {headline}: Texts): string | undefined {
+  const {matched} = seamCount(groups, weights);
+  return before && before.matched < matched ? headline.before(before.matched) : undefined;
+}
+
+/** Sentences below the headline: the places where the print matches, and those where it breaks. */
 export function sentencesOf(
-  judged: Judged,
+  {groups, weights, most}: Judged,
   {headline, places}: Texts,
   format: Format,
   language: string,
 ): readonly string[] {
-  const {groups, weights, before, most} = judged;
   const counted = countedGroups(groups, weights);
   const {matched} = seamCount(groups, weights);
   if (groups.length === 0) return [headline.sew];
   if (counted.length === 0) return [headline.allLeftOut];
-  const was = before && before.matched < matched ? [headline.before(before.matched)] : [];
-  if (matched === counted.length) return [headline.largest(format.fine(most)), ...was];
+  if (matched === counted.length) return [headline.largest(format.fine(most))];
   const list = new Intl.ListFormat(language);
   const kinds = kindsOf(counted);
   const at = (kind: Kind): string =>
@@ -56,7 +60,7 @@ export function sentencesOf(
     .map((kind, k) =>
       firstUpper(headline[kind](k === 0 ? headline.print : headline.it, at(kind)).trim()),
     );
-  return [...said, ...(lacksMirrors(counted) ? [headline.lacksMirrors] : []), ...was];
+  return [...said, ...(lacksMirrors(counted) ? [headline.lacksMirrors] : [])];
 }
 
 const kindNames = ['matchesAt', 'closeAt', 'partlyAt', 'breaksAt'] as const;
