@@ -110,6 +110,18 @@ TEST(SeamGroups, JoinStitchesAcrossDartsAlongOneLine) {
   EXPECT_EQ(stitches, std::vector<int>(stitches.size(), 1));
 }
 
+TEST(SeamGroups, TellLeftAndRightOfTheWearer) {
+  for (const bool placed : {true, false}) {
+    const Garment garment = sample("raglan", placed);
+    std::map<std::string, BodySide> sides;
+    for (const SeamGroup& group : groupsOf(garment))
+      sides[garment.stitches[group.seams.front()].name] = group.side;
+    EXPECT_EQ(sides["Side seam, left"], BodySide::kLeft);
+    EXPECT_EQ(sides["Side seam, right"], BodySide::kRight);
+    EXPECT_EQ(sides["Centre front"], BodySide::kMiddle);
+  }
+}
+
 TEST(SeamGroups, AreSeparateAtCorners) {
   // both sides and the top of two rectangles
   Json text = twoRectangles();

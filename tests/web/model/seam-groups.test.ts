@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import type {SeamGroup} from '@/model/result/result.js';
+import type {SeamGroup, SolveResult} from '@/model/result/result.js';
 import {isVisible, mismatchAlong, seamCount, stateAt} from '@/model/result/seam-groups.js';
 import {countAt, seamGroupsOf} from '@/scene/group-states.js';
 import {plainMetrics, squarePair} from '../../support/garments/two-squares.js';
@@ -52,10 +52,10 @@ describe('the mismatch of a seam', () => {
 });
 
 describe('a result of an earlier version', () => {
-  const result = {
+  const result: SolveResult = {
     ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
     ...squarePair(),
-  } as const;
+  };
 
   it('has a visible seam for each stitch, with the state of its mismatch', () => {
     expect(seamGroupsOf(result)).toEqual([

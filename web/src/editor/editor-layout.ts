@@ -113,7 +113,7 @@ export const editorLayout = css`
   }
   /* the room that they take once there is an answer */
   sw-headline {
-    min-height: 11rem;
+    min-height: 13rem;
     align-content: start;
   }
   sw-lens {
@@ -187,9 +187,9 @@ export const editorLayout = css`
     }
     sw-lens {
       position: sticky;
-      top: 0;
+      bottom: 0;
       z-index: 1;
-      border-bottom: 1px solid var(--sw-line);
+      border-top: 1px solid var(--sw-line);
     }
     sw-lens[wide] {
       position: absolute;

@@ -320,13 +320,13 @@ export class Editor extends WorkbenchElement {
         <section class="report" aria-label=${app.report}>
           <sw-headline .workbench=${workbench} .samples=${this.samples}></sw-headline>
           <sw-seam-table .workbench=${workbench}></sw-seam-table>
+          <sw-piece-table .workbench=${workbench}></sw-piece-table>
           <sw-lens
             .workbench=${workbench}
             @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
               if (this.pattern) this.pattern.cursor = event.detail;
             }}
           ></sw-lens>
-          <sw-piece-table .workbench=${workbench}></sw-piece-table>
         </section>
         ${sheetTabs(this.texts, this.sheet, (sheet) => {
           this.sheet = sheet;

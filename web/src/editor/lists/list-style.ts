@@ -98,7 +98,7 @@ export const listStyle = css`
     hyphens: auto;
   }
   .fold .link {
-    min-height: 2rem;
+    min-height: var(--sw-target);
     text-decoration: none;
   }
   .fold .link::before {

@@ -264,7 +264,7 @@ function rowNumber({target}: Event): number | undefined {
 const isInControl = ({target}: Event): boolean =>
   target instanceof Element && target.closest('button, select, input') !== null;
 
-/** Share of the column's height that the lens may cover at its top. */
+/** Share of the column's height that the lens may cover at its foot. */
 const lensShare = 0.35;
 
 /** Scrolls only the column of the table, so that the drawing stays visible. */
@@ -272,9 +272,9 @@ function reveal(row: HTMLElement, table: HTMLElement): void {
   const column = scroller(table);
   if (!column) return;
   const [at, shown] = [row.getBoundingClientRect(), column.getBoundingClientRect()];
-  const from = shown.top + lensShare * shown.height;
-  if (at.top < from || at.bottom > shown.bottom) {
-    column.scrollTop += (at.top + at.bottom - from - shown.bottom) / 2;
+  const to = shown.bottom - lensShare * shown.height;
+  if (at.top < shown.top || at.bottom > to) {
+    column.scrollTop += (at.top + at.bottom - shown.top - to) / 2;
   }
 }
 

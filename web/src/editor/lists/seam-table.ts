@@ -19,6 +19,8 @@ const marks: Readonly<Record<SeamState, string>> = {
   ...{matches: '●', close: '◐', off: '○', cannot: '⊘', choice: '–'},
 };
 
+const wholeMillimetres = (cm: number): number => Math.round(10 * cm) / 10;
+
 const stateWords = (
   state: SeamState,
   {after, end}: GroupRow,
@@ -26,7 +28,9 @@ const stateWords = (
   format: Format,
 ): string => {
   if (state === 'close' && end) return states.nearly; // the rest of it matches
-  return state === 'close' || state === 'off' ? states[state](format.fine(after)) : states[state];
+  return state === 'close' || state === 'off'
+    ? states[state](format.fine(wholeMillimetres(after)))
+    : states[state];
 };
 
 export class SeamTable extends ListTable<GroupRow> {
@@ -61,9 +65,6 @@ export class SeamTable extends ListTable<GroupRow> {
         color: var(--sw-soft);
       }
       .why .link {
-        display: inline;
-        min-height: 0;
-        padding: 0;
         font-size: inherit;
         line-height: inherit;
         text-align: start;
@@ -79,6 +80,12 @@ export class SeamTable extends ListTable<GroupRow> {
         padding: 0;
         border: 0;
         color: var(--sw-soft);
+      }
+      @media (pointer: coarse), (width < 40rem) {
+        .more button {
+          width: var(--sw-target);
+          min-height: var(--sw-target);
+        }
       }
     `,
   ];

@@ -37,12 +37,8 @@ export class Headline extends WorkbenchElement {
       output {
         display: grid;
         gap: var(--sw-space-1);
-      }
-      sup {
-        line-height: 0;
-      }
-      .link {
-        display: inline;
+        min-height: 8.25rem; /* what is below it stays in its place */
+        align-content: start;
       }
       details {
         color: var(--sw-soft);
@@ -66,7 +62,7 @@ export class Headline extends WorkbenchElement {
     if (state.kind === 'failed') return this.#failed(state.failure);
     if (!result) {
       if (state.kind === 'empty') return nothing;
-      const text = state.kind === 'stale' ? progress.failed : progress.solving;
+      const text = state.kind === 'stale' ? progress.failed : headline.working;
       return html`<output aria-label=${headline.result}><h2 class="soft">${text}</h2></output>`;
     }
     return html`

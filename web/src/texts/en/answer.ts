@@ -4,6 +4,7 @@ import {text} from '../base/message.js';
 export const answer = {
   headline: {
     result: 'Result',
+    working: 'Matching the print …',
     all: text('{count, plural, =1 {The 1 visible seam matches} other {All # visible seams match}}'),
     some: text('{matched, number} of {count, number} visible seams match'),
     allHidden: text('{count, plural, =1 {The 1 seam matches} other {All # seams match}}'),

@@ -107,7 +107,7 @@ export const isInLine = ({kind, seams}: Remedy, row: GroupRow): boolean =>
 
 /** The reason why a line does not match, or the end that does not, in words. */
 export function reasonOf(
-  {history: {design}}: Pick<Workbench, 'history'>,
+  {history: {design}}: {readonly history: Pick<Workbench['history'], 'design'>},
   {state, reason, end, importance}: GroupRow,
   {lists, remedies}: Texts,
   format: Format,
