@@ -6,8 +6,8 @@
 #include <map>
 #include <sstream>
 
-#include "support/garment_texts.h"
 #include "io/garment_json.h"
+#include "support/garment_texts.h"
 #include "symmetry/detection.h"
 
 namespace seamwise {
@@ -113,12 +113,12 @@ TEST(SeamGroups, JoinStitchesAcrossDartsAlongOneLine) {
 TEST(SeamGroups, TellLeftAndRightOfTheWearer) {
   for (const bool placed : {true, false}) {
     const Garment garment = sample("raglan", placed);
-    std::map<std::string, BodySide> sides;
+    std::vector<BodySide> sides(garment.stitches.size());
     for (const SeamGroup& group : groupsOf(garment))
-      sides[garment.stitches[group.seams.front()].name] = group.side;
-    EXPECT_EQ(sides["Side seam, left"], BodySide::kLeft);
-    EXPECT_EQ(sides["Side seam, right"], BodySide::kRight);
-    EXPECT_EQ(sides["Centre front"], BodySide::kMiddle);
+      for (const int s : group.seams) sides[s] = group.side;
+    EXPECT_EQ(sides[0], BodySide::kMiddle);  // centre front
+    EXPECT_EQ(sides[2], BodySide::kLeft);    // side seam, left
+    EXPECT_EQ(sides[3], BodySide::kRight);   // side seam, right
   }
 }
 

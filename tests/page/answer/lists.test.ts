@@ -144,7 +144,9 @@ it('decides by the menu of a line how much a seam counts, as one step each', asy
   await page.keyboard.press('Enter');
   expect(await options(page)).toMatchObject({weights: {1: 0.5}});
   await solved(page);
-  await table(page, 'Seams').getByRole('button', {name: /^\d+ others: /}).click();
+  await table(page, 'Seams')
+    .getByRole('button', {name: /^\d+ others: /})
+    .click();
   await button(page, 'More for: Centre back').click();
   await expect.poll(() => item('Hardly visible').getAttribute('aria-checked')).toBe('true');
   await item("Don't match").click();

@@ -58,9 +58,15 @@ it(
     await solved(page);
     await button(page, 'Keep improving').click();
     const status = page.getByRole('status', {name: 'Improvement'});
-    await status.filter({hasText: /^(Looking|[\d.]+ mm better so far)/}).waitFor();
+    await status
+      .filter({hasText: /^(Looking|The match is better so far|\d+ more seams? match(es)? so far)/})
+      .waitFor();
     await button(page, 'Stop').click();
-    await status.filter({hasText: /^(Nothing better was found\.|[\d.]+ mm better\.)$/}).waitFor();
+    await status
+      .filter({
+        hasText: /^(Nothing better was found|The match is better|\d+ more seams? match(es)?)\.$/,
+      })
+      .waitFor();
     await page.getByRole('heading', {name: /visible seams? match/}).waitFor();
   },
 );

@@ -184,7 +184,9 @@ export class Proving {
 /** State of an improvement. */
 export interface Improving {
   readonly isRunning: boolean;
-  /** Decrease of the mean mismatch since the first result. [cm] */
+  /** True if the present result is better than the first one. */
+  readonly isBetter: boolean;
+  /** Number of visible seams that match in the present result, but not in the first one. */
   readonly gained: number;
 }
 
@@ -195,8 +197,12 @@ interface Answered {
 
 /** Greatest effort; more would take longer than users wait. */
 export const mostEffort = 16;
-/** Least mean gain that is visible. [cm] */
-const leastGain = 0.005;
+/** Greatest share of the cost of a better result; smaller gains are not visible. */
+const betterShare = 0.99;
+
+/** The cost by which answers to one problem compete. [cm2] */
+const costOf = (result: SolveResult): number =>
+  result.metrics.answerCost ?? finalMismatch(result).total;
 
 export class Improvement {
   readonly #solver: SolverService;
@@ -230,10 +236,14 @@ export class Improvement {
   async start(design: Design, result: SolveResult): Promise<Answered> {
     this.stop();
     const {signal} = this.#task.begin();
-    const first = finalMismatch(result).mean;
-    let [best, mean]: [Answered, number] = [{design, result}, first];
+    const {weights} = design.options;
+    const matchedIn = (one: SolveResult): number => seamCount(seamGroupsOf(one), weights).matched;
+    let best: Answered = {design, result};
     const tell = (isRunning: boolean): void => {
-      this.#state = {isRunning, gained: first - mean, design: best.design};
+      this.#state = {
+        ...{isRunning, isBetter: best.result !== result, design: best.design},
+        gained: Math.max(0, matchedIn(best.result) - matchedIn(result)),
+      };
       this.#changed();
     };
     tell(true);
@@ -243,9 +253,7 @@ export class Improvement {
       // a failed solve or a stop ends the improvement; the gain so far is kept
       const next = await this.#solver.solve(problemOf(longer), {signal}).catch(() => undefined);
       if (!next || signal.aborted) break;
-      const reached = finalMismatch(next).mean;
-      if (mean - reached < leastGain) continue;
-      mean = reached;
+      if (costOf(next) > betterShare * costOf(best.result)) continue;
       best = {design: this.#keep(design, effort, next), result: next};
       tell(true);
     }
