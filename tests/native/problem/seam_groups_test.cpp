@@ -112,13 +112,15 @@ TEST(SeamGroups, JoinStitchesAcrossDartsAlongOneLine) {
 
 TEST(SeamGroups, TellLeftAndRightOfTheWearer) {
   for (const bool placed : {true, false}) {
-    const Garment garment = sample("raglan", placed);
+    const Garment garment = sample("trousers", placed);
     std::vector<BodySide> sides(garment.stitches.size());
     for (const SeamGroup& group : groupsOf(garment))
       for (const int s : group.seams) sides[s] = group.side;
-    EXPECT_EQ(sides[0], BodySide::kMiddle);  // centre front
-    EXPECT_EQ(sides[2], BodySide::kLeft);    // side seam, left
-    EXPECT_EQ(sides[3], BodySide::kRight);   // side seam, right
+    EXPECT_EQ(sides[0], BodySide::kLeft);  // outseam
+    EXPECT_EQ(sides[1], BodySide::kRight);
+    EXPECT_EQ(sides[6], BodySide::kLeft);  // inseam
+    EXPECT_EQ(sides[7], BodySide::kRight);
+    EXPECT_EQ(sides[10], BodySide::kMiddle);  // centre front
   }
 }
 

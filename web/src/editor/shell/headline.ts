@@ -27,6 +27,11 @@ export class Headline extends WorkbenchElement {
         gap: var(--sw-space-2);
         padding: var(--sw-space-4);
       }
+      @media (pointer: coarse), (width < 40rem) {
+        output .link {
+          min-width: var(--sw-target);
+        }
+      }
       h2 {
         font-size: var(--sw-text-title);
         font-weight: 600;
