@@ -111,7 +111,8 @@ class Grouping {
     group.visibility = facing > 0 ? table.front : facing < 0 ? table.back : table.side;
     if (sides.a == sides.b) group.visibility = std::min(group.visibility, kOwnSeam);
     group.ends = endsOf(group.seams);
-    group.side = sideOf(sides);
+    if (group.place != SeamPlace::kCentreFront && group.place != SeamPlace::kCentreBack)
+      group.side = sideOf(sides);
     return group;
   }
 

@@ -118,7 +118,7 @@ describe('the lines of seams', () => {
     };
     expect(why({})).toBeUndefined();
     expect(why({state: 'close', unmatchedEnd: {from: 'top', cm: 2}})).toBe(
-      'it matches but for the top 2 cm',
+      'all but the top 2 cm matches',
     );
     expect(why({state: 'off', reason: 'reach'})).toBe('its outline would change by more than 1 cm');
     expect(why({state: 'off', reason: 'reach'}, {maxChangeCm: 0.5})).toMatch(/0\.5 cm$/);

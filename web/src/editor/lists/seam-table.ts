@@ -82,6 +82,9 @@ export class SeamTable extends ListTable<GroupRow> {
         color: var(--sw-soft);
       }
       @media (pointer: coarse), (width < 40rem) {
+        .why .link {
+          display: flex;
+        }
         .more button {
           width: var(--sw-target);
           min-height: var(--sw-target);

@@ -187,10 +187,10 @@ export const answer = {
     yourChoice: 'your choice',
     /** An end that does not match while the rest does. */
     butFor: {
-      top: text('it matches but for the top {length}'),
-      bottom: text('it matches but for the bottom {length}'),
-      left: text('it matches but for {length} on the left'),
-      right: text('it matches but for {length} on the right'),
+      top: text('all but the top {length} matches'),
+      bottom: text('all but the bottom {length} matches'),
+      left: text('all but {length} on the left matches'),
+      right: text('all but {length} on the right matches'),
     },
     onSide: {left: text('{seam}, left'), right: text('{seam}, right')},
     others: text('{count, plural, one {# other} other {# others}}: {seams}'),
