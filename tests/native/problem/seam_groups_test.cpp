@@ -6,8 +6,8 @@
 #include <map>
 #include <sstream>
 
-#include "support/garment_texts.h"
 #include "io/garment_json.h"
+#include "support/garment_texts.h"
 #include "symmetry/detection.h"
 
 namespace seamwise {
@@ -108,6 +108,20 @@ TEST(SeamGroups, JoinStitchesAcrossDartsAlongOneLine) {
     }
   }
   EXPECT_EQ(stitches, std::vector<int>(stitches.size(), 1));
+}
+
+TEST(SeamGroups, TellLeftAndRightOfTheWearer) {
+  for (const bool placed : {true, false}) {
+    const Garment garment = sample("trousers", placed);
+    std::vector<BodySide> sides(garment.stitches.size());
+    for (const SeamGroup& group : groupsOf(garment))
+      for (const int s : group.seams) sides[s] = group.side;
+    EXPECT_EQ(sides[0], BodySide::kLeft);  // outseam
+    EXPECT_EQ(sides[1], BodySide::kRight);
+    EXPECT_EQ(sides[6], BodySide::kLeft);  // inseam
+    EXPECT_EQ(sides[7], BodySide::kRight);
+    EXPECT_EQ(sides[10], BodySide::kMiddle);  // centre front
+  }
 }
 
 TEST(SeamGroups, AreSeparateAtCorners) {

@@ -40,15 +40,34 @@ const column = async (page: Page, name: 'Pieces' | 'Seams', number: number): Pro
 
 const falling = (numbers: readonly number[]): number[] => [...numbers].sort((a, b) => b - a);
 
-it('lists all pieces and all seams, the worst seam first', async () => {
+it('lists the seams of a sewist, the most visible first, and folds the others', async () => {
   const page = await opened();
   await solved(page);
   await expect.poll(() => rows(page, 'Pieces').count()).toBe(8);
-  await expect.poll(() => rows(page, 'Seams').count()).toBe(12);
-  const after = table(page, 'Seams').getByRole('columnheader', {name: 'After'});
-  await expect.poll(() => after.getAttribute('aria-sort')).toBe('descending');
-  const mismatches = await column(page, 'Seams', 3);
-  expect(mismatches).toEqual(falling(mismatches));
+  const seams = table(page, 'Seams').locator('tbody');
+  const names = () => seams.getByRole('rowheader').locator('.seam > span:nth-child(2)');
+  const shown = (await names().allInnerTexts()).filter((name) => name !== '');
+  expect(shown[0]).toBe('Centre front');
+  expect(shown).not.toContain('Sleeve seams');
+  const others = seams.getByRole('button', {name: /^\d+ others: /});
+  await others.click();
+  await expect.poll(() => others.getAttribute('aria-expanded')).toBe('true');
+  await row(page, 'Sleeve seam').first().waitFor();
+});
+
+it('has a word beside each mark, and the numbers of the headline', async () => {
+  const page = await opened();
+  await solved(page);
+  const result = page.getByRole('status', {name: 'Result', exact: true});
+  await expect.poll(() => result.innerText()).toMatch(/visible seams? match/);
+  const [, some, all] = /^(?:(\d+) of|All) (\d+) visible/.exec(await result.innerText()) ?? [];
+  const states = await table(page, 'Seams')
+    .locator('tbody tr:not([hidden]) .number')
+    .allInnerTexts();
+  for (const words of states) expect(words).toMatch(/^(matches|close|off|can’t match)/);
+  const matched = states.filter((words) => words === 'matches').length;
+  expect(matched).toBeLessThanOrEqual(Number(some ?? all)); // left and right share a line
+  expect(states.length).toBeLessThanOrEqual(Number(all));
 });
 
 it(
@@ -56,14 +75,14 @@ it(
   {tags: ['thorough']},
   async () => {
     const page = await opened();
-    const seams = table(page, 'Seams');
-    const header = seams.getByRole('columnheader', {name: 'Length'});
+    await solved(page);
+    const header = table(page, 'Pieces').getByRole('columnheader', {name: 'Moved'});
     await header.getByRole('button').click();
-    const lengths = await column(page, 'Seams', 1);
-    expect(lengths).toEqual(falling(lengths));
+    const moved = await column(page, 'Pieces', 1);
+    expect(moved).toEqual(falling(moved));
     await header.getByRole('button').click();
     await expect.poll(() => header.getAttribute('aria-sort')).toBe('ascending');
-    expect(await column(page, 'Seams', 1)).toEqual(falling(lengths).reverse());
+    expect(await column(page, 'Pieces', 1)).toEqual(falling(moved).reverse());
   },
 );
 
@@ -111,17 +130,31 @@ it('shows the row of what is selected in the picture', {tags: ['thorough']}, asy
   expect(box && box.y + box.height).toBeLessThanOrEqual(900);
 });
 
-it('lets a seam match less, or not at all, as one step each', {tags: ['thorough']}, async () => {
+it('decides by the menu of a line how much a seam counts, as one step each', async () => {
   const page = await opened();
-  const match = page.getByRole('combobox', {name: 'Match: Side seam, left'});
-  await match.selectOption({label: 'Half'});
-  expect(await options(page)).toMatchObject({weights: {2: 0.5}});
-  await match.selectOption({label: "Don't match"});
-  expect(await options(page)).toMatchObject({unmatched: [2]});
+  await solved(page);
+  const centre = row(page, 'Centre back');
+  await centre.getByRole('rowheader').click();
+  await page.keyboard.press('ContextMenu');
+  const menu = page.getByRole('menu', {name: 'More for: Centre back'});
+  const item = (name: string): Locator => menu.getByRole('menuitemcheckbox', {name});
+  await item('Match first').waitFor();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  expect(await options(page)).toMatchObject({weights: {1: 0.5}});
+  await solved(page);
+  await table(page, 'Seams')
+    .getByRole('button', {name: /^\d+ others: /})
+    .click();
+  await button(page, 'More for: Centre back').click();
+  await expect.poll(() => item('Hardly visible').getAttribute('aria-checked')).toBe('true');
+  await item("Don't match").click();
+  expect(await options(page)).toMatchObject({unmatched: [1]});
   await button(page, 'Undo').click();
-  await expect.poll(() => match.inputValue()).toBe('half');
   await button(page, 'Undo').click();
-  await expect.poll(() => match.inputValue()).toBe('full');
+  expect((await options(page)).unmatched ?? []).toEqual([]);
+  expect((await options(page)).weights ?? {}).toEqual({});
 });
 
 it('cuts a piece from plain cloth, or on a grain of its own', {tags: ['thorough']}, async () => {
@@ -163,7 +196,7 @@ it('says that a garment without seams has nothing to match', {tags: ['thorough']
     await element?.workbench.open({name: 'scarf.json', text});
   });
   const words = 'No seams yet: sew edges to each other, and the print is matched there.';
-  await page.locator('sw-tables').getByText(words).waitFor();
+  await page.locator('sw-seam-table').getByText(words).waitFor();
   await expect.poll(() => rows(page, 'Pieces').count()).toBe(1);
   await expect.poll(() => table(page, 'Seams').isVisible()).toBe(true);
 });

@@ -9,9 +9,11 @@ it('proves how good a placing is once it is shown', {tags: ['thorough']}, async 
   const page = await openPage();
   await solved(page);
   await showSample(page, 'shift-dress');
-  await page.getByText('More figures').click();
-  await page.getByText('The best of all placings tried.').waitFor({timeout: 60_000});
+  await page.getByText('Details').click();
   await page
-    .getByText(/^No other placing fits (better|more than \d+\s?% better)\.$/)
+    .getByText('This is the best placement of all that were tried.')
+    .waitFor({timeout: 60_000});
+  await page
+    .getByText(/^No other placement fits (better|more than \d+\s?% better)\.$/)
     .waitFor({timeout: 60_000});
 });

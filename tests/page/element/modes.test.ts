@@ -277,7 +277,7 @@ it.each(
     },
     [property, `${height}px`] as const,
   );
-  await page.locator('seamwise-garment sw-editor sw-tables').waitFor();
+  await page.locator('seamwise-garment sw-editor sw-piece-table').waitFor();
   const seen = await run((element) => {
     const root = element.shadowRoot;
     const stage = root?.querySelector('[part=stage]');

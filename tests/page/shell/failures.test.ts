@@ -53,7 +53,7 @@ describe('a solver that breaks', () => {
         .waitFor({timeout: 50_000});
       await solved(page);
       expect((await designOf(page)).print.group).toBe('pgg');
-      await page.getByLabel('How well it meets', {exact: true}).waitFor();
+      await page.getByRole('status', {name: 'Result', exact: true}).waitFor();
     },
   );
 });

@@ -12,10 +12,10 @@ it(
     const page = await openPage();
     await page.getByRole('application', {name: 'Pattern'}).waitFor();
     await solved(page);
-    const fit = page.getByLabel('How well it meets', {exact: true});
+    const result = page.getByRole('status', {name: 'Result', exact: true});
     await expect
-      .poll(() => fit.textContent())
-      .toMatch(/Worst [\d.]+ mm: .+\.\s+Before, [\d.]+ mm on average\./);
+      .poll(() => result.textContent())
+      .toMatch(/\d+ of \d+ visible seams match\s+The print \w+ at the .+\./);
   },
 );
 

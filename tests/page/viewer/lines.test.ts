@@ -83,22 +83,6 @@ it('draws seams green and whole where the print meets, red, wider and broken whe
   }
 });
 
-it('numbers the worst seams, and nothing where they meet', async () => {
-  const page = await openPage();
-  await show(page, twoSquares());
-  await expect.poll(() => page.getByText('1', {exact: true}).count()).toBe(0);
-  await realign(page, [
-    {angle: 0, translation: [0, 0]},
-    {angle: 0, translation: [-4, 0.34]},
-  ]);
-  await expect.poll(() => page.getByText('1', {exact: true}).isVisible()).toBe(true);
-  await page.evaluate(() => {
-    Viewer.view.setSeams(false);
-  });
-  await settled(page);
-  await expect.poll(() => page.getByText('1', {exact: true}).isVisible()).toBe(false);
-});
-
 it('draws outlines as wide at every zoom', {tags: ['thorough']}, async () => {
   const page = await openPage();
   const scene = twoSquares();

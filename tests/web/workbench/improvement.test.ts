@@ -57,21 +57,21 @@ function keeping(found: Readonly<Record<number, number>>) {
     return present();
   });
   afterwards.subscribe(() => {
-    const {isRunning, gained} = afterwards.improving(present()) ?? {isRunning: false, gained: 0};
-    told.push(`${isRunning ? 'looking' : 'done'} ${(10 * gained).toFixed(1)}`);
+    const {isRunning, isBetter, gained} = afterwards.improving(present()) ?? {};
+    told.push(`${isRunning ? 'looking' : 'done'} ${isBetter ? `better by ${gained}` : ''}`.trim());
   });
   return {steps, told, kept, afterwards, present};
 }
 
 describe('improving', () => {
   it('looks twice as long each time, and keeps what is better as one step', async () => {
-    const {steps, told, kept, afterwards, present} = keeping({2: 0.5, 4: 0.42, 8: 0.42, 16: 0.4});
+    const {steps, told, kept, afterwards, present} = keeping({2: 0.5, 4: 0.42, 8: 0.42, 16: 0.2});
     await afterwards.improve(design, missing(0.5));
     expect(kept).toEqual([4, 16]);
     expect(present().options).toEqual({maxChangeCm: 0.5, effort: 16});
     expect(steps.history?.past).toHaveLength(1);
     expect(new Set(told)).toEqual(
-      new Set(['looking 0.0', 'looking 0.8', 'looking 1.0', 'done 1.0']),
+      new Set(['looking', 'looking better by 0', 'looking better by 1', 'done better by 1']),
     );
   });
 
@@ -79,17 +79,18 @@ describe('improving', () => {
     const {steps, told, afterwards} = keeping({1: 0.5, 2: 0.5, 4: 0.6, 8: 0.498, 16: 0.5});
     await afterwards.improve(design, missing(0.5));
     expect(steps.history?.past).toHaveLength(0);
-    expect(told.at(-1)).toBe('done 0.0');
+    expect(told.at(-1)).toBe('done');
   });
 
   it('ends when it is stopped, and keeps what was gained by then', async () => {
-    const {afterwards, present, told} = keeping({2: 0.3});
+    const {afterwards, present, told} = keeping({2: 0.2});
     const improvement = afterwards.improve(design, missing(0.5));
-    while (told.at(-1) !== 'looking 2.0') await new Promise((resolve) => setTimeout(resolve));
+    while (told.at(-1) !== 'looking better by 1')
+      await new Promise((resolve) => setTimeout(resolve));
     await new Promise((resolve) => setTimeout(resolve, 200));
     afterwards.stopImproving();
     await improvement;
-    expect(told.at(-1)).toBe('done 2.0');
+    expect(told.at(-1)).toBe('done better by 1');
     expect(present().options.effort).toBe(2);
     expect(afterwards.improving(present())).toMatchObject({isRunning: false});
   });

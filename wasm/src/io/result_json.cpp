@@ -131,6 +131,8 @@ void writeGroup(JsonWriter& out, const SeamGroup& group, const GroupFigures& fig
   out.openObject();
   out.field("seams", seams);
   out.field("place", placeName(group.place));
+  if (group.side != BodySide::kMiddle)
+    out.field("side", group.side == BodySide::kLeft ? "left" : "right");
   out.field("visibility", group.visibility);
   out.field("state", stateName(figures.state));
   if (figures.reason != SeamReason::kNone) out.field("reason", reasonName(figures.reason));

@@ -111,6 +111,8 @@ class Grouping {
     group.visibility = facing > 0 ? table.front : facing < 0 ? table.back : table.side;
     if (sides.a == sides.b) group.visibility = std::min(group.visibility, kOwnSeam);
     group.ends = endsOf(group.seams);
+    if (group.place != SeamPlace::kCentreFront && group.place != SeamPlace::kCentreBack)
+      group.side = sideOf(sides);
     return group;
   }
 
@@ -123,6 +125,13 @@ class Grouping {
     Vec3 at_a, at_b, at;  ///< means of both sides, and of all. [cm]
     double out_a, out_b;  ///< rise of the directions out of both pieces. [1]
   };
+
+  /// The side of the seam and of its pieces: an implied arrangement may put an inseam beyond the
+  /// middle.
+  BodySide sideOf(const Sides& sides) const {
+    const double x = sides.at.x() + worn_.middle[sides.a].x() + worn_.middle[sides.b].x();
+    return x > kMiddle ? BodySide::kLeft : x < -kMiddle ? BodySide::kRight : BodySide::kMiddle;
+  }
 
   Vec3 sideMiddle(const SeamSide& side) const {
     Vec3 sum = Vec3::Zero();

@@ -39,6 +39,9 @@ const char* placeName(SeamPlace place);
 /// End of a seam as it is worn; left and right are the wearer's.
 enum class SeamEnd : std::uint8_t { kTop, kBottom, kLeft, kRight };
 
+/// Side of the body, the wearer's.
+enum class BodySide : std::uint8_t { kMiddle, kLeft, kRight };
+
 /// Consecutive stitches that a sewist calls one seam.
 struct SeamGroup {
   std::vector<int> seams;  ///< stitch numbers, along the outline of the first side's piece
@@ -46,6 +49,7 @@ struct SeamGroup {
   double visibility = 0;  ///< ShapingTuning::kVisible or more: seen at once
   std::array<SeamEnd, 2> ends = {SeamEnd::kTop, SeamEnd::kBottom};  ///< before the first, after the
                                                                     ///< last stitch
+  BodySide side = BodySide::kMiddle;
 };
 
 /// Groups the stitches of a garment and finds their places on the body: from the placement of the

@@ -3,8 +3,9 @@ import {panelMarks} from '../model/garment/panel-marks.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {ComparedAnswer} from '../model/design/solve-problem.js';
 import type {SolveResult} from '../model/result/result.js';
-import {visibleSeams} from '../model/result/visible-seams.js';
+import {seamCount} from '../model/result/seam-groups.js';
 import type {Remedy} from '../node/index.js';
+import {seamGroupsOf} from '../scene/group-states.js';
 import {finalMismatch, mismatchOf, worstOf} from '../scene/mismatch.js';
 
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
@@ -48,14 +49,17 @@ function mismatch(result: SolveResult, asked: Asked): string[] {
   ];
 }
 
-/** The number of visible seams that match, and how many do in the first of several answers. */
-function matching(result: SolveResult, compared: readonly ComparedAnswer[]): string[] {
-  const {visible, matched} = visibleSeams(result);
-  if (visible === 0) return [];
+/**
+ * The number of visible seams that match, as in the headline of the page, and how many do in the
+ * first of several answers.
+ */
+function matching(result: SolveResult, {options, compared = []}: Asked): string[] {
+  const {matched, counted} = seamCount(seamGroupsOf(result), options.weights);
+  if (counted === 0) return [];
   const [own] = compared;
   const before =
     own && own.matched !== matched ? ` (${String(own.matched)} in the first answer)` : '';
-  return [`${String(matched)} of ${String(visible)} visible seams match${before}`];
+  return [`${String(matched)} of ${String(counted)} visible seams match${before}`];
 }
 
 /** The size of the print, if it is not its own. */
@@ -68,7 +72,7 @@ export function figuresLine(name: string, result: SolveResult, asked: Asked): st
   return [
     `${name}: ${String(pieces.length)} pieces, ${String(seams.length)} seams, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
     ...scaled(print),
-    ...matching(result, asked.compared ?? []),
+    ...matching(result, asked),
     ...mismatch(result, asked),
     `moved at most ${millimetres(metrics.maxMovedCm)}`,
     `${String(metrics.milliseconds.total)} ms`,

@@ -2,7 +2,7 @@
 import type {PickIndex} from '../clicks/pick-index.js';
 import type {Point} from '../model/geometry/vectors.js';
 import {shortcutFor, shortcuts, type ShortcutIn} from './shortcuts.js';
-import {seamRows, worstSeams} from '../workbench/lists/rows.js';
+import {groupRows} from '../workbench/lists/group-rows.js';
 import {textsOf} from '../texts/texts.js';
 import {patternCommands, type CommandedPattern} from './pattern-commands.js';
 import {
@@ -127,8 +127,8 @@ function heldOrStepped(pane: KeyedPattern, key: string): boolean {
     workbench.preferences.chosen.language,
     workbench.preferences.chosen.messages,
   );
-  const row = worstSeams(seamRows(workbench, texts), number)[number - 1];
-  if (row) workbench.selection.select({kind: 'seam', seam: row.seam, side: 'a'});
+  const row = groupRows(workbench, texts)[number - 1];
+  if (row) workbench.selection.select({kind: 'seam', seam: row.worst, side: 'a'});
   return true;
 }
 

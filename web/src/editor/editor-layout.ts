@@ -146,7 +146,7 @@ export const editorLayout = css`
   }
   /* the room that they take once there is an answer */
   sw-headline {
-    min-height: 11rem;
+    min-height: 13rem;
     align-content: start;
   }
   sw-lens {
@@ -181,9 +181,9 @@ export const editorLayout = css`
     }
     sw-lens {
       position: sticky;
-      top: 0;
+      bottom: 0;
       z-index: 1;
-      border-bottom: 1px solid var(--sw-line);
+      border-top: 1px solid var(--sw-line);
     }
     sw-lens[wide] {
       position: absolute;
@@ -235,13 +235,14 @@ export const editorLayout = css`
       display: block;
     }
     sw-headline,
+    sw-seam-table,
     sw-lens {
       order: 1;
     }
     .setup > * {
       order: 2;
     }
-    sw-tables {
+    sw-piece-table {
       order: 3;
     }
   }
@@ -329,7 +330,7 @@ export const editorLayout = css`
       overflow: hidden;
       background: var(--sw-paper);
     }
-    .workbench:not([data-sheet='seams']) :is(sw-lens, sw-tables),
+    .workbench:not([data-sheet='seams']) :is(sw-lens, sw-seam-table, sw-piece-table),
     .workbench:not([data-sheet='fabric']) sw-print-panel,
     .workbench:not([data-sheet='pattern'])
       :is(slot[name='garment'], sw-symmetry-panel, sw-solve-panel) {

@@ -173,6 +173,11 @@ export class Editor extends WorkbenchElement {
     this.addEventListener('sw-lens-wanted', () => void this.#toLens());
     this.addEventListener('sw-photo-wanted', (event) => void this.#toPhoto(event as PhotoWanted));
     this.addEventListener('sw-size-wanted', () => void this.#toSize());
+    this.addEventListener('sw-sew-wanted', () => {
+      const {pattern} = this;
+      if (pattern?.tools.active !== 'sew') pattern?.tools.toggle('sew');
+      this.toPattern();
+    });
     this.addEventListener('sw-grain-wanted', () => {
       const {pattern} = this;
       if (pattern?.tools.active !== 'grain') pattern?.tools.toggle('grain');
@@ -332,13 +337,14 @@ export class Editor extends WorkbenchElement {
         </section>
         <section class="report" aria-label=${app.report}>
           <sw-headline .workbench=${workbench} .samples=${this.samples}></sw-headline>
+          <sw-seam-table .workbench=${workbench}></sw-seam-table>
+          <sw-piece-table .workbench=${workbench}></sw-piece-table>
           <sw-lens
             .workbench=${workbench}
             @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
               if (this.pattern) this.pattern.cursor = event.detail;
             }}
           ></sw-lens>
-          <sw-tables .workbench=${workbench}></sw-tables>
         </section>
         ${sheetTabs(
           this.texts,

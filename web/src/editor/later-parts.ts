@@ -3,8 +3,8 @@ import {SolvePanel} from './controls/solve-panel.js';
 import {LensStrip} from './lens/lens-strip.js';
 import {SeamLens} from './lens/lens.js';
 import {PieceTable} from './lists/piece-table.js';
+import {SeamMenu} from './lists/seam-menu.js';
 import {SeamTable} from './lists/seam-table.js';
-import {Tables} from './lists/tables.js';
 import {GrainQuestion} from './pattern/grain-question.js';
 import {KeepMenu} from './pattern/keep-menu.js';
 import {TiesMenu} from './pattern/ties-menu.js';
@@ -19,7 +19,7 @@ import {TileRepeatChoice} from './print/tile-repeat-choice.js';
 import {TileReport} from './print/tile-report.js';
 import {registerAll} from './base/register.js';
 import {KeepImproving} from './remedies/keep-improving.js';
-import {StaysOff} from './remedies/stays-off.js';
+import {RemedyList} from './remedies/remedy-list.js';
 import {SewBar} from './sewing/sew-bar.js';
 import {KeyMap} from './shell/key-map.js';
 import {WaysOut} from './shell/ways-out.js';
@@ -39,10 +39,10 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-piece-table': PieceTable,
   'sw-print-size': PrintSize,
   'sw-seam-table': SeamTable,
+  'sw-remedies': RemedyList,
+  'sw-seam-menu': SeamMenu,
   'sw-sew-bar': SewBar,
-  'sw-stays-off': StaysOff,
   'sw-symmetry-panel': SymmetryPanel,
-  'sw-tables': Tables,
   'sw-ties-menu': TiesMenu,
   'sw-tile-repeat': TileRepeatChoice,
   'sw-tile-report': TileReport,

@@ -20,7 +20,9 @@ import {
   width,
   type Scene,
 } from './draw-pieces.js';
-import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../scene/mismatch.js';
+import {seamCount, type SeamCount} from '../model/result/seam-groups.js';
+import {countAt, seamGroupsOf} from '../scene/group-states.js';
+import {finalMismatch, mismatchOf, type PatternMismatch} from '../scene/mismatch.js';
 import {escaped, markAcross, short, text} from './svg.js';
 import type {Placements} from '../layout/on-body.js';
 
@@ -99,12 +101,12 @@ function figure(x: number, y: number, label: string, value: string): string {
 }
 
 /** A rule with the section's heading and figures. */
-function heading(y: number, title: string, note: string, mismatch: PatternMismatch): string {
+function heading(y: number, title: string, note: string, count: SeamCount): string {
   return [
     `<path d="M${margin} ${y}H${width - margin}" stroke="#d5d3cd"/>`,
     text([margin, y + 26], title, {size: 16, weight: 600, fill: ink}),
     text([margin + title.length * 9 + 14, y + 26], note, {size: 13, fill: soft}),
-    text([width - margin, y + 26], `mean mismatch ${millimetres(mismatch.mean)}`, {
+    text([width - margin, y + 26], `${count.matched} of ${count.counted} visible seams match`, {
       size: 13,
       anchor: 'end',
       fill: soft,
@@ -182,7 +184,11 @@ export function drawResult(
   const before = result.drafted ?? result.pieces.map(() => ({angle: 0, translation: [0, 0]}));
   const after = result.pieces.map(({alignment}) => alignment);
   const mismatches = {before: mismatchOf(result, 'rest', before), after: finalMismatch(result)};
-  const worst = worstOf(mismatches.after)?.mean ?? 0;
+  const groups = seamGroupsOf(result);
+  const counts = {
+    before: countAt(groups, undefined, mismatches.before.seams),
+    after: seamCount(groups, undefined),
+  };
 
   const title = options.title ?? `Print ${print.group}`;
   const top = {before: 140, after: 140 + 52 + tall + 20};
@@ -202,7 +208,8 @@ export function drawResult(
     outline: name === 'before' ? 'rest' : 'shape',
     alignments: name === 'before' ? before : after,
   });
-  const summary = `Mean print mismatch along seams ${millimetres(mismatches.before.mean)} before, ${millimetres(mismatches.after.mean)} after; worst seam ${millimetres(worst)}.`;
+  const {matched, counted} = counts.after;
+  const summary = `${matched} of ${counted} visible seams match, ${counts.before.matched} before.`;
 
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" role="img" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif" style="font-variant-numeric: tabular-nums">`,
@@ -220,16 +227,15 @@ export function drawResult(
       {size: 15, fill: soft},
     ),
     figure(
-      width - margin - 580,
+      width - margin - 340,
       64,
-      'Mean mismatch',
-      `${(mismatches.before.mean * 10).toFixed(1)} → ${millimetres(mismatches.after.mean)}`,
+      'Visible seams that match',
+      `${counts.before.matched} → ${matched} of ${counted}`,
     ),
-    figure(width - margin - 310, 64, 'Worst seam', millimetres(worst)),
     figure(width - margin - 110, 64, 'Largest change', millimetres(result.metrics.maxMovedCm)),
-    heading(top.before, 'Before', 'cut on grain, as it comes', mismatches.before),
+    heading(top.before, 'Before', 'cut on grain, as it comes', counts.before),
     drawPieces(scene('before', [left, top.before + 52]), nameSize),
-    heading(top.after, 'After', 'aligned and reshaped', mismatches.after),
+    heading(top.after, 'After', 'aligned and reshaped', counts.after),
     drawPieces(scene('after', [left, top.after + 52]), nameSize),
     options.clothOnly ? '' : legend(foot + 12, scale, result, mismatches.after),
     options.mark === undefined ? '' : markAcross(options.mark, width, height),

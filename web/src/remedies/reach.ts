@@ -1,7 +1,7 @@
 /** Finds seams that the print cannot match even where no other seam counts. */
 import type {SingleProblem} from '../model/design/solve-problem.js';
 import type {SeamGroup, SolveResult} from '../model/result/result.js';
-import {leastVisible} from '../model/result/visible-seams.js';
+import {leastVisible} from '../model/result/seam-groups.js';
 import {parsed, withRemedy} from './remedy.js';
 
 /** Greatest number of seams that are tried, the most visible first, since each takes a solve. */

@@ -48,6 +48,8 @@ interface SeamMatch {
   readonly kind: ResultSeam['kind'];
   /** For each edge, the mismatch under its best symmetry of the print. [cm] */
   readonly mismatch: readonly number[];
+  /** For each edge, the mean length of its two sides. [cm] */
+  readonly lengths: readonly number[];
   /** The edge with the greatest mismatch. [cm] */
   readonly worst: {readonly edge: number; readonly mismatch: number};
   /** Mean weighted by length. [cm] */
@@ -180,7 +182,16 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
 function unmatched(pattern: Pattern): readonly SceneSeam[] {
   const counted = countedSeams(pattern);
   return pattern.seams.map(({a, b, kind}, k) => ({
-    ...{a, b, kind, mismatch: [], worst: {edge: 0, mismatch: 0}, mean: 0, drift: undefined},
+    ...{
+      a,
+      b,
+      kind,
+      mismatch: [],
+      lengths: [],
+      worst: {edge: 0, mismatch: 0},
+      mean: 0,
+      drift: undefined,
+    },
     counts: counted[k] ?? false,
   }));
 }
@@ -210,11 +221,11 @@ function matchOf(
   whole: JoinedSeam | undefined,
 ): SeamMatch | undefined {
   if (!local || !whole) return undefined;
-  const {mismatch} = local;
+  const {mismatch, lengths} = local;
   const most = Math.max(0, ...mismatch);
   const worst = {edge: Math.max(0, mismatch.indexOf(most)), mismatch: most};
   return {
-    ...{kind: whole.kind, mismatch, worst},
+    ...{kind: whole.kind, mismatch, lengths, worst},
     mean: meanOf(local),
     drift: driftOf(local, whole, print),
   };

@@ -91,8 +91,8 @@ export class Labels {
       .sort((a, b) => b.high[1] - b.low[1] - (a.high[1] - a.low[1]));
   }
 
-  /** Moves names and letters to a view. @returns the boxes that they cover */
-  place(view: SheetView, size: ScreenSize): readonly Box[] {
+  /** Moves names and letters to a view. */
+  place(view: SheetView, size: ScreenSize): void {
     const pieces = this.#names.map(({low, high}) => screenBox(view, size, low, high));
     const names: Box[] = [];
     this.#names.forEach(({element, width, height}, k) => {
@@ -104,17 +104,14 @@ export class Labels {
       move(element, box && [box.left, box.top]);
       element.style.background = box?.onPiece ? chipColours[this.#appearance].paper : '';
     });
-    const letters: Box[] = [];
     for (const {element, at, room} of this.#letters) {
       const [x, y] = toScreen(view, size, at);
       // a letter as large as its piece would hide it
       const wide = Math.min(letterSize, 1.5 * room * view.scale);
       const isShown = wide >= leastLetterSize;
       const [left, top] = [x - letterSize / 2, y - letterSize / 2];
-      if (isShown) letters.push({left, top, right: left + letterSize, bottom: top + letterSize});
       move(element, isShown ? [left, top] : undefined, `scale(${(wide / letterSize).toFixed(2)})`);
     }
-    return [...names, ...letters];
   }
 
   #label(text: string, kind: 'name' | 'letter'): HTMLElement {

@@ -120,7 +120,7 @@ export class PatternView extends Viewport {
     this.#layAgain();
   }
 
-  /** Sets whether seams are coloured by mismatch, with ranks at the worst. Default: true. */
+  /** Sets whether seams are coloured by mismatch. Default: true. */
   setSeams(hasSeams: boolean): void {
     if (hasSeams === this.#hasSeams) return;
     this.#hasSeams = hasSeams;
@@ -249,7 +249,7 @@ export class PatternView extends Viewport {
     if (isNew) {
       this.#words.show(...shown);
       this.#drawMovement();
-    } else if (before?.seams !== scene.seams) this.#words.update(...shown);
+    } else if (before?.seams !== scene.seams) this.#words.update(scene);
     if (this.#overlay) this.#drawOverlay();
     this.#screen.request();
   }
@@ -299,7 +299,7 @@ export class PatternView extends Viewport {
   #arrange(): void {
     if (!this.#scene) return;
     const {size} = this.#screen;
-    this.#words.place(this.state, size, this.#before.splitOn(size.width));
+    this.#words.place(this.state, size);
     if (this.#morph.isRunning) this.#screen.request();
   }
 }

@@ -1,7 +1,6 @@
-/** Notes at seams: ranks of the worst, and whether the print continues or is mirrored. */
+/** Notes at seams: whether the print continues or is mirrored. */
 import {angleOf, type Point} from '../model/geometry/vectors.js';
-import {chipLayer, move, placeable, type Box} from './chips.js';
-import {Ranks} from './ranks.js';
+import {chipLayer, move, placeable} from './chips.js';
 import {lineOf, type PatternScene, type SceneSeam} from '../scene/scene.js';
 import {atShare, type OnLine} from '../model/geometry/polyline.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
@@ -26,13 +25,12 @@ const glyphPaths: Readonly<Record<SceneSeam['kind'], string>> = {
 
 export class SeamNotes {
   readonly element = chipLayer();
-  readonly #ranks = new Ranks();
   readonly #glyphLayer = chipLayer();
   #glyphs: readonly Glyph[] = [];
   #highlit: number | undefined;
 
   constructor() {
-    this.element.append(this.#glyphLayer, this.#ranks.element);
+    this.element.append(this.#glyphLayer);
   }
 
   show(scene: PatternScene, appearance: Appearance): void {
@@ -44,16 +42,15 @@ export class SeamNotes {
       });
     });
     this.#glyphLayer.replaceChildren(...this.#glyphs.map(({element}) => element));
-    this.update(scene, appearance);
+    this.update(scene);
   }
 
   /** Updates the notes after alignments change along the same seams. */
-  update(scene: PatternScene, appearance: Appearance): void {
+  update(scene: PatternScene): void {
     for (const {seam, ink} of this.#glyphs) {
       const path = glyphPaths[scene.seams[seam]?.kind ?? 'continuous'];
       for (const stroke of ink) stroke.setAttribute('d', path);
     }
-    this.#ranks.show(scene, appearance);
   }
 
   /** Shows the kind of one seam at any zoom. */
@@ -61,9 +58,8 @@ export class SeamNotes {
     this.#highlit = seam;
   }
 
-  /** Moves the notes to a view; ranks stay clear of the `taken` boxes. */
-  place(view: SheetView, size: ScreenSize, taken: readonly Box[]): void {
-    this.#ranks.place(view, size, taken);
+  /** Moves the notes to a view. */
+  place(view: SheetView, size: ScreenSize): void {
     const isNear = view.scale >= glyphScale;
     this.#glyphLayer.style.display = isNear || this.#highlit !== undefined ? '' : 'none';
     if (this.#glyphLayer.style.display === 'none') return;

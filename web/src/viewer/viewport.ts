@@ -17,7 +17,7 @@ import {SeamNotes} from './seam-notes.js';
 import type {Appearance} from './strokes.js';
 
 /**
- * All text over a drawing: names and letters of pieces, ranks and kinds of seams, and the words of
+ * All text over a drawing: names and letters of pieces, kinds of seams, and the words of
  * an overlay.
  */
 export class Words {
@@ -38,8 +38,8 @@ export class Words {
   }
 
   /** Updates the words after alignments change along the same seams. */
-  update(scene: PatternScene, appearance: Appearance): void {
-    this.#notes.update(scene, appearance);
+  update(scene: PatternScene): void {
+    this.#notes.update(scene);
   }
 
   showOverlay(
@@ -50,7 +50,7 @@ export class Words {
     if (scene && overlay) this.#chips.show(scene, overlay, look);
     else this.#chips.clear();
     this.#notes.highlight(overlay?.highlight?.seam);
-    // the badges' numbers could be mistaken for ranks
+    // the badges stand in their place
     this.#notes.element.style.visibility = overlay?.badges ? 'hidden' : '';
   }
 
@@ -63,11 +63,10 @@ export class Words {
     }
   }
 
-  /** Moves the words to a view; numbers belong to the scene to the right of `split`. [CSS px] */
-  place(view: SheetView, size: ScreenSize, split: number): void {
-    const taken = this.#labels.place(view, size);
-    const left = {left: 0, top: 0, right: split, bottom: size.height};
-    if (this.#hasSeams) this.#notes.place(view, size, [...taken, left]);
+  /** Moves the words to a view. */
+  place(view: SheetView, size: ScreenSize): void {
+    this.#labels.place(view, size);
+    if (this.#hasSeams) this.#notes.place(view, size);
     this.#chips.place(view, size);
   }
 

@@ -4,6 +4,7 @@
  */
 import type {Design} from '../model/design/design.js';
 import type {SolveResult} from '../model/result/result.js';
+import type {SeamCount} from '../model/result/seam-groups.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
 import {Comparison, Improvement, Proving, RemedySearch, type Improving} from './improvement.js';
@@ -39,8 +40,8 @@ export class Afterwards extends Observable {
     });
   }
 
-  /** Mean mismatch without symmetries, along the seams that count with them. [cm] */
-  withoutSymmetry(design: Design): number | undefined {
+  /** Numbers of visible seams, and of those that match without symmetries. */
+  withoutSymmetry(design: Design): SeamCount | undefined {
     return this.#comparison.of(design);
   }
 

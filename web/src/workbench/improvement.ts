@@ -5,7 +5,9 @@
 import type {Design} from '../model/design/design.js';
 import {problemOf} from '../model/documents/design-problem.js';
 import type {Proof, SolveResult} from '../model/result/result.js';
-import {countedSeams, finalMismatch} from '../scene/mismatch.js';
+import {seamCount, type SeamCount} from '../model/result/seam-groups.js';
+import {seamGroupsOf} from '../scene/group-states.js';
+import {finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
 import {idle, paused} from './idle.js';
@@ -16,18 +18,18 @@ import {provenShare} from '../model/base/core-tables.js';
 export class Comparison {
   readonly #solver: SolverService;
   readonly #task = new NewestTask();
-  readonly #means: DesignFindings<number>;
+  readonly #counts: DesignFindings<SeamCount>;
   /** The last design without symmetries, and its result. */
   #free: {readonly design: Design; readonly result: SolveResult} | undefined;
 
   constructor(solver: SolverService, changed: () => void) {
     this.#solver = solver;
-    this.#means = new DesignFindings(changed);
+    this.#counts = new DesignFindings(changed);
   }
 
-  /** Mean mismatch without symmetries, along the seams that count with them. [cm] */
-  of(design: Design): number | undefined {
-    return this.#means.of(design);
+  /** Numbers of visible seams, and of those that match without symmetries. */
+  of(design: Design): SeamCount | undefined {
+    return this.#counts.of(design);
   }
 
   /** Follows a solved design. If its result has symmetries, it is also solved without them. */
@@ -35,11 +37,11 @@ export class Comparison {
     this.stop();
     if (result.symmetries.length === 0) {
       this.#free = {design, result};
-    } else if (this.#means.of(design) === undefined) {
+    } else if (this.#counts.of(design) === undefined) {
       if (!this.#free || !differOnlyInSymmetry(this.#free.design, design)) {
         if (!(await this.#solveFree(design, this.#task.begin().signal))) return;
       }
-      this.#compare(design, result);
+      this.#compare(design);
     }
   }
 
@@ -56,14 +58,10 @@ export class Comparison {
     return result !== undefined;
   }
 
-  #compare(design: Design, result: SolveResult): void {
+  #compare(design: Design): void {
     if (!this.#free) return;
-    const counted = countedSeams(result);
-    // both are searches, and a solve without symmetries is free to keep the symmetric result
-    const mean = Math.min(
-      ...[this.#free.result, result].map((one) => finalMismatch(one, counted).mean),
-    );
-    this.#means.learn(design, mean);
+    const groups = seamGroupsOf(this.#free.result);
+    this.#counts.learn(design, seamCount(groups, design.options.weights));
   }
 }
 
@@ -186,7 +184,9 @@ export class Proving {
 /** State of an improvement. */
 export interface Improving {
   readonly isRunning: boolean;
-  /** Decrease of the mean mismatch since the first result. [cm] */
+  /** True if the present result is better than the first one. */
+  readonly isBetter: boolean;
+  /** Number of visible seams that match in the present result, but not in the first one. */
   readonly gained: number;
 }
 
@@ -197,8 +197,12 @@ interface Answered {
 
 /** Greatest effort; more would take longer than users wait. */
 export const mostEffort = 16;
-/** Least mean gain that is visible. [cm] */
-const leastGain = 0.005;
+/** Greatest share of the cost of a better result; smaller gains are not visible. */
+const betterShare = 0.99;
+
+/** The cost by which answers to one problem compete. [cm2] */
+const costOf = (result: SolveResult): number =>
+  result.metrics.answerCost ?? finalMismatch(result).total;
 
 export class Improvement {
   readonly #solver: SolverService;
@@ -232,10 +236,14 @@ export class Improvement {
   async start(design: Design, result: SolveResult): Promise<Answered> {
     this.stop();
     const {signal} = this.#task.begin();
-    const first = finalMismatch(result).mean;
-    let [best, mean]: [Answered, number] = [{design, result}, first];
+    const {weights} = design.options;
+    const matchedIn = (one: SolveResult): number => seamCount(seamGroupsOf(one), weights).matched;
+    let best: Answered = {design, result};
     const tell = (isRunning: boolean): void => {
-      this.#state = {isRunning, gained: first - mean, design: best.design};
+      this.#state = {
+        ...{isRunning, isBetter: best.result !== result, design: best.design},
+        gained: Math.max(0, matchedIn(best.result) - matchedIn(result)),
+      };
       this.#changed();
     };
     tell(true);
@@ -245,9 +253,7 @@ export class Improvement {
       // a failed solve or a stop ends the improvement; the gain so far is kept
       const next = await this.#solver.solve(problemOf(longer), {signal}).catch(() => undefined);
       if (!next || signal.aborted) break;
-      const reached = finalMismatch(next).mean;
-      if (mean - reached < leastGain) continue;
-      mean = reached;
+      if (costOf(next) > betterShare * costOf(best.result)) continue;
       best = {design: this.#keep(design, effort, next), result: next};
       tell(true);
     }

@@ -6,8 +6,9 @@ import type {Failure} from '../model/result/failure.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {mirroringsOf} from '../model/design/pins.js';
 import type {Progress} from '../model/design/solve-problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result/result.js';
+import type {MeshedPattern, SeamGroup, SolveResult} from '../model/result/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
+import {seamGroupsOf} from '../scene/group-states.js';
 import type {SolverService} from '../solver/service.js';
 import {Afterwards} from './afterwards.js';
 import type {ChosenPreferences} from './chosen-preferences.js';
@@ -45,6 +46,7 @@ export class Solving extends Observable {
   /** Design that was started again after the solver broke. */
   #retried: Design | undefined;
   #isEdited = true;
+  #lastGroups: {readonly garment: DesignGarment; readonly groups: readonly SeamGroup[]} | undefined;
 
   /**
    * @param told receives every progress report of a solve; other parts receive them at a limited
@@ -105,6 +107,17 @@ export class Solving extends Observable {
   /** The result of the present design, if there is one. */
   get result(): SolveResult | undefined {
     return this.#design && this.#results.of(this.#design)?.result;
+  }
+
+  /**
+   * The seams of a sewist: those of the result, or while there is none, those of the last result of
+   * the present garment.
+   */
+  get seamGroups(): readonly SeamGroup[] {
+    const {result} = this;
+    if (result) return seamGroupsOf(result);
+    const {garment, groups = []} = this.#lastGroups ?? {};
+    return garment === this.#design?.garment ? groups : [];
   }
 
   /** Requested symmetries; with `auto`, those that the result keeps. */
@@ -247,6 +260,7 @@ export class Solving extends Observable {
 
   #keep(design: Design, result: SolveResult): void {
     const {pattern} = this;
+    this.#lastGroups = {garment: design.garment, groups: seamGroupsOf(result)};
     if (pattern) this.#results.keep(design, {pattern, result});
   }
 

@@ -6,7 +6,7 @@ import {withSolveSettings, withPreset, solveSettingsOf} from '@/workbench/preset
 import {
   withGrain,
   withGrainLines,
-  withMatch,
+  withImportance,
   withName,
   withoutPin,
   withPrinted,
@@ -113,12 +113,12 @@ const cases: readonly (readonly [step: string, change: Partial<Design>, said: Ch
   ['open edges that may move', {options: {...options, openEdges: 'free'}}, {kind: 'openEdges'}],
   [
     'the weight of a seam',
-    {options: withMatch(options, {seam: 3, ownWeight: 1}, 'double')},
+    {options: withImportance(options, [3], 'first')},
     {kind: 'matching', seams: [3]},
   ],
   [
     'a seam that need not match',
-    {options: withMatch({...options, weights: {}, unmatched: []}, {seam: 3, ownWeight: 1}, 'none')},
+    {options: withImportance({...options, weights: {}, unmatched: []}, [3], 'none')},
     {kind: 'matching', seams: [3]},
   ],
   [

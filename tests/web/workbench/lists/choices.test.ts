@@ -1,37 +1,33 @@
 import {describe, expect, it} from 'vitest';
 
 import {
-  matchOf,
+  importanceOf,
   withGrain,
   withGrainLines,
-  withMatch,
+  withImportance,
   withoutPin,
   withPrinted,
   withQuarterTurn,
 } from '@/workbench/lists/changed-options.js';
 import {inOrder} from '@/workbench/lists/row-order.js';
 
-const seam = {seam: 3, ownWeight: 1};
+describe('the importance of a line of seams', () => {
+  const line = [{seam: 3}, {seam: 5}];
 
-describe('how much a seam has to match', () => {
-  it('is its weight, and whether it is matched at all', () => {
-    expect(matchOf({matched: true, weight: 1})).toBe('full');
-    expect(matchOf({matched: true, weight: 2})).toBe('double');
-    expect(matchOf({matched: true, weight: 0.5})).toBe('half');
-    expect(matchOf({matched: true, weight: 0.75})).toBeUndefined();
-    expect(matchOf({matched: false, weight: 1})).toBe('none');
+  it('is undefined if its seams differ, or if a file has another weight', () => {
+    expect(importanceOf({}, line)).toBe('usual');
+    expect(importanceOf({weights: {3: 10}}, line)).toBeUndefined();
+    expect(importanceOf({weights: {3: 10, 5: 10}}, line)).toBe('first');
+    expect(importanceOf({weights: {3: 0.75, 5: 0.75}}, line)).toBeUndefined();
+    expect(importanceOf({unmatched: [3, 5]}, line)).toBe('none');
   });
 
-  it('is said only where the garment file says otherwise', () => {
-    expect(withMatch({weights: {1: 2}}, seam, 'half').weights).toEqual({1: 2, 3: 0.5});
-    expect(withMatch({weights: {1: 2, 3: 0.5}}, seam, 'full').weights).toEqual({1: 2});
-    expect(withMatch({}, {...seam, ownWeight: 0.5}, 'full').weights).toEqual({3: 1});
-  });
-
-  it('comes and goes without touching other seams', () => {
-    const off = withMatch({unmatched: [1]}, seam, 'none');
-    expect(off.unmatched).toEqual([1, 3]);
-    expect(withMatch(off, seam, 'full').unmatched).toEqual([1]);
+  it('changes without touching other seams', () => {
+    const hardly = withImportance({weights: {1: 2}, unmatched: [4]}, [3, 5], 'hardly');
+    expect(hardly).toEqual({weights: {1: 2, 3: 0.5, 5: 0.5}, unmatched: [4]});
+    const none = withImportance(hardly, [3, 5], 'none');
+    expect(none).toEqual({weights: {1: 2}, unmatched: [3, 4, 5]});
+    expect(withImportance(none, [3, 5], 'usual')).toEqual({weights: {1: 2}, unmatched: [4]});
   });
 });
 

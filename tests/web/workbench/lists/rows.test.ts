@@ -6,7 +6,6 @@ import {
   pieceRows,
   seamRows,
   seamText,
-  worstSeams,
   type PieceRow,
   type SeamRow,
 } from '@/workbench/lists/rows.js';
@@ -15,7 +14,6 @@ import {en} from '@/texts/en.js';
 import {formatFor} from '@/texts/format.js';
 import {realigned, sceneOf} from '@/scene/scene.js';
 import {documentOf, draftedSeam} from '../../../support/garments/documents.js';
-import {seamRow} from '../../../support/seam-row.js';
 import type {GarmentSeam} from '@/model/garment/garment-document.js';
 import {
   plainPrint,
@@ -168,15 +166,15 @@ describe('the text of a seam', () => {
         .join(', ');
     const drift = {start: 0.1, end: 4, most: 4.2, isLost: false};
     expect(said({})).toBe('');
-    expect(said({why: 'grain', drift})).toBe('its two sides cannot line up on grain');
+    expect(said({why: 'grain', drift})).toBe('on grain, its two edges run at different angles');
     expect(said({why: 'others', drift})).toBe('meets at one end, 40 mm off at the other');
     expect(said({drift: {...drift, most: 24.84, isLost: true}})).toBe(
       'the print does not run on along it',
     );
     expect(said({why: 'others'})).toBe('other seams of its pieces come first');
-    expect(said({why: 'locked'})).toBe('it is locked');
+    expect(said({why: 'locked'})).toBe('its outline is kept');
     expect(said({why: 'size'})).toBe('the print is too large for it');
-    expect(said({why: 'group'})).toBe('the print has no mirror for it');
+    expect(said({why: 'group'})).toBe('this print has no mirrors for it');
   });
 
   it('says that one side is gathered, and not where a print runs off that cannot run on', () => {
@@ -184,7 +182,9 @@ describe('the text of a seam', () => {
     const gathered = {...pattern, seams: pattern.seams.map((one) => ({...one, lengthRatio: 0.6}))};
     const [row] = seams({pattern: gathered, high: [2, 0.2]});
     expect(row).toMatchObject({gathered: true, drift: undefined});
-    expect(row && seamText(row, en, format)).toMatch(/continuous, one side is gathered$/);
+    expect(row && seamText(row, en, format)).toMatch(
+      /continuous, gathered: the two edges have different lengths$/,
+    );
     expect(seam({pattern, high: [2, 0.2]}).gathered).toBe(false);
   });
 
@@ -195,12 +195,6 @@ describe('the text of a seam', () => {
       'Left half to Right half (A), 4 cm, Versatz 0 mm, zählt nicht',
     ]);
   });
-});
-
-it('finds the worst of the seams that count', () => {
-  const rows = [seamRow(0, 1), seamRow(1, 3), seamRow(2, 9, false), seamRow(3, 2)];
-  expect(worstSeams(rows, 2).map(({seam: number}) => number)).toEqual([1, 3]);
-  expect(worstSeams(rows).map(({seam: number}) => number)).toEqual([1, 3, 0]);
 });
 
 describe('rows of pieces', () => {

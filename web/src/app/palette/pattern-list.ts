@@ -1,7 +1,8 @@
 /** Commands for the pattern: tools, pieces, seams and views. */
 import {editorViews} from '../../editor/editor.js';
 import {patternCommands} from '../../commands/pattern-commands.js';
-import {pieceRows, seamRows, worstSeams} from '../../workbench/lists/rows.js';
+import {firstOff, groupRows} from '../../workbench/lists/group-rows.js';
+import {pieceRows, seamRows} from '../../workbench/lists/rows.js';
 import {togglePart} from '../../workbench/tools/keeping.js';
 import {turnPiece, withoutPin} from '../../workbench/lists/changed-options.js';
 import type {Command} from '../../commands/editor-command.js';
@@ -97,21 +98,21 @@ export function pieceCommands({workbench, texts, editor}: PageParts): readonly C
     run: () => patternCommands.turn(pattern),
   });
   const seams = seamRows(workbench, texts);
-  const [worst] = worstSeams(seams, 1);
+  const off = firstOff(groupRows(workbench, texts));
   const toSeam = (seam: number): void => {
     workbench.selection.select({kind: 'seam', seam, side: 'a'});
     editor.toPattern();
   };
   return [
     ofSelected,
-    ...(worst
+    ...(off
       ? [
           {
             id: 'worst',
             title: commands.worst,
             key: '1',
             run: () => {
-              toSeam(worst.seam);
+              toSeam(off.worst);
             },
           },
         ]

@@ -10,7 +10,7 @@ import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {commandFor, keysOf, type KeyList, type Command} from '../../commands/editor-command.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
-import {seamRows, worstSeams} from '../../workbench/lists/rows.js';
+import {headlineOf} from '../../workbench/lists/verdict.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {drapeCommands} from '../../commands/drape-commands.js';
@@ -325,7 +325,7 @@ export class DrapePane extends DrapeDrawing {
     }
   }
 
-  /** "Front view. 10 seams; worst 4 mm at left side seam." */
+  /** "Front view. 9 of 11 visible seams match." */
   #spoken(words: DrapeTexts): string {
     const {state, drape} = this.draping;
     if (!drape && state.kind === 'waiting') return words.waiting;
@@ -337,12 +337,10 @@ export class DrapePane extends DrapeDrawing {
     const piece =
       selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece]?.label : undefined;
     const seen = piece === undefined ? view : `${piece}. ${view}`;
-    const rows = seamRows(this.workbench, this.texts);
-    const [worst] = worstSeams(rows, 1);
-    if (!drape || !worst || !this.workbench.solving.result) return seen;
-    const {pattern} = this.texts;
-    const most = this.format.fine(worst.after);
-    return `${seen} ${words.worst(pattern.seams(rows.length), most, worst.name)}`;
+    const {result, seamGroups: groups} = this.workbench.solving;
+    if (!drape || !result) return seen;
+    const weights = this.workbench.history.design?.options.weights;
+    return `${seen} ${headlineOf({groups, weights}, this.texts)}.`;
   }
 
   readonly #press = (event: KeyboardEvent): void => {

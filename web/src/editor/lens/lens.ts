@@ -3,14 +3,8 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design/design.js';
 import {PatientElement} from '../base/workbench-element.js';
-import {
-  remarkOn,
-  seamRows,
-  worstSeams,
-  nextWorst,
-  rankOf,
-  type SeamRow,
-} from '../../workbench/lists/rows.js';
+import {firstOff, groupRows, nextSeam} from '../../workbench/lists/group-rows.js';
+import {remarkOn, seamRows, type SeamRow} from '../../workbench/lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 
@@ -105,14 +99,13 @@ export class SeamLens extends PatientElement {
       tabindex="0"
       @keydown=${this.#key}
     >
-      ${row && this.#isAwake ? this.#showing(row, rows) : html`<p class="soft">${lens.none}</p>`}
+      ${row && this.#isAwake ? this.#showing(row) : html`<p class="soft">${lens.none}</p>`}
     </section>`;
   }
 
-  #showing(row: SeamRow, rows: readonly SeamRow[]): TemplateResult {
+  #showing(row: SeamRow): TemplateResult {
     const {format} = this;
     const {lens, pattern} = this.texts;
-    const rank = rankOf(rows, row.seam);
     const remark = remarkOn(row, this.texts, format);
     return html`
       <header>
@@ -123,13 +116,13 @@ export class SeamLens extends PatientElement {
           </div>
           <p class="soft">
             ${row.counts ? html`${icon[row.kind]} ${pattern[row.kind]}` : pattern.notCounted},
-            ${format.length(row.length)}${rank ? `, ${lens.rank(rank.rank, rank.count)}` : nothing}
+            ${format.length(row.length)}
           </p>
         </div>
-        ${this.#button(lens.previousWorst, icon.up, () => {
+        ${this.#button(lens.previous, icon.up, () => {
           this.#walk(-1);
         })}
-        ${this.#button(lens.nextWorst, icon.down, () => {
+        ${this.#button(lens.next, icon.down, () => {
           this.#walk(1);
         })}
         ${this.#toggle(lens.pin, icon.pin, this.#pinned !== undefined, () => {
@@ -161,7 +154,8 @@ export class SeamLens extends PatientElement {
     const meant = [pointed, selected].find((target) => target?.kind === 'seam');
     if (this.#pinned) return this.#pinned.seam;
     if (meant?.kind === 'seam') return meant.seam;
-    return (worstSeams(rows, 1)[0] ?? rows[0])?.seam;
+    const groups = groupRows(this.workbench, this.texts);
+    return (firstOff(groups) ?? groups[0])?.worst ?? rows[0]?.seam;
   }
 
   #pin(seam: number | undefined): void {
@@ -172,7 +166,7 @@ export class SeamLens extends PatientElement {
 
   #walk(step: 1 | -1): void {
     const rows = seamRows(this.workbench, this.texts);
-    const seam = nextWorst(rows, this.#seam(rows), step);
+    const seam = nextSeam(groupRows(this.workbench, this.texts), this.#seam(rows), step);
     if (seam === undefined) return;
     if (this.#pinned) this.#pin(seam);
     this.workbench.selection.select({kind: 'seam', seam, side: 'a'});

@@ -97,6 +97,16 @@ export const listStyle = css`
     line-height: 1.3;
     hyphens: auto;
   }
+  .fold .link {
+    min-height: var(--sw-target);
+    text-decoration: none;
+  }
+  .fold .link::before {
+    content: '▸ ' / '';
+  }
+  .fold [aria-expanded='true']::before {
+    content: '▾ ' / '';
+  }
   .line {
     display: flex;
     flex-wrap: wrap;

@@ -23,6 +23,7 @@ export abstract class ListTable<Row> extends PatientElement {
   #sortedFrom: readonly unknown[] = [];
   /** Number of the row in the tab order. */
   #stop = 0;
+  #isUnfolded = false;
   /**
    * Last selected target, to notice a new selection; and the last target selected in this table.
    */
@@ -38,6 +39,14 @@ export abstract class ListTable<Row> extends PatientElement {
   }
 
   protected abstract get label(): string;
+  /** Number in the caption. */
+  protected get count(): number {
+    return this.rows.length;
+  }
+  /** Rows from this number on are folded away under these words. */
+  protected get folded(): {readonly from: number; readonly words: string} | undefined {
+    return undefined;
+  }
   protected abstract get columns(): readonly Column<Row>[];
   /** Row n is piece or seam n. */
   protected abstract get rows(): readonly Row[];
@@ -50,17 +59,18 @@ export abstract class ListTable<Row> extends PatientElement {
   protected abstract get empty(): string | undefined;
 
   protected override render(): TemplateResult {
-    const {columns, rows, label} = this;
+    const {columns, rows, label, folded} = this;
     const {selected, pointed} = this.workbench.selection;
     const [selectedRow, pointedRow] = [selected, pointed].map((one) => one && this.numberOf(one));
     this.#sort(rows, columns);
     if (this.#stop >= rows.length) this.#stop = this.#sorted[0] ?? 0;
     const {empty} = this;
+    const shown = folded && !this.#isUnfolded ? folded.from : rows.length;
     return html`
       <table aria-label=${label}>
         <caption>
           ${label}
-          <span class="soft">${rows.length || ''}</span>
+          <span class="soft">${this.count || ''}</span>
         </caption>
         <thead>
           <tr>
@@ -84,17 +94,23 @@ export abstract class ListTable<Row> extends PatientElement {
               const tabIndex = number === this.#stop ? 0 : -1;
               const state = isSelected ? 'selected' : number === pointedRow ? 'pointed' : '';
               const isEdited = number === this.edited;
-              return guard([row, state, tabIndex, isEdited, this.texts, this.format], () =>
+              const isHidden = number >= shown;
+              const fold = number === folded?.from ? folded.words : undefined;
+              const {texts, format} = this;
+              const shows = [row, state, tabIndex, isEdited, isHidden, fold, texts, format];
+              return guard(shows, () =>
                 row === undefined
                   ? nothing
-                  : html`<tr
-                      data-number=${number}
-                      class=${state}
-                      tabindex=${tabIndex}
-                      aria-selected=${isSelected}
-                    >
-                      ${this.cells(row, tabIndex)}
-                    </tr>`,
+                  : html`${fold === undefined ? nothing : this.#fold(fold, columns.length)}
+                      <tr
+                        data-number=${number}
+                        class=${state}
+                        tabindex=${tabIndex}
+                        aria-selected=${isSelected}
+                        ?hidden=${isHidden}
+                      >
+                        ${this.cells(row, tabIndex)}
+                      </tr>`,
               );
             },
           )}
@@ -102,6 +118,28 @@ export abstract class ListTable<Row> extends PatientElement {
       </table>
       ${empty === undefined ? nothing : html`<p class="soft">${empty}</p>`}
     `;
+  }
+
+  /** The line that folds the rows after it. */
+  #fold(words: string, columns: number): TemplateResult {
+    return html`<tr class="fold">
+      <td colspan=${columns}>
+        <button
+          class="link"
+          aria-expanded=${this.#isUnfolded}
+          @click=${() => {
+            this.#unfold(!this.#isUnfolded);
+          }}
+        >
+          ${words}
+        </button>
+      </td>
+    </tr>`;
+  }
+
+  #unfold(isUnfolded: boolean): void {
+    this.#isUnfolded = isUnfolded;
+    this.requestUpdate();
   }
 
   #header({title, key, numeric = false}: Column<Row>, column: number): TemplateResult {
@@ -154,8 +192,15 @@ export abstract class ListTable<Row> extends PatientElement {
     const number = selected && this.numberOf(selected);
     if (number === undefined || selected === this.#chosen) return;
     this.#setStop(number);
+    if (number >= (this.folded?.from ?? Infinity)) this.#unfold(true);
     const row = this.renderRoot.querySelector<HTMLElement>(`tr[data-number="${number}"]`);
     if (row) reveal(row, this);
+  }
+
+  /** Focuses the controls of a row again. */
+  protected focusRow(number: number): void {
+    this.#setStop(number);
+    this.renderRoot.querySelector<HTMLElement>(`tr[data-number="${number}"]`)?.focus();
   }
 
   #setStop(number: number): void {
@@ -170,16 +215,19 @@ export abstract class ListTable<Row> extends PatientElement {
   };
 
   #key = (event: KeyboardEvent): void => {
-    const {target: row, key} = event;
-    if (!(row instanceof HTMLTableRowElement)) return;
+    const {target, key} = event;
+    const row = target instanceof Element ? target.closest('tr') : null;
+    if (!row || (target !== row && !row.matches('.fold'))) return;
     const number = rowNumber(event);
+    const rows = [...(row.parentElement?.querySelectorAll<HTMLElement>('tr:not([hidden])') ?? [])];
+    const at = rows.indexOf(row);
     const to = {
-      ArrowDown: row.nextElementSibling,
-      ArrowUp: row.previousElementSibling,
-      Home: row.parentElement?.firstElementChild,
-      End: row.parentElement?.lastElementChild,
+      ArrowDown: rows[at + 1],
+      ArrowUp: rows[at - 1],
+      Home: rows[0],
+      End: rows.at(-1),
     }[key];
-    if (to instanceof HTMLElement) to.focus();
+    if (to) (to.querySelector<HTMLElement>('[aria-expanded]') ?? to).focus();
     else if (key === 'Escape') this.workbench.selection.select(undefined);
     else if (number !== undefined && (key === 'Enter' || key === ' ')) this.#choose(number);
     else if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -216,7 +264,7 @@ function rowNumber({target}: Event): number | undefined {
 const isInControl = ({target}: Event): boolean =>
   target instanceof Element && target.closest('button, select, input') !== null;
 
-/** Share of the column's height that the lens may cover at its top. */
+/** Share of the column's height that the lens may cover at its foot. */
 const lensShare = 0.35;
 
 /** Scrolls only the column of the table, so that the drawing stays visible. */
@@ -224,9 +272,9 @@ function reveal(row: HTMLElement, table: HTMLElement): void {
   const column = scroller(table);
   if (!column) return;
   const [at, shown] = [row.getBoundingClientRect(), column.getBoundingClientRect()];
-  const from = shown.top + lensShare * shown.height;
-  if (at.top < from || at.bottom > shown.bottom) {
-    column.scrollTop += (at.top + at.bottom - from - shown.bottom) / 2;
+  const to = shown.bottom - lensShare * shown.height;
+  if (at.top < shown.top || at.bottom > to) {
+    column.scrollTop += (at.top + at.bottom - shown.top - to) / 2;
   }
 }
 

@@ -44,9 +44,8 @@ export class KeepImproving extends WorkbenchElement {
   #words(improving: ReturnType<WorkbenchElement['workbench']['afterwards']['improving']>): string {
     const {improve} = this.texts;
     if (!improving) return '';
-    const {isRunning, gained} = improving;
-    if (gained === 0) return isRunning ? improve.looking : improve.nothing;
-    const words = isRunning ? improve.soFar : improve.gained;
-    return words(this.format.fine(gained));
+    const {isRunning, isBetter, gained} = improving;
+    if (!isBetter) return isRunning ? improve.looking : improve.nothing;
+    return (isRunning ? improve.soFar : improve.gained)(gained);
   }
 }

@@ -1,13 +1,17 @@
-/** Mismatch of the garment in one sentence, with the figures below. */
+/** The result in one headline and a few sentences, with the figures folded below. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/result/failure.js';
-import type {MeshedPattern, Metrics, SolveResult} from '../../model/result/result.js';
+import type {Metrics, SolveResult} from '../../model/result/result.js';
+import {countedGroups, seamCount} from '../../model/result/seam-groups.js';
+import {countAt, groupMismatch} from '../../scene/group-states.js';
+import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../../scene/mismatch.js';
+import {lastOf} from '../../model/base/last-of.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../../scene/mismatch.js';
+import {firstOff, groupRows} from '../../workbench/lists/group-rows.js';
 import {seamRows} from '../../workbench/lists/rows.js';
-import {lastOf} from '../../model/base/last-of.js';
+import {gainOf, headlineOf, sentencesOf} from '../../workbench/lists/verdict.js';
 import type {Samples} from '../../workbench/samples.js';
 import {spokenNote} from '../../workbench/lists/spoken-note.js';
 
@@ -23,6 +27,11 @@ export class Headline extends WorkbenchElement {
         gap: var(--sw-space-2);
         padding: var(--sw-space-4);
       }
+      @media (pointer: coarse), (width < 40rem) {
+        output .link {
+          min-width: var(--sw-target);
+        }
+      }
       h2 {
         font-size: var(--sw-text-title);
         font-weight: 600;
@@ -31,26 +40,10 @@ export class Headline extends WorkbenchElement {
         text-wrap: balance;
       }
       output {
-        color: var(--sw-soft);
-      }
-      sup {
-        line-height: 0;
-      }
-      dl {
         display: grid;
-        grid-template-columns: auto 1fr;
-        gap: var(--sw-space-1) var(--sw-space-4);
-        margin: var(--sw-space-2) 0 0;
-        padding: var(--sw-space-3);
-        border-radius: var(--sw-radius);
-        background: var(--sw-tint);
-      }
-      dl > div {
-        display: contents;
-      }
-      dt,
-      dd {
-        margin: 0;
+        gap: var(--sw-space-1);
+        min-height: 8.25rem; /* what is below it stays in its place */
+        align-content: start;
       }
       details {
         color: var(--sw-soft);
@@ -69,36 +62,61 @@ export class Headline extends WorkbenchElement {
   readonly #mismatches = lastOf(mismatches);
 
   protected override render(): TemplateResult | typeof nothing {
-    const {pattern, result, state} = this.workbench.solving;
+    const {result, state} = this.workbench.solving;
     const {headline, progress} = this.texts;
-    if (state.kind === 'failed') {
-      return this.#failed(state.failure);
-    }
+    if (state.kind === 'failed') return this.#failed(state.failure);
     if (!result) {
       if (state.kind === 'empty') return nothing;
-      const text = state.kind === 'stale' ? progress.failed : progress.solving;
-      return html`<h2 class="soft">${text}</h2>`;
+      const text = state.kind === 'stale' ? progress.failed : headline.working;
+      return html`<output aria-label=${headline.result}><h2 class="soft">${text}</h2></output>`;
     }
-    const {before, after} = this.#mismatches(result, pattern);
-    const worst = worstOf(after);
     return html`
-      <h2>${worst ? headline.fits(this.format.fine(after.mean)) : headline.noSeams}</h2>
-      ${
-        worst
-          ? html`<output aria-label=${headline.fit}>
-              ${headline.worst(this.format.fine(worst.mean), this.#seamName(worst.seam))}
-              ${before && headline.before(this.format.fine(before.mean))}
-            </output>`
-          : nothing
-      }
+      ${this.#verdict(result)}
+      <sw-remedies .workbench=${this.workbench} .samples=${this.samples}></sw-remedies>
       <sw-keep-improving .workbench=${this.workbench}></sw-keep-improving>
-      <sw-stays-off .workbench=${this.workbench} .samples=${this.samples}></sw-stays-off>
-      ${this.#cost(after.mean)} ${this.#more(result.metrics)} ${this.#notes(result)}
+      ${this.#details(result)} ${this.#notes(result)}
     `;
   }
 
-  #seamName(seam: number): string {
-    return seamRows(this.workbench, this.texts)[seam]?.name ?? '';
+  #verdict(result: SolveResult): TemplateResult {
+    const {texts, format, workbench} = this;
+    const {headline} = texts;
+    const {design} = workbench.history;
+    const {seamGroups: groups} = workbench.solving;
+    const weights = design?.options.weights;
+    const {before, after} = this.#mismatches(result);
+    const counted = countedGroups(groups, weights);
+    const judged = {
+      ...{groups, weights, before: countAt(groups, weights, before.seams)},
+      most: Math.max(0, ...counted.map((group) => groupMismatch(group, after.seams))),
+    };
+    const {language} = workbench.preferences.chosen;
+    const gain = gainOf(judged, texts);
+    const off = firstOff(groupRows(workbench, texts));
+    return html`<output aria-label=${headline.result}>
+      <h2>${headlineOf(judged, texts)}</h2>
+      <p>
+        ${sentencesOf(judged, texts, format, language).join(' ')}
+        ${
+          off &&
+          this.#link(headline.show, () => {
+            workbench.selection.select({kind: 'seam', seam: off.worst, side: 'a'});
+          })
+        }
+        ${
+          groups.length === 0
+            ? this.#link(headline.suggest, () => {
+                this.dispatchEvent(new Event('sw-sew-wanted', {bubbles: true, composed: true}));
+              })
+            : nothing
+        }
+      </p>
+      ${gain === undefined ? nothing : html`<p class="soft">${gain}</p>`}
+    </output>`;
+  }
+
+  #link(text: string, act: () => void): TemplateResult {
+    return html`<button class="link" @click=${act}>${text}</button>`;
   }
 
   #failed(failure: Failure): TemplateResult {
@@ -106,17 +124,31 @@ export class Headline extends WorkbenchElement {
       <sw-ways-out .workbench=${this.workbench} .failure=${failure}></sw-ways-out>`;
   }
 
-  /** Figures for a comparison with the paper. */
-  #more(metrics: Metrics): TemplateResult {
+  /** Means, and figures for a comparison with the paper. */
+  #details(result: SolveResult): TemplateResult {
+    const {headline} = this.texts;
+    const {metrics, print} = result;
+    const {before, after} = this.#mismatches(result);
+    const worst = worstOf(after);
     const {fit, fitRandom} = metrics.continuous ?? metrics;
     const {value, unit} = this.format.area(fit);
     const share = this.format.percent(fitRandom > 0 ? fit / fitRandom : 0);
-    const {headline} = this.texts;
     return html`<details>
-      <summary>${headline.more}</summary>
-      <p>${headline.area}: ${value} ${unit}<sup>2</sup>, ${headline.percentOfRandom(share)}</p>
+      <summary>${headline.details}</summary>
+      ${
+        worst &&
+        html`<p>${headline.mean(this.format.fine(after.mean), this.format.fine(before.mean))}</p>
+          <p>${headline.worst(this.format.fine(worst.mean), this.#seamName(worst.seam))}</p>`
+      }
+      ${this.#cost()}
+      <p>${headline.area(`${value} ${unit}²`, share)}</p>
+      <p>${headline.group(print.group)}</p>
       ${this.#proof(metrics)}
     </details>`;
+  }
+
+  #seamName(seam: number): string {
+    return seamRows(this.workbench, this.texts)[seam]?.name ?? '';
   }
 
   /** Bound on the alignment that was found before the deformation. */
@@ -132,23 +164,14 @@ export class Headline extends WorkbenchElement {
     return html`<p>${text}</p>`;
   }
 
-  /** @param mean mean mismatch with symmetry [cm] */
-  #cost(mean: number): TemplateResult | typeof nothing {
-    const {afterwards} = this.workbench;
-    const {design} = this.workbench.history;
+  /** The number of seams that would match only without symmetry. */
+  #cost(): TemplateResult | typeof nothing {
+    const {afterwards, solving, history} = this.workbench;
+    const {design} = history;
     const free = design && afterwards.withoutSymmetry(design);
-    if (free === undefined) return nothing;
-    const {headline} = this.texts;
-    return html`<dl aria-label=${headline.cost}>
-      <div>
-        <dt>${headline.withSymmetry}</dt>
-        <dd>${this.format.fine(mean)}</dd>
-      </div>
-      <div>
-        <dt>${headline.withoutSymmetry}</dt>
-        <dd>${this.format.fine(free)}</dd>
-      </div>
-    </dl>`;
+    if (!free) return nothing;
+    const {matched} = seamCount(solving.seamGroups, design.options.weights);
+    return html`<p>${this.texts.headline.cost(Math.max(0, free.matched - matched))}</p>`;
   }
 
   #notes({notes, noteDetails}: SolveResult): TemplateResult | typeof nothing {
@@ -167,11 +190,11 @@ export class Headline extends WorkbenchElement {
   }
 }
 
-/** Returns the mismatch of the pieces as drafted, and of the result. */
-function mismatches(
-  result: SolveResult,
-  pattern: MeshedPattern | undefined,
-): {readonly before: PatternMismatch | undefined; readonly after: PatternMismatch} {
-  const alignments = pattern?.pieces.map(({alignment}) => alignment) ?? [];
-  return {before: pattern && mismatchOf(pattern, 'rest', alignments), after: finalMismatch(result)};
+/** The mismatch of the pieces as drafted, laid on grain, and of the result. */
+function mismatches(result: SolveResult): {
+  readonly before: PatternMismatch;
+  readonly after: PatternMismatch;
+} {
+  const drafted = result.drafted ?? result.pieces.map(({alignment}) => alignment);
+  return {before: mismatchOf(result, 'rest', drafted), after: finalMismatch(result)};
 }

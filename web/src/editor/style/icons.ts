@@ -75,6 +75,7 @@ export const icon = {
   up: drawn(svg`<path d="M8 13V3.5M4 7.5l4-4 4 4"/>`),
   down: drawn(svg`<path d="M8 3v9.5M4 8.5l4 4 4-4"/>`),
   pin: drawn(svg`<path d="M5.5 2.5h5M6.5 2.5v4.5L4 9.5h8L9.5 7V2.5M8 9.5V14"/>`),
+  more: drawn(svg`<path d="M3.5 8h.01M8 8h.01M12.5 8h.01" stroke-width="2.2"/>`),
   lock: drawn(svg`<path d="M3.5 7.5h9v6h-9zM5.5 7.5V5a2.5 2.5 0 0 1 5 0v2.5"/>`),
   widen: drawn(svg`<path d="M2 8h12M4.5 5.5 2 8l2.5 2.5M11.5 5.5 14 8l-2.5 2.5"/>`),
 };

@@ -122,6 +122,8 @@ export interface SeamGroup {
   /** Indices of its seams. */
   readonly seams: readonly number[];
   readonly place: SeamPlace;
+  /** The wearer's side; absent in the middle of the body. */
+  readonly side?: 'left' | 'right';
   /** How much a mismatch is seen: 1.5 or more at first sight. */
   readonly visibility: number;
   readonly state: SeamState;

@@ -1,19 +1,14 @@
 /** Counts of visible seams, by which complete answers are compared. */
 import type {SolveResult} from './result.js';
+import {seamCount} from './seam-groups.js';
 
-/** Least visibility of a seam that is seen at first sight. */
-export const leastVisible = 1.5;
-
-/** Number of visible seams, without those that the user has left out, and how many match. */
+/** Number of seams that a headline counts, and how many of them match. */
 export function visibleSeams({seamGroups = []}: Pick<SolveResult, 'seamGroups'>): {
   readonly visible: number;
   readonly matched: number;
 } {
-  const seen = seamGroups.filter(
-    ({visibility, state}) => visibility >= leastVisible && state !== 'choice',
-  );
-  const matched = seen.filter(({state}) => state === 'matches');
-  return {visible: seen.length, matched: matched.length};
+  const {counted, matched} = seamCount(seamGroups, undefined);
+  return {visible: counted, matched};
 }
 
 type Compared = Pick<SolveResult, 'seamGroups'> & {

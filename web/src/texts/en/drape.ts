@@ -25,7 +25,6 @@ export const worn = {
     right: 'View from the right.',
     'three-quarter': 'Three-quarter view.',
   },
-  worst: text('{seams}; worst {most} at {seam}.'),
   draping: text('Draping, {percent}'),
   stop: 'Stop',
   stopped: 'Stopped: the garment has not settled.',

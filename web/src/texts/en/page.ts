@@ -129,8 +129,12 @@ export const page = {
     begin: 'Keep improving',
     note: 'Looks longer for a better answer, while you go on',
     looking: 'Looking for a better answer …',
-    soFar: text('{length} better so far …'),
-    gained: text('{length} better.'),
+    soFar: text(
+      '{count, plural, =0 {The match is better so far …} =1 {1 more seam matches so far …} other {# more seams match so far …}}',
+    ),
+    gained: text(
+      '{count, plural, =0 {The match is better.} =1 {1 more seam matches.} other {# more seams match.}}',
+    ),
     nothing: 'Nothing better was found.',
     stop: 'Stop',
   },

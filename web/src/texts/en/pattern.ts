@@ -176,7 +176,7 @@ export const pattern = {
     ['←  →  ↑  ↓  [  ]', 'With Move print: 1 mm, with Shift 10 mm; one degree'],
     ['F2', 'Rename a piece, in the table'],
     ['W', 'Hold for before'],
-    ['1 to 9', 'The worst seams'],
+    ['1 to 9', 'The first seams of the list'],
   ] as readonly (readonly [key: string, meaning: string])[],
   keyNames: {Mod: 'Ctrl', Shift: 'Shift'},
   commands: {
@@ -188,7 +188,7 @@ export const pattern = {
     grain: 'Grain line of a piece, by an edge or two points',
     turnSelected: 'Turn the selected piece by 90 degrees',
     lens: 'Lens on the selected seam',
-    worst: 'To the worst seam',
+    worst: 'To the most visible seam that does not match',
     paper: 'Print the pattern on paper',
     needs: {answer: 'once it is aligned', piece: 'select a piece first'},
     /** Synonyms for the search of commands. */

@@ -5,15 +5,41 @@ import type {PieceNames} from '../../model/garment/piece-names.js';
 import type {SeamRow} from './rows.js';
 import type {Workbench} from '../workbench.js';
 
-export const matches = ['double', 'full', 'half', 'none'] as const;
-type Match = (typeof matches)[number];
+/** Decisions on how much a seam counts; `usual`: as much as it is seen at its place. */
+export type Importance = 'first' | 'well' | 'usual' | 'hardly' | 'none';
 
-const weights = {double: 2, full: 1, half: 0.5} as const;
+/** As visible as a centre front, and far more or less than that. */
+const weights = {first: 10, well: 3, hardly: 0.5} as const;
 
-/** Returns undefined for any other weight. */
-export function matchOf({matched, weight}: Pick<SeamRow, 'matched' | 'weight'>): Match | undefined {
-  if (!matched) return 'none';
-  return matches.find((match) => match !== 'none' && weights[match] === weight);
+/** @returns undefined for a weight of another file, or several */
+export function importanceOf(
+  {weights: own = {}, unmatched = []}: SolveOptions,
+  seams: readonly Pick<SeamRow, 'seam'>[],
+): Importance | undefined {
+  const all = seams.map(({seam}): Importance | undefined => {
+    if (unmatched.includes(seam)) return 'none';
+    const weight = own[seam];
+    if (weight === undefined) return 'usual';
+    return (['first', 'well', 'hardly'] as const).find((one) => weights[one] === weight);
+  });
+  return all.every((one) => one === all[0]) ? all[0] : undefined;
+}
+
+/** @param seams numbers of seams in the garment file */
+export function withImportance(
+  options: SolveOptions,
+  seams: readonly number[],
+  importance: Importance,
+): SolveOptions {
+  const others = (options.unmatched ?? []).filter((number) => !seams.includes(number));
+  const rest = Object.fromEntries(
+    Object.entries(options.weights ?? {}).filter(([seam]) => !seams.includes(Number(seam))),
+  );
+  if (importance === 'none')
+    return {...options, weights: rest, unmatched: [...others, ...seams].sort((a, b) => a - b)};
+  if (importance === 'usual') return {...options, unmatched: others, weights: rest};
+  const own = seams.map((seam): [number, number] => [seam, weights[importance]]);
+  return {...options, unmatched: others, weights: {...rest, ...Object.fromEntries(own)}};
 }
 
 const without = <Value>(
@@ -21,23 +47,6 @@ const without = <Value>(
   key: string | number,
 ): Record<string, Value> =>
   Object.fromEntries(Object.entries(all ?? {}).filter(([name]) => name !== String(key)));
-
-/** Omits a weight that equals the one in the garment file. */
-export function withMatch(
-  options: SolveOptions,
-  {seam, ownWeight}: Pick<SeamRow, 'seam' | 'ownWeight'>,
-  match: Match,
-): SolveOptions {
-  const others = (options.unmatched ?? []).filter((number) => number !== seam);
-  if (match === 'none') return {...options, unmatched: [...others, seam]};
-  const weight = weights[match];
-  const rest = without(options.weights, seam);
-  return {
-    ...options,
-    unmatched: others,
-    weights: weight === ownWeight ? rest : {...rest, [seam]: weight},
-  };
-}
 
 /** Keeps the grain line that was set for the piece. */
 export function withGrain(

@@ -90,7 +90,7 @@ export interface SeamRow {
 }
 
 /** The values of a workbench that are read. */
-interface Shown {
+export interface Shown {
   readonly history: Pick<DesignHistory, 'design'>;
   readonly solving: Pick<Solving, 'garment' | 'pattern' | 'result'>;
   readonly sheet: Pick<ShownSheet, 'scenes'>;
@@ -113,17 +113,6 @@ export function seamRows(
   if (!design || !garment || !scenes || !(result ?? pattern)) return [];
   return seamsOf(garment, design.options, scenes, texts);
 }
-
-/** Returns the seams that count, worst first. */
-export const worstSeams = (rows: readonly SeamRow[], most = rows.length): readonly SeamRow[] =>
-  rows
-    .filter(({counts}) => counts)
-    .sort((a, b) => b.after - a.after)
-    .slice(0, most);
-
-/** Returns the seams with a mismatch that is visible from a step away, worst first. */
-export const offSeams = (rows: readonly SeamRow[]): readonly SeamRow[] =>
-  worstSeams(rows).filter(({after}) => after > mismatchSteps[1]);
 
 /** "Side seam, left (A), Front to Back, 41 cm, mismatch 2 mm, mirrored" */
 export function seamText(row: SeamRow, texts: Texts, format: Format): string {
@@ -270,29 +259,4 @@ function rowsOfSeams(
       matched: canMatch && !options.unmatched?.includes(seam),
     };
   });
-}
-
-interface Rank {
-  /** 1 for the worst seam. */
-  readonly rank: number;
-  readonly count: number;
-}
-
-/** Returns undefined for a seam that does not count. */
-export function rankOf(rows: readonly SeamRow[], seam: number): Rank | undefined {
-  const worst = worstSeams(rows);
-  const at = worst.findIndex((row) => row.seam === seam);
-  return at < 0 ? undefined : {rank: at + 1, count: worst.length};
-}
-
-/** Returns the seam with the next smaller (1) or larger (-1) mismatch; wraps around at the ends. */
-export function nextWorst(
-  rows: readonly SeamRow[],
-  seam: number | undefined,
-  step: 1 | -1,
-): number | undefined {
-  const worst = worstSeams(rows);
-  const at = worst.findIndex((row) => row.seam === seam);
-  const next = at < 0 ? (step > 0 ? 0 : -1) : (at + step) % worst.length;
-  return worst.at(next)?.seam;
 }

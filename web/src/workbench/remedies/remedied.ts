@@ -31,15 +31,25 @@ const half = (print: DesignPrint): DesignPrint => {
   return {...print, size: {...print.size, width: width / 2, height: height / 2}};
 };
 
-/** "Turn Waistband by 90°: 20.5 mm → 0 mm" */
-export function remedyWords(
-  {kind, pieces, before, after}: Remedy,
+/** "Turn Waistband by 90°" */
+export function remedyName(
+  {kind, pieces}: Remedy,
   {sheet: {scenes}}: Workbench,
   {remedies}: Texts,
-  format: Format,
 ): string {
   const labels = new Map(scenes?.now.pieces.map(({name, label}) => [name, label]));
   const names = pieces.map((name) => labels.get(name) ?? name).join(', ');
-  const effect = remedies.effect(format.fine(before), format.fine(after));
-  return `${remedies.what[kind](names)}: ${effect}`;
+  return remedies.what[kind](names);
+}
+
+/** "Turn Waistband by 90°: 20.5 mm → 0 mm" */
+export function remedyWords(
+  remedy: Remedy,
+  workbench: Workbench,
+  texts: Texts,
+  format: Format,
+): string {
+  const {before, after} = remedy;
+  const effect = texts.remedies.effect(format.fine(before), format.fine(after));
+  return `${remedyName(remedy, workbench, texts)}: ${effect}`;
 }
