@@ -75,7 +75,7 @@ it('opens what is chosen of a DXF as a project of its own, ready to be sewn', as
   await choose(page, 'My pattern', dxf(plainDxf(pieces, {words: ['Style Name: Summer tee']})));
   const dialog = sheet(page);
   await dialog.getByRole('checkbox', {name: 'Sleeve right'}).uncheck();
-  await dialog.getByLabel('How often Sleeve left is cut').selectOption('Cut a pair');
+  await dialog.getByLabel('Copies of Sleeve left').selectOption('Cut a pair');
   await dialog.getByText('3 of 4 pieces').waitFor();
   await dialog.getByRole('button', {name: 'Open', exact: true}).click();
   await dialog.waitFor({state: 'detached'});

@@ -56,7 +56,7 @@ it(
     await page.keyboard.press('Shift+ArrowDown');
     await expect.poll(() => told(page)).toEqual([left - 1, start + 1, 6, 4]);
     await laid(page);
-    const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+    const plan = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
     expect(clearOf(plan, await told(page))).toBe(true);
 
     // changes before the next layout are one undo step

@@ -19,7 +19,7 @@ const openPage = usePage();
 
 const caption = (page: Page): Promise<string> => panel(page).locator('.widths caption').innerText();
 const savedPlan = async (page: Page): Promise<LayPlan> =>
-  JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
 
 it(
   'tells the lengths on other widths as those of all pieces packed anew while some are off the cloth or moved',
@@ -27,7 +27,7 @@ it(
   async () => {
     const page = await clothOf(await openPage());
     await expect.poll(() => panel(page).locator('.widths tbody tr').count()).toBe(6);
-    expect((await caption(page)).trim()).toBe('On other widths');
+    expect((await caption(page)).trim()).toBe('Other widths');
     const present = panel(page).locator('.widths .present .number');
     const packed = await present.innerText();
     const [used] = /[\d.]+(?= cm long)/.exec(await facts(page)) ?? ['0'];
@@ -43,14 +43,14 @@ it(
     const partial = await savedPlan(page);
     expect(partial).toMatchObject({widths: [], cheaper: [], phases: [{lengthCm: null}]});
     expect(partial.notes.join()).not.toMatch(/where the print starts/);
-    const drawn = await saved(page, 'Save lay plan (SVG)');
+    const drawn = await saved(page, 'Save fabric layout (SVG)');
     expect(drawn).not.toMatch(/Other cloth|may start elsewhere/);
 
     await button(page, 'Undo').click();
-    await expect.poll(async () => (await caption(page)).trim()).toBe('On other widths');
+    await expect.poll(async () => (await caption(page)).trim()).toBe('Other widths');
     await rowOf(page, 'Front').focus();
     await page.keyboard.press('ArrowUp');
-    await expect.poll(() => facts(page)).toContain('As moved by hand');
+    await expect.poll(() => facts(page)).toContain('Moved by hand');
     await expect.poll(() => caption(page)).toMatch(/packed anew$/);
     const moved = await savedPlan(page);
     expect(moved.phases).toEqual([{phaseCm: moved.printOrigin?.[0], lengthCm: moved.lengthCm}]);

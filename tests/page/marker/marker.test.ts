@@ -74,7 +74,7 @@ it(
     await page.keyboard.press('ArrowUp');
     await expect.poll(() => status(page)).not.toBe(first);
     const second = await lies(page);
-    await expect.poll(() => facts(page)).toContain('As moved by hand');
+    await expect.poll(() => facts(page)).toContain('Moved by hand');
     await expect
       .poll(() => button(page, 'Undo').getAttribute('title'))
       .toBe('Undo: move on the cloth');
@@ -180,7 +180,7 @@ it('tells what pins cost apart from what the print does', {tags: ['thorough']}, 
   await laid(page);
   await expect.poll(() => facts(page)).toMatch(/Your pins cost [\d.]+ cm more/);
   await expect.poll(cost).toBe(before);
-  const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  const plan = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
   expect(plan.lengthCm).toBeGreaterThan(plan.unpinnedLengthCm ?? Infinity);
 });
 
@@ -250,11 +250,11 @@ it('leaves what is pinned where it is when it packs the rest', {tags: ['thorough
   await pack.click();
   await laid(page);
   await expect.poll(() => status(page)).toBe(place);
-  await expect.poll(() => facts(page)).not.toContain('As moved by hand');
+  await expect.poll(() => facts(page)).not.toContain('Moved by hand');
   await expect.poll(() => panel(page).locator('.error').count()).toBe(0);
   await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: packing');
   await button(page, 'Undo').click();
-  await expect.poll(() => facts(page)).toContain('As moved by hand');
+  await expect.poll(() => facts(page)).toContain('Moved by hand');
 });
 
 it(
@@ -363,9 +363,9 @@ it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}
   await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
   await expect.poll(() => facts(page)).toMatch(/^The others lie on [\d.]+ cm, \d+ % used/);
   expect(await facts(page)).not.toMatch(/Proven|At best/);
-  const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  const plan = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
   expect(plan).toMatchObject({proven: false, boundCm: 0, unplaced: [{piece: 'sleeve_left'}]});
-  const svg = await saved(page, 'Save lay plan (SVG)');
+  const svg = await saved(page, 'Save fabric layout (SVG)');
   expect(svg).toContain('of the pieces that lie');
   expect(svg).not.toMatch(/>(Buy|proven)/);
   for (const name of ['Front', 'Back', 'Sleeve right']) {
@@ -439,13 +439,13 @@ it(
 
 it('gives the plan away as it lies, and nothing while pieces lie on each other', async () => {
   const page = await openCloth();
-  const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  const plan = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
   expect(plan).toMatchObject({format: 'seamwise-layplan/1', widthCm: 140});
   expect(plan.placements).toHaveLength(4);
   await rowOf(page, 'Front').focus();
   await page.keyboard.press('ArrowUp');
-  await expect.poll(() => facts(page)).toContain('As moved by hand');
-  const moved = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  await expect.poll(() => facts(page)).toContain('Moved by hand');
+  const moved = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
   const of = ({placements}: LayPlan) => placements.find(({piece}) => piece === 'front');
   expect(of(moved)?.angle).toBe(of(plan)?.angle);
   expect(of(moved)?.translation[1]).toBeGreaterThan(of(plan)?.translation[1] ?? Infinity);

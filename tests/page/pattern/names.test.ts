@@ -100,7 +100,7 @@ it(
   async () => {
     const page = await opened();
     const card = page.getByRole('region', {name: 'Grain', exact: true});
-    await card.getByText('The file does not say how the grain runs.').waitFor();
+    await card.getByText('The file has no grain lines.').waitFor();
     await button(page, 'Piece by piece').click();
     await card.getByRole('combobox', {name: 'Left back torso'}).selectOption('bias');
     // front and back mirror each other, and so do their grain lines

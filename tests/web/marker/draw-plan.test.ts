@@ -118,7 +118,7 @@ describe('the plan as SVG', () => {
     const svg = drawPlanSvg(plan, {...options, title: 'Shirt <M>'});
     expectXml(svg);
     const all = wordsIn(svg);
-    expect(all).toContain('Shirt <M>: Lay plan 1 : 10');
+    expect(all).toContain('Shirt <M>: Fabric layout 1 : 10');
     expect(all.filter((one) => one.startsWith('Front'))).toHaveLength(2);
     for (const one of ['22 cm', '0.25 m', 'rounded up to 5 cm', 'proven: none is shorter']) {
       expect(all).toContain(one);
@@ -160,7 +160,7 @@ describe('the plan as SVG', () => {
       unplaced: [{result: 0, copy: 1, piece: 'back'}],
     };
     const all = wordsIn(drawPlanSvg(two, options));
-    expect(all).toContain('Without a place: Back, garment 2.');
+    expect(all).toContain('Pieces without a place: Back, garment 2.');
     expect(all).toContain('Front, garment 1');
     expect(all).toContain('Front, garment 2');
   });

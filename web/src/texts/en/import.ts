@@ -16,7 +16,7 @@ export const importing = {
   unit: 'Unit of the file',
   largest: text('Largest piece {length}'),
   unitIs: {
-    stated: text('unit {unit}: the file says so.'),
+    stated: text('unit {unit}, as in the file.'),
     measured: text('unit {unit}: measured on its scale box.'),
     size: text('unit {unit}: guessed from size.'),
     program: text('unit {unit}: as its program writes.'),
@@ -32,7 +32,7 @@ export const importing = {
   toScale: 'All drawn at one scale',
   all: 'All',
   none: 'None',
-  cut: text('How often {piece} is cut'),
+  cut: text('Copies of {piece}'),
   once: 'Cut once',
   pair: 'Cut a pair',
   extent: text('{width} × {height}'),

@@ -27,7 +27,7 @@ export const page = {
     language: 'Language',
     units: 'Units',
     theme: 'Colours',
-    themes: {system: 'As the device', light: 'Light', dark: 'Dark'},
+    themes: {system: 'Same as the device', light: 'Light', dark: 'Dark'},
     keys: 'Keys',
     close: 'Close',
     dismiss: 'Dismiss',
@@ -64,9 +64,8 @@ export const page = {
       'The link would be {size} long, which is too much; choose Save project and send the file.',
     ),
     notCopied: 'The browser does not let the page use the clipboard; choose Save project.',
-    damaged:
-      'The link is damaged or was cut on its way; ask for it again. Nothing has changed here.',
-    noSample: 'The link names a garment or print that is not here; ask for the project as a file.',
+    damaged: 'The link is damaged or was cut on its way; get a new one. Nothing has changed here.',
+    noSample: 'The link names a garment or print that is not here; get the project as a file.',
   },
   offline: {
     waits: text(

@@ -13,7 +13,7 @@ export const pattern = {
       both: 'Both',
       cloth: 'Fabric layout',
     },
-    which: 'Which one?',
+    which: 'Several pieces here',
     edge: 'Open edge',
     description:
       'Arrow keys walk the pieces, Enter goes into a piece’s seams, T to the twin of a seam, Escape back.',
@@ -24,7 +24,7 @@ export const pattern = {
     howToOpen:
       'Choose My pattern, or drop or paste a sewing pattern here: GarmentCode, or a project or result of Seamwise.',
     stale: 'The picture is out of date',
-    failed: 'Not aligned: the pieces are shown as they lay',
+    failed: 'Not aligned: the pieces are where they were',
     noSeams: 'No seams yet: sew edges to each other, and the print is matched there.',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
@@ -81,9 +81,9 @@ export const pattern = {
     ),
     refusals: {
       otherPiece: 'Both have to be on the same piece.',
-      sameLine: 'That is the same line again; click another.',
+      sameLine: 'This is the same line; click another.',
       samePoint: 'The two points are too close to give a direction.',
-      samePiece: 'That is the same piece again; click another.',
+      samePiece: 'This is the same piece; click another.',
       pointAfterLine: 'Click a second line, or go back and click two points.',
       unnumbered: 'This line is not known to the file; click another.',
       noMirror: 'These do not mirror.',
@@ -145,8 +145,8 @@ export const pattern = {
         piece: 'Now tap the piece that it mirrors onto.',
       },
       refusals: {
-        sameLine: 'That is the same line again; tap another.',
-        samePiece: 'That is the same piece again; tap another.',
+        sameLine: 'This is the same line; tap another.',
+        samePiece: 'This is the same piece; tap another.',
         pointAfterLine: 'Tap a second line, or go back and tap two points.',
         unnumbered: 'This line is not known to the file; tap another.',
       },
@@ -216,8 +216,8 @@ export const pattern = {
   },
   grain: {
     title: 'Grain',
-    none: 'The file does not say how the grain runs.',
-    some: text('The file does not say how the grain runs on {count, number} pieces.'),
+    none: 'The file has no grain lines.',
+    some: text('{count, number} pieces have no grain line in the file.'),
     asDrawn: 'Proposed: upwards, as drawn.',
     turned: text(
       'Proposed: by how the pieces hang on the body; {count, number} of them lie turned in the drawing.',

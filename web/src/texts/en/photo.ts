@@ -58,7 +58,7 @@ export const photo = {
     uncertain:
       'No repeat is certain: choose what is right, move the corners, or take another photo with three repeats in both directions.',
   },
-  others: 'Or is it one of these?',
+  others: 'Other choices',
   other: text('Repeat {number, number}'),
   notes: {
     uneven: 'The cloth does not lie quite flat.',
@@ -114,7 +114,7 @@ export const photo = {
     a4: 'A4 sheet, 297 × 210 mm',
   } satisfies Record<KnownObject, string> as Record<KnownObject, string>,
   aim: 'Middle of the coin or card',
-  tap: 'It lies flat on the cloth: tap its middle on the photo. Or move the ring with the arrow keys and press Enter.',
+  tap: 'It has to be flat on the fabric: tap its middle on the photo. Or move the ring with the arrow keys and press Enter.',
   look: 'Look for it at the ring',
   byObject: text('Measured by the red outline, good to about {error}.'),
   distance: text('Distance between them ({unit})'),
@@ -135,14 +135,14 @@ export const photo = {
     'expected',
   ),
   removeMeasure: 'Remove this measure',
-  cloth: 'On the cloth',
+  cloth: 'Object on the fabric',
   turn: 'Turn by 90°',
   warp: text('The print is turned by {turn}; the length of the cloth runs upwards.'),
   name: 'Name',
   use: 'Use this print',
   useDoubtful: 'Use it although uncertain',
   doubt:
-    'Whether this cell is the print’s repeat is uncertain: drag its corners into place, or choose another.',
+    'It is uncertain that this cell is the print’s repeat: drag its corners into place, or choose another.',
 };
 
 export type PhotoTexts = typeof photo;

@@ -3,7 +3,7 @@ import type {LayNoteCode} from '../../model/result/lay-note.js';
 import {text} from '../base/message.js';
 
 export const plan = {
-  title: text('Lay plan 1 : {scale, number}'),
+  title: text('Fabric layout 1 : {scale, number}'),
   length: 'Length',
   proven: 'proven: none is shorter',
   atBest: text('at best {length}'),
@@ -25,7 +25,7 @@ export const plan = {
     '{name}: the ring is on a corner of its repeat, {across} from the left edge, {along} from the start.',
   ),
   plain: 'The print is not regarded: pieces lie anywhere.',
-  unplaced: text('Without a place: {pieces}.'),
+  unplaced: text('Pieces without a place: {pieces}.'),
   pinned: text('Pinned pieces cost {length} more.'),
   start: 'Start of the cloth',
   page: text('page {number, number} of {count, number}'),
@@ -52,7 +52,7 @@ export const plan = {
     folded:
       'The cloth is folded {rounded} from its left edge, face to face, and both plies are cut at once.',
     foldKeepsPrint:
-      'On folded cloth the print is moved under no piece, since the lower ply shows its mirror image.',
+      'The print is moved under no piece on folded fabric, since the lower ply shows its mirror image.',
     phaseRange: '{least} to {most}, by where the print starts at the selvedge; measure it.',
     phaseNowhere:
       'At {count} of {all} places where the print may start at the selvedge, not all pieces fit on the cloth.',

@@ -64,7 +64,7 @@ export const print = {
     onPaper: 'drawn to scale',
     backToFile: text('As large as the file says: {resolution}, {size} wide'),
     unasked: 'Many programs write this number by themselves: measure to be sure.',
-    sizeUnknown: 'The file does not say how large it is printed: measure it, or enter a size.',
+    sizeUnknown: 'The file has no printed size: measure it, or enter a size.',
     unscaled: 'The size of this print is unknown: measure it or enter a size before you cut.',
     measure: {
       open: 'Measure on the picture',
@@ -85,7 +85,7 @@ export const print = {
       chart: 'Matching seams by print size',
     },
     repeats: {
-      label: 'How the picture repeats',
+      label: 'Repeat of the picture',
       straight: 'Straight',
       halfDrop: 'Half-drop',
       brick: 'Brick',
@@ -132,7 +132,7 @@ export const print = {
     marked: text('{title}, with what does not match marked'),
     doubtful: text('{title} does not repeat as it is.'),
     remedy: {
-      label: 'What becomes of it',
+      label: 'Preview',
       halfDrop: 'It is a half-drop',
       brick: 'It is a brick repeat',
       mirror: 'Mirror it',

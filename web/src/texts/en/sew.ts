@@ -41,7 +41,7 @@ export const sew = {
   ),
   orJoined: text('Or is it {side}?'),
   refusals: {
-    sewn: 'That is sewn already; take it apart first.',
+    sewn: 'This edge is sewn already; take it apart first.',
     nothing: 'Choose an edge first.',
     noCandidate: 'There is no match of that number.',
     finished: 'Every edge is sewn or stays open.',
@@ -72,7 +72,7 @@ export const sew = {
   unsew: 'Take apart',
   next: 'Next edge',
   actions: 'Sewing',
-  candidates: 'What it may be sewn to',
+  candidates: 'Edges that may be sewn to it',
   hold: 'Sew to …',
   keys: [
     ['Tab', 'Next edge, with Shift the one before'],
