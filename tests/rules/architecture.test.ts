@@ -84,7 +84,17 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     ...['image', 'layout', 'clicks', 'photo', 'scene', 'cutting', 'marker'],
     ...['remedies', 'viewer', 'texts', 'print', 'workbench', 'commands'],
   ],
-  element: [...model, 'solver', 'image', 'paper', 'cutting', 'marker', 'texts', 'workbench', 'editor'],
+  element: [
+    ...model,
+    'solver',
+    'image',
+    'paper',
+    'cutting',
+    'marker',
+    'texts',
+    'workbench',
+    'editor',
+  ],
   app: [
     ...model,
     ...['solver', 'image', 'formats', 'photo', 'cutting', 'paper', 'viewer', 'texts'],

@@ -19,7 +19,7 @@ const design: Design = {
 /** A result with so many of three seams that match. */
 const matching = (matched: number): SolveResult => {
   const seamGroups = [0, 1, 2].map((k) => ({
-    visibility: 2,
+    ...{seams: [k], place: 'side', visibility: 2},
     state: k < matched ? 'matches' : 'off',
   }));
   return {seamGroups, metrics: {answerCost: 1}} as unknown as SolveResult;

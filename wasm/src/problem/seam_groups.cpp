@@ -71,7 +71,7 @@ constexpr PlaceTable kPlaces[] = {{"other", 1.5, 1.5, 1.5},
                                   {"inside", 0.1, 0.1, 0.1}};
 
 /// Angle by which the outline turns between an edge and the next. [rad]
-double turnAt(const Panel& panel, int edge, int next) {
+double edgeTurn(const Panel& panel, int edge, int next) {
   return std::abs(turnBetween(panel.edges[edge].derivative(1), panel.edges[next].derivative(0)));
 }
 
@@ -84,7 +84,7 @@ Neighbours neighbours(const Panel& panel, int a, int b) {
   const int count = static_cast<int>(panel.edges.size());
   for (const auto& [one, next] : {std::pair(a, b), {b, a}})
     if (one != next && (one + 1) % count == next)
-      return {true, turnAt(panel, one, next) < kSameLine};
+      return {true, edgeTurn(panel, one, next) < kSameLine};
   return {};
 }
 

@@ -172,7 +172,12 @@ export function garmentFile(document: GarmentDocument): string {
     ...member('seams', described),
     ...member(
       'matches',
-      matches.map(({a, b, more: others, ...match}) => ({a: side(a), b: side(b), ...match, ...others})),
+      matches.map(({a, b, more: others, ...match}) => ({
+        a: side(a),
+        b: side(b),
+        ...match,
+        ...others,
+      })),
     ),
     ...member(
       'symmetries',

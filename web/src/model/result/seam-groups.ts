@@ -5,7 +5,7 @@ import type {SeamGroup, SeamState} from './result.js';
 export const leastVisible = 1.5;
 
 /** Greatest mismatch at which a print looks continuous. [cm] */
-export const seenMismatch = 0.3;
+const seenMismatch = 0.3;
 
 /** Share of a seam's length that decides its state. */
 const mostOfIt = 0.95;
@@ -20,7 +20,7 @@ export const visibilityOf = (
 ): number => Math.max(...seams.map((seam) => weights?.[seam] ?? visibility));
 
 /** A gathered seam cannot match; nobody expects it to. */
-export const isGathers = ({state, reason}: Pick<SeamGroup, 'state' | 'reason'>): boolean =>
+const isGathers = ({state, reason}: Pick<SeamGroup, 'state' | 'reason'>): boolean =>
   state === 'cannot' && reason === 'gather';
 
 export const isVisible = (group: SeamGroup, weights: SeamWeights): boolean =>
@@ -52,7 +52,7 @@ export function seamCount(groups: readonly SeamGroup[], weights: SeamWeights): S
 }
 
 /** Lengths and mismatches of the edges along a seam. [cm] */
-export interface AlongSeam {
+interface AlongSeam {
   readonly lengths: readonly number[];
   readonly mismatch: readonly number[];
 }

@@ -82,7 +82,7 @@ function kindsOf(groups: readonly SeamGroup[]): ReadonlyMap<SeamPlace, Kind> {
 }
 
 /** Returns whether most of the seams that do not match would need mirrors in the print. */
-export function lacksMirrors(counted: readonly SeamGroup[]): boolean {
+function lacksMirrors(counted: readonly SeamGroup[]): boolean {
   const failed = counted.filter(({state}) => state !== 'matches');
   return 2 * failed.filter(({reason}) => reason === 'group').length > failed.length;
 }
