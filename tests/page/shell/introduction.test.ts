@@ -33,9 +33,7 @@ it('begins with a symmetric garment and three ways, which go with the first acti
   await solved(page);
   const {garment, ...design} = await designOf(page);
   expect(garment.sample?.style).toBe('raglan');
-  expect(askedSymmetries(design).map(({kind}) => kind)).toEqual(
-    expect.arrayContaining(['pair']),
-  );
+  expect(askedSymmetries(design).map(({kind}) => kind)).toEqual(expect.arrayContaining(['pair']));
   for (const name of [/^My pattern:/, /^My fabric:/, /^A sample:/])
     await expect.poll(() => ways(page).getByRole('button', {name}).count()).toBe(1);
   await page.getByRole('radio', {name: /^pmm,/}).press('Space');
