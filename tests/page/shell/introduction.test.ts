@@ -32,7 +32,7 @@ it('begins with a symmetric garment and three ways, which go with the first acti
   const page = await openPage({isFirst: true});
   await solved(page);
   const {garment, ...design} = await designOf(page);
-  expect(garment.sample?.style).toBe('raglan');
+  expect(garment.sample?.style).toBe('six-gore-skirt');
   expect(askedSymmetries(design).map(({kind}) => kind)).toEqual(expect.arrayContaining(['pair']));
   for (const name of [/^My pattern:/, /^My fabric:/, /^A sample:/])
     await expect.poll(() => ways(page).getByRole('button', {name}).count()).toBe(1);

@@ -30,7 +30,7 @@ export interface Samples {
 export const opening = {style: 'asymmetric-dress', size: 'm', print: 'cm'} as const;
 
 /** Sample for a user's first visit: a garment whose halves mirror each other. */
-export const welcome = {style: 'raglan', size: 'm', print: 'pmm'} as const;
+export const welcome = {style: 'six-gore-skirt', size: 'm', print: 'cm'} as const;
 
 /** Error for a file that is not on this device while there is no network. */
 export class Unreachable extends Error {
