@@ -1,6 +1,7 @@
 /** Changes that make seams match, each at one click, apart from those that the list of seams offers. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
+import {seamCount} from '../../model/result/seam-groups.js';
 import type {Remedy} from '../../remedies/remedy.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {isInLine} from '../../workbench/lists/group-actions.js';
@@ -36,9 +37,12 @@ export class RemedyList extends WorkbenchElement {
     const {design} = this.workbench.history;
     const {result, state} = this.workbench.solving;
     if (!design || !result || state.kind !== 'done') return nothing;
+    const {matched, counted} = seamCount(result.seamGroups ?? [], design.options.weights);
     const rows = groupRows(this.workbench, this.texts);
     const remedies = afterwards
       .remedies(design)
+      // a smaller print is no help where all seams that are seen match
+      .filter(({kind}) => kind !== 'smaller' || matched < counted)
       .filter((remedy) => !rows.some((row) => isInLine(remedy, row)));
     return html`<div role="status" aria-label=${this.texts.remedies.help}>
       ${remedies.map((remedy) => this.#remedy(remedy))}
