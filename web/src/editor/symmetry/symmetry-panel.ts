@@ -26,6 +26,9 @@ export class SymmetryPanel extends WorkbenchElement {
         justify-content: space-between;
         gap: var(--sw-space-3);
       }
+      li button {
+        min-width: var(--sw-target);
+      }
       h3 {
         color: var(--sw-soft);
         font-weight: 400;
