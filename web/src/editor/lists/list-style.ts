@@ -167,6 +167,26 @@ export const listStyle = css`
     gap: var(--sw-space-1);
     padding-inline: 2px var(--sw-space-1);
   }
+  @media (pointer: coarse), (width < 40rem) {
+    thead button,
+    select,
+    input.name,
+    .named .icon,
+    .turn {
+      min-width: var(--sw-target);
+      min-height: var(--sw-target);
+    }
+    select,
+    input.name {
+      font-size: var(--sw-field-text);
+    }
+    .named .icon {
+      top: -0.75rem;
+    }
+    .named {
+      padding-inline-end: var(--sw-target);
+    }
+  }
   /* seen once the row is looked at; touch has no such moment */
   @media (hover: hover) {
     tr:not(:hover, :focus-within, .selected) .named .icon {
