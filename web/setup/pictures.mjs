@@ -16,12 +16,12 @@ const dress = {garment: 'princess-dress', print: 'p4m'};
 const makers = {
   page: async (open) => {
     const page = await open(dress);
-    await select(page, /^Front princess seam above the bust, left/);
+    await select(page, /^Princess seams: Side front/);
     await picture(page, 'page');
   },
   lens: async (open) => {
     const page = await open({...dress, colorScheme: 'dark'});
-    await select(page, /^Side seam below the waist, right/);
+    await select(page, /^Side seams/);
     await page.getByRole('button', {name: 'Enlarge', exact: true}).click();
     await page.locator('sw-lens sw-wipe-handle').locator('input').fill('35');
     await picture(page, 'lens');

@@ -7,13 +7,14 @@ import {atScale, scaleLimits} from '../model/print/print-scale.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {methods} from '../model/result/method.js';
 import {resultText, withoutTimes} from '../model/documents/result-text.js';
-import type {SolveResult} from '../model/result/result.js';
+import type {SeamGroup, SolveResult} from '../model/result/result.js';
 import {readText, textOf} from '../node/files.js';
 import {
   chosenProblem,
   readGarment,
   remedies,
   solve,
+  withReach,
   type ProblemNames,
   type Remedy,
 } from '../node/index.js';
@@ -84,10 +85,15 @@ export async function align(words: readonly string[]): Promise<void> {
     remedies: !exact && !args.has('--no-remedies'),
     others: args.has('--others'),
   };
-  const {result, found, compared} = await solved(given, names, wants);
+  const {result, found, compared, seamGroups} = await solved(given, names, wants);
+  // a stored design is compared with the result itself
+  const shown = {...result, ...(seamGroups && {seamGroups})};
   const chosen = chosenFor(given, result);
   if (outFile !== undefined) {
-    await writeWhole(outFile, exact ? resultText(result) : await openable(chosen, result, found));
+    await writeWhole(
+      outFile,
+      exact ? resultText(result) : await openable(chosen, {result, found, shown}),
+    );
   }
   if (designFile !== undefined) {
     const {storedText} = await import('./stored.js');
@@ -107,7 +113,7 @@ export async function align(words: readonly string[]): Promise<void> {
   } else {
     result.notes.forEach(remark);
     print(
-      figuresLine(garmentFile, exact ? withoutTimes(result) : result, {
+      figuresLine(garmentFile, exact ? withoutTimes(result) : shown, {
         garment: await readGarment(textOf(given.garment.bytes), names.garment),
         options: JSON.parse(chosen.options) as SolveOptions,
         compared,
@@ -121,6 +127,8 @@ interface Solved {
   readonly result: SolveResult;
   /** Undefined if remedies were not requested. */
   readonly found?: readonly Remedy[];
+  /** Seams with those marked that do not match even by themselves; with remedies only. */
+  readonly seamGroups?: readonly SeamGroup[];
   /** Answers that were compared; empty for a problem of one solve. */
   readonly compared: readonly ComparedAnswer[];
 }
@@ -152,7 +160,9 @@ async function solved(
     );
     if (!wants.remedies) return {result, compared};
     progress.write('Looking for remedies');
-    return {result, compared, found: await remedies(problem, result, {names})};
+    const found = await remedies(problem, result, {names});
+    const {seamGroups} = await withReach(problem, result, {names});
+    return {result, compared, found, ...(seamGroups && {seamGroups})};
   } finally {
     progress.clear();
   }
@@ -204,8 +214,15 @@ async function checkOutputs(
 /** The result with its design, so that a page can open it, and with its remedies. */
 async function openable(
   {garment, print, options, seed, scale}: Chosen,
-  result: SolveResult,
-  found: readonly Remedy[] | undefined,
+  {
+    result,
+    found,
+    shown,
+  }: {
+    readonly result: SolveResult;
+    readonly found: readonly Remedy[] | undefined;
+    readonly shown: SolveResult;
+  },
 ): Promise<string> {
   const {solvedDesign} = await import('../model/design/solved-design.js');
   const {written} = await import('../model/design/read-design.js');
@@ -221,5 +238,5 @@ async function openable(
     },
     result,
   );
-  return `${JSON.stringify({...result, ...(found && {remedies: found}), design: written(design)})}\n`;
+  return `${JSON.stringify({...shown, ...(found && {remedies: found}), design: written(design)})}\n`;
 }
