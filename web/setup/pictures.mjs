@@ -15,13 +15,13 @@ const dress = {garment: 'princess-dress', print: 'p4m'};
 /** Makes each picture; `open` opens a sample in the page. */
 const makers = {
   page: async (open) => {
-    const page = await open(dress);
-    await select(page, /^Princess seams: Side front/);
+    const page = await open({garment: 'six-gore-skirt', print: 'cm'});
+    await select(page, /Princess seams: Centre front/);
     await picture(page, 'page');
   },
   lens: async (open) => {
     const page = await open({...dress, colorScheme: 'dark'});
-    await select(page, /^Side seams/);
+    await select(page, /Side seams/);
     await page.getByRole('button', {name: 'Enlarge', exact: true}).click();
     await page.locator('sw-lens sw-wipe-handle').locator('input').fill('35');
     await picture(page, 'lens');
@@ -36,7 +36,7 @@ const makers = {
  */
 async function select(page, name) {
   const seams = page.getByRole('table', {name: 'Seams', exact: true});
-  await seams.getByRole('row', {name}).first().click();
+  await seams.getByRole('row').filter({hasText: name}).first().click();
   await page.mouse.move(1250, 600);
   await page.mouse.wheel(0, -20000);
   await page.mouse.move(720, 890);

@@ -39,12 +39,15 @@ export async function usePage(outDir) {
     const files = `?garment=garments/${garment}-m.json&print=prints/${print}.json`;
     await page.goto(`http://localhost:${server.httpServer.address().port}/${files}`);
     await aligned(page);
+    const views = page.locator('sw-editor .views');
+    await views.getByText('Pattern', {exact: true}).click();
     const accept = page.getByRole('button', {name: 'Accept all symmetries', exact: true});
     if (isSymmetric && (await accept.isVisible())) {
       await accept.click();
       await accept.waitFor({state: 'detached'});
       await aligned(page);
     }
+    await views.getByText('Both', {exact: true}).click();
     return page;
   }
 
