@@ -14,7 +14,7 @@ import path from 'node:path';
 const codeSection = 10;
 /** Length of the sequences by which functions are compared. [bytes] */
 const gram = 5;
-/** How far gzip looks back, less the length of a large function. [bytes] */
+/** The reach of gzip back into the text, less the length of a large function. [bytes] */
 const reach = 30_000;
 
 /** Reads an unsigned LEB128 number. @returns number and position behind it */

@@ -38,18 +38,26 @@ double strictMismatch(const WallpaperGroup& group, const Seam& seam, const Shape
   return total;
 }
 
+/// Sum of weight times length times mismatch over the counted seams. [cm2]
+template <class WeightOf>
+double weighedMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+                       const std::vector<Alignment>& at, WeightOf weight_of) {
+  double total = 0;
+  for (const Seam& seam : pattern.seams) {
+    if (!counts(seam)) continue;
+    const double weight = weight_of(seam);
+    const SeamMidpoints m = seamMidpoints(seam, shapes, at);
+    for (std::size_t i = 0; i < m.x.size(); ++i)
+      total += weight * (m.length[i] * group.distance(m.x[i], m.y[i]));
+  }
+  return total;
+}
+
 }  // namespace
 
 double totalMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                      const std::vector<Alignment>& at) {
-  double total = 0;
-  for (const Seam& seam : pattern.seams) {
-    if (!counts(seam)) continue;
-    const SeamMidpoints m = seamMidpoints(seam, shapes, at);
-    for (std::size_t i = 0; i < m.x.size(); ++i)
-      total += m.length[i] * group.distance(m.x[i], m.y[i]);
-  }
-  return total;
+  return weighedMismatch(group, pattern, shapes, at, [](const Seam&) { return 1.0; });
 }
 
 double unmatchedCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
@@ -71,14 +79,8 @@ double unmatchedCost(const WallpaperGroup& group, const Pattern& pattern, const 
 
 double answerCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                   const std::vector<Alignment>& at) {
-  double total = 0;
-  for (const Seam& seam : pattern.seams) {
-    if (!counts(seam)) continue;
-    const SeamMidpoints m = seamMidpoints(seam, shapes, at);
-    for (std::size_t i = 0; i < m.x.size(); ++i)
-      total += costWeight(seam) * (m.length[i] * group.distance(m.x[i], m.y[i]));
-  }
-  return total + unmatchedCost(group, pattern, shapes, at);
+  return weighedMismatch(group, pattern, shapes, at, costWeight) +
+         unmatchedCost(group, pattern, shapes, at);
 }
 
 TotalMismatch measureTotal(const WallpaperGroup& group, const Pattern& pattern,

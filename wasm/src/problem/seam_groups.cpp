@@ -46,7 +46,7 @@ struct PlaceTable {
   const char* name;
   double front, side, back;  ///< visibility
 };
-/// By SeamPlace. Chosen by a review of solved garments: what is seen from the front counts most.
+/// Visibility by SeamPlace, chosen on solved garments. Seams seen from the front count most.
 constexpr PlaceTable kPlaces[] = {{"other", 1.5, 1.5, 1.5},
                                   {"centre front", 3, 3, 3},
                                   {"centre back", 1.5, 1.5, 1.5},

@@ -1,4 +1,5 @@
 /** Seam and hem allowances, the same for cutting files and for the pieces on their fabric. */
+import {ruleOf} from '../cutting/allowance-rule.js';
 import type {Units} from '../model/base/length-text.js';
 import type {ChosenAllowances, Preferences} from '../texts/preferences.js';
 
@@ -6,7 +7,7 @@ type Chosen = Pick<Preferences, 'units' | 'allowances'>;
 
 /** Allowances of most patterns, in centimetres, or in inches that a ruler shows. */
 const usual: Readonly<Record<Units, ChosenAllowances>> = {
-  cm: {allowanceCm: 1, hemCm: 3},
+  cm: ruleOf({}),
   inch: {allowanceCm: 0.375 * 2.54, hemCm: 1.25 * 2.54},
 };
 

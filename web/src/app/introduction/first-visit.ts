@@ -1,4 +1,4 @@
-/** Whether the browser shows the page for the first time. */
+/** Recognises the first visit of a browser to the page. */
 const key = 'seamwise.introduction';
 
 /** Returns false without storage, since each visit would look like the first one. */

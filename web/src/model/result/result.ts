@@ -124,7 +124,7 @@ export interface SeamGroup {
   readonly place: SeamPlace;
   /** The wearer's side; absent in the middle of the body. */
   readonly side?: 'left' | 'right';
-  /** How much a mismatch is seen: 1.5 or more at first sight. */
+  /** Visibility of a mismatch: 1.5 or more is seen at first sight. */
   readonly visibility: number;
   readonly state: SeamState;
   /** Reason why it does not match. */

@@ -66,7 +66,7 @@ export function sentencesOf(
 const kindNames = ['matchesAt', 'closeAt', 'partlyAt', 'breaksAt'] as const;
 type Kind = (typeof kindNames)[number];
 
-/** What is told of each place, in the order of the places' visibility. */
+/** The kind of match at each place, in the order of the places' visibility. */
 function kindsOf(groups: readonly SeamGroup[]): ReadonlyMap<SeamPlace, Kind> {
   const sorted = groups.toSorted((one, other) => other.visibility - one.visibility);
   return new Map(
