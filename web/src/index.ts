@@ -2,7 +2,7 @@
 export type {Alignment, MirrorMap, Point} from './model/geometry/vectors.js';
 export * from './model/result/draped-garment.js';
 export * from './model/documents/drape-file.js';
-export * from './model/documents/glb.js';
+export * from './files/glb/glb.js';
 export type * from './model/garment/specification.js';
 export * from './model/garment/garment-document.js';
 export {garmentFile} from './model/garment/write-garment.js';

@@ -3,7 +3,7 @@ import type {Browser} from 'playwright-core';
 import {afterAll, beforeAll, expect, it} from 'vitest';
 
 import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry/vectors.js';
-import {cellPicture, glb} from '@/model/documents/glb.js';
+import {cellPicture, glb} from '@/files/glb/glb.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import {imageCell} from '@/model/print/wallpaper.js';
 import {openBrowser, sourcesOf} from '../../support/page/browser.js';

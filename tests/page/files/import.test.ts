@@ -9,7 +9,7 @@ import {barriers} from '../../support/page/barriers.js';
 import {designOf} from '../../support/page/design.js';
 import {choose, hand, type HandedFile} from '../../support/page/files.js';
 import {solved, usePage} from '../../support/page/page.js';
-import {plainDxf, type PlainPiece} from '../../support/formats/plain-dxf.js';
+import {plainDxf, type PlainPiece} from '../../support/files/plain-dxf.js';
 import {sampleOf} from '../../support/level.js';
 import {caughtUp} from '../../support/page/waiting.js';
 

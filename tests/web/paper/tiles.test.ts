@@ -3,7 +3,7 @@ import {deflateSync, inflateSync} from 'node:zlib';
 import {describe, expect, it} from 'vitest';
 
 import type {Point} from '@/model/geometry/vectors.js';
-import {pdfImage} from '@/paper/raster-tile.js';
+import {pdfImage} from '@/files/pdf/image.js';
 import {readPath} from '@/paper/svg-path.js';
 import {vectorTile} from '@/paper/vector-tile.js';
 

@@ -11,7 +11,7 @@ import {
   unit,
   type Point,
 } from '../../src/model/geometry/vectors.js';
-import {escaped, short, text} from '../../src/picture/svg.js';
+import {escaped, short, text} from '../../src/files/svg/written.js';
 import {grainLine, notchesOf, titled} from './garment-file.js';
 import {parameterAt, pointAt, velocity, type Curve} from './curves.js';
 import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';

@@ -10,7 +10,7 @@ import {
   type Point,
 } from '../../src/model/geometry/vectors.js';
 import {determinant, latticeAround, printElements} from '../../src/model/print/wallpaper.js';
-import {polyline, short} from '../../src/picture/svg.js';
+import {polyline, short} from '../../src/files/svg/written.js';
 import type {Cell} from './tile.js';
 
 /** A rotation centre: its rotations are multiples of 1 / `order` of a full turn. */

@@ -10,7 +10,7 @@ import {
   printElements,
   type LatticeType,
 } from '../../src/model/print/wallpaper.js';
-import {polyline, short, text} from '../../src/picture/svg.js';
+import {polyline, short, text} from '../../src/files/svg/written.js';
 import {cellOf, hexagonal, rhombic, slanted, square, upright, type Lattice} from './design.js';
 import {drawElements, elementsWithin, type Elements} from './elements.js';
 import {blade, dot, grown, joined} from './shape.js';

@@ -5,7 +5,7 @@
 import {pixelGrid} from '../../src/image/tile-cloth.js';
 import {norm, plus, type Point} from '../../src/model/geometry/vectors.js';
 import {boxOf} from '../../src/model/geometry/polyline.js';
-import {escaped, polyline, short, text} from '../../src/picture/svg.js';
+import {escaped, polyline, short, text} from '../../src/files/svg/written.js';
 import type {Design} from './design.js';
 import {drawElements, elementsWithin} from './elements.js';
 import {palettes, type PaletteName} from './palette.js';

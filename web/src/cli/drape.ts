@@ -10,7 +10,7 @@ import {
   type Measurements,
 } from '../model/result/draped-garment.js';
 import {drapeFile, drapeText, type DrapeFile} from '../model/documents/drape-file.js';
-import {glb} from '../model/documents/glb.js';
+import {glb} from '../files/glb/glb.js';
 import {titleOfFile} from '../model/garment/piece-names.js';
 import {fieldOf} from '../model/base/read.js';
 import {sha256Of} from '../model/documents/result-text.js';

@@ -3,7 +3,7 @@ export type {MarkerGarment} from '../model/design/marker-garment.js';
 export type {Alignment, MirrorMap, Point} from '../model/geometry/vectors.js';
 export * from '../model/result/draped-garment.js';
 export * from '../model/documents/drape-file.js';
-export * from '../model/documents/glb.js';
+export * from '../files/glb/glb.js';
 export type {LayNote, LayNoteCode} from '../model/result/lay-note.js';
 export type * from '../model/result/marker-plan.js';
 export type * from '../model/garment/specification.js';

@@ -1,12 +1,12 @@
 /** Imports patterns of other programs as garments, with a report. */
-import {drawingLimit, readDrawing} from '../formats/read-drawing.js';
+import {drawingLimit, readDrawing} from '../files/read-drawing.js';
 import {
   defaultChoices,
   drawnPieceInCm,
   garmentOf,
   type DefaultChoices,
-} from '../formats/to-garment.js';
-import {cmPer, isPossible} from '../formats/base/units.js';
+} from '../files/to-garment.js';
+import {cmPer, isPossible} from '../files/base/units.js';
 import type {Drawing} from '../model/garment/imported-drawing.js';
 import {edgeLine} from '../model/garment/edge-curve.js';
 import {

@@ -19,9 +19,9 @@ import {boxOf, type Box} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {boxAt, cornersOf, grown, overlap, shared} from './boxes.js';
-import {line, num, nums, scoped, through} from './pdf-content.js';
-import type {PdfResources} from './pdf-resources.js';
-import type {PdfImage} from './raster-tile.js';
+import {line, num, nums, scoped, through} from '../files/pdf/content.js';
+import type {PdfResources} from '../files/pdf/resources.js';
+import type {PdfImage} from '../files/pdf/image.js';
 import type {Size} from './vector-cell.js';
 
 export interface Cell {

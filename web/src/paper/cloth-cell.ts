@@ -5,7 +5,7 @@ import {FileError} from '../model/base/versioned-file.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 import {rasterCell, vectorCell, type Cell} from './cell.js';
-import type {PdfResources} from './pdf-resources.js';
+import type {PdfResources} from '../files/pdf/resources.js';
 
 /**
  * Returns the cell as PNG or JPEG, for an image that is neither and no simple SVG. Sizes in pixels.
@@ -59,7 +59,7 @@ export async function clothCell(
       );
     }
   }
-  const {pdfImage} = await import('./raster-tile.js');
+  const {pdfImage} = await import('../files/pdf/image.js');
   const own = content instanceof Uint8Array ? await pdfImage(content, called) : undefined;
   const dots = (cm: number): number => Math.ceil((cm / inch) * drawnDpi);
   const drawn = own ? undefined : await pixels?.(dots(width), dots(height));

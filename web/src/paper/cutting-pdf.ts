@@ -20,11 +20,11 @@ import {
   scoped,
   strokedWith,
   through,
-} from './pdf-content.js';
-import {PdfDocument, refTo, textString, type Ref} from './pdf-document.js';
-import {pdfFile} from './pdf-file.js';
-import {PdfResources} from './pdf-resources.js';
-import {inFontLetters, textAt, widthOf} from './pdf-text.js';
+} from '../files/pdf/content.js';
+import {PdfDocument, refTo, textString, type Ref} from '../files/pdf/document.js';
+import {pdfFile} from '../files/pdf/file.js';
+import {PdfResources} from '../files/pdf/resources.js';
+import {inFontLetters, textAt, widthOf} from '../files/pdf/text.js';
 import {sheetMap, type SheetMap} from './sheet-map.js';
 import {marksOnPages} from './words-on-page.js';
 

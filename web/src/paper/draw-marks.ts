@@ -13,9 +13,9 @@ import {
   strokedWith,
   through,
   type Colour,
-} from './pdf-content.js';
-import type {PdfResources} from './pdf-resources.js';
-import {textAt, widthOf, type Weight} from './pdf-text.js';
+} from '../files/pdf/content.js';
+import type {PdfResources} from '../files/pdf/resources.js';
+import {textAt, widthOf, type Weight} from '../files/pdf/text.js';
 
 /** Content names of the layers of marks. */
 type MarkLayers = Readonly<Record<CutMark['layer'], string>>;

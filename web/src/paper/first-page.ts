@@ -2,9 +2,9 @@
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {plus, type Point} from '../model/geometry/vectors.js';
 import {boxOf, type Box} from '../model/geometry/polyline.js';
-import {box, filledWith, line, nums, scoped, strokedWith} from './pdf-content.js';
+import {box, filledWith, line, nums, scoped, strokedWith} from '../files/pdf/content.js';
 import {cornersOf} from './boxes.js';
-import {textAt, widthOf} from './pdf-text.js';
+import {textAt, widthOf} from '../files/pdf/text.js';
 import type {PageLayout} from './pages.js';
 
 const inch = 2.54;

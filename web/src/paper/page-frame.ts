@@ -4,8 +4,8 @@
  */
 import type {Point} from '../model/geometry/vectors.js';
 import type {Box} from '../model/geometry/polyline.js';
-import {box, filledWith, line, nums, scoped, strokedWith} from './pdf-content.js';
-import {textAt, widthOf} from './pdf-text.js';
+import {box, filledWith, line, nums, scoped, strokedWith} from '../files/pdf/content.js';
+import {textAt, widthOf} from '../files/pdf/text.js';
 import type {PageLayout, SheetPage} from './pages.js';
 
 const frameLine = 0.02;

@@ -1,7 +1,7 @@
 /** Parses SVG attribute values: colours, lengths, transforms, and shapes as path data. */
 import {radians} from '../model/geometry/vectors.js';
 import {after, type PlaneMap} from '../model/print/wallpaper.js';
-import type {Colour} from './pdf-content.js';
+import type {Colour} from '../files/pdf/content.js';
 
 const named: Readonly<Record<string, string>> = {
   ...{black: '000000', white: 'ffffff', red: 'ff0000', lime: '00ff00', blue: '0000ff'},

@@ -8,7 +8,7 @@
 import {boxOf, type Box} from '../model/geometry/polyline.js';
 import type {Point} from '../model/geometry/vectors.js';
 import {boxAt, grown, overlap, shared} from './boxes.js';
-import {box, filledWith, nums, scoped, strokedWith} from './pdf-content.js';
+import {box, filledWith, nums, scoped, strokedWith} from '../files/pdf/content.js';
 import type {Leaf} from './vector-tile.js';
 
 export type Size = readonly [width: number, height: number];

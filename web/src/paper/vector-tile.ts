@@ -4,7 +4,7 @@
  */
 import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {after, determinant, type PlaneMap} from '../model/print/wallpaper.js';
-import type {Colour} from './pdf-content.js';
+import type {Colour} from '../files/pdf/content.js';
 import {carriedPath, readPath, type SvgPath} from './svg-path.js';
 import {readTags, type SvgElement} from './svg-tags.js';
 import {

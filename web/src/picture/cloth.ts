@@ -2,7 +2,7 @@
 import {norm, rotated, type Alignment, type Point} from '../model/geometry/vectors.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
-import {escaped, short} from './svg.js';
+import {escaped, short} from '../files/svg/written.js';
 import {imageHref} from '../image/svg-picture.js';
 
 /**

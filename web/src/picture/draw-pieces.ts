@@ -11,7 +11,7 @@ import type {PatternMismatch} from '../scene/mismatch.js';
 import {layOutNamed, type Layout} from '../layout/layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from '../scene/marks.js';
 import {seamLetters} from '../scene/seam-letters.js';
-import {escaped, polyline, short, text} from './svg.js';
+import {escaped, polyline, short, text} from '../files/svg/written.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
 import type {Placements} from '../layout/on-body.js';
 

@@ -23,7 +23,7 @@ import {
 import {seamCount, type SeamCount} from '../model/result/seam-groups.js';
 import {countAt, seamGroupsOf} from '../scene/group-states.js';
 import {finalMismatch, mismatchOf, type PatternMismatch} from '../scene/mismatch.js';
-import {escaped, markAcross, short, text} from './svg.js';
+import {escaped, markAcross, short, text} from '../files/svg/written.js';
 import type {Placements} from '../layout/on-body.js';
 
 /**

@@ -15,7 +15,7 @@ import type {Bolt} from '@/marker/places.js';
 import type {LayPlan} from '@/model/result/marker-plan.js';
 import {aroundPins} from '@/model/result/pinned-plan.js';
 import {signedArea} from '@/model/geometry/polyline.js';
-import {inFontLetters, widthOf} from '@/paper/pdf-text.js';
+import {inFontLetters, widthOf} from '@/files/pdf/text.js';
 import type {Source} from '@/texts/base/message.js';
 import {formatFor} from '@/texts/format.js';
 import {markerTexts} from '@/texts/marker-texts.js';

@@ -1,5 +1,5 @@
 /** Choices for a drawing, and the sizes that result. */
-import type {PieceChoice} from '../../formats/to-garment.js';
+import type {PieceChoice} from '../../files/to-garment.js';
 import {unitsInMetre, type FileUnit} from '../../model/garment/garment-document.js';
 import type {ShownDrawing} from './reading.js';
 

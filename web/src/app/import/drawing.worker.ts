@@ -1,7 +1,7 @@
 /** Worker that reads drawings of other programs and converts them to garments. */
-import {readDrawing} from '../../formats/read-drawing.js';
-import {useOfSvg} from '../../formats/svg/read-svg.js';
-import {defaultChoices, garmentOf} from '../../formats/to-garment.js';
+import {readDrawing} from '../../files/read-drawing.js';
+import {useOfSvg} from '../../files/svg/read-svg.js';
+import {defaultChoices, garmentOf} from '../../files/to-garment.js';
 import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
 import {garmentFile} from '../../model/garment/write-garment.js';
 import {serve} from '../worker/serve.js';

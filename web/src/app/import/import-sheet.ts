@@ -1,7 +1,7 @@
 /** Import dialog: the contents of another program's drawing, and choices before it is opened. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {PieceChoice} from '../../formats/to-garment.js';
+import type {PieceChoice} from '../../files/to-garment.js';
 import {controls} from '../../editor/style/controls.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';

@@ -1,5 +1,5 @@
 /** The pieces of a drawing at one scale, with choices: import or not, and number of cuts. */
-import type {PieceChoice} from '../../formats/to-garment.js';
+import type {PieceChoice} from '../../files/to-garment.js';
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {FileUnit} from '../../model/garment/garment-document.js';

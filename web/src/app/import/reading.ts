@@ -1,6 +1,6 @@
 /** Requests to the worker that reads drawings. */
-import type {Choices, DefaultChoices} from '../../formats/to-garment.js';
-import type {SvgUse} from '../../formats/svg/read-svg.js';
+import type {Choices, DefaultChoices} from '../../files/to-garment.js';
+import type {SvgUse} from '../../files/svg/read-svg.js';
 import type {Drawing} from '../../model/garment/imported-drawing.js';
 import {ask} from '../worker/ask.js';
 import type {PieceShape} from './piece-shape.js';

@@ -1,6 +1,6 @@
 /** Files of a drape. */
 import {printOf} from '../../model/design/design.js';
-import {cellPicture, glb, type CellPicture} from '../../model/documents/glb.js';
+import {cellPicture, glb, type CellPicture} from '../../files/glb/glb.js';
 import {norm} from '../../model/geometry/vectors.js';
 import {titleOfFile} from '../../model/garment/piece-names.js';
 import {imageCell} from '../../model/print/wallpaper.js';

@@ -1,4 +1,4 @@
-import {cellPicture, type CellPicture} from '../../model/documents/glb.js';
+import {cellPicture, type CellPicture} from '../../files/glb/glb.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import {addressFrom, calledAs, readAddress} from '../../node/addresses.js';

@@ -1,4 +1,4 @@
-import {recognised} from '../../formats/recognise.js';
+import {recognised} from '../../files/recognise.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import {readBytes, textOf} from '../../node/files.js';
 

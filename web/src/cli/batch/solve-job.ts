@@ -2,7 +2,7 @@
 import {problemFor} from '../../model/documents/design-problem.js';
 import {drapeFile, drapeText} from '../../model/documents/drape-file.js';
 import {SolverError} from '../../model/result/failure.js';
-import {glb} from '../../model/documents/glb.js';
+import {glb} from '../../files/glb/glb.js';
 import {titleOfFile} from '../../model/garment/piece-names.js';
 import {readPrintFile} from '../../model/print/read-print-file.js';
 import type {Print} from '../../model/print/repeating-print.js';

@@ -25,7 +25,7 @@ import {
   polyline,
   text,
   type Pair,
-} from './dxf-records.js';
+} from '../../files/dxf/records.js';
 
 export const layers = {
   cut: 1,

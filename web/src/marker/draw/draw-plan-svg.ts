@@ -3,7 +3,7 @@ import {drawnMarks} from '../../cutting/draw-sheet-svg.js';
 import {plus, type Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../../picture/cloth.js';
-import {escaped, polyline, short} from '../../picture/svg.js';
+import {escaped, polyline, short} from '../../files/svg/written.js';
 import {printOnFabric} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
 import {veils} from './veils.js';

@@ -3,7 +3,7 @@
  * fabric.
  */
 import {blockName, crosses, drawn, layers, namesOf} from '../../cutting/out/sheet-dxf.js';
-import {block, dxfFile, insert, line, polyline, text} from '../../cutting/out/dxf-records.js';
+import {block, dxfFile, insert, line, polyline, text} from '../../files/dxf/records.js';
 import {lineColours} from '../../cutting/line-colours.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';

@@ -3,8 +3,8 @@ import {readFile} from 'node:fs/promises';
 import {importGarment, readGarment, solve} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {tunic} from '../../support/formats/drawn-mesh.js';
-import {bodiceArea, freesewing, freesewingPart} from '../../support/formats/drawn-svg.js';
+import {tunic} from '../../support/files/drawn-mesh.js';
+import {bodiceArea, freesewing, freesewingPart} from '../../support/files/drawn-svg.js';
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
 const publicFile = (path: string): Promise<string> =>

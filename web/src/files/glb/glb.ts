@@ -3,13 +3,13 @@
  * towards +z. The texture coordinates include the place of the print, since many viewers ignore
  * texture transforms.
  */
-import type {Drape, DrapedPiece, Surface} from '../result/draped-garment.js';
-import type {Point} from '../geometry/vectors.js';
-import {imageCoordinates} from '../print/image-coordinates.js';
-import type {Print} from '../print/repeating-print.js';
-import type {SolveResult} from '../result/result.js';
-import {packageVersion} from '../base/version.js';
-import {apply} from '../print/wallpaper.js';
+import type {Drape, DrapedPiece, Surface} from '../../model/result/draped-garment.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {imageCoordinates} from '../../model/print/image-coordinates.js';
+import type {Print} from '../../model/print/repeating-print.js';
+import type {SolveResult} from '../../model/result/result.js';
+import {packageVersion} from '../../model/base/version.js';
+import {apply} from '../../model/print/wallpaper.js';
 
 /** One cell of a print as an image that glTF can contain. */
 export interface CellPicture {

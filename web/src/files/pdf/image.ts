@@ -2,7 +2,7 @@
  * Converts raster images to PDF images. JPEG and most PNG data stay unchanged; transparent images
  * are composited on white.
  */
-import {FileError} from '../model/base/versioned-file.js';
+import {FileError} from '../../model/base/versioned-file.js';
 
 /** An image for `PdfDocument.packedStream`. */
 export interface PdfImage {

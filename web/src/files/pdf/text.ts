@@ -1,6 +1,6 @@
 /** Text in Helvetica, which every PDF viewer has: letters of Windows-1252 and their widths. */
-import {nums, scoped, through} from './pdf-content.js';
-import {towards, type Point} from '../model/geometry/vectors.js';
+import {nums, scoped, through} from './content.js';
+import {towards, type Point} from '../../model/geometry/vectors.js';
 
 /** Letters of the codes 128 to 159. */
 const others = '€\0‚ƒ„…†‡ˆ‰Š‹Œ\0Ž\0\0‘’“”•–—˜™š›œ\0žŸ';

@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
 import {edgeLine} from '@/model/garment/edge-curve.js';
-import {readDrawing} from '@/formats/read-drawing.js';
-import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
+import {readDrawing} from '@/files/read-drawing.js';
+import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import type {Drawing} from '@/model/garment/imported-drawing.js';
 import {signedArea} from '@/model/geometry/polyline.js';
 import {FileError} from '@/model/base/versioned-file.js';
@@ -13,7 +13,7 @@ import {
   polyline,
   segment,
   type Habits,
-} from '../../support/formats/dxf-habits.js';
+} from '../../support/files/dxf-habits.js';
 import {at, toLine} from '../../support/plane.js';
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);

@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import {tracedLoop} from '@/formats/base/bezier.js';
-import {readSvg, useOfSvg} from '@/formats/svg/read-svg.js';
-import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
-import {cmPer} from '@/formats/base/units.js';
+import {tracedLoop} from '@/files/base/bezier.js';
+import {readSvg, useOfSvg} from '@/files/svg/read-svg.js';
+import {defaultChoices, garmentOf} from '@/files/to-garment.js';
+import {cmPer} from '@/files/base/units.js';
 import type {Drawing, Run} from '@/model/garment/imported-drawing.js';
 import {boxOf, signedArea} from '@/model/geometry/polyline.js';
 
@@ -16,7 +16,7 @@ import {
   stroked,
   svg,
   words,
-} from '../../support/formats/drawn-svg.js';
+} from '../../support/files/drawn-svg.js';
 
 const read = (text: string): Drawing => readSvg(text, 'pattern.svg');
 

@@ -1,7 +1,7 @@
 import {validateBytes} from 'gltf-validator';
 import {expect, it} from 'vitest';
 
-import {cellPicture, glb, type GlbOptions} from '@/model/documents/glb.js';
+import {cellPicture, glb, type GlbOptions} from '@/files/glb/glb.js';
 import {coordinates, onPrint, type Alignment} from '@/model/geometry/vectors.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import {imageCell} from '@/model/print/wallpaper.js';

@@ -2,10 +2,10 @@
  * Resources of content streams: fonts, layers, opacities, forms and images, in one dictionary
  * shared by all pages and forms.
  */
-import {num} from './pdf-content.js';
-import {PdfDocument, refTo, textString, type Ref} from './pdf-document.js';
-import {fontNames, type Weight} from './pdf-text.js';
-import type {PdfImage} from './raster-tile.js';
+import {num} from './content.js';
+import {PdfDocument, refTo, textString, type Ref} from './document.js';
+import {fontNames, type Weight} from './text.js';
+import type {PdfImage} from './image.js';
 
 const fonts: Readonly<Record<Weight, string>> = {regular: 'Helvetica', bold: 'Helvetica-Bold'};
 

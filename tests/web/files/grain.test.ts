@@ -1,8 +1,8 @@
 /** Grain lines of drawings; their direction is independent of the end they start at. */
 import {expect, it} from 'vitest';
 
-import {readDrawing} from '@/formats/read-drawing.js';
-import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
+import {readDrawing} from '@/files/read-drawing.js';
+import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import {angleOf, degrees, minus, type Point} from '@/model/geometry/vectors.js';
 
 import {
@@ -13,8 +13,8 @@ import {
   stroked,
   svg,
   words,
-} from '../../support/formats/drawn-svg.js';
-import {bowedSquare, dxfOf, habits} from '../../support/formats/dxf-habits.js';
+} from '../../support/files/drawn-svg.js';
+import {bowedSquare, dxfOf, habits} from '../../support/files/dxf-habits.js';
 
 /** Direction of each piece's grain, from the x axis. [degrees] */
 function grains(text: string, name: string): number[] {

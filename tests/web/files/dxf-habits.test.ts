@@ -6,12 +6,12 @@ import type {GarmentCodeSpecification} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
 import {edgeLine} from '@/model/garment/edge-curve.js';
-import {readDrawing} from '@/formats/read-drawing.js';
-import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
+import {readDrawing} from '@/files/read-drawing.js';
+import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import type {GarmentDocument, GarmentPiece} from '@/model/garment/garment-document.js';
 import {plus, type Point} from '@/model/geometry/vectors.js';
 import {atShare, signedArea} from '@/model/geometry/polyline.js';
-import {dxfOf, habits, type Habits, type PatternPiece} from '../../support/formats/dxf-habits.js';
+import {dxfOf, habits, type Habits, type PatternPiece} from '../../support/files/dxf-habits.js';
 import {cases, sampleOf} from '../../support/level.js';
 import {drawnOutline} from '../../support/garments/panel-curves.js';
 import {at, crossesItself, greatest, scale, toLine} from '../../support/plane.js';

@@ -6,7 +6,7 @@ import {importGarment, readGarment} from 'seamwise/node';
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
 import {seamwise} from '../../support/cli/command-line.js';
-import {bowedSquare, dxfOf, habits} from '../../support/formats/dxf-habits.js';
+import {bowedSquare, dxfOf, habits} from '../../support/files/dxf-habits.js';
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
 

@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import {readDrawing} from '@/formats/read-drawing.js';
+import {readDrawing} from '@/files/read-drawing.js';
 import {FileError} from '@/model/base/versioned-file.js';
 
-import {bodice, millimetreSheet, stroked, svg, words} from '../../support/formats/drawn-svg.js';
+import {bodice, millimetreSheet, stroked, svg, words} from '../../support/files/drawn-svg.js';
 
 const bytesOf = (text: string): Uint8Array =>
   Uint8Array.from(text, (letter) => letter.charCodeAt(0));

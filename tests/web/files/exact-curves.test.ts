@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {tracedLoop} from '@/formats/base/bezier.js';
-import {readDrawing} from '@/formats/read-drawing.js';
+import {tracedLoop} from '@/files/base/bezier.js';
+import {readDrawing} from '@/files/read-drawing.js';
 import type {Drawing, DrawnPiece} from '@/model/garment/imported-drawing.js';
 import type {Point} from '@/model/geometry/vectors.js';
 import {boxOf, signedArea} from '@/model/geometry/polyline.js';
@@ -15,7 +15,7 @@ import {
   segments,
   text,
   type Entity,
-} from '../../support/formats/drawn-dxf.js';
+} from '../../support/files/drawn-dxf.js';
 import {at, greatest} from '../../support/plane.js';
 
 const bytesOf = (content: string): Uint8Array => new TextEncoder().encode(content);

@@ -1,6 +1,6 @@
 /** Operators of content streams with their numbers, in the unit of the current matrix. */
-import type {Point} from '../model/geometry/vectors.js';
-import type {PlaneMap} from '../model/print/wallpaper.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import type {PlaneMap} from '../../model/print/wallpaper.js';
 
 /** Points per centimetre. */
 export const pointsPerCm = 72 / 2.54;

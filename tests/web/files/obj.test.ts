@@ -1,12 +1,12 @@
 import {describe, expect, it} from 'vitest';
 
-import {tracedLoop} from '@/formats/base/bezier.js';
-import {readObj} from '@/formats/obj/read-obj.js';
-import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
+import {tracedLoop} from '@/files/base/bezier.js';
+import {readObj} from '@/files/obj/read-obj.js';
+import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import type {Drawing} from '@/model/garment/imported-drawing.js';
 import {boxOf, signedArea} from '@/model/geometry/polyline.js';
 
-import {tunic, type MeshHabits} from '../../support/formats/drawn-mesh.js';
+import {tunic, type MeshHabits} from '../../support/files/drawn-mesh.js';
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
 const read = (text: string): Drawing => readObj(bytesOf(text), 'garment.obj');

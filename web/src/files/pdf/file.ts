@@ -1,8 +1,8 @@
 /** Assembles a PDF file from pages: catalog, page labels and initial view. */
-import {packageVersion} from '../model/base/version.js';
-import {num, pointsPerCm} from './pdf-content.js';
-import {dateString, refTo, textString, type PdfDocument, type Ref} from './pdf-document.js';
-import type {PdfResources} from './pdf-resources.js';
+import {packageVersion} from '../../model/base/version.js';
+import {num, pointsPerCm} from './content.js';
+import {dateString, refTo, textString, type PdfDocument, type Ref} from './document.js';
+import type {PdfResources} from './resources.js';
 
 interface PdfPage {
   readonly widthCm: number;

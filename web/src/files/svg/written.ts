@@ -1,6 +1,6 @@
 /** Helpers for writing SVG text. */
-import type {Point} from '../model/geometry/vectors.js';
-import {textWidth} from '../layout/name-lines.js';
+import type {Point} from '../../model/geometry/vectors.js';
+import {textWidth} from '../../layout/name-lines.js';
 
 /**
  * Characters that XML cannot contain even as references: most control characters, surrogates,

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import {tracedLoop} from '@/formats/base/bezier.js';
-import {readDrawing} from '@/formats/read-drawing.js';
-import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
+import {tracedLoop} from '@/files/base/bezier.js';
+import {readDrawing} from '@/files/read-drawing.js';
+import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import type {Drawing, DrawnPiece} from '@/model/garment/imported-drawing.js';
 import type {GarmentDocument} from '@/model/garment/garment-document.js';
 import {boxOf, signedArea} from '@/model/geometry/polyline.js';
@@ -18,7 +18,7 @@ import {
   segments,
   text,
   type Entity,
-} from '../../support/formats/drawn-dxf.js';
+} from '../../support/files/drawn-dxf.js';
 import {cases} from '../../support/level.js';
 
 const read = (dxf: string): Drawing => readDrawing(new TextEncoder().encode(dxf), 'plain.dxf');
