@@ -59,16 +59,19 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   solver: modelTo('model/design'),
   image: modelTo('model/print'),
   layout: modelTo('model/result'),
-  formats: modelTo('model/garment'), // no DOM: it runs in Node and in workers, too
+  files: model, // file formats, read and written; no DOM: it runs in Node and in workers, too
   clicks: model,
   pairing: model,
   photo: [...model, 'image'], // the print on a photo
   scene: [...model, 'layout'], // no GL, no SVG, no DOM
-  picture: [...model, 'image', 'layout', 'scene'],
-  cutting: [...model, 'layout', 'scene', 'picture'],
-  paper: [...model, 'image', 'picture', 'cutting'], // no DOM: files of pages in Node, too
+  picture: [...model, 'files', 'image', 'layout', 'scene'],
+  cutting: [...model, 'files', 'layout', 'scene', 'picture'],
+  paper: [...model, 'files', 'image', 'picture', 'cutting'], // no DOM: files of pages in Node, too
   texts: [...model, 'scene'],
-  marker: [...model, 'layout', 'scene', 'image', 'picture', 'cutting', 'paper', 'texts'], // no DOM
+  marker: [
+    ...model,
+    ...['files', 'layout', 'scene', 'image', 'picture', 'cutting', 'paper', 'texts'],
+  ], // no DOM
   remedies: [...model, 'scene'],
   viewer: [...model, 'image', 'scene'], // never the solver: views only read a result
   print: [...model, 'solver', 'image', 'photo', 'texts'], // an opened picture or file as a print
@@ -97,13 +100,13 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   ],
   app: [
     ...model,
-    ...['solver', 'image', 'formats', 'photo', 'cutting', 'paper', 'viewer', 'texts'],
+    ...['solver', 'image', 'files', 'photo', 'cutting', 'paper', 'viewer', 'texts'],
     ...['print', 'workbench', 'commands', 'editor'],
   ],
   node: [
     ...model,
     'image',
-    'formats',
+    'files',
     'solver',
     'scene',
     'picture',
@@ -116,7 +119,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   cli: [
     ...model,
     'image',
-    'formats',
+    'files',
     'layout',
     'scene',
     'picture',
@@ -125,7 +128,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'paper',
     'node',
   ],
-  '': [...model, 'solver'], // index.ts, the entry of the package
+  '': [...model, 'files', 'solver'], // index.ts, the entry of the package
 };
 
 function filesUnder(folder: string, extensions: readonly string[]): string[] {

@@ -2,6 +2,7 @@
  * Rotations that map a print onto itself, by a separate table, and their checks for pieces on
  * printed fabric. Lengths in cm.
  */
+import {apply} from '@/model/geometry/plane-map.js';
 import {
   coordinates,
   combined,
@@ -12,7 +13,7 @@ import {
   type Point,
 } from '@/model/geometry/vectors.js';
 import type {GroupName} from '@/model/print/repeating-print.js';
-import {apply, printElements, type Repeat} from '@/model/print/wallpaper.js';
+import {printElements, type Repeat} from '@/model/print/wallpaper.js';
 import {at, greatest} from '../plane.js';
 
 /**

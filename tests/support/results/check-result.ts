@@ -1,4 +1,5 @@
 /** Checks a result by its geometry alone: properties that hold for every problem and method. */
+import {determinant} from '@/model/geometry/plane-map.js';
 import type {Point, ResultPiece, ResultSeam, SolveOptions, SolveResult} from 'seamwise/node';
 
 import {distanceModulo, fitsOf, randomFit} from './fits.js';
@@ -14,7 +15,7 @@ import {
   turnBetween,
 } from '@/model/geometry/vectors.js';
 import {alongLine, aroundLoop, at, greatest, mirrored, scale, sum} from '../plane.js';
-import {determinant, printElements} from '@/model/print/wallpaper.js';
+import {printElements} from '@/model/print/wallpaper.js';
 
 const degree = Math.PI / 180;
 

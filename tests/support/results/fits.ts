@@ -1,15 +1,10 @@
 /**
  * The mismatches of a result, from its geometry, and distances modulo the symmetries of its print.
  */
+import {apply, type PlaneMap} from '@/model/geometry/plane-map.js';
 import type {Alignment, Point, ResultSeam, SolveResult} from 'seamwise/node';
 
-import {
-  apply,
-  printElements,
-  reducedBasis,
-  type PlaneMap,
-  type Repeat,
-} from '@/model/print/wallpaper.js';
+import {printElements, reducedBasis, type Repeat} from '@/model/print/wallpaper.js';
 import {
   cross,
   distance,

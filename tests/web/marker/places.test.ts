@@ -1,4 +1,5 @@
 /** Permitted places of pieces on printed fabric, and their obstacles. */
+import {apply, determinant} from '@/model/geometry/plane-map.js';
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
@@ -30,7 +31,7 @@ import {
 import {boxOf, distanceTo, isInside} from '@/model/geometry/polyline.js';
 import {groupNames} from '@/model/base/core-tables.js';
 import {latticeVectors} from '@/model/print/repeat.js';
-import {apply, determinant, latticeType, printElements, reduced} from '@/model/print/wallpaper.js';
+import {latticeType, printElements, reduced} from '@/model/print/wallpaper.js';
 
 /** An outline like that of a sleeve: wavy, nowhere straight. */
 const wavy = (radius: number, count = 200): readonly Point[] =>

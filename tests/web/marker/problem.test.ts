@@ -1,3 +1,4 @@
+import {apply} from '@/model/geometry/plane-map.js';
 import type {MarkerGarment} from '@/model/design/marker-garment.js';
 import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it} from 'vitest';
@@ -22,7 +23,7 @@ import type {MarkerAnswer} from '@/model/result/marker-search.js';
 import {boxOf, signedArea} from '@/model/geometry/polyline.js';
 import {type GroupName} from '@/model/print/repeating-print.js';
 import type {ResultPiece, SolveResult} from '@/model/result/result.js';
-import {apply, latticeType, printElements, reduced, type Repeat} from '@/model/print/wallpaper.js';
+import {latticeType, printElements, reduced, type Repeat} from '@/model/print/wallpaper.js';
 import {documentOf, draftedSquare} from '../../support/garments/documents.js';
 import {
   plainMetrics,

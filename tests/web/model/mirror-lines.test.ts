@@ -1,4 +1,5 @@
 /** Possible alignments of symmetric pieces, in all groups that carry them. */
+import {apply, determinant} from '@/model/geometry/plane-map.js';
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
@@ -12,13 +13,7 @@ import {
   nextMirrored,
 } from '@/model/print/mirror-lines.js';
 import {groupsThatCarry, latticeVectors} from '@/model/print/repeat.js';
-import {
-  apply,
-  determinant,
-  printElements,
-  reducedBasis,
-  type Repeat,
-} from '@/model/print/wallpaper.js';
+import {printElements, reducedBasis, type Repeat} from '@/model/print/wallpaper.js';
 import {mirrorImage} from '@/scene/marks.js';
 
 const number = (least: number, most: number): fc.Arbitrary<number> =>

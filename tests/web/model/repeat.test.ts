@@ -1,3 +1,4 @@
+import {apply} from '@/model/geometry/plane-map.js';
 import {groupNames} from '@/model/base/core-tables.js';
 import {readdirSync, readFileSync} from 'node:fs';
 import {describe, expect, it} from 'vitest';
@@ -14,7 +15,7 @@ import {
   repeatOf,
   type RepeatSize,
 } from '@/model/print/repeat.js';
-import {apply, printDistance, printElements, type Repeat} from '@/model/print/wallpaper.js';
+import {printDistance, printElements, type Repeat} from '@/model/print/wallpaper.js';
 
 const measured: RepeatSize = {width: 7, height: 9.5, angleDeg: 70};
 

@@ -1,3 +1,4 @@
+import {apply, determinant} from '@/model/geometry/plane-map.js';
 import {groupNames} from '@/model/base/core-tables.js';
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
@@ -6,8 +7,6 @@ import type {Point} from '@/model/geometry/vectors.js';
 import {type GroupName} from '@/model/print/repeating-print.js';
 import {latticeVectors} from '@/model/print/repeat.js';
 import {
-  apply,
-  determinant,
   joining,
   imageCell,
   latticeType,

@@ -7,7 +7,7 @@ import {describe, expect, it} from 'vitest';
 import {onPiece, type Point} from '@/model/geometry/vectors.js';
 import {imageCoordinates} from '@/model/print/image-coordinates.js';
 import type {Print} from '@/model/print/repeating-print.js';
-import {apply} from '@/model/print/wallpaper.js';
+import {apply} from '@/model/geometry/plane-map.js';
 import {cuttingPdf, type CuttingPdf, type CuttingPdfOptions} from '@/paper/cutting-pdf.js';
 import {paperOf} from '@/paper/papers.js';
 import {laidRectangle, onPrintAt, sheetOf} from '../../support/paper/cut-sheets.js';

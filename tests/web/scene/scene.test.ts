@@ -3,7 +3,7 @@ import {describe, expect, it} from 'vitest';
 import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry/vectors.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import type {Pattern} from '@/model/result/result.js';
-import {apply} from '@/model/print/wallpaper.js';
+import {apply} from '@/model/geometry/plane-map.js';
 import {panelMarks} from '@/model/garment/panel-marks.js';
 import {documentOf, draftedSquare} from '../../support/garments/documents.js';
 import {imageCoordinates} from '@/model/print/image-coordinates.js';

@@ -1,3 +1,4 @@
+import {determinant} from '@/model/geometry/plane-map.js';
 import {groupNames} from '@/model/base/core-tables.js';
 import {describe, expect, it} from 'vitest';
 
@@ -5,7 +6,7 @@ import type {LaidPlacement, LayPlan} from '@/model/result/marker-plan.js';
 import {onPiece, plus, type Point} from '@/model/geometry/vectors.js';
 import {type Print} from '@/model/print/repeating-print.js';
 import {latticeVectors} from '@/model/print/repeat.js';
-import {determinant, printElements} from '@/model/print/wallpaper.js';
+import {printElements} from '@/model/print/wallpaper.js';
 import {planComplaints} from '../../support/marker/check-plan.js';
 import {boardOf, shortestLength} from '../../support/marker/complete-search.js';
 import {placementOf, planOf, rectangle, resultOf} from '../../support/marker/laid-rectangles.js';

@@ -1,4 +1,5 @@
 /** The symmetry elements of a print within a part of the plane, drawn with the usual symbols. */
+import {determinant} from '../../src/model/geometry/plane-map.js';
 import {
   angleOf,
   cross,
@@ -9,7 +10,7 @@ import {
   towards,
   type Point,
 } from '../../src/model/geometry/vectors.js';
-import {determinant, latticeAround, printElements} from '../../src/model/print/wallpaper.js';
+import {latticeAround, printElements} from '../../src/model/print/wallpaper.js';
 import {polyline, short} from '../../src/files/svg/written.js';
 import type {Cell} from './tile.js';
 

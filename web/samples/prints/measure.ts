@@ -1,13 +1,8 @@
 /** Compares a print with its moved copies by their pixels, to find its symmetries. */
+import {after, type PlaneMap} from '../../src/model/geometry/plane-map.js';
 import {clothOf, type Cell, type Cloth, type Pixels} from '../../src/image/tile-cloth.js';
 import {combined, cross, dot, type Point} from '../../src/model/geometry/vectors.js';
-import {
-  after,
-  imageCell,
-  latticeAround,
-  printElements,
-  type PlaneMap,
-} from '../../src/model/print/wallpaper.js';
+import {imageCell, latticeAround, printElements} from '../../src/model/print/wallpaper.js';
 import {imageSize} from './tile.js';
 
 /** The cell, each of its pixels the mean of 2 x 2 of the image's, softened `times` times. */

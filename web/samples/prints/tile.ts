@@ -1,14 +1,9 @@
 /** Builds one seamless cell of a print by applying the group's symmetries to motifs. */
+import {apply, type PlaneMap} from '../../src/model/geometry/plane-map.js';
 import type {Cell} from '../../src/image/tile-cloth.js';
 import {cross, norm, plus, type Point} from '../../src/model/geometry/vectors.js';
 import {boxOf} from '../../src/model/geometry/polyline.js';
-import {
-  apply,
-  imageCell,
-  latticeAround,
-  printElements,
-  type PlaneMap,
-} from '../../src/model/print/wallpaper.js';
+import {imageCell, latticeAround, printElements} from '../../src/model/print/wallpaper.js';
 import type {Palette} from './palette.js';
 import type {Motif, Outline} from './shape.js';
 

@@ -1,6 +1,6 @@
 import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {chosenNames} from '../model/garment/panel-marks.js';
-import {notAsSold} from '../files/svg/written.js';
+import {notAsSold} from '../picture/watermark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {cut as cutResult, type Cut} from '../node/index.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';

@@ -4,7 +4,7 @@ import {chosenNames, garmentTitle, panelMarks} from '../model/garment/panel-mark
 import {titleOfFile} from '../model/garment/piece-names.js';
 import {fieldOf} from '../model/base/read.js';
 import {drawResult, type PictureOptions} from '../picture/draw-result.js';
-import {notAsSold} from '../files/svg/written.js';
+import {notAsSold} from '../picture/watermark.js';
 import {placementsIn} from '../layout/on-body.js';
 import {readGarment} from '../node/index.js';
 import {parseArguments, UsageError} from './base/arguments.js';

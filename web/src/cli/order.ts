@@ -5,7 +5,7 @@ import {textOf} from '../node/files.js';
 import {order as solveOrder, readGarment, type Order} from '../node/index.js';
 import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {noPaper, paperOf} from '../paper/papers.js';
-import {notAsSold} from '../files/svg/written.js';
+import {notAsSold} from '../picture/watermark.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {cutFiles, type CutAnswer, type CutWish} from './base/cut-files.js';
 import {figuresLine} from './figures.js';

@@ -1,7 +1,8 @@
 /** Draws a cutting sheet as SVG in millimetres, with test squares below the pieces. */
+import {markAcross} from '../picture/watermark.js';
 import {onPiece, type Point} from '../model/geometry/vectors.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
-import {escaped, markAcross, polyline, short, text} from '../files/svg/written.js';
+import {escaped, polyline, short, text} from '../files/svg/written.js';
 import {textWidth} from '../layout/name-lines.js';
 import {lineColours} from './line-colours.js';
 import type {CutLine, CutMark, CutSheet, CutText, LaidPiece} from './cut-sheet.js';

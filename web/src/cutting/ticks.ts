@@ -1,6 +1,7 @@
 /**
  * Ticks along matched seams, at which both sides show the same point of the print. Lengths in cm.
  */
+import {apply, type PlaneMap} from '../model/geometry/plane-map.js';
 import {
   between,
   combined,
@@ -18,14 +19,7 @@ import {
 } from '../model/geometry/vectors.js';
 import {seamLetter} from '../model/garment/letters.js';
 import type {ResultSeam, SeamSide, SolveResult} from '../model/result/result.js';
-import {
-  apply,
-  joining,
-  printElements,
-  reduced,
-  type PlaneMap,
-  type Repeat,
-} from '../model/print/wallpaper.js';
+import {joining, printElements, reduced, type Repeat} from '../model/print/wallpaper.js';
 import {pick} from '../scene/marks.js';
 
 export interface SeamTick {

@@ -1,7 +1,7 @@
 /** Describes the symmetries of its group that an image lacks, in terms that people notice. */
 import {angleOf, degrees} from '../model/geometry/vectors.js';
 import type {GroupName} from '../model/print/repeating-print.js';
-import {determinant, type PlaneMap} from '../model/print/wallpaper.js';
+import {determinant, type PlaneMap} from '../model/geometry/plane-map.js';
 import {visibleDifference, type TileCheck} from './tile-check.js';
 import type {Pixels} from './tile-cloth.js';
 

@@ -1,14 +1,9 @@
 /** Checks whether a tile has the symmetries of a group, and finds the places that break them. */
+import type {PlaneMap} from '../model/geometry/plane-map.js';
 import {norm, type Point} from '../model/geometry/vectors.js';
 import type {GroupName, PrintCell} from '../model/print/repeating-print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/print/repeat.js';
-import {
-  imageCell,
-  isCentred,
-  latticeType,
-  printElements,
-  type PlaneMap,
-} from '../model/print/wallpaper.js';
+import {imageCell, isCentred, latticeType, printElements} from '../model/print/wallpaper.js';
 import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
 
 /**

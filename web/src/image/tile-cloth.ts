@@ -1,6 +1,7 @@
 /** A print given by the pixels of one cell, and its images under maps of the plane. */
+import {apply, type PlaneMap} from '../model/geometry/plane-map.js';
 import {combined, coordinates, type Point} from '../model/geometry/vectors.js';
-import {apply, imageCell, type CellOf as Cell, type PlaneMap} from '../model/print/wallpaper.js';
+import {imageCell, type CellOf as Cell} from '../model/print/wallpaper.js';
 
 export type {Cell};
 

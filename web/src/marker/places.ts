@@ -3,6 +3,7 @@
  * coordinates: x across from the left edge, y along the warp from the cut; p_cloth = R(angle) p +
  * translation. Lengths in cm, angles in radians.
  */
+import {determinant} from '../model/geometry/plane-map.js';
 import {
   combined,
   coordinates,
@@ -15,7 +16,7 @@ import {
 } from '../model/geometry/vectors.js';
 import type {MarkerPiece, MarkerProblem} from '../model/result/marker-search.js';
 import {boxOf, type Box} from '../model/geometry/polyline.js';
-import {determinant, printElements, reducedBasis, type CellOf} from '../model/print/wallpaper.js';
+import {printElements, reducedBasis, type CellOf} from '../model/print/wallpaper.js';
 import {areApart, ringOf, type Ring} from './apart.js';
 
 /** Angles that differ by less are equal. [rad] */

@@ -1,10 +1,9 @@
 /**
  * The repeat of a print across and along its fabric, and shifts that match as well. Lengths in cm.
  */
+import {apply, determinant} from '../model/geometry/plane-map.js';
 import {combined, cross, minus, norm, type Point} from '../model/geometry/vectors.js';
 import {
-  apply,
-  determinant,
   latticeAround,
   printElements,
   reduced,

@@ -1,4 +1,5 @@
 /** Draws lines, marks and text of pieces as page content, in cm on the sheet. */
+import type {Colour} from '../files/base/colours.js';
 import type {CutLine, CutMark, CutText} from '../cutting/cut-sheet.js';
 import {lineColours} from '../cutting/line-colours.js';
 import {plus, rotated, towards, type Point} from '../model/geometry/vectors.js';
@@ -12,7 +13,6 @@ import {
   scoped,
   strokedWith,
   through,
-  type Colour,
 } from '../files/pdf/content.js';
 import type {PdfResources} from '../files/pdf/resources.js';
 import {textAt, widthOf, type Weight} from '../files/pdf/text.js';

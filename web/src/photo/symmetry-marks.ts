@@ -1,9 +1,10 @@
 /** Mirrors, glides and rotation centres of a group, in lattice coordinates and over a photo. */
+import {determinant, type PlaneMap} from '../model/geometry/plane-map.js';
 import {cross, leftOf, type Point} from '../model/geometry/vectors.js';
 import {pixelOf} from '../model/print/photo-map.js';
 import type {PhotoMap} from '../model/print/photo-reading.js';
 import type {GroupName} from '../model/print/repeating-print.js';
-import {determinant, printElements, type PlaneMap} from '../model/print/wallpaper.js';
+import {printElements} from '../model/print/wallpaper.js';
 import {boxOf, isInside, pathBetween, type LatticeBox, type PhotoSize} from './lattice-lines.js';
 
 /** All points x with cross(along, x) = offset + n for whole n. */

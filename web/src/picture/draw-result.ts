@@ -2,6 +2,7 @@
  * Draws a result as one image: the pattern on the print before and after, with figures and a
  * legend.
  */
+import {markAcross} from './watermark.js';
 import {norm, type Alignment, type Point} from '../model/geometry/vectors.js';
 import {pairLetter, seamLetter} from '../model/garment/letters.js';
 import {pieceNames} from '../model/garment/piece-names.js';
@@ -23,7 +24,7 @@ import {
 import {seamCount, type SeamCount} from '../model/result/seam-groups.js';
 import {countAt, seamGroupsOf} from '../scene/group-states.js';
 import {finalMismatch, mismatchOf, type PatternMismatch} from '../scene/mismatch.js';
-import {escaped, markAcross, short, text} from '../files/svg/written.js';
+import {escaped, short, text} from '../files/svg/written.js';
 import type {Placements} from '../layout/on-body.js';
 
 /**

@@ -3,15 +3,14 @@
  * displayed figures use the pointwise mismatch. The mismatch under one symmetry per seam shows
  * where the print drifts.
  */
+import {determinant, type PlaneMap} from '../model/geometry/plane-map.js';
 import {coordinates, distance, type Alignment, type Point} from '../model/geometry/vectors.js';
 import type {Pattern, ResultSeam, SeamSide} from '../model/result/result.js';
 import {
-  determinant,
   joining,
   printDistance,
   printElements,
   reducedBasis,
-  type PlaneMap,
   type Repeat,
 } from '../model/print/wallpaper.js';
 

@@ -2,6 +2,7 @@
  * Animates a drawing from its last state to the next one: progress over time, and the alignment of
  * a print on the way.
  */
+import {apply, determinant, type PlaneMap} from '../model/geometry/plane-map.js';
 import {
   angleOf,
   between as pointBetween,
@@ -14,13 +15,7 @@ import {
   type Point,
 } from '../model/geometry/vectors.js';
 import type {Print} from '../model/print/repeating-print.js';
-import {
-  apply,
-  determinant,
-  printElements,
-  reduced,
-  type PlaneMap,
-} from '../model/print/wallpaper.js';
+import {printElements, reduced} from '../model/print/wallpaper.js';
 
 /**
  * Parts of a drawing that are animated; the rest changes at once. `shapes` excludes the print while

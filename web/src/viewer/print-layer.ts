@@ -13,7 +13,7 @@ import {
 import type {Alignment, Point} from '../model/geometry/vectors.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {ontoSheet} from '../model/geometry/sheet-place.js';
-import {apply} from '../model/print/wallpaper.js';
+import {apply} from '../model/geometry/plane-map.js';
 import {between, nearestLike} from './morph.js';
 import {imageCoordinates} from '../model/print/image-coordinates.js';
 import type {ScenePiece} from '../scene/scene.js';

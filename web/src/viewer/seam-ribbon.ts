@@ -9,7 +9,7 @@ import type {SeamSide} from '../model/result/result.js';
 import {pick} from '../scene/marks.js';
 import type {OnPiece} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';
-import {apply} from '../model/print/wallpaper.js';
+import {apply} from '../model/geometry/plane-map.js';
 import {imageCoordinates} from '../model/print/image-coordinates.js';
 import type {PrintMaterial} from './print-layer.js';
 

@@ -1,3 +1,4 @@
+import type {PlaneMap} from '@/model/geometry/plane-map.js';
 import {describe, expect, it} from 'vitest';
 
 import {collection as all} from '@samples/prints/collection.js';
@@ -12,7 +13,7 @@ import {
 import {printOf, tilesOf} from '@samples/prints/print-files.js';
 import {palettes} from '@samples/prints/palette.js';
 import {rendered, type Pixels} from '@samples/prints/raster.js';
-import {printDistance, printElements, type PlaneMap} from '@/model/print/wallpaper.js';
+import {printDistance, printElements} from '@/model/print/wallpaper.js';
 import {seenThrough, type Cloth} from '@/image/tile-cloth.js';
 import {isThorough} from '../../../support/level.js';
 

@@ -26,6 +26,11 @@ const drawnIn: readonly FileUnit[] = ['mm', 'cm', 'inch', 'm'];
 const likely = (largest: number, units: readonly FileUnit[]): FileUnit[] =>
   units.filter((unit) => isWithin(largest * inCm(unit), usual));
 
+/** Millimetres per unit of paper, as drawings name them. */
+export const paperUnits: Readonly<Record<string, number>> = {
+  ...{mm: 1, cm: 10, m: 1000, in: 25.4, pt: 25.4 / 72, pc: 25.4 / 6, q: 0.25},
+};
+
 interface UnitHints {
   /** The longer side of the largest piece, in the unit of the file. */
   readonly largest: number;

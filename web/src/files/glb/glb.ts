@@ -9,7 +9,7 @@ import {imageCoordinates} from '../../model/print/image-coordinates.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {packageVersion} from '../../model/base/version.js';
-import {apply} from '../../model/print/wallpaper.js';
+import {apply} from '../../model/geometry/plane-map.js';
 
 /** One cell of a print as an image that glTF can contain. */
 export interface CellPicture {

@@ -1,6 +1,7 @@
 /** Operators of content streams with their numbers, in the unit of the current matrix. */
+import type {Colour} from '../base/colours.js';
 import type {Point} from '../../model/geometry/vectors.js';
-import type {PlaneMap} from '../../model/print/wallpaper.js';
+import type {PlaneMap} from '../../model/geometry/plane-map.js';
 
 /** Points per centimetre. */
 export const pointsPerCm = 72 / 2.54;
@@ -32,9 +33,6 @@ export const box = ([x, y]: Point, width: number, height: number): string =>
 /** Assigns content to a layer, by its name in the page's resources. */
 export const onLayer = (layer: string, ...parts: readonly string[]): string =>
   parts.every((part) => part === '') ? '' : [`/OC /${layer} BDC`, ...parts, 'EMC'].join('\n');
-
-/** Red, green and blue, from 0 to 1. */
-export type Colour = readonly [number, number, number];
 
 export const filledWith = (colour: Colour): string => `${nums(...colour)} rg`;
 export const strokedWith = (colour: Colour): string => `${nums(...colour)} RG`;

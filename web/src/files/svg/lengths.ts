@@ -3,12 +3,8 @@ import type {UnitGuess} from '../../model/garment/imported-drawing.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import type {XmlDocument} from '../base/xml.js';
 import {paperOf} from '../base/frames.js';
-import {fitOf, numbersOf} from './matrix.js';
-
-/** Millimetres per absolute unit. */
-const paperUnits: Readonly<Record<string, number>> = {
-  ...{mm: 1, cm: 10, m: 1000, in: 25.4, pt: 25.4 / 72, pc: 25.4 / 6, q: 0.25},
-};
+import {paperUnits} from '../base/units.js';
+import {fitOf, numbersOf} from './values.js';
 
 interface SvgProgram {
   /** Name and version, if the file states them. */

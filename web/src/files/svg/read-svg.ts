@@ -1,4 +1,5 @@
 /** Reads SVG as a drawing of pieces. */
+import {after, scaling, shifting} from '../../model/geometry/plane-map.js';
 import type {Drawing, DrawnPiece, Run, UnitGuess} from '../../model/garment/imported-drawing.js';
 import type {FileUnit} from '../../model/garment/garment-document.js';
 import type {Point} from '../../model/geometry/vectors.js';
@@ -10,7 +11,7 @@ import {readXml, type XmlDocument} from '../base/xml.js';
 import {freesewingPieces} from './freesewing.js';
 import {genericPieces, largestClosed, type Found} from './generic.js';
 import {programOf, scaleOf} from './lengths.js';
-import {composed, numbersOf, scaling, shift} from './matrix.js';
+import {numbersOf} from './values.js';
 import {measuredScale} from './scale-box.js';
 import {classesOf} from './styles.js';
 import {walked, type Sheet} from './walk.js';
@@ -116,9 +117,9 @@ function sheetOf(document: XmlDocument, [x, y]: Point, file: string): Sheet {
   const {root} = document;
   const {name: program} = programOf(document);
   const [left = 0, top = 0, across = 0, down = 0] = numbersOf(root.attributes.get('viewBox'));
-  const matrix = composed(scaling(x, -y), shift(-left, -top));
+  const map = after(scaling(x, -y), shifting(-left, -top));
   const page: Point = [x * across, y * down];
-  return {...walked(root, matrix, file), page, ...(program !== undefined && {program})};
+  return {...walked(root, map, file), page, ...(program !== undefined && {program})};
 }
 
 const measuredNote = (ratio: number): string =>

@@ -1,5 +1,6 @@
 /** The SVG styles that determine the drawing of a line. */
 import type {XmlElement} from '../base/xml.js';
+import {userUnits} from './values.js';
 
 /** The style of an element, including inherited properties. */
 export interface Style {
@@ -25,7 +26,8 @@ type Properties = Readonly<Record<string, string>>;
 /** Properties by class name. Other selectors are ignored, since pattern programs write classes. */
 export type StyleSheet = ReadonlyMap<string, Properties>;
 
-function propertiesOf(declarations: string): Properties {
+/** The declarations of a `style` attribute or rule, in lower case. */
+export function propertiesOf(declarations: string): Properties {
   const pairs = declarations.split(';').flatMap((one) => {
     const colon = one.indexOf(':');
     if (colon < 0) return [];
@@ -53,11 +55,9 @@ export function sheetOf(texts: readonly string[]): StyleSheet {
 export const classesOf = ({attributes}: XmlElement): string[] =>
   (attributes.get('class') ?? '').split(/\s+/).filter((name) => name !== '');
 
-const points: Readonly<Record<string, number>> = {pt: 4 / 3, mm: 96 / 25.4, cm: 96 / 2.54};
-
 function fontSizeOf(value: string | undefined, around: number): number {
   const [, number, unit = ''] = /^([\d.]+)\s*([a-z%]*)$/.exec(value ?? '') ?? [];
-  const size = Number(number) * (points[unit] ?? (unit === 'em' ? around : 1));
+  const size = Number(number) * (unit === 'em' ? around : userUnits(unit));
   return size > 0 && unit !== '%' ? size : around;
 }
 

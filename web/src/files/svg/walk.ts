@@ -1,21 +1,10 @@
 /** Walks an SVG, and resolves groups, transforms, uses and styles to final positions and sizes. */
+import {after, apply, scaling, shifting, type PlaneMap} from '../../model/geometry/plane-map.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import type {XmlElement} from '../base/xml.js';
 import {linesOf, type Line} from './lines.js';
-import {
-  composed,
-  fitOf,
-  growth,
-  isFlat,
-  mapped,
-  matrixOf,
-  lengthOf,
-  numbersOf,
-  scaling,
-  shift,
-  type Matrix,
-} from './matrix.js';
+import {fitOf, growth, hrefOf, isFlat, lengthOf, numbersOf, transformOf} from './values.js';
 import {initialStyle, sheetOf, styleOf, type Style, type StyleSheet} from './styles.js';
 
 /** The lines of an element. */
@@ -86,7 +75,7 @@ const mostUses = 16;
 
 /** The context of a group's children. */
 interface Place {
-  readonly matrix: Matrix;
+  readonly map: PlaneMap;
   readonly style: Style;
   readonly groups: readonly XmlElement[];
   readonly uses: number;
@@ -94,18 +83,15 @@ interface Place {
   readonly view: Point;
 }
 
-const hrefOf = ({attributes}: XmlElement): string =>
-  (attributes.get('href') ?? attributes.get('xlink:href') ?? '').trim();
-
 /**
  * Walks the file.
- * @param matrix map from root units to millimetres, y up
+ * @param map map from root units to millimetres, y up
  * @throws {FileError} if it is invalid or too large
  */
-export function walked(root: XmlElement, matrix: Matrix, file: string): Contents {
+export function walked(root: XmlElement, map: PlaneMap, file: string): Contents {
   const walk = new Walk(root, file);
   const style = styleOf(root, initialStyle, walk.sheet) ?? initialStyle;
-  walk.children(root, {matrix, style, groups: [], uses: 0, view: insideOf(root, [0, 0])});
+  walk.children(root, {map, style, groups: [], uses: 0, view: insideOf(root, [0, 0])});
   return walk.result();
 }
 
@@ -158,14 +144,14 @@ class Walk {
     }
     const style = styleOf(element, around.style, this.sheet);
     if (!style) return;
-    const matrix = composed(around.matrix, this.#transformOf(element));
+    const map = after(around.map, this.#transformOf(element));
     const {uses, view} = around;
-    const place = {matrix, style, groups: [...around.groups, element], uses, view};
+    const place = {map, style, groups: [...around.groups, element], uses, view};
     if (element.name === 'use') this.#use(element, place);
     else if (element.name === 'svg')
       this.children(element, {
         ...place,
-        matrix: composed(matrix, viewOf(element, view)),
+        map: after(map, viewOf(element, view)),
         view: insideOf(element, view),
       });
     else if (element.name === 'text') this.#text(element, around.groups, place);
@@ -176,19 +162,19 @@ class Walk {
   #shape(
     element: XmlElement,
     groups: readonly XmlElement[],
-    {matrix, style, uses, view, ...place}: Place,
+    {map, style, uses, view, ...place}: Place,
   ): void {
     if ((element.attributes.get('d')?.length ?? 0) > longestPath) this.#refusePath(element);
-    const shape = linesOf(element, matrix, view);
+    const shape = linesOf(element, map, view);
     if (!shape) {
-      this.children(element, {matrix, style, uses, view, ...place});
+      this.children(element, {map, style, uses, view, ...place});
       return;
     }
     const id = element.attributes.get('id') ?? element.name;
     if (shape.isDamaged)
       this.#notes.add(`The path '${id}' is damaged, and read as far as it goes.`);
     if (style.isHidden || shape.lines.length === 0) return;
-    if (isFlat(matrix)) {
+    if (isFlat(map)) {
       throw new FileError(
         this.#file,
         `flattens '${id}' to a line by its transform; correct the transform, or delete it.`,
@@ -222,7 +208,7 @@ class Walk {
     const [x = 0, y = 0] = ['x', 'y'].map(
       (name, k) => lengthOf(element.attributes.get(name), place.view[k] ?? 0) ?? 0,
     );
-    const matrix = composed(place.matrix, shift(x, y));
+    const map = after(place.map, shifting(x, y));
     const target = this.#byId.get(id);
     if (!href.startsWith('#') || !target) {
       this.#notes.add(`What is used from '${href}' is not in the file, and left out.`);
@@ -231,32 +217,32 @@ class Walk {
     if (place.uses >= mostUses) {
       throw new FileError(this.#file, `uses '${id}' within itself; delete that use.`);
     }
-    this.#symbols.push({of: id, groups: place.groups, at: mapped(matrix, [0, 0])});
-    const inner = {...place, matrix, uses: place.uses + 1};
+    this.#symbols.push({of: id, groups: place.groups, at: apply(map, [0, 0])});
+    const inner = {...place, map, uses: place.uses + 1};
     if (target.name === 'symbol')
       this.children(target, {
         ...inner,
-        matrix: composed(matrix, viewOf(target, place.view)),
+        map: after(map, viewOf(target, place.view)),
         view: insideOf(target, place.view),
       });
     else this.#element(target, inner);
   }
 
-  #text(element: XmlElement, groups: readonly XmlElement[], {matrix, style}: Place): void {
+  #text(element: XmlElement, groups: readonly XmlElement[], {map, style}: Place): void {
     const lines = linesOfText(element);
     const first = [element, ...element.children.filter((one) => typeof one !== 'string')];
     const [x = 0, y = 0] = ['x', 'y'].map(
       (name) => first.flatMap(({attributes}) => numbersOf(attributes.get(name)))[0] ?? 0,
     );
     if (style.isHidden || lines.length === 0) return;
-    const size = style.fontSize * growth(matrix);
-    this.#texts.push({element, groups, lines, at: mapped(matrix, [x, y]), size});
+    const size = style.fontSize * growth(map);
+    this.#texts.push({element, groups, lines, at: apply(map, [x, y]), size});
   }
 
-  #transformOf(element: XmlElement): Matrix {
+  #transformOf(element: XmlElement): PlaneMap {
     const transform = element.attributes.get('transform');
-    const matrix = matrixOf(transform);
-    if (matrix) return matrix;
+    const map = transformOf(transform);
+    if (map) return map;
     throw new FileError(
       this.#file,
       `has a transform that cannot be read, '${(transform ?? '').slice(0, 60)}'; correct it.`,
@@ -274,17 +260,17 @@ function insideOf({attributes}: XmlElement, around: Point): Point {
 }
 
 /** The map from the view box of a nested `svg` or `symbol` to its parent. */
-function viewOf({attributes}: XmlElement, around: Point): Matrix {
+function viewOf({attributes}: XmlElement, around: Point): PlaneMap {
   const at = (name: string, whole: number): number | undefined =>
     lengthOf(attributes.get(name), whole);
   const box = numbersOf(attributes.get('viewBox'));
   const [left = 0, top = 0, across = 0, down = 0] = box;
-  const place = shift(at('x', around[0]) ?? 0, at('y', around[1]) ?? 0);
+  const place = shifting(at('x', around[0]) ?? 0, at('y', around[1]) ?? 0);
   if (!(across > 0 && down > 0)) return place;
   const [width, height] = [at('width', around[0]) ?? across, at('height', around[1]) ?? down];
   const [x, y] = fitOf(attributes.get('preserveAspectRatio'), width / across, height / down);
-  const middle = shift((width - x * across) / 2, (height - y * down) / 2);
-  return composed(composed(place, middle), composed(scaling(x, y), shift(-left, -top)));
+  const middle = shifting((width - x * across) / 2, (height - y * down) / 2);
+  return after(after(place, middle), after(scaling(x, y), shifting(-left, -top)));
 }
 
 /** The whole text of an element, unchanged. */

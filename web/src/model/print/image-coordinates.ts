@@ -1,6 +1,7 @@
+import {apply, determinant, type PlaneMap} from '../geometry/plane-map.js';
 import {minus, type Alignment, type Point} from '../geometry/vectors.js';
 import type {Print} from './repeating-print.js';
-import {apply, determinant, imageCell, type PlaneMap} from './wallpaper.js';
+import {imageCell} from './wallpaper.js';
 
 /**
  * Maps points of a piece to coordinates of the print's image: (0, 0) is the lower left corner of

@@ -1,4 +1,5 @@
 /** Alignments in which two pieces show each other's mirror image on a print. */
+import type {PlaneMap} from '../geometry/plane-map.js';
 import {
   angleOf,
   minus,
@@ -10,7 +11,7 @@ import {
   type MirrorMap,
 } from '../geometry/vectors.js';
 import {mirrored, mirrorLines, type AngleRule} from './mirror-lines.js';
-import {reduced, type PlaneMap, type Repeat} from './wallpaper.js';
+import {reduced, type Repeat} from './wallpaper.js';
 
 /** The inverse map: from the second piece of a pair to the first. */
 export function inverse({angle, translation: [x, y]}: MirrorMap): MirrorMap {

@@ -1,4 +1,5 @@
 /** Places of a symmetric piece on a print: its axis is on one of the print's mirror lines. */
+import {determinant, type PlaneMap} from '../geometry/plane-map.js';
 import {
   angleOf,
   cross,
@@ -16,15 +17,7 @@ import {
   type MirrorMap,
   type Point,
 } from '../geometry/vectors.js';
-import {
-  determinant,
-  printElements,
-  latticeAround,
-  reduced,
-  reducedBasis,
-  type PlaneMap,
-  type Repeat,
-} from './wallpaper.js';
+import {printElements, latticeAround, reduced, reducedBasis, type Repeat} from './wallpaper.js';
 
 /**
  * Parallel mirror lines of a print at equal distances, in points of the print. Glide lines are not

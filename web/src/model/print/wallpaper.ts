@@ -4,6 +4,14 @@
  */
 import {groupTable} from '../base/core-tables.js';
 import {
+  after,
+  apply,
+  determinant,
+  identity,
+  planeMap,
+  type PlaneMap,
+} from '../geometry/plane-map.js';
+import {
   combined,
   coordinates,
   cross,
@@ -21,15 +29,6 @@ import type {GroupName, Print} from './repeating-print.js';
  */
 export type LatticeType = 'oblique' | 'rectangular' | 'rhombic' | 'square' | 'hexagonal';
 
-/** The map x -> A x + a, with A = [[xx, xy], [yx, yy]]. */
-export interface PlaneMap {
-  readonly xx: number;
-  readonly xy: number;
-  readonly yx: number;
-  readonly yy: number;
-  readonly shift: Point;
-}
-
 /** A symmetry in lattice coordinates (u, v), in the form of the table. */
 type Generator = readonly [number, number, number, number, number, number];
 
@@ -38,14 +37,6 @@ export type Repeat = Pick<Print, 'group' | 'w1' | 'w2'>;
 
 /** A repeat with the kind of cell in the print's image. */
 export type CellOf = Repeat & Pick<Print, 'cell'>;
-
-const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): PlaneMap => ({
-  xx,
-  xy,
-  yx,
-  yy,
-  shift: [x, y],
-});
 
 export const latticeType = (group: GroupName): LatticeType => groupTable[group][0];
 
@@ -56,31 +47,11 @@ export const latticeType = (group: GroupName): LatticeType => groupTable[group][
 export const isCentred = (group: GroupName): boolean =>
   ['rhombic', 'hexagonal'].includes(latticeType(group));
 
-/** The map that applies `inner` first, then `outer`. */
-export function after(outer: PlaneMap, inner: PlaneMap): PlaneMap {
-  const [x, y] = apply(outer, inner.shift);
-  return map(
-    outer.xx * inner.xx + outer.xy * inner.yx,
-    outer.xx * inner.xy + outer.xy * inner.yy,
-    outer.yx * inner.xx + outer.yy * inner.yx,
-    outer.yx * inner.xy + outer.yy * inner.yy,
-    x,
-    y,
-  );
-}
-
-export const apply = ({xx, xy, yx, yy, shift}: PlaneMap, [x, y]: Point): Point => [
-  xx * x + xy * y + shift[0],
-  yx * x + yy * y + shift[1],
-];
-
-export const determinant = ({xx, xy, yx, yy}: PlaneMap): number => xx * yy - xy * yx;
-
 /** One symmetry per linear part, in lattice coordinates; the first is the identity. */
 function latticeElements(group: GroupName): readonly PlaneMap[] {
   const [, order, generators] = groupTable[group];
-  const maps = (generators as readonly Generator[]).map((numbers) => map(...numbers));
-  const elements = [map(1, 0, 0, 1)];
+  const maps = (generators as readonly Generator[]).map((numbers) => planeMap(...numbers));
+  const elements = [identity];
   const same = (a: PlaneMap, b: PlaneMap): boolean =>
     a.xx === b.xx && a.xy === b.xy && a.yx === b.yx && a.yy === b.yy;
   for (let i = 0; i < elements.length && elements.length < order; i++) {
@@ -96,9 +67,9 @@ function latticeElements(group: GroupName): readonly PlaneMap[] {
 
 /** One symmetry of the print per linear part, in centimetres; the first is the identity. */
 export function printElements({group, w1, w2}: Repeat): readonly PlaneMap[] {
-  const basis = map(w1[0], w2[0], w1[1], w2[1]);
+  const basis = planeMap(w1[0], w2[0], w1[1], w2[1]);
   const d = determinant(basis);
-  const inverse = map(w2[1] / d, -w2[0] / d, -w1[1] / d, w1[0] / d);
+  const inverse = planeMap(w2[1] / d, -w2[0] / d, -w1[1] / d, w1[0] / d);
   return latticeElements(group).map((element) => after(basis, after(element, inverse)));
 }
 

@@ -5,7 +5,7 @@ import type {DrapeMesh} from '../../model/result/draped-garment.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Alignment, Point} from '../../model/geometry/vectors.js';
 import type {Print} from '../../model/print/repeating-print.js';
-import {apply} from '../../model/print/wallpaper.js';
+import {apply} from '../../model/geometry/plane-map.js';
 import {imageCoordinates} from '../../model/print/image-coordinates.js';
 
 export class FabricLayer {
