@@ -73,6 +73,11 @@ void PenaltyDeformation::start(std::vector<Target> targets, double alpha, double
   iterations_ = at_this_gamma_ = gammas_ = 0;
 }
 
+void PenaltyDeformation::stiffen(double alpha) {
+  alpha_ = alpha;
+  at_this_gamma_ = 0;
+}
+
 double PenaltyDeformation::energy(const VectorX& x, VectorX* gradient,
                                   SparseHessian* hessian) const {
   return proximityEnergy(targets_, x, gradient, hessian) +

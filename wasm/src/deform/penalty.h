@@ -16,6 +16,9 @@ class PenaltyDeformation {
 
   /// Restarts from rest towards ideal seam lines, or `share` of the way there.
   void start(std::vector<Target> targets, double alpha, double share = 1);
+  /// Continues from the present shapes and gamma with another weight of the conformal term. The
+  /// result may differ a little from that of a start from rest.
+  void stiffen(double alpha);
   /// Takes one Newton step. Returns false once E_match and E_sym are below 1e-6 cm2 a vertex, both
   /// sides of every seam have the same length within 0.008 cm, and every vertex is within 0.0008 cm
   /// of its image. Also returns false if that is unattainable.

@@ -122,13 +122,24 @@ void PaperRun::startDeformation() {
 
 bool PaperRun::endAttempt() {
   shapes_ = deformation_.shapes();
-  if (problem_.options.alpha || isKept()) return true;
-  ++attempt_;
-  if (alpha_ < PaperTuning::kMostAlpha) {
-    alpha_ *= 2;
-    deformation_.start(targets_, alpha_);
+  if (problem_.options.alpha || isKept()) {
+    if (!probing_) return true;
+    probing_ = false;
+    startAttempt();
     return false;
   }
+  if (alpha_ < PaperTuning::kMostAlpha) {
+    alpha_ *= 2;
+    // an attempt from rest that fails at the alpha of a probe is followed by others from rest
+    if (probing_ || attempt_ == 0) {
+      probing_ = true;
+      deformation_.stiffen(alpha_);
+    } else {
+      startAttempt();
+    }
+    return false;
+  }
+  probing_ = false;
   if (draw_ == 1)
     notes_->push_back(
         {"partOfTheWay",
@@ -139,8 +150,13 @@ bool PaperRun::endAttempt() {
     shapes_ = evenedShapes(pattern_);
     return true;
   }
-  deformation_.start(targets_, alpha_, draw_);
+  startAttempt();
   return false;
+}
+
+void PaperRun::startAttempt() {
+  ++attempt_;
+  deformation_.start(targets_, alpha_, draw_);
 }
 
 /// Returns whether the shapes can be cut and sewn, and none has moved further than allowed.

@@ -37,6 +37,7 @@ class PaperRun : public Run {
   void sweep();
   void startDeformation();
   bool endAttempt();
+  void startAttempt();
   bool isKept() const;
   void restIfBetter();
 
@@ -54,6 +55,7 @@ class PaperRun : public Run {
   double alpha_ = 1;
   double draw_ = 1;  ///< share of the way from rest to their targets for the seams
   int attempt_ = 0;
+  bool probing_ = false;  ///< seeks an alpha that holds, continuing the attempt before
   double progress_ = 0;
   Phase phase_ = Phase::kAlignment;
   std::vector<Note>* notes_;

@@ -15,6 +15,7 @@ import {
   remedies,
   solve,
   withReach,
+  type Problem,
   type ProblemNames,
   type Remedy,
 } from '../node/index.js';
@@ -42,6 +43,9 @@ const grammar = {
   ],
   switches: ['--json', '--no-times', '--no-remedies', '--others'],
 };
+
+/** Time for remedies, enough for garments of 60 pieces. [s] */
+const remedySeconds = 60;
 
 /** `align`: solves a garment and prints its figures. */
 export async function align(words: readonly string[]): Promise<void> {
@@ -159,12 +163,31 @@ async function solved(
       },
     );
     if (!wants.remedies) return {result, compared};
-    progress.write('Looking for remedies');
-    const found = await remedies(problem, result, {names});
-    const {seamGroups} = await withReach(problem, result, {names});
-    return {result, compared, found, ...(seamGroups && {seamGroups})};
+    progress.write(`Looking for remedies, for at most ${String(remedySeconds)} s`);
+    return {result, compared, ...(await afterwards(problem, result, names))};
   } finally {
     progress.clear();
+  }
+}
+
+/** Searches for remedies and for seams beyond reach until the time for it is over. */
+async function afterwards(
+  problem: Problem,
+  result: SolveResult,
+  names: ProblemNames,
+): Promise<Pick<Solved, 'found' | 'seamGroups'>> {
+  const found: Remedy[] = [];
+  const signal = AbortSignal.timeout(1000 * remedySeconds);
+  try {
+    await remedies(problem, result, {names, signal, onRemedy: (remedy) => found.push(remedy)});
+    const {seamGroups} = await withReach(problem, result, {names, signal});
+    return {found, ...(seamGroups && {seamGroups})};
+  } catch (error) {
+    if (!signal.aborted) throw error;
+    remark(
+      `The search for remedies ended after ${String(remedySeconds)} s with ${found.length === 0 ? 'none' : String(found.length)}; --no-remedies leaves it out.`,
+    );
+    return {found};
   }
 }
 

@@ -2,7 +2,7 @@ import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {panelMarks} from '../model/garment/panel-marks.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {ComparedAnswer} from '../model/design/solve-problem.js';
-import type {SolveResult} from '../model/result/result.js';
+import type {Milliseconds, SolveResult} from '../model/result/result.js';
 import {seamCount} from '../model/result/seam-groups.js';
 import type {Remedy} from '../node/index.js';
 import {seamGroupsOf} from '../scene/group-states.js';
@@ -66,6 +66,15 @@ function matching(result: SolveResult, {options, compared = []}: Asked): string[
 const scaled = ({scale = 1}: SolveResult['print']): string[] =>
   scale === 1 ? [] : [`print at ${String(Number((100 * scale).toFixed(1)))} %`];
 
+/** The time of the solve, and that of the attempts that did not hold. */
+function times({total, deformation, attempts = deformation}: Milliseconds): string[] {
+  const before = attempts - deformation;
+  return [
+    `${String(total)} ms`,
+    ...(before > 0 ? [`${String(before)} ms for attempts that moved too far`] : []),
+  ];
+}
+
 /** The figures of a result in one line. */
 export function figuresLine(name: string, result: SolveResult, asked: Asked): string {
   const {print, pieces, seams, metrics} = result;
@@ -75,7 +84,7 @@ export function figuresLine(name: string, result: SolveResult, asked: Asked): st
     ...matching(result, asked),
     ...mismatch(result, asked),
     `moved at most ${millimetres(metrics.maxMovedCm)}`,
-    `${String(metrics.milliseconds.total)} ms`,
+    ...times(metrics.milliseconds),
   ].join('; ');
 }
 

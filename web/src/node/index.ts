@@ -46,21 +46,28 @@ export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Prom
 /**
  * Changes that reduce the mismatch at seams of a result, the most likely first. Each is tested by
  * another solve, and kept only if it clearly helps. At most four are tried; none if all seams match
- * within 3 mm.
+ * within 3 mm, or for other methods than `best`.
  * @param problem the problem of the result
  * @throws the signal's reason, an `AbortError` by default, when it aborts
  */
 export async function remedies(
   problem: Problem,
   result: SolveResult,
-  {signal, names}: NamedPrepareHooks = {},
+  {
+    signal,
+    names,
+    onRemedy,
+  }: NamedPrepareHooks & {
+    /** Called as soon as a remedy is found. */
+    readonly onRemedy?: (remedy: Remedy) => void;
+  } = {},
 ): Promise<readonly Remedy[]> {
   const {remediesOf} = await import('../remedies/remedies.js');
   return remediesOf(
     chosenProblem(problem, result),
     result,
     (changed, stop) => solve(changed, {...(stop && {signal: stop}), ...(names && {names})}),
-    {signal},
+    {signal, ...(onRemedy && {onRemedy})},
   );
 }
 

@@ -18,7 +18,8 @@ const mostPieces = 60;
 
 /** Proposals in the order in which they are tried. */
 export function proposals(problem: SingleProblem, result: SolveResult): readonly Proposal[] {
-  if (result.pieces.length > mostPieces) return [];
+  // the published methods are for comparison, and take minutes
+  if (result.pieces.length > mostPieces || result.metrics.method !== 'best') return [];
   const options = parsed(problem.options);
   const known = reasons(result);
   const off = (...some: readonly SeamReason[]): number[] =>

@@ -11,7 +11,7 @@ const isCandidate = ({state, reason, visibility}: SeamGroup): boolean =>
   state === 'off' && visibility >= leastVisible && (reason === 'others' || reason === 'size');
 
 /**
- * Solves each visible seam by itself. A seam that is still off cannot match.
+ * Solves each visible seam by itself, by method `best` only. A seam that is still off cannot match.
  * @returns the result, in which the state of such seams is `cannot` and the reason `reach`
  * @throws the signal's reason when it aborts
  */
@@ -21,7 +21,7 @@ export async function withReach(
   solve: (problem: SingleProblem, signal?: AbortSignal) => Promise<SolveResult>,
   {signal}: {readonly signal?: AbortSignal | undefined} = {},
 ): Promise<SolveResult> {
-  const groups = result.seamGroups ?? [];
+  const groups = result.metrics.method === 'best' ? (result.seamGroups ?? []) : [];
   const tried = groups
     .filter(isCandidate)
     .toSorted((one, other) => other.visibility - one.visibility)

@@ -156,6 +156,8 @@ export interface Milliseconds {
   readonly alignment: number;
   /** Time of the last attempt, if a method makes several with growing weights. */
   readonly deformation: number;
+  /** Time of all attempts at the deformation; missing in files of earlier versions. */
+  readonly attempts?: number;
   /** Time of both phases, and of reading, meshing and measuring around them. */
   readonly total: number;
 }

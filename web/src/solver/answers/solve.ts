@@ -14,7 +14,7 @@ export class Solver {
   readonly #solver: ModuleSolver;
   /** Time of the preparation, and of measuring at the end. [ms] */
   #around = 0;
-  readonly #spent = {alignment: 0, deformation: 0};
+  readonly #spent = {alignment: 0, deformation: 0, attempts: 0};
   #attempt = 0;
   /** Error that broke the module while shares were exchanged. */
   #broken: Error | null = null;
@@ -55,6 +55,7 @@ export class Solver {
     if (attempt !== this.#attempt) this.#spent.deformation = 0;
     this.#attempt = attempt;
     this.#spent[phase] += milliseconds;
+    if (phase === 'deformation') this.#spent.attempts += milliseconds;
   }
 
   get phase(): Phase {
@@ -136,10 +137,11 @@ export class Solver {
 
   /** Time spent computing so far, in whole milliseconds. */
   get milliseconds(): Milliseconds {
-    const {alignment, deformation} = this.#spent;
+    const {alignment, deformation, attempts} = this.#spent;
     return {
       alignment: Math.round(alignment),
       deformation: Math.round(deformation),
+      attempts: Math.round(attempts),
       total: Math.round(this.#around + alignment + deformation),
     };
   }
