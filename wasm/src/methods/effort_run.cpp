@@ -18,7 +18,8 @@ EffortRun::EffortRun(const Problem& problem, Mesh requested, std::optional<Mesh>
       symmetric_(symmetric),
       known_(std::move(known)),
       rules_(rules),
-      searches_(searches) {
+      searches_(searches),
+      requested_change_(BestRun::reachOf(problem.options)) {
   const SolveOptions& options = problem.options;
   const auto plan = [&](bool is_symmetric) {
     if (options.max_change_cm > ShapingTuning::kUsualChange)
@@ -65,12 +66,37 @@ const BestRun& EffortRun::best() const {
   return symmetric_stands_ ? *best_symmetric_ : *best_requested_;
 }
 
+/// Returns whether the print misses somewhere, and yet every piece has its drafted lines.
+bool EffortRun::keptLines(const BestRun& run) const {
+  if (mismatchOf(run) <= SearchTuning::kPerfectCost) return false;
+  const Shapes rest = evenedShapes(requested_.pattern);
+  for (std::size_t p = 0; p < rest.size(); ++p)
+    for (std::size_t v = 0; v < rest[p].size(); ++v)
+      if ((run.shapes()[p][v] - rest[p][v]).norm() > kLeastChange) return false;
+  return true;
+}
+
+/// Plans rounds of half the greatest change if no shape was found in the rounds so far. Shapes that
+/// may move further can fail where others hold.
+void EffortRun::tryLessChange() {
+  const Round last = rounds_.back();
+  const double change = last.change / 2;
+  if (change < ShapingTuning::kLeastHalved * requested_change_) return;
+  if (!keptLines(*best_requested_) || (best_symmetric_ && !keptLines(*best_symmetric_))) return;
+  if (symmetric_) rounds_.push_back({true, change, last.seed});
+  rounds_.push_back({false, change, last.seed});
+}
+
 bool EffortRun::advance() {
   if (isDone()) return false;
-  if (run_->advance()) return true;
+  const bool more = run_->advance();
+  const double now = static_cast<double>(ended_) + run_->fraction();
+  fraction_ = std::max(fraction_, now / static_cast<double>(rounds_.size()));
+  if (more) return true;
   auto& best = rounds_[ended_].symmetric ? best_symmetric_ : best_requested_;
   if (!best || mismatchOf(*run_) < mismatchOf(*best)) best = std::move(run_);
-  if (++ended_ < rounds_.size()) {
+  if (++ended_ == rounds_.size()) tryLessChange();
+  if (!isDone()) {
     begin();
     return true;
   }

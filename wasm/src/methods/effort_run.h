@@ -25,9 +25,7 @@ class EffortRun : public Run {
 
   bool advance() override;
   Phase phase() const override { return isDone() ? Phase::kDone : run_->phase(); }
-  double fraction() const override {
-    return isDone() ? 1 : (ended_ + run_->fraction()) / static_cast<double>(rounds_.size());
-  }
+  double fraction() const override { return isDone() ? 1 : fraction_; }
   const Alignments& alignment() const override { return best().alignment(); }
   const Alignments& search() const override { return best().search(); }
   std::vector<Alignments> compared() const override { return best().compared(); }
@@ -48,6 +46,8 @@ class EffortRun : public Run {
   const BestRun& best() const;
   void begin();
   double mismatchOf(const BestRun& run) const;
+  bool keptLines(const BestRun& run) const;
+  void tryLessChange();
 
   Problem problem_;  ///< the seed and the greatest change are those of the round
   Mesh requested_;
@@ -55,8 +55,10 @@ class EffortRun : public Run {
   std::vector<Mirror> known_;
   const MatchRules& rules_;
   SearchMemo& searches_;
+  double requested_change_;  ///< cm
   std::vector<Round> rounds_;
   std::size_t ended_ = 0;                                     ///< number of rounds that have ended
+  double fraction_ = 0;
   std::unique_ptr<BestRun> run_;                              ///< current run
   std::unique_ptr<BestRun> best_symmetric_, best_requested_;  ///< best of the ended rounds
   bool symmetric_stands_ = false;
