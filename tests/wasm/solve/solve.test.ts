@@ -1,3 +1,5 @@
+import {readFileSync} from 'node:fs';
+
 import {convert, memory, solve, symmetries, type Progress} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
@@ -55,6 +57,22 @@ describe('solve', () => {
     expect(milliseconds.total).toBeGreaterThanOrEqual(
       milliseconds.alignment + milliseconds.deformation - 1,
     );
+  });
+});
+
+describe('the greatest change', () => {
+  it('leaves no garment as drafted that can be shaped with less change', async () => {
+    const print = readFileSync(new URL('../../../public/prints/p4m.json', import.meta.url), 'utf8');
+    const problem = {garment: sample('shift-dress'), print, options: {maxChangeCm: 0.5}};
+    const {metrics} = await solve(problem);
+    expect(metrics.maxMovedCm).toBeGreaterThan(0.1);
+  });
+
+  it('is kept by the published methods after attempts whose time counts apart', async () => {
+    const {metrics} = await solve({garment: sample('six-gore-skirt'), print: checks, method: 'ws19'});
+    const {attempts = 0, deformation} = metrics.milliseconds;
+    expect(metrics.maxMovedCm).toBeLessThanOrEqual(1);
+    expect(attempts).toBeGreaterThan(deformation);
   });
 });
 
