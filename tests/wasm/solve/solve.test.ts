@@ -69,7 +69,11 @@ describe('the greatest change', () => {
   });
 
   it('is kept by the published methods after attempts whose time counts apart', async () => {
-    const {metrics} = await solve({garment: sample('six-gore-skirt'), print: checks, method: 'ws19'});
+    const {metrics} = await solve({
+      garment: sample('six-gore-skirt'),
+      print: checks,
+      method: 'ws19',
+    });
     const {attempts = 0, deformation} = metrics.milliseconds;
     expect(metrics.maxMovedCm).toBeLessThanOrEqual(1);
     expect(attempts).toBeGreaterThan(deformation);
