@@ -155,12 +155,12 @@ it(
 );
 
 it(
-  'asks for the cloth that it cuts, in steps of 5 cm, as soon as that is known',
+  'asks for the fabric that it cuts, in steps of 5 cm, as soon as that is known',
   {tags: ['thorough']},
   async () => {
     const page = await open(`${shop}garment/tee`);
     const length = page.locator('#length');
-    const said = /^Cut from (\d\.\d\d) m of cloth, 140 cm wide\.$/;
+    const said = /^Cut from (\d\.\d\d) m of fabric, 140 cm wide\.$/;
     const centimetres = async (): Promise<number> =>
       (await garment(page).evaluate((element: SeamwiseGarment) => element.clothLengthCm)) ?? 0;
     const sold = async (): Promise<number> => {
@@ -406,7 +406,7 @@ it('has its own price, and no other files than its own', {tags: ['thorough']}, a
     });
   const cheap = await post({design, cents: '1'});
   expect(cheap.status).toBe(400);
-  expect(await cheap.text()).toContain(`m of cloth and costs ${told}, which is not what you were`);
+  expect(await cheap.text()).toContain(`m of fabric and costs ${told}, which is not what you were`);
   const other = {...(JSON.parse(design) as object), result: '0'.repeat(64)};
   const unlike = await post({design: JSON.stringify(other), cents: String(cents)});
   expect(await unlike.text()).toContain('This is not what our pages show');

@@ -97,7 +97,7 @@ TEST(MarkerErrors, SayThatFlawsLeaveNoRoom) {
                    {{20, -10}, {22, -10}, {22, 9000}, {20, 9000}}};
   EXPECT_EQ(refusalOf(problem), "");  // room from 1 to 12, with a dot at 2 after a half turn
   problem.flaws.push_back({{5, -10}, {6, -10}, {6, 9000}, {5, 9000}});
-  EXPECT_EQ(refusalOf(problem), "front finds no place between the flaws; take cloth with fewer.");
+  EXPECT_EQ(refusalOf(problem), "front finds no place between the flaws; take fabric with fewer.");
 }
 
 TEST(MarkerErrors, SayThatThereIsNothingToLay) {

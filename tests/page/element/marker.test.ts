@@ -66,7 +66,7 @@ function markerFiles(page: Page): readonly string[] {
 }
 
 it(
-  'tells what its answer takes of the cloth, as the package lays it',
+  'tells what its answer takes of the fabric, as the package lays it',
   {tags: ['thorough']},
   async () => {
     const {page, put, run} = await openPage();
@@ -119,7 +119,7 @@ it(
 );
 
 it(
-  'knows no length of another answer or cloth than what is shown',
+  'knows no length of another answer or fabric than what is shown',
   {tags: ['thorough']},
   async () => {
     const {page, put, run} = await openPage();
@@ -204,7 +204,7 @@ it(
 );
 
 it(
-  'keeps nothing in the browser of what is said of the cloth in its editor',
+  'keeps nothing in the browser of what is said of the fabric in its editor',
   {tags: ['thorough']},
   async () => {
     const {page, put} = await openPage();

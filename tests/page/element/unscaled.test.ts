@@ -11,7 +11,7 @@ const garment =
   '<seamwise-garment garment="garments/tee-{size}.json" size="m" alt="A tee"></seamwise-garment>';
 
 it(
-  'is refused where files to cut or a length of cloth are asked for',
+  'is refused where files to cut or a length of fabric are asked for',
   {tags: ['thorough']},
   async () => {
     const {page, put, run} = await openPage();

@@ -22,7 +22,7 @@ const savedPlan = async (page: Page): Promise<LayPlan> =>
   JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
 
 it(
-  'tells the lengths on other widths as those of all pieces packed anew while some are off the cloth or moved',
+  'tells the lengths on other widths as those of all pieces packed anew while some are off the fabric or moved',
   {tags: ['thorough']},
   async () => {
     const page = await clothOf(await openPage());
@@ -44,7 +44,7 @@ it(
     expect(partial).toMatchObject({widths: [], cheaper: [], phases: [{lengthCm: null}]});
     expect(partial.notes.join()).not.toMatch(/where the print starts/);
     const drawn = await saved(page, 'Save fabric layout (SVG)');
-    expect(drawn).not.toMatch(/Other cloth|may start elsewhere/);
+    expect(drawn).not.toMatch(/Other fabric|may start elsewhere/);
 
     await button(page, 'Undo').click();
     await expect.poll(async () => (await caption(page)).trim()).toBe('Other widths');

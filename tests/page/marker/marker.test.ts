@@ -77,7 +77,7 @@ it(
     await expect.poll(() => facts(page)).toContain('Moved by hand');
     await expect
       .poll(() => button(page, 'Undo').getAttribute('title'))
-      .toBe('Undo: move on the cloth');
+      .toBe('Undo: move on the fabric');
     await page.keyboard.press('r');
     await expect.poll(() => status(page)).toMatch(/turned 180°/);
     await page.keyboard.press('p');
@@ -199,7 +199,7 @@ it(
       ['Alt ←  →  ↑  ↓', 'The same, even where others lie'],
       ['R', 'Turn'],
       ['P', 'Pin'],
-      ['Delete', 'Take off the cloth'],
+      ['Delete', 'Take off the fabric'],
       ['A', 'Pack the rest'],
       ['X', 'Mark a flaw'],
       ['Shift X', 'Add a flaw'],
@@ -357,8 +357,8 @@ it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}
   await expect.poll(() => pane(page).locator('.piece').count()).toBe(3);
   await expect
     .poll(() => status(page))
-    .toBe('Sleeve left is off the cloth; packing brings it back.');
-  await expect.poll(() => rowOf(page, 'Sleeve left').textContent()).toMatch(/not on the cloth/);
+    .toBe('Sleeve left is off the fabric; packing brings it back.');
+  await expect.poll(() => rowOf(page, 'Sleeve left').textContent()).toMatch(/not on the fabric/);
   // the length to buy is still unknown
   await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
   await expect.poll(() => facts(page)).toMatch(/^The others lie on [\d.]+ cm, \d+ % used/);
@@ -375,7 +375,7 @@ it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}
   await expect.poll(() => bought(page)).toBe('4 pieces do not lie yet');
   await expect
     .poll(() => button(page, 'Undo').getAttribute('title'))
-    .toBe('Undo: taking off the cloth');
+    .toBe('Undo: taking off the fabric');
   await pane(page).getByRole('button', {name: 'Pack again'}).click();
   await laid(page);
   await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
@@ -412,7 +412,7 @@ it(
 );
 
 it(
-  'says of cloth that is too narrow which piece is too wide, and remembers what the cloth is like',
+  'says of fabric that is too narrow which piece is too wide, and remembers what the fabric is like',
   {tags: ['thorough']},
   async () => {
     const page = await openCloth();
@@ -420,7 +420,7 @@ it(
     await width.selectOption('150');
     await laid(page);
     await width.selectOption('other');
-    const own = panel(page).getByLabel('Cloth width (cm)');
+    const own = panel(page).getByLabel('Fabric width (cm)');
     await own.fill('30');
     await own.press('Enter');
     await expect.poll(() => said(page), {timeout: 30_000}).toMatch(/wide/);

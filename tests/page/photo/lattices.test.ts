@@ -26,7 +26,7 @@ it.each([
   ['cmm', 33],
   ['p31m', 8],
 ] as const)(
-  'is a print of group %s as the cloth has it, pasted',
+  'is a print of group %s as the fabric has it, pasted',
   {tags: ['thorough']},
   async (group: GroupName, seed) => {
     const {truth, pixels} = await floralCase(
@@ -92,7 +92,7 @@ it('is of another lattice when somebody says so', {tags: ['thorough']}, async ()
   await although.waitFor();
   await expect.poll(() => use(page).count()).toBe(0);
   await dialog.getByText(/^Whether this cell is .* uncertain: drag its corners/).waitFor();
-  await dialog.getByRole('heading', {name: 'Photo of your cloth'}).click();
+  await dialog.getByRole('heading', {name: 'Photo of your fabric'}).click();
   await page.keyboard.press('Enter');
   await expect.poll(() => although.isEnabled()).toBe(true);
   await dialog.getByRole('button', {name: 'Repeat 2'}).click();

@@ -142,7 +142,7 @@ describe('a photograph', () => {
       await dialog.getByRole('alert').waitFor(patient);
       await expect.poll(() => dialog.getByRole('alert').innerText()).toMatch(/^[A-Z].*\.$/);
       await expect
-        .poll(() => dialog.getByRole('img', {name: 'Photo of the cloth'}).isVisible())
+        .poll(() => dialog.getByRole('img', {name: 'Photo of the fabric'}).isVisible())
         .toBe(true);
       await dialog.getByRole('button', {name: 'Draw the cell by hand'}).click();
       await dialog.getByRole('button', {name: 'Find the repeat from here'}).waitFor();
@@ -188,8 +188,8 @@ it('is offered for a picture whose edges do not meet', {tags: ['thorough']}, asy
     mimeType: '',
     buffer: pngOf(painted(220, 200, cut)),
   });
-  await button(page, 'It is a photo of cloth').click();
-  await dialogOf(page).getByRole('img', {name: 'Photo of the cloth'}).waitFor();
+  await button(page, 'It is a photo of fabric').click();
+  await dialogOf(page).getByRole('img', {name: 'Photo of the fabric'}).waitFor();
 });
 
 it(

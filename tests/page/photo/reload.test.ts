@@ -48,7 +48,7 @@ const keptOf = (page: Page): Promise<readonly number[]> =>
 
 async function again(page: Page): Promise<Locator> {
   await page.reload();
-  await button(page, 'Photo of your cloth').waitFor();
+  await button(page, 'Photo of your fabric').waitFor();
   return openSheet(page);
 }
 

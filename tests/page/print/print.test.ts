@@ -167,7 +167,7 @@ it('offers the group that still fits cloth that was measured', {tags: ['thorough
   const page = await quietPage();
   await proportions(page).click();
   await enter(page, 'Repeat height (cm)', '12');
-  await page.getByText('Your cloth is not quite p4m; pmm still fits.').waitFor();
+  await page.getByText('Your fabric is not quite p4m; pmm still fits.').waitFor();
   expect((await designOf(page)).print.size.height).toBe(11);
   await button(page, 'Take pmm').click();
   await page.getByRole('radio', {name: 'pmm, Harlequin', checked: true}).waitFor();

@@ -216,7 +216,7 @@ it('shows nothing but the cloth when asked, and all again', {tags: ['thorough']}
   await solved(page);
   const name = page.locator('sw-pattern .stage span').filter({hasText: /^Front lower$/});
   await expect.poll(() => name.isVisible()).toBe(true);
-  await button(page, 'Cloth only').click();
+  await button(page, 'Fabric only').click();
   await name.waitFor({state: 'hidden'});
   await page.getByRole('application', {name: 'Pattern'}).press('c');
   await name.waitFor();

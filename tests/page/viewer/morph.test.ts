@@ -93,7 +93,7 @@ async function widthIn(page: Page, pixels: Pixels): Promise<number> {
 }
 
 it(
-  'moves an outline and the cloth to their new place in 200 ms, and ends exactly there',
+  'moves an outline and the fabric to their new place in 200 ms, and ends exactly there',
   {tags: ['thorough']},
   async () => {
     const page = await openStill();

@@ -183,7 +183,7 @@ function checkFigures(plan: LayPlan, rules: PlanRules): string[] {
     must(off <= tolerance.length, `the pieces take ${extent} cm, not ${lengthCm}`);
   }
   const used = sum(placements.map(({cut}) => ringArea(cut))) / (widthCm * lengthCm);
-  must(Math.abs(used - useShare) <= 1e-6, `${used} of the cloth is used, not ${useShare}`);
+  must(Math.abs(used - useShare) <= 1e-6, `${used} of the fabric is used, not ${useShare}`);
   must(boundCm <= lengthCm + tolerance.length, `the bound, ${boundCm}, is above the length`);
   const open = Math.abs(boundCm - lengthCm);
   must(!proven || open <= tolerance.proof, `said to be proven, but ${open} cm are open`);

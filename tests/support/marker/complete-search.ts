@@ -152,7 +152,7 @@ export function shortestLength(
 ): number | undefined {
   if (pieces.length > mostPieces) throw new RangeError(`more than ${mostPieces} pieces`);
   const period = warpPeriod(board.print);
-  if (period === undefined) throw new RangeError('the print has no repeat along the cloth');
+  if (period === undefined) throw new RangeError('the print has no repeat along the fabric');
   let number = 0;
   const turned = pieces.map(({ring, alignment, turns}) =>
     allowedTurns(board.print.group, turns).map((turn): Turned => {

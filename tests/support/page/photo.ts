@@ -9,7 +9,7 @@ export const patient = {timeout: 120_000};
 export const dialogOf = (page: Page): Locator => page.locator('sw-photo').getByRole('dialog');
 
 export async function openSheet(page: Page): Promise<Locator> {
-  await button(page, 'Photo of your cloth').click();
+  await button(page, 'Photo of your fabric').click();
   const dialog = dialogOf(page);
   await dialog.waitFor();
   return dialog;

@@ -42,7 +42,7 @@ it('lays results as a plan, the same bytes each time, and says one line', async 
   expect(code).toBe(0);
   expect(err).toMatch(/^(note: .*\n)*$/);
   expect(out).toMatch(
-    /^\S+short\S+, \S+long\S+: 8 pieces on [\d.]+ cm of cloth 36 cm wide; [\d.]+ % of it used; (proven the shortest|[\d.]+ cm at the least); [\d.]+ cm without regard to the print\n$/,
+    /^\S+short\S+, \S+long\S+: 8 pieces on [\d.]+ cm of fabric 36 cm wide; [\d.]+ % of it used; (proven the shortest|[\d.]+ cm at the least); [\d.]+ cm without regard to the print\n$/,
   );
   const plan = read('plan.json') as LayPlan;
   const results = ['short', 'long'].map((name) => read(`${name}.result.json`) as SolveResult);
@@ -95,8 +95,8 @@ it('takes what is known of the cloth', async () => {
 
 describe('says in one sentence', () => {
   it.each<[string, string[], string]>([
-    ['that the width is missing', [], '--width CM, how wide the cloth is, is missing.'],
-    ['that there is no cloth', ['--width', '0'], 'The cloth is 0 cm wide'],
+    ['that the width is missing', [], '--width CM, how wide the fabric is, is missing.'],
+    ['that there is no fabric', ['--width', '0'], 'The fabric is 0 cm wide'],
     [
       'that a width is a number',
       ['--width', 'NaN'],
@@ -109,7 +109,11 @@ describe('says in one sentence', () => {
       ['--width=90', '--gap=21'],
       "--gap is '21', but must be a length from 0 to 20 cm.",
     ],
-    ['where a print starts', ['--width=90', '--phase=91'], 'beyond the cloth, which is 90 cm wide'],
+    [
+      'where a print starts',
+      ['--width=90', '--phase=91'],
+      'beyond the fabric, which is 90 cm wide',
+    ],
     ['what a phase is', ['--width=90', '--phase=left'], "--phase is 'left'"],
     [
       'how many plies there are',
@@ -136,7 +140,7 @@ describe('says in one sentence', () => {
       ['--width=90', '--out=RESULT'],
       'is read and would be overwritten',
     ],
-    ['which piece is wider than the cloth', ['--width=8'], 'left'],
+    ['which piece is wider than the fabric', ['--width=8'], 'left'],
   ])('%s', async (_, words, sentence) => {
     const names: Readonly<Record<string, string[]>> = {
       LONG: [file('long.result.json')],

@@ -74,8 +74,8 @@ const refused: readonly [string, Change, string][] = [
   ['1e6 cm up', movedBy(1e6), 'is beyond 10000'],
   ['10 m up', movedBy(1000), 'is placed far from any body'],
   ['of pieces of 1e6 cm', larger(1e4), 'is beyond 10000 cm'],
-  ['in the wrong unit', larger(10), 'm2 of cloth, more than the 20 m2 that can be draped'],
-  ['of 200 pieces', times(50), 'm2 of cloth, more than the 20 m2 that can be draped'],
+  ['in the wrong unit', larger(10), 'm2 of fabric, more than the 20 m2 that can be draped'],
+  ['of 200 pieces', times(50), 'm2 of fabric, more than the 20 m2 that can be draped'],
   ['cut to nothing', eachPiece(({shape}) => ({shape: shape.map(() => [0, 0])})), 'no area as cut'],
 ];
 

@@ -179,7 +179,7 @@ describe('folded cloth', () => {
         (error: unknown) => String(error),
       );
     expect(await refusal(loose('p4m'), 2)).toContain("Piece 'front' has no mirror image");
-    expect(await refusal(loose('p4'), 2)).toContain('Along this cloth p4 has no mirror line');
+    expect(await refusal(loose('p4'), 2)).toContain('Along this fabric p4 has no mirror line');
     const map = {angle: 0, translation: [30, 0]} as const;
     const front = rectangle('front', 30, 41, {angle: 0, translation: [4, 3]});
     const symmetries = [{kind: 'piece', piece: 0, map, pairs: []}] as const;
@@ -192,7 +192,7 @@ describe('folded cloth', () => {
     expect(await refusal(single, 2)).toBe('');
     const wide = {...usual, widthCm: 50, copies: 2, fold: true};
     await expect(marker([single], wide)).rejects.toThrow(
-      /^front is 32.0 cm wide, .* between selvedge and fold; folded cloth has to be at least 66.2 cm wide/,
+      /^front is 32.0 cm wide, .* between selvedge and fold; folded fabric has to be at least 66.2 cm wide/,
     );
   });
 });

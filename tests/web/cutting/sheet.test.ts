@@ -264,7 +264,7 @@ describe('the file to cut by', () => {
     expect(svg).toContain('Left &#60;half&#62;');
     expect(svg).toContain('Right half');
     expect(svg.match(/>Cut 1, face up, single layer</g)).toHaveLength(2);
-    expect(fileOf({plain: ['left_half']})).toContain('>Cut 1 of plain cloth<');
+    expect(fileOf({plain: ['left_half']})).toContain('>Cut 1 of plain fabric<');
     expect(svg).toContain('Mirror image of Right half');
     expect(svg).toContain('Mirror image of Left &#60;half&#62;');
   });

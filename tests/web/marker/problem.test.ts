@@ -251,10 +251,10 @@ describe('a problem', () => {
     const {pieces, notes} = orderOf({options: {plain: ['left_half']}});
     expect(pieces.map(({piece}) => piece)).toEqual(['right_half']);
     expect(notes.map((note) => saidNote(note))).toEqual([
-      'Pieces of plain cloth are not laid on the print: left_half.',
+      'Pieces of plain fabric are not laid on the print: left_half.',
     ]);
     expect(() => orderOf({options: {plain: ['left_half', 'right_half']}})).toThrow(
-      /^All pieces are of plain cloth/,
+      /^All pieces are of plain fabric/,
     );
   });
 
@@ -296,7 +296,7 @@ describe('a problem', () => {
     const print = {...plainPrint, w1: [8, 1], w2: [-Math.SQRT2, 9]} as const;
     const turned = orderOf({result: result({print})}, {plies: 3});
     expect(turned.problem.wholeRepeats).toBe(false);
-    expect(saidOf(turned.notes)).toContain('never comes again along the cloth');
+    expect(saidOf(turned.notes)).toContain('never comes again along the fabric');
   });
 
   it('counts flaws from the cut', () => {
@@ -318,11 +318,11 @@ describe('a problem', () => {
 describe('refuses in one sentence', () => {
   it.each<[Partial<MarkerSettings>, string]>([
     [{widthCm: NaN}, 'widthCm is NaN, but must be a number from 0 to 1000.'],
-    [{widthCm: 0}, 'The cloth is 0 cm wide; give its width between its edges.'],
+    [{widthCm: 0}, 'The fabric is 0 cm wide; give its width between its edges.'],
     [{widthCm: 10, selvedgeCm: 5}, 'Between selvedges of 5 cm nothing is left'],
     [{widthCm: 1001}, 'widthCm is 1001'],
     [{gapCm: 21}, 'gapCm is 21, but must be a number from 0 to 20.'],
-    [{phaseCm: 150}, 'The print starts 150 cm from the left edge, beyond the cloth'],
+    [{phaseCm: 150}, 'The print starts 150 cm from the left edge, beyond the fabric'],
     [{phaseCm: -1}, 'phaseCm is -1'],
     [{plies: 0}, 'plies is 0, but must be a whole number from 1 to 1000.'],
     [{copies: 1.5}, 'copies is 1.5, but must be a whole number'],
@@ -449,7 +449,7 @@ describe('a plan', () => {
       expect.stringMatching(
         /^7 to 10 cm, by where the print starts at the selvedge; measure it\.$/,
       ),
-      'At 1 of 8 places where the print may start at the selvedge, not all pieces fit on the cloth.',
+      'At 1 of 8 places where the print may start at the selvedge, not all pieces fit on the fabric.',
     ]);
   });
 

@@ -1,7 +1,13 @@
 import {describe, expect, it} from 'vitest';
 
 import type {SeamGroup, SolveResult} from '@/model/result/result.js';
-import {isVisible, mismatchAlong, seamCount, stateAt} from '@/model/result/seam-groups.js';
+import {
+  isVisible,
+  mismatchAlong,
+  quietSeams,
+  seamCount,
+  stateAt,
+} from '@/model/result/seam-groups.js';
 import {countAt, seamGroupsOf} from '@/scene/group-states.js';
 import {plainMetrics, squarePair} from '../../support/garments/two-squares.js';
 
@@ -23,6 +29,10 @@ describe('the count of seams', () => {
   it('leaves out hidden seams, gathers and what the user has left out', () => {
     expect(seamCount(groups, undefined)).toEqual({matched: 1, counted: 3});
     expect(isVisible(group(3, {state: 'cannot', reason: 'gather'}), undefined)).toBe(false);
+  });
+
+  it('are quiet where they neither count nor match', () => {
+    expect([...quietSeams([...groups, group(6, {visibility: 0.5})], undefined)]).toEqual([2, 3, 5]);
   });
 
   it('follows a weight of the user rather than the place', () => {

@@ -152,7 +152,7 @@ const damaged: readonly (readonly [string, LayPlan, RegExp, Partial<PlanRules>?]
     /back.*print is 0.000002.* cm off/,
   ],
   [
-    'a piece off along the cloth',
+    'a piece off along the fabric',
     withOne(plan, 1, (one) => shifted(one, [0, -1])),
     /print is 1.* cm off/,
   ],
@@ -169,7 +169,7 @@ const damaged: readonly (readonly [string, LayPlan, RegExp, Partial<PlanRules>?]
   ],
   ['a slight turn', withOne(plan, 1, (one) => turnedAbout(one, [34, 6], 1e-6)), /print is turned/],
   [
-    'grain across the cloth',
+    'grain across the fabric',
     withOne(plan, 1, (one) => turnedAbout(one, [34, 6], Math.PI / 2)),
     /grain is off by 1 rad/,
   ],
@@ -214,10 +214,10 @@ const damaged: readonly (readonly [string, LayPlan, RegExp, Partial<PlanRules>?]
     /and front of 0.0 overlap by /,
   ],
   ['another length', {...plan, lengthCm: plan.lengthCm + 1}, /the pieces take 14.*, not 15/],
-  ['another use', {...plan, useShare: 0.5}, /of the cloth is used, not 0.5/],
+  ['another use', {...plan, useShare: 0.5}, /of the fabric is used, not 0.5/],
   ['a bound above the length', {...plan, boundCm: plan.lengthCm + 0.01}, /above the length/],
   ['a proof that is none', {...plan, boundCm: plan.lengthCm - 1}, /said to be proven/],
-  ['a print that saves cloth', {...plan, freeLengthCm: plan.lengthCm + 1}, /to be longer/],
+  ['a print that saves fabric', {...plan, freeLengthCm: plan.lengthCm + 1}, /to be longer/],
   ['another phase', {...plan, phases: [{phaseCm: 1, lengthCm: plan.lengthCm}]}, /no phase/],
   [
     'a better phase that is not shown',

@@ -17,7 +17,7 @@ std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
 /// A length rounded up, so that fabric of that width is wide enough.
 std::string atLeast(double length) { return centimetres(std::ceil(10 * length - 1e-4) / 10); }
 std::string widthNeeded(double width) {
-  return "; the cloth has to be at least " + atLeast(width) + " wide.";
+  return "; the fabric has to be at least " + atLeast(width) + " wide.";
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ void Marker::fail() {
   }
   if (!problem_.flaws.empty()) {
     error_ = Error{Failure::kOptions,
-                   piece.name + " finds no place between the flaws; take cloth with fewer."};
+                   piece.name + " finds no place between the flaws; take fabric with fewer."};
     return;
   }
   const std::string nowhere =

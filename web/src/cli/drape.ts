@@ -54,7 +54,7 @@ export async function drape(words: readonly string[]): Promise<void> {
   const picture =
     glbFile === undefined ? undefined : await readCell(cloth, pathToFileURL(resolve(printFile)));
   if (glbFile !== undefined && !picture) {
-    remark(`${printFile} has no image, so the cloth in ${glbFile} is white.`);
+    remark(`${printFile} has no image, so the fabric in ${glbFile} is white.`);
   }
 
   const {draped, milliseconds} = await timed(textOf(bytes), settings, {

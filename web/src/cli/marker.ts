@@ -163,7 +163,7 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
 /** @throws {UsageError} for an invalid value */
 function wishOf(args: Arguments): LayWish {
   const width = lengthCm(args, '--width', layRange('width')[1]);
-  if (width === undefined) throw new UsageError('--width CM, how wide the cloth is, is missing.');
+  if (width === undefined) throw new UsageError('--width CM, how wide the fabric is, is missing.');
   const given = <K extends string>(names: readonly K[], read: (name: K) => number | undefined) =>
     Object.fromEntries(
       names.flatMap((name) => {
@@ -271,7 +271,7 @@ function line(files: readonly string[], plan: LayPlan): string {
   const {placements, unplaced, widthCm, lengthCm, useShare, boundCm, proven} = plan;
   const free = plan.printOrigin ? plan.freeLengthCm : null;
   return [
-    `${files.join(', ')}: ${placements.length} pieces on ${cm(lengthCm)} of cloth ${widthCm} cm wide`,
+    `${files.join(', ')}: ${placements.length} pieces on ${cm(lengthCm)} of fabric ${widthCm} cm wide`,
     `${(100 * useShare).toFixed(1)} % of it used`,
     ...(proven ? ['proven the shortest'] : []),
     ...(!proven && boundCm > 0 ? [`${cm(boundCm)} at the least`] : []),

@@ -189,14 +189,14 @@ function report(
   const apart = conflict(reading, settings);
   if (apart !== undefined) remark(apart);
   if (confidence === 'uncertain')
-    remark('No repeat is certain: compare the tile with your cloth before you use it.');
+    remark('No repeat is certain: compare the tile with your fabric before you use it.');
   notes.forEach((note) => {
     remark(sentences[note]);
   });
 }
 
 const sentences: Readonly<Record<PhotoNote, string>> = {
-  uneven: 'The cloth does not lie quite flat; smooth it out and take another for an exact size.',
+  uneven: 'The fabric does not lie quite flat; smooth it out and take another for an exact size.',
   differs: 'Parts of the picture differ from all other copies of the print; they are left out.',
   focalLength:
     'The camera is unknown, so that height against width is known to a few per cent only; measure both w1 and w2.',

@@ -125,6 +125,14 @@ export const editorLayout = css`
     grid-area: 5 / 1;
     border-top: 1px solid var(--sw-line);
   }
+  @media (height < 32rem) {
+    [data-shows='both'] {
+      grid-template-rows: auto auto auto minmax(0, 1fr);
+    }
+    [data-shows='both'] sw-pattern {
+      display: none; /* a strip of pieces would leave hardly any room for the garment */
+    }
+  }
   .side {
     display: contents;
   }

@@ -41,7 +41,7 @@ function linesAlong(repeat: Repeat): {readonly at: number; readonly spacing: num
   const lines = mirrorLines(repeat).find(({along}) => Math.abs(along[0]) < 1e-6);
   if (!lines) {
     throw wrong(
-      `Along this cloth ${repeat.group} has no mirror line, so the lower ply of folded cloth would show the print wrongly; lay single cloth, or a print of pm, pmm, pmg, cm, cmm, p3m1, p31m, p4m, p4g or p6m that mirrors from side to side.`,
+      `Along this fabric ${repeat.group} has no mirror line, so the lower ply of folded fabric would show the print wrongly; lay single fabric, or a print of pm, pmm, pmg, cm, cmm, p3m1, p31m, p4m, p4g or p6m that mirrors from side to side.`,
     );
   }
   // `offset` is measured along the normal of `along`, which points across the fabric
@@ -103,7 +103,7 @@ function checkWidths({problem}: MarkerOrder, spreadOf: (width: number) => number
     if (least <= room + 1e-5) continue;
     const [wide, between, whole] = [least, room, spreadOf(least + 2 * selvedgeCm)];
     throw wrong(
-      `${piece.name} is ${upwards(wide)} cm wide, more than the ${Math.max(0, between).toFixed(1)} cm between selvedge and fold; folded cloth has to be at least ${upwards(whole)} cm wide.`,
+      `${piece.name} is ${upwards(wide)} cm wide, more than the ${Math.max(0, between).toFixed(1)} cm between selvedge and fold; folded fabric has to be at least ${upwards(whole)} cm wide.`,
     );
   }
 }

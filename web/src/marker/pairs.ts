@@ -81,23 +81,23 @@ function checkMirrored({problem}: MarkerOrder, {first, second, map}: CutPair): v
   const named = one.name === other.name ? `'${one.name}'` : `'${one.name}' and '${other.name}'`;
   if (!liesOn(image, other.outline) || !liesOn(other.outline, image)) {
     throw wrong(
-      `${named} are not cut as mirror images, so the plies of folded cloth cannot be cut at once; lay them on single cloth.`,
+      `${named} are not cut as mirror images, so the plies of folded fabric cannot be cut at once; lay them on single fabric.`,
     );
   }
   const {print, ignoresPrint, nap} = problem;
   if (!ignoresPrint && !mirrors(print, map, one.alignment, other.alignment)) {
     throw wrong(
-      `${named} do not show each other's mirror image of the print, as the plies of folded cloth do; lay them on single cloth.`,
+      `${named} do not show each other's mirror image of the print, as the plies of folded fabric do; lay them on single fabric.`,
     );
   }
   if (nap !== 'none' && !keepsUpside(one, other, map)) {
     throw wrong(
-      `On the lower ply of folded cloth, the mirror image of '${one.name}' would lie upside down, against the nap; lay it on single cloth.`,
+      `On the lower ply of folded fabric, the mirror image of '${one.name}' would lie upside down, against the nap; lay it on single fabric.`,
     );
   }
   if (!keepsGrain(one, other, map)) {
     throw wrong(
-      `On the lower ply of folded cloth, the mirror image of '${one.name}' would lie off its grain; lay it on single cloth, or solve it on grain.`,
+      `On the lower ply of folded fabric, the mirror image of '${one.name}' would lie off its grain; lay it on single fabric, or solve it on grain.`,
     );
   }
 }
@@ -120,7 +120,7 @@ export function cutPairs(order: MarkerOrder, results: readonly SolveResult[]): r
       const [all, others] = [numbersOf(result, name), numbersOf(result, twin?.name ?? '')];
       if (!twin || others.length !== all.length) {
         throw wrong(
-          `Piece '${name}' has no mirror image, which the lower ply of folded cloth would be; lay it on single cloth.`,
+          `Piece '${name}' has no mirror image, which the lower ply of folded fabric would be; lay it on single fabric.`,
         );
       }
       done.add(twin.name);
@@ -130,7 +130,7 @@ export function cutPairs(order: MarkerOrder, results: readonly SolveResult[]): r
       }
       if (all.length % 2 !== 0) {
         throw wrong(
-          `Piece '${name}' is its own mirror image, and both plies of folded cloth are cut at once; lay an even number of copies, or single cloth.`,
+          `Piece '${name}' is its own mirror image, and both plies of folded fabric are cut at once; lay an even number of copies, or single fabric.`,
         );
       }
       return all.flatMap((first, k) => {

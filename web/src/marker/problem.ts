@@ -123,7 +123,7 @@ export function markerOrder(
       pieces.map((piece) => ({...piece, copy, garment: k * copies + copy})),
     ).flat();
   });
-  if (laid.length === 0) throw wrong('All pieces are of plain cloth; there is nothing to lay.');
+  if (laid.length === 0) throw wrong('All pieces are of plain fabric; there is nothing to lay.');
   if (laid.length > mostPieces) {
     throw wrong(
       `There are ${laid.length} pieces, but at most ${mostPieces} are laid at once; lay fewer garments.`,

@@ -130,13 +130,13 @@ export function checkedSettings(asked: MarkerSettings): Given {
   if (!(widthCm > 2 * selvedgeCm)) {
     throw wrong(
       widthCm === 0
-        ? 'The cloth is 0 cm wide; give its width between its edges.'
-        : `Between selvedges of ${selvedgeCm} cm nothing is left of cloth that is ${widthCm} cm wide; give its width between its edges.`,
+        ? 'The fabric is 0 cm wide; give its width between its edges.'
+        : `Between selvedges of ${selvedgeCm} cm nothing is left of fabric that is ${widthCm} cm wide; give its width between its edges.`,
     );
   }
   if (phaseCm !== undefined && phaseCm > widthCm) {
     throw wrong(
-      `The print starts ${phaseCm} cm from the left edge, beyond the cloth, which is ${widthCm} cm wide; measure to a motif on the cloth.`,
+      `The print starts ${phaseCm} cm from the left edge, beyond the fabric, which is ${widthCm} cm wide; measure to a motif on the fabric.`,
     );
   }
   if (nap !== undefined && !naps.includes(nap)) {
@@ -147,7 +147,7 @@ export function checkedSettings(asked: MarkerSettings): Given {
   }
   const narrow = widthsCm.find((width) => !(width > 0 && width <= markerLimits.widthCm[1]));
   if (narrow !== undefined) {
-    throw wrong(`widthsCm holds ${String(narrow)}, but widths of cloth are up to 1000 cm.`);
+    throw wrong(`widthsCm holds ${String(narrow)}, but widths of fabric are up to 1000 cm.`);
   }
   return settings;
 }

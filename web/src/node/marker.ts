@@ -45,7 +45,7 @@ export async function layWith(
     if (!folded || !(error instanceof SolverError) || error.code !== 'options') throw error;
     throw new SolverError({
       ...failureOf(error),
-      message: `For one ply of folded cloth, from its edge to the fold: ${error.message}`,
+      message: `For one ply of folded fabric, from its edge to the fold: ${error.message}`,
     });
   };
   const answer = await lay(order.problem, {

@@ -41,6 +41,8 @@ export interface ScenePiece
 
 export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b'>, SeamMatch {
   readonly counts: boolean;
+  /** True for a seam that is drawn without its mismatch, because it is hardly seen. */
+  readonly isQuiet?: boolean;
 }
 
 /** The match along a seam for the alignments of a scene. */
@@ -230,6 +232,12 @@ function matchOf(
     drift: driftOf(local, whole, print),
   };
 }
+
+/** The same sheet with other quiet seams. */
+export const withQuiet = (scene: PatternScene, quiet: ReadonlySet<number>): PatternScene => ({
+  ...scene,
+  seams: scene.seams.map((seam, k) => ({...seam, isQuiet: quiet.has(k)})),
+});
 
 /** The same sheet with another print. */
 export function reprinted(scene: PatternScene, print: Print): PatternScene {

@@ -77,14 +77,14 @@ export function outlineStrokes(scene: PatternScene, appearance: Appearance): rea
 
 /**
  * Colours from green to red on the scene's scale; the worse the mismatch, the wider and the more
- * broken the line. Seams that do not count are dotted.
+ * broken the line. Seams that do not count and quiet ones are dotted.
  */
 function seamStyles(
-  {counts, mismatch}: SceneSeam,
+  {counts, isQuiet, mismatch}: SceneSeam,
   {scale}: PatternScene,
   quiet: Colour,
 ): LineStyle | LineStyle[] {
-  if (!counts) return {colour: quiet, width: 2, dash: [0.5, 5]};
+  if (!counts || isQuiet) return {colour: quiet, width: 2, dash: [0.5, 5]};
   return mismatch.map((one) => {
     const {colour, width, dash} = mismatchLine(one, scale);
     const rgb = Number.parseInt(colour.slice(1), 16);

@@ -14,7 +14,14 @@ import {mirroringsOf, pinnedPlace} from '../model/design/pins.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {MeshedPattern, SolveResult} from '../model/result/result.js';
 import type {MismatchScale} from '../scene/colours.js';
-import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../scene/scene.js';
+import {quietSeams, type SeamWeights} from '../model/result/seam-groups.js';
+import {
+  realigned,
+  sceneOf,
+  withQuiet,
+  type PatternScene,
+  type SceneOptions,
+} from '../scene/scene.js';
 import {keptLines} from './kept-pins.js';
 import {lastOf} from '../model/base/last-of.js';
 
@@ -57,6 +64,11 @@ export class SceneMaker {
   readonly #marked = lastOf((scene: PatternScene, kept: PatternScene['kept']) =>
     kept ? {...scene, kept} : scene,
   );
+  readonly #quiet = lastOf((result: SolveResult | undefined, weights: SeamWeights) =>
+    result?.seamGroups ? quietSeams(result.seamGroups, weights) : undefined,
+  );
+  readonly #seenBefore = lastOf(quietened);
+  readonly #seenNow = lastOf(quietened);
   /** Alignments before the solver reports any: the pieces stay in place. */
   readonly #waiting = lastOf((rest: PatternScene, pins: Pins) =>
     lying(
@@ -106,6 +118,7 @@ export class SceneMaker {
       width,
       height,
     );
+    const quiet = this.#quiet(result, design.options.weights);
     const before = this.#rest(pattern, print, settings);
     const now = result
       ? this.#solved(pattern, result, print, settings)
@@ -114,9 +127,16 @@ export class SceneMaker {
         : this.#waiting(before, pins);
     const kept = this.#kept(pattern, locked);
     this.#last = new Map(now.pieces.map(({name, alignment}) => [name, alignment]));
-    return {before, now: this.#marked(now, kept), marks: this.#marks(garment, decided)};
+    return {
+      before: this.#seenBefore(before, quiet),
+      now: this.#seenNow(this.#marked(now, kept), quiet),
+      marks: this.#marks(garment, decided),
+    };
   }
 }
+
+const quietened = (scene: PatternScene, quiet: ReadonlySet<number> | undefined): PatternScene =>
+  quiet ? withQuiet(scene, quiet) : scene;
 
 /** Size of a window. [CSS px] */
 interface Room {

@@ -55,7 +55,7 @@ describe('what the print costs', () => {
 
   it('is what it takes more than the same pieces without it', () => {
     expect(said(plan)).toEqual(['The print costs 10 cm']);
-    expect(said({...plan, freeLengthCm: 89.8})).toEqual(['The print costs no cloth']);
+    expect(said({...plan, freeLengthCm: 89.8})).toEqual(['The print costs no fabric']);
     expect(said({...plan, freeLengthCm: null})).toEqual([]);
   });
 
@@ -66,9 +66,9 @@ describe('what the print costs', () => {
       'The print costs 10 cm',
       'Your pins cost 14 cm more',
     ]);
-    expect(said(pinned(90, plan))).toEqual(['The print costs 10 cm', 'Your pins cost no cloth']);
+    expect(said(pinned(90, plan))).toEqual(['The print costs 10 cm', 'Your pins cost no fabric']);
     // pins that give a better layout than the search
-    expect(said(pinned(86, plan))).toEqual(['The print costs 6 cm', 'Your pins cost no cloth']);
+    expect(said(pinned(86, plan))).toEqual(['The print costs 6 cm', 'Your pins cost no fabric']);
   });
 
   it('is told with that of pins where nobody knows how the pieces lie without them', () => {

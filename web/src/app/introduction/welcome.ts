@@ -36,6 +36,7 @@ export class Welcome extends WorkbenchElement {
         align-content: start;
         gap: 0;
         padding: var(--sw-space-2) var(--sw-space-3);
+        border: 1px solid var(--sw-line);
         text-align: start;
         white-space: normal;
       }
@@ -51,7 +52,7 @@ export class Welcome extends WorkbenchElement {
           padding: var(--sw-space-2);
         }
         .cards {
-          gap: 0;
+          gap: var(--sw-space-1);
         }
         .card {
           padding: var(--sw-space-2);
@@ -61,6 +62,11 @@ export class Welcome extends WorkbenchElement {
         }
         strong {
           font-size: var(--sw-text);
+        }
+      }
+      @media (height < 32rem) {
+        .card span {
+          display: none;
         }
       }
     `,

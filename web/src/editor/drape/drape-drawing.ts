@@ -59,8 +59,13 @@ export const drapeStyle = css`
     }
   }
   @container (height < 15rem) {
-    .bar {
+    .bar,
+    .zoom,
+    sw-legend {
       display: none; /* where there is hardly room for the garment */
+    }
+    .foot {
+      min-height: 0;
     }
   }
   @container (width < 44rem) {

@@ -81,7 +81,7 @@ export class Legend extends WorkbenchElement {
       <span>${legend.title}</span>
       ${scale === 'paper' ? this.#ramp() : this.#steps()}
       ${
-        scene?.seams.some(({counts}) => !counts)
+        scene?.seams.some(({counts, isQuiet}) => !counts || isQuiet)
           ? html`<span class="dotted">${legend.notCounted}</span>`
           : nothing
       }

@@ -39,6 +39,16 @@ export function countedGroups(
   return visible.length > 0 ? visible : open;
 }
 
+/** The seams that do not match, and that no headline counts, because they are hardly seen. */
+export function quietSeams(
+  groups: readonly SeamGroup[],
+  weights: SeamWeights,
+): ReadonlySet<number> {
+  const counted = new Set(countedGroups(groups, weights));
+  const quiet = groups.filter((group) => !counted.has(group) && group.state !== 'matches');
+  return new Set(quiet.flatMap(({seams}) => seams));
+}
+
 /** Numbers of counted seams, and of those that match. */
 export interface SeamCount {
   readonly matched: number;

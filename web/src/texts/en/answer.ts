@@ -261,7 +261,7 @@ export const answer = {
     print: 'print',
     noAnswer: 'There is no answer to store yet; wait for it with solve().',
     noCloth:
-      "There is nothing to lay on: say how wide the cloth is, in the attribute 'cloth-width'.",
+      "There is nothing to lay on: say how wide the fabric is, in the attribute 'cloth-width'.",
     noDrawing: 'Nothing is drawn yet; wait for it with solve().',
     pictureWidth: text('A picture is 1 to {most} pixels wide; ask for one of these.'),
     allowance: text('An allowance is 0 to {most}; ask for one of these.'),

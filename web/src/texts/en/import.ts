@@ -10,7 +10,7 @@ export const importing = {
   asPattern: 'A sewing pattern',
   asPatternNote: 'Its lines become pieces to sew.',
   asPrint: 'A print',
-  asPrintNote: 'The picture is repeated on the cloth.',
+  asPrintNote: 'The picture is repeated on the fabric.',
   size: 'Size',
   sample: text('{size} (sample size)'),
   unit: 'Unit of the file',

@@ -2,10 +2,10 @@
 import {text} from '../base/message.js';
 
 export const cloth = {
-  label: 'Cloth with the pieces on it',
+  label: 'Fabric with the pieces on it',
   description:
     'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all. Shift X adds a flaw in the middle, which the arrow keys then move.',
-  panel: 'Cloth',
+  panel: 'Fabric layout',
   /** The length to buy. */
   buy: text('Buy {length}'),
   /** Replaces the length to buy while pieces are unplaced. */
@@ -22,9 +22,9 @@ export const cloth = {
   bound: text('At best {length}'),
   moved: 'Moved by hand',
   costs: text('The print costs {length}'),
-  costsNothing: 'The print costs no cloth',
+  costsNothing: 'The print costs no fabric',
   pinsCost: text('Your pins cost {length} more'),
-  pinsCostNothing: 'Your pins cost no cloth',
+  pinsCostNothing: 'Your pins cost no fabric',
   costsPinned: text('The print and your pins together cost {length}'),
   range: text('{least} to {most}, depending on where the print starts: measure it.'),
   rangeNowhere: text(
@@ -40,9 +40,9 @@ export const cloth = {
     '{saving} less with another placing in the print that fits as well: off by {mean} instead of {instead} on average',
   ),
   takeDesign: 'Place it so',
-  width: 'Cloth width',
+  width: 'Fabric width',
   otherWidth: 'Other …',
-  widthIn: text('Cloth width ({unit})'),
+  widthIn: text('Fabric width ({unit})'),
   selvedge: text('Selvedge ({unit})'),
   gap: text('Between pieces ({unit})'),
   copies: 'Garments',
@@ -55,7 +55,7 @@ export const cloth = {
     some: 'The pattern has its own allowances on some edges.',
   },
   oneWay: 'All pieces one way up',
-  oneWayNote: 'For velvet and other cloth with a nap.',
+  oneWayNote: 'For velvet and other fabric with a nap.',
   oneWayPrint: 'This print has a right way up.',
   phase: 'Print starts at the selvedge',
   phases: {unknown: 'Unknown', known: 'Measured'},
@@ -70,7 +70,7 @@ export const cloth = {
   lengthColumn: 'Length',
   nowhere: 'does not fit',
   takeWidth: text('Use {width}'),
-  pieces: 'Pieces on the cloth',
+  pieces: 'Pieces on the fabric',
   piece: 'Piece',
   place: 'Place',
   at: text(
@@ -82,9 +82,9 @@ export const cloth = {
   ),
   turned: text('turned {degrees}°'),
   farther: text('moved {length}, as nearer places are not free'),
-  noPlace: 'not on the cloth',
-  takeOff: 'Take off the cloth',
-  takenOff: text('{piece} is off the cloth; packing brings it back.'),
+  noPlace: 'not on the fabric',
+  takeOff: 'Take off the fabric',
+  takenOff: text('{piece} is off the fabric; packing brings it back.'),
   pinned: 'pinned',
   pin: 'Pin',
   unpin: 'Unpin',
@@ -97,7 +97,7 @@ export const cloth = {
   packAgain: 'Pack again',
   overlaps: text('{piece} overlaps {others}'),
   onFlaw: text('{piece} covers a flaw'),
-  outside: text('{piece} reaches beyond the cloth'),
+  outside: text('{piece} reaches beyond the fabric'),
   flaw: 'Mark a flaw',
   flawHint: 'Drag a box over the flaw, or click its corners and press Enter; Esc ends.',
   flaws: 'Flaws',
@@ -143,13 +143,13 @@ export const cloth = {
     sizeFlaw: 'Make the chosen flaw larger or smaller; arrows alone move it, Delete removes it',
   },
   steps: {
-    move: 'move on the cloth',
-    turn: 'turn on the cloth',
-    remove: 'taking off the cloth',
-    pin: 'pin on the cloth',
+    move: 'move on the fabric',
+    turn: 'turn on the fabric',
+    remove: 'taking off the fabric',
+    pin: 'pin on the fabric',
     pack: 'packing',
     flaw: 'flaw',
-    cloth: 'cloth',
+    cloth: 'fabric',
   },
 };
 

@@ -37,7 +37,7 @@ export const pattern = {
     after: 'After',
     wipe: 'Before and after',
     beforeHint: 'Hold: without the matched print',
-    clothOnly: 'Cloth only',
+    clothOnly: 'Fabric only',
     movement: 'Movement',
     movementNote: text('Movement drawn {factor} times; greatest {most}, in {piece}'),
     piece: text('{name}, {seams}'),

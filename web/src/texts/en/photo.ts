@@ -9,14 +9,14 @@ import type {
 } from '../../model/print/photo-reading.js';
 
 export const photo = {
-  title: 'Photo of your cloth',
+  title: 'Photo of your fabric',
   intake:
-    'Lay the cloth flat and photograph it from above, so that three repeats or more are seen in both directions. Choose the picture, drop it here, or paste it.',
+    'Lay the fabric flat and photograph it from above, so that three repeats or more are seen in both directions. Choose the picture, drop it here, or paste it.',
   stays: 'It stays on this device.',
   choose: 'Choose a picture',
   camera: 'Take a photo',
   another: 'Another picture',
-  photo: 'Photo of the cloth',
+  photo: 'Photo of the fabric',
   nodes: ['Corner of the cell', 'End of w1', 'End of w2'] as readonly string[],
   ends: ['First measured point', 'Second measured point'] as readonly string[],
   stages: {
@@ -28,17 +28,18 @@ export const photo = {
   } satisfies Record<PhotoStage, string> as Record<PhotoStage, string>,
   faults: {
     plain:
-      'No print was found, the cloth looks plain: photograph it in brighter light from one side.',
+      'No print was found, the fabric looks plain: photograph it in brighter light from one side.',
     noRepeat:
-      'No repeat was found: step back until three repeats are seen each way, and photograph the cloth flat and from above.',
+      'No repeat was found: step back until three repeats are seen each way, and photograph the fabric flat and from above.',
     fewRepeats: 'Too few repeats are seen: step back until there are three each way.',
     twoPrints:
       'A part of the picture shows another print, or none: cut the picture to the print that is wanted.',
-    changes: 'The print changes along the cloth: photograph a part in which all repeats are alike.',
-    blurred: 'The picture is blurred: hold the camera still, and let it focus on the cloth.',
+    changes:
+      'The print changes along the fabric: photograph a part in which all repeats are alike.',
+    blurred: 'The picture is blurred: hold the camera still, and let it focus on the fabric.',
     moire:
-      'The weave makes a moiré on the picture: photograph the cloth from a little closer or farther away.',
-    uneven: 'The cloth does not lie flat: smooth it out and photograph it again.',
+      'The weave makes a moiré on the picture: photograph the fabric from a little closer or farther away.',
+    uneven: 'The fabric does not lie flat: smooth it out and photograph it again.',
     misplaced:
       'The print does not repeat by this cell: put its corners onto the same spot of neighbouring motifs, or undo.',
     edges: 'The picture’s edges do not meet: give the whole repeat, or a photo that shows several.',
@@ -54,14 +55,14 @@ export const photo = {
   alignHand: 'Find the repeat from here',
   found: text('Found: {group}.'),
   confidences: {
-    likely: 'It is likely, but compare the swatch with your cloth.',
+    likely: 'It is likely, but compare the swatch with your fabric.',
     uncertain:
       'No repeat is certain: choose what is right, move the corners, or take another photo with three repeats in both directions.',
   },
   others: 'Other choices',
   other: text('Repeat {number, number}'),
   notes: {
-    uneven: 'The cloth does not lie quite flat.',
+    uneven: 'The fabric does not lie quite flat.',
     differs: 'Red areas differ from all other copies, and are left out.',
     focalLength: 'Measure along w1 and w2: proportions are uncertain without both.',
     unequal: 'The measured sides differ: a smaller symmetry was taken.',
@@ -137,7 +138,7 @@ export const photo = {
   removeMeasure: 'Remove this measure',
   cloth: 'Object on the fabric',
   turn: 'Turn by 90°',
-  warp: text('The print is turned by {turn}; the length of the cloth runs upwards.'),
+  warp: text('The print is turned by {turn}; the length of the fabric runs upwards.'),
   name: 'Name',
   use: 'Use this print',
   useDoubtful: 'Use it although uncertain',

@@ -34,13 +34,13 @@ export function outlineVertices(mesh: DrapeMesh, piece: number): Uint32Array {
 }
 
 /**
- * Returns the seams that count, in the colours of the flat pattern. An edge of the mesh has the
+ * Returns the seams that count and are not quiet, in the colours of the flat pattern. An edge of the mesh has the
  * colour at the same share of the seam's length.
  */
 export function seamLines(mesh: DrapeMesh, {seams, scale}: PatternScene): readonly RibbonLine[] {
   return seamVertices(mesh).flatMap((vertices, number) => {
     const seam = seams[number];
-    if (!seam?.counts || vertices.length < 2) return [];
+    if (!seam?.counts || seam.isQuiet || vertices.length < 2) return [];
     const lines = seam.mismatch.map((mismatch) => mismatchLine(mismatch, scale));
     const count = vertices.length - 1;
     const edges = Array.from({length: count}, (_, k) => {
