@@ -37,7 +37,7 @@ seamwise batch JOBS.ndjson --out FOLDER [flags]
   Solves every job of a file, one a line, on all cores, and goes on where an earlier run was cut short.
   Results lie in FOLDER/results, and FOLDER/done.ndjson has a line for each job that has ended. A job with
   "drape": true has its drape and its GLB there, too; one with "cut": {"paper": "a4", "allowance": 1} its PDF;
-  one with "marker": {"width": 140} the plan of its pieces on cloth.
+  one with "marker": {"width": 140} the plan of its pieces on fabric.
     --workers N                 threads; default one per core
     --job-timeout SECONDS       ends a job that takes longer, and records it as failed; default 600, 0 for never
     --retry-timeouts            tries the jobs again that took too long
@@ -98,9 +98,9 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --map FILE.json             where pages, pieces, marks and test squares lie
 
 seamwise photo PICTURE.jpg|png|webp [flags]
-  Reads a print off a photograph or scan of its cloth: repeat, symmetries, and a clean picture.
+  Reads a print off a photograph or scan of its fabric: repeat, symmetries, and a clean picture.
     --measure w1=N/CM           so many repeats along w1 measure so many cm; again for w2
-    --between X,Y,X,Y=CM        two points of the picture, in pixels, lie so far apart on the cloth
+    --between X,Y,X,Y=CM        two points of the picture, in pixels, lie so far apart on the fabric
     --f35 MM                    focal length of the camera as on film; default what the file says
     --tile                      the picture is seamless: one cell, or several
     --symmetrise                makes the symmetries that it has exact
@@ -109,20 +109,20 @@ seamwise photo PICTURE.jpg|png|webp [flags]
 
 seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [flags]
   Lays the pieces of one or several results on a bolt of their print, each where the print is what the result asks
-  for, and prints one line: how much cloth that takes, and how little it can take.
+  for, and prints one line: how much fabric that takes, and how little it can take.
     --copies N                  so many garments of each result; default 1
-    --selvedge CM               of no use along each edge of the cloth; default 1
+    --selvedge CM               of no use along each edge of the fabric; default 1
     --gap CM                    between pieces; default 0.2
     --allowance CM, --hem CM    as for cut; --garment GARMENT.json, too
     --phase CM|any              from the left edge to an origin of the print; any, the default, tries several
-    --start CM                  from the cut to an origin of the print; default: the cloth is cut anywhere
+    --start CM                  from the cut to an origin of the print; default: the fabric is cut anywhere
     --nap one-way|garment|none  heads up; or all of a garment the same way; default none, or one-way as the print is
     --shift kept|component      component: the print may move under all pieces that seams join, where it fits as well
     --plies N                   layers cut at once: lengths are whole repeats, so that all start alike
-    --flaws FILE.json           polygons on the cloth, [[[x, y], ...], ...], where no piece may lie
+    --flaws FILE.json           polygons on the fabric, [[[x, y], ...], ...], where no piece may lie
     --fold                      lengthwise, cut through both plies: for pieces with mirror images, on prints that mirror
                                 from side to side
-    --free                      whatever the print: what it costs in cloth
+    --free                      whatever the print: what it costs in fabric
     --effort N                  looks N times as long, from 1, the default, or 0: a first layout
     --seed N                    same seed, same layout; default 1
     --out PLAN.json             writes where every piece lies
@@ -131,7 +131,7 @@ seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [fla
     --json                      prints the figures as JSON
 
 seamwise drape RESULT.json --print PRINT.json [flags]
-  Hangs a solved garment on a form, as it is worn, and prints one line of figures: how far the cloth is stretched
+  Hangs a solved garment on a form, as it is worn, and prints one line of figures: how far the fabric is stretched
   and how deep it reaches into the form at the worst.
     --colourway NAME            of the print
     --fabric poplin|jersey|denim|chiffon   what it is made of; default poplin
