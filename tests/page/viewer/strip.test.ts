@@ -197,6 +197,21 @@ it('knows what lies under a point, and marks a place across the seam', async () 
   expect(row).toContain('36,98,214');
 });
 
+it('tells whether it still shows the seam before', async () => {
+  const {strip} = await opened(sceneIn(plainPrint, runsOn));
+  const isCurrent = (): Promise<boolean> => strip.evaluate((view) => view.isCurrent);
+  await expect.poll(isCurrent).toBe(true);
+  const atOnce = await strip.evaluate(
+    (view, scene) => {
+      view.show({scene, seam: 0});
+      return view.isCurrent;
+    },
+    sceneIn(plainPrint, home),
+  );
+  expect(atOnce).toBe(false);
+  await expect.poll(isCurrent).toBe(true);
+});
+
 it('fits a long seam into its box, and follows the box', {tags: ['thorough']}, async () => {
   const {strip} = await opened(sceneIn(plainPrint, runsOn));
   await strip.evaluate(() => {

@@ -37,6 +37,8 @@ export interface ScreenEvents {
   readonly draw: () => void;
   /** Places the elements over the canvas, in the frame that draws a change. */
   readonly arrange?: () => void;
+  /** The element shows a drawing, for an aside only some time after it was drawn. */
+  readonly painted?: () => void;
   /**
    * The browser has taken the graphics context away, or has restored it, which may never happen.
    */
@@ -145,6 +147,7 @@ export class Screen implements Drawable {
 
   paint(picture: ImageData): void {
     this.#paper(picture.width, picture.height)?.putImageData(picture, 0, 0);
+    this.#events.painted?.();
   }
 
   dispose(): void {

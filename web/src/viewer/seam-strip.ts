@@ -54,12 +54,19 @@ export class SeamStrip {
   #cursor: number | undefined;
   #lines: LineLayer | undefined;
   #picture: Tile | undefined;
+  /** Mesh of the last drawing, and of the one on display. */
+  #drawn: StripMesh | undefined;
+  #painted: StripMesh | undefined;
 
   /**
    * Fills `host`, an empty element with its own size.
+   * @param painted is called when the element shows another drawing
    * @throws {Error} if the browser has no WebGL 2
    */
-  constructor(host: HTMLElement, {appearance = 'light'}: {appearance?: Appearance} = {}) {
+  constructor(
+    host: HTMLElement,
+    {appearance = 'light', painted}: {appearance?: Appearance; painted?: () => void} = {},
+  ) {
     this.#appearance = appearance;
     const events: ScreenEvents = {
       resized: () => {
@@ -67,6 +74,10 @@ export class SeamStrip {
       },
       draw: () => {
         this.#draw();
+      },
+      painted: () => {
+        this.#painted = this.#drawn;
+        painted?.();
       },
     };
     this.#screen = new Screen(host, events, 'aside');
@@ -87,6 +98,11 @@ export class SeamStrip {
     const half = ((this.#after?.straight.length ?? 0) * this.scale) / 2;
     const middle = this.#screen.size.width / 2;
     return [middle - half, middle + half];
+  }
+
+  /** False while the element still shows the seam before. */
+  get isCurrent(): boolean {
+    return this.#painted === this.#after?.mesh;
   }
 
   /** Shows a seam, or nothing. Cheap when only alignments differ from before. */
@@ -224,6 +240,7 @@ export class SeamStrip {
 
   #draw(): void {
     const {renderer, raster, size} = this.#screen;
+    this.#drawn = this.#after?.mesh;
     if (!this.#after) return;
     const split = Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) * size.width;
     for (const [strip, from, to] of [

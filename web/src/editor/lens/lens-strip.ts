@@ -41,6 +41,11 @@ export class LensStrip extends PatientElement {
         overflow: hidden;
         border-radius: inherit;
       }
+      /* the picture of another seam is hidden, but not for a frame or two */
+      .late {
+        opacity: 0;
+        transition: opacity 0s 80ms;
+      }
       .side {
         position: absolute;
         right: var(--sw-space-1);
@@ -75,6 +80,8 @@ export class LensStrip extends PatientElement {
   #strip: SeamStrip | undefined;
   #shown: ShownSeam | undefined;
   #noWebGl = false;
+  /** True while the picture is that of another seam than the words. */
+  #isLate = false;
   /** The strip shows the seam before the alignment left of here. [share of the width] */
   #split = 0;
   /** Image of the tile that is displayed or being fetched. */
@@ -111,7 +118,12 @@ export class LensStrip extends PatientElement {
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
     if (signal.aborted || !stage) return;
     try {
-      this.#strip = new SeamStrip(stage, {appearance: this.#appearance.value});
+      this.#strip = new SeamStrip(stage, {
+        appearance: this.#appearance.value,
+        painted: () => {
+          if (this.#isLate) this.requestUpdate();
+        },
+      });
     } catch {
       this.#noWebGl = true;
     }
@@ -131,6 +143,7 @@ export class LensStrip extends PatientElement {
       strip.show(this.#shown);
     }
     strip.setWipe(this.#split > 0 ? {before: scenes.before, split: this.#split} : undefined);
+    this.#isLate = !strip.isCurrent;
     void this.#showTile(strip);
   }
 
@@ -155,7 +168,7 @@ export class LensStrip extends PatientElement {
           this.#tell(undefined);
         }}
       >
-        <div class="stage"></div>
+        <div class=${this.#isLate ? 'late stage' : 'stage'}></div>
         <span class="side a">${above}</span><span class="side b">${below}</span>
         ${
           this.#noWebGl
