@@ -33,6 +33,7 @@ export class Welcome extends WorkbenchElement {
       .card {
         display: grid;
         justify-items: start;
+        justify-content: start;
         align-content: start;
         gap: 0;
         padding: var(--sw-space-2) var(--sw-space-3);
