@@ -1,43 +1,42 @@
 /**
- * Work after a solve: cost of the symmetries, remedies, bound on the alignment, and on request a
- * better result.
+ * Work after a solve, in idle time: cost of the symmetries, remedies, sizes of the print, a longer
+ * search, and a bound on the alignment.
  */
 import type {Design} from '../model/design/design.js';
 import type {SolveResult} from '../model/result/result.js';
 import type {SeamCount} from '../model/result/seam-groups.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
-import {Comparison, Improvement, Proving, RemedySearch, type Improving} from './improvement.js';
+import {maySpend} from './considerate.js';
+import {Comparison, Proving, RemedySearch} from './findings.js';
+import {IdleSolver} from './idle-solver.js';
+import {LongerSearch, type BetterMatch} from './longer-search.js';
 import {Observable} from './observable.js';
-import {PrintSizes, type SizeComparison} from './print-sizes.js';
+import {PrintSizes, type PrintComparison} from './print-sizes.js';
 
-/**
- * Stores a better result of the present design, found with more effort.
- * @returns the design of that result, from now on the present one
- */
-type Improved = (design: Design, effort: number, result: SolveResult) => Design;
+type Step = () => Promise<void>;
 
 export class Afterwards extends Observable {
+  readonly #solver: IdleSolver;
   readonly #comparison: Comparison;
   readonly #remedies: RemedySearch;
   readonly #proving: Proving;
-  readonly #improvement: Improvement;
+  readonly #longer: LongerSearch;
   readonly #sizes: PrintSizes;
   #latest: Design | undefined;
 
-  constructor(solver: SolverService, improved: Improved) {
+  /** @param keep stores a result that may be offered, so that it is shown without a solve */
+  constructor(solver: SolverService, keep: (design: Design, result: SolveResult) => void) {
     super();
     const changed = (): void => {
       this.changed();
     };
+    this.#solver = new IdleSolver(solver, keep);
     this.#comparison = new Comparison(solver, changed);
     this.#remedies = new RemedySearch(solver, changed);
     this.#proving = new Proving(solver, changed);
-    this.#sizes = new PrintSizes(solver, changed);
-    this.#improvement = new Improvement(solver, changed, (design, effort, result) => {
-      this.#latest = improved(design, effort, result);
-      return this.#latest;
-    });
+    this.#longer = new LongerSearch(this.#solver, changed);
+    this.#sizes = new PrintSizes(this.#solver, changed);
   }
 
   /** Numbers of visible seams, and of those that match without symmetries. */
@@ -56,44 +55,50 @@ export class Afterwards extends Observable {
     return this.#proving.of(design);
   }
 
-  improving(design: Design): Improving | undefined {
-    return this.#improvement.of(design);
+  /** A better answer to the design, which the user may take. */
+  better(design: Design): BetterMatch | undefined {
+    return this.#longer.better(design);
   }
 
-  /** Comparison of sizes of the print; undefined unless it was requested. */
-  printSizes(design: Design): SizeComparison | undefined {
+  isSearchingLonger(design: Design): boolean {
+    return this.#longer.isRunning(design);
+  }
+
+  /** Comparison of sizes and turns of the print; undefined before it begins. */
+  printSizes(design: Design): PrintComparison | undefined {
     return this.#sizes.of(design);
   }
 
-  /** Follows a solved design until there is another request. */
-  async follow(design: Design, result: SolveResult): Promise<void> {
-    this.stop();
-    this.#latest = design;
-    await this.#comparison.follow(design, result);
-    if (this.#latest === design) await this.#remedies.follow(design, result);
-    if (this.#latest === design) await this.#proving.follow(design, result);
+  /** Sizes of the print that are compared, as multiples of its own; undefined for the usual ones. */
+  set offeredSizes(sizes: readonly number[] | undefined) {
+    this.#sizes.offered = sizes;
   }
 
   /**
-   * Improves a result until it is stopped or there is another request.
-   * @param result the result of `design`
+   * Follows a solved design until there is another request.
+   * @param searches false for a design that is shown as it was given: no other answers are sought
    */
-  async improve(design: Design, result: SolveResult): Promise<void> {
-    this.stop();
-    this.#latest = design;
-    const best = await this.#improvement.start(design, result);
-    if (this.#latest === best.design) await this.follow(best.design, best.result);
+  follow(design: Design, result: SolveResult, searches = true): Promise<void> {
+    return this.#take(design, result, [
+      () => this.#comparison.follow(design, result),
+      () => this.#remedies.follow(design, result),
+      ...(searches ? [() => this.#search(design)] : []),
+      () => this.#proving.follow(design, result),
+    ]);
   }
 
-  /**
-   * Compares sizes of the print until it is stopped or there is another request.
-   * @param result the result of `design`
-   */
+  /** Searches longer, at the user's request. */
+  async searchLonger(design: Design, result: SolveResult): Promise<void> {
+    this.#longer.allow(design);
+    await this.#take(design, result, [() => this.#longer.follow(design)]);
+    if (this.#latest === design) await this.follow(design, result, false);
+  }
+
+  /** Compares sizes and turns of the print, at the user's request. */
   async comparePrintSizes(design: Design, result: SolveResult): Promise<void> {
-    this.stop();
-    this.#latest = design;
-    await this.#sizes.compare(design);
-    if (this.#latest === design) await this.follow(design, result);
+    this.#sizes.allow(design);
+    await this.#take(design, result, [() => this.#sizes.follow(design)]);
+    if (this.#latest === design) await this.follow(design, result, false);
   }
 
   stop(): void {
@@ -101,17 +106,35 @@ export class Afterwards extends Observable {
     this.#comparison.stop();
     this.#remedies.stop();
     this.#proving.stop();
-    this.#improvement.stop();
+    this.#longer.stop();
     this.#sizes.stop();
   }
 
-  /** Stops the comparison of sizes; the answers so far stay. */
-  stopPrintSizes(): void {
-    this.#sizes.stop();
+  /** Ends the comparison of sizes and turns; the answers so far stay. */
+  endPrintSizes(design: Design): void {
+    this.#sizes.end(design);
   }
 
-  /** Stops the improvement; the gain so far stays. */
-  stopImproving(): void {
-    this.#improvement.stop();
+  /** Ends the longer search; the answers so far stay. */
+  endLongerSearch(design: Design): void {
+    this.#longer.end(design);
+  }
+
+  /** Sizes come first: per solve, they make more seams match than seeds do. */
+  async #search(design: Design): Promise<void> {
+    if (!(await maySpend()) || this.#latest !== design) return;
+    await this.#sizes.follow(design);
+    if (this.#latest === design) await this.#longer.follow(design);
+  }
+
+  /** Takes steps for a solved design until there is another request. */
+  async #take(design: Design, result: SolveResult, steps: readonly Step[]): Promise<void> {
+    this.stop();
+    this.#latest = design;
+    this.#solver.learn(design, result);
+    for (const step of steps) {
+      await step();
+      if (this.#latest !== design) return;
+    }
   }
 }

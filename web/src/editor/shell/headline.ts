@@ -73,7 +73,7 @@ export class Headline extends WorkbenchElement {
     return html`
       ${this.#verdict(result)}
       <sw-remedies .workbench=${this.workbench} .samples=${this.samples}></sw-remedies>
-      <sw-keep-improving .workbench=${this.workbench}></sw-keep-improving>
+      <sw-better-match .workbench=${this.workbench}></sw-better-match>
       ${this.#details(result)} ${this.#notes(result)}
     `;
   }
