@@ -66,22 +66,22 @@ function working(
 describe('a longer search', () => {
   it('tries other seeds until four gain nothing, and offers more seams that match', async () => {
     const {afterwards, asked, kept} = working(({seed}) => (seed === 3 ? 2 : 1));
-    await afterwards.searchLonger(design, matching(1));
+    await afterwards.search('longer', design, matching(1));
     expect(asked.map(({seed}) => seed)).toEqual([2, 3, 4, 5, 6, 7]);
-    expect(afterwards.better(design)).toEqual({seed: 3, gained: 1});
+    expect(afterwards.searches.better(design)).toEqual({seed: 3, gained: 1});
     expect([...kept.keys()].map(({seed}) => seed)).toEqual([3]);
-    expect(afterwards.isSearchingLonger(design)).toBe(false);
+    expect(afterwards.searches.isRunning('longer', design)).toBe(false);
   });
 
   it('solves nothing again once its answer is taken, or taken back', async () => {
     const {afterwards, asked} = working(({seed}) => (seed === 3 ? 2 : 1));
-    await afterwards.searchLonger(design, matching(1));
+    await afterwards.search('longer', design, matching(1));
     const taken = {...design, seed: 3};
-    await afterwards.searchLonger(taken, matching(2));
-    await afterwards.searchLonger(design, matching(1));
+    await afterwards.search('longer', taken, matching(2));
+    await afterwards.search('longer', design, matching(1));
     expect(asked).toHaveLength(6);
-    expect(afterwards.better(taken)).toBeUndefined();
-    expect(afterwards.better(design)).toEqual({seed: 3, gained: 1});
+    expect(afterwards.searches.better(taken)).toBeUndefined();
+    expect(afterwards.searches.better(design)).toEqual({seed: 3, gained: 1});
   });
 
   it('stops at once, and continues where it ended', async () => {
@@ -92,10 +92,10 @@ describe('a longer search', () => {
         if (seed === 3 && isStopping) afterwards.stop();
       },
     );
-    await afterwards.searchLonger(design, matching(1));
+    await afterwards.search('longer', design, matching(1));
     expect(asked.map(({seed}) => seed)).toEqual([2]);
     isStopping = false;
-    await afterwards.searchLonger(design, matching(1));
+    await afterwards.search('longer', design, matching(1));
     expect(asked.map(({seed}) => seed)).toEqual([2, 3, 4, 5]);
   });
 
@@ -103,10 +103,10 @@ describe('a longer search', () => {
     const {afterwards, asked} = working(
       () => 1,
       ({seed}) => {
-        if (seed === 2) afterwards.endLongerSearch(design);
+        if (seed === 2) afterwards.searches.end('longer', design);
       },
     );
-    await afterwards.searchLonger(design, matching(1));
+    await afterwards.search('longer', design, matching(1));
     await afterwards.follow({...design}, matching(3), false);
     expect(asked.filter(({seed}) => seed > 1)).toEqual([]);
   });
@@ -121,7 +121,7 @@ it('an order is searched neither for seeds nor for sizes', async () => {
 describe('sizes of the print', () => {
   it('are compared before its turns and other seeds, without a request', async () => {
     const {afterwards, asked} = working(({width}) => (width < 9.5 ? 2 : 1));
-    await afterwards.follow(design, matching(1));
+    await afterwards.follow(design, matching(1), true);
     const ten = asked.slice(0, 10).map(({width}) => width);
     expect(ten).toEqual([9, 9.2, 9.4, 9.6, 9.8, 10.2, 10.4, 10.6, 10.8, 11]);
     expect(asked.slice(10, 12)).toEqual([
@@ -129,7 +129,7 @@ describe('sizes of the print', () => {
       {seed: 1, width: 10, isTurned: true},
     ]);
     expect(asked[12]).toEqual({seed: 2, width: 10, isTurned: false});
-    const comparison = afterwards.printSizes(design);
+    const comparison = afterwards.searches.printSizes(design);
     expect(comparison?.better?.variant).toEqual({scale: 0.9, turnDeg: 0});
     expect(comparison?.sizes.map(({variant}) => variant.scale)).toHaveLength(11);
     expect(comparison?.turns.map(({variant}) => variant.turnDeg)).toEqual([0, 45, 90]);
@@ -137,22 +137,22 @@ describe('sizes of the print', () => {
 
   it('still refer to the own size once another is taken, and none is solved again', async () => {
     const {afterwards, asked} = working(({width}) => (width < 9.5 ? 2 : 1));
-    await afterwards.comparePrintSizes(design, matching(1));
-    const {print} = afterwards.printSizes(design)?.better?.design ?? design;
+    await afterwards.search('sizes', design, matching(1));
+    const {print} = afterwards.searches.printSizes(design)?.better?.design ?? design;
     expect(print.size.width).toBe(9);
     const taken = {...design, print};
     asked.length = 0;
-    await afterwards.comparePrintSizes(taken, matching(2));
+    await afterwards.search('sizes', taken, matching(2));
     expect(asked.filter(({isTurned}) => !isTurned)).toEqual([]);
-    const comparison = afterwards.printSizes(taken);
+    const comparison = afterwards.searches.printSizes(taken);
     expect(comparison?.present.variant.scale).toBe(0.9);
     expect(comparison?.better).toBeUndefined();
   });
 
   it('are those that a shop offers', async () => {
     const {afterwards, asked} = working(() => 1);
-    afterwards.offeredSizes = [0.95, 1];
-    await afterwards.comparePrintSizes({...design, options: {}}, matching(1));
+    afterwards.searches.offeredSizes = [0.95, 1];
+    await afterwards.search('sizes', {...design, options: {}}, matching(1));
     expect(asked.map(({width}) => width)).toEqual([9.5]);
   });
 

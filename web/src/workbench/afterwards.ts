@@ -1,28 +1,24 @@
 /**
- * Work after a solve, in idle time: cost of the symmetries, remedies, sizes of the print, a longer
- * search, and a bound on the alignment.
+ * Work after a solve, in idle time: cost of the symmetries, remedies, searches for better answers,
+ * and a bound on the alignment.
  */
 import type {Design} from '../model/design/design.js';
 import type {SolveResult} from '../model/result/result.js';
 import type {SeamCount} from '../model/result/seam-groups.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
-import {maySpend} from './considerate.js';
 import {Comparison, Proving, RemedySearch} from './findings.js';
-import {IdleSolver} from './idle-solver.js';
-import {LongerSearch, type BetterMatch} from './longer-search.js';
 import {Observable} from './observable.js';
-import {PrintSizes, type PrintComparison} from './print-sizes.js';
+import {Searches, type SearchKind} from './searches.js';
 
 type Step = () => Promise<void>;
 
 export class Afterwards extends Observable {
-  readonly #solver: IdleSolver;
+  /** Observed separately, since it changes with each of many solves. */
+  readonly searches: Searches;
   readonly #comparison: Comparison;
   readonly #remedies: RemedySearch;
   readonly #proving: Proving;
-  readonly #longer: LongerSearch;
-  readonly #sizes: PrintSizes;
   #latest: Design | undefined;
 
   /** @param keep stores a result that may be offered, so that it is shown without a solve */
@@ -31,12 +27,10 @@ export class Afterwards extends Observable {
     const changed = (): void => {
       this.changed();
     };
-    this.#solver = new IdleSolver(solver, keep);
+    this.searches = new Searches(solver, keep);
     this.#comparison = new Comparison(solver, changed);
     this.#remedies = new RemedySearch(solver, changed);
     this.#proving = new Proving(solver, changed);
-    this.#longer = new LongerSearch(this.#solver, changed);
-    this.#sizes = new PrintSizes(this.#solver, changed);
   }
 
   /** Numbers of visible seams, and of those that match without symmetries. */
@@ -55,49 +49,22 @@ export class Afterwards extends Observable {
     return this.#proving.of(design);
   }
 
-  /** A better answer to the design, which the user may take. */
-  better(design: Design): BetterMatch | undefined {
-    return this.#longer.better(design);
-  }
-
-  isSearchingLonger(design: Design): boolean {
-    return this.#longer.isRunning(design);
-  }
-
-  /** Comparison of sizes and turns of the print; undefined before it begins. */
-  printSizes(design: Design): PrintComparison | undefined {
-    return this.#sizes.of(design);
-  }
-
-  /** Sizes of the print that are compared, as multiples of its own; undefined for the usual ones. */
-  set offeredSizes(sizes: readonly number[] | undefined) {
-    this.#sizes.offered = sizes;
-  }
-
   /**
    * Follows a solved design until there is another request.
    * @param searches false for a design that is shown as it was given: no other answers are sought
    */
-  follow(design: Design, result: SolveResult, searches = true): Promise<void> {
-    return this.#take(design, result, [
+  follow(design: Design, result: SolveResult, searches: boolean): Promise<void> {
+    return this.#take(design, [
       () => this.#comparison.follow(design, result),
       () => this.#remedies.follow(design, result),
-      ...(searches ? [() => this.#search(design)] : []),
+      ...(searches ? [() => this.searches.follow(design, result)] : []),
       () => this.#proving.follow(design, result),
     ]);
   }
 
-  /** Searches longer, at the user's request. */
-  async searchLonger(design: Design, result: SolveResult): Promise<void> {
-    this.#longer.allow(design);
-    await this.#take(design, result, [() => this.#longer.follow(design)]);
-    if (this.#latest === design) await this.follow(design, result, false);
-  }
-
-  /** Compares sizes and turns of the print, at the user's request. */
-  async comparePrintSizes(design: Design, result: SolveResult): Promise<void> {
-    this.#sizes.allow(design);
-    await this.#take(design, result, [() => this.#sizes.follow(design)]);
+  /** Searches for better answers at the user's request, then follows the design. */
+  async search(kind: SearchKind, design: Design, result: SolveResult): Promise<void> {
+    await this.#take(design, [() => this.searches.request(kind, design, result)]);
     if (this.#latest === design) await this.follow(design, result, false);
   }
 
@@ -105,33 +72,14 @@ export class Afterwards extends Observable {
     this.#latest = undefined;
     this.#comparison.stop();
     this.#remedies.stop();
+    this.searches.stop();
     this.#proving.stop();
-    this.#longer.stop();
-    this.#sizes.stop();
-  }
-
-  /** Ends the comparison of sizes and turns; the answers so far stay. */
-  endPrintSizes(design: Design): void {
-    this.#sizes.end(design);
-  }
-
-  /** Ends the longer search; the answers so far stay. */
-  endLongerSearch(design: Design): void {
-    this.#longer.end(design);
-  }
-
-  /** Sizes come first: per solve, they make more seams match than seeds do. */
-  async #search(design: Design): Promise<void> {
-    if (!(await maySpend()) || this.#latest !== design) return;
-    await this.#sizes.follow(design);
-    if (this.#latest === design) await this.#longer.follow(design);
   }
 
   /** Takes steps for a solved design until there is another request. */
-  async #take(design: Design, result: SolveResult, steps: readonly Step[]): Promise<void> {
+  async #take(design: Design, steps: readonly Step[]): Promise<void> {
     this.stop();
     this.#latest = design;
-    this.#solver.learn(design, result);
     for (const step of steps) {
       await step();
       if (this.#latest !== design) return;

@@ -57,14 +57,14 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
     });
   }
   const {result} = workbench.solving;
-  const {afterwards} = workbench;
-  if (afterwards.isSearchingLonger(design)) {
+  const {afterwards, searches} = workbench;
+  if (searches.isRunning('longer', design)) {
     add('end longer search', longer.end, commands.also.longer, () => {
-      afterwards.endLongerSearch(design);
+      searches.end('longer', design);
     });
   } else if (result && state.kind === 'done' && design.method === 'best') {
     add('longer search', longer.begin, commands.also.longer, () => {
-      void afterwards.searchLonger(design, result);
+      void afterwards.search('longer', design, result);
     });
   }
   for (const [k, remedy] of (result ? afterwards.remedies(design) : []).entries()) {

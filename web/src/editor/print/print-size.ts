@@ -61,17 +61,17 @@ export class PrintSize extends WorkbenchElement {
   }
 
   #comparison(design: Design): TemplateResult | typeof nothing {
-    const {afterwards, history, solving} = this.workbench;
+    const {afterwards, searches, history, solving} = this.workbench;
     const {result, state} = solving;
     if (!result || state.kind !== 'done' || result.seams.length === 0) return nothing;
     if (!canResize(design)) return nothing;
     const {sizes} = this.texts.print;
-    const known = afterwards.printSizes(design);
+    const known = searches.printSizes(design);
     if (!known) {
       return html`<button
         class="link"
         title=${sizes.note}
-        @click=${() => void afterwards.comparePrintSizes(design, result)}
+        @click=${() => void afterwards.search('sizes', design, result)}
       >
         ${sizes.compare}
       </button>`;
@@ -84,7 +84,7 @@ export class PrintSize extends WorkbenchElement {
           ? html`<button
               class="link"
               @click=${() => {
-                afterwards.endPrintSizes(design);
+                searches.end('sizes', design);
               }}
             >
               ${sizes.stop}

@@ -26,11 +26,11 @@ export class BetterMatch extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {afterwards, history, solving} = this.workbench;
+    const {searches, history, solving} = this.workbench;
     const {design} = history;
     if (!design || !solving.result || solving.state.kind !== 'done') return nothing;
     const {longer} = this.texts;
-    const better = afterwards.better(design);
+    const better = searches.better(design);
     return html`
       <p role="status" aria-label=${longer.label}>
         ${
@@ -47,13 +47,13 @@ export class BetterMatch extends WorkbenchElement {
         }
       </p>
       ${
-        afterwards.isSearchingLonger(design)
+        searches.isRunning('longer', design)
           ? html`<p class="soft">
               ${longer.running}
               <button
                 class="link"
                 @click=${() => {
-                  afterwards.endLongerSearch(design);
+                  searches.end('longer', design);
                 }}
               >
                 ${longer.stop}
