@@ -127,18 +127,16 @@ export class PrintSize extends WorkbenchElement {
       : sizes.use(this.format.percent(better.variant.scale));
   }
 
-  /** A bar for each size, as high as its share of matching seams. */
+  /** A bar for each size, as high as its number of matching seams; the highest fills the chart. */
   #chart({sizes: answers, present, better}: PrintComparison): TemplateResult {
     const {sizes} = this.texts.print;
     const scales = answers.map(({variant}) => variant.scale);
     const [least, most] = [Math.min(...scales), Math.max(...scales)];
+    const mostMatched = Math.max(1, ...answers.map(({standing}) => standing.matched));
     const bars = answers.map((answer) => {
       const {variant, standing} = answer;
       const at = (variant.scale - least) / (most - least);
-      const high = Math.max(
-        leastHeight,
-        (height * standing.matched) / Math.max(1, standing.visible),
-      );
+      const high = Math.max(leastHeight, (height * standing.matched) / mostMatched);
       const kind = answer === present ? 'present' : answer === better ? 'best' : '';
       const label = `${this.format.percent(variant.scale)}: ${this.format.number(standing.matched)}`;
       return svg`<rect class=${kind} x=${at * (width - bar)} y=${height - high}
