@@ -98,6 +98,14 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie
 
+seamwise repeat --print PRINT.json --out FILE.png|FILE.svg [flags]
+  Writes the smallest upright rectangle that tiles the print in its true size, for a print shop. Where there is none,
+  SVG has the cell as a pattern.
+    --size 0.93                 size of the print as a multiple of its own
+    --turn DEGREES              turns the print counter-clockwise
+    --dpi N                     dots per inch of PNG; default 300
+    --colourway NAME            of the print
+
 seamwise photo PICTURE.jpg|png|webp [flags]
   Reads a print off a photograph or scan of its fabric: repeat, symmetries, and a clean picture.
     --measure w1=N/CM           so many repeats along w1 measure so many cm; again for w2

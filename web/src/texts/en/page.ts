@@ -123,6 +123,14 @@ export const page = {
     full: 'The disk is full: changes are no longer kept. Save the project, then make room.',
     failed: 'Changes could not be kept in this browser; save the project before you leave.',
   },
+  repeat: {
+    title: 'Repeat for the print shop',
+    png: text('PNG, {dpi} dpi'),
+    none: 'No upright rectangle of at most twelve repeats tiles this print. Save SVG, which has its cell as a pattern.',
+    pattern:
+      'No upright rectangle of at most twelve repeats tiles this print. The file has its cell as a pattern.',
+    tooLarge: 'The repeat is too large for a picture of this resolution. Choose 150 dpi or SVG.',
+  },
   longer: {
     label: 'Better match',
     running: 'Still looking for a better match',
