@@ -152,8 +152,10 @@ describe('sizes of the print', () => {
   it('are those that a shop offers', async () => {
     const {afterwards, asked} = working(() => 1);
     afterwards.searches.offeredSizes = [0.95, 1];
-    await afterwards.search('sizes', {...design, options: {}}, matching(1));
-    expect(asked.map(({width}) => width)).toEqual([9.5]);
+    await afterwards.search('sizes', design, matching(1));
+    expect(asked).toEqual([{seed: 1, width: 9.5, isTurned: false}]);
+    afterwards.searches.offeredSizes = [];
+    expect(afterwards.searches.hasOtherSizes(design)).toBe(false);
   });
 
   it('are not compared for fabric that is printed, or has no known size', () => {

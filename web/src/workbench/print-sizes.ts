@@ -68,8 +68,8 @@ class Variants {
   constructor(design: Design, offered: readonly number[] | undefined) {
     this.#design = design;
     const {size, turnDeg} = design.print;
-    const scales = scalesOf(offered ? {sizes: offered} : range);
-    const allTurns = turnsFor(design);
+    const scales = offered ? [1, ...offered] : scalesOf(range);
+    const allTurns = offered ? [0] : turnsFor(design);
     const given = givenRepeat(design.print);
     const variant = given && variantBetween(given, {size, turnDeg});
     const isNear =
@@ -95,12 +95,22 @@ class Variants {
 }
 
 export class PrintSizes extends IdleSearch {
-  /** Sizes that a shop offers, as multiples of the print's own size; undefined for the usual ones. */
+  /**
+   * Sizes that a shop offers, as multiples of the print's own size; it offers no turns. Undefined
+   * without a shop: usual sizes, and turns.
+   */
   offered: readonly number[] | undefined;
+
+  /** Returns whether there are other sizes or turns of the print. */
+  hasOthers(design: Design): boolean {
+    if (!canResize(design)) return false;
+    const {scales, turns: all} = new Variants(design, this.offered);
+    return scales.length + all.length > 2;
+  }
 
   /** Undefined until another size or turn is being solved. */
   of(design: Design): PrintComparison | undefined {
-    if (!canResize(design)) return undefined;
+    if (!this.hasOthers(design)) return undefined;
     const variants = new Variants(design, this.offered);
     const {scale, turnDeg} = variants.present;
     const answer = (variant: PrintVariant): readonly VariantAnswer[] => {
@@ -116,7 +126,7 @@ export class PrintSizes extends IdleSearch {
   }
 
   protected override searches(design: Design): readonly VariantSearch[] {
-    if (!canResize(design)) return [];
+    if (!this.hasOthers(design)) return [];
     const variants = new Variants(design, this.offered);
     const {scale, turnDeg} = variants.present;
     const designOf = (variant: PrintVariant): Design => variants.design(variant);

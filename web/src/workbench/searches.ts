@@ -48,9 +48,18 @@ export class Searches extends Observable {
     return this.#searches[kind].isRunning(design);
   }
 
-  /** Sizes of the print that are compared, as multiples of its own; undefined for the usual ones. */
+  /** Sizes of the print that a shop offers, as multiples of its own; undefined without a shop. */
+  get offeredSizes(): readonly number[] | undefined {
+    return this.#searches.sizes.offered;
+  }
+
   set offeredSizes(sizes: readonly number[] | undefined) {
     this.#searches.sizes.offered = sizes;
+  }
+
+  /** Returns whether there are other sizes or turns of the print. */
+  hasOtherSizes(design: Design): boolean {
+    return this.#searches.sizes.hasOthers(design);
   }
 
   /** Searches for better answers until there is another request, if the device permits. */

@@ -5,7 +5,7 @@
 import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
 import {noPicture, type Design, type DesignPrint} from '../../model/design/design.js';
-import {canResize, type PrintComparison, type VariantAnswer} from '../../workbench/print-sizes.js';
+import type {PrintComparison, VariantAnswer} from '../../workbench/print-sizes.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
@@ -45,7 +45,8 @@ export class PrintSize extends WorkbenchElement {
 
   /** Asks about the user's own print, since fabric that is printed already has one size. */
   #onDemand(print: DesignPrint): TemplateResult | typeof nothing {
-    if (print.sample || print.unscaled || print.image === noPicture) return nothing;
+    const isShop = this.workbench.searches.offeredSizes !== undefined;
+    if (isShop || print.sample || print.unscaled || print.image === noPicture) return nothing;
     const {sizes} = this.texts.print;
     return html`<label class="inline" title=${sizes.onDemandNote}>
       <input
@@ -64,7 +65,7 @@ export class PrintSize extends WorkbenchElement {
     const {afterwards, searches, history, solving} = this.workbench;
     const {result, state} = solving;
     if (!result || state.kind !== 'done' || result.seams.length === 0) return nothing;
-    if (!canResize(design)) return nothing;
+    if (!searches.hasOtherSizes(design)) return nothing;
     const {sizes} = this.texts.print;
     const known = searches.printSizes(design);
     if (!known) {

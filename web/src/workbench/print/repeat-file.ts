@@ -8,8 +8,10 @@ import {repeatSvg} from '../../picture/repeat-svg.js';
 import type {Texts} from '../../texts/texts.js';
 
 /** Kinds of files: PNG with its resolution, and SVG. */
-export const repeatKinds = [150, 300, 'svg'] as const;
-export type RepeatKind = (typeof repeatKinds)[number];
+export type RepeatKind = number | 'svg';
+
+/** Resolutions that print shops ask for, and SVG. */
+export const repeatKinds: readonly RepeatKind[] = [150, 300, 'svg'];
 
 interface RepeatFile {
   readonly content: Blob;
