@@ -89,9 +89,11 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
     element.setAttribute('max-change-mm', 'lots');
     element.setAttribute('cloth-width', '-140');
     element.setAttribute('selvedge', 'none');
+    element.setAttribute('print-sizes', '0.9, 1 x 7');
     const wrong = {
       ...{mode: element.mode, view: element.view, loading: element.loading},
       ...{units: element.units, maxChangeMm: element.maxChangeMm},
+      printSizes: element.printSizes,
       ...{clothWidth: element.clothWidth, selvedge: element.selvedge},
     };
     element.mode = 'place';
@@ -111,7 +113,7 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
   });
   expect(seen.wrong).toEqual({
     ...{mode: 'preview', view: 'pattern', loading: 'lazy', units: 'cm', maxChangeMm: 10},
-    ...{clothWidth: null, selvedge: 1},
+    ...{clothWidth: null, selvedge: 1, printSizes: [0.9, 1]},
   });
   expect(seen.written).toMatchObject({
     ...{'cloth-width': '140'},

@@ -72,6 +72,23 @@ it('its design is ordered, byte for byte, with the chosen size and seed', async 
   expect(readFileSync(file('again.json'))).toEqual(readFileSync(file('sold.json')));
 });
 
+it('a turn is chosen and ordered like a size, and the result goes with the print as it is', async () => {
+  const flags = ['--print-turn', '45', '--print-size', '0.93', '--design', file('turned.json')];
+  const line = await align(...flags, '--no-times', '--out', file('t.json'));
+  expect(line).toContain('; print at 93 %; print turned by 45 degrees; ');
+  expect(read('t.json')).toMatchObject({print: {scale: 0.93, turnDeg: 45}});
+  expect(read('turned.json')).toMatchObject({print: {size: {width: 3.72}, turnDeg: 45}});
+  await run('order', file('turned.json'), '--out', file('made.json'));
+  expect(readFileSync(file('made.json'))).toEqual(readFileSync(file('t.json')));
+  await run('draw', file('t.json'), '--print', file('print.json'));
+
+  const {code, err} = await seamwise(
+    ...['align', file('strips.json'), '--print', file('print.json'), '--print-turn', '0,200'],
+  );
+  expect(code).toBe(2);
+  expect(err).toContain("--print-turn is '0,200', but must be degrees from -180 to 180");
+});
+
 it.each(['3', '0.9..', '1.1..0.9', '0.9..1..1.1', 'large', '1,,1.1'])(
   '--print-size %s is rejected',
   async (size) => {

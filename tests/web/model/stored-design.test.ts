@@ -194,6 +194,7 @@ describe('the print of a stored design', () => {
       ...file,
       w1: [0, 8],
       w2: [-6.92820323, 4],
+      turnDeg: 90,
       oneWay: true,
       image: 'night.svg',
     });

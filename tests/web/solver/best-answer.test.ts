@@ -1,11 +1,11 @@
 /** Sizes of a print and seeds of a search, compared by the answers of a stand-in for the solver. */
 import {describe, expect, it} from 'vitest';
 
-import type {PrintSizes} from '@/model/design/options.js';
+import type {PrintSizes, PrintTurns} from '@/model/design/options.js';
 import type {ComparedAnswer, Problem} from '@/model/design/solve-problem.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import type {SeamGroup, SolveResult} from '@/model/result/result.js';
-import {isBetter} from '@/model/result/visible-seams.js';
+import {isBetter, standingOf} from '@/model/result/visible-seams.js';
 import type {ProblemTexts, Requests} from '@/solver/requests/requests.js';
 import {chosenProblem} from '@/solver/search/asked-search.js';
 import {TextService} from '@/solver/service.js';
@@ -23,7 +23,7 @@ function answer(matched: number, answerCost = 10): SolveResult {
   return {...result, metrics: {answerCost}} as unknown as SolveResult;
 }
 
-/** A solver with given answers by width of the print and seed; it counts its solves. */
+/** A solver with given answers by w1's x and the seed; it counts its solves. */
 class StandIn extends TextService {
   readonly asked: (readonly [width: number, seed: number])[] = [];
   readonly #answerTo: (width: number, seed: number) => SolveResult;
@@ -142,7 +142,41 @@ describe('several sizes of the print', () => {
   });
 });
 
+describe('several turns of the print', () => {
+  const turned = (printTurn: PrintTurns, more: Problem['options'] = {}): Problem =>
+    problem({...(more as object), printTurn});
+
+  it('are compared before the sizes, which have the best turn', async () => {
+    const solver = new StandIn((width) => answer(Math.abs(width) < 3 ? 1 : 0));
+    const result = await solver.solve(turned({turns: [45]}, {printSize: {sizes: [0.9]}}));
+    const side = Math.SQRT1_2 * 4;
+    expect(solver.asked.map(([width]) => width)).toEqual([
+      4,
+      expect.closeTo(side, 6),
+      expect.closeTo(0.9 * side, 6),
+    ]);
+    expect(result.print).toEqual({...print, turnDeg: 45});
+  });
+
+  it('are left out with one that is no number of degrees', async () => {
+    const asked = turned({turns: [45, 200]});
+    await expect(new StandIn(() => answer(1)).solve(asked)).rejects.toThrow(
+      'options: a turn of printTurn is 200, but must be a number from -180 to 180.',
+    );
+  });
+});
+
 describe('a longer search', () => {
+  it('counts seams by the weights of the user', async () => {
+    const all = new StandIn(() => answer(3));
+    await all.solve(problem({effort: 'auto'}));
+    expect(all.asked).toHaveLength(1);
+    // makes a seam visible that does not match
+    const weighted = new StandIn(() => answer(3));
+    await weighted.solve(problem({effort: 'auto', weights: {0: 3}}));
+    expect(weighted.asked).toHaveLength(5);
+  });
+
   it('ends after four seeds without gain', async () => {
     const solver = new StandIn((_, seed) => answer(seed === 2 ? 2 : 1));
     const result = await solver.solve(problem({effort: 'auto'}));
@@ -171,5 +205,6 @@ it('the chosen problem is that of one solve, with size and seed', async () => {
 });
 
 it('answers without seam groups are compared by their mismatch', () => {
-  expect(isBetter({metrics: {answerCost: 1}}, {metrics: {answerCost: 2}})).toBe(true);
+  const [one, other] = [1, 2].map((answerCost) => standingOf({metrics: {answerCost}}, undefined));
+  expect(one && other && isBetter(one, other)).toBe(true);
 });

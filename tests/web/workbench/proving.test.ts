@@ -1,6 +1,6 @@
 import {describe, expect, it, vi} from 'vitest';
 
-import {Proving} from '@/workbench/improvement.js';
+import {Proving} from '@/workbench/findings.js';
 import type {Design} from '@/model/design/design.js';
 import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';

@@ -143,7 +143,7 @@ async function opened(
   } else if (hasFormat(content, 'seamwise-print') || looksLikePrint(content)) {
     await openPrint(workbench, file);
   } else if (hasFormat(content, 'seamwise-result')) {
-    projects.beginWith(designIn(content, name, failures), {origin: 'own'});
+    projects.beginAsGiven(designIn(content, name, failures), {origin: 'own'});
   } else {
     await workbench.open({name, text});
   }

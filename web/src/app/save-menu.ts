@@ -58,11 +58,13 @@ export class SaveMenu extends WorkbenchElement {
     projects: {attribute: false},
     view: {attribute: false},
     ofView: {state: true},
+    ofRepeat: {state: true},
   };
   declare projects: Projects;
   /** View beside the pattern or in its place; undefined while there is none. */
   declare view: () => DrapePane | MarkerPane | undefined;
   declare protected ofView: readonly Command[];
+  declare protected ofRepeat: readonly Command[];
 
   static override styles = [
     controls,
@@ -81,12 +83,21 @@ export class SaveMenu extends WorkbenchElement {
       .rows button {
         justify-content: start;
       }
+      .repeat {
+        display: flex;
+        flex-wrap: wrap;
+        gap: var(--sw-space-2);
+      }
+      .repeat span {
+        width: 100%;
+      }
     `,
   ];
 
   constructor() {
     super();
     this.ofView = [];
+    this.ofRepeat = [];
   }
 
   /** Closes the menu after a click on a button. */
@@ -104,7 +115,9 @@ export class SaveMenu extends WorkbenchElement {
     await copyLink(this.workbench, this.projects);
   };
 
-  async #listView(): Promise<void> {
+  async #list(): Promise<void> {
+    const {repeatSaves} = await import('./saves/repeat-saves.js');
+    this.ofRepeat = repeatSaves(this.workbench, this.saveOther);
     const view = this.view();
     if (!view) this.ofView = [];
     else
@@ -126,7 +139,7 @@ export class SaveMenu extends WorkbenchElement {
         popover
         id="save"
         @beforetoggle=${({currentTarget}: Event) => {
-          void this.#listView();
+          void this.#list();
           placeUnder(this.renderRoot.querySelector('button'), currentTarget as HTMLElement);
         }}
       >
@@ -159,6 +172,12 @@ export class SaveMenu extends WorkbenchElement {
             ({title, run}) =>
               html`<button class="outlined" @click=${run}>${icon.save} ${title}</button>`,
           )}
+          <div class="repeat" role="group" aria-labelledby="repeat">
+            <span id="repeat">${this.texts.repeat.title}</span>
+            ${this.ofRepeat.map(
+              ({title, run}) => html`<button class="outlined" @click=${run}>${title}</button>`,
+            )}
+          </div>
           <button class="outlined" @click=${this.copyLink}>${icon.link} ${app.copyLink}</button>
         </div>
       </div>

@@ -3,7 +3,8 @@ import {basename} from 'node:path';
 import {optionLimits} from '../model/base/core-tables.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {ComparedAnswer} from '../model/design/solve-problem.js';
-import {atScale, scaleLimits} from '../model/print/print-scale.js';
+import {scaleLimits} from '../model/print/print-scale.js';
+import {asVariant, mostTurn, type PrintVariant} from '../model/print/print-variant.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {methods} from '../model/result/method.js';
 import {resultText, withoutTimes} from '../model/documents/result-text.js';
@@ -25,6 +26,7 @@ import {
   lengthCm,
   parseArguments,
   printSizes,
+  printTurns,
   UsageError,
   wholeNumber,
 } from './base/arguments.js';
@@ -39,7 +41,7 @@ const grammar = {
   files: ['the garment file'],
   valued: [
     ...['--print', '--symmetry', '--method', '--options', '--max-change', '--effort', '--seed'],
-    ...['--print-size', '--out', '--design'],
+    ...['--print-size', '--print-turn', '--out', '--design'],
   ],
   switches: ['--json', '--no-times', '--no-remedies', '--others'],
 };
@@ -61,6 +63,7 @@ export async function align(words: readonly string[]): Promise<void> {
     maxChangeCm: lengthCm(args, '--max-change', optionLimits.maxChangeCm[1]),
     effort: factor(args, '--effort', optionLimits.effort, 'auto'),
     printSize: printSizes(args, '--print-size', scaleLimits),
+    printTurn: printTurns(args, '--print-turn', mostTurn),
   };
   const outFile = args.value('--out');
   const designFile = args.value('--design');
@@ -110,7 +113,7 @@ export async function align(words: readonly string[]): Promise<void> {
         group: result.print.group,
         ...(exact ? withoutTimes(result) : result).metrics,
         notes: result.notes,
-        ...(compared.length > 0 && {scale: result.print.scale ?? 1, compared}),
+        ...(compared.length > 0 && {...variantOf(result), compared}),
         ...(found && {remedies: found}),
       }),
     );
@@ -156,8 +159,11 @@ async function solved(
           progress.show(step);
         },
         onCompared: (answer) => compared.push(answer),
-        onRefused: ({scale, reason}) => {
-          remark(`The print at ${scale} times its size cannot be solved: ${messageOf(reason)}`);
+        onRefused: ({scale, turnDeg, reason}) => {
+          const turned = turnDeg === 0 ? '' : `, turned by ${turnDeg} degrees,`;
+          remark(
+            `The print at ${scale} times its size${turned} cannot be solved: ${messageOf(reason)}`,
+          );
         },
         names,
       },
@@ -205,15 +211,22 @@ function withDecided(options: string, decided: Readonly<Record<string, unknown>>
   }
 }
 
-/** The problem with the size and seed that gave the result. */
+/** The problem with size, turn and seed that gave the result. */
 function chosenFor(given: Aligned, result: SolveResult): Chosen {
   const {options = '{}', seed = given.seed} = chosenProblem(problemOf(given), result);
+  const {scale = 1, turnDeg = 0} = JSON.parse(textOf(given.print.bytes)) as Print;
+  const solved = variantOf(result);
   return {
     ...given,
     ...{options: typeof options === 'string' ? options : JSON.stringify(options), seed},
-    scale: result.print.scale ?? 1,
+    variant: {scale: solved.scale / scale, turnDeg: solved.turnDeg - turnDeg},
   };
 }
+
+const variantOf = ({print: {scale = 1, turnDeg = 0}}: SolveResult): PrintVariant => ({
+  scale,
+  turnDeg,
+});
 
 const problemOf = (given: Aligned) => ({
   ...given,
@@ -236,7 +249,7 @@ async function checkOutputs(
 
 /** The result with its design, so that a page can open it, and with its remedies. */
 async function openable(
-  {garment, print, options, seed, scale}: Chosen,
+  {garment, print, options, seed, variant}: Chosen,
   {
     result,
     found,
@@ -250,7 +263,7 @@ async function openable(
   const {solvedDesign} = await import('../model/design/solved-design.js');
   const {written} = await import('../model/design/read-design.js');
   const file = JSON.parse(textOf(print.bytes)) as Print;
-  const cloth = atScale(file, scale / (file.scale ?? 1));
+  const cloth = asVariant(file, variant);
   const design = solvedDesign(
     {
       garment: {name: basename(garment.path), text: textOf(garment.bytes)},

@@ -62,9 +62,11 @@ function matching(result: SolveResult, {options, compared = []}: Asked): string[
   return [`${String(matched)} of ${String(counted)} visible seams match${before}`];
 }
 
-/** The size of the print, if it is not its own. */
-const scaled = ({scale = 1}: SolveResult['print']): string[] =>
-  scale === 1 ? [] : [`print at ${String(Number((100 * scale).toFixed(1)))} %`];
+/** Size and turn of the print, if they are not its own. */
+const varied = ({scale = 1, turnDeg = 0}: SolveResult['print']): string[] => [
+  ...(scale === 1 ? [] : [`print at ${String(Number((100 * scale).toFixed(1)))} %`]),
+  ...(turnDeg === 0 ? [] : [`print turned by ${String(turnDeg)} degrees`]),
+];
 
 /** The time of the solve, and that of the attempts that did not hold. */
 function times({total, deformation, attempts = deformation}: Milliseconds): string[] {
@@ -80,7 +82,7 @@ export function figuresLine(name: string, result: SolveResult, asked: Asked): st
   const {print, pieces, seams, metrics} = result;
   return [
     `${name}: ${String(pieces.length)} pieces, ${String(seams.length)} seams, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
-    ...scaled(print),
+    ...varied(print),
     ...matching(result, asked),
     ...mismatch(result, asked),
     `moved at most ${millimetres(metrics.maxMovedCm)}`,

@@ -18,6 +18,7 @@ const commands: Readonly<Record<string, () => Promise<Command>>> = {
   draw: async () => (await import('./draw.js')).draw,
   cut: async () => (await import('./cut.js')).cut,
   marker: async () => (await import('./marker.js')).marker,
+  repeat: async () => (await import('./repeat.js')).repeat,
   photo: async () => (await import('./photo.js')).photo,
   drape: async () => (await import('./drape.js')).drape,
   seams: async () => (await import('./seams.js')).listSeams,

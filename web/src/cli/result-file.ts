@@ -6,6 +6,7 @@ import type {GarmentDocument} from '../model/garment/garment-document.js';
 import type {Point} from '../model/geometry/vectors.js';
 import type {SolveOptions} from '../model/design/options.js';
 import {scaleLimits} from '../model/print/print-scale.js';
+import {mostTurn} from '../model/print/print-variant.js';
 import {type Print} from '../model/print/repeating-print.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
 import {
@@ -99,7 +100,7 @@ function asResult(value: unknown, path: string): ResultFile {
         pieces: listOf(piece),
         print: shape(
           {group: oneOf(groupNames), w1: point, w2: point},
-          {scale: number(...scaleLimits)},
+          {scale: number(...scaleLimits), turnDeg: number(-mostTurn, mostTurn)},
         ),
         metrics: shape({maxMovedCm: finite}),
       },

@@ -6,6 +6,7 @@ import type {Method} from '../model/result/method.js';
 import {sha256Of} from '../model/documents/result-text.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
+import {variedRepeat, type PrintVariant} from '../model/print/print-variant.js';
 import {repeatOf} from '../model/print/repeat.js';
 import {
   designOf,
@@ -32,10 +33,10 @@ export interface Aligned {
   readonly seed: number;
 }
 
-/** The input with the size and seed that were chosen for the result. */
+/** The input with size, turn and seed that were chosen for the result. */
 export interface Chosen extends Aligned {
-  /** Scale of the result's print relative to its file. */
-  readonly scale: number;
+  /** The result's print relative to its file. */
+  readonly variant: PrintVariant;
 }
 
 /**
@@ -48,7 +49,7 @@ export function storedText(designFile: string, given: Chosen, result: SolveResul
     url: relativeUrl(designFile, path),
     sha256: sha256Of(bytes),
   });
-  const print = {...stored(given.print), ...sizeOf(given)};
+  const print = {...stored(given.print), ...variedIn(given)};
   const asked =
     symmetry === 'auto' || symmetry === 'none'
       ? symmetry
@@ -65,13 +66,13 @@ export function storedText(designFile: string, given: Chosen, result: SolveResul
   return writeStoredDesign(readStoredDesign(writeStoredDesign(design), designFile));
 }
 
-/** The chosen size of the print, if it is not that of its file. */
-function sizeOf({print, scale}: Chosen): Pick<PrintChanges, 'size'> {
-  const file = readPrintFile(textOf(print.bytes), print.path);
-  const ratio = scale / (file.scale ?? 1);
-  if (ratio === 1) return {};
-  const {width, height, angleDeg} = repeatOf(file).size;
-  return {size: {width: ratio * width, height: ratio * height, angleDeg}};
+/** The chosen size and turn of the print, if they are not those of its file. */
+function variedIn({print, variant}: Chosen): Pick<PrintChanges, 'size' | 'turnDeg'> {
+  const {size, turnDeg} = variedRepeat(
+    repeatOf(readPrintFile(textOf(print.bytes), print.path)),
+    variant,
+  );
+  return {...(variant.scale !== 1 && {size}), ...(variant.turnDeg !== 0 && {turnDeg})};
 }
 
 function relativeUrl(from: string, to: string): string {

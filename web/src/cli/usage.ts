@@ -11,6 +11,7 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --effort auto               tries other seeds, until four in a row gain nothing or eight are tried
     --print-size 0.9..1.1       compares sizes of the print and takes the best; or a list, such as
                                 0.95,1,1.05, always with 1; one number sets the size
+    --print-turn 0,45,90        compares turns of the whole print, in degrees, and takes the best; one number sets it
     --seed N                    same seed, same input, same result; default 1
     --out RESULT.json           writes the solved pattern
     --json                      prints the figures as JSON
@@ -96,6 +97,14 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --date YYYY-MM-DD           to stand on every page
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie
+
+seamwise repeat --print PRINT.json --out FILE.png|FILE.svg [flags]
+  Writes the smallest upright rectangle that tiles the print in its true size, for a print shop. Where there is none,
+  SVG has the cell as a pattern.
+    --size 0.93                 size of the print as a multiple of its own
+    --turn DEGREES              turns the print counter-clockwise
+    --dpi N                     dots per inch of PNG; default 300
+    --colourway NAME            of the print
 
 seamwise photo PICTURE.jpg|png|webp [flags]
   Reads a print off a photograph or scan of its fabric: repeat, symmetries, and a clean picture.

@@ -285,12 +285,9 @@ export class Editor extends WorkbenchElement {
     if (!part || !this.isConnected) return;
     this.#headline ??= new KeptHeight(part);
     const {design} = this.workbench.history;
-    const {afterwards} = this.workbench;
     const isSymmetric = design && askedSymmetries(design).length > 0;
     this.#headline.about = `${design?.garment.name} ${isSymmetric ? 'symmetric' : ''}`;
-    // the headline also shows later improvements, which arrive one by one
-    const isImproving = design && afterwards.improving(design)?.isRunning;
-    this.#headline.stir(kind === 'done' && !isImproving);
+    this.#headline.stir(kind === 'done');
   }
 
   protected override render(): TemplateResult {

@@ -18,7 +18,7 @@ import {PrintSize} from './print/print-size.js';
 import {TileRepeatChoice} from './print/tile-repeat-choice.js';
 import {TileReport} from './print/tile-report.js';
 import {registerAll} from './base/register.js';
-import {KeepImproving} from './remedies/keep-improving.js';
+import {BetterMatch} from './remedies/better-match.js';
 import {RemedyList} from './remedies/remedy-list.js';
 import {SewBar} from './sewing/sew-bar.js';
 import {KeyMap} from './shell/key-map.js';
@@ -26,11 +26,11 @@ import {WaysOut} from './shell/ways-out.js';
 import {SymmetryPanel} from './symmetry/symmetry-panel.js';
 
 const parts: Readonly<Record<string, CustomElementConstructor>> = {
+  'sw-better-match': BetterMatch,
   'sw-doubtful-tile': DoubtfulTile,
   'sw-file-size': FileSizeNote,
   'sw-solve-panel': SolvePanel,
   'sw-grain-question': GrainQuestion,
-  'sw-keep-improving': KeepImproving,
   'sw-keep-menu': KeepMenu,
   'sw-key-map': KeyMap,
   'sw-lens': SeamLens,

@@ -15,6 +15,8 @@ export interface SeamwiseGarmentAttributes {
   size?: string;
   print?: SeamwiseGarment['print'];
   colourway?: string;
+  /** Sizes in which the shop prints the fabric, separated by spaces. */
+  'print-sizes'?: string;
   symmetry?: SeamwiseGarment['symmetry'];
   /** Greatest movement of an outline. [mm] */
   'max-change-mm'?: number | string;

@@ -361,7 +361,9 @@ export class SeamwiseGarment extends AttributeElement {
     if (this.#shown !== shown || this.#shownView !== this.view) this.#isDrawn = false;
     this.#shown = shown;
     this.#shownView = this.view;
-    this.#session.workbench.solving.isEdited = shown === 'edit';
+    const {workbench} = this.#session;
+    workbench.searches.offeredSizes = this.printSizes;
+    workbench.solving.isEdited = shown === 'edit';
     const {garment} = this.#texts;
     this.enter(this.#session.state);
     this.present(this.value, this.error?.message ?? garment.required);

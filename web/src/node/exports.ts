@@ -62,6 +62,8 @@ export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 export type {PlanPdf} from '../marker/draw/plan-pdf.js';
 export type {Order, OrderHooks} from './order.js';
+export type {RepeatForPrinting} from './repeat.js';
+export type {Rectangle} from '../model/print/rectangular-repeat.js';
 export type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
 export type {NamedEdge, SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';

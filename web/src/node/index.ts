@@ -10,6 +10,7 @@ import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js'
 import type {StoredDesign} from '../model/documents/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import type {SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
+import type {PrintWithTile} from '../picture/cloth.js';
 import type {Remedy} from '../remedies/remedy.js';
 import {
   plainNames,
@@ -25,6 +26,7 @@ import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 import type {Order, OrderHooks} from './order.js';
 import type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
+import type {RepeatForPrinting} from './repeat.js';
 import {ThreadSolver} from './thread-solver.js';
 
 export * from './exports.js';
@@ -315,6 +317,14 @@ export async function printFromPixels(
     settings,
     hooks,
   );
+}
+
+/**
+ * The rectangular repeat of a print in its true size, for print shops.
+ * @throws {SolverError} `unscaled` for a print of unknown size
+ */
+export async function printRepeat(print: PrintWithTile): Promise<RepeatForPrinting> {
+  return (await import('./repeat.js')).printRepeat(print);
 }
 
 /** Memory of the shared module: its size and the part in use. [bytes] */

@@ -17,7 +17,7 @@ import {
 } from '../model/print/photo-reading.js';
 import type {GroupName} from '../model/print/repeating-print.js';
 import {isCentred, latticeType} from '../model/print/wallpaper.js';
-import {alongStripe, turnsOver} from '../model/print/repeat.js';
+import {alongStripe, turnsOver, wrappedTurn} from '../model/print/repeat.js';
 
 /** Returns whether two images are the same byte for byte; false if one cannot be read. */
 export async function areSame(one: Blob, other: Blob): Promise<boolean> {
@@ -225,12 +225,6 @@ export function conflictIn(step: PhotoStep): MeasureConflict | undefined {
   const most = isOfGroup ? tapeError : seen.error;
   return share > most ? {w1, w2, expected: w1 * aspect, share, isOfGroup} : undefined;
 }
-
-/** Wraps an angle into (-180, 180]. */
-export const wrappedTurn = (degrees: number): number => {
-  const turn = ((degrees % 360) + 360) % 360;
-  return turn > 180 ? turn - 360 : turn;
-};
 
 /** Returns the print without its image, rounded as in print files. */
 export function measuresOf(

@@ -4,6 +4,7 @@ import {
   coupledSize,
   alongStripe,
   turnsOver,
+  wrappedTurn,
   type FittingGroup,
   type RepeatSize,
 } from '../model/print/repeat.js';
@@ -14,7 +15,7 @@ import {dataUrlOf} from '../image/data-url.js';
 import type {TileCheck, WholeCell} from '../image/tile-check.js';
 import type {Pixels} from '../image/tile-cloth.js';
 import {cellPicture, pngOf} from '../photo/photo-picture.js';
-import {measuresOf, tileSettings, wrappedTurn} from '../photo/photo-step.js';
+import {measuresOf, tileSettings} from '../photo/photo-step.js';
 import {groupOf, type Choice} from './group-choice.js';
 import {
   groupsIn,
@@ -124,16 +125,17 @@ export async function withGroup(
   {group, size, cell, turnDeg}: FittingGroup,
 ): Promise<DesignPrint> {
   if (turnDeg === 0) return {...print, group, size, cell};
-  const {title, oneWay} = print;
+  const {title, oneWay, isPrinted} = print;
   const image = await quarterTurned(print.image);
   const turned = print.turnDeg > 90 ? print.turnDeg - 270 : print.turnDeg + 90;
-  return {title, oneWay, group, size, cell, image, turnDeg: turned};
+  const own = {title, oneWay, group, size, cell, image, turnDeg: turned};
+  return {...own, ...(isPrinted && {isPrinted})};
 }
 
 /** Keeps what is known of the file if the image stays the same. */
 const inPlaceOf = (print: DesignPrint, found: DesignPrint): DesignPrint => {
-  if (found.image !== print.image || found.tile || print.tile) return found;
-  return {...print, ...found};
+  if (found.image === print.image && !found.tile && !print.tile) return {...print, ...found};
+  return {...found, ...(print.isPrinted && {isPrinted: true})};
 };
 
 /** Returns the print with a group that its image has. */

@@ -18,6 +18,7 @@ import type {
   SolveHooks,
 } from '../model/design/solve-problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
+import {standingOf} from '../model/result/visible-seams.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import {
   drapeTexts,
@@ -50,8 +51,8 @@ export interface GarmentHooks {
 export interface SolverService {
   /**
    * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its
-   * seams. With several sizes of the print, or with the effort `auto`, it solves several times and
-   * takes the best answer.
+   * seams. With several sizes or turns of the print, or with the effort `auto`, it solves several
+   * times and takes the best answer.
    * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it
    * fires; errors of hooks
    */
@@ -139,7 +140,14 @@ export abstract class TextService implements SolverService {
     const search = askedSearch(problem, hooks.names?.options);
     if (!search) return this.#solveOnce(singleProblem(problem, hooks.names?.options), hooks);
     const {bestAnswer} = await import('./search/best-answer.js');
-    return bestAnswer(search, (one, its) => this.#solveOnce(one, its), hooks);
+    return bestAnswer(
+      {
+        search,
+        solve: (variant, seed, its) => this.#solveOnce({...search.problemAt(variant), seed}, its),
+        standingOf: (result) => standingOf(result, search.weights),
+      },
+      hooks,
+    );
   }
 
   async #solveOnce(problem: SingleProblem, hooks: NamedSolveHooks): Promise<SolveResult> {

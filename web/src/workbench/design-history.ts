@@ -5,7 +5,7 @@ import {Observable} from './observable.js';
 import {askedFields} from './result-cache.js';
 import type {ShownSheet} from './shown-sheet.js';
 import type {Step, ViewState} from './state.js';
-import {improving, Steps} from './steps.js';
+import {Steps} from './steps.js';
 
 /** Hooks of a change of the design. */
 interface HistoryHooks {
@@ -66,12 +66,6 @@ export class DesignHistory extends Observable {
     this.#steps.change(taken, kind, this.#view);
     this.#steps.mend(this.#hooks.mended(this.design));
     this.#arrive();
-  }
-
-  /** Stores the options of a better result. All better results of one run are one step. */
-  improve(options: Design['options']): void {
-    this.#steps.change({options}, improving, this.#view);
-    this.changed();
   }
 
   /** Changes the present design as part of the step that led to it. */

@@ -1,81 +1,142 @@
-/** Compares sizes of the print of a solved design, in the background and on request. */
-import type {Design, DesignPrint} from '../model/design/design.js';
-import type {ComparedAnswer} from '../model/design/solve-problem.js';
-import {problemOf} from '../model/documents/design-problem.js';
-import {scalesOf} from '../solver/search/asked-search.js';
-import type {SolverService} from '../solver/service.js';
-import {DesignFindings, NewestTask} from './background-task.js';
-import {idle} from './idle.js';
-
-/** Compared sizes, as multiples of the present size. */
-const range = {from: 0.9, to: 1.1};
-
-/** A comparison of sizes. */
-export interface SizeComparison {
-  readonly isRunning: boolean;
-  /** Answers so far; the first one is that of the present size. */
-  readonly answers: readonly ComparedAnswer[];
-}
-
 /**
- * Returns whether the print may be enlarged: it is printed on demand, and its size is known. The
- * user decides that for prints of their own.
+ * Compares sizes and turns of the print of a solved design in idle time. Fabric that is printed on
+ * demand can have any of them.
  */
+import type {Design, DesignPrint} from '../model/design/design.js';
+import {readPrintFile} from '../model/print/read-print-file.js';
+import {variantBetween, variedRepeat, type PrintVariant} from '../model/print/print-variant.js';
+import {repeatOf, type PrintRepeat} from '../model/print/repeat.js';
+import type {GroupName} from '../model/print/repeating-print.js';
+import {scalesOf} from '../solver/search/asked-search.js';
+import {IdleSearch, type VariantSearch} from './idle-search.js';
+import {betterThan} from './idle-solver.js';
+import type {Candidate} from './known-answers.js';
+
+/** Compared sizes, as multiples of the print's own size. */
+const range = {from: 0.9, to: 1.1};
+/** Compared turns. [degrees] */
+const turns = [0, 45, 90];
+/** Groups of prints that look the same after a quarter turn. */
+const quarterTurns: ReadonlySet<GroupName> = new Set<GroupName>(['p4', 'p4m', 'p4g']);
+
+/** A size or turn of the print with its answer. */
+export interface VariantAnswer extends Candidate {
+  readonly variant: PrintVariant;
+}
+
+/** Answers so far. */
+export interface PrintComparison {
+  readonly isRunning: boolean;
+  readonly present: VariantAnswer;
+  /** The present turn in all sizes, the smallest first. */
+  readonly sizes: readonly VariantAnswer[];
+  /** The present size in all turns. */
+  readonly turns: readonly VariantAnswer[];
+  /** A size or turn in which more visible seams match. */
+  readonly better: VariantAnswer | undefined;
+}
+
+/** Returns whether the print can be enlarged: its size is known, and the fabric is not printed. */
 export const canResize = ({method, print}: Pick<Design, 'method' | 'print'>): boolean =>
-  method === 'best' && !print.unscaled;
+  method === 'best' && !print.unscaled && !print.isPrinted;
 
-/** The best answer so far, if it is better than that of the present size. */
-export const bestSize = ({answers}: SizeComparison): ComparedAnswer | undefined =>
-  answers.slice(1).findLast(({isBest}) => isBest);
+/** Pieces that lie at any angle need no turn of the print. */
+const turnsFor = ({options, print}: Design): readonly number[] => {
+  const {default: grain = 'free'} = options.grain ?? {};
+  if (grain === 'free') return [0];
+  return turns.filter((turn) => turn !== 90 || !quarterTurns.has(print.group));
+};
 
-/** The print with `scale` times its size. */
-export function enlarged(print: DesignPrint, scale: number): DesignPrint {
-  if (scale === 1) return print;
-  const {width, height, angleDeg} = print.size;
-  return {...print, size: {width: scale * width, height: scale * height, angleDeg}};
+const fileRepeats = new WeakMap<object, PrintRepeat>();
+
+/** The repeat of the print's file, or the one before a choice. */
+function givenRepeat({file, own}: DesignPrint): PrintRepeat | undefined {
+  if (!file) return own;
+  const known = fileRepeats.get(file) ?? repeatOf(readPrintFile(file.text, file.place?.url ?? ''));
+  fileRepeats.set(file, known);
+  return known;
 }
 
-export class PrintSizes {
-  readonly #solver: SolverService;
-  readonly #task = new NewestTask();
-  readonly #found: DesignFindings<SizeComparison>;
+/** The variants of a design's print, and the present one. */
+class Variants {
+  readonly present: PrintVariant;
+  readonly scales: readonly number[];
+  readonly turns: readonly number[];
+  readonly #design: Design;
+  readonly #own: PrintRepeat;
 
-  constructor(solver: SolverService, changed: () => void) {
-    this.#solver = solver;
-    this.#found = new DesignFindings(changed);
+  constructor(design: Design, offered: readonly number[] | undefined) {
+    this.#design = design;
+    const {size, turnDeg} = design.print;
+    const scales = offered ? [1, ...offered] : scalesOf(range);
+    const allTurns = offered ? [0] : turnsFor(design);
+    const given = givenRepeat(design.print);
+    const variant = given && variantBetween(given, {size, turnDeg});
+    const isNear =
+      variant &&
+      variant.scale >= Math.min(...scales) &&
+      variant.scale <= Math.max(...scales) &&
+      allTurns.includes(variant.turnDeg);
+    this.#own = isNear ? given : {size, turnDeg};
+    this.present = isNear ? variant : {scale: 1, turnDeg: 0};
+    this.scales = [...new Set([this.present.scale, ...scales])];
+    this.turns = [...new Set([this.present.turnDeg, ...allTurns])];
   }
 
-  /** Undefined unless a comparison was requested. */
-  of(design: Design): SizeComparison | undefined {
-    return this.#found.of(design);
-  }
-
-  /** Compares sizes until all are solved or it is stopped; the answers by then stay. */
-  async compare(design: Design): Promise<void> {
-    const {signal} = this.#task.begin();
-    const answers: ComparedAnswer[] = [];
-    const tell = (isRunning: boolean): void => {
-      this.#found.learn(design, {isRunning, answers: [...answers]});
-    };
-    tell(true);
-    await idle();
-    const {bestAnswer} = await import('../solver/search/best-answer.js');
-    const search = {
-      ...{scales: scalesOf(range), isLong: false, seed: design.seed},
-      // exactly the problem of the design that the user would choose
-      problemAt: (scale: number) => problemOf({...design, print: enlarged(design.print, scale)}),
-    };
-    await bestAnswer(search, (problem, hooks) => this.#solver.solve(problem, hooks), {
-      signal,
-      onCompared: (answer) => {
-        answers.push(answer);
-        tell(!signal.aborted);
-      },
-    }).catch(() => undefined); // stopped, or an error that the main solve reports
-    tell(false);
-  }
-
-  stop(): void {
-    this.#task.stop();
+  design(variant: PrintVariant): Design {
+    const {scale, turnDeg} = this.present;
+    if (variant.scale === scale && variant.turnDeg === turnDeg) return this.#design;
+    const {print} = this.#design;
+    const isOwn = variant.scale === 1 && variant.turnDeg === 0;
+    const own = isOwn || print.file ? undefined : this.#own;
+    const varied = {...print, ...variedRepeat(this.#own, variant), own};
+    return {...this.#design, print: varied};
   }
 }
+
+export class PrintSizes extends IdleSearch {
+  /**
+   * Sizes that a shop offers, as multiples of the print's own size; it offers no turns. Undefined
+   * without a shop: usual sizes, and turns.
+   */
+  offered: readonly number[] | undefined;
+
+  /** Returns whether there are other sizes or turns of the print. */
+  hasOthers(design: Design): boolean {
+    if (!canResize(design)) return false;
+    const {scales, turns: all} = new Variants(design, this.offered);
+    return scales.length + all.length > 2;
+  }
+
+  /** Undefined until another size or turn is being solved. */
+  of(design: Design): PrintComparison | undefined {
+    if (!this.hasOthers(design)) return undefined;
+    const variants = new Variants(design, this.offered);
+    const {scale, turnDeg} = variants.present;
+    const answer = (variant: PrintVariant): readonly VariantAnswer[] => {
+      const found = this.solver.known.of(variants.design(variant));
+      return found ? [{...found, variant}] : [];
+    };
+    const sizes = ascending(variants.scales).flatMap((one) => answer({scale: one, turnDeg}));
+    const all = ascending(variants.turns).flatMap((one) => answer({scale, turnDeg: one}));
+    const present = sizes.find(({variant}) => variant.scale === scale);
+    const isRunning = this.isRunning(design);
+    if (!present || (!isRunning && sizes.length + all.length <= 2)) return undefined;
+    return {isRunning, present, sizes, turns: all, better: betterThan(present, [...sizes, ...all])};
+  }
+
+  protected override searches(design: Design): readonly VariantSearch[] {
+    if (!this.hasOthers(design)) return [];
+    const variants = new Variants(design, this.offered);
+    const {scale, turnDeg} = variants.present;
+    const designOf = (variant: PrintVariant): Design => variants.design(variant);
+    const common = {isLong: false, seed: design.seed, designOf};
+    return [
+      {...common, scales: variants.scales, turns: [turnDeg]},
+      {...common, scales: [scale], turns: variants.turns},
+    ];
+  }
+}
+
+const ascending = (values: readonly number[]): readonly number[] =>
+  values.toSorted((a, b) => a - b);

@@ -56,9 +56,10 @@ export class Solving extends Observable {
     super();
     this.#solver = solver;
     this.#parts = parts;
-    this.afterwards = new Afterwards(solver, (design, effort, result) =>
-      this.#improved(design, effort, result),
-    );
+    this.afterwards = new Afterwards(solver, (design, result) => {
+      const {pattern} = this;
+      if (pattern) this.#results.keep(design, {pattern, result});
+    });
     const changed = (): void => {
       this.changed();
     };
@@ -266,17 +267,13 @@ export class Solving extends Observable {
 
   #follow(): void {
     const {result} = this;
-    if (this.#isEdited && this.#design && result) void this.afterwards.follow(this.#design, result);
-  }
-
-  #improved(design: Design, effort: number, result: SolveResult): Design {
-    const {history} = this.#parts;
-    Observable.together(() => {
-      history.improve({...design.options, effort});
-      this.#keep(history.design ?? design, result);
-      this.changed();
-    });
-    return history.design ?? design;
+    const design = this.#design;
+    if (!this.#isEdited || !design || !result) return;
+    const {history, preferences} = this.#parts;
+    const {isGiven} = history.steps?.present ?? {};
+    const {effort = 1} = design.options; // more than one was chosen elsewhere
+    const searches = !isGiven && effort === 1 && preferences.chosen.solveAsIGo;
+    void this.afterwards.follow(design, result, searches);
   }
 
   #failed(design: Design, failure: Failure): void {

@@ -28,6 +28,8 @@ export interface SheetWindow {
 export interface Step {
   readonly design: Design;
   readonly view: ViewState | null;
+  /** The design is an order, a result or a link, whose answer is shown as it was given. */
+  readonly isGiven?: boolean;
 }
 
 /**

@@ -6,9 +6,6 @@ import type {Step, ViewState} from './state.js';
 /** Changes of one kind within this interval are one step; a held drag has no limit. [ms] */
 const pause = 1000;
 
-/** Kind of change that is one step however long it takes: successive better results. */
-export const improving = 'improve';
-
 export class Steps {
   #history: History<Step> | undefined;
   /** Kind of change that may still be amended, and the time until which it may. */
@@ -49,7 +46,7 @@ export class Steps {
     const {present} = this.#history;
     const step = {design: {...present.design, ...change}, view};
     const now = performance.now();
-    const isSoon = this.#isHeld || kind === improving || now < this.#amendable.until;
+    const isSoon = this.#isHeld || now < this.#amendable.until;
     const amends = kind !== '' && kind === this.#amendable.kind && isSoon;
     this.#amendable = {kind, until: now + pause};
     this.#history = amends

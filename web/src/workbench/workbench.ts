@@ -19,6 +19,7 @@ import {Notices} from './notices.js';
 import {Observable} from './observable.js';
 import {RunningSolve} from './running-solve.js';
 import {bareFabric, newDesign} from './samples.js';
+import type {Searches} from './searches.js';
 import {Selection} from './selection.js';
 import {ShownSheet} from './shown-sheet.js';
 import {Solving} from './solving.js';
@@ -42,6 +43,7 @@ export interface WorkbenchParts {
   readonly running: RunningSolve;
   readonly solving: Solving;
   readonly afterwards: Afterwards;
+  readonly searches: Searches;
 }
 
 export class Workbench {
@@ -71,7 +73,8 @@ export class Workbench {
     });
     const known = {preferences, notices, selection, running, history};
     const solving: Solving = new Solving(lease.solver, known, progress);
-    this.#parts = {...known, sheet, solving, afterwards: solving.afterwards};
+    const {afterwards} = solving;
+    this.#parts = {...known, sheet, solving, afterwards, searches: afterwards.searches};
   }
 
   /**
@@ -116,6 +119,10 @@ export class Workbench {
 
   get afterwards(): Afterwards {
     return this.#parts.afterwards.read;
+  }
+
+  get searches(): Searches {
+    return this.#parts.searches.read;
   }
 
   prefer(change: Partial<Preferences>): void {

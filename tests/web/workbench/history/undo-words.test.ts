@@ -132,7 +132,7 @@ const cases: readonly (readonly [step: string, change: Partial<Design>, said: Ch
     {kind: 'place', pieces: ['tie']},
   ],
   ['a freed piece', {options: withoutPin(options, 'bib')}, {kind: 'place', pieces: ['bib']}],
-  ['a better answer', {options: {...options, effort: 4}}, {kind: 'improve'}],
+  ['a better match', {seed: 3}, {kind: 'better'}],
 ];
 
 it.each(cases)('names %s', (_, change, said) => {

@@ -35,7 +35,7 @@ export async function openLink(
       print: await printOf(print, await samples, words.noSample),
     };
     await workbench.solving.meshed(design);
-    projects.beginWith(design, {origin: 'own', ...(title !== undefined && {title})});
+    projects.beginAsGiven(design, {origin: 'own', ...(title !== undefined && {title})});
     return true;
   } catch (error) {
     throw error instanceof LinkError ? new Error(words.damaged, {cause: error}) : error;

@@ -7,7 +7,6 @@ import {
   withSolveSettings,
   withPreset,
 } from '../../workbench/presets.js';
-import {improvementOffer} from '../../workbench/remedies/improvement-offer.js';
 import {inColours, samplePrint} from '../../workbench/samples.js';
 import {takePrint} from '../../workbench/print/take-print.js';
 import {redoWords, undoWords} from '../../workbench/history/step-change.js';
@@ -37,7 +36,7 @@ export function stepCommands({workbench, texts}: PageParts): readonly Command[] 
 }
 
 export function solveCommands({workbench, texts, format, samples}: PageParts): readonly Command[] {
-  const {app, commands, controls, improve} = texts;
+  const {app, commands, controls, longer} = texts;
   const {design} = workbench.history;
   const {state} = workbench.solving;
   const preferences = workbench.preferences.chosen;
@@ -57,12 +56,18 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
       workbench.solving.cancel();
     });
   }
-  const offer = improvementOffer(workbench);
-  if (offer) add('improve', improve[offer.kind], commands.also.improve, offer.act);
-  for (const [k, remedy] of (workbench.solving.result
-    ? workbench.afterwards.remedies(design)
-    : []
-  ).entries()) {
+  const {result} = workbench.solving;
+  const {afterwards, searches} = workbench;
+  if (searches.isRunning('longer', design)) {
+    add('end longer search', longer.end, commands.also.longer, () => {
+      searches.end('longer', design);
+    });
+  } else if (result && state.kind === 'done' && design.method === 'best') {
+    add('longer search', longer.begin, commands.also.longer, () => {
+      void afterwards.search('longer', design, result);
+    });
+  }
+  for (const [k, remedy] of (result ? afterwards.remedies(design) : []).entries()) {
     const change = remedied(design, remedy, samples);
     if (!change) continue;
     add(`remedy ${k}`, remedyWords(remedy, workbench, texts, format), '', () => {

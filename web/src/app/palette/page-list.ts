@@ -3,6 +3,7 @@ import {languageNames, languages, type Preferences} from '../../texts/preference
 import type {Command} from '../../commands/editor-command.js';
 import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
 import {viewSaves} from '../saves/drape-files.js';
+import {repeatSaves} from '../saves/repeat-saves.js';
 import {withKey, type PageParts} from './page-parts.js';
 import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';
 
@@ -10,6 +11,7 @@ export const allCommands = (parts: PageParts): readonly Command[] => [
   ...stepCommands(parts),
   ...fileCommands(parts),
   ...savesOfView(parts),
+  ...savesOfRepeat(parts),
   ...toolCommands(parts),
   ...viewCommands(parts),
   ...solveCommands(parts),
@@ -26,6 +28,17 @@ function savesOfView({workbench, texts, editor, saves}: PageParts): readonly Com
   const words = texts.commands.also.save;
   const commands = viewSaves(view, workbench, saves.other);
   return commands.map((command) => ({...command, words}));
+}
+
+/** Commands that save the repeat of the print. */
+function savesOfRepeat({workbench, texts, saves}: PageParts): readonly Command[] {
+  if (!workbench.history.design) return [];
+  const {lists, repeat, commands} = texts;
+  const words = `${commands.also.save} ${commands.also.print}`;
+  return repeatSaves(workbench, saves.other).map((command) => ({
+    ...{...command, words},
+    title: lists.of(repeat.title, command.title),
+  }));
 }
 
 function fileCommands(parts: PageParts): readonly Command[] {

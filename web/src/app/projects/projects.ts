@@ -84,6 +84,11 @@ export class Projects {
     this.begin(begun({design, view}), announced);
   }
 
+  /** Shows the design of an order, a result or a link, whose answer stays as it was given. */
+  beginAsGiven(design: Design, announced: Announced): void {
+    this.begin(begun({design, view: null, isGiven: true}), announced);
+  }
+
   /**
    * Shows the tab's project from before a reload, or in a new tab the last changed one, unless it
    * is open elsewhere.

@@ -1,6 +1,6 @@
 import {parseArgs} from 'node:util';
 
-import type {PrintSizes} from '../../model/design/options.js';
+import type {PrintSizes, PrintTurns} from '../../model/design/options.js';
 
 /** An error of the user, described in one sentence; the exit code is 2. */
 export class UsageError extends Error {
@@ -179,6 +179,25 @@ export function printSizes(
   }
   if (isRange) return {from, to};
   return numbers.length === 1 ? from : {sizes: numbers};
+}
+
+/**
+ * The flag's value as turns of a print: one number, or a list such as 0,45,90. [degrees]
+ * @throws {UsageError} for any other value
+ */
+export function printTurns(args: Arguments, flag: string, most: number): PrintTurns | undefined {
+  const value = args.value(flag);
+  if (value === undefined) return undefined;
+  const turns = value
+    .split(listMark)
+    .map((part) => (/^-?\d{1,3}(\.\d{1,6})?$/.test(part) ? Number(part) : NaN));
+  if (!turns.every((turn) => Math.abs(turn) <= most)) {
+    throw new UsageError(
+      `${flag} is '${value}', but must be degrees from -${most} to ${most}, or a list such as 0,45,90.`,
+    );
+  }
+  const [only = 0] = turns;
+  return turns.length === 1 ? only : {turns};
 }
 
 /**

@@ -430,7 +430,8 @@ export class PhotoDialog extends WorkbenchElement {
       const image = await dataUrlOf(await pngOf(canvas));
       if (this.session !== session) return;
       this.workbench.notices.doubtful = undefined;
-      takePrint(this.workbench, {title: this.name || this.words.title, ...measures, image});
+      const title = this.name || this.words.title;
+      takePrint(this.workbench, {title, ...measures, image, isPrinted: true});
       void this.keeper?.keep(image, {picture: session.picture, name: this.name, step});
       this.#close();
       this.#drop();

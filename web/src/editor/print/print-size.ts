@@ -1,21 +1,29 @@
-/** Visible seams that match in other sizes of the print, as a chart; the best size is offered. */
+/**
+ * Visible seams that match in other sizes and turns of the print. The sizes form a chart; the best
+ * size or turn is offered.
+ */
 import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {ComparedAnswer} from '../../model/design/solve-problem.js';
+import {noPicture, type Design, type DesignPrint} from '../../model/design/design.js';
+import type {PrintComparison, VariantAnswer} from '../../workbench/print-sizes.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {bestSize, canResize, enlarged, type SizeComparison} from '../../workbench/print-sizes.js';
 
-/** Size of the chart, and width of a bar. [px] */
-const [width, height, bar] = [220, 48, 12];
+/** Size of the chart, width of a bar, and height of a bar without a seam. [px] */
+const [width, height, bar, leastHeight] = [220, 48, 12, 2];
 
 export class PrintSize extends WorkbenchElement {
   static override styles = [
     controls,
     css`
+      :host {
+        display: grid;
+        justify-items: start;
+        gap: var(--sw-space-2);
+      }
       svg {
         display: block;
-        margin-block: var(--sw-space-2);
+        max-width: 100%;
       }
       rect {
         fill: var(--sw-line);
@@ -30,31 +38,54 @@ export class PrintSize extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {afterwards, history, solving} = this.workbench;
-    const {design} = history;
-    const {result, state} = solving;
-    if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return nothing;
-    if (!canResize(design)) return nothing;
+    const {design} = this.workbench.history;
+    if (!design) return nothing;
+    return html`${this.#onDemand(design.print)} ${this.#comparison(design)}`;
+  }
+
+  /** Asks about the user's own print, since fabric that is printed already has one size. */
+  #onDemand(print: DesignPrint): TemplateResult | typeof nothing {
+    const isShop = this.workbench.searches.offeredSizes !== undefined;
+    if (isShop || print.sample || print.unscaled || print.image === noPicture) return nothing;
     const {sizes} = this.texts.print;
-    const known = afterwards.printSizes(design);
+    return html`<label class="inline" title=${sizes.onDemandNote}>
+      <input
+        type="checkbox"
+        .checked=${!print.isPrinted}
+        @change=${({target}: Event) => {
+          const isPrinted = !(target as HTMLInputElement).checked || undefined;
+          this.workbench.history.change({print: {...print, isPrinted}});
+        }}
+      />
+      ${sizes.onDemand}
+    </label>`;
+  }
+
+  #comparison(design: Design): TemplateResult | typeof nothing {
+    const {afterwards, searches, history, solving} = this.workbench;
+    const {result, state} = solving;
+    if (!result || state.kind !== 'done' || result.seams.length === 0) return nothing;
+    if (!searches.hasOtherSizes(design)) return nothing;
+    const {sizes} = this.texts.print;
+    const known = searches.printSizes(design);
     if (!known) {
       return html`<button
         class="link"
         title=${sizes.note}
-        @click=${() => void afterwards.comparePrintSizes(design, result)}
+        @click=${() => void afterwards.search('sizes', design, result)}
       >
         ${sizes.compare}
       </button>`;
     }
-    const best = bestSize(known);
-    return html`${this.#chart(known, best)}
-      <p class="soft" role="status" .textContent=${this.#words(known, best)}></p>
+    const {better, isRunning} = known;
+    return html`${known.sizes.length > 1 ? this.#chart(known) : nothing}
+      <p class="soft" role="status" .textContent=${this.#words(known)}></p>
       ${
-        known.isRunning
+        isRunning
           ? html`<button
               class="link"
               @click=${() => {
-                afterwards.stopPrintSizes();
+                searches.end('sizes', design);
               }}
             >
               ${sizes.stop}
@@ -62,44 +93,53 @@ export class PrintSize extends WorkbenchElement {
           : nothing
       }
       ${
-        best
+        better
           ? html`<button
               class="outlined"
               @click=${() => {
-                history.change({print: enlarged(design.print, best.scale)}, 'print size');
+                history.change({print: better.design.print}, 'print size');
               }}
             >
-              ${sizes.use(this.format.percent(best.scale))}
+              ${this.#offer(better, known)}
             </button>`
           : nothing
       }`;
   }
 
   /** "At 93 % 12 of 14 visible seams match, now 9." */
-  #words({answers, isRunning}: SizeComparison, best: ComparedAnswer | undefined): string {
+  #words({present, better, isRunning}: PrintComparison): string {
     const {sizes} = this.texts.print;
-    const [present] = answers;
-    if (!best || !present) return isRunning ? sizes.comparing : sizes.nothing;
+    if (!better) return isRunning ? sizes.comparing : sizes.nothing;
     const {format} = this;
     const [matched = '', visible = '', now = ''] = [
-      best.matched,
-      best.visible,
-      present.matched,
+      better.standing.matched,
+      better.standing.visible,
+      present.standing.matched,
     ].map((count) => format.number(count));
-    return sizes.found(format.percent(best.scale), matched, visible, now);
+    return isTurned(better, present)
+      ? sizes.foundTurned(format.number(turnTo(better, present)), matched, visible, now)
+      : sizes.found(format.percent(better.variant.scale), matched, visible, now);
   }
 
-  /** A bar for each size, as high as its share of matching seams. */
-  #chart({answers}: SizeComparison, best: ComparedAnswer | undefined): TemplateResult {
+  #offer(better: VariantAnswer, {present}: PrintComparison): string {
     const {sizes} = this.texts.print;
-    const scales = answers.map(({scale}) => scale);
+    return isTurned(better, present)
+      ? sizes.turn(this.format.number(turnTo(better, present)))
+      : sizes.use(this.format.percent(better.variant.scale));
+  }
+
+  /** A bar for each size, as high as its number of matching seams; the highest fills the chart. */
+  #chart({sizes: answers, present, better}: PrintComparison): TemplateResult {
+    const {sizes} = this.texts.print;
+    const scales = answers.map(({variant}) => variant.scale);
     const [least, most] = [Math.min(...scales), Math.max(...scales)];
-    const bars = answers.map((answer, k) => {
-      const {scale, matched, visible} = answer;
-      const at = most > least ? (scale - least) / (most - least) : 0.5;
-      const high = Math.max(2, (height * matched) / Math.max(1, visible));
-      const kind = k === 0 ? 'present' : answer === best ? 'best' : '';
-      const label = `${this.format.percent(scale)}: ${this.format.number(matched)}`;
+    const mostMatched = Math.max(1, ...answers.map(({standing}) => standing.matched));
+    const bars = answers.map((answer) => {
+      const {variant, standing} = answer;
+      const at = (variant.scale - least) / (most - least);
+      const high = Math.max(leastHeight, (height * standing.matched) / mostMatched);
+      const kind = answer === present ? 'present' : answer === better ? 'best' : '';
+      const label = `${this.format.percent(variant.scale)}: ${this.format.number(standing.matched)}`;
       return svg`<rect class=${kind} x=${at * (width - bar)} y=${height - high}
         width=${bar} height=${high}><title>${label}</title></rect>`;
     });
@@ -114,3 +154,10 @@ export class PrintSize extends WorkbenchElement {
     </svg>`;
   }
 }
+
+const isTurned = (one: VariantAnswer, present: VariantAnswer): boolean =>
+  one.variant.turnDeg !== present.variant.turnDeg;
+
+/** Turn from the present print to another one. [degrees] */
+const turnTo = (one: VariantAnswer, present: VariantAnswer): number =>
+  one.variant.turnDeg - present.variant.turnDeg;

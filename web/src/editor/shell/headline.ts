@@ -42,7 +42,7 @@ export class Headline extends WorkbenchElement {
       output {
         display: grid;
         gap: var(--sw-space-1);
-        min-height: 8.25rem; /* what is below it stays in its place */
+        min-height: 6rem; /* what is below it stays in its place */
         align-content: start;
       }
       details {
@@ -72,8 +72,8 @@ export class Headline extends WorkbenchElement {
     }
     return html`
       ${this.#verdict(result)}
+      <sw-better-match .workbench=${this.workbench}></sw-better-match>
       <sw-remedies .workbench=${this.workbench} .samples=${this.samples}></sw-remedies>
-      <sw-keep-improving .workbench=${this.workbench}></sw-keep-improving>
       ${this.#details(result)} ${this.#notes(result)}
     `;
   }

@@ -10,6 +10,7 @@ import {
   attributes,
   changeOf,
   clothWidthOf,
+  printSizesOf,
   selvedgeOf,
   unitsOf,
   wordOf,
@@ -94,6 +95,18 @@ export abstract class AttributeElement extends FormElement {
 
   set colourway(colourway: string | null | undefined) {
     this.write('colourway', colourway);
+  }
+
+  /**
+   * Sizes in which the shop prints the fabric, as multiples of the print's own size. The editor
+   * compares them. Empty: the fabric has one size.
+   */
+  get printSizes(): readonly number[] {
+    return printSizesOf(this.#read('print-sizes'));
+  }
+
+  set printSizes(sizes: readonly number[] | null | undefined) {
+    this.write('print-sizes', sizes?.join(' '));
   }
 
   /** Greatest movement of an outline. [mm] */

@@ -1,6 +1,7 @@
 /** Values of the element's attributes. Invalid values fall back to the default. */
 import {optionLimits} from '../../model/base/core-tables.js';
 import type {Units} from '../../model/base/length-text.js';
+import {scaleLimits} from '../../model/print/print-scale.js';
 
 export type GarmentView = 'pattern' | 'garment' | 'both';
 export type GarmentCamera = 'front' | 'back' | 'left' | 'right' | 'three-quarter';
@@ -9,7 +10,7 @@ export type GarmentLoading = 'lazy' | 'eager';
 
 /** Attributes in the order of the documentation. */
 export const attributes = [
-  ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
+  ...['garment', 'size', 'print', 'colourway', 'print-sizes', 'symmetry', 'max-change-mm'],
   ...['view', 'dummy', 'fabric', 'camera', 'turntable', 'cloth-width', 'selvedge'],
   ...['mode', 'loading', 'units', 'locale', 'lang', 'alt', 'worker-url', 'wasm-url'],
   ...['name', 'required', 'disabled'],
@@ -51,6 +52,15 @@ export function changeOf(written: string | null): number {
 export function clothWidthOf(written: string | null): number | null {
   const width = Number(written);
   return width > 0 && width < Infinity ? width : null;
+}
+
+/** Sizes of the print, as multiples of its own; invalid ones are left out. */
+export function printSizesOf(written: string | null): readonly number[] {
+  const [least, most] = scaleLimits;
+  return (written ?? '')
+    .split(/[\s,]+/)
+    .map(Number)
+    .filter((size) => size >= least && size <= most);
 }
 
 /** Selvedge. [cm] */

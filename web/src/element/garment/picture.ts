@@ -16,7 +16,14 @@ const cutTypes: Readonly<Record<string, CutFileKind>> = {
   'application/vnd.hp-hpgl': 'plt',
 };
 
-/** Options of `toBlob`: a picture, or a cutting sheet if `type` is one of theirs. */
+/** Resolution of a repeat. [dots per inch] */
+const usualDpi = 300;
+const [leastDpi, mostDpi] = [30, 1200];
+
+/**
+ * Options of `toBlob`: a picture, a cutting sheet if `type` is one of theirs, or the repeat of the
+ * print.
+ */
 export interface BlobRequest {
   /**
    * `image/png`, the default, `image/jpeg`, `image/webp`; `application/pdf`, `image/svg+xml`,
@@ -36,6 +43,34 @@ export interface BlobRequest {
   readonly hem?: number | undefined;
   /** Fills the pieces of a cutting sheet with the print, or draws lines only. Default full. */
   readonly ink?: 'full' | 'outline' | undefined;
+  /**
+   * True for one repeat of the print in its size, for a print shop: PNG, or SVG if `type` is
+   * `image/svg+xml`. Default false.
+   */
+  readonly repeat?: boolean | undefined;
+  /** Resolution of a repeat, from 30 to 1200. Default 300. [dots per inch] */
+  readonly dpi?: number | undefined;
+}
+
+/** @throws {SolverError} if there is no design, no rectangular repeat, or no such resolution */
+async function repeatOf(
+  workbench: Workbench,
+  {type, dpi = usualDpi}: BlobRequest,
+  {garment, repeat, controls}: Texts,
+): Promise<Blob> {
+  const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
+  const {design} = workbench.history;
+  if (!design) throw wrong(garment.noAnswer);
+  if (!(dpi >= leastDpi && dpi <= mostDpi)) {
+    throw wrong(controls.between(`${leastDpi} dpi`, `${mostDpi} dpi`));
+  }
+  const {repeatFile} = await import('../../workbench/print/repeat-file.js');
+  try {
+    const kind = type === 'image/svg+xml' ? 'svg' : dpi;
+    return (await repeatFile(design.print, kind, repeat)).content;
+  } catch (error) {
+    throw error instanceof SolverError ? error : wrong((error as Error).message);
+  }
 }
 
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
@@ -119,5 +154,12 @@ export const blobOf = async (
   request: BlobRequest,
   texts: Texts,
 ): Promise<Blob> =>
-  (await cutFileFor(workbench, request, texts)) ??
-  pictureOf(workbench.sheet.view, isDrawn(), {type: request.type, width: request.width}, texts);
+  request.repeat
+    ? repeatOf(workbench, request, texts)
+    : ((await cutFileFor(workbench, request, texts)) ??
+      pictureOf(
+        workbench.sheet.view,
+        isDrawn(),
+        {type: request.type, width: request.width},
+        texts,
+      ));

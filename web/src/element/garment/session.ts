@@ -2,6 +2,7 @@
  * One garment in one print, from its files to the answer: the element's logic without the element.
  */
 import {fabricOf, type Design} from '../../model/design/design.js';
+import {begun} from '../../model/design/history.js';
 import type {FabricName} from '../../model/result/draped-garment.js';
 import {SolverError, type Failure} from '../../model/result/failure.js';
 import type {SolveResult} from '../../model/result/result.js';
@@ -155,7 +156,7 @@ export class GarmentSession {
       if (this.#loading !== loading) return false; // an event listener has changed the request
       this.#loading = undefined;
       this.#last = answered;
-      this.#begin(design, byUser);
+      this.#begin(design, {byUser, isGiven: stored !== undefined});
       return true;
     } catch (error) {
       loading.abort(); // stops the remaining downloads
@@ -253,10 +254,10 @@ export class GarmentSession {
     this.#tell.failed(error);
   }
 
-  #begin(design: Design, byUser = false): void {
+  #begin(design: Design, {byUser = false, isGiven = false} = {}): void {
     this.#given = design;
     this.#isTouched = byUser;
-    this.workbench.history.begin({past: [], present: {design, view: null}, future: []});
+    this.workbench.history.begin(begun({design, view: null, isGiven}));
   }
 
   #fail(error: SolverError): void {

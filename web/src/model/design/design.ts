@@ -8,7 +8,7 @@ import type {SolveOptions} from './options.js';
 import type {PieceNames} from '../garment/piece-names.js';
 import type {GroupName, Print, PrintCell} from '../print/repeating-print.js';
 import type {Method} from '../result/method.js';
-import {latticeVectors, type RepeatSize} from '../print/repeat.js';
+import {latticeVectors, type PrintRepeat, type RepeatSize} from '../print/repeat.js';
 import type {Symmetry} from '../garment/symmetries.js';
 import type {PrintTile} from '../print/opened-image.js';
 
@@ -48,6 +48,10 @@ export interface DesignPrint {
   readonly cell: PrintCell;
   /** The size is in proportion only, until it is measured. */
   readonly unscaled?: boolean;
+  /** Size and turn before the user chose others from a comparison. */
+  readonly own?: PrintRepeat | undefined;
+  /** The fabric is printed already, so that size and turn cannot be chosen. */
+  readonly isPrinted?: boolean | undefined;
   /** Image of one cell: a URL, or a `data:` URL for the user's own image. */
   readonly image: string;
   /** Name and colourway of the bundled print, if it is one. */

@@ -71,6 +71,12 @@ export type PrintSizes =
   number | {readonly sizes: readonly number[]} | {readonly from: number; readonly to: number};
 
 /**
+ * Counter-clockwise turns of the print on its fabric: one turn, or some, which are compared with no
+ * turn. The best one is taken. [degrees]
+ */
+export type PrintTurns = number | {readonly turns: readonly number[]};
+
+/**
  * Options of a problem. Those beyond `SolveOptions` ask for several solves, of which the best
  * answer counts; a design never stores them.
  */
@@ -82,6 +88,8 @@ export interface ProblemOptions extends Omit<SolveOptions, 'effort'> {
   readonly effort?: number | 'auto';
   /** Sizes of the print among which the best one is chosen. Default: the print's own. */
   readonly printSize?: PrintSizes;
+  /** Turns of the print among which the best one is chosen. Default: no turn. */
+  readonly printTurn?: PrintTurns;
 }
 
 /** A whole piece, or edges of its outline by number in the garment file. */

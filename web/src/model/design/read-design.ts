@@ -139,8 +139,13 @@ export const repeatFields = {
   cell: oneOf(printCells),
 };
 
+const {size, turnDeg} = repeatFields;
+
 /** The repeat of a print, without its image. */
-export const printMeasures = shape(repeatFields, {unscaled: flag});
+export const printMeasures = shape(repeatFields, {
+  ...{unscaled: flag, isPrinted: flag},
+  own: shape({size, turnDeg}),
+});
 
 /** Decisions that a file may omit. */
 export const optionalFields = {names: recordOf(pieceName), fabric: oneOf(fabricNames)};

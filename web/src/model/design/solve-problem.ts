@@ -4,6 +4,8 @@ import type {ProblemOptions, SolveOptions} from './options.js';
 import type {Print} from '../print/repeating-print.js';
 import type {MeshedPattern, Proof} from '../result/result.js';
 import type {Symmetries} from '../garment/symmetries.js';
+import type {PrintVariant} from '../print/print-variant.js';
+import type {Standing} from '../result/visible-seams.js';
 
 /** Complete input of a solve. Each member is an object or its JSON text. */
 export interface Problem {
@@ -36,16 +38,13 @@ export interface Progress {
   readonly fraction: number;
 }
 
-/** One of the answers among which a solve of several sizes or seeds chooses. */
-export interface ComparedAnswer {
+/** One of the answers among which a solve of several sizes, turns or seeds chooses. */
+export interface ComparedAnswer extends Standing {
   /** Size of the print, as a multiple of its own. */
   readonly scale: number;
+  /** Counter-clockwise turn of the print. [degrees] Omitted if it is not turned. */
+  readonly turnDeg?: number;
   readonly seed: number;
-  /** Number of visible seams, and how many of them match. */
-  readonly visible: number;
-  readonly matched: number;
-  /** `answerCost` of its metrics. [cm2] */
-  readonly answerCost: number;
   /** True if it is better than all answers before. */
   readonly isBest: boolean;
 }
@@ -61,10 +60,10 @@ export interface SolveHooks {
    * array.
    */
   readonly onPartial?: (alignments: Float64Array) => void;
-  /** Receives each answer to a problem with several sizes or seeds. */
+  /** Receives each answer to a problem with several sizes, turns or seeds. */
   readonly onCompared?: (answer: ComparedAnswer) => void;
-  /** Receives each size that cannot be solved, and the reason. */
-  readonly onRefused?: (refused: {readonly scale: number; readonly reason: unknown}) => void;
+  /** Receives each size or turn that cannot be solved, and the reason. */
+  readonly onRefused?: (refused: PrintVariant & {readonly reason: unknown}) => void;
 }
 
 /** Callback to follow a proof, and a signal to end it early. */

@@ -48,6 +48,7 @@ export function cellSize({tile}: Pick<Measured, 'tile'>, size: RepeatSize): Repe
 /** The same print with a measured size of its image, adjusted to its group. [cm] */
 export const resized = (print: DesignPrint, size: RepeatSize): DesignPrint => ({
   ...print,
+  own: undefined,
   size: coupledSize(print.group, cellSize(print, size)),
   ...(print.unscaled && {unscaled: false}),
 });

@@ -72,7 +72,7 @@ export type LinkedGarment =
  */
 export type LinkedPrint = Pick<
   DesignPrint,
-  'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled'
+  'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled' | 'own' | 'isPrinted'
 > &
   (
     | {readonly sample: NonNullable<DesignPrint['sample']>}
@@ -130,11 +130,14 @@ const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =
 /** The fragment "#..." of a project, of any length. @param title given by the owner */
 export async function linkOf(design: Design, title?: string): Promise<string> {
   const {garment: own, print: shown} = design;
-  const {group, size, turnDeg, oneWay, cell, tile, unscaled} = shown;
+  const {group, size, turnDeg, oneWay, cell, tile, unscaled, own: before, isPrinted} = shown;
   const project: LinkedProject = {
     garment: own.sample ? {sample: own.sample} : {name: own.name, text: own.text},
     print: {
-      ...{group, size, turnDeg, oneWay, cell, ...(unscaled && {unscaled})},
+      ...{group, size, turnDeg, oneWay, cell},
+      ...(unscaled && {unscaled}),
+      ...(before && {own: before}),
+      ...(isPrinted && {isPrinted}),
       ...(isSample(shown)
         ? {sample: shown.sample}
         : {title: shown.title, ...(tile ? {tile} : {image: shown.image})}),

@@ -10,7 +10,8 @@ import {
 } from '../design/read-design.js';
 import type {Alignment} from '../geometry/vectors.js';
 import {colourwayOf, type Print} from '../print/repeating-print.js';
-import {atScale, scaleBetween, settled} from '../print/print-scale.js';
+import {settled} from '../print/print-scale.js';
+import {withRepeat} from '../print/print-variant.js';
 import {readPrintFile} from '../print/read-print-file.js';
 import {fail, recordOf, shape, text, type Read} from '../base/read.js';
 import {latticeVectors, repeatOf} from '../print/repeat.js';
@@ -155,16 +156,15 @@ export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: stri
   };
 }
 
-/** The print with a changed lattice. A change of its size alone gives exactly the scaled print. */
+/** The print with a changed lattice. Another size or turn alone gives exactly that variant. */
 function withLattice(
   file: Print,
   {group = file.group, size, turnDeg, cell = file.cell}: PrintChanges,
 ): Print {
   const own = repeatOf(file);
-  const isOther = turnDeg !== undefined || group !== file.group || cell !== file.cell;
-  const scale = size && !isOther ? scaleBetween(own.size, size) : undefined;
-  if (scale !== undefined) return atScale(file, scale);
-  const [w1, w2] = latticeVectors(group, size ?? own.size, turnDeg ?? own.turnDeg, cell);
+  const repeat = {size: size ?? own.size, turnDeg: turnDeg ?? own.turnDeg};
+  if (group === file.group && cell === file.cell) return withRepeat(file, repeat);
+  const [w1, w2] = latticeVectors(group, repeat.size, repeat.turnDeg, cell);
   return {...file, group, w1: settled(w1), w2: settled(w2)};
 }
 

@@ -1,6 +1,7 @@
 /** Print files: JSON with the group and lattice of a print, and optionally images of its cell. */
 import {groupNames} from '../base/core-tables.js';
 import {scaleLimits} from './print-scale.js';
+import {mostTurn} from './print-variant.js';
 import {printCells, type Print} from './repeating-print.js';
 import {
   flag,
@@ -26,6 +27,7 @@ const fields: Read<Print> = shape(
     oneWay: flag,
     unscaled: flag,
     scale: number(...scaleLimits),
+    turnDeg: number(-mostTurn, mostTurn),
     cell: oneOf(printCells),
   },
 );

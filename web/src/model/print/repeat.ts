@@ -26,6 +26,12 @@ export interface RepeatSize {
   readonly angleDeg: number;
 }
 
+/** Size and counter-clockwise turn of a repeat. [cm, degrees] */
+export interface PrintRepeat {
+  readonly size: RepeatSize;
+  readonly turnDeg: number;
+}
+
 const root3 = Math.sqrt(3);
 
 /** Vectors w1, w2 of a group's lattice, with the whole print turned counter-clockwise. [cm] */
@@ -74,10 +80,7 @@ export function latticeVectors(
 }
 
 /** The inverse of `latticeVectors`; the turn is in (-180, 180] degrees. */
-export function repeatOf({group, w1, w2, cell}: CellOf): {
-  readonly size: RepeatSize;
-  readonly turnDeg: number;
-} {
+export function repeatOf({group, w1, w2, cell}: CellOf): PrintRepeat {
   const type = latticeType(group);
   const [across, up] =
     type === 'rhombic' || (type === 'oblique' && cell === 'centred')
@@ -91,6 +94,12 @@ export function repeatOf({group, w1, w2, cell}: CellOf): {
   const turnDeg = degrees(angleOf(across));
   return {size: coupledSize(group, size), turnDeg: turnDeg <= -180 ? 180 : turnDeg + 0};
 }
+
+/** Wraps an angle into (-180, 180]. [degrees] */
+export const wrappedTurn = (degrees: number): number => {
+  const turn = ((degrees % 360) + 360) % 360;
+  return turn > 180 ? turn - 360 : turn;
+};
 
 /** Returns whether the height of a repeat follows from its width. */
 export const isCoupled = (group: GroupName): boolean =>

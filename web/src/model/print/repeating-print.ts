@@ -47,6 +47,11 @@ export interface Print {
    * Default 1.
    */
   readonly scale?: number;
+  /**
+   * Counter-clockwise turn of `w1` and `w2` relative to the file of the print, as in
+   * `print.turnDeg` of a result. [degrees] Default 0.
+   */
+  readonly turnDeg?: number;
   readonly fabric?: {readonly usableWidthCm?: number};
   /** The first one is the one in `image`. */
   readonly colourways?: readonly Colourway[];

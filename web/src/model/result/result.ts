@@ -246,12 +246,16 @@ export interface OtherAlignment {
 export interface SolveResult {
   readonly format: 'seamwise-result/1';
   readonly units: 'cm';
-  /** `scale`: the size, if not that of the print's file, as a multiple of it. */
+  /**
+   * `scale` and `turnDeg`: size and counter-clockwise turn of the print relative to its file, if
+   * they differ from it. [1, degrees]
+   */
   readonly print: {
     readonly group: GroupName;
     readonly w1: Point;
     readonly w2: Point;
     readonly scale?: number;
+    readonly turnDeg?: number;
   };
   /** Mirrored seams were forbidden: seams that would only match as a mirror image do not match. */
   readonly continuousOnly?: boolean;

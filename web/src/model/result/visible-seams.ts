@@ -1,23 +1,29 @@
 /** Counts of visible seams, by which complete answers are compared. */
 import type {SolveResult} from './result.js';
-import {seamCount} from './seam-groups.js';
+import {seamCount, type SeamWeights} from './seam-groups.js';
 
-/** Number of seams that a headline counts, and how many of them match. */
-export function visibleSeams({seamGroups = []}: Pick<SolveResult, 'seamGroups'>): {
+/** The figures of an answer by which it is compared with others. */
+export interface Standing {
+  /** Number of seams that a headline counts, and how many of them match. */
   readonly visible: number;
   readonly matched: number;
-} {
-  const {counted, matched} = seamCount(seamGroups, undefined);
-  return {visible: counted, matched};
+  /** `answerCost` of its metrics. [cm2] */
+  readonly answerCost: number;
 }
 
 type Compared = Pick<SolveResult, 'seamGroups'> & {
   readonly metrics: Pick<SolveResult['metrics'], 'answerCost'>;
 };
 
-/** Returns whether more visible seams match; of equally many, whether the mismatch is less. */
-export function isBetter(one: Compared, other: Compared): boolean {
-  const gained = visibleSeams(one).matched - visibleSeams(other).matched;
-  const cost = ({metrics: {answerCost = 0}}: Compared): number => answerCost;
-  return gained === 0 ? cost(one) < cost(other) : gained > 0;
+/** @param weights the user's weights of seams, from the options of the problem */
+export function standingOf(
+  {seamGroups = [], metrics: {answerCost = 0}}: Compared,
+  weights: SeamWeights,
+): Standing {
+  const {counted, matched} = seamCount(seamGroups, weights);
+  return {visible: counted, matched, answerCost};
 }
+
+/** Returns whether more visible seams match; of equally many, whether the mismatch is less. */
+export const isBetter = (one: Standing, other: Standing): boolean =>
+  one.matched === other.matched ? one.answerCost < other.answerCost : one.matched > other.matched;

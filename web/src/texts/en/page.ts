@@ -96,7 +96,7 @@ export const page = {
     change: 'greatest change',
     name: 'name',
     fabric: 'fabric',
-    improve: 'improvement',
+    better: 'better match',
   },
   introduction: {
     label: 'Where to begin?',
@@ -123,19 +123,22 @@ export const page = {
     full: 'The disk is full: changes are no longer kept. Save the project, then make room.',
     failed: 'Changes could not be kept in this browser; save the project before you leave.',
   },
-  improve: {
-    label: 'Improvement',
-    begin: 'Keep improving',
-    note: 'Looks longer for a better answer, while you go on',
-    looking: 'Looking for a better answer …',
-    soFar: text(
-      '{count, plural, =0 {The match is better so far …} =1 {1 more seam matches so far …} other {# more seams match so far …}}',
-    ),
-    gained: text(
-      '{count, plural, =0 {The match is better.} =1 {1 more seam matches.} other {# more seams match.}}',
-    ),
-    nothing: 'Nothing better was found.',
+  repeat: {
+    title: 'Repeat for the print shop',
+    png: text('PNG, {dpi} dpi'),
+    none: 'No upright rectangle of at most twelve repeats tiles this print. Save SVG, which has its cell as a pattern.',
+    pattern:
+      'No upright rectangle of at most twelve repeats tiles this print. The file has its cell as a pattern.',
+    tooLarge: 'The repeat is too large for a picture of this resolution. Choose 150 dpi or SVG.',
+  },
+  longer: {
+    label: 'Better match',
+    running: 'Still looking for a better match',
     stop: 'Stop',
+    begin: 'Search longer for a better match',
+    end: 'Stop the longer search',
+    better: text('A better match: {count, plural, =1 {1 more seam} other {# more seams}}.'),
+    use: 'Use it',
   },
   samples: {garments: {}, prints: {}, colourways: {}} as Readonly<
     Record<'garments' | 'prints' | 'colourways', Readonly<Partial<Record<string, string>>>>

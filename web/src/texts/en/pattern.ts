@@ -206,7 +206,7 @@ export const pattern = {
       keep: 'lock fix hem zip',
       placeOnly: 'no shaping, no change',
       solve: 'solve match calculate',
-      improve: 'better longer search',
+      longer: 'better improve longer search seed',
       view: 'show hide overlay compare',
       zoom: 'larger smaller whole',
       symmetry: 'mirror axis',

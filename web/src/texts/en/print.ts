@@ -81,8 +81,14 @@ export const print = {
       stop: 'Stop comparing',
       nothing: 'No other size matches better.',
       found: text('At {size} {matched} of {visible} visible seams match, now {present}.'),
+      foundTurned: text(
+        'Turned by {degrees}° {matched} of {visible} visible seams match, now {present}.',
+      ),
       use: text('Use {size}'),
+      turn: text('Turn the print by {degrees}°'),
       chart: 'Matching seams by print size',
+      onDemand: 'This print will be printed to order',
+      onDemandNote: 'Then its size can still be chosen.',
     },
     repeats: {
       label: 'Repeat of the picture',

@@ -46,6 +46,7 @@ export function changeBetween(from: Design, to: Design): Change {
   const [kind] = [garmentChange(from, to), printChange(from, to)].filter((one) => one);
   if (kind) return {kind};
   if (differ(from.symmetry, to.symmetry)) return symmetryChange(from, to);
+  if (from.seed !== to.seed) return {kind: 'better'};
   const names = changedIn(from.names, to.names);
   if (names.length > 0) return {kind: 'name', pieces: names};
   if (fabricOf(from) !== fabricOf(to)) return {kind: 'fabric'};
@@ -113,7 +114,7 @@ function fittingChange(from: Design, to: Design): Change | undefined {
   return {kind: changed.length === 1 ? settingNames[only] : 'cutting'};
 }
 
-/** Pins follow other decisions and the effort ends with them, so both are compared last. */
+/** Pins follow other decisions, so they are compared last. */
 function optionChange(from: SolveOptions, to: SolveOptions): Change | undefined {
   const locked = changedIn(from.locked, to.locked);
   if (locked.length > 0) return {kind: 'keep', pieces: locked};
@@ -126,8 +127,7 @@ function optionChange(from: SolveOptions, to: SolveOptions): Change | undefined 
   const plain = apart(from.plain, to.plain);
   if (plain.length > 0) return {kind: 'printed', pieces: plain};
   const pinned = changedIn(from.pins, to.pins);
-  if (pinned.length > 0) return {kind: 'place', pieces: pinned};
-  return from.effort === to.effort ? undefined : {kind: 'improve'};
+  return pinned.length > 0 ? {kind: 'place', pieces: pinned} : undefined;
 }
 
 // Names of history steps: "turn Waistband", "matching of seams, Side seam".

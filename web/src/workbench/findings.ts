@@ -1,13 +1,9 @@
-/**
- * Searches for a better result of the same design until it is stopped. Each attempt searches twice
- * as long as the one before.
- */
+/** Facts about a solved design, found in the background. */
 import type {Design} from '../model/design/design.js';
 import {problemOf} from '../model/documents/design-problem.js';
 import type {Proof, SolveResult} from '../model/result/result.js';
 import {seamCount, type SeamCount} from '../model/result/seam-groups.js';
 import {seamGroupsOf} from '../scene/group-states.js';
-import {finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
 import {idle, paused} from './idle.js';
@@ -178,93 +174,5 @@ export class Proving {
 
   stop(): void {
     this.#task.stop();
-  }
-}
-
-/** State of an improvement. */
-export interface Improving {
-  readonly isRunning: boolean;
-  /** True if the present result is better than the first one. */
-  readonly isBetter: boolean;
-  /** Number of visible seams that match in the present result, but not in the first one. */
-  readonly gained: number;
-}
-
-interface Answered {
-  readonly design: Design;
-  readonly result: SolveResult;
-}
-
-/** Greatest effort; more would take longer than users wait. */
-export const mostEffort = 16;
-/** Greatest share of the cost of a better result; smaller gains are not visible. */
-const betterShare = 0.99;
-
-/** The cost by which answers to one problem compete. [cm2] */
-const costOf = (result: SolveResult): number =>
-  result.metrics.answerCost ?? finalMismatch(result).total;
-
-export class Improvement {
-  readonly #solver: SolverService;
-  readonly #changed: () => void;
-  readonly #keep: (design: Design, effort: number, result: SolveResult) => Design;
-  readonly #task = new NewestTask();
-  /** State, with the design in its present form. */
-  #state: (Improving & {readonly design: Design}) | undefined;
-
-  /** @param keep receives every better result, and returns the design of that result */
-  constructor(
-    solver: SolverService,
-    changed: () => void,
-    keep: (design: Design, effort: number, result: SolveResult) => Design,
-  ) {
-    this.#solver = solver;
-    this.#changed = changed;
-    this.#keep = keep;
-  }
-
-  /** Undefined unless an improvement was requested. */
-  of(design: Design): Improving | undefined {
-    return this.#state?.design === design ? this.#state : undefined;
-  }
-
-  /**
-   * Improves a result.
-   * @param result the result of `design`
-   * @returns the best result that was found
-   */
-  async start(design: Design, result: SolveResult): Promise<Answered> {
-    this.stop();
-    const {signal} = this.#task.begin();
-    const {weights} = design.options;
-    const matchedIn = (one: SolveResult): number => seamCount(seamGroupsOf(one), weights).matched;
-    let best: Answered = {design, result};
-    const tell = (isRunning: boolean): void => {
-      this.#state = {
-        ...{isRunning, isBetter: best.result !== result, design: best.design},
-        gained: Math.max(0, matchedIn(best.result) - matchedIn(result)),
-      };
-      this.#changed();
-    };
-    tell(true);
-    for (let effort = 2 * (design.options.effort ?? 1); effort <= mostEffort; effort *= 2) {
-      await idle();
-      const longer = {...design, options: {...design.options, effort}};
-      // a failed solve or a stop ends the improvement; the gain so far is kept
-      const next = await this.#solver.solve(problemOf(longer), {signal}).catch(() => undefined);
-      if (!next || signal.aborted) break;
-      if (costOf(next) > betterShare * costOf(best.result)) continue;
-      best = {design: this.#keep(design, effort, next), result: next};
-      tell(true);
-    }
-    if (!signal.aborted) this.stop();
-    return best;
-  }
-
-  stop(): void {
-    this.#task.stop();
-    if (!this.#state?.isRunning) return;
-    this.#state = {...this.#state, isRunning: false};
-    this.#changed();
   }
 }
