@@ -187,6 +187,14 @@ export const editorLayout = css`
     [data-shows='cloth'] {
       grid-column: pattern / report;
     }
+    sw-headline {
+      position: sticky;
+      top: 0;
+      z-index: 1;
+      max-height: 50%;
+      overflow-y: auto;
+      background: var(--sw-paper);
+    }
     sw-lens {
       position: sticky;
       bottom: 0;
