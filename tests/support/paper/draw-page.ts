@@ -1,5 +1,11 @@
 /** Draws pages of our PDF files in pixels: areas, lines, images, clips and opacities, no text. */
-import {createCanvas, loadImage, type Canvas, type Image, type SKRSContext2D} from '@napi-rs/canvas';
+import {
+  createCanvas,
+  loadImage,
+  type Canvas,
+  type Image,
+  type SKRSContext2D,
+} from '@napi-rs/canvas';
 
 import type {Pixels} from '@/image/tile-cloth.js';
 import {asPng} from '../image/raw-png.js';
@@ -20,7 +26,13 @@ const arrayOf = (text: string, key: string): number[] =>
   numbers(new RegExp(String.raw`/${key}\[([^\]]*)\]`).exec(text)?.[1]);
 
 const hexColour = (parts: readonly number[]): string =>
-  `#${parts.map((part) => Math.round(255 * part).toString(16).padStart(2, '0')).join('')}`;
+  `#${parts
+    .map((part) =>
+      Math.round(255 * part)
+        .toString(16)
+        .padStart(2, '0'),
+    )
+    .join('')}`;
 
 /** Numbers, names, strings, arrays and operators. */
 const token = /\/\S+|\((?:\\.|[^\\)])*\)|\[[^\]]*\]|[^\s[\]()/]+/g;

@@ -1,11 +1,10 @@
-/** Renders pages with our own drawing, or with programs where they are installed. */
+/** Renders pages with the programs that are installed. */
 import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
 import {decoded, type Pixels} from '@samples/prints/raster.js';
-import {drawnPages} from './draw-page.js';
 
 /** Renders pages, numbered from 0. */
 export type Renderer = (
@@ -61,12 +60,9 @@ const rendererOf =
     }
   };
 
-/** Our own drawing on a canvas, and the programs that are installed. */
-export const renderers: Readonly<Record<string, Renderer>> = {
-  canvas: drawnPages,
-  ...Object.fromEntries(
-    Object.entries(programs)
-      .filter(([program]) => isInstalled(program))
-      .map(([program, argumentsOf]) => [program, rendererOf(program, argumentsOf)]),
-  ),
-};
+/** The programs that are installed. */
+export const installed: Readonly<Record<string, Renderer>> = Object.fromEntries(
+  Object.entries(programs)
+    .filter(([program]) => isInstalled(program))
+    .map(([program, argumentsOf]) => [program, rendererOf(program, argumentsOf)]),
+);

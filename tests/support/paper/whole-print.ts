@@ -6,10 +6,11 @@ import {createCanvas} from '@napi-rs/canvas';
 
 import type {LaidPiece} from '@/cutting/cut-sheet.js';
 import type {Pixels} from '@/image/tile-cloth.js';
+import {apply} from '@/model/geometry/plane-map.js';
 import {cross, norm, onPiece, type Alignment, type Point} from '@/model/geometry/vectors.js';
 import {imageCoordinates} from '@/model/print/image-coordinates.js';
 import type {Print} from '@/model/print/repeating-print.js';
-import {apply, imageCell} from '@/model/print/wallpaper.js';
+import {imageCell} from '@/model/print/wallpaper.js';
 
 /** Width of the compared band along borders of cells. [cm] */
 const nearCm = 0.1;

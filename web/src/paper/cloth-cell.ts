@@ -53,9 +53,9 @@ export async function clothCell(
     const {vectorTile} = await import('./vector-tile.js');
     const groups = vectorTile(content, width, height);
     if (groups) {
-      const {drawnGroup} = await import('./vector-cell.js');
+      const {drawnLevels} = await import('./vector-cell.js');
       return vectorCell(resources, print, (size) =>
-        groups.map(({leaves, opacity}) => ({...drawnGroup(leaves, size), opacity})),
+        groups.map(({leaves, opacity}) => ({...drawnLevels(leaves, size), opacity})),
       );
     }
   }
