@@ -3,11 +3,12 @@ import {readFileSync} from 'node:fs';
 
 import {decoded, rendered, type Pixels} from '@samples/prints/raster.js';
 import type {CutSheet} from '@/cutting/cut-sheet.js';
-import {norm} from '@/model/geometry/vectors.js';
+import {norm, type Alignment} from '@/model/geometry/vectors.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import {imageCell} from '@/model/print/wallpaper.js';
 import {cuttingPdf} from '@/paper/cutting-pdf.js';
 import type {Paper} from '@/paper/papers.js';
+import type {PrintWithTile} from '@/picture/cloth.js';
 import type {Renderer} from './renderers.js';
 import {comparedPage, type Comparison} from './whole-print.js';
 
@@ -17,6 +18,15 @@ const fine = 300;
 
 const folder = new URL('../../../public/prints/', import.meta.url);
 const fileOf = (name: string): Buffer => readFileSync(new URL(name, folder));
+
+/** Plain green fabric: one cell larger than any sheet. */
+const plain: {readonly print: PrintWithTile; readonly alignment: Alignment} = {
+  print: {
+    ...{group: 'p1', w1: [1000, 0], w2: [0, 1000]},
+    tile: '<svg viewBox="0 0 1 1"><rect width="1" height="1" fill="#0f0"/></svg>',
+  },
+  alignment: {angle: 0, translation: [-500, -500]},
+};
 
 interface PrintedCell {
   readonly print: Print;
@@ -53,9 +63,9 @@ export async function comparedSheet(
   {paper, render, count = 1}: {readonly paper: Paper; readonly render: Renderer; count?: number},
 ): Promise<Comparison> {
   const pieces = sheet.pieces.map((piece) => ({...piece, marks: []}));
-  const file = (ink: 'full' | 'outline') =>
-    cuttingPdf({...sheet, pieces}, {...print, tile}, {paper, ink});
-  const [full, blank] = [await file('full'), await file('outline')];
+  const full = await cuttingPdf({...sheet, pieces}, {...print, tile}, {paper});
+  const ofPlain = pieces.map((piece) => ({...piece, alignment: plain.alignment}));
+  const blank = await cuttingPdf({...sheet, pieces: ofPlain}, plain.print, {paper});
   const all = full.map.pages.length;
   const some = Math.min(count, all);
   const chosen = Array.from({length: some}, (_, k) => Math.floor(((k + 0.5) * all) / some));
@@ -65,9 +75,13 @@ export async function comparedSheet(
   ];
   const found = chosen.flatMap((number, k) => {
     const [page, other] = [drawn[k], empty[k]];
-    const low = full.map.pages[number]?.sheet;
-    if (!page || !other || !low) throw new Error(`no page ${number}`);
-    return comparedPage({page, blank: other, dpi, low, pieces, print, tile: pixels, grainCm});
+    const shown = full.map.pages[number];
+    if (!page || !other || !shown) throw new Error(`no page ${number}`);
+    const {sheet: low, window} = shown;
+    return comparedPage({
+      ...{page, plain: other, dpi, low, window, pieces, print, grainCm},
+      tile: pixels,
+    });
   });
   const sum = (part: 'near' | 'elsewhere') => ({
     pixels: found.reduce((total, one) => total + one[part].pixels, 0),

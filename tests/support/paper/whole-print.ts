@@ -40,11 +40,13 @@ export interface Comparison {
 interface Compared {
   /** The rendered page with the print and without marks. */
   readonly page: Pixels;
-  /** The same without the print. */
-  readonly blank: Pixels;
+  /** The same in plain green, which shows what else is drawn. */
+  readonly plain: Pixels;
   readonly dpi: number;
   /** Lower left corner of the page on the sheet. [cm] */
   readonly low: Point;
+  /** The part of the sheet that is drawn: lower left and upper right corner. [cm] */
+  readonly window: readonly [Point, Point];
   readonly pieces: readonly LaidPiece[];
   readonly print: Print;
   /** The print's cell. */
@@ -76,13 +78,17 @@ function pieceMask({page, low, dpi, pieces}: Compared): Uint8ClampedArray {
   return data.filter((_, k) => k % 4 === 0).map((value) => (value <= pieces.length ? value : 0));
 }
 
-/** Pixels with other content near them. */
-function covered({width, height, data}: Pixels): Uint8Array {
+/** Returns whether a pixel is as green as plain fabric. */
+const isPlain = ([red = 0, green = 0, blue = 0]: Uint8ClampedArray): boolean =>
+  red < 8 && green > 247 && blue < 8;
+
+/** Pixels of pieces with other content near them. */
+function covered({width, height, data}: Pixels, mask: Uint8ClampedArray): Uint8Array {
   const found = new Uint8Array(width * height);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
-      const k = 4 * (y * width + x);
-      if (Math.min(data[k] ?? 0, data[k + 1] ?? 0, data[k + 2] ?? 0) > 250) continue;
+      const at = y * width + x;
+      if (!mask[at] || isPlain(data.subarray(4 * at, 4 * at + 3))) continue;
       for (let j = -clear; j <= clear; j++) {
         const row = Math.min(height - 1, Math.max(0, y + j)) * width;
         found.fill(1, row + Math.max(0, x - clear), row + Math.min(width, x + clear + 1));
@@ -101,10 +107,10 @@ const share = (value: number): number => value - Math.floor(value);
 
 /** Compares one page. */
 export function comparedPage(compared: Compared): Comparison {
-  const {page, blank, dpi, low, pieces, print, tile, grainCm} = compared;
+  const {page, plain, dpi, low, window, pieces, print, tile, grainCm} = compared;
   const {width, height, data} = page;
   const mask = pieceMask(compared);
-  const taken = covered(blank);
+  const taken = covered(plain, mask);
   const [a, b] = imageCell(print);
   const area = Math.abs(cross(a, b));
   const maps = pieces.map((piece) => imageCoordinates(print, onSheet(piece), low));
@@ -112,6 +118,10 @@ export function comparedPage(compared: Compared): Comparison {
   const elsewhere: Tally = {pixels: 0, wrong: 0, off: 0};
   const places: Point[] = [];
   const pixelCm = 2.54 / dpi;
+  const [from, to] = window;
+  const edge = clear * pixelCm;
+  const isShown = ([x, y]: Point): boolean =>
+    x > from[0] + edge && y > from[1] + edge && x < to[0] - edge && y < to[1] - edge;
   const reach = Math.max(pixelCm, grainCm) / steps;
   const offsets = Array.from({length: 2 * steps + 1}, (_, k) => (k - steps) * reach);
   for (let y = 0; y < height; y++) {
@@ -120,6 +130,7 @@ export function comparedPage(compared: Compared): Comparison {
       const map = maps[(mask[at] ?? 0) - 1];
       if (!map || taken[at]) continue;
       const p: Point = [low[0] + (x + 0.5) * pixelCm, low[1] + (height - y - 0.5) * pixelCm];
+      if (!isShown(p)) continue;
       const [u, v] = apply(map, p);
       const border = Math.min(
         (Math.min(share(u), 1 - share(u)) * area) / norm(b),

@@ -3,6 +3,7 @@
  * sizes in mm.
  */
 import {
+  angleOf,
   combined,
   minus,
   plus,
@@ -11,7 +12,7 @@ import {
   unit,
   type Point,
 } from '../model/geometry/vectors.js';
-import {linesInside} from '../model/geometry/polyline.js';
+import {atShare, linesInside} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {textWidth} from '../layout/name-lines.js';
@@ -48,6 +49,10 @@ const letterMm = 5.5;
 const numberMm = 3.5;
 const insideMm = 0.25;
 const insideDashMm = [6, 1.5, 0.5, 1.5];
+/** Size of the names of internal lines. */
+const lineNameMm = 3;
+/** Lines whose direction has a smaller x are vertical. */
+const upright = 1e-6;
 const drillRadius = 0.15;
 const tickMm = 0.4;
 const tickReach = 0.4;
@@ -160,6 +165,14 @@ function wordsOn({words: {at, room}}: CutPiece, {words, onto}: MarkStyle): CutTe
   return plate('words', onto(at), lines, size);
 }
 
+/** The name of an internal line, upright and along it at its middle. */
+function nameAlong(points: readonly Point[], name: string): CutText {
+  const {at, along} = atShare(points, 0.5);
+  const isReversed = along[0] < -upright || (along[0] < upright && along[1] < 0);
+  const angle = angleOf(along) + (isReversed ? Math.PI : 0);
+  return {...plate('words', at, [name], lineNameMm), angle, weight: 'regular'};
+}
+
 /** The marks in drawing order. */
 export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[] {
   const {onto} = style;
@@ -174,6 +187,10 @@ export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[
     ...piece.internalLines.map((points) =>
       line('marks', points.map(onto), {widthMm: insideMm, dashMm: insideDashMm, haloMm}),
     ),
+    ...piece.internalLines.flatMap((points, k) => {
+      const name = piece.lineNames[k];
+      return name === undefined ? [] : [nameAlong(points.map(onto), name)];
+    }),
     ...piece.drillHoles.flatMap((p) => drillHole(onto(p))),
     ...grainArrow([onto(piece.grain[0]), onto(piece.grain[1])]),
     ...piece.matches.flatMap((p, k) => crossAt(onto(p), k + 1)),

@@ -1,6 +1,7 @@
 /** Cutting sheets of a result, and their files. */
 import {ruleOf} from '../cutting/allowance-rule.js';
 import type {CutSheet} from '../cutting/cut-sheet.js';
+import type {PrintInk} from '../cutting/print-ink.js';
 import {sheetsOf} from '../cutting/lay-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
 import {sheetDxf, type DxfOptions} from '../cutting/out/sheet-dxf.js';
@@ -39,8 +40,8 @@ export interface CutSettings extends PanelDecisions {
    * a4.
    */
   readonly paper?: string;
-  /** Draws the print in place, or lines only. Default full. */
-  readonly ink?: 'full' | 'outline';
+  /** Draws the print in place, tinted to save ink, or lines only. Default full. */
+  readonly ink?: PrintInk;
   /** Date on every page. */
   readonly date?: Date;
   /** Watermark on every page. */
@@ -97,7 +98,7 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
         ...(mark !== undefined && {mark}),
         ...(pixels && {pixels}),
       }),
-    svg: () => drawSheetSvg(sheet, print, mark),
+    svg: () => drawSheetSvg(sheet, print, {ink, mark}),
     dxf: (options) => sheetDxf(sheet, {...(date && {date}), ...options}),
     hpgl: () => sheetHpgl(sheet),
   };

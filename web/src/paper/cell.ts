@@ -4,6 +4,7 @@
  * visible between two. Lengths in cm.
  */
 import type {LaidPiece} from '../cutting/cut-sheet.js';
+import {paleWhite} from '../cutting/print-ink.js';
 import {
   coordinates,
   combined,
@@ -19,7 +20,7 @@ import {boxOf, type Box} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {boxAt, cornersOf, grown, overlap, shared} from './boxes.js';
-import {line, num, nums, scoped, through} from '../files/pdf/content.js';
+import {box, filledWith, line, num, nums, scoped, through} from '../files/pdf/content.js';
 import type {PdfResources} from '../files/pdf/resources.js';
 import type {PdfImage} from '../files/pdf/image.js';
 import type {Size} from './vector-cell.js';
@@ -135,12 +136,21 @@ function cellsIn(lying: Alignment, sides: readonly [Point, Point], seen: Box): r
   return cells;
 }
 
+/** A white tint over a box, which leaves a pale print. */
+const tint = (resources: PdfResources, {low, high}: Box): string =>
+  scoped(
+    `/${resources.opacity(paleWhite)} gs`,
+    filledWith([1, 1, 1]),
+    box(low, high[0] - low[0], high[1] - low[1]),
+    'f',
+  );
+
 /** The print within the cut line of a piece, clipped to a window of the sheet. */
 export function clothUnder(
   resources: PdfResources,
   cell: Cell,
   {cut, place, alignment}: Pick<LaidPiece, 'cut' | 'place' | 'alignment'>,
-  window: Box,
+  {window, isPale = false}: {readonly window: Box; readonly isPale?: boolean},
 ): string {
   const seen = shared(boxOf(cut[0] ?? []), window);
   if (!alignment || seen.low[0] >= seen.high[0] || seen.low[1] >= seen.high[1]) return '';
@@ -157,5 +167,10 @@ export function clothUnder(
     );
     return scoped(`/${resources.opacity(opacity)} gs`, `/${whole} Do`);
   });
-  return scoped(cut.map((loop) => line(loop, true)).join('\n'), 'W* n', ...groups);
+  return scoped(
+    cut.map((loop) => line(loop, true)).join('\n'),
+    'W* n',
+    ...groups,
+    isPale ? tint(resources, seen) : '',
+  );
 }

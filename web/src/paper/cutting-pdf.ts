@@ -1,5 +1,6 @@
 /** Writes a cutting sheet as PDF at true scale, on pages of paper or for a projector. */
 import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
+import type {PrintInk} from '../cutting/print-ink.js';
 import {middle, type Point} from '../model/geometry/vectors.js';
 import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 import type {PrintWithTile} from '../picture/cloth.js';
@@ -30,8 +31,8 @@ import {marksOnPages} from './words-on-page.js';
 
 export interface CuttingPdfOptions {
   readonly paper: Paper;
-  /** Draws the print in place, or lines only to save ink. Default full. */
-  readonly ink?: 'full' | 'outline';
+  /** Draws the print in place, tinted to save ink, or lines only. Default full. */
+  readonly ink?: PrintInk;
   /** Watermark on every page, such as `notAsSold`. */
   readonly mark?: string;
   /** Date on every page. Without it, the same sheet gives the same bytes. */
@@ -215,7 +216,7 @@ export async function cuttingPdf(
   const {isProjector = false} = paper;
   const unused = new Set<LayerName>([
     ...(isProjector ? (['sew', 'frame'] as const) : (['grid'] as const)),
-    ...(ink === 'full' ? [] : (['print'] as const)),
+    ...(ink === 'outline' ? (['print'] as const) : []),
   ]);
   const layers = Object.fromEntries(
     Object.entries(layerNames).map(([key, name]) => [
@@ -224,9 +225,9 @@ export async function cuttingPdf(
     ]),
   ) as Record<LayerName, string>;
   const cell =
-    ink === 'full'
-      ? await clothCell(resources, print, pixels, (sentence) => notes.push(sentence))
-      : undefined;
+    ink === 'outline'
+      ? undefined
+      : await clothCell(resources, print, pixels, (sentence) => notes.push(sentence));
   const day = date?.toISOString().slice(0, 10);
   const words = [sheet.heading, print.title ?? `Print ${print.group}`, ...(day ? [day] : [])];
   const drawing: Drawing = {
@@ -236,7 +237,9 @@ export async function cuttingPdf(
     ),
     cloth: (window) =>
       cell
-        ? sheet.pieces.map((piece) => clothUnder(resources, cell, piece, window)).join('\n')
+        ? sheet.pieces
+            .map((piece) => clothUnder(resources, cell, piece, {window, isPale: ink === 'pale'}))
+            .join('\n')
         : '',
     foot: words.filter((word) => word !== '').join('  ·  '),
   };

@@ -4,6 +4,7 @@ import type {ChosenAllowances} from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {fieldOf} from '../../model/base/read.js';
 import type {Units} from '../../model/base/length-text.js';
+import {printInks, type PrintInk} from '../../cutting/print-ink.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 
 export const cutFileKinds: readonly CutFileKind[] = ['pdf', 'svg', 'dxf', 'plt'];
@@ -17,8 +18,7 @@ interface FileChoices {
   readonly file: CutFileKind;
   /** Name in `paper/papers`. */
   readonly paper: string;
-  /** `full`: pieces filled with the print; `outline`: lines only. */
-  readonly ink: 'full' | 'outline';
+  readonly ink: PrintInk;
 }
 
 /** The fabric layout uses the same allowances. */
@@ -34,7 +34,7 @@ const usual: Readonly<Record<Units, FileChoices>> = {
 const isRight: {readonly [Name in keyof FileChoices]: (value: unknown) => boolean} = {
   file: (value) => (cutFileKinds as readonly unknown[]).includes(value),
   paper: (value) => (papers as readonly unknown[]).includes(value),
-  ink: (value) => value === 'full' || value === 'outline',
+  ink: (value) => (printInks as readonly unknown[]).includes(value),
 };
 
 function storedFileChoices(units: Units): FileChoices {

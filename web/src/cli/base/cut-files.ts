@@ -6,6 +6,7 @@ import type {Print} from '../../model/print/repeating-print.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {addressFrom, readAddress, type ReadingLimits} from '../../node/addresses.js';
 import {readGarment} from '../../node/index.js';
+import type {PrintInk} from '../../cutting/print-ink.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
 import {fetchTile} from './print-files.js';
 
@@ -18,7 +19,7 @@ export interface CutWish {
   /** Hem allowance. Default: the seam allowance if stated, otherwise 3. */
   readonly hem?: number;
   /** Default full. */
-  readonly ink?: 'full' | 'outline';
+  readonly ink?: PrintInk;
 }
 
 /** A result with the data of its garment file and its design. */

@@ -1,5 +1,6 @@
 /** Pictures and cutting sheets of a pattern, in the requested format. */
 import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
+import type {PrintInk} from '../../cutting/print-ink.js';
 import {SolverError} from '../../model/result/failure.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
@@ -34,8 +35,11 @@ export interface BlobRequest {
   readonly allowance?: number | undefined;
   /** Hem allowance. Default: the seam allowance if stated, otherwise 3. [cm] */
   readonly hem?: number | undefined;
-  /** Fills the pieces of a cutting sheet with the print, or draws lines only. Default full. */
-  readonly ink?: 'full' | 'outline' | undefined;
+  /**
+   * Fills the pieces of a cutting sheet with the print, with a pale print to save ink (`pale`), or
+   * draws lines only (`outline`). Default full.
+   */
+  readonly ink?: PrintInk | undefined;
 }
 
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;

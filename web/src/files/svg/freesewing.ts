@@ -114,7 +114,7 @@ function pieceOf(
     notches: symbols.flatMap(({of, at}) => notchAt(of, at, rim)),
     ...(grainLine && {grain: ends(grainLine)}),
     ...(fold && {fold: ends(fold)}),
-    internalLines: internalLines(drawn, line, rim),
+    ...linesInside(drawn, line, rim, texts),
     drillHoles: symbols.filter(({of}) => /^(?:button|snap|eyelet)/.test(of)).map(({at}) => at),
     words,
   };
@@ -154,26 +154,55 @@ function nameOf(part: XmlElement, texts: readonly DrawnText[]): string {
   // a title without a translation is a key
   const isKey = titled === '' || /^[a-z]+[A-Z]/.test(titled) || titled.includes(':');
   const named = isKey ? idOf(part).replace(/^.*[-.]/, '') : titled;
-  return /\s/.test(named) ? named : named.replaceAll(/(?<=[a-z])(?=[A-Z])/g, ' ').toLowerCase();
+  return inWords(named);
 }
+
+/** A name of the program, such as `waistLine`, in words. */
+const inWords = (name: string): string =>
+  /\s/.test(name) ? name : name.replaceAll(/(?<=[a-z])(?=[A-Z])/g, ' ').toLowerCase();
 
 /** Length below which lines are ticks. [mm] */
 const shortest = 10;
 
-/** Other lines inside a piece: darts, folds and button positions. */
-function internalLines(
+/** The text that is written along a line, without its repetitions, such as `waist line`. */
+function writtenAlong(line: XmlElement, texts: readonly DrawnText[]): string | undefined {
+  const along = texts.find(({element}) =>
+    element.children.some(
+      (one) =>
+        typeof one !== 'string' &&
+        one.name === 'textPath' &&
+        one.attributes.get('href') === `#${idOf(line)}`,
+    ),
+  );
+  const [name = ''] =
+    along?.lines
+      .join(' ')
+      .trim()
+      .split(/\s{2,}/) ?? [];
+  return name === '' ? undefined : inWords(name.replace(/^.*:/, ''));
+}
+
+/** Other lines inside a piece, with their names: darts, folds and button positions. */
+function linesInside(
   drawn: readonly Drawn[],
   outline: Line,
   rim: readonly Point[],
-): (readonly Point[])[] {
-  const shown = drawn.filter(
-    ({element}) =>
-      !hasClass(element, 'sa', 'hidden', 'scalebox') && !element.attributes.has('marker-start'),
-  );
-  return chained(shown.flatMap(({lines}) => lines))
+  texts: readonly DrawnText[],
+): Pick<DrawnPiece, 'internalLines' | 'lineNames'> {
+  const shown = drawn
+    .filter(
+      ({element}) =>
+        !hasClass(element, 'sa', 'hidden', 'scalebox') && !element.attributes.has('marker-start'),
+    )
+    .flatMap(({element, lines}) => lines.map((line) => ({element, line})));
+  const found = chained(shown.map(({line}) => line))
     .filter(({line}) => line.start !== outline.start || !line.isClosed)
-    .map(({line}) => pointsOf(line))
-    .filter((line) => lengthOf(line) >= shortest && isInside(rim, atShare(line, 0.5).at));
+    .map(({line, parts: [first = 0]}) => ({points: pointsOf(line), of: shown[first]?.element}))
+    .filter(({points}) => lengthOf(points) >= shortest && isInside(rim, atShare(points, 0.5).at));
+  return {
+    internalLines: found.map(({points}) => points),
+    lineNames: found.map(({of}) => of && writtenAlong(of, texts)),
+  };
 }
 
 /** The material of an outline, by its class or that of its cut line. */

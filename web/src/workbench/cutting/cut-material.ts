@@ -4,6 +4,7 @@ import {SolverError} from '../../model/result/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowance-rule.js';
+import type {PrintInk} from '../../cutting/print-ink.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
 import {textsOf} from '../../texts/texts.js';
@@ -50,7 +51,7 @@ export async function cutMaterial(
 interface CutRequest extends AllowanceRule {
   readonly file: CutFileKind;
   readonly paper: string;
-  readonly ink: 'full' | 'outline';
+  readonly ink: PrintInk;
 }
 
 /**
