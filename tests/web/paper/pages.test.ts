@@ -75,7 +75,7 @@ describe('pages of paper', () => {
     expect(empty.length).toBeGreaterThan(10);
     const [first, second] = named;
     expect(first?.name).toBe('1A');
-    expect(second?.name).toBe('A2');
+    expect(second?.name).toBe('1B');
     expect((first?.window.high[0] ?? 0) - (second?.window.low[0] ?? 0)).toBeCloseTo(1, 9);
     expect((first?.window.high[0] ?? 0) - (first?.frame.high[0] ?? 0)).toBeCloseTo(1, 9);
   });

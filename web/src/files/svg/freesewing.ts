@@ -11,6 +11,7 @@ import type {Found} from './generic.js';
 import type {Line} from './lines.js';
 import {areaOf, chained, pointsOf, rimOf} from './outlines.js';
 import {classesOf} from './styles.js';
+import {hrefOf} from './values.js';
 import type {Drawn, DrawnText, Sheet} from './walk.js';
 import type {XmlElement} from '../base/xml.js';
 
@@ -169,39 +170,42 @@ function writtenAlong(line: XmlElement, texts: readonly DrawnText[]): string | u
   const along = texts.find(({element}) =>
     element.children.some(
       (one) =>
-        typeof one !== 'string' &&
-        one.name === 'textPath' &&
-        one.attributes.get('href') === `#${idOf(line)}`,
+        typeof one !== 'string' && one.name === 'textPath' && hrefOf(one) === `#${idOf(line)}`,
     ),
   );
-  const [name = ''] =
-    along?.lines
-      .join(' ')
-      .trim()
-      .split(/\s{2,}/) ?? [];
+  const words = along?.lines.join(' ').split(' ') ?? [];
+  const period = words.findIndex(
+    (_, k) => k > 0 && words.every((word, n) => word === words[n % k]),
+  );
+  const name = words.slice(0, period < 0 ? undefined : period).join(' ');
   return name === '' ? undefined : inWords(name.replace(/^.*:/, ''));
 }
 
-/** Other lines inside a piece, with their names: darts, folds and button positions. */
+/**
+ * Other lines inside a piece, with their names: darts, folds and button positions. Hidden lines
+ * count if text is written along them.
+ */
 function linesInside(
   drawn: readonly Drawn[],
   outline: Line,
   rim: readonly Point[],
   texts: readonly DrawnText[],
 ): Pick<DrawnPiece, 'internalLines' | 'lineNames'> {
-  const shown = drawn
-    .filter(
-      ({element}) =>
-        !hasClass(element, 'sa', 'hidden', 'scalebox') && !element.attributes.has('marker-start'),
-    )
-    .flatMap(({element, lines}) => lines.map((line) => ({element, line})));
+  const isShown = (element: XmlElement, name: string | undefined): boolean =>
+    !hasClass(element, 'sa', 'scalebox') &&
+    !element.attributes.has('marker-start') &&
+    (name !== undefined || !hasClass(element, 'hidden'));
+  const shown = drawn.flatMap(({element, lines}) => {
+    const name = writtenAlong(element, texts);
+    return isShown(element, name) ? lines.map((line) => ({line, name})) : [];
+  });
   const found = chained(shown.map(({line}) => line))
     .filter(({line}) => line.start !== outline.start || !line.isClosed)
-    .map(({line, parts: [first = 0]}) => ({points: pointsOf(line), of: shown[first]?.element}))
+    .map(({line, parts: [first = 0]}) => ({points: pointsOf(line), name: shown[first]?.name}))
     .filter(({points}) => lengthOf(points) >= shortest && isInside(rim, atShare(points, 0.5).at));
   return {
     internalLines: found.map(({points}) => points),
-    lineNames: found.map(({of}) => of && writtenAlong(of, texts)),
+    lineNames: found.map(({name}) => name),
   };
 }
 
