@@ -40,7 +40,7 @@ const grammar = {
     ],
     ...Object.keys(outputs),
   ],
-  switches: ['--sew-as-1'],
+  switches: ['--sew-as-1', '--guide'],
 };
 
 /** `cut`: writes cutting sheets of a result at true scale. */
@@ -103,6 +103,7 @@ function settingsOf(args: Arguments) {
     ...(hemCm !== undefined && {hemCm}),
     ...(paper !== undefined && {paper}),
     ...(ink && {ink}),
+    ...(args.has('--guide') && {guide: true}),
     ...(day !== undefined && {date}),
   };
 }

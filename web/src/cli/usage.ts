@@ -93,6 +93,8 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --paper projector           one page without margins, wide cut lines, no sewn lines, a grid of 5 cm
     --paper WxH[mm|cm|in]       any other
     --ink full|pale|outline     pale saves ink, outline leaves the print out
+    --guide                     adds pages to the PDF that help to place the pieces on fabric that is
+                                printed already: motifs at two or three points of each
     --date YYYY-MM-DD           to stand on every page
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie

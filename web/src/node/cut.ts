@@ -42,6 +42,11 @@ export interface CutSettings extends PanelDecisions {
   readonly paper?: string;
   /** Draws the print in place, tinted to save ink, or lines only. Default full. */
   readonly ink?: PrintInk;
+  /**
+   * Adds pages to the PDF that help to place the pieces on fabric that is printed already. Default
+   * false.
+   */
+  readonly guide?: boolean;
   /** Date on every page. */
   readonly date?: Date;
   /** Watermark on every page. */
@@ -74,7 +79,7 @@ export interface Cut {
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {garment, garmentFile, plain = [], mark} = settings;
   const print = printOfResult(result.print, settings.print) ?? settings.print;
-  const {paper: word = 'a4', ink, date, pixels, colourway} = settings;
+  const {paper: word = 'a4', ink, guide = false, date, pixels, colourway} = settings;
   const paper = paperOf(word);
   if (!paper) throw new RangeError(noPaper(word));
   const marks = {
@@ -94,6 +99,7 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
       cuttingPdf(sheet, print, {
         paper,
         ...(ink && {ink}),
+        ...(guide && {guide: {units: 'cm'} as const}),
         ...(date && {date}),
         ...(mark !== undefined && {mark}),
         ...(pixels && {pixels}),

@@ -24,12 +24,15 @@ import {box, filledWith, line, num, nums, scoped, through} from '../files/pdf/co
 import type {PdfResources} from '../files/pdf/resources.js';
 import type {PdfImage} from '../files/pdf/image.js';
 import type {Size} from './vector-cell.js';
+import type {Leaf} from './vector-tile.js';
 
 export interface Cell {
   /** Sides of a form's content, on the print. */
   readonly sides: readonly [Point, Point];
   /** Groups by their opacity. Each form is drawn for all cells before the next one. */
   readonly groups: readonly {readonly forms: readonly string[]; readonly opacity: number}[];
+  /** Areas and lines of a cell from an SVG. */
+  readonly leaves?: readonly Leaf[];
 }
 
 /** Enlargement, on every side, of a raster image in its first pass. */
@@ -115,7 +118,7 @@ export function rasterCell(resources: PdfResources, print: Print, image: PdfImag
 }
 
 /** The alignment of the print on the sheet: the piece's place composed with its alignment. */
-const onSheet = (place: Alignment, alignment: Alignment): Alignment => ({
+export const onSheet = (place: Alignment, alignment: Alignment): Alignment => ({
   angle: place.angle + alignment.angle,
   translation: onPiece(place, alignment.translation),
 });

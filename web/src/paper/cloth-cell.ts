@@ -54,9 +54,10 @@ export async function clothCell(
     const groups = vectorTile(content, width, height);
     if (groups) {
       const {drawnLevels} = await import('./vector-cell.js');
-      return vectorCell(resources, print, (size) =>
+      const cell = vectorCell(resources, print, (size) =>
         groups.map(({leaves, opacity}) => ({...drawnLevels(leaves, size), opacity})),
       );
+      return {...cell, leaves: groups.flatMap(({leaves}) => leaves)};
     }
   }
   const {pdfImage} = await import('../files/pdf/image.js');

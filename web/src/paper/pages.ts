@@ -35,7 +35,7 @@ export interface PageLayout {
 }
 
 /** Margin that printers cannot reach. */
-const usualMargin = 1;
+export const usualMargin = 1;
 /** Overlap of glued pages. */
 const overlapCm = 1;
 /** Space for the width of lines at the edge of the sheet. */

@@ -199,9 +199,11 @@ function linesInside(
     const name = writtenAlong(element, texts);
     return isShown(element, name) ? lines.map((line) => ({line, name})) : [];
   });
-  const found = chained(shown.map(({line}) => line))
+  const unnamed = shown.flatMap(({line, name}) => (name === undefined ? [line] : []));
+  const joined = chained(unnamed).map(({line}) => ({line, name: undefined}));
+  const found = [...joined, ...shown.filter(({name}) => name !== undefined)]
     .filter(({line}) => line.start !== outline.start || !line.isClosed)
-    .map(({line, parts: [first = 0]}) => ({points: pointsOf(line), name: shown[first]?.name}))
+    .map(({line, name}) => ({points: pointsOf(line), name}))
     .filter(({points}) => lengthOf(points) >= shortest && isInside(rim, atShare(points, 0.5).at));
   return {
     internalLines: found.map(({points}) => points),
