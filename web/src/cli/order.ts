@@ -20,7 +20,7 @@ const wishFlags = ['--paper', '--allowance', '--hem', '--ink'];
 const grammar = {
   files: ['the design file'],
   valued: ['--base', '--out', ...Object.keys(cutFlags), ...wishFlags],
-  switches: ['--json'],
+  switches: ['--json', '--guide'],
 };
 
 /** Exit code for scripts if the written answer differs from the sold one. */
@@ -94,6 +94,7 @@ function wishOf(args: Arguments): CutWish {
     ...(allowance !== undefined && {allowance}),
     ...(hem !== undefined && {hem}),
     ...(ink && {ink}),
+    ...(args.has('--guide') && {guide: true}),
   };
 }
 

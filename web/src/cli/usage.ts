@@ -31,6 +31,7 @@ seamwise order DESIGN.json [flags]
     --paper a4|letter|...|WxH   of the PDF, as for cut; default a4
     --allowance CM, --hem CM    around them; default 1, and 3 at hems, or what --allowance says
     --ink full|pale|outline     in their print, the default, in a pale one, or lines alone
+    --guide                     adds pages for placing them on fabric that is printed already
     --json                      prints the line as JSON
 
 seamwise batch JOBS.ndjson --out FOLDER [flags]

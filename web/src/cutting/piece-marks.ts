@@ -5,6 +5,7 @@
 import {
   angleOf,
   combined,
+  distance,
   minus,
   plus,
   rotated,
@@ -165,9 +166,20 @@ function wordsOn({words: {at, room}}: CutPiece, {words, onto}: MarkStyle): CutTe
   return plate('words', onto(at), lines, size);
 }
 
-/** The name of an internal line, upright and along it at its middle. */
-function nameAlong(points: readonly Point[], name: string): CutText {
-  const {at, along} = atShare(points, 0.5);
+/** Width and height of text. [mm] */
+const sizeOfWords = ({lines, sizeMm}: CutText): readonly [number, number] => [
+  Math.max(...lines.map((one) => textWidth(one, sizeMm))),
+  1.25 * sizeMm * lines.length,
+];
+
+/** Places of a line's name by preference. [shares of the line's length] */
+const nameShares = [0.5, 0.25, 0.75, 0.1, 0.9];
+
+/** The name of an internal line, upright and along it, clear of the piece's text. */
+function nameAlong(points: readonly Point[], name: string, words: CutText): CutText {
+  const room = textWidth(name, 0.1 * lineNameMm) / 2 + 0.05 * Math.hypot(...sizeOfWords(words));
+  const share = nameShares.find((one) => distance(atShare(points, one).at, words.at) > room) ?? 0.5;
+  const {at, along} = atShare(points, share);
   const isReversed = along[0] < -upright || (along[0] < upright && along[1] < 0);
   const angle = angleOf(along) + (isReversed ? Math.PI : 0);
   return {...plate('words', at, [name], lineNameMm), angle, weight: 'regular'};
@@ -177,6 +189,7 @@ function nameAlong(points: readonly Point[], name: string): CutText {
 export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[] {
   const {onto} = style;
   const loops = (points: readonly (readonly Point[])[]) => points.map((loop) => loop.map(onto));
+  const words = wordsOn(piece, style);
   return [
     ...closed('cut', loops(piece.cut), {widthMm: cutMm}),
     ...piece.matches.flatMap((p) => repeatAround(p, piece, style)),
@@ -189,7 +202,7 @@ export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[
     ),
     ...piece.internalLines.flatMap((points, k) => {
       const name = piece.lineNames[k];
-      return name === undefined ? [] : [nameAlong(points.map(onto), name)];
+      return name === undefined ? [] : [nameAlong(points.map(onto), name, words)];
     }),
     ...piece.drillHoles.flatMap((p) => drillHole(onto(p))),
     ...grainArrow([onto(piece.grain[0]), onto(piece.grain[1])]),
@@ -199,6 +212,6 @@ export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[
     ),
     ...piece.ticks.flatMap((tick) => tickMarks(tick, onto)),
     ...piece.letters.map(({letter, at}) => plate('marks', onto(at), [letter], letterMm)),
-    wordsOn(piece, style),
+    words,
   ];
 }

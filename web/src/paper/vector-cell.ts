@@ -182,5 +182,5 @@ export function drawnLevels(
       : leaf.path;
     (contents[levels[k] ?? 0] ??= []).push(drawnLeaf({...leaf, path}));
   });
-  return {levels: contents.flatMap((drawn) => (drawn ? [drawn.join('\n')] : [])), reach};
+  return {levels: Object.values(contents).map((drawn) => drawn.join('\n')), reach};
 }

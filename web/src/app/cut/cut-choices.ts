@@ -19,6 +19,8 @@ interface FileChoices {
   /** Name in `paper/papers`. */
   readonly paper: string;
   readonly ink: PrintInk;
+  /** Adds a placing guide to a PDF. */
+  readonly guide: boolean;
 }
 
 /** The fabric layout uses the same allowances. */
@@ -27,13 +29,14 @@ export interface CutChoices extends FileChoices, ChosenAllowances {}
 const key = 'seamwise.cut';
 
 const usual: Readonly<Record<Units, FileChoices>> = {
-  cm: {file: 'pdf', paper: 'a4', ink: 'full'},
-  inch: {file: 'pdf', paper: 'letter', ink: 'full'},
+  cm: {file: 'pdf', paper: 'a4', ink: 'full', guide: false},
+  inch: {file: 'pdf', paper: 'letter', ink: 'full', guide: false},
 };
 
 const isRight: {readonly [Name in keyof FileChoices]: (value: unknown) => boolean} = {
   file: (value) => (cutFileKinds as readonly unknown[]).includes(value),
   paper: (value) => (papers as readonly unknown[]).includes(value),
+  guide: (value) => typeof value === 'boolean',
   ink: (value) => (printInks as readonly unknown[]).includes(value),
 };
 
@@ -58,8 +61,8 @@ export const storedChoices = ({preferences: {chosen}}: Workbench): CutChoices =>
 /** Stores the settings except defaults, which follow the units. */
 export function keepChoices(choices: CutChoices, workbench: Workbench): void {
   const {units} = workbench.preferences.chosen;
-  const {file, paper, ink} = choices;
-  const chosen = Object.entries({file, paper, ink}).filter(
+  const {file, paper, ink, guide} = choices;
+  const chosen = Object.entries({file, paper, ink, guide}).filter(
     ([name, value]) => value !== usual[units][name as keyof FileChoices],
   );
   try {

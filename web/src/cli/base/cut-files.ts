@@ -20,6 +20,8 @@ export interface CutWish {
   readonly hem?: number;
   /** Default full. */
   readonly ink?: PrintInk;
+  /** Adds a placing guide to a PDF. Default false. */
+  readonly guide?: boolean;
 }
 
 /** A result with the data of its garment file and its design. */
@@ -53,7 +55,7 @@ async function marksOf({garment: {text, name, size}, decisions}: CutAnswer): Pro
 export async function cutFiles(
   answer: CutAnswer,
   kinds: readonly CutFileKind[],
-  {paper = 'a4', allowance, hem, ink = 'full'}: CutWish,
+  {paper = 'a4', allowance, hem, ink = 'full', guide = false}: CutWish,
 ): Promise<readonly (string | Uint8Array)[]> {
   const {result, address, limits = {}, plain = [], mark} = answer;
   const tile = await fetchTile(answer.print, address, limits);
@@ -67,6 +69,13 @@ export async function cutFiles(
     raster === undefined
       ? undefined
       : new Uint8Array(await readAddress(addressFrom(address, raster), limits));
-  const options = {paper, ink, pixels, ...(mark !== undefined && {mark})};
+  const units = {units: 'cm'} as const;
+  const options = {
+    paper,
+    ink,
+    pixels,
+    ...(guide && {guide: units}),
+    ...(mark !== undefined && {mark}),
+  };
   return Promise.all(kinds.map((file) => cutFile(sheet, print, {file, ...options})));
 }

@@ -82,7 +82,7 @@ const paper: Read<string> = (value, at) =>
 const allowance = number(0, greatestAllowance);
 const cutFields: Read<CutWish> = shape(
   {},
-  {paper, allowance, hem: allowance, ink: oneOf(printInks)},
+  {paper, allowance, hem: allowance, ink: oneOf(printInks), guide: flag},
 );
 
 const fields = shape(

@@ -40,6 +40,11 @@ export interface BlobRequest {
    * draws lines only (`outline`). Default full.
    */
   readonly ink?: PrintInk | undefined;
+  /**
+   * Adds pages to a PDF that help to place the pieces on fabric that is printed already. Default
+   * false.
+   */
+  readonly guide?: boolean | undefined;
 }
 
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
@@ -50,7 +55,7 @@ const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
  */
 async function cutFileFor(
   workbench: Workbench,
-  {type = '', paper = 'a4', allowance, hem, ink = 'full'}: BlobRequest,
+  {type = '', paper = 'a4', allowance, hem, ink = 'full', guide = false}: BlobRequest,
   {garment}: Texts,
 ): Promise<Blob | undefined> {
   const file = Object.hasOwn(cutTypes, type) ? cutTypes[type] : undefined;
@@ -61,7 +66,7 @@ async function cutFileFor(
   }
   const {cutHere} = await import('../../workbench/cutting/cut-material.js');
   try {
-    const request = {file, paper, ink, ...rule};
+    const request = {file, paper, ink, guide, ...rule};
     const content = await cutHere(workbench, request);
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {

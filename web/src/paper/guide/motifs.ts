@@ -16,9 +16,10 @@ import {
   type Alignment,
   type Point,
 } from '../../model/geometry/vectors.js';
-import {boxOf, signedArea} from '../../model/geometry/polyline.js';
+import {boxOf, type Box} from '../../model/geometry/polyline.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import {imageCell} from '../../model/print/wallpaper.js';
+import {shared} from '../boxes.js';
 
 /** A motif of the print, and its copies at all points of a lattice. */
 export interface Motif {
@@ -37,8 +38,6 @@ const leastSize = 0.4;
 const mostSize = 7;
 /** Motifs are as wide as they are high, within this factor. */
 const mostAspect = 1.7;
-/** Least share of its box that a motif covers. */
-const leastShare = 0.35;
 /** Shapes whose middles are this close, as a share of the larger one's size, are concentric. */
 const concentric = 0.12;
 /** Motifs that are nearly as distinct as the best one are used, too. */
@@ -74,19 +73,68 @@ function isSymmetric(points: readonly Point[], [x, y]: Point, size: number): boo
   );
 }
 
-function shapeOf({path, fill}: Leaf): Shape {
-  const points = path.flatMap((step) => step.points);
-  const {low, high} = boxOf(points);
-  const [w, h] = [high[0] - low[0], high[1] - low[1]];
-  const [shorter, size] = [Math.min(w, h), Math.max(w, h)];
-  const isCompact =
-    size / shorter < mostAspect && Math.abs(signedArea(points)) > leastShare * w * h;
-  const centre = middle(low, high);
+/** Overlap of boxes above which areas of one colour belong together. [share of the smaller] */
+const joined = 0.1;
+/** Images with more areas have no flat motifs, but shades. */
+const mostAreas = 3000;
+
+interface Area {
+  readonly fill: string;
+  readonly points: readonly Point[];
+  readonly box: Box;
+  readonly size: number;
+}
+
+const extent = ({low, high}: Box): readonly [number, number] => [
+  Math.max(0, high[0] - low[0]),
+  Math.max(0, high[1] - low[1]),
+];
+
+function areaOf(fill: string, points: readonly Point[]): Area {
+  const box = boxOf(points);
+  return {fill, points, box, size: Math.max(...extent(box))};
+}
+
+const product = ([w, h]: readonly [number, number]): number => w * h;
+
+/** The areas of leaves, those of one colour that overlap as one, such as the petals of a flower. */
+function areasOf(leaves: readonly Leaf[]): readonly Area[] {
+  const all = leaves.flatMap(({path, fill}) =>
+    fill
+      ? [
+          areaOf(
+            String(fill),
+            path.flatMap((step) => step.points),
+          ),
+        ]
+      : [],
+  );
+  if (all.length > mostAreas) return [];
+  const found: Area[] = [];
+  for (const area of all.filter(({size}) => size <= mostSize)) {
+    const near = found.findIndex(
+      ({fill, box}) =>
+        fill === area.fill &&
+        product(extent(shared(box, area.box))) >
+          joined * Math.min(product(extent(box)), product(extent(area.box))),
+    );
+    const other = found[near];
+    const whole = other && areaOf(area.fill, [...other.points, ...area.points]);
+    if (whole && whole.size <= mostSize) found[near] = whole;
+    else found.push(area);
+  }
+  return found;
+}
+
+function shapeOf({fill, points, box, size}: Area): Shape {
+  const [w, h] = extent(box);
+  const shorter = Math.min(w, h);
+  const centre = middle(box.low, box.high);
   return {
     ...{middle: centre, size},
     isSymmetric: isSymmetric(points, centre, size),
-    kind: `${String(fill)} ${size.toFixed(1)}`,
-    isMotif: fill !== undefined && isCompact && shorter >= leastSize && size <= mostSize,
+    kind: `${fill} ${size.toFixed(1)}`,
+    isMotif: shorter >= leastSize && size < mostAspect * shorter,
   };
 }
 
@@ -95,7 +143,7 @@ function shapeOf({path, fill}: Leaf): Shape {
  * they are, the more shapes are concentric with them, and the fewer there are of their kind.
  */
 function motifsAmong(leaves: readonly Leaf[], [w, h]: Point): readonly (Motif & {score: number})[] {
-  const shapes = leaves.map(shapeOf);
+  const shapes = areasOf(leaves).map(shapeOf);
   const isInCell = ({middle: [x, y]}: Shape): boolean => x >= 0 && x < w && y >= 0 && y < h;
   const counts = new Map<string, number>();
   for (const one of shapes) {

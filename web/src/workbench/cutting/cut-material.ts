@@ -52,6 +52,7 @@ interface CutRequest extends AllowanceRule {
   readonly file: CutFileKind;
   readonly paper: string;
   readonly ink: PrintInk;
+  readonly guide: boolean;
 }
 
 /**
@@ -60,12 +61,12 @@ interface CutRequest extends AllowanceRule {
  */
 export async function cutHere(
   workbench: Workbench,
-  {file, paper, ink, ...rule}: CutRequest,
+  {file, paper, ink, guide, ...rule}: CutRequest,
 ): Promise<string | Uint8Array<ArrayBuffer> | undefined> {
   const material = await cutMaterial(workbench, rule);
   if (!material) return undefined;
   const {result, print, marks, options} = material;
   const sheet = cutSheet(result, print, marks, options);
   const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
-  return cutFile(sheet, print, {file, paper, ink, pixels});
+  return cutFile(sheet, print, {file, paper, ink, pixels, ...(guide && {guide: options})});
 }
