@@ -1,13 +1,15 @@
 /** Parses a PDF for tests by its cross-reference table, without a PDF library. */
 import {inflateSync} from 'node:zlib';
 
-interface PdfObject {
+export interface PdfObject {
   readonly text: string;
   /** Decompressed if Flate is its only filter. */
   readonly stream?: string;
+  /** The stream as in the file. */
+  readonly data?: Uint8Array;
 }
 
-interface ReadPdf {
+export interface ReadPdf {
   readonly objects: ReadonlyMap<number, PdfObject>;
   /** Pages in their order. */
   readonly pages: readonly {readonly size: readonly number[]; readonly content: string}[];
@@ -41,7 +43,7 @@ export function readPdf(bytes: Uint8Array): ReadPdf {
       const data = bytes.slice(start, start + length);
       return [
         k + 1,
-        {text, stream: latin(text.includes('FlateDecode') ? inflateSync(data) : data)},
+        {text, data, stream: latin(text.includes('FlateDecode') ? inflateSync(data) : data)},
       ];
     }),
   );

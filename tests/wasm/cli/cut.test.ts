@@ -82,7 +82,7 @@ describe('cut', () => {
       ['--paper', 'a9'],
       /^seamwise: there is no paper 'a9'; name one of a4, .*projector, or a size/,
     ],
-    [['--ink', 'red'], /^seamwise: --ink is 'red', but must be one of full, outline\.\n$/],
+    [['--ink', 'red'], /^seamwise: --ink is 'red', but must be one of full, pale, outline\.\n$/],
     [
       ['--date', 'today'],
       /^seamwise: --date is 'today', but must be a day, such as 2026-03-21\.\n$/,

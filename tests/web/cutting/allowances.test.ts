@@ -243,7 +243,7 @@ describe('ticks', () => {
       [20, 12],
       [20, 22],
     ]);
-    expect(two.map(({label}) => label)).toEqual(['A1', 'A2', 'A3']);
+    expect(two.map(({label}) => label)).toEqual(['Aa', 'Ab', 'Ac']);
     const apart = printDistance(repeat);
     for (const [k, {at, label}] of one.entries()) {
       expect(two[k]?.label).toBe(label);

@@ -204,7 +204,7 @@ function fileOf({mark, ...options}: Partial<SheetOptions> & {mark?: string} = {}
   return drawSheetSvg(
     cutSheet(result, cloth, marks, {allowanceCm: 1, units: 'cm', ...options}),
     cloth,
-    mark,
+    mark === undefined ? {} : {mark},
   );
 }
 

@@ -74,8 +74,8 @@ describe('pages of paper', () => {
     expect(named.length + empty.length).toBe(columns * rows);
     expect(empty.length).toBeGreaterThan(10);
     const [first, second] = named;
-    expect(first?.name).toBe('A1');
-    expect(second?.name).toBe('A2');
+    expect(first?.name).toBe('1A');
+    expect(second?.name).toBe('1B');
     expect((first?.window.high[0] ?? 0) - (second?.window.low[0] ?? 0)).toBeCloseTo(1, 9);
     expect((first?.window.high[0] ?? 0) - (first?.frame.high[0] ?? 0)).toBeCloseTo(1, 9);
   });
@@ -87,11 +87,11 @@ describe('pages of paper', () => {
 
   it('have words and squares where no piece is, or on a page before', () => {
     const apart = pagesOf(sheetOf(60, 60), paper('a0'));
-    expect(apart.pages.map(({name}) => name)).toEqual(['A1']);
+    expect(apart.pages.map(({name}) => name)).toEqual(['1A']);
     const [piece] = sheetOf(60, 60).pieces;
     expect(piece && reachesInto(piece.cut, apart.block)).toBe(false);
     const full = pagesOf(sheetOf(80, 115), paper('a0'));
-    expect(full.pages.map(({name}) => name)).toEqual([undefined, 'A1']);
+    expect(full.pages.map(({name}) => name)).toEqual([undefined, '1A']);
     const cover = full.pages[0];
     expect(cover && overlap(cover.window, {low: [0, 0], high: [80, 115]})).toBe(false);
   });

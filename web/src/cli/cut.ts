@@ -1,4 +1,5 @@
 import {greatestAllowance} from '../cutting/allowance-rule.js';
+import {printInks} from '../cutting/print-ink.js';
 import {chosenNames} from '../model/garment/panel-marks.js';
 import {notAsSold} from '../picture/watermark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
@@ -39,7 +40,7 @@ const grammar = {
     ],
     ...Object.keys(outputs),
   ],
-  switches: ['--sew-as-1'],
+  switches: ['--sew-as-1', '--guide'],
 };
 
 /** `cut`: writes cutting sheets of a result at true scale. */
@@ -91,7 +92,7 @@ function settingsOf(args: Arguments) {
   const hemCm = lengthCm(args, '--hem', greatestAllowance);
   const paper = args.value('--paper');
   if (paper !== undefined && !paperOf(paper)) throw new UsageError(noPaper(paper));
-  const ink = choice(args, '--ink', ['full', 'outline']);
+  const ink = choice(args, '--ink', printInks);
   const day = args.value('--date');
   const date = new Date(`${day ?? ''}T00:00:00Z`);
   if (day !== undefined && !(/^\d{4}-\d\d-\d\d$/.test(day) && Number.isFinite(date.getTime()))) {
@@ -102,6 +103,7 @@ function settingsOf(args: Arguments) {
     ...(hemCm !== undefined && {hemCm}),
     ...(paper !== undefined && {paper}),
     ...(ink && {ink}),
+    ...(args.has('--guide') && {guide: true}),
     ...(day !== undefined && {date}),
   };
 }

@@ -5,6 +5,7 @@ import {textOf} from '../node/files.js';
 import {order as solveOrder, readGarment, type Order} from '../node/index.js';
 import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {noPaper, paperOf} from '../paper/papers.js';
+import {printInks} from '../cutting/print-ink.js';
 import {notAsSold} from '../picture/watermark.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {cutFiles, type CutAnswer, type CutWish} from './base/cut-files.js';
@@ -19,7 +20,7 @@ const wishFlags = ['--paper', '--allowance', '--hem', '--ink'];
 const grammar = {
   files: ['the design file'],
   valued: ['--base', '--out', ...Object.keys(cutFlags), ...wishFlags],
-  switches: ['--json'],
+  switches: ['--json', '--guide'],
 };
 
 /** Exit code for scripts if the written answer differs from the sold one. */
@@ -87,12 +88,13 @@ function wishOf(args: Arguments): CutWish {
   );
   const paper = args.value('--paper');
   if (paper !== undefined && !paperOf(paper)) throw new UsageError(noPaper(paper));
-  const ink = choice(args, '--ink', ['full', 'outline']);
+  const ink = choice(args, '--ink', printInks);
   return {
     ...(paper !== undefined && {paper}),
     ...(allowance !== undefined && {allowance}),
     ...(hem !== undefined && {hem}),
     ...(ink && {ink}),
+    ...(args.has('--guide') && {guide: true}),
   };
 }
 

@@ -31,7 +31,8 @@ seamwise order DESIGN.json [flags]
                                 for CAD programs with --dxf FILE.dxf, for plotters with --plt FILE.plt
     --paper a4|letter|...|WxH   of the PDF, as for cut; default a4
     --allowance CM, --hem CM    around them; default 1, and 3 at hems, or what --allowance says
-    --ink full|outline          in their print, the default, or lines alone
+    --ink full|pale|outline     in their print, the default, in a pale one, or lines alone
+    --guide                     adds pages for placing them on fabric that is printed already
     --json                      prints the line as JSON
 
 seamwise batch JOBS.ndjson --out FOLDER [flags]
@@ -93,7 +94,9 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --paper a2|a1|a0|36in       large sheets and rolls
     --paper projector           one page without margins, wide cut lines, no sewn lines, a grid of 5 cm
     --paper WxH[mm|cm|in]       any other
-    --ink full|outline          outline leaves the print out
+    --ink full|pale|outline     pale saves ink, outline leaves the print out
+    --guide                     adds pages to the PDF that help to place the pieces on fabric that is
+                                printed already: motifs at two or three points of each
     --date YYYY-MM-DD           to stand on every page
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie

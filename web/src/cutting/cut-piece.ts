@@ -1,4 +1,5 @@
 /** One piece of the cutting sheet with all of its marks. Lengths in cm. */
+import {lineNamesOf} from '../model/garment/line-names.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {
   between,
@@ -52,6 +53,8 @@ export interface CutPiece {
   readonly plaid?: readonly [Point, Point];
   /** Internal lines, which are neither cut nor sewn. */
   readonly internalLines: readonly (readonly Point[])[];
+  /** Names of internal lines, such as `waist`, by their numbers. */
+  readonly lineNames: readonly (string | undefined)[];
   readonly drillHoles: readonly Point[];
   /** Number of copies to cut. */
   readonly quantity: number;
@@ -135,6 +138,7 @@ export function cutPiece(
     label: marks.label,
     ticks: [],
     internalLines: internalLines.map((line) => finer(line).map(onShape)),
+    lineNames: lineNamesOf(marks.drafted),
     drillHoles: drillHoles.map(onShape),
     quantity,
     words: innermost(outline, [

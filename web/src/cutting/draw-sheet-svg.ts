@@ -5,6 +5,7 @@ import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
 import {escaped, polyline, short, text} from '../files/svg/written.js';
 import {textWidth} from '../layout/name-lines.js';
 import {lineColours} from './line-colours.js';
+import {paleWhite, type PrintInk} from './print-ink.js';
 import type {CutLine, CutMark, CutSheet, CutText, LaidPiece} from './cut-sheet.js';
 
 /** [mm] */
@@ -15,7 +16,7 @@ const foot = 82;
 const belowWords = 24;
 const leading = 7;
 const leastWidth = 240;
-const ink = lineColours.words.hex;
+const wordColour = lineColours.words.hex;
 
 type Page = (p: Point) => Point;
 
@@ -62,7 +63,7 @@ function drawnText(mark: CutText, page: Page): string {
   const words = lines.map((line, k) => {
     const isBold = weight === undefined ? k === 0 : weight === 'bold';
     return text([x, y + leading * (k - (lines.length - 1) / 2) + 0.35 * size], line, {
-      ...{size: Number(short(size)), anchor, fill: ink, weight: isBold ? 600 : 400},
+      ...{size: Number(short(size)), anchor, fill: wordColour, weight: isBold ? 600 : 400},
     });
   });
   const turn =
@@ -93,24 +94,34 @@ export function drawnMarks(marks: readonly CutMark[], page: Page): string {
   return drawn.join('');
 }
 
-const drawnPiece = (piece: LaidPiece, k: number, page: Page): string =>
-  `<g id="piece-${k}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round"><path d="${closed(piece.cut, page)}" fill="${piece.alignment ? `url(#cloth-${k})` : '#fff'}" fill-rule="evenodd"/>${drawnMarks(piece.marks, page)}</g>`;
+function drawnPiece(piece: LaidPiece, k: number, page: Page, ink: PrintInk): string {
+  const area = (fill: string): string =>
+    `<path d="${closed(piece.cut, page)}" ${fill} fill-rule="evenodd"/>`;
+  const isPrinted = piece.alignment && ink !== 'outline';
+  const cloth = area(isPrinted ? `fill="url(#cloth-${k})"` : 'fill="#fff"');
+  const tint = isPrinted && ink === 'pale' ? area(`fill="#fff" fill-opacity="${paleWhite}"`) : '';
+  return `<g id="piece-${k}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round">${cloth}${tint}${drawnMarks(piece.marks, page)}</g>`;
+}
 
 /** Squares that verify the print scale with a ruler. */
 function testSquares([x, y]: Point): string {
   const square = (left: number, side: number, label: string): string =>
-    `<rect x="${short(left)}" y="${short(y)}" width="${side}" height="${side}" fill="none" stroke="${ink}" stroke-width="0.3"/>${text([left + side / 2, y + side / 2 + 1.5], label, {size: 5, anchor: 'middle', fill: ink})}`;
+    `<rect x="${short(left)}" y="${short(y)}" width="${side}" height="${side}" fill="none" stroke="${wordColour}" stroke-width="0.3"/>${text([left + side / 2, y + side / 2 + 1.5], label, {size: 5, anchor: 'middle', fill: wordColour})}`;
   return square(x, 50, '5 cm') + square(x + 60, 50.8, '2 in');
 }
 
-/**
- * Draws the sheet.
- * @param mark watermark across the whole sheet, such as `notAsSold`
- */
+interface SheetSvgOptions {
+  /** Default full. */
+  readonly ink?: PrintInk | undefined;
+  /** Watermark across the whole sheet, such as `notAsSold`. */
+  readonly mark?: string | undefined;
+}
+
+/** Draws the sheet. */
 export function drawSheetSvg(
   {widthCm, heightCm, pieces, heading, facts}: CutSheet,
   print: PrintWithTile,
-  mark?: string,
+  {ink = 'full', mark}: SheetSvgOptions = {},
 ): string {
   const width = Math.max(widthCm * unit, leastWidth) + 2 * margin;
   const footHeight = Math.max(foot, belowWords + 18 + leading * facts.length);
@@ -125,13 +136,13 @@ export function drawSheetSvg(
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}mm" height="${short(height)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
     `<title>${escaped(heading)}</title>`,
-    `<defs>${clothTile('cloth', print, unit)}${cloths.join('')}</defs>`,
+    ink === 'outline' ? '' : `<defs>${clothTile('cloth', print, unit)}${cloths.join('')}</defs>`,
     '<rect width="100%" height="100%" fill="#fff"/>',
-    ...pieces.map((piece, k) => drawnPiece(piece, k, page)),
+    ...pieces.map((piece, k) => drawnPiece(piece, k, page, ink)),
     testSquares([margin, below]),
-    text([margin + 122, below + 8], heading, {size: 8, weight: 600, fill: ink}),
+    text([margin + 122, below + 8], heading, {size: 8, weight: 600, fill: wordColour}),
     ...facts.map((line, k) =>
-      text([margin + 122, below + 18 + leading * k], line, {size: 4.5, fill: ink}),
+      text([margin + 122, below + 18 + leading * k], line, {size: 4.5, fill: wordColour}),
     ),
     mark === undefined ? '' : markAcross(mark, width, height),
     '</svg>\n',

@@ -3,7 +3,9 @@
  * sizes in mm.
  */
 import {
+  angleOf,
   combined,
+  distance,
   minus,
   plus,
   rotated,
@@ -11,7 +13,7 @@ import {
   unit,
   type Point,
 } from '../model/geometry/vectors.js';
-import {linesInside} from '../model/geometry/polyline.js';
+import {atShare, linesInside} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {textWidth} from '../layout/name-lines.js';
@@ -48,6 +50,10 @@ const letterMm = 5.5;
 const numberMm = 3.5;
 const insideMm = 0.25;
 const insideDashMm = [6, 1.5, 0.5, 1.5];
+/** Size of the names of internal lines. */
+const lineNameMm = 3;
+/** Lines whose direction has a smaller x are vertical. */
+const upright = 1e-6;
 const drillRadius = 0.15;
 const tickMm = 0.4;
 const tickReach = 0.4;
@@ -160,10 +166,30 @@ function wordsOn({words: {at, room}}: CutPiece, {words, onto}: MarkStyle): CutTe
   return plate('words', onto(at), lines, size);
 }
 
+/** Width and height of text. [mm] */
+const sizeOfWords = ({lines, sizeMm}: CutText): readonly [number, number] => [
+  Math.max(...lines.map((one) => textWidth(one, sizeMm))),
+  1.25 * sizeMm * lines.length,
+];
+
+/** Places of a line's name by preference. [shares of the line's length] */
+const nameShares = [0.5, 0.25, 0.75, 0.1, 0.9];
+
+/** The name of an internal line, upright and along it, clear of the piece's text. */
+function nameAlong(points: readonly Point[], name: string, words: CutText): CutText {
+  const room = textWidth(name, 0.1 * lineNameMm) / 2 + 0.05 * Math.hypot(...sizeOfWords(words));
+  const share = nameShares.find((one) => distance(atShare(points, one).at, words.at) > room) ?? 0.5;
+  const {at, along} = atShare(points, share);
+  const isReversed = along[0] < -upright || (along[0] < upright && along[1] < 0);
+  const angle = angleOf(along) + (isReversed ? Math.PI : 0);
+  return {...plate('words', at, [name], lineNameMm), angle, weight: 'regular'};
+}
+
 /** The marks in drawing order. */
 export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[] {
   const {onto} = style;
   const loops = (points: readonly (readonly Point[])[]) => points.map((loop) => loop.map(onto));
+  const words = wordsOn(piece, style);
   return [
     ...closed('cut', loops(piece.cut), {widthMm: cutMm}),
     ...piece.matches.flatMap((p) => repeatAround(p, piece, style)),
@@ -174,6 +200,10 @@ export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[
     ...piece.internalLines.map((points) =>
       line('marks', points.map(onto), {widthMm: insideMm, dashMm: insideDashMm, haloMm}),
     ),
+    ...piece.internalLines.flatMap((points, k) => {
+      const name = piece.lineNames[k];
+      return name === undefined ? [] : [nameAlong(points.map(onto), name, words)];
+    }),
     ...piece.drillHoles.flatMap((p) => drillHole(onto(p))),
     ...grainArrow([onto(piece.grain[0]), onto(piece.grain[1])]),
     ...piece.matches.flatMap((p, k) => crossAt(onto(p), k + 1)),
@@ -182,6 +212,6 @@ export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[
     ),
     ...piece.ticks.flatMap((tick) => tickMarks(tick, onto)),
     ...piece.letters.map(({letter, at}) => plate('marks', onto(at), [letter], letterMm)),
-    wordsOn(piece, style),
+    words,
   ];
 }

@@ -17,13 +17,13 @@ import {
   type Alignment,
   type Point,
 } from '../model/geometry/vectors.js';
-import {seamLetter} from '../model/garment/letters.js';
+import {letters, seamLetter} from '../model/garment/letters.js';
 import type {ResultSeam, SeamSide, SolveResult} from '../model/result/result.js';
 import {joining, printElements, reduced, type Repeat} from '../model/print/wallpaper.js';
 import {pick} from '../scene/marks.js';
 
 export interface SeamTick {
-  /** Shared by both sides of a tick, otherwise unique. */
+  /** Letter of the seam, then a small one: shared by both sides of a tick, otherwise unique. */
   readonly label: string;
   /** Position on the sewn line, or beside it at the point that shows the same as the other side. */
   readonly at: Point;
@@ -129,7 +129,7 @@ function seamTicks(
     const isNearOther = found.some(([one]) => distance(one.at, p) < apart);
     const isAtEnd = distance(p, start) < endRoom || distance(p, end) < endRoom;
     if (distance(at, q) > greatestMiss || isNearOther || isAtEnd) continue;
-    const label = `${seamLetter(number)}${found.length + 1}`;
+    const label = `${seamLetter(number)}${letters(found.length).toLowerCase()}`;
     const origin = apply(image.element, [0, 0]);
     const [way, otherWay] = [lines, minus(apply(image.element, lines), origin)];
     const turned = ({angle}: Alignment, line: Point): Point => unit(rotated(line, angle));

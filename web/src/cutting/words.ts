@@ -141,7 +141,7 @@ export function factsOf(
         ]
       : []),
     ...(cuts.some(({ticks}) => ticks.length > 0)
-      ? ['Ticks with the same name, such as A1, meet on one point of the print.']
+      ? ['Ticks a, b, c of a seam: those of one name, such as Ab, meet on one point of the print.']
       : []),
     'Print at 100 %; measure the squares.',
     ...(date === undefined ? [] : [date]),

@@ -2,6 +2,7 @@
  * Converts the chosen part of a drawing to a garment: in centimetres, with outlines
  * counter-clockwise and no piece mirrored.
  */
+import {withLineNames} from '../model/garment/line-names.js';
 import type {Drawing, DrawnPiece, Run} from '../model/garment/imported-drawing.js';
 import type {
   DraftedEdge,
@@ -197,6 +198,7 @@ function pieceOf(drawn: DrawnPiece, name: string, scale: number): Made {
       outline: runs.map((run) => withAllowance(run, cut)),
       holes: whole.holes.map((hole) => turnedClockwise(hole).map(edgeOf)),
       internalLines: whole.internalLines,
+      ...withLineNames(whole.lineNames ?? []),
       ...(cut && {cutLine: cut}),
       notches: notchesOf(whole, runs),
       ...(grain && {grain: {line: upwards(grain), lock: 'on'}}),

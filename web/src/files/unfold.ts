@@ -32,7 +32,7 @@ type Mirror = (point: Point) => Point;
  * @param piece in cm
  */
 export function unfolded(piece: DrawnPiece): Unfolded {
-  const {fold, sewn, cut, holes, notches, internalLines, drillHoles, ...rest} = piece;
+  const {fold, sewn, cut, holes, notches, internalLines, lineNames, drillHoles, ...rest} = piece;
   const whole = fold && wholeLoop(sewn, fold);
   if (!fold || !whole) return {piece};
   const mirror = mirrorIn(fold);
@@ -49,6 +49,7 @@ export function unfolded(piece: DrawnPiece): Unfolded {
       holes: [...holes, ...holes.map((hole) => hole.map((run) => mapped(run, mirror)))],
       notches: doubled(notches),
       internalLines: [...internalLines, ...internalLines.map((line) => line.map(mirror))],
+      ...(lineNames && {lineNames: [...lineNames, ...lineNames]}),
       drillHoles: doubled(drillHoles.map((at) => ({at}))).map(({at}) => at),
     },
   };

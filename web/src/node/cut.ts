@@ -1,6 +1,7 @@
 /** Cutting sheets of a result, and their files. */
 import {ruleOf} from '../cutting/allowance-rule.js';
 import type {CutSheet} from '../cutting/cut-sheet.js';
+import type {PrintInk} from '../cutting/print-ink.js';
 import {sheetsOf} from '../cutting/lay-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
 import {sheetDxf, type DxfOptions} from '../cutting/out/sheet-dxf.js';
@@ -39,8 +40,13 @@ export interface CutSettings extends PanelDecisions {
    * a4.
    */
   readonly paper?: string;
-  /** Draws the print in place, or lines only. Default full. */
-  readonly ink?: 'full' | 'outline';
+  /** Draws the print in place, tinted to save ink, or lines only. Default full. */
+  readonly ink?: PrintInk;
+  /**
+   * Adds pages to the PDF that help to place the pieces on fabric that is printed already. Default
+   * false.
+   */
+  readonly guide?: boolean;
   /** Date on every page. */
   readonly date?: Date;
   /** Watermark on every page. */
@@ -73,7 +79,7 @@ export interface Cut {
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {garment, garmentFile, plain = [], mark} = settings;
   const print = printOfResult(result.print, settings.print) ?? settings.print;
-  const {paper: word = 'a4', ink, date, pixels, colourway} = settings;
+  const {paper: word = 'a4', ink, guide = false, date, pixels, colourway} = settings;
   const paper = paperOf(word);
   if (!paper) throw new RangeError(noPaper(word));
   const marks = {
@@ -93,11 +99,12 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
       cuttingPdf(sheet, print, {
         paper,
         ...(ink && {ink}),
+        ...(guide && {guide: {units: 'cm'} as const}),
         ...(date && {date}),
         ...(mark !== undefined && {mark}),
         ...(pixels && {pixels}),
       }),
-    svg: () => drawSheetSvg(sheet, print, mark),
+    svg: () => drawSheetSvg(sheet, print, {ink, mark}),
     dxf: (options) => sheetDxf(sheet, {...(date && {date}), ...options}),
     hpgl: () => sheetHpgl(sheet),
   };

@@ -4,6 +4,7 @@
  * visible between two. Lengths in cm.
  */
 import type {LaidPiece} from '../cutting/cut-sheet.js';
+import {paleWhite} from '../cutting/print-ink.js';
 import {
   coordinates,
   combined,
@@ -19,16 +20,19 @@ import {boxOf, type Box} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {boxAt, cornersOf, grown, overlap, shared} from './boxes.js';
-import {line, num, nums, scoped, through} from '../files/pdf/content.js';
+import {box, filledWith, line, num, nums, scoped, through} from '../files/pdf/content.js';
 import type {PdfResources} from '../files/pdf/resources.js';
 import type {PdfImage} from '../files/pdf/image.js';
 import type {Size} from './vector-cell.js';
+import type {Leaf} from './vector-tile.js';
 
 export interface Cell {
   /** Sides of a form's content, on the print. */
   readonly sides: readonly [Point, Point];
-  /** Each pass is drawn for all cells before the next one. */
-  readonly passes: readonly {readonly form: string; readonly opacity: number}[];
+  /** Groups by their opacity. Each form is drawn for all cells before the next one. */
+  readonly groups: readonly {readonly forms: readonly string[]; readonly opacity: number}[];
+  /** Areas and lines of a cell from an SVG. */
+  readonly leaves?: readonly Leaf[];
 }
 
 /** Enlargement, on every side, of a raster image in its first pass. */
@@ -55,39 +59,42 @@ function inBlocks(resources: PdfResources, print: Print, cell: Cell, reach: numb
   const [across = 1, up = 1] = counts;
   if (across * up === 1) return cell;
   const points = [0, across].flatMap((i) => [0, up].map((j) => combined(imageCell(print), i, j)));
-  const passes = cell.passes.map(({form, opacity}) => {
-    const cells = Array.from({length: across * up}, (_, k) =>
-      placed(form, combined([a, b], k % across, Math.floor(k / across))),
-    );
-    return {
-      opacity,
-      form: resources.form(bounds(grown(boxOf(points), 3 * reach)), cells.join('\n')),
-    };
-  });
-  return {sides: [combined([a, b], across, 0), combined([a, b], 0, up)], passes};
+  const places = Array.from({length: across * up}, (_, k) =>
+    combined([a, b], k % across, Math.floor(k / across)),
+  );
+  const block = bounds(grown(boxOf(points), 3 * reach));
+  const groups = cell.groups.map(({forms, opacity}) => ({
+    opacity,
+    forms: forms.map((form) =>
+      resources.form(block, places.map((at) => placed(form, at)).join('\n')),
+    ),
+  }));
+  return {sides: [combined([a, b], across, 0), combined([a, b], 0, up)], groups};
 }
 
 const placed = (form: string, at: Point): string => `q 1 0 0 1 ${nums(...at)} cm /${form} Do Q`;
 
 /**
  * A cell of vector graphics.
- * @param drawn returns the content for the cell's size, in groups with their opacity
+ * @param drawn returns the contents for the cell's size by level, in groups with their opacity
  */
 export function vectorCell(
   resources: PdfResources,
   print: Print,
-  drawn: (
-    size: Size,
-  ) => readonly {readonly content: string; readonly reach: number; readonly opacity: number}[],
+  drawn: (size: Size) => readonly {
+    readonly levels: readonly string[];
+    readonly reach: number;
+    readonly opacity: number;
+  }[],
 ): Cell {
   const {size, matrix} = sheared(print);
-  const groups = drawn(size);
-  const passes = groups.map(({content, reach, opacity}) => {
+  const found = drawn(size);
+  const groups = found.map(({levels, reach, opacity}) => {
     const more = `${bounds(grown(boxAt([0, 0], ...size), reach))}${matrix}`;
-    return {opacity, form: resources.form(more, content)};
+    return {opacity, forms: levels.map((content) => resources.form(more, content))};
   });
-  const reach = Math.max(0, ...groups.map((one) => one.reach));
-  return inBlocks(resources, print, {sides: imageCell(print), passes}, reach);
+  const reach = Math.max(0, ...found.map((one) => one.reach));
+  return inBlocks(resources, print, {sides: imageCell(print), groups}, reach);
 }
 
 /**
@@ -98,19 +105,20 @@ export function rasterCell(resources: PdfResources, print: Print, image: PdfImag
   const {size, matrix} = sheared(print);
   const name = resources.image(image);
   const [w, h] = size;
-  const passes = [leastReach, 0].map((reach) => {
+  const forms = [leastReach, 0].map((reach) => {
     const drawn = scoped(
       `${nums(w + 2 * reach, 0, 0, h + 2 * reach, -reach, -reach)} cm`,
       `/${name} Do`,
     );
     const more = `${bounds(grown(boxAt([0, 0], ...size), 2 * leastReach))}${matrix}`;
-    return {opacity: 1, form: resources.form(more, drawn)};
+    return resources.form(more, drawn);
   });
-  return inBlocks(resources, print, {sides: imageCell(print), passes}, 2 * leastReach);
+  const groups = [{opacity: 1, forms}];
+  return inBlocks(resources, print, {sides: imageCell(print), groups}, 2 * leastReach);
 }
 
 /** The alignment of the print on the sheet: the piece's place composed with its alignment. */
-const onSheet = (place: Alignment, alignment: Alignment): Alignment => ({
+export const onSheet = (place: Alignment, alignment: Alignment): Alignment => ({
   angle: place.angle + alignment.angle,
   translation: onPiece(place, alignment.translation),
 });
@@ -131,12 +139,21 @@ function cellsIn(lying: Alignment, sides: readonly [Point, Point], seen: Box): r
   return cells;
 }
 
+/** A white tint over a box, which leaves a pale print. */
+const tint = (resources: PdfResources, {low, high}: Box): string =>
+  scoped(
+    `/${resources.opacity(paleWhite)} gs`,
+    filledWith([1, 1, 1]),
+    box(low, high[0] - low[0], high[1] - low[1]),
+    'f',
+  );
+
 /** The print within the cut line of a piece, clipped to a window of the sheet. */
 export function clothUnder(
   resources: PdfResources,
   cell: Cell,
   {cut, place, alignment}: Pick<LaidPiece, 'cut' | 'place' | 'alignment'>,
-  window: Box,
+  {window, isPale = false}: {readonly window: Box; readonly isPale?: boolean},
 ): string {
   const seen = shared(boxOf(cut[0] ?? []), window);
   if (!alignment || seen.low[0] >= seen.high[0] || seen.low[1] >= seen.high[1]) return '';
@@ -144,14 +161,19 @@ export function clothUnder(
   const [c, s] = towards(lying.angle);
   const onto = through({xx: c, xy: -s, yx: s, yy: c, shift: lying.translation});
   const cells = cellsIn(lying, cell.sides, seen);
-  const passes = cell.passes.map(({form, opacity}) => {
-    const all = scoped(onto, ...cells.map((at) => placed(form, at)));
+  const groups = cell.groups.map(({forms, opacity}) => {
+    const all = scoped(onto, ...forms.flatMap((form) => cells.map((at) => placed(form, at))));
     if (opacity === 1) return all;
-    const group = resources.form(
+    const whole = resources.form(
       `${bounds(seen)}/Group<</S/Transparency/CS/DeviceRGB/I true>>`,
       all,
     );
-    return scoped(`/${resources.opacity(opacity)} gs`, `/${group} Do`);
+    return scoped(`/${resources.opacity(opacity)} gs`, `/${whole} Do`);
   });
-  return scoped(cut.map((loop) => line(loop, true)).join('\n'), 'W* n', ...passes);
+  return scoped(
+    cut.map((loop) => line(loop, true)).join('\n'),
+    'W* n',
+    ...groups,
+    isPale ? tint(resources, seen) : '',
+  );
 }

@@ -53,10 +53,11 @@ export async function clothCell(
     const {vectorTile} = await import('./vector-tile.js');
     const groups = vectorTile(content, width, height);
     if (groups) {
-      const {drawnGroup} = await import('./vector-cell.js');
-      return vectorCell(resources, print, (size) =>
-        groups.map(({leaves, opacity}) => ({...drawnGroup(leaves, size), opacity})),
+      const {drawnLevels} = await import('./vector-cell.js');
+      const cell = vectorCell(resources, print, (size) =>
+        groups.map(({leaves, opacity}) => ({...drawnLevels(leaves, size), opacity})),
       );
+      return {...cell, leaves: groups.flatMap(({leaves}) => leaves)};
     }
   }
   const {pdfImage} = await import('../files/pdf/image.js');

@@ -27,7 +27,7 @@ export async function cutFile(
 ): Promise<string | Uint8Array<ArrayBuffer>> {
   switch (file) {
     case 'svg':
-      return drawSheetSvg(sheet, print, options.mark);
+      return drawSheetSvg(sheet, print, options);
     case 'dxf':
       return sheetDxf(sheet, options.date ? {date: options.date} : {});
     case 'plt':

@@ -1,15 +1,17 @@
 /** Writes a cutting sheet as PDF at true scale, on pages of paper or for a projector. */
 import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
+import type {PrintInk} from '../cutting/print-ink.js';
 import {middle, type Point} from '../model/geometry/vectors.js';
 import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 import type {PrintWithTile} from '../picture/cloth.js';
-import {cornersOf, overlap} from './boxes.js';
+import {boxAt, cornersOf, grown, overlap} from './boxes.js';
 import {clothUnder} from './cell.js';
 import {clothCell, type CellPixels} from './cloth-cell.js';
 import {drawMarks} from './draw-marks.js';
 import {drawFirstPage, roomOf} from './first-page.js';
 import {drawFoot, drawFrame} from './page-frame.js';
-import {dividedAmong, type PageLayout, type SheetPage} from './pages.js';
+import {guideCount, guidePages, type GuideOptions} from './guide/guide-pages.js';
+import {dividedAmong, usualMargin, type PageLayout, type SheetPage} from './pages.js';
 import type {Paper} from './papers.js';
 import {
   filledWith,
@@ -30,8 +32,10 @@ import {marksOnPages} from './words-on-page.js';
 
 export interface CuttingPdfOptions {
   readonly paper: Paper;
-  /** Draws the print in place, or lines only to save ink. Default full. */
-  readonly ink?: 'full' | 'outline';
+  /** Draws the print in place, tinted to save ink, or lines only. Default full. */
+  readonly ink?: PrintInk;
+  /** Adds pages that help to place the pieces on printed fabric; none for a projector. */
+  readonly guide?: GuideOptions;
   /** Watermark on every page, such as `notAsSold`. */
   readonly mark?: string;
   /** Date on every page. Without it, the same sheet gives the same bytes. */
@@ -82,6 +86,8 @@ interface Drawing {
   readonly cloth: (window: Box) => string;
   readonly foot: string;
   readonly mark: string | undefined;
+  /** Number of all pages. */
+  readonly count: number;
 }
 
 /**
@@ -135,7 +141,7 @@ function drawnAcross(words: string, {low, high}: Box, resources: PdfResources): 
 }
 
 function pageContent(page: SheetPage, number: number, drawing: Drawing): string {
-  const {sheet, layout, resources, layers, marks, cloth, foot, mark} = drawing;
+  const {sheet, layout, resources, layers, marks, cloth, foot, mark, count} = drawing;
   const {window, low, name} = page;
   const {isProjector} = layout.paper;
   const toPoints = {
@@ -150,13 +156,26 @@ function pageContent(page: SheetPage, number: number, drawing: Drawing): string 
   );
   const about = [
     isProjector ? '' : drawFrame(page, layout),
-    isProjector ? '' : drawFoot(page, foot, number, layout.pages.length),
+    isProjector ? '' : drawFoot(page, foot, number, count),
     number === 1 ? drawFirstPage(sheet, layout) : '',
   ];
   return scoped(
     through(toPoints),
     name === undefined ? '' : pieces,
     onLayer(layers[isProjector ? 'words' : 'frame'], ...about),
+    mark === undefined ? '' : drawnAcross(mark, window, resources),
+  );
+}
+
+/** A page of the placing guide, with the footer of all pages. */
+function guideContent(content: string, number: number, drawing: Drawing): string {
+  const {layout, layers, foot, mark, resources, count} = drawing;
+  const {widthCm, heightCm} = layout;
+  const page = boxAt([0, 0], widthCm, heightCm);
+  const window = grown(page, -usualMargin);
+  return scoped(
+    through({xx: pointsPerCm, xy: 0, yx: 0, yy: pointsPerCm, shift: [0, 0]}),
+    onLayer(layers.frame, content, drawFoot({low: page.low, window}, foot, number, count)),
     mark === undefined ? '' : drawnAcross(mark, window, resources),
   );
 }
@@ -198,6 +217,10 @@ function outlineOf(
   return root;
 }
 
+/** Title and size, which are on every page. */
+const headingWords = ({heading, title, size}: CutSheet): readonly string[] =>
+  size === undefined ? [heading] : [title ?? '', `Size ${size}`];
+
 /**
  * Writes the file, and a map of its content. `print.tile` is the image of the print's cell, as SVG
  * text or `data:` URL.
@@ -206,16 +229,17 @@ function outlineOf(
 export async function cuttingPdf(
   sheet: CutSheet,
   print: PrintWithTile,
-  {paper, ink = 'full', mark, date, pixels}: CuttingPdfOptions,
+  {paper, ink = 'full', guide, mark, date, pixels}: CuttingPdfOptions,
 ): Promise<CuttingPdf> {
   const notes: string[] = [];
   const layout = pagesOf(sheet, paper);
   const document = new PdfDocument();
   const resources = new PdfResources(document);
   const {isProjector = false} = paper;
+  const hasGuide = guide !== undefined && !isProjector;
   const unused = new Set<LayerName>([
     ...(isProjector ? (['sew', 'frame'] as const) : (['grid'] as const)),
-    ...(ink === 'full' ? [] : (['print'] as const)),
+    ...(ink === 'outline' ? (['print'] as const) : []),
   ]);
   const layers = Object.fromEntries(
     Object.entries(layerNames).map(([key, name]) => [
@@ -224,27 +248,42 @@ export async function cuttingPdf(
     ]),
   ) as Record<LayerName, string>;
   const cell =
-    ink === 'full'
-      ? await clothCell(resources, print, pixels, (sentence) => notes.push(sentence))
-      : undefined;
+    ink === 'outline' && !hasGuide
+      ? undefined
+      : await clothCell(resources, print, pixels, (sentence) => notes.push(sentence));
   const day = date?.toISOString().slice(0, 10);
-  const words = [sheet.heading, print.title ?? `Print ${print.group}`, ...(day ? [day] : [])];
+  const words = [
+    ...headingWords(sheet),
+    print.title ?? `Print ${print.group}`,
+    ...(day ? [day] : []),
+  ];
   const drawing: Drawing = {
     ...{sheet, layout, resources, layers, mark},
     marks: sheet.pieces.map((piece) =>
       isProjector ? projected(piece.marks) : marksOnPages(piece, layout.pages),
     ),
     cloth: (window) =>
-      cell
-        ? sheet.pieces.map((piece) => clothUnder(resources, cell, piece, window)).join('\n')
+      cell && ink !== 'outline'
+        ? sheet.pieces
+            .map((piece) => clothUnder(resources, cell, piece, {window, isPale: ink === 'pale'}))
+            .join('\n')
         : '',
     foot: words.filter((word) => word !== '').join('  ·  '),
+    count: layout.pages.length + (hasGuide ? guideCount(layout, sheet.pieces) : 0),
   };
   const pages = layout.pages.map((page, k) => ({
     ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: page.name ?? 'Overview'},
     content: () => pageContent(page, k + 1, drawing),
   }));
-  const bytes = await pdfFile(document, resources, pages, {
+  const guided =
+    hasGuide && cell
+      ? guidePages(sheet.pieces, layout, {drawing: {resources, cell}, print, options: guide})
+      : [];
+  const guides = guided.map((content, k) => ({
+    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: 'Placing guide'},
+    content: () => guideContent(content(), layout.pages.length + k + 1, drawing),
+  }));
+  const bytes = await pdfFile(document, resources, [...pages, ...guides], {
     ...{title: sheet.heading, mode: isProjector ? 'UseOC' : 'UseNone'},
     ...(date && {date}),
     outline: (refs) => outlineOf(document, sheet, layout.pages, refs),

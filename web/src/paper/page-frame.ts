@@ -106,7 +106,7 @@ function fitting(text: string, room: number): string {
 
 /** Draws the footer: the file's description and the page number. */
 export function drawFoot(
-  {low, name, window}: SheetPage,
+  {low, name, window}: Pick<SheetPage, 'low' | 'name' | 'window'>,
   words: string,
   number: number,
   count: number,

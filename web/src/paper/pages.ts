@@ -1,13 +1,13 @@
 /** Divides a sheet among pages. Lengths in cm on the sheet, y up. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import type {Point} from '../model/geometry/vectors.js';
-import {seamLetter} from '../model/garment/letters.js';
+import {letters} from '../model/garment/letters.js';
 import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {boxAt, grown, overlap, reachesInto} from './boxes.js';
 import type {Paper} from './papers.js';
 
 export interface SheetPage {
-  /** Row letter and column number; undefined for a page that shows nothing of the sheet. */
+  /** Row number and column letter, as 2A; undefined for a page that shows nothing of the sheet. */
   readonly name?: string;
   readonly row: number;
   readonly column: number;
@@ -35,7 +35,7 @@ export interface PageLayout {
 }
 
 /** Margin that printers cannot reach. */
-const usualMargin = 1;
+export const usualMargin = 1;
 /** Overlap of glued pages. */
 const overlapCm = 1;
 /** Space for the width of lines at the edge of the sheet. */
@@ -105,7 +105,7 @@ function tiling(
       if (isEmpty) empty.push(frame);
       else {
         pages.push({
-          ...{name: `${seamLetter(row)}${column + 1}`, row, column, frame},
+          ...{name: `${row + 1}${letters(column)}`, row, column, frame},
           low: [low[0] - margin, low[1] - margin],
           window: boxAt(low, w, h),
         });

@@ -11,7 +11,7 @@ export interface SheetMap {
   readonly heightCm: number;
   readonly pages: readonly {
     readonly index: number;
-    /** Row letter and column number; null for a page outside the sheet. */
+    /** Row number and column letter, as 2A; null for a page outside the sheet. */
     readonly name: string | null;
     readonly widthCm: number;
     readonly heightCm: number;

@@ -1,85 +1,154 @@
 /**
- * Draws a cell of areas and lines so that no hairline is visible between cells. Viewers draw pixels
- * at the edge of an area half transparent, and stacked areas each let the one below show through.
- * Cells are drawn from left to right and from the bottom up, and each covers the edges of previous
- * cells. Areas on top of others therefore extend beyond the cell, the further the more areas are
- * below. Lengths in cm.
+ * Draws a cell of areas and lines in levels. All cells of a window draw one level before the next,
+ * so an area that crosses the border of cells is covered by nothing but what lies on it. Each cell
+ * extends slightly beyond its borders, so that no hairline is visible between two. Lengths in cm.
  */
-import {boxOf, type Box} from '../model/geometry/polyline.js';
-import type {Point} from '../model/geometry/vectors.js';
+import type {PathStep} from '../files/svg/paths.js';
+import {filledWith, nums, strokedWith} from '../files/pdf/content.js';
+import type {Box} from '../model/geometry/polyline.js';
+import {distance, type Point} from '../model/geometry/vectors.js';
 import {boxAt, grown, overlap, shared} from './boxes.js';
-import {box, filledWith, nums, scoped, strokedWith} from '../files/pdf/content.js';
 import type {Leaf} from './vector-tile.js';
 
 export type Size = readonly [width: number, height: number];
 
-/** Extension of an area on top of another, more than a pixel at close view. */
-const leastReach = 0.02;
-/** Additional extension per further level. */
-const reachStep = 0.01;
+/** Extension beyond the borders, more than a pixel at close view. */
+const usualReach = 0.02;
 /** Greatest extension in a small cell, as a share of its shorter side. */
 const mostShare = 0.25;
-/** Lines this close to an edge of the image are on it, as a share of the side. */
-const onEdge = 1e-4;
+/** Lines this close to a border are on it, as a share of the side. */
+const onBorder = 1e-4;
+/** Further levels are drawn together, which bounds the size of files. */
+const mostLevels = 64;
 
-/** For each leaf, the number of leaves stacked below it. */
-function levelsOf(leaves: readonly Leaf[]): readonly number[] {
-  const levels: number[] = [];
-  leaves.forEach((leaf, k) => {
-    const near = grown(leaf.box, leastReach);
-    const below = levels.map((level, n) =>
-      leaves[n] && overlap(leaves[n].box, near) ? level + 1 : 0,
+/** An area or a line of one colour. */
+interface Part {
+  readonly leaf: Leaf;
+  /** Parts of the same paint may be drawn in any order. */
+  readonly paint: string;
+}
+
+/** Separates areas from their outlines. */
+const partsOf = (leaves: readonly Leaf[]): readonly Part[] =>
+  leaves.flatMap(({fill, stroke, ...leaf}) => [
+    ...(fill ? [{leaf: {...leaf, fill}, paint: `f${String(fill)}`}] : []),
+    ...(stroke ? [{leaf: {...leaf, stroke}, paint: `s${String(stroke.colour)}`}] : []),
+  ]);
+
+const movedBox = ({low, high}: Box, [dx, dy]: Point): Box => ({
+  low: [low[0] + dx, low[1] + dy],
+  high: [high[0] + dx, high[1] + dy],
+});
+
+/** The cell itself and the eight around it. */
+const around: readonly Point[] = [-1, 0, 1].flatMap((i) => [-1, 0, 1].map((j): Point => [i, j]));
+
+/** For each part, the number of levels below it, in its own cell or the one beside it. */
+function levelsOf(parts: readonly Part[], size: Size, reach: number): readonly number[] {
+  const cell = boxAt([0, 0], ...size);
+  const seen = parts.map(({leaf}) => shared(grown(leaf.box, reach), grown(cell, 2 * reach)));
+  const inner = grown(cell, -2 * reach);
+  const isAtBorder = seen.map(
+    ({low, high}) =>
+      low[0] < inner.low[0] ||
+      low[1] < inner.low[1] ||
+      high[0] > inner.high[0] ||
+      high[1] > inner.high[1],
+  );
+  const meets = (k: number, n: number): boolean => {
+    const [one, other] = [seen[k] ?? cell, seen[n] ?? cell];
+    if (overlap(one, other)) return true;
+    return (
+      isAtBorder[k] === true &&
+      isAtBorder[n] === true &&
+      around.some(([i, j]) => overlap(movedBox(one, [i * size[0], j * size[1]]), other))
     );
-    levels[k] = below.reduce((most, level) => Math.max(most, level), 0);
+  };
+  const levels: number[] = [];
+  parts.forEach(({paint}, k) => {
+    let level = 0;
+    levels.forEach((below, n) => {
+      const least = parts[n]?.paint === paint ? below : below + 1;
+      if (least > level && meets(k, n)) level = least;
+    });
+    levels.push(Math.min(level, mostLevels - 1));
   });
   return levels;
 }
 
-/** An edge of the image: left or lower, or right or upper if `isFar`. */
-interface Side {
+/** A border of the cell: left or lower, or right or upper if `isFar`. */
+interface Border {
   readonly axis: 0 | 1;
   readonly isFar: boolean;
 }
 
-const sides: readonly Side[] = ([0, 1] as const).flatMap((axis) =>
+const borders: readonly Border[] = ([0, 1] as const).flatMap((axis) =>
   [false, true].map((isFar) => ({axis, isFar})),
 );
 
-const isNear = (p: Point, {axis, isFar}: Side, size: Size): boolean =>
-  Math.abs(p[axis] - (isFar ? size[axis] : 0)) < onEdge * size[axis];
+const isOn = (p: Point, {axis, isFar}: Border, size: Size): boolean =>
+  Math.abs(p[axis] - (isFar ? size[axis] : 0)) < onBorder * size[axis];
 
-/** Returns whether a leaf ends along an edge rather than at a single point of it. */
-const touches = ({path}: Leaf, side: Side, size: Size): boolean =>
-  path.flatMap(({points}) => points).filter((p) => isNear(p, side, size)).length > 1;
-
-const hasColour = (one: Leaf, other: Leaf): boolean => String(one.fill) === String(other.fill);
-
-/**
- * Extends a leaf beyond the edges where its colour continues, by the greatest extension of cells.
- */
-function runningOn(leaf: Leaf, leaves: readonly Leaf[], size: Size, by: number): Leaf {
-  const open = sides.filter(
-    (side) =>
-      touches(leaf, side, size) &&
-      (side.isFar ||
-        leaves.some(
-          (other) => hasColour(leaf, other) && touches(other, {...side, isFar: true}, size),
-        )),
-  );
-  if (open.length === 0) return leaf;
-  const moved = (p: Point): Point => {
-    const next: [number, number] = [...p];
-    for (const side of open) {
-      if (isNear(p, side, size)) next[side.axis] += side.isFar ? by : -by;
-    }
-    return next;
-  };
-  const path = leaf.path.map((step) => ({...step, points: step.points.map(moved)}));
-  return {...leaf, path, box: boxOf(path.flatMap(({points}) => points))};
+/** The point, moved out of the cell or, by a negative distance, into the one beside it. */
+function beyond(p: Point, {axis, isFar}: Border, by: number): Point {
+  const moved: [number, number] = [...p];
+  moved[axis] += isFar ? by : -by;
+  return moved;
 }
 
-function drawnLeaf({path, fill, stroke, isEvenOdd}: Leaf, [dx, dy]: Point): string {
-  const rule = isEvenOdd ? '*' : '';
+/**
+ * Returns whether the colour of an area continues beyond a border: whether the topmost part there,
+ * among those that the area covers, has its paint.
+ */
+function continues(
+  k: number,
+  ends: readonly [Point, Point],
+  border: Border,
+  {
+    parts,
+    size,
+    reach,
+  }: {readonly parts: readonly Part[]; readonly size: Size; readonly reach: number},
+): boolean {
+  const [from, to] = ends.map((p) => beyond(p, border, -size[border.axis])) as [Point, Point];
+  const inside = beyond(to, border, reach);
+  const strip = {
+    low: [Math.min(from[0], to[0], inside[0]), Math.min(from[1], to[1], inside[1])] as const,
+    high: [Math.max(from[0], to[0], inside[0]), Math.max(from[1], to[1], inside[1])] as const,
+  };
+  const last = parts.findLastIndex(({leaf}, n) => n <= k && overlap(leaf.box, strip));
+  const found = last < 0 ? parts.find(({leaf}) => overlap(leaf.box, strip)) : parts[last];
+  return found?.paint === parts[k]?.paint;
+}
+
+/** Extends an area beyond the borders along which it ends, where its colour continues. */
+function extended(
+  {leaf}: Part,
+  size: Size,
+  reach: number,
+  isOpen: (ends: readonly [Point, Point], border: Border) => boolean,
+): readonly PathStep[] {
+  let start: Point = [0, 0];
+  let at: Point = [0, 0];
+  return leaf.path.flatMap((step) => {
+    const [from, to] = [at, step.kind === 'h' ? start : (step.points.at(-1) ?? at)];
+    at = to;
+    if (step.kind === 'm') {
+      start = to;
+      return [step];
+    }
+    const border = borders.find((one) =>
+      [from, to, ...step.points].every((p) => isOn(p, one, size)),
+    );
+    const isShort = distance(from, to) < onBorder * Math.min(...size);
+    if (!border || isShort || !isOpen([from, to], border)) return [step];
+    const out = [beyond(from, border, reach), beyond(to, border, reach), to];
+    const added = out.map((p): PathStep => ({kind: 'l', points: [p]}));
+    return step.kind === 'h' ? [...added, step] : added;
+  });
+}
+
+function drawnLeaf({path, fill, stroke, isEvenOdd}: Leaf): string {
   return [
     ...(fill ? [filledWith(fill)] : []),
     ...(stroke
@@ -88,80 +157,30 @@ function drawnLeaf({path, fill, stroke, isEvenOdd}: Leaf, [dx, dy]: Point): stri
           `${nums(stroke.width)} w ${stroke.cap} J ${stroke.join} j [${nums(...stroke.dash)}] 0 d`,
         ]
       : []),
-    ...path.map(({kind, points}) =>
-      [...points.map(([x, y]) => nums(x + dx, y + dy)), kind].join(' '),
-    ),
-    stroke ? (fill ? `B${rule}` : 'S') : `f${rule}`,
+    ...path.map(({kind, points}) => [...points.map(([x, y]) => nums(x, y)), kind].join(' ')),
+    stroke ? 'S' : `f${isEvenOdd ? '*' : ''}`,
   ].join('\n');
 }
 
-const movedBox = ({low, high}: Box, [dx, dy]: Point): Box => ({
-  low: [low[0] + dx, low[1] + dy],
-  high: [high[0] + dx, high[1] + dy],
-});
-
-const holds = (outer: Box, inner: Box): boolean =>
-  ([0, 1] as const).every((k) => outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k]);
-
-/** Draws a leaf clipped to a box. */
-function within(seen: Box, leaf: Leaf, shift: Point): string {
-  const drawn = drawnLeaf(leaf, shift);
-  if (holds(seen, movedBox(leaf.box, shift))) return drawn;
-  const [width, height] = [seen.high[0] - seen.low[0], seen.high[1] - seen.low[1]];
-  return scoped(box(seen.low, width, height), 'W n', drawn);
-}
-
-/** Offsets of the previous cells whose edges this cell covers. */
-const before: readonly Point[] = [
-  [-1, 0],
-  [0, -1],
-  [-1, -1],
-];
-
-/** The content of a cell, and its greatest extension. */
-export function drawnGroup(
+/** The contents of a cell by level, from the lowest, and their extension beyond its borders. */
+export function drawnLevels(
   leaves: readonly Leaf[],
   size: Size,
-): {readonly content: string; readonly reach: number} {
-  const levels = levelsOf(leaves);
-  const highest = levels.reduce((most, level) => Math.max(most, level), 0);
-  const scale = Math.min(
-    1,
-    (mostShare * Math.min(...size)) / (leastReach + reachStep * (highest + 1)),
-  );
-  const reachOf = (level: number): number =>
-    level === 0 ? 0 : scale * (leastReach + reachStep * (level - 1));
-  const far = scale * (leastReach + reachStep * highest);
-  const drawn = leaves.map((leaf) => runningOn(leaf, leaves, size, far));
-  const seenOf = (level: number): Box => {
-    const reach = reachOf(level);
-    return {low: [-reach, -reach], high: [size[0] + far, size[1] + far]};
-  };
-  /** Returns whether a lower leaf covers the edge of a previous cell at this place. */
-  const isCovered = (place: Box, level: number): boolean =>
-    drawn.some((other, k) => {
-      const below = levels[k] ?? 0;
-      return below > 0 && below < level && overlap(shared(other.box, seenOf(below)), place);
-    });
-  const parts = drawn.flatMap((leaf, k) => {
-    const level = levels[k] ?? 0;
-    const seen = seenOf(level);
-    const original = leaves[k] ?? leaf;
-    const again = before.flatMap(([i, j]) => {
-      const shift: Point = [i * size[0], j * size[1]];
-      const place = shared(shared(seen, boxAt(shift, ...size)), movedBox(original.box, shift));
-      const isSeen = place.low[0] < place.high[0] && place.low[1] < place.high[1];
-      // a leaf that continues on the opposite side is already there
-      const runsThrough = sides.some(
-        ({axis}) =>
-          (axis === 0 ? i : j) !== 0 &&
-          [false, true].every((isFar) => touches(original, {axis, isFar}, size)),
-      );
-      return isSeen && !runsThrough && isCovered(place, level)
-        ? [within(shared(seen, boxAt(shift, ...size)), original, shift)]
-        : [];
-    });
-    return [...again, ...(overlap(leaf.box, seen) ? [within(seen, leaf, [0, 0])] : [])];
+): {readonly levels: readonly string[]; readonly reach: number} {
+  const reach = Math.min(usualReach, mostShare * Math.min(...size));
+  const parts = partsOf(leaves);
+  const contents: string[][] = [];
+  const cell = grown(boxAt([0, 0], ...size), reach);
+  const levels = levelsOf(parts, size, reach);
+  parts.forEach((part, k) => {
+    const {leaf} = part;
+    if (!overlap(leaf.box, cell)) return;
+    const path = leaf.fill
+      ? extended(part, size, reach, (ends, border) =>
+          continues(k, ends, border, {parts, size, reach}),
+        )
+      : leaf.path;
+    (contents[levels[k] ?? 0] ??= []).push(drawnLeaf({...leaf, path}));
   });
-  return {content: parts.join('\n'), reach: far};
+  return {levels: Object.values(contents).map((drawn) => drawn.join('\n')), reach};
 }

@@ -1,9 +1,9 @@
 /**
- * Moves the text of pieces off page joints, if the piece has room for it on one page. Lengths in
- * cm.
+ * Moves texts of pieces off page joints: the name to where the piece has room for it on one page,
+ * others by the shortest way. Lengths in cm.
  */
 import type {CutMark, CutText, LaidPiece} from '../cutting/cut-sheet.js';
-import {distance, middle, type Point} from '../model/geometry/vectors.js';
+import {distance, middle, plus, type Point} from '../model/geometry/vectors.js';
 import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 import {boxAt, crossesInto, grown, overlap, shared} from './boxes.js';
 import {boxOfMark} from './draw-marks.js';
@@ -13,6 +13,10 @@ import type {SheetPage} from './pages.js';
 const step = 0.5;
 /** Least distance from joints and other marks. */
 const clear = 0.3;
+/** Least distance from joints without room in the piece. */
+const edge = 0.1;
+/** Scale of text where it has no room at its size. */
+const smaller = 0.6;
 
 const within = (inner: Box, outer: Box): boolean =>
   inner.low[0] >= outer.low[0] &&
@@ -57,23 +61,50 @@ export function placeIn(
   return best;
 }
 
-/** The marks of a piece, with its text moved off page joints. */
+/** Texts with fewer lines and smaller letters, for pieces without room for all. */
+const shorter = (mark: CutText): readonly CutText[] =>
+  mark.lines.flatMap((_, k) =>
+    [1, smaller].map((scale) => ({
+      ...mark,
+      lines: mark.lines.slice(0, mark.lines.length - k),
+      sizeMm: scale * mark.sizeMm,
+    })),
+  );
+
+/** The text, moved into a frame by the shortest way, wherever that is. */
+function pushedInto(frame: Box, mark: CutText): CutText {
+  const {low, high} = boxOfMark(mark);
+  const room = grown(frame, -edge);
+  const shift = ([0, 1] as const).map((axis) =>
+    Math.max(room.low[axis] - low[axis], Math.min(0, room.high[axis] - high[axis])),
+  );
+  return {...mark, at: plus(mark.at, [shift[0] ?? 0, shift[1] ?? 0])};
+}
+
+const nearestTo = ({at}: CutText, places: readonly CutText[]): CutText | undefined =>
+  [...places].sort((a, b) => distance(a.at, at) - distance(b.at, at))[0];
+
+/** The marks of a piece, with its texts moved off page joints. */
 export function marksOnPages(piece: LaidPiece, pages: readonly SheetPage[]): readonly CutMark[] {
   const {marks} = piece;
+  const around = boxOf(piece.cut[0] ?? []);
+  const frames = pages.map(({frame}) => frame).filter((frame) => overlap(frame, around));
   return marks.map((mark): CutMark => {
-    if (mark.kind !== 'text' || mark.layer !== 'words') return mark;
+    if (mark.kind !== 'text') return mark;
     const box = boxOfMark(mark);
-    const frames = pages.map(({frame}) => frame);
     if (frames.some((frame) => within(box, frame))) return mark;
     const others = marks.flatMap((other) =>
       other.layer === 'cut' || other.layer === 'sew' || other === mark ? [] : [boxOfMark(other)],
     );
-    const around = boxOf(piece.sewn[0] ?? []);
-    const [nearest] = frames
-      .filter((frame) => overlap(frame, around))
-      .map((frame) => placeIn(frame, mark, piece, others))
-      .filter((at) => at !== undefined)
-      .sort((a, b) => distance(a, mark.at) - distance(b, mark.at));
-    return nearest ? {...mark, at: nearest} : mark;
+    for (const text of mark.layer === 'words' ? shorter(mark) : []) {
+      const places = frames.flatMap((frame): CutText[] => {
+        const at = placeIn(frame, text, piece, others);
+        return at ? [{...text, at}] : [];
+      });
+      const nearest = nearestTo(mark, places);
+      if (nearest) return nearest;
+    }
+    const pushed = frames.map((frame) => pushedInto(frame, mark));
+    return nearestTo(mark, pushed) ?? mark;
   });
 }

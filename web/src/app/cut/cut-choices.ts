@@ -4,6 +4,7 @@ import type {ChosenAllowances} from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {fieldOf} from '../../model/base/read.js';
 import type {Units} from '../../model/base/length-text.js';
+import {printInks, type PrintInk} from '../../cutting/print-ink.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 
 export const cutFileKinds: readonly CutFileKind[] = ['pdf', 'svg', 'dxf', 'plt'];
@@ -17,8 +18,9 @@ interface FileChoices {
   readonly file: CutFileKind;
   /** Name in `paper/papers`. */
   readonly paper: string;
-  /** `full`: pieces filled with the print; `outline`: lines only. */
-  readonly ink: 'full' | 'outline';
+  readonly ink: PrintInk;
+  /** Adds a placing guide to a PDF. */
+  readonly guide: boolean;
 }
 
 /** The fabric layout uses the same allowances. */
@@ -27,14 +29,15 @@ export interface CutChoices extends FileChoices, ChosenAllowances {}
 const key = 'seamwise.cut';
 
 const usual: Readonly<Record<Units, FileChoices>> = {
-  cm: {file: 'pdf', paper: 'a4', ink: 'full'},
-  inch: {file: 'pdf', paper: 'letter', ink: 'full'},
+  cm: {file: 'pdf', paper: 'a4', ink: 'full', guide: false},
+  inch: {file: 'pdf', paper: 'letter', ink: 'full', guide: false},
 };
 
 const isRight: {readonly [Name in keyof FileChoices]: (value: unknown) => boolean} = {
   file: (value) => (cutFileKinds as readonly unknown[]).includes(value),
   paper: (value) => (papers as readonly unknown[]).includes(value),
-  ink: (value) => value === 'full' || value === 'outline',
+  guide: (value) => typeof value === 'boolean',
+  ink: (value) => (printInks as readonly unknown[]).includes(value),
 };
 
 function storedFileChoices(units: Units): FileChoices {
@@ -58,8 +61,8 @@ export const storedChoices = ({preferences: {chosen}}: Workbench): CutChoices =>
 /** Stores the settings except defaults, which follow the units. */
 export function keepChoices(choices: CutChoices, workbench: Workbench): void {
   const {units} = workbench.preferences.chosen;
-  const {file, paper, ink} = choices;
-  const chosen = Object.entries({file, paper, ink}).filter(
+  const {file, paper, ink, guide} = choices;
+  const chosen = Object.entries({file, paper, ink, guide}).filter(
     ([name, value]) => value !== usual[units][name as keyof FileChoices],
   );
   try {

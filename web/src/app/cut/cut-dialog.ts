@@ -2,171 +2,22 @@
  * Dialog for a cutting sheet: format, paper and allowances, with a preview of the pages before the
  * file is made.
  */
-import {html, nothing, svg, type TemplateResult} from 'lit';
+import {html, type TemplateResult} from 'lit';
 
 import {controls} from '../../editor/style/controls.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
-import {lengthUnit, type NumberField} from '../../editor/controls/number-field.js';
+import type {NumberField} from '../../editor/controls/number-field.js';
 import {wantSize} from '../../editor/print/size-wanted.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {cutTexts, type CutTexts} from '../../texts/cut-texts.js';
-import {cutFileKinds, keepChoices, papers, storedChoices, type CutChoices} from './cut-choices.js';
+import {keepChoices, storedChoices, type CutChoices} from './cut-choices.js';
 import {cutFile, cutPlan, type CutPlan} from './cut-job.js';
+import {cutSettings} from './cut-settings.js';
+import {pageMap} from './page-map.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {cutStyle} from './cut-style.js';
-import {greatestAllowance} from '../../cutting/allowance-rule.js';
-import type {Units} from '../../model/base/length-text.js';
-import {paperOf} from '../../paper/papers.js';
-import type {Format} from '../../texts/format.js';
-import type {Texts} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import type {Point} from '../../model/geometry/vectors.js';
-
-/** Controls for the settings of a cutting sheet. */
-interface Shown {
-  readonly choices: CutChoices;
-  /** Undefined until there is one. */
-  readonly plan: CutPlan | undefined;
-  readonly words: CutTexts;
-  readonly texts: Texts;
-  readonly format: Format;
-  readonly units: Units;
-  readonly choose: (change: Partial<CutChoices>) => void;
-}
-
-function filePart({choices, words, choose}: Shown): TemplateResult {
-  return html`<div class="file">
-    <h3 id="file">${words.file}</h3>
-    <div class="files" role="group" aria-labelledby="file" aria-describedby="for">
-      ${cutFileKinds.map(
-        (file) =>
-          html`<button
-            class="outlined"
-            aria-pressed=${file === choices.file}
-            @click=${() => {
-              choose({file});
-            }}
-          >
-            ${words.files[file]}
-          </button>`,
-      )}
-    </div>
-    <p id="for" class="soft">${words.fileNotes[choices.file]}</p>
-  </div>`;
-}
-
-function paperPart(shown: Shown): TemplateResult {
-  const {choices, words, choose} = shown;
-  return html`<label>
-    ${words.paper}
-    <select
-      @change=${({target}: Event) => {
-        choose({paper: (target as HTMLSelectElement).value});
-      }}
-    >
-      ${papers.map(
-        (paper) =>
-          html`<option value=${paper} ?selected=${paper === choices.paper}>
-            ${called(paper, shown)}
-          </option>`,
-      )}
-    </select>
-  </label>`;
-}
-
-/** Returns the paper's name with its size, if it has one. */
-function called(paper: string, {words, format}: Shown): string {
-  if (paper === 'projector') return words.projector;
-  const {name = '', widthCm = 0, heightCm} = paperOf(paper) ?? {};
-  if (heightCm === undefined) return words.roll;
-  return words.each(name, words.extent(format.length(widthCm), format.length(heightCm)));
-}
-
-function lengthPart(
-  name: 'allowanceCm' | 'hemCm',
-  label: (unit: string) => string,
-  {choices, format, texts, units, choose}: Shown,
-): TemplateResult {
-  const {cm, name: unit} = lengthUnit[units];
-  return html`<sw-number-field
-    .label=${label(unit)}
-    .value=${choices[name] / cm}
-    .least=${0}
-    .most=${greatestAllowance / cm}
-    .step=${0.1}
-    .fractions=${units === 'inch'}
-    .digits=${3}
-    .wrong=${texts.controls.between(format.length(0), format.length(greatestAllowance))}
-    @entered=${({detail}: CustomEvent<number>) => {
-      choose({[name]: detail * cm});
-    }}
-  ></sw-number-field>`;
-}
-
-/** Note that pieces with their own allowances ignore the fields. */
-function ownPart({plan, words}: Shown): TemplateResult | typeof nothing {
-  const {ownAllowances = 'none'} = plan ?? {};
-  if (ownAllowances === 'none') return nothing;
-  return html`<p class="soft" role="status">${words.ownAllowances[ownAllowances]}</p>`;
-}
-
-/** Checkbox for the print; cutters and plotters accept lines only. */
-function inkPart({choices, words, choose}: Shown): TemplateResult | typeof nothing {
-  if (choices.file === 'dxf' || choices.file === 'plt') return nothing;
-  return html`<label class="inline">
-    <input
-      type="checkbox"
-      .checked=${choices.ink === 'full'}
-      @change=${({target}: Event) => {
-        choose({ink: (target as HTMLInputElement).checked ? 'full' : 'outline'});
-      }}
-    />
-    ${words.print}
-  </label>`;
-}
-
-const cutSettings = (shown: Shown): TemplateResult =>
-  html`${filePart(shown)} ${shown.choices.file === 'pdf' ? paperPart(shown) : nothing}
-    <div class="lengths">
-      ${lengthPart('allowanceCm', shown.words.allowance, shown)}
-      ${lengthPart('hemCm', shown.words.hem, shown)} ${ownPart(shown)}
-    </div>
-    ${inkPart(shown)}`;
-
-/** Preview of the layout of pages and pieces, before a file is made. */
-const short = (value: number): string => String(Number(value.toFixed(1)));
-const line = (points: readonly Point[]): string =>
-  `M${points.map(([x, y]) => `${short(x)} ${short(-y)}`).join('L')}Z`;
-
-/** Margin around all pages. [share of the longer side] */
-const rim = 0.01;
-
-function pageMap({widthCm, heightCm, outlines, pages}: CutPlan, label: string) {
-  const boxes = pages?.boxes ?? [{low: [0, 0] as const, high: [widthCm, heightCm] as const}];
-  const left = Math.min(...boxes.map(({low}) => low[0]));
-  const right = Math.max(...boxes.map(({high}) => high[0]));
-  const low = Math.min(...boxes.map((box) => box.low[1]));
-  const high = Math.max(...boxes.map((box) => box.high[1]));
-  const margin = rim * Math.max(right - left, high - low);
-  const view = [left - margin, -high - margin, right - left + 2 * margin, high - low + 2 * margin];
-  return html`<svg class="map" viewBox=${view.map(short).join(' ')} role="img" aria-label=${label}>
-    ${boxes.map(
-      (box) =>
-        svg`<rect class="page" x=${short(box.low[0])} y=${short(-box.high[1])}
-          width=${short(box.high[0] - box.low[0])} height=${short(box.high[1] - box.low[1])}></rect>`,
-    )}
-    <path class="pieces" d=${outlines.map(line).join('')}></path>
-    ${boxes.length < 2 ? nothing : (pages?.boxes ?? []).map(nameOn)}
-  </svg>`;
-}
-
-/** Page name in the upper left corner, at the same place as on paper. */
-function nameOn({name, low, high}: NonNullable<CutPlan['pages']>['boxes'][number]): TemplateResult {
-  const size = 0.22 * Math.min(high[0] - low[0], high[1] - low[1]);
-  return svg`<text x=${short(low[0] + size / 2)} y=${short(-high[1] + 1.2 * size)}
-    font-size=${short(size)}>${name}</text>`;
-}
 
 /** Receives a file and the ending of its name. */
 type Saver = (ending: string, content: Blob) => void;
@@ -295,10 +146,11 @@ class CutDialog extends WorkbenchElement {
     const {words} = this;
     const sheet = words.sheet(this.#extent(widthCm, heightCm));
     if (!pages) return html`<b>${sheet}</b>`;
-    const {boxes, widthCm: across, heightCm: up} = pages;
+    const {boxes, guides, widthCm: across, heightCm: up} = pages;
     const size = this.#extent(across, up);
-    return html`<b>${words.pages(boxes.length)}</b>, ${size}<br /><span class="soft"
-        >${sheet}</span
+    const soft = guides === 0 ? sheet : `${words.withGuide(guides)} · ${sheet}`;
+    return html`<b>${words.pages(boxes.length + guides)}</b>, ${size}<br /><span class="soft"
+        >${soft}</span
       >`;
   }
 

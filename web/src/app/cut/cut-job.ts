@@ -24,6 +24,8 @@ export interface CutPlan {
     readonly widthCm: number;
     readonly heightCm: number;
     readonly boxes: readonly (Box & {readonly name?: string})[];
+    /** Number of further pages of a placing guide. */
+    readonly guides: number;
   };
 }
 

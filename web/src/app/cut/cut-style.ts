@@ -28,7 +28,13 @@ export const cutStyle = css`
     grid-template-columns: repeat(4, minmax(0, 1fr));
     gap: var(--sw-space-1);
   }
-  .files button {
+  .inks {
+    display: grid;
+    grid-template-columns: repeat(3, minmax(0, 1fr));
+    gap: var(--sw-space-1);
+  }
+  .files button,
+  .inks button {
     padding: 0 var(--sw-space-1);
   }
   .file {

@@ -2,20 +2,23 @@
 import {cutSheet} from '../../cutting/lay-sheet.js';
 import type {CutSheet} from '../../cutting/cut-sheet.js';
 import {cutFile} from '../../paper/cut-file.js';
+import {guideCount} from '../../paper/guide/guide-pages.js';
 import {pagesOf} from '../../paper/cutting-pdf.js';
 import {paperOf} from '../../paper/papers.js';
 import {serve} from '../worker/serve.js';
 import type {CutPlan, Question} from './cut-job.js';
 
-function planOf(sheet: CutSheet, {choices: {file, paper: name}}: Question): CutPlan {
+function planOf(sheet: CutSheet, {choices: {file, paper: name, guide}}: Question): CutPlan {
   const {widthCm, heightCm, pieces, ownAllowances} = sheet;
   const paper = file === 'pdf' ? paperOf(name) : undefined;
   const outlines = pieces.flatMap(({cut}) => cut);
   const plan = {widthCm, heightCm, outlines, ownAllowances};
   if (!paper) return plan;
-  const {pages, ...page} = pagesOf(sheet, paper);
+  const layout = pagesOf(sheet, paper);
+  const {pages, widthCm: across, heightCm: up} = layout;
   const boxes = pages.map(({window, name}) => ({...window, ...(name !== undefined && {name})}));
-  return {...plan, pages: {widthCm: page.widthCm, heightCm: page.heightCm, boxes}};
+  const guides = guide && !paper.isProjector ? guideCount(layout, sheet.pieces) : 0;
+  return {...plan, pages: {widthCm: across, heightCm: up, boxes, guides}};
 }
 
 serve(async (asked, request) => {
@@ -25,5 +28,6 @@ serve(async (asked, request) => {
   if (kind === 'plan') return planOf(sheet, question);
   const pixels = async (width: number, height: number) =>
     (await request({width, height})) as Uint8Array<ArrayBuffer> | undefined;
-  return cutFile(sheet, print, {...choices, pixels});
+  const {file, paper, ink, guide} = choices;
+  return cutFile(sheet, print, {file, paper, ink, pixels, ...(guide && {guide: options})});
 });

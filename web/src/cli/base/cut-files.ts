@@ -6,6 +6,7 @@ import type {Print} from '../../model/print/repeating-print.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {addressFrom, readAddress, type ReadingLimits} from '../../node/addresses.js';
 import {readGarment} from '../../node/index.js';
+import type {PrintInk} from '../../cutting/print-ink.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
 import {fetchTile} from './print-files.js';
 
@@ -18,7 +19,9 @@ export interface CutWish {
   /** Hem allowance. Default: the seam allowance if stated, otherwise 3. */
   readonly hem?: number;
   /** Default full. */
-  readonly ink?: 'full' | 'outline';
+  readonly ink?: PrintInk;
+  /** Adds a placing guide to a PDF. Default false. */
+  readonly guide?: boolean;
 }
 
 /** A result with the data of its garment file and its design. */
@@ -52,7 +55,7 @@ async function marksOf({garment: {text, name, size}, decisions}: CutAnswer): Pro
 export async function cutFiles(
   answer: CutAnswer,
   kinds: readonly CutFileKind[],
-  {paper = 'a4', allowance, hem, ink = 'full'}: CutWish,
+  {paper = 'a4', allowance, hem, ink = 'full', guide = false}: CutWish,
 ): Promise<readonly (string | Uint8Array)[]> {
   const {result, address, limits = {}, plain = [], mark} = answer;
   const tile = await fetchTile(answer.print, address, limits);
@@ -66,6 +69,13 @@ export async function cutFiles(
     raster === undefined
       ? undefined
       : new Uint8Array(await readAddress(addressFrom(address, raster), limits));
-  const options = {paper, ink, pixels, ...(mark !== undefined && {mark})};
+  const units = {units: 'cm'} as const;
+  const options = {
+    paper,
+    ink,
+    pixels,
+    ...(guide && {guide: units}),
+    ...(mark !== undefined && {mark}),
+  };
   return Promise.all(kinds.map((file) => cutFile(sheet, print, {file, ...options})));
 }

@@ -21,6 +21,7 @@ import {sha256Of} from '../../model/documents/result-text.js';
 import {packageVersion} from '../../model/base/version.js';
 import {addressFrom} from '../../node/addresses.js';
 import {paperOf} from '../../paper/papers.js';
+import {printInks} from '../../cutting/print-ink.js';
 import {greatestAllowance} from '../../cutting/allowance-rule.js';
 import type {CutWish} from '../base/cut-files.js';
 import {layFields, type LayWish} from '../base/lay-wish.js';
@@ -81,7 +82,7 @@ const paper: Read<string> = (value, at) =>
 const allowance = number(0, greatestAllowance);
 const cutFields: Read<CutWish> = shape(
   {},
-  {paper, allowance, hem: allowance, ink: oneOf(['full', 'outline'])},
+  {paper, allowance, hem: allowance, ink: oneOf(printInks), guide: flag},
 );
 
 const fields = shape(

@@ -1,5 +1,6 @@
 /** Pictures and cutting sheets of a pattern, in the requested format. */
 import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
+import type {PrintInk} from '../../cutting/print-ink.js';
 import {SolverError} from '../../model/result/failure.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
@@ -41,8 +42,16 @@ export interface BlobRequest {
   readonly allowance?: number | undefined;
   /** Hem allowance. Default: the seam allowance if stated, otherwise 3. [cm] */
   readonly hem?: number | undefined;
-  /** Fills the pieces of a cutting sheet with the print, or draws lines only. Default full. */
-  readonly ink?: 'full' | 'outline' | undefined;
+  /**
+   * Fills the pieces of a cutting sheet with the print, with a pale print to save ink (`pale`), or
+   * draws lines only (`outline`). Default full.
+   */
+  readonly ink?: PrintInk | undefined;
+  /**
+   * Adds pages to a PDF that help to place the pieces on fabric that is printed already. Default
+   * false.
+   */
+  readonly guide?: boolean | undefined;
   /**
    * True for one repeat of the print in its size, for a print shop: PNG, or SVG if `type` is
    * `image/svg+xml`. Default false.
@@ -81,7 +90,7 @@ const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
  */
 async function cutFileFor(
   workbench: Workbench,
-  {type = '', paper = 'a4', allowance, hem, ink = 'full'}: BlobRequest,
+  {type = '', paper = 'a4', allowance, hem, ink = 'full', guide = false}: BlobRequest,
   {garment}: Texts,
 ): Promise<Blob | undefined> {
   const file = Object.hasOwn(cutTypes, type) ? cutTypes[type] : undefined;
@@ -92,7 +101,7 @@ async function cutFileFor(
   }
   const {cutHere} = await import('../../workbench/cutting/cut-material.js');
   try {
-    const request = {file, paper, ink, ...rule};
+    const request = {file, paper, ink, guide, ...rule};
     const content = await cutHere(workbench, request);
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {

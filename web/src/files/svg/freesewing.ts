@@ -11,6 +11,7 @@ import type {Found} from './generic.js';
 import type {Line} from './lines.js';
 import {areaOf, chained, pointsOf, rimOf} from './outlines.js';
 import {classesOf} from './styles.js';
+import {hrefOf} from './values.js';
 import type {Drawn, DrawnText, Sheet} from './walk.js';
 import type {XmlElement} from '../base/xml.js';
 
@@ -114,7 +115,7 @@ function pieceOf(
     notches: symbols.flatMap(({of, at}) => notchAt(of, at, rim)),
     ...(grainLine && {grain: ends(grainLine)}),
     ...(fold && {fold: ends(fold)}),
-    internalLines: internalLines(drawn, line, rim),
+    ...linesInside(drawn, line, rim, texts),
     drillHoles: symbols.filter(({of}) => /^(?:button|snap|eyelet)/.test(of)).map(({at}) => at),
     words,
   };
@@ -154,26 +155,60 @@ function nameOf(part: XmlElement, texts: readonly DrawnText[]): string {
   // a title without a translation is a key
   const isKey = titled === '' || /^[a-z]+[A-Z]/.test(titled) || titled.includes(':');
   const named = isKey ? idOf(part).replace(/^.*[-.]/, '') : titled;
-  return /\s/.test(named) ? named : named.replaceAll(/(?<=[a-z])(?=[A-Z])/g, ' ').toLowerCase();
+  return inWords(named);
 }
+
+/** A name of the program, such as `waistLine`, in words. */
+const inWords = (name: string): string =>
+  /\s/.test(name) ? name : name.replaceAll(/(?<=[a-z])(?=[A-Z])/g, ' ').toLowerCase();
 
 /** Length below which lines are ticks. [mm] */
 const shortest = 10;
 
-/** Other lines inside a piece: darts, folds and button positions. */
-function internalLines(
+/** The text that is written along a line, without its repetitions, such as `waist line`. */
+function writtenAlong(line: XmlElement, texts: readonly DrawnText[]): string | undefined {
+  const along = texts.find(({element}) =>
+    element.children.some(
+      (one) =>
+        typeof one !== 'string' && one.name === 'textPath' && hrefOf(one) === `#${idOf(line)}`,
+    ),
+  );
+  const words = along?.lines.join(' ').split(' ') ?? [];
+  const period = words.findIndex(
+    (_, k) => k > 0 && words.every((word, n) => word === words[n % k]),
+  );
+  const name = words.slice(0, period < 0 ? undefined : period).join(' ');
+  return name === '' ? undefined : inWords(name.replace(/^.*:/, ''));
+}
+
+/**
+ * Other lines inside a piece, with their names: darts, folds and button positions. Hidden lines
+ * count if text is written along them.
+ */
+function linesInside(
   drawn: readonly Drawn[],
   outline: Line,
   rim: readonly Point[],
-): (readonly Point[])[] {
-  const shown = drawn.filter(
-    ({element}) =>
-      !hasClass(element, 'sa', 'hidden', 'scalebox') && !element.attributes.has('marker-start'),
-  );
-  return chained(shown.flatMap(({lines}) => lines))
+  texts: readonly DrawnText[],
+): Pick<DrawnPiece, 'internalLines' | 'lineNames'> {
+  const isShown = (element: XmlElement, name: string | undefined): boolean =>
+    !hasClass(element, 'sa', 'scalebox') &&
+    !element.attributes.has('marker-start') &&
+    (name !== undefined || !hasClass(element, 'hidden'));
+  const shown = drawn.flatMap(({element, lines}) => {
+    const name = writtenAlong(element, texts);
+    return isShown(element, name) ? lines.map((line) => ({line, name})) : [];
+  });
+  const unnamed = shown.flatMap(({line, name}) => (name === undefined ? [line] : []));
+  const joined = chained(unnamed).map(({line}) => ({line, name: undefined}));
+  const found = [...joined, ...shown.filter(({name}) => name !== undefined)]
     .filter(({line}) => line.start !== outline.start || !line.isClosed)
-    .map(({line}) => pointsOf(line))
-    .filter((line) => lengthOf(line) >= shortest && isInside(rim, atShare(line, 0.5).at));
+    .map(({line, name}) => ({points: pointsOf(line), name}))
+    .filter(({points}) => lengthOf(points) >= shortest && isInside(rim, atShare(points, 0.5).at));
+  return {
+    internalLines: found.map(({points}) => points),
+    lineNames: found.map(({name}) => name),
+  };
 }
 
 /** The material of an outline, by its class or that of its cut line. */

@@ -106,7 +106,7 @@ function drawnFabric(
       `${line(around, true)}\nW n`,
       onLayer(
         layers.print,
-        cell ? clothUnder(resources, cell, cloth, window) : '',
+        cell ? clothUnder(resources, cell, cloth, {window}) : '',
         veil(outside.loops, outside.opacity),
         veil(inside.loops, inside.opacity),
       ),

@@ -38,6 +38,8 @@ export interface DrawnPiece {
   /** Axis of a half piece, along which the fabric is folded. */
   readonly fold?: readonly [Point, Point];
   readonly internalLines: readonly (readonly Point[])[];
+  /** Names of internal lines by their numbers, if the file states any. */
+  readonly lineNames?: readonly (string | undefined)[];
   readonly drillHoles: readonly Point[];
   readonly words: readonly string[];
   /** The reason why the piece may be none, and is left out unless it is chosen. */

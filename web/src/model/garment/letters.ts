@@ -3,13 +3,13 @@
  * sheet.
  */
 
-/**
- * Letter of a seam by its number: A, B, ... Z, AA, AB, ... Edges with the same letter are sewn
- * together.
- */
-export const seamLetter = (number: number): string =>
-  (number >= 26 ? seamLetter(Math.floor(number / 26) - 1) : '') +
+/** Numbers from 0 as letters: A, B, ... Z, AA, AB, ... */
+export const letters = (number: number): string =>
+  (number >= 26 ? letters(Math.floor(number / 26) - 1) : '') +
   String.fromCharCode(65 + (number % 26));
+
+/** Letter of a seam by its number. Edges with the same letter are sewn together. */
+export const seamLetter = letters;
 
 /** Letters that no seam has, so that a mirrored pair is not mistaken for a seam. */
 const pairLetters = 'αβγδεζηθικλμνξοπρστυφχψω';
