@@ -61,8 +61,9 @@ export interface Cut {
   readonly pdf: () => Promise<Pick<CuttingPdf, 'bytes' | 'notes'>>;
   /** All pieces on one sheet, at true scale. */
   readonly svg: () => string;
-  /** For CAD programs and cutters: AAMA DXF and HP-GL. */
+  /** For CAD programs and cutters: AAMA or ASTM DXF. */
   readonly dxf: (options?: DxfOptions) => string;
+  /** For plotters. */
   readonly hpgl: () => string;
 }
 

@@ -1,4 +1,5 @@
 /** Files of a layout. */
+import type {DxfFormat} from '../files/dxf/dxf-format.js';
 import {drawPlanSvg} from '../marker/draw/draw-plan-svg.js';
 import {planDxf} from '../marker/draw/plan-dxf.js';
 import {planPdf, type PlanPdf} from '../marker/draw/plan-pdf.js';
@@ -29,7 +30,7 @@ export interface LayPlanFiles {
    */
   readonly pdf: (scale?: 10 | 1) => Promise<PlanPdf>;
   /** For CAD programs and cutters. */
-  readonly dxf: () => string;
+  readonly dxf: (format?: DxfFormat) => string;
 }
 
 export function layPlanFilesOf(plan: LayPlan, settings: LayPlanSettings): LayPlanFiles {
@@ -40,6 +41,6 @@ export function layPlanFilesOf(plan: LayPlan, settings: LayPlanSettings): LayPla
     svg: () => drawPlanSvg(plan, options),
     pdf: (scale = 10) =>
       planPdf(plan, {...options, scale, ...(date && {date}), ...(pixels && {pixels})}),
-    dxf: () => planDxf(plan, known),
+    dxf: (format) => planDxf(plan, {...known, ...format}),
   };
 }

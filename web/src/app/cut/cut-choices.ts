@@ -3,6 +3,7 @@ import {allowancesIn, withAllowances} from '../../workbench/allowances.js';
 import type {ChosenAllowances} from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {fieldOf} from '../../model/base/read.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
 import type {Units} from '../../model/base/length-text.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 
@@ -19,6 +20,8 @@ interface FileChoices {
   readonly paper: string;
   /** `full`: pieces filled with the print; `outline`: lines only. */
   readonly ink: 'full' | 'outline';
+  readonly dxfStyle: DxfStyle;
+  readonly dxfUnit: DxfUnit;
 }
 
 /** The fabric layout uses the same allowances. */
@@ -27,14 +30,16 @@ export interface CutChoices extends FileChoices, ChosenAllowances {}
 const key = 'seamwise.cut';
 
 const usual: Readonly<Record<Units, FileChoices>> = {
-  cm: {file: 'pdf', paper: 'a4', ink: 'full'},
-  inch: {file: 'pdf', paper: 'letter', ink: 'full'},
+  cm: {file: 'pdf', paper: 'a4', ink: 'full', dxfStyle: 'aama', dxfUnit: 'mm'},
+  inch: {file: 'pdf', paper: 'letter', ink: 'full', dxfStyle: 'aama', dxfUnit: 'mm'},
 };
 
 const isRight: {readonly [Name in keyof FileChoices]: (value: unknown) => boolean} = {
   file: (value) => (cutFileKinds as readonly unknown[]).includes(value),
   paper: (value) => (papers as readonly unknown[]).includes(value),
   ink: (value) => value === 'full' || value === 'outline',
+  dxfStyle: (value) => (dxfStyles as readonly unknown[]).includes(value),
+  dxfUnit: (value) => (dxfUnits as readonly unknown[]).includes(value),
 };
 
 function storedFileChoices(units: Units): FileChoices {
@@ -58,8 +63,8 @@ export const storedChoices = ({preferences: {chosen}}: Workbench): CutChoices =>
 /** Stores the settings except defaults, which follow the units. */
 export function keepChoices(choices: CutChoices, workbench: Workbench): void {
   const {units} = workbench.preferences.chosen;
-  const {file, paper, ink} = choices;
-  const chosen = Object.entries({file, paper, ink}).filter(
+  const {file, paper, ink, dxfStyle, dxfUnit} = choices;
+  const chosen = Object.entries({file, paper, ink, dxfStyle, dxfUnit}).filter(
     ([name, value]) => value !== usual[units][name as keyof FileChoices],
   );
   try {

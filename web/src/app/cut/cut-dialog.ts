@@ -16,6 +16,7 @@ import {cutFile, cutPlan, type CutPlan} from './cut-job.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {cutStyle} from './cut-style.js';
 import {greatestAllowance} from '../../cutting/allowance-rule.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
 import type {Units} from '../../model/base/length-text.js';
 import {paperOf} from '../../paper/papers.js';
 import type {Format} from '../../texts/format.js';
@@ -54,6 +55,40 @@ function filePart({choices, words, choose}: Shown): TemplateResult {
     </div>
     <p id="for" class="soft">${words.fileNotes[choices.file]}</p>
   </div>`;
+}
+
+/** Dialect and unit of a DXF file. */
+function dxfPart({choices: {dxfStyle, dxfUnit}, words, choose}: Shown): TemplateResult {
+  return html`<label>
+      ${words.dxfStyle}
+      <select
+        @change=${({target}: Event) => {
+          choose({dxfStyle: (target as HTMLSelectElement).value as DxfStyle});
+        }}
+      >
+        ${dxfStyles.map(
+          (style) =>
+            html`<option value=${style} ?selected=${style === dxfStyle}>
+              ${words.dxfStyles[style]}
+            </option>`,
+        )}
+      </select>
+    </label>
+    <label>
+      ${words.dxfUnit}
+      <select
+        @change=${({target}: Event) => {
+          choose({dxfUnit: (target as HTMLSelectElement).value as DxfUnit});
+        }}
+      >
+        ${dxfUnits.map(
+          (unit) =>
+            html`<option value=${unit} ?selected=${unit === dxfUnit}>
+              ${words.dxfUnits[unit]}
+            </option>`,
+        )}
+      </select>
+    </label>`;
 }
 
 function paperPart(shown: Shown): TemplateResult {
@@ -128,6 +163,7 @@ function inkPart({choices, words, choose}: Shown): TemplateResult | typeof nothi
 
 const cutSettings = (shown: Shown): TemplateResult =>
   html`${filePart(shown)} ${shown.choices.file === 'pdf' ? paperPart(shown) : nothing}
+    ${shown.choices.file === 'dxf' ? dxfPart(shown) : nothing}
     <div class="lengths">
       ${lengthPart('allowanceCm', shown.words.allowance, shown)}
       ${lengthPart('hemCm', shown.words.hem, shown)} ${ownPart(shown)}

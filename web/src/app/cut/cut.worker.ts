@@ -25,5 +25,6 @@ serve(async (asked, request) => {
   if (kind === 'plan') return planOf(sheet, question);
   const pixels = async (width: number, height: number) =>
     (await request({width, height})) as Uint8Array<ArrayBuffer> | undefined;
-  return cutFile(sheet, print, {...choices, pixels});
+  const {dxfStyle: style, dxfUnit: unit} = choices;
+  return cutFile(sheet, print, {...choices, dxf: {style, unit}, pixels});
 });

@@ -1,6 +1,7 @@
 /** Pictures and cutting sheets of a pattern, in the requested format. */
 import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
 import {SolverError} from '../../model/result/failure.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 import type {SheetWindow} from '../../workbench/state.js';
@@ -36,6 +37,10 @@ export interface BlobRequest {
   readonly hem?: number | undefined;
   /** Fills the pieces of a cutting sheet with the print, or draws lines only. Default full. */
   readonly ink?: 'full' | 'outline' | undefined;
+  /** Dialect of a DXF file: AAMA-292 or ASTM D6673. Default aama. */
+  readonly dxfStyle?: DxfStyle | undefined;
+  /** Unit of a DXF file. Default mm. */
+  readonly dxfUnit?: DxfUnit | undefined;
 }
 
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
@@ -46,7 +51,7 @@ const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
  */
 async function cutFileFor(
   workbench: Workbench,
-  {type = '', paper = 'a4', allowance, hem, ink = 'full'}: BlobRequest,
+  {type = '', paper = 'a4', allowance, hem, ink = 'full', dxfStyle, dxfUnit}: BlobRequest,
   {garment}: Texts,
 ): Promise<Blob | undefined> {
   const file = Object.hasOwn(cutTypes, type) ? cutTypes[type] : undefined;
@@ -55,9 +60,13 @@ async function cutFileFor(
   if (!isAllowance(rule.allowanceCm) || !isAllowance(rule.hemCm)) {
     throw new SolverError({code: 'options', message: garment.allowance(`${greatestAllowance} cm`)});
   }
+  const dxf = {style: dxfStyle ?? 'aama', unit: dxfUnit ?? 'mm'};
+  if (!dxfStyles.includes(dxf.style) || !dxfUnits.includes(dxf.unit)) {
+    throw new SolverError({code: 'options', message: garment.dxf});
+  }
   const {cutHere} = await import('../../workbench/cutting/cut-material.js');
   try {
-    const request = {file, paper, ink, ...rule};
+    const request = {file, paper, ink, dxf, ...rule};
     const content = await cutHere(workbench, request);
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {

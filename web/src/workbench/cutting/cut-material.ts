@@ -4,6 +4,7 @@ import {SolverError} from '../../model/result/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowance-rule.js';
+import type {DxfFormat} from '../../files/dxf/dxf-format.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
 import {textsOf} from '../../texts/texts.js';
@@ -51,6 +52,7 @@ interface CutRequest extends AllowanceRule {
   readonly file: CutFileKind;
   readonly paper: string;
   readonly ink: 'full' | 'outline';
+  readonly dxf: DxfFormat;
 }
 
 /**
@@ -59,12 +61,12 @@ interface CutRequest extends AllowanceRule {
  */
 export async function cutHere(
   workbench: Workbench,
-  {file, paper, ink, ...rule}: CutRequest,
+  {file, paper, ink, dxf, ...rule}: CutRequest,
 ): Promise<string | Uint8Array<ArrayBuffer> | undefined> {
   const material = await cutMaterial(workbench, rule);
   if (!material) return undefined;
   const {result, print, marks, options} = material;
   const sheet = cutSheet(result, print, marks, options);
   const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
-  return cutFile(sheet, print, {file, paper, ink, pixels});
+  return cutFile(sheet, print, {file, paper, ink, dxf, pixels});
 }
