@@ -11,7 +11,15 @@ import type {
   GarmentDocument,
   GarmentPiece,
 } from '../model/garment/garment-document.js';
-import {dot, minus, radians, type Point} from '../model/geometry/vectors.js';
+import {
+  between,
+  cross,
+  distance,
+  dot,
+  minus,
+  radians,
+  type Point,
+} from '../model/geometry/vectors.js';
 import {atShare, signedArea} from '../model/geometry/polyline.js';
 import type {Symmetry} from '../model/garment/symmetries.js';
 import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
@@ -227,7 +235,11 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
     sewn: loop(sewn),
     ...(cut && {cut: loop(cut)}),
     holes: holes.map(loop),
-    notches: notches.map((notch) => ({...notch, at: at(notch.at)})),
+    notches: notches.map(({towards, ...notch}) => ({
+      ...notch,
+      at: at(notch.at),
+      ...(towards && {towards: at(towards)}),
+    })),
     ...(grain && {grain: line(grain)}),
     ...(fold && {fold: line(fold)}),
     internalLines: internalLines.map((points) => points.map(at)),
@@ -264,14 +276,25 @@ function withAllowance(run: Run, cut: readonly Point[] | undefined): DraftedEdge
   return cut ? {...edge, allowance: {width: Number(widthOf(run, cut).toFixed(3))}} : edge;
 }
 
-/** Assigns each notch to its nearest edge within reach. */
+/** Greatest way along a notch to its edge, as a multiple of the shortest one. */
+const slantedWay = 1.2;
+
+/**
+ * Assigns each notch to its nearest edge within reach. A notch on the cut line meets the edge along
+ * its own direction, if the file states one that leads there.
+ */
 function notchesOf({notches}: DrawnPiece, runs: readonly Run[]): DraftedNotch[] {
   const lines = runs.map((run) => measured(tracedRun(run, traceTolerance)));
-  return notches.flatMap(({at}): DraftedNotch[] => {
-    const [best] = lines
-      .map((line, edge) => ({edge, ...onLine(line, at)}))
-      .sort((a, b) => a.off - b.off);
-    return best && best.off <= notchReach ? [{edge: best.edge, at: best.share}] : [];
+  const first = (found: readonly OnEdge[]): OnEdge | undefined =>
+    [...found].sort((a, b) => a.off - b.off)[0];
+  return notches.flatMap(({at, towards}): DraftedNotch[] => {
+    const best = first(lines.map((line, edge) => ({edge, ...onLine(line, at)})));
+    if (!best || best.off > notchReach) return [];
+    const hit =
+      towards &&
+      first(lines.flatMap((line, edge) => hits(line, at, towards).map((on) => ({edge, ...on}))));
+    const {edge, share} = hit && hit.off <= slantedWay * best.off ? hit : best;
+    return [{edge, at: share}];
   });
 }
 
@@ -292,14 +315,34 @@ function measured(points: readonly Point[]): Measured {
   };
 }
 
-function onLine(
-  {points, lengths}: Measured,
-  point: Point,
-): {readonly off: number; readonly share: number} {
-  const {at, off, step} = nearestOn(points, point, false);
-  const [x, y] = points[step] ?? at;
-  const length = (lengths[step] ?? 0) + Math.hypot(at[0] - x, at[1] - y);
-  return {off, share: length / (lengths.at(-1) ?? 1)};
+/** A point of a line: its share of the length, and its distance from another point. */
+interface OnLine {
+  readonly off: number;
+  readonly share: number;
+}
+
+interface OnEdge extends OnLine {
+  readonly edge: number;
+}
+
+const shareOf = ({points, lengths}: Measured, step: number, at: Point): number =>
+  ((lengths[step] ?? 0) + distance(at, points[step] ?? at)) / (lengths.at(-1) ?? 1);
+
+function onLine(line: Measured, point: Point): OnLine {
+  const {at, off, step} = nearestOn(line.points, point, false);
+  return {off, share: shareOf(line, step, at)};
+}
+
+/** Where a straight line through two points crosses another line. */
+function hits(line: Measured, from: Point, to: Point): OnLine[] {
+  const way = minus(to, from);
+  const sides = line.points.map((p) => cross(way, minus(p, from)));
+  return line.points.slice(1).flatMap((end, step): OnLine[] => {
+    const [start = end, before = 0, after = 0] = [line.points[step], sides[step], sides[step + 1]];
+    if (before === after || before < 0 === after < 0) return [];
+    const at = between(start, end, before / (before - after));
+    return [{off: distance(at, from), share: shareOf(line, step, at)}];
+  });
 }
 
 const mirror = ([x, y]: Point): Point => [0 - x, y];

@@ -8,6 +8,7 @@ import {gapNote} from '../base/left-out.js';
 import {reach} from './flat.js';
 import {areaOf, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
 import {outlineOf, type Outline} from './outline.js';
+import type {LineEntity} from './entities.js';
 import {linesOf, linesOn, pointsOn, type DxfPiece} from './pieces.js';
 import type {Vendor} from './vendors.js';
 
@@ -70,7 +71,9 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
       ...(grain && {grain}),
       ...(fold && {fold}),
       internalLines: [
-        ...linesOn(entities, layers.internalLine).filter(({points}) => points.length > 1),
+        ...linesOn(entities, layers.internalLine).filter(
+          (line) => line.points.length > 1 && !isTick(line, piece, how),
+        ),
         ...beside
           .filter((loop) => !holes.includes(loop))
           .map(({points}) => ({points, isClosed: true})),
@@ -181,6 +184,27 @@ function sewLoops(
   return [...others, ...internal].filter((loop) => isCutAround(cut, lineOf(loop, how)));
 }
 
+/** Greatest distance of a label from the middle of its tick. [cm] */
+const labelReach = 0.001;
+
+/** Longest tick or cross of a print. [cm] */
+const longestTick = 1;
+
+/**
+ * Returns whether an internal line is a tick or a part of a cross where a print has to match, with its
+ * label at its middle. Such marks belong to that print, not to the piece.
+ */
+const isTick = (line: LineEntity, {text}: DxfPiece, {cmPerUnit}: DrawnWith): boolean => {
+  const [from, to] = line.points;
+  if (!from || !to || line.points.length !== 2) return false;
+  if (distance(from, to) * cmPerUnit > longestTick) return false;
+  const at = middle(from, to);
+  return text.others.some(
+    (label) =>
+      layers.annotations.includes(label.layer) && distance(label.at, at) * cmPerUnit < labelReach,
+  );
+};
+
 const materialIn = ({text}: DxfPiece): string | undefined =>
   text.value('material') ??
   text.value('fabric') ??
@@ -201,8 +225,9 @@ const mostNotches = 1000;
 /** @throws {FileError} for more notches than any outline has */
 function notchesOf({name, entities}: DxfPiece, {file}: DrawnWith): DrawnNotch[] {
   const notches = Object.entries(layers.notches).flatMap(([layer, kind]) => [
-    ...pointsOn(entities, layer).map(({at, depth, width}): DrawnNotch => ({
+    ...pointsOn(entities, layer).map(({at, towards, depth, width}): DrawnNotch => ({
       at,
+      ...(towards && {towards}),
       ...(depth !== undefined && {depth}),
       kind: kind === 'v' && width === undefined ? 'slit' : kind,
     })),

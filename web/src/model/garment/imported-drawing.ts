@@ -18,6 +18,8 @@ export type NotchKind = 'slit' | 'v' | 't' | 'castle' | 'check' | 'u';
 
 export interface DrawnNotch {
   readonly at: Point;
+  /** A second point in the direction of the notch, into the piece or out of it. */
+  readonly towards?: Point;
   readonly depth?: number;
   readonly kind: NotchKind;
 }
