@@ -55,6 +55,7 @@ const outputs: Readonly<Record<string, (written: Written) => Content | Promise<C
   '--pdf': ({files}) => pages(files, 10),
   '--plotter': ({files}) => pages(files, 1),
   [dxfFlag]: ({files, format}) => files.dxf(format),
+  '--plt': ({files}) => files.hpgl(),
 };
 
 async function pages({pdf}: LayPlanFiles, scale: 10 | 1): Promise<Uint8Array> {

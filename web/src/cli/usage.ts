@@ -131,7 +131,8 @@ seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [fla
     --seed N                    same seed, same layout; default 1
     --out PLAN.json             writes where every piece lies
     --svg FILE.svg              draws it at a tenth of its size; --pdf FILE.pdf too, --plotter FILE.pdf at true scale
-    --dxf FILE.dxf              the pieces where they lie, for cutters; --dxf-style and --dxf-unit as for cut
+    --dxf FILE.dxf              the pieces where they lie, for cutters; --dxf-style and --dxf-unit as for cut;
+                                --plt FILE.plt for plotters
     --json                      prints the figures as JSON
 
 seamwise drape RESULT.json --print PRINT.json [flags]

@@ -63,7 +63,10 @@ export interface Cut {
   readonly svg: () => string;
   /** For CAD programs and cutters: AAMA or ASTM DXF. */
   readonly dxf: (options?: DxfOptions) => string;
-  /** For plotters. */
+  /**
+   * For plotters; a sheet longer than 81.9 cm in frames of 80 cm.
+   * @throws {RangeError} if both sides of the sheet are longer than 163.8 cm
+   */
   readonly hpgl: () => string;
 }
 
