@@ -33,7 +33,7 @@ const formats: readonly DxfOptions[] = [
 /** The drafted pieces of a garment on the print's crossing lines, with allowances. */
 function sheetOf(garment: GarmentDocument, pattern: MeshedPattern): CutSheet {
   const marks = {title: 'Sample', size: 'M', panels: panelMarks(garment)};
-  return cutSheet({...pattern, print: checks}, checks, marks, {allowanceCm: 1, units: 'cm'});
+  return cutSheet(pattern, checks, marks, {allowanceCm: 1, units: 'cm'});
 }
 
 function imported(dxf: string, size?: string): GarmentDocument {

@@ -93,15 +93,15 @@ export async function cut(words: readonly string[]): Promise<void> {
 }
 
 /** @throws {UsageError} for flags that only apply to a single size */
-function checkSizes({files, value}: Arguments, wanted: readonly Wanted[]): void {
-  if (files.length < 2) return;
+function checkSizes(args: Arguments, wanted: readonly Wanted[]): void {
+  if (args.files.length < 2) return;
   const other = wanted.find(({flag}) => flag !== dxfFlag);
   if (other) {
     throw new UsageError(
       `Several sizes go into one file by ${dxfFlag} alone; write ${other.flag} of one result at a time.`,
     );
   }
-  if (value('--garment') !== undefined) {
+  if (args.value('--garment') !== undefined) {
     throw new UsageError(
       '--garment names one garment, but there are several results; cut results that hold theirs.',
     );
