@@ -54,7 +54,7 @@ seamwise symmetries GARMENT.json [--out FILE.json]
 seamwise import FILE [flags]
   Reads a pattern of another program, DXF (AAMA, ASTM or plain), SVG, OBJ with texture coordinates, or a
   garment's JSON, and tells what is in it.
-    --units mm|cm|in            in which unit it is, whatever it says
+    --units mm|cm|in            in which unit it is, whatever it says; 300ppi: pixels per inch of an SVG
     --size NAME                 of a nest of sizes; default the one that the others were graded from
     --seams suggest|file|none   default: suggested where the file has none
     --out GARMENT.json          writes it in the project's own format, seamwise-garment/1

@@ -50,6 +50,8 @@ const smallest = 4;
 export interface PieceChoice {
   readonly take: boolean;
   readonly cut: 'once' | 'pair';
+  /** Indices of the piece's holes that are lines drawn on it instead. Default: none. */
+  readonly lines?: readonly number[];
 }
 
 export interface Choices {
@@ -117,10 +119,10 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
   const symmetries: Symmetry[] = [];
   const places = new Map<number, Placed>();
   drawing.pieces.forEach((drawn, number) => {
-    const {take, cut} = choices[number] ?? {take: true, cut: 'once'};
+    const {take, cut, lines = []} = choices[number] ?? {take: true, cut: 'once'};
     if (!take) return;
     const {asDrawn, mirrored} = drawn.quantity;
-    const made = pieceOf(drawn, uniqueName(drawn.name, names), cmPer(unit));
+    const made = pieceOf(withLines(drawn, lines, unit), uniqueName(drawn.name, names), cmPer(unit));
     if (asDrawn === 0 && mirrored > 0 && !made.axis && cut === 'once') {
       pieces.push(mirrorImage(made.piece, made.piece.name));
       return;
@@ -147,6 +149,21 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
     ...{pieces, seams, matches: [], symmetries, questions: []},
     ...(drawing.title !== undefined && {title: drawing.title}),
     ...(drawing.size !== undefined && {size: drawing.size}),
+  };
+}
+
+/** The piece with some of its holes as lines drawn on it. */
+function withLines(drawn: DrawnPiece, lines: readonly number[], unit: FileUnit): DrawnPiece {
+  if (lines.length === 0) return drawn;
+  const drawnOn = drawn.holes.filter((_, k) => lines.includes(k));
+  const closed = drawnOn.map((hole) => {
+    const line = tracedLoop(hole, traceTolerance / cmPer(unit));
+    return [...line, ...line.slice(0, 1)];
+  });
+  return {
+    ...drawn,
+    holes: drawn.holes.filter((_, k) => !lines.includes(k)),
+    internalLines: [...drawn.internalLines, ...closed],
   };
 }
 

@@ -1,4 +1,5 @@
 /** Notes on lines of a drawing that become neither pieces nor marks of pieces. [mm] */
+import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
 import {distance, type Point} from '../../model/geometry/vectors.js';
 import {lengthOf, signedArea} from '../../model/geometry/polyline.js';
 import {placeOf, pointText, type ClosedLine, type YAxis} from './closed-lines.js';
@@ -91,6 +92,15 @@ export function cutOutNote(
       ? `The closed line inside '${piece}' is`
       : `${lines.length} closed lines inside '${piece}' are`;
   return `${subject} taken as cut out (${placeOf(first, axis)}); if not, draw ${lines.length === 1 ? 'it' : 'them'} on a layer or in a colour of its own.`;
+}
+
+/** The indices of doubtful cut-outs, if there are any. */
+export function doubtfulHoles<T>(
+  cutOuts: readonly T[],
+  doubtful: readonly T[],
+): Pick<DrawnPiece, 'doubtfulHoles'> {
+  const indices = cutOuts.flatMap((one, k) => (doubtful.includes(one) ? [k] : []));
+  return indices.length > 0 ? {doubtfulHoles: indices} : {};
 }
 
 /** The name and the reason of a line that may be a piece, and is not taken as one. */

@@ -4,7 +4,7 @@ import {distance, middle, type Point} from '../../model/geometry/vectors.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
 import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
-import {gapNote} from '../base/left-out.js';
+import {doubtfulHoles, gapNote} from '../base/left-out.js';
 import {reach} from './flat.js';
 import {areaOf, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
 import {outlineOf, type Outline} from './outline.js';
@@ -67,6 +67,10 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
       sewn: (sewn ?? outer).runs,
       ...(sewn && {cut: outer.runs}),
       holes: inner.map(({runs}) => runs),
+      ...doubtfulHoles(
+        inside,
+        inside.filter(({isDoubtful}) => isDoubtful),
+      ),
       notches: notchesOf(piece, how),
       ...(grain && {grain}),
       ...(fold && {fold}),

@@ -191,7 +191,10 @@ function ownerOf(
 }
 
 /** A piece in the structure of a file with blocks. */
-function asPiece({outline, sewn, cutOuts, marks, marked}: FlatPiece, name: string): DxfPiece {
+function asPiece(
+  {outline, sewn, cutOuts, doubtfulCutOuts, marks, marked}: FlatPiece,
+  name: string,
+): DxfPiece {
   const texts = marked.flatMap((mark) => (mark.kind === 'text' ? [mark.text] : []));
   const named = texts.find((text) => !isNoName(text)) ?? texts.find(isLetter);
   const onLayer = ({loop}: LoopLine, layer: string): Loop => ({...loop, layer});
@@ -204,7 +207,10 @@ function asPiece({outline, sewn, cutOuts, marks, marked}: FlatPiece, name: strin
     loops: [
       onLayer(outline, layers.boundary),
       ...(sewn ? [onLayer(sewn, layers.sewLine)] : []),
-      ...cutOuts.map((one) => onLayer(one, layers.cutOut)),
+      ...cutOuts.map((one) => ({
+        ...onLayer(one, layers.cutOut),
+        isDoubtful: doubtfulCutOuts.includes(one),
+      })),
     ],
   };
 }

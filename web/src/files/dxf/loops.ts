@@ -21,6 +21,8 @@ export interface Loop {
   readonly exact?: Run;
   readonly gap?: Gap;
   readonly layer: string;
+  /** A cut-out that may be a line drawn on the piece. */
+  readonly isDoubtful?: boolean;
 }
 
 /** Open lines that close nowhere. */
