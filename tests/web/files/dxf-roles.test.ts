@@ -88,8 +88,7 @@ describe('closed lines', () => {
     expect(hole.pieces).toMatchObject([{holes: [expect.anything()]}]);
     expect(hole.notes.join()).toMatch(/taken as cut out \(16\.0 x 16\.0 cm/);
     expect(hole.pieces[0]?.doubtfulHoles).toEqual([0]);
-    const [first] = defaultChoices(hole).pieces;
-    const asLine = garmentOf(hole, {unit: 'mm', pieces: [{...first!, lines: [0]}]});
+    const asLine = garmentOf(hole, {unit: 'mm', pieces: [{take: true, cut: 'once', lines: [0]}]});
     expect(asLine.pieces).toMatchObject([{holes: [], internalLines: [expect.anything()]}]);
     const onBoundary = drawn(closedLine(flap(0, 0), 1), circle('1'));
     expect(onBoundary.pieces).toMatchObject([{holes: [expect.anything()]}]);
