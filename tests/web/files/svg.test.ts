@@ -322,7 +322,7 @@ describe('pieces of an SVG that no known program drew', () => {
       ),
     );
     expect(drawing.pieces).toHaveLength(2);
-    expect(drawing.notes).toContain('Frames around pieces are left out.');
+    expect(drawing.notes.join(' ')).toMatch(/^1 closed line \(frame around pieces\): left out/);
   });
 
   it('hang together by the ends of lines that were drawn one by one', () => {

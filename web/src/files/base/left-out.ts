@@ -29,20 +29,22 @@ export function leftOutNotes<T extends Candidate>(
   {frames, titleBoxes, copies, grids, small}: Roles<T>,
   {open, layerOf, axis}: LeftOutLines,
 ): string[] {
-  const [largest] = [...small].sort((a, b) => b.area - a.area);
   const on = (line: Candidate): string => onLayer(layerOf?.(line));
+  const noted = (lines: readonly Candidate[], rest: string): string[] => {
+    const [largest] = [...lines].sort((a, b) => b.area - a.area);
+    if (!largest) return [];
+    return [
+      `${closedLines(lines.length)} ${rest}: left out; the largest is ${placeOf(largest, axis)}${on(largest)}.`,
+    ];
+  };
   return [
-    ...(frames.length > 0 ? ['Frames around pieces are left out.'] : []),
-    ...(titleBoxes.length > 0 ? ['Title boxes are left out.'] : []),
+    ...noted(frames, '(frame around pieces)'),
+    ...noted(titleBoxes, '(title box)'),
     ...(grids.length > 0 ? [`A grid of ${closedLines(grids.length)} is left out.`] : []),
     ...(copies.length > 0
       ? [`${closedLines(copies.length)} of the same size as others at the same place are left out.`]
       : []),
-    ...(largest
-      ? [
-          `${closedLines(small.length)} outside of pieces, marks or below 4 cm²: left out; the largest is ${placeOf(largest, axis)}${on(largest)}.`,
-        ]
-      : []),
+    ...noted(small, 'outside of pieces, marks or below 4 cm²'),
     ...openNotes(open, axis),
   ];
 }

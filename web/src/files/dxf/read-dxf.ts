@@ -152,7 +152,7 @@ function drawnPieces(
 const hiddenNotes = ({hidden}: DxfDocument): string[] =>
   [...hidden].map(([reason, count]) =>
     `${count} ${count === 1 ? 'line or block' : 'lines or blocks'} ${reason}, ${count === 1 ? 'is' : 'are'} left out.`.replace(
-      /( that are invisible| in paper space),/,
+      /( marked as invisible| in paper space),/,
       '$1',
     ),
   );
