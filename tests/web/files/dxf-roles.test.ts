@@ -70,6 +70,14 @@ describe('closed lines', () => {
     expect(areas(drawing)).toEqual([flapArea, 600]);
   });
 
+  it('outside of each other in one block are pieces, unless its words name one', () => {
+    const lines = [closedLine(flap(0, 0), 1), closedLine(box(500, 0, 300, 200), 2)];
+    const read1 = (...more: readonly Entity[]): number[] =>
+      areas(read(drawnDxf({blocks: [block('A', ...lines, ...more)], entities: [insertion('A')]})));
+    expect(read1()).toEqual([flapArea, 600]);
+    expect(read1(text('Piece Name: FLAP', [50, 50], 1))).toEqual([flapArea]);
+  });
+
   it('of 4 cm2 and more are pieces, smaller ones are counted', () => {
     const drawing = drawn(
       closedLine(flap(0, 0)),
@@ -333,12 +341,12 @@ const randomLines = fc.array(
 );
 
 /** Two squares in a narrow rectangle, which is a frame with a title box. */
-const framedSquares = [
+const framedSquares: {x: number; y: number; width: number; height: number; layer: '0'}[] = [
   {x: 2, y: 6, width: 1, height: 1, layer: '0'},
   {x: 2, y: 6, width: 1, height: 5, layer: '0'},
   {x: 2, y: 7, width: 1, height: 1, layer: '0'},
   {x: 0, y: 0, width: 1, height: 1, layer: '0'},
-] as const;
+];
 
 it('accounts for each closed line: as a piece, a part of one, or in a note', () => {
   fc.assert(

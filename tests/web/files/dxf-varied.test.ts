@@ -78,7 +78,7 @@ function fileOf({pieces, unit: [code, mm], isFramed}: ReturnTypeOf<typeof anyDra
   return drawnDxf({
     header: [9, '$INSUNITS', 70, code],
     blocks,
-    entities: [...(isFramed ? [closedLine(frame)] : []), ...entities],
+    entities: [...(isFramed && pieces.length > 1 ? [closedLine(frame)] : []), ...entities],
   });
 }
 

@@ -17,8 +17,6 @@ const inch = 25.4;
 /** ISO A and B, ANSI and Arch sheets. [mm] */
 const papers: readonly Point[] = [
   ...([
-    [1682, 2378],
-    [1189, 1682],
     [841, 1189],
     [594, 841],
     [420, 594],

@@ -6,7 +6,7 @@ import * as layers from './layers.js';
 import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
 import {doubtfulHoles, gapNote} from '../base/left-out.js';
 import {reach} from './flat.js';
-import {areaOf, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
+import {areaOf, bySize, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
 import {outlineOf, type Outline} from './outline.js';
 import type {LineEntity} from './entities.js';
 import {linesOf, linesOn, pointsOn, type DxfPiece} from './pieces.js';
@@ -118,15 +118,16 @@ function parted<T>(all: readonly T[], is: (one: T) => boolean): [T[], T[]] {
 }
 
 /** Layers whose closed lines are part of a piece. */
-const isRead = (layer: string): boolean =>
-  layer === layers.boundary || layer in layers.roles || layers.isMark(layer);
+const isRead = (layer: string): boolean => layer === layers.boundary || layer in layers.roles;
 
-/** Closed lines of a block on layers without a meaning. */
+/** Closed lines of a block on layers without a meaning, or of marks that hold none. */
 const unread = ({entities, loops}: DxfPiece, {cmPerUnit}: DrawnWith): readonly Loop[] =>
   loops
     ? []
     : loopsOf(
-        linesOf(entities).filter(({layer}) => !isRead(layer)),
+        linesOf(entities).filter(({layer, isClosed}) =>
+          layers.isMark(layer) ? isClosed && !layers.holdsClosedMarks(layer) : !isRead(layer),
+        ),
         reach / cmPerUnit,
       ).closed;
 
@@ -154,8 +155,6 @@ function unreadNotes(piece: DxfPiece, loops: readonly Loop[], how: DrawnWith): s
     `${loops.length} closed ${loops.length === 1 ? 'line' : 'lines'} of '${piece.name}' on layer ${names} ${loops.length === 1 ? 'is' : 'are'} left out; the largest is ${placeOf(lineOf(largest, how), 'up')}.`,
   ];
 }
-
-const bySize = (loops: readonly Loop[]): Loop[] => [...loops].sort((a, b) => areaOf(b) - areaOf(a));
 
 /**
  * Closed lines of a layer, the largest first. Each is replaced by its validation copy if that has

@@ -13,7 +13,7 @@ import type {Drawn} from './blocks.js';
 import {checkCount} from './count.js';
 import type {LineEntity} from './entities.js';
 import * as layers from './layers.js';
-import {areaOf, loopsOf, type Loop, type Loops} from './loops.js';
+import {bySize, loopsOf, type Loop, type Loops} from './loops.js';
 import {linesOf, pieceOf, type DxfPiece} from './pieces.js';
 
 /** Greatest gap between the ends of lines. [cm] */
@@ -101,9 +101,7 @@ export function flatPieces(
     one.kind === 'text' && one.text !== '' ? [{at: toMm(one.at), lines: [one.text]}] : [],
   );
   const elsewhere = others.flatMap((block): LoopLine[] => {
-    const [loop] = loopsOf(linesOf(block), reach / cmPerUnit).closed.sort(
-      (a, b) => areaOf(b) - areaOf(a),
-    );
+    const [loop] = bySize(loopsOf(linesOf(block), reach / cmPerUnit).closed);
     if (!loop) return [];
     const line = closedLine(loop.points.map(toMm));
     return [{...line, stated: 'piece', style: loop.layer, loop, isOther: true}];

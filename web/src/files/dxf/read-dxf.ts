@@ -12,7 +12,7 @@ import {documentOf, type DxfDocument} from './document.js';
 import {drawnPiece, type DrawnDxfPiece, type DrawnWith} from './drawn-piece.js';
 import {checkCount} from './count.js';
 import {flatPieces, largestLine, type FlatDrawing} from './flat.js';
-import {hasBoundary, pieceOf, type DxfPiece} from './pieces.js';
+import {isPieceBlock, pieceOf, type DxfPiece} from './pieces.js';
 import {chooseSize} from './sizes.js';
 import {systemText, type SystemText} from './system-text.js';
 import {textOf} from './text.js';
@@ -93,12 +93,12 @@ function piecesOf(
   {size}: DrawingOptions,
 ): FoundPieces {
   const placed = blocks.placed();
-  const inBlocks = placed.filter(hasBoundary).map(pieceOf);
+  const inBlocks = placed.filter(isPieceBlock).map(pieceOf);
   const stated = words.style.value('sample size');
   const groups: readonly FlatGroup[] =
     inBlocks.length > 0
       ? [
-          ...placed.filter((block) => !hasBoundary(block) && block.isInserted),
+          ...placed.filter((block) => !isPieceBlock(block) && block.isInserted),
           {entities: blocks.loose(), others: placed.map(({entities}) => entities)},
         ]
       : [{entities: blocks.flat()}];
