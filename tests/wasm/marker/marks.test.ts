@@ -5,6 +5,7 @@ import {beforeAll, describe, expect, it} from 'vitest';
 import {cutSheet} from '@/cutting/lay-sheet.js';
 import type {LaidPiece} from '@/cutting/cut-sheet.js';
 import {planPieces} from '@/marker/draw/plan-pieces.js';
+import {readDxf} from '@/files/dxf/read-dxf.js';
 import {panelMarks} from '@/model/garment/panel-marks.js';
 import {onPrint, type Point} from '@/model/geometry/vectors.js';
 import type {LayPlan} from '@/model/result/marker-plan.js';
@@ -132,6 +133,20 @@ describe('the pieces of a layout', () => {
     };
     expect(counted(planDxf)).toEqual(counted(cutDxf));
     expect(counted(planDxf).map((one) => one.length)).toEqual([2, 5, 2, 1, 1, 3]);
+  });
+
+  it('come back from the DXF file, with their marks', () => {
+    const drawing = readDxf(new TextEncoder().encode(planDxf), 'plan.dxf', {});
+    const counted = drawing.pieces.map((piece) =>
+      [piece.holes, piece.notches, piece.drillHoles, piece.internalLines].map((one) => one.length),
+    );
+    expect(drawing.pieces.map(({name}) => name)).toEqual(['Front', 'Back']);
+    expect(counted).toEqual([
+      [1, 3, 1, 1],
+      [0, 2, 0, 0],
+    ]);
+    // the fabric's own outline
+    expect(drawing.notes).toEqual([expect.stringMatching(/^1 closed line .* 140\.0 x/)]);
   });
 
   it('tell cut, sewn and marked lines apart by colour', () => {

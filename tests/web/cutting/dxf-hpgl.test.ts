@@ -3,9 +3,13 @@ import {describe, expect, it} from 'vitest';
 import {draftedSheet} from '@/cutting/drafted-sheet.js';
 import {cutSheet} from '@/cutting/lay-sheet.js';
 import {sheetDxf} from '@/cutting/out/sheet-dxf.js';
+import type {CutSheet} from '@/cutting/cut-sheet.js';
 import {sheetHpgl} from '@/cutting/out/sheet-hpgl.js';
+import {readDxf} from '@/files/dxf/read-dxf.js';
+import {hpglText} from '@/files/hpgl/hpgl.js';
 import type {DraftedEdge, GarmentPiece} from '@/model/garment/garment-document.js';
 import {panelMarks} from '@/model/garment/panel-marks.js';
+import {lengthOf} from '@/model/geometry/polyline.js';
 import {distance, type Point} from '@/model/geometry/vectors.js';
 import type {Pattern} from '@/model/result/result.js';
 import {documentOf} from '../../support/garments/documents.js';
@@ -187,6 +191,101 @@ describe('DXF of pieces to cut', () => {
     const nearest = [...line].sort((p, q) => distance(p, middle) - distance(q, middle)).slice(0, 2);
     for (const p of nearest) expect(Math.abs(p[0] - middle[0])).toBeLessThan(0.05);
     expect(Math.max(...nearest.map((p) => p[0]))).toBeGreaterThan(middle[0] - 0.002);
+  });
+});
+
+describe('DXF of other formats', () => {
+  const format = {style: 'astm', unit: 'in'} as const;
+  const [front] = [...blocksOf(sheetDxf(sheet, format)).values()];
+
+  it('is in inches, and says so', () => {
+    box2(on(front, 1, 'VERTEX')).forEach((length) => {
+      expect(length).toBeCloseTo((side + 2) / 25.4, 4);
+    });
+    expect(sheetDxf(sheet, format)).toContain('Units: ENGLISH');
+  });
+
+  it('has validation copies of all lines in ASTM', () => {
+    for (const [layer, copy] of [
+      [1, 84],
+      [8, 85],
+      [14, 87],
+    ] as const) {
+      expect(on(front, copy, 'VERTEX')).toHaveLength(on(front, layer, 'VERTEX').length);
+    }
+  });
+
+  it('nests sizes as blocks of one piece name, without overlap', () => {
+    const larger: CutSheet = {...sheet, size: 'XL'};
+    const nest = sheetDxf(sheet, {otherSizes: [larger]});
+    const names = ['Vorderteil_fur_Ubergrosse', 'piece_2'];
+    expect([...blocksOf(nest).keys()]).toEqual(
+      ['M', 'XL'].flatMap((size) => names.map((name) => `${name}_${size}`)),
+    );
+    const bytes = new TextEncoder().encode(nest);
+    const heights = ['M', 'XL'].map((size) => {
+      const {sizes, sampleSize, pieces} = readDxf(bytes, 'nest.dxf', {size});
+      expect({sizes, sampleSize}).toEqual({sizes: ['M', 'XL'], sampleSize: 'M'});
+      expect(pieces).toHaveLength(2);
+      return pieces.flatMap(({cut = []}) => cut.map(({start: [, y]}) => y / 10));
+    });
+    expect(Math.max(...(heights[0] ?? []))).toBeLessThan(Math.min(...(heights[1] ?? [])));
+  });
+});
+
+/** The pen's lines by frame, and the size of the frames. [cm] */
+function framesOf(plt: string) {
+  const [, length = NaN] = /PS(\d+),/.exec(plt) ?? [];
+  const lines = plt
+    .split('FR;')
+    .map((frame) =>
+      [...frame.matchAll(/PU;PA(.*?)PU;/g)].map(([, line = '']) =>
+        [...line.matchAll(/(-?\d+),(-?\d+)/g)].map(([, x, y]): Point => [
+          Number(x) / 400,
+          Number(y) / 400,
+        ]),
+      ),
+    );
+  return {length: Number(length) / 400, lines};
+}
+
+describe('HP-GL of a long plot', () => {
+  const zigzag = Array.from({length: 12}, (_, k): Point => [k % 2 === 0 ? 0 : 120, 20 * k]);
+  const plt = hpglText([{pen: 2, strokes: [{points: zigzag, isClosed: false}]}]);
+  const {length, lines} = framesOf(plt);
+
+  it('has frames along x, within the range of plotters', () => {
+    expect(lines).toHaveLength(3);
+    expect(length).toBe(80);
+    for (const [x, y] of lines.flat(2)) {
+      expect(x >= 0 && x <= length).toBe(true);
+      expect(Math.abs(400 * y)).toBeLessThanOrEqual(32767);
+    }
+  });
+
+  it('joins its frames to the same line, turned and not mirrored', () => {
+    const joined = lines.flatMap((frame, k) =>
+      frame.flatMap((line) => line.map(([x, y]): Point => [x + k * length, y])),
+    );
+    for (const [k, [x, y]] of zigzag.entries()) {
+      const at: Point = [y, 60 - x];
+      expect([k, Math.min(...joined.map((p) => distance(p, at)))]).toEqual([
+        k,
+        expect.closeTo(0, 2),
+      ]);
+    }
+    const drawn = lines.flat().reduce((sum, line) => sum + lengthOf(line), 0);
+    expect(drawn).toBeCloseTo(lengthOf(zigzag), 1);
+  });
+
+  it('is refused if it is too wide for any plotter', () => {
+    const points: readonly Point[] = [
+      [0, 0],
+      [170, 180],
+    ];
+    expect(() => hpglText([{pen: 1, strokes: [{points, isClosed: true}]}])).toThrow(
+      /170\.0 x 180\.0 cm, but HP-GL reaches 163\.8 cm/,
+    );
   });
 });
 

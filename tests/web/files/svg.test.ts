@@ -158,9 +158,15 @@ describe('the size of an SVG', () => {
     expectBodice(drawing);
     expect(drawing.unit.because).toBe('size');
     expect(drawing.notes.join(' ')).toMatch(/does not say how large/);
-    const centimetres = readSvg(svg('viewBox="0 0 30 45"', perMm(0.1)), 'pattern.svg', 'cm');
+    const centimetres = readSvg(svg('viewBox="0 0 30 45"', perMm(0.1)), 'pattern.svg', {
+      units: 'cm',
+    });
     expect(centimetres.unit).toMatchObject({unit: 'cm', isSure: true});
     expectBodice(centimetres);
+    const dense = svg('viewBox="0 0 3543 5315"', perMm(300 / 25.4));
+    expectBodice(readSvg(dense, 'pattern.svg', {pixelsPerInch: 300}));
+    const shrunk = svg('width="300mm" viewBox="0 0 3543 5315"', perMm(150 / 25.4));
+    expectBodice(readSvg(shrunk, 'pattern.svg', {pixelsPerInch: 150}));
   });
 
   it('is measured by a test square, whatever else is said', () => {
@@ -316,7 +322,7 @@ describe('pieces of an SVG that no known program drew', () => {
       ),
     );
     expect(drawing.pieces).toHaveLength(2);
-    expect(drawing.notes).toContain('Frames around pieces are left out.');
+    expect(drawing.notes.join(' ')).toMatch(/^1 closed line \(frame around pieces\): left out/);
   });
 
   it('hang together by the ends of lines that were drawn one by one', () => {

@@ -10,11 +10,15 @@ import {markerOrder} from '@/marker/problem.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from '@/marker/repeats.js';
 import type {MarkerSettings} from '@/marker/settings.js';
 import {
+  degrees,
   distance,
   minus,
   norm,
   onPiece,
+  onPrint,
   plus,
+  radians,
+  rotated,
   type Alignment,
   type Point,
 } from '@/model/geometry/vectors.js';
@@ -287,6 +291,36 @@ describe('a problem', () => {
     const free = {grain: {default: 'free'}} as const;
     const turned = orderOf({options: free}, {nap: 'one-way'}).problem.pieces;
     expect(turned.map(({turns}) => turns)).toEqual(['half', 'half']);
+  });
+
+  it('lays what has no grain the same way up, as far as the print turns', () => {
+    const angles = [-90, 92, -88, 0, 170];
+    const pieces = angles.map((degrees, k) =>
+      squarePiece(`piece ${k}`, {alignment: {angle: radians(degrees), translation: [k, 3]}}),
+    );
+    const directions = (group: GroupName): number[] => {
+      const print = {...plainPrint, group};
+      const options = {grain: {default: 'free'}} as const;
+      const {problem} = orderOf(
+        {result: result({pieces, seams: [], print}), options},
+        {
+          nap: 'one-way',
+        },
+      );
+      const shown = (alignment: Alignment): Point => onPrint(alignment, [2, 5]);
+      return problem.pieces.map(({alignment, up}, k) => {
+        expect(rotated(up, -alignment.angle)[1]).toBeGreaterThan(0.98);
+        // the piece shows the same print as before
+        const before = shown(pieces[k]?.alignment ?? alignment);
+        const off = printElements(print).map((element) =>
+          norm(reduced(print, minus(apply(element, before), shown(alignment)))),
+        );
+        expect(Math.min(...off)).toBeCloseTo(0);
+        return Math.round(degrees(-alignment.angle)) + 0;
+      });
+    };
+    expect(directions('pmm')).toEqual([90, 88, 88, 0, 10]);
+    expect(directions('p4')).toEqual([0, -2, -2, 0, 10]);
   });
 
   it('rounds lengths of several plies where the print comes again', () => {

@@ -1,18 +1,25 @@
+import type {CutSheet} from '../cutting/cut-sheet.js';
+import type {DxfOptions} from '../cutting/out/sheet-dxf.js';
 import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {printInks} from '../cutting/print-ink.js';
 import {chosenNames} from '../model/garment/panel-marks.js';
+import {titleOfFile} from '../model/garment/piece-names.js';
 import {notAsSold} from '../picture/watermark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {cut as cutResult, type Cut} from '../node/index.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
+import {dxfFlags, dxfFormat} from './base/dxf-format.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {garmentOf, plainIn, readFabricOf, readResult} from './result-file.js';
 
+const sewAs1 = '--sew-as-1';
+const dxfFlag = '--dxf';
+
 /** Output formats by flag. */
 const outputs: Readonly<
-  Record<string, (cut: Cut, args: Arguments) => Promise<string | Uint8Array> | string>
+  Record<string, (cut: Cut, dxf: DxfOptions) => Promise<string | Uint8Array> | string>
 > = {
   '--pdf': async (cut) => {
     const {bytes, notes} = await cut.pdf();
@@ -20,13 +27,14 @@ const outputs: Readonly<
     return bytes;
   },
   '--svg': (cut) => cut.svg(),
-  '--dxf': (cut, args) => cut.dxf({sewAsBoundary: args.has('--sew-as-1')}),
+  [dxfFlag]: (cut, options) => cut.dxf(options),
   '--plt': (cut) => cut.hpgl(),
   '--map': (cut) => `${JSON.stringify(cut.map)}\n`,
 };
 
 const grammar = {
   files: ['the result file'],
+  hasMore: true,
   valued: [
     ...[
       '--print',
@@ -39,37 +47,112 @@ const grammar = {
       '--date',
     ],
     ...Object.keys(outputs),
+    ...dxfFlags,
   ],
-  switches: ['--sew-as-1', '--guide'],
-};
+  switches: [sewAs1, '--guide'],
+} as const;
 
-/** `cut`: writes cutting sheets of a result at true scale. */
+interface Wanted {
+  readonly flag: string;
+  readonly path: string;
+}
+
+/** `cut`: writes cutting sheets of a result, or of several sizes, at true scale. */
 export async function cut(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
-  const [resultFile = ''] = args.files;
-  const [printFile, colourway, garmentFile] = ['--print', '--colourway', '--garment'].map((flag) =>
-    args.value(flag),
-  );
+  const [printFile, garmentFile] = ['--print', '--garment'].map((flag) => args.value(flag));
   if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
   const settings = settingsOf(args);
-  const inputs = [resultFile, printFile, ...(garmentFile === undefined ? [] : [garmentFile])];
-  const wanted = Object.entries(outputs).flatMap(([flag, content]) => {
+  const wanted = Object.keys(outputs).flatMap((flag): Wanted[] => {
     const path = args.value(flag);
-    return path === undefined ? [] : [{flag, path, content}];
+    return path === undefined ? [] : [{flag, path}];
   });
+  const format = dxfFormat(
+    args,
+    wanted.some(({flag}) => flag === dxfFlag),
+  );
+  checkSizes(args, wanted);
+  const inputs = [...args.files, printFile, ...(garmentFile === undefined ? [] : [garmentFile])];
   checkDistinct(Object.fromEntries(wanted.map(({flag, path}) => [flag, path])));
   for (const {path} of wanted) await checkWritable(path, inputs);
 
-  const {result} = await readResult(resultFile);
-  const cloth = await readFabricOf(result, resultFile, {printFile, colourway});
-  const tile = await readTile(cloth, printFile);
-  const garment = await garmentOf(result, garmentFile);
-  if (!garment) {
-    remark(
-      `${resultFile} does not hold its design, so pieces have no notches and no grain lines of their own; name the garment with --garment FILE.`,
+  const cuts: Cut[] = [];
+  for (const file of args.files) cuts.push(await cutOf(file, printFile, args, settings));
+  const [first] = cuts;
+  if (!first) throw new UsageError(`${grammar.files[0]} is missing.`);
+  const options = {...format, sewAsBoundary: args.has(sewAs1), ...sizesOf(args.files, cuts)};
+  for (const {flag, path} of wanted) {
+    const content = await outputs[flag]?.(first, options);
+    if (content !== undefined) await writeWhole(path, content);
+  }
+  cuts.forEach((done, k) => {
+    print(figures(args.files[k] ?? '', done));
+  });
+  if (wanted.length === 0) {
+    remark(`Nothing was written: name a file by ${Object.keys(outputs).join(', ')}.`);
+  }
+}
+
+/** @throws {UsageError} for flags that only apply to a single size */
+function checkSizes(args: Arguments, wanted: readonly Wanted[]): void {
+  if (args.files.length < 2) return;
+  const other = wanted.find(({flag}) => flag !== dxfFlag);
+  if (other) {
+    throw new UsageError(
+      `Several sizes go into one file by ${dxfFlag} alone; write ${other.flag} of one result at a time.`,
     );
   }
-  const done = await cutResult(result, {
+  if (args.value('--garment') !== undefined) {
+    throw new UsageError(
+      '--garment names one garment, but there are several results; cut results that hold theirs.',
+    );
+  }
+}
+
+/**
+ * Several sheets as sizes of one pattern; the first is the sample size. A garment without a size is
+ * called by its file.
+ * @throws {UsageError} for two results of one size
+ */
+function sizesOf(
+  files: readonly string[],
+  cuts: readonly Cut[],
+): Pick<DxfOptions, 'size' | 'otherSizes'> {
+  if (cuts.length < 2) return {};
+  const fileOf = new Map<string, string>();
+  const [sample, ...otherSizes] = cuts.map(({sheet}, k): CutSheet => {
+    const file = files[k] ?? '';
+    const {size = titleOfFile(file)} = sheet;
+    const same = fileOf.get(size);
+    if (same !== undefined) {
+      throw new UsageError(
+        `${same} and ${file} are both of size ${size}; cut one result of each size.`,
+      );
+    }
+    fileOf.set(size, file);
+    return {...sheet, size};
+  });
+  return {otherSizes, ...(sample?.size !== undefined && {size: sample.size})};
+}
+
+/** @throws {UsageError}, {FileError} or {SolverError} with the name of an invalid file */
+async function cutOf(
+  file: string,
+  printFile: string,
+  args: Arguments,
+  settings: ReturnType<typeof settingsOf>,
+): Promise<Cut> {
+  const colourway = args.value('--colourway');
+  const {result} = await readResult(file);
+  const cloth = await readFabricOf(result, file, {printFile, colourway});
+  const tile = await readTile(cloth, printFile);
+  const garment = await garmentOf(result, args.value('--garment'));
+  if (!garment) {
+    remark(
+      `${file} does not hold its design, so pieces have no notches and no grain lines of their own; name the garment with --garment FILE.`,
+    );
+  }
+  return cutResult(result, {
     ...settings,
     ...garment,
     ...(colourway !== undefined && {colourway}),
@@ -79,11 +162,6 @@ export async function cut(words: readonly string[]): Promise<void> {
     pixels: () => readRaster(cloth, printFile),
     ...(result.reproduced === false && {mark: notAsSold}),
   });
-  for (const {path, content} of wanted) await writeWhole(path, await content(done, args));
-  print(figures(resultFile, done));
-  if (wanted.length === 0) {
-    remark(`Nothing was written: name a file by ${Object.keys(outputs).join(', ')}.`);
-  }
 }
 
 /** @throws {UsageError} for an invalid value */

@@ -2,6 +2,7 @@ import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {convert, garmentDxf, symmetries} from '../node/index.js';
 import {readGarmentText} from './base/garment-text.js';
 import {choice, lengthCm, parseArguments, UsageError} from './base/arguments.js';
+import {dxfFlags, dxfFormat} from './base/dxf-format.js';
 import {checkWritable, writeWhole} from './base/files.js';
 import {print} from './base/terminal.js';
 
@@ -22,7 +23,7 @@ export async function listSymmetries(words: readonly string[]): Promise<void> {
 export async function convertFile(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, {
     ...grammar,
-    valued: [...grammar.valued, '--to', '--allowance'],
+    valued: [...grammar.valued, '--to', '--allowance', ...dxfFlags],
     switches: ['--plain', '--sew-as-1'],
   });
   const [file = ''] = args.files;
@@ -32,11 +33,16 @@ export async function convertFile(words: readonly string[]): Promise<void> {
   if (!isDxf && (allowanceCm !== undefined || args.has('--sew-as-1'))) {
     throw new UsageError('--allowance and --sew-as-1 belong to --to dxf, which is missing.');
   }
+  const format = dxfFormat(args, isDxf, '--to dxf');
   if (out !== undefined) await checkWritable(out, [file]);
   const text = await readGarmentText(file);
   const sewAsBoundary = args.has('--sew-as-1');
   const converted = isDxf
-    ? garmentDxf(text, {name: file, sewAsBoundary, ...(allowanceCm !== undefined && {allowanceCm})})
+    ? garmentDxf(text, {
+        ...format,
+        ...{name: file, sewAsBoundary},
+        ...(allowanceCm !== undefined && {allowanceCm}),
+      })
     : convert(text, {name: file, plain: args.has('--plain')});
   await deliver(await converted, out);
 }

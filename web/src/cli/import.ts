@@ -1,7 +1,12 @@
-import {importGarment, type FileUnit, type ImportReport} from '../node/index.js';
+import {
+  importGarment,
+  type FileUnit,
+  type ImportOptions,
+  type ImportReport,
+} from '../node/index.js';
 import {readBytes} from '../node/files.js';
 import {drawingLimit} from '../node/import.js';
-import {choice, parseArguments} from './base/arguments.js';
+import {choice, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
 
@@ -13,18 +18,34 @@ const grammar = {
 
 const units: Readonly<Record<'mm' | 'cm' | 'in', FileUnit>> = {mm: 'mm', cm: 'cm', in: 'inch'};
 
+/** Pixels per inch, such as 300ppi, and their range. */
+const density = /^(\d{1,5}(?:\.\d{1,4})?)ppi$/;
+const densities = [10, 10_000] as const;
+
+/** @throws {UsageError} for an unknown unit */
+function unitOf(args: Arguments): Pick<ImportOptions, 'units' | 'pixelsPerInch'> {
+  const [, pixels] = density.exec(args.value('--units') ?? '') ?? [];
+  if (pixels === undefined) {
+    const unit = choice(args, '--units', ['mm', 'cm', 'in'], 'pixels per inch, such as 300ppi');
+    return unit ? {units: units[unit]} : {};
+  }
+  const [least, most] = densities;
+  if (Number(pixels) >= least && Number(pixels) <= most) return {pixelsPerInch: Number(pixels)};
+  throw new UsageError(`--units is '${pixels}ppi', but must be from ${least}ppi to ${most}ppi.`);
+}
+
 /** `import`: converts a pattern of another program to a garment. */
 export async function importFile(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [file = ''] = args.files;
-  const unit = choice(args, '--units', ['mm', 'cm', 'in']);
+  const unit = unitOf(args);
   const size = args.value('--size');
   const seams = choice(args, '--seams', ['suggest', 'file', 'none']);
   const out = args.value('--out');
   if (out !== undefined) await checkWritable(out, [file]);
   const {garment, report} = await importGarment(await readBytes(file, drawingLimit), {
     name: file,
-    ...(unit && {units: units[unit]}),
+    ...unit,
     ...(size !== undefined && {size}),
     ...(seams && {seams}),
   });

@@ -1,3 +1,4 @@
+import type {DxfFormat} from '../files/dxf/dxf-format.js';
 import {chosenNames, panelMarks} from '../model/garment/panel-marks.js';
 import type {Point} from '../model/geometry/vectors.js';
 import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
@@ -23,6 +24,7 @@ import {
   wholeNumber,
   type Arguments,
 } from './base/arguments.js';
+import {dxfFlags, dxfFormat} from './base/dxf-format.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {
   layCounts,
@@ -38,15 +40,22 @@ import {garmentOf, optionsIn, parsed, problemIn, readFabricOf, readResult} from 
 
 type Content = string | Uint8Array;
 
+interface Written {
+  readonly files: LayPlanFiles;
+  readonly plan: LayPlan;
+  readonly format: DxfFormat;
+}
+
+const dxfFlag = '--dxf';
+
 /** Output formats by flag. */
-const outputs: Readonly<
-  Record<string, (files: LayPlanFiles, plan: LayPlan) => Content | Promise<Content>>
-> = {
-  '--out': (_, plan) => layPlanText(plan),
-  '--svg': ({svg}) => svg(),
-  '--pdf': (files) => pages(files, 10),
-  '--plotter': (files) => pages(files, 1),
-  '--dxf': ({dxf}) => dxf(),
+const outputs: Readonly<Record<string, (written: Written) => Content | Promise<Content>>> = {
+  '--out': ({plan}) => layPlanText(plan),
+  '--svg': ({files}) => files.svg(),
+  '--pdf': ({files}) => pages(files, 10),
+  '--plotter': ({files}) => pages(files, 1),
+  [dxfFlag]: ({files, format}) => files.dxf(format),
+  '--plt': ({files}) => files.hpgl(),
 };
 
 async function pages({pdf}: LayPlanFiles, scale: 10 | 1): Promise<Uint8Array> {
@@ -65,6 +74,7 @@ const grammar = {
     ...flagsOf(layLengths),
     ...flagsOf(layCounts),
     ...Object.keys(outputs),
+    ...dxfFlags,
   ],
   switches: ['--free', '--fold', '--json'],
 } as const;
@@ -87,6 +97,10 @@ export async function marker(words: readonly string[]): Promise<void> {
     const path = args.value(flag);
     return path === undefined ? [] : [{flag, path, content}];
   });
+  const format = dxfFormat(
+    args,
+    wanted.some(({flag}) => flag === dxfFlag),
+  );
   checkDistinct(Object.fromEntries(wanted.map(({flag, path}) => [flag, path])));
   for (const {path} of wanted) await checkWritable(path, [...args.files, printFile, ...others]);
 
@@ -101,7 +115,9 @@ export async function marker(words: readonly string[]): Promise<void> {
     {...settings, print: cloth, ...(flaws && {flaws})},
   );
   const files = await filesOf(plan, laid, {cloth, printFile, resultFiles: args.files});
-  for (const {path, content} of wanted) await writeWhole(path, await content(files, plan));
+  for (const {path, content} of wanted) {
+    await writeWhole(path, await content({files, plan, format}));
+  }
   report(args, plan, milliseconds);
 }
 

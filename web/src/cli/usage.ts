@@ -56,16 +56,17 @@ seamwise symmetries GARMENT.json [--out FILE.json]
 seamwise import FILE [flags]
   Reads a pattern of another program, DXF (AAMA, ASTM or plain), SVG, OBJ with texture coordinates, or a
   garment's JSON, and tells what is in it.
-    --units mm|cm|in            in which unit it is, whatever it says
+    --units mm|cm|in            in which unit it is, whatever it says; 300ppi: pixels per inch of an SVG
     --size NAME                 of a nest of sizes; default the one that the others were graded from
     --seams suggest|file|none   default: suggested where the file has none
     --out GARMENT.json          writes it in the project's own format, seamwise-garment/1
     --json                      prints what was found as JSON
 
 seamwise convert GARMENT.json [--plain] [--out FILE.json]
-seamwise convert GARMENT.json --to dxf [--allowance CM] [--sew-as-1] --out FILE.dxf
+seamwise convert GARMENT.json --to dxf [--allowance CM] [--sew-as-1] [--dxf-style ...] [--dxf-unit ...]
+                 --out FILE.dxf
   Rewrites a garment in the project's own format, seamwise-garment/1.
-    --to dxf                    as AAMA DXF (R12, mm): cut lines on layer 1, sewn ones on 14 where they differ
+    --to dxf                    as AAMA or ASTM DXF (R12): cut lines on layer 1, sewn ones on 14 where they differ
     --allowance CM              in DXF: beyond edges where the garment gives none; default 0
     --plain                     as a GarmentCode specification instead, which other programs read: paths become
                                 single cubics, sewn one by one; cut-outs, grain and marks have no place there
@@ -82,14 +83,17 @@ seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.s
   Draws the pieces on their print, before and after, with the mismatch along the seams.
     --cloth-only                without seams, axes and names over the print
 
-seamwise cut RESULT.json --print PRINT.json [flags]
+seamwise cut RESULT.json [RESULT.json ...] --print PRINT.json [flags]
   Lays the pieces on a sheet at true scale, in their print, to print and to cut along, and prints one line: how many
-  pages of which size. Without a file to write it only says that.
+  pages of which size. Without a file to write it only says that. Several results are sizes of one pattern, which
+  --dxf writes as one nest; the first is the sample size.
     --colourway NAME            of the print
     --garment GARMENT.json      names, notches and grain lines; default the garment that the result holds
     --allowance CM              around pieces, where the garment gives none; default 1
     --hem CM                    of hems, where the garment gives none; default 3, or what --allowance says
     --sew-as-1                  in DXF: the sewn line on layer 1, the cut line on 14, as CLO expects them
+    --dxf-style aama|astm       default aama; astm has validation copies of all lines
+    --dxf-unit mm|in            default mm
     --paper a4|letter|a3|legal|tabloid   pages to glue; default a4
     --paper a2|a1|a0|36in       large sheets and rolls
     --paper projector           one page without margins, wide cut lines, no sewn lines, a grid of 5 cm
@@ -98,7 +102,7 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --guide                     adds pages to the PDF that help to place the pieces on fabric that is
                                 printed already: motifs at two or three points of each
     --date YYYY-MM-DD           to stand on every page
-    --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
+    --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf, --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie
 
 seamwise repeat --print PRINT.json --out FILE.png|FILE.svg [flags]
@@ -139,7 +143,8 @@ seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [fla
     --seed N                    same seed, same layout; default 1
     --out PLAN.json             writes where every piece lies
     --svg FILE.svg              draws it at a tenth of its size; --pdf FILE.pdf too, --plotter FILE.pdf at true scale
-    --dxf FILE.dxf              the pieces where they lie, for cutters
+    --dxf FILE.dxf              the pieces where they lie, for cutters; --dxf-style and --dxf-unit as for cut;
+                                --plt FILE.plt for plotters
     --json                      prints the figures as JSON
 
 seamwise drape RESULT.json --print PRINT.json [flags]

@@ -14,7 +14,7 @@ type Read = (bytes: Uint8Array, name: string, options: DrawingOptions) => Drawin
 
 const readers: Readonly<Record<DrawingKind, Read>> = {
   dxf: readDxf,
-  svg: (bytes, name, {units}) => readSvg(decoded(bytes), name, units),
+  svg: (bytes, name, options) => readSvg(decoded(bytes), name, options),
   obj: (bytes, name, {units}) => readObj(bytes, name, units),
 };
 
@@ -46,5 +46,8 @@ export function readDrawing(
     );
   }
   if (typeof kind !== 'string') throw new FileError(name, kind.refusal);
+  if (options.pixelsPerInch !== undefined && kind !== 'svg') {
+    throw new FileError(name, 'is no SVG and has no pixels; give its unit as mm, cm or in.');
+  }
   return readers[kind](bytes, name, options);
 }

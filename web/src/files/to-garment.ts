@@ -12,7 +12,15 @@ import type {
   GarmentDocument,
   GarmentPiece,
 } from '../model/garment/garment-document.js';
-import {dot, minus, radians, type Point} from '../model/geometry/vectors.js';
+import {
+  between,
+  cross,
+  distance,
+  dot,
+  minus,
+  radians,
+  type Point,
+} from '../model/geometry/vectors.js';
 import {atShare, signedArea} from '../model/geometry/polyline.js';
 import type {Symmetry} from '../model/garment/symmetries.js';
 import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
@@ -43,6 +51,8 @@ const smallest = 4;
 export interface PieceChoice {
   readonly take: boolean;
   readonly cut: 'once' | 'pair';
+  /** Indices of the piece's holes that are lines drawn on it instead. Default: none. */
+  readonly lines?: readonly number[];
 }
 
 export interface Choices {
@@ -110,10 +120,10 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
   const symmetries: Symmetry[] = [];
   const places = new Map<number, Placed>();
   drawing.pieces.forEach((drawn, number) => {
-    const {take, cut} = choices[number] ?? {take: true, cut: 'once'};
+    const {take, cut, lines = []} = choices[number] ?? {take: true, cut: 'once'};
     if (!take) return;
     const {asDrawn, mirrored} = drawn.quantity;
-    const made = pieceOf(drawn, uniqueName(drawn.name, names), cmPer(unit));
+    const made = pieceOf(withLines(drawn, lines, unit), uniqueName(drawn.name, names), cmPer(unit));
     if (asDrawn === 0 && mirrored > 0 && !made.axis && cut === 'once') {
       pieces.push(mirrorImage(made.piece, made.piece.name));
       return;
@@ -140,6 +150,21 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
     ...{pieces, seams, matches: [], symmetries, questions: []},
     ...(drawing.title !== undefined && {title: drawing.title}),
     ...(drawing.size !== undefined && {size: drawing.size}),
+  };
+}
+
+/** The piece with some of its holes as lines drawn on it. */
+function withLines(drawn: DrawnPiece, lines: readonly number[], unit: FileUnit): DrawnPiece {
+  if (lines.length === 0) return drawn;
+  const drawnOn = drawn.holes.filter((_, k) => lines.includes(k));
+  const closed = drawnOn.map((hole) => {
+    const line = tracedLoop(hole, traceTolerance / cmPer(unit));
+    return [...line, ...line.slice(0, 1)];
+  });
+  return {
+    ...drawn,
+    holes: drawn.holes.filter((_, k) => !lines.includes(k)),
+    internalLines: [...drawn.internalLines, ...closed],
   };
 }
 
@@ -229,7 +254,11 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
     sewn: loop(sewn),
     ...(cut && {cut: loop(cut)}),
     holes: holes.map(loop),
-    notches: notches.map((notch) => ({...notch, at: at(notch.at)})),
+    notches: notches.map(({towards, ...notch}) => ({
+      ...notch,
+      at: at(notch.at),
+      ...(towards && {towards: at(towards)}),
+    })),
     ...(grain && {grain: line(grain)}),
     ...(fold && {fold: line(fold)}),
     internalLines: internalLines.map((points) => points.map(at)),
@@ -266,14 +295,25 @@ function withAllowance(run: Run, cut: readonly Point[] | undefined): DraftedEdge
   return cut ? {...edge, allowance: {width: Number(widthOf(run, cut).toFixed(3))}} : edge;
 }
 
-/** Assigns each notch to its nearest edge within reach. */
+/** Greatest way along a notch to its edge, as a multiple of the shortest one. */
+const slantedWay = 1.2;
+
+/**
+ * Assigns each notch to its nearest edge within reach. A notch on the cut line meets the edge along
+ * its own direction, if the file states one that leads there.
+ */
 function notchesOf({notches}: DrawnPiece, runs: readonly Run[]): DraftedNotch[] {
   const lines = runs.map((run) => measured(tracedRun(run, traceTolerance)));
-  return notches.flatMap(({at}): DraftedNotch[] => {
-    const [best] = lines
-      .map((line, edge) => ({edge, ...onLine(line, at)}))
-      .sort((a, b) => a.off - b.off);
-    return best && best.off <= notchReach ? [{edge: best.edge, at: best.share}] : [];
+  const first = (found: readonly OnEdge[]): OnEdge | undefined =>
+    [...found].sort((a, b) => a.off - b.off)[0];
+  return notches.flatMap(({at, towards}): DraftedNotch[] => {
+    const best = first(lines.map((line, edge) => ({edge, ...onLine(line, at)})));
+    if (!best || best.off > notchReach) return [];
+    const hit =
+      towards &&
+      first(lines.flatMap((line, edge) => hits(line, at, towards).map((on) => ({edge, ...on}))));
+    const {edge, share} = hit && hit.off <= slantedWay * best.off ? hit : best;
+    return [{edge, at: share}];
   });
 }
 
@@ -294,14 +334,34 @@ function measured(points: readonly Point[]): Measured {
   };
 }
 
-function onLine(
-  {points, lengths}: Measured,
-  point: Point,
-): {readonly off: number; readonly share: number} {
-  const {at, off, step} = nearestOn(points, point, false);
-  const [x, y] = points[step] ?? at;
-  const length = (lengths[step] ?? 0) + Math.hypot(at[0] - x, at[1] - y);
-  return {off, share: length / (lengths.at(-1) ?? 1)};
+/** A point of a line: its share of the length, and its distance from another point. */
+interface OnLine {
+  readonly off: number;
+  readonly share: number;
+}
+
+interface OnEdge extends OnLine {
+  readonly edge: number;
+}
+
+const shareOf = ({points, lengths}: Measured, step: number, at: Point): number =>
+  ((lengths[step] ?? 0) + distance(at, points[step] ?? at)) / (lengths.at(-1) ?? 1);
+
+function onLine(line: Measured, point: Point): OnLine {
+  const {at, off, step} = nearestOn(line.points, point, false);
+  return {off, share: shareOf(line, step, at)};
+}
+
+/** Where a straight line through two points crosses another line. */
+function hits(line: Measured, from: Point, to: Point): OnLine[] {
+  const way = minus(to, from);
+  const sides = line.points.map((p) => cross(way, minus(p, from)));
+  return line.points.slice(1).flatMap((end, step): OnLine[] => {
+    const [start = end, before = 0, after = 0] = [line.points[step], sides[step], sides[step + 1]];
+    if (before === after || before < 0 === after < 0) return [];
+    const at = between(start, end, before / (before - after));
+    return [{off: distance(at, from), share: shareOf(line, step, at)}];
+  });
 }
 
 const mirror = ([x, y]: Point): Point => [0 - x, y];

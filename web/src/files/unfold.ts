@@ -25,6 +25,12 @@ interface Unfolded {
   readonly axis?: readonly [Point, Point];
 }
 
+/** A mark at a point, with a second point in its direction if it has one. */
+interface Mark {
+  readonly at: Point;
+  readonly towards?: Point;
+}
+
 type Mirror = (point: Point) => Point;
 
 /**
@@ -38,8 +44,13 @@ export function unfolded(piece: DrawnPiece): Unfolded {
   const mirror = mirrorIn(fold);
   const wholeCut = cut && (wholeLoop(cut, fold) ?? cut);
   const isApart = (point: Point): boolean => distance(point, mirror(point)) > foldReach;
-  const doubled = <T extends {readonly at: Point}>(marks: readonly T[]): T[] =>
-    marks.flatMap((mark) => (isApart(mark.at) ? [mark, {...mark, at: mirror(mark.at)}] : [mark]));
+  const image = <T extends Mark>({at, towards, ...mark}: T): Omit<T, keyof Mark> & Mark => ({
+    ...mark,
+    at: mirror(at),
+    ...(towards && {towards: mirror(towards)}),
+  });
+  const doubled = <T extends Mark>(marks: readonly T[]): (Omit<T, keyof Mark> & Mark)[] =>
+    marks.flatMap((mark) => (isApart(mark.at) ? [mark, image(mark)] : [mark]));
   return {
     axis: fold,
     piece: {

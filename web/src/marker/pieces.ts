@@ -9,6 +9,7 @@ import type {LaidTurns, MarkerPiece, Nap} from '../model/result/marker-search.js
 import type {SolveOptions} from '../model/design/options.js';
 import type {ResultPiece, SolveResult} from '../model/result/result.js';
 import {calledIn, cutRings} from './cut-rings.js';
+import {leastRise, warpOf} from './nap.js';
 
 /** Identifies the source of a problem's piece: its garment and its name there. */
 export interface PieceOfMarker {
@@ -24,8 +25,10 @@ interface Laying extends AllowanceRule {
   readonly shifts: readonly Point[];
 }
 
-interface LaidOf extends PieceOfMarker {
+export interface LaidOf extends PieceOfMarker {
   readonly asked: Omit<MarkerPiece, 'garment'>;
+  /** The piece has no grain. */
+  readonly isFree: boolean;
   /** Index of the component with which the piece's print moves, if any. */
   readonly component?: number;
 }
@@ -51,21 +54,18 @@ function lockOf(
   return chosen ?? drafted?.grain?.lock ?? all;
 }
 
-/** A grain line has no upper end if it rises by less than this share of its length. */
-const leastRise = 0.2;
-
 /**
- * The upward direction of a piece: from foot to head of its grain line. The warp of the solved
- * alignment replaces a grain line that runs across the fabric and stays so.
+ * The upward direction of a piece: from foot to head of its grain line, or as drawn without one.
+ * The warp of the solved alignment replaces a grain line that runs across the fabric and stays so.
  */
 function upOf(
   {alignment, grainAngle = Math.PI / 2}: ResultPiece,
   {grainDeg}: Pick<PanelMarks, 'grainDeg'>,
-  turns: LaidTurns,
+  lock: GrainLock,
 ): Point {
-  const warp = towards(alignment.angle + Math.PI / 2);
+  const warp = warpOf(alignment);
   const grain = towards(grainDeg === undefined ? grainAngle : radians(grainDeg));
-  return turns === 'half' && Math.abs(dot(warp, grain)) < leastRise ? warp : grain;
+  return turnsBy[lock] === 'half' && Math.abs(dot(warp, grain)) < leastRise ? warp : grain;
 }
 
 /**
@@ -107,12 +107,12 @@ export function laidPieces(
       outline,
       alignment: piece.alignment,
       turns,
-      up: upOf(piece, mark, turns),
+      up: upOf(piece, mark, lock),
       shifts: loose.has(k) ? thinned(shifts, mostShifts / loose.size) : [],
     };
     const component = joined.findIndex((group) => group.includes(k));
     return Array.from({length: quantity}, (_, nth) => ({
-      ...{result, piece: piece.name, asked},
+      ...{result, piece: piece.name, asked, isFree: lock === 'free'},
       ...(component >= 0 && {component}),
       ...(quantity > 1 && {nth}),
     }));

@@ -3,12 +3,13 @@ import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {SolverError} from '../model/result/failure.js';
 import {distance, norm, rotated} from '../model/geometry/vectors.js';
 import {layNote, type LayNote} from '../model/result/lay-note.js';
-import type {MarkerProblem} from '../model/result/marker-search.js';
+import type {MarkerPiece, MarkerProblem} from '../model/result/marker-search.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {ruleOf} from '../cutting/allowance-rule.js';
 import {checkScaled, type PrintScale} from '../model/result/unscaled-print.js';
 import type {Repeat} from '../model/print/wallpaper.js';
-import {laidPieces, type PieceOfMarker} from './pieces.js';
+import {uprightPieces} from './nap.js';
+import {laidPieces, type LaidOf, type PieceOfMarker} from './pieces.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from './repeats.js';
 import {checkedSettings, type MarkerSettings} from './settings.js';
 
@@ -131,7 +132,7 @@ export function markerOrder(
   }
   const problem: MarkerProblem = {
     print,
-    pieces: laid.map(({asked: piece, garment}) => ({...piece, garment})),
+    pieces: nap === 'one-way' && !asked.fold ? napped(laid, print) : laid.map(pieceOf),
     ...{widthCm: settings.widthCm, selvedgeCm: settings.selvedgeCm, gapCm: settings.gapCm},
     ...{repeatTolerance: settings.repeatTolerance, nap, ignoresPrint, flaws},
     wholeRepeats: plies > 1 && repeat !== undefined && !ignoresPrint,
@@ -151,6 +152,26 @@ export function markerOrder(
     ...{allowanceCm, hemCm},
     notes: notesOf(garments, settings, repeat),
   };
+}
+
+interface Laid extends LaidOf {
+  readonly garment: number;
+}
+
+const pieceOf = ({asked, garment}: Laid): MarkerPiece => ({...asked, garment});
+
+/**
+ * The pieces of a problem; those without a grain lie the same way up as far as the print allows. On
+ * folded fabric, mirror images lie as the fold demands.
+ */
+function napped(laid: readonly Laid[], print: Repeat): readonly MarkerPiece[] {
+  const upright = new Map(
+    uprightPieces(
+      laid.flatMap((one, k) => (one.isFree ? [{...pieceOf(one), k}] : [])),
+      print,
+    ).map(({k, ...piece}) => [k, piece]),
+  );
+  return laid.map((one, k) => upright.get(k) ?? pieceOf(one));
 }
 
 /** Indices of pieces whose print moves together: by garment, in the order of `movablePieces`. */

@@ -67,8 +67,12 @@ export interface Cut {
   readonly pdf: () => Promise<Pick<CuttingPdf, 'bytes' | 'notes'>>;
   /** All pieces on one sheet, at true scale. */
   readonly svg: () => string;
-  /** For CAD programs and cutters: AAMA DXF and HP-GL. */
+  /** For CAD programs and cutters: AAMA or ASTM DXF. */
   readonly dxf: (options?: DxfOptions) => string;
+  /**
+   * For plotters; a sheet longer than 81.9 cm in frames of 80 cm.
+   * @throws {RangeError} if both sides of the sheet are longer than 163.8 cm
+   */
   readonly hpgl: () => string;
 }
 

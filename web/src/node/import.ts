@@ -7,7 +7,7 @@ import {
   type DefaultChoices,
 } from '../files/to-garment.js';
 import {cmPer, isPossible} from '../files/base/units.js';
-import type {Drawing} from '../model/garment/imported-drawing.js';
+import type {Drawing, DrawingOptions} from '../model/garment/imported-drawing.js';
 import {edgeLine} from '../model/garment/edge-curve.js';
 import {
   unitsInMetre,
@@ -33,6 +33,8 @@ export interface ImportOptions {
   readonly name?: string;
   /** Unit of the file, which overrides the stated one. */
   readonly units?: FileUnit;
+  /** Pixels per inch of an SVG file, instead of `units`. */
+  readonly pixelsPerInch?: number;
   /** Size of a nest. Default: the sample size, from which others were graded. */
   readonly size?: string;
   /**
@@ -103,13 +105,14 @@ type ReadGarment = (text: string, name: string) => Promise<GarmentDocument>;
 export async function importWith(
   readGarment: ReadGarment,
   bytes: Uint8Array,
-  {name = 'the pattern', units, size, seams = 'suggest'}: ImportOptions,
+  {name = 'the pattern', units, pixelsPerInch, size, seams = 'suggest'}: ImportOptions,
 ): Promise<ImportedGarment> {
   const isJson = /^\s*\{/.test(textOf(bytes.subarray(0, 64)));
   const {document, found} = isJson
     ? await fromGarment(readGarment, textOf(bytes), name, units)
     : await fromDrawing(readGarment, bytes, name, {
         ...(units && {units}),
+        ...(pixelsPerInch !== undefined && {pixelsPerInch}),
         ...(size !== undefined && {size}),
       });
   const sewn =
@@ -168,19 +171,21 @@ async function fromDrawing(
   readGarment: ReadGarment,
   bytes: Uint8Array,
   name: string,
-  options: {readonly units?: FileUnit; readonly size?: string},
+  options: DrawingOptions,
 ): Promise<Found> {
   const drawing = readDrawing(bytes, name, options);
   const choices = await soundChoices(readGarment, drawing, name);
   const drawn = garmentOf(drawing, choices);
   const {unit, because} = drawing.unit;
+  const {units, pixelsPerInch} = options;
+  const isAsked = units !== undefined || pixelsPerInch !== undefined;
   const pieces = piecesIn(drawing, choices, drawn);
   const largest = Math.max(...pieces.map(({widthCm, heightCm}) => Math.max(widthCm, heightCm)));
   const guess = because === 'size' || !drawing.unit.isSure;
-  if (!options.units && !isPossible(largest)) {
+  if (!isAsked && !isPossible(largest)) {
     throw new FileError(
       name,
-      `would have a largest piece of ${largest.toPrecision(3)} cm if it is in ${unit}, which nobody could wear; say in which unit it is with --units mm, cm or in.`,
+      `would have a largest piece of ${largest.toPrecision(3)} cm if it is in ${unit}, which nobody could wear; say in which unit it is with --units mm, cm or in${drawing.kind === 'svg' ? ', or pixels per inch, such as 300ppi' : ''}.`,
     );
   }
   if (drawn.pieces.length === 0) {
@@ -193,11 +198,14 @@ async function fromDrawing(
       pieces,
       sizes: drawing.sizes,
       size: drawing.size ?? null,
-      units: {used: shortly(unit), from: options.units ? 'flag' : guess ? 'guess' : 'file'},
+      units: {
+        used: pixelsPerInch === undefined ? shortly(unit) : `${pixelsPerInch}ppi`,
+        from: isAsked ? 'flag' : guess ? 'guess' : 'file',
+      },
       notes: [
         ...drawing.notes,
         ...choices.notes,
-        ...(guess && !options.units
+        ...(guess && !isAsked
           ? [
               `The unit is taken to be ${shortly(unit)}, in which the largest piece is ${largest.toFixed(1)} cm long.`,
             ]

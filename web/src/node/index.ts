@@ -1,4 +1,5 @@
 import type {MarkerGarment} from '../model/design/marker-garment.js';
+import type {PieceDxfOptions} from '../cutting/out/piece-dxf.js';
 import type {Drape, DrapeSettings} from '../model/result/draped-garment.js';
 import type {Garment} from '../model/garment/specification.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
@@ -266,33 +267,29 @@ export async function convert(
   return plainGarment(await solver.garment(garment, {name}));
 }
 
-export interface GarmentDxfOptions {
+export interface GarmentDxfOptions extends PieceDxfOptions {
   /** Name of the garment in messages, and its title if it has none. */
   readonly name?: string;
   /** Allowance of edges without their own. Default 0. [cm] */
   readonly allowanceCm?: number;
-  /**
-   * Writes the sewn line on layer 1 and the cut line on layer 14, as CLO expects. Default false.
-   */
-  readonly sewAsBoundary?: boolean;
 }
 
 /**
- * Writes the pieces of a garment as AAMA DXF (R12, millimetres, one block per piece): the cut line
+ * Writes the pieces of a garment as AAMA or ASTM DXF (R12, one block per piece): the cut line
  * on layer 1, a different sewn line on 14, notches on 4, grain on 7, and so on, each within 0.02 mm
  * of its curves.
  * @throws {SolverError} for invalid input
  */
 export async function garmentDxf(
   garment: Garment | string,
-  {name = plainNames.garment, allowanceCm = 0, sewAsBoundary = false}: GarmentDxfOptions = {},
+  {name = plainNames.garment, allowanceCm = 0, ...format}: GarmentDxfOptions = {},
 ): Promise<string> {
   const document = await readGarment(garment, name);
   const [{draftedSheet}, {sheetDxf}] = await Promise.all([
     import('../cutting/drafted-sheet.js'),
     import('../cutting/out/sheet-dxf.js'),
   ]);
-  return sheetDxf(draftedSheet(document, {allowanceCm, units: 'cm'}, name), {sewAsBoundary});
+  return sheetDxf(draftedSheet(document, {allowanceCm, units: 'cm'}, name), format);
 }
 
 /**

@@ -1,6 +1,8 @@
 /** Files of a layout. */
+import type {DxfFormat} from '../files/dxf/dxf-format.js';
 import {drawPlanSvg} from '../marker/draw/draw-plan-svg.js';
 import {planDxf} from '../marker/draw/plan-dxf.js';
+import {planHpgl} from '../marker/draw/plan-hpgl.js';
 import {planPdf, type PlanPdf} from '../marker/draw/plan-pdf.js';
 import type {KnownPieces} from '../marker/draw/plan-pieces.js';
 import type {LayPlan} from '../model/result/marker-plan.js';
@@ -29,7 +31,12 @@ export interface LayPlanFiles {
    */
   readonly pdf: (scale?: 10 | 1) => Promise<PlanPdf>;
   /** For CAD programs and cutters. */
-  readonly dxf: () => string;
+  readonly dxf: (format?: DxfFormat) => string;
+  /**
+   * For plotters, in frames of 80 cm.
+   * @throws {RangeError} if the fabric is wider than 163.8 cm
+   */
+  readonly hpgl: () => string;
 }
 
 export function layPlanFilesOf(plan: LayPlan, settings: LayPlanSettings): LayPlanFiles {
@@ -40,6 +47,7 @@ export function layPlanFilesOf(plan: LayPlan, settings: LayPlanSettings): LayPla
     svg: () => drawPlanSvg(plan, options),
     pdf: (scale = 10) =>
       planPdf(plan, {...options, scale, ...(date && {date}), ...(pixels && {pixels})}),
-    dxf: () => planDxf(plan, known),
+    hpgl: () => planHpgl(plan, known),
+    dxf: (format) => planDxf(plan, {...known, ...format}),
   };
 }

@@ -1,6 +1,7 @@
 /** Writes a cutting sheet as a file of any kind. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
+import type {DxfFormat} from '../files/dxf/dxf-format.js';
 import {sheetDxf} from '../cutting/out/sheet-dxf.js';
 import {sheetHpgl} from '../cutting/out/sheet-hpgl.js';
 import type {PrintWithTile} from '../picture/cloth.js';
@@ -13,6 +14,8 @@ interface CutFileOptions extends Omit<CuttingPdfOptions, 'paper'> {
   readonly file: CutFileKind;
   /** Paper of a PDF: a name or a size, as in `paperOf`. */
   readonly paper: string;
+  /** Dialect and unit of a DXF file. */
+  readonly dxf?: DxfFormat;
 }
 
 /**
@@ -23,13 +26,13 @@ interface CutFileOptions extends Omit<CuttingPdfOptions, 'paper'> {
 export async function cutFile(
   sheet: CutSheet,
   print: PrintWithTile,
-  {file, paper: word, ...options}: CutFileOptions,
+  {file, paper: word, dxf, ...options}: CutFileOptions,
 ): Promise<string | Uint8Array<ArrayBuffer>> {
   switch (file) {
     case 'svg':
       return drawSheetSvg(sheet, print, options);
     case 'dxf':
-      return sheetDxf(sheet, options.date ? {date: options.date} : {});
+      return sheetDxf(sheet, {...dxf, ...(options.date && {date: options.date})});
     case 'plt':
       return sheetHpgl(sheet);
     default: {

@@ -3,6 +3,7 @@ import {allowancesIn, withAllowances} from '../../workbench/allowances.js';
 import type {ChosenAllowances} from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {fieldOf} from '../../model/base/read.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
 import type {Units} from '../../model/base/length-text.js';
 import {printInks, type PrintInk} from '../../cutting/print-ink.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
@@ -21,6 +22,8 @@ interface FileChoices {
   readonly ink: PrintInk;
   /** Adds a placing guide to a PDF. */
   readonly guide: boolean;
+  readonly dxfStyle: DxfStyle;
+  readonly dxfUnit: DxfUnit;
 }
 
 /** The fabric layout uses the same allowances. */
@@ -29,8 +32,8 @@ export interface CutChoices extends FileChoices, ChosenAllowances {}
 const key = 'seamwise.cut';
 
 const usual: Readonly<Record<Units, FileChoices>> = {
-  cm: {file: 'pdf', paper: 'a4', ink: 'full', guide: false},
-  inch: {file: 'pdf', paper: 'letter', ink: 'full', guide: false},
+  cm: {file: 'pdf', paper: 'a4', ink: 'full', guide: false, dxfStyle: 'aama', dxfUnit: 'mm'},
+  inch: {file: 'pdf', paper: 'letter', ink: 'full', guide: false, dxfStyle: 'aama', dxfUnit: 'mm'},
 };
 
 const isRight: {readonly [Name in keyof FileChoices]: (value: unknown) => boolean} = {
@@ -38,6 +41,8 @@ const isRight: {readonly [Name in keyof FileChoices]: (value: unknown) => boolea
   paper: (value) => (papers as readonly unknown[]).includes(value),
   guide: (value) => typeof value === 'boolean',
   ink: (value) => (printInks as readonly unknown[]).includes(value),
+  dxfStyle: (value) => (dxfStyles as readonly unknown[]).includes(value),
+  dxfUnit: (value) => (dxfUnits as readonly unknown[]).includes(value),
 };
 
 function storedFileChoices(units: Units): FileChoices {
@@ -61,8 +66,8 @@ export const storedChoices = ({preferences: {chosen}}: Workbench): CutChoices =>
 /** Stores the settings except defaults, which follow the units. */
 export function keepChoices(choices: CutChoices, workbench: Workbench): void {
   const {units} = workbench.preferences.chosen;
-  const {file, paper, ink, guide} = choices;
-  const chosen = Object.entries({file, paper, ink, guide}).filter(
+  const {file, paper, ink, guide, dxfStyle, dxfUnit} = choices;
+  const chosen = Object.entries({file, paper, ink, guide, dxfStyle, dxfUnit}).filter(
     ([name, value]) => value !== usual[units][name as keyof FileChoices],
   );
   try {

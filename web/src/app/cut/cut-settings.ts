@@ -4,6 +4,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {lengthUnit} from '../../editor/controls/number-field.js';
 import {greatestAllowance} from '../../cutting/allowance-rule.js';
 import {printInks} from '../../cutting/print-ink.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
 import type {Units} from '../../model/base/length-text.js';
 import {paperOf} from '../../paper/papers.js';
 import type {CutTexts} from '../../texts/cut-texts.js';
@@ -43,6 +44,40 @@ function filePart({choices, words, choose}: Shown): TemplateResult {
     </div>
     <p id="for" class="soft">${words.fileNotes[choices.file]}</p>
   </div>`;
+}
+
+/** Dialect and unit of a DXF file. */
+function dxfPart({choices: {dxfStyle, dxfUnit}, words, choose}: Shown): TemplateResult {
+  return html`<label>
+      ${words.dxfStyle}
+      <select
+        @change=${({target}: Event) => {
+          choose({dxfStyle: (target as HTMLSelectElement).value as DxfStyle});
+        }}
+      >
+        ${dxfStyles.map(
+          (style) =>
+            html`<option value=${style} ?selected=${style === dxfStyle}>
+              ${words.dxfStyles[style]}
+            </option>`,
+        )}
+      </select>
+    </label>
+    <label>
+      ${words.dxfUnit}
+      <select
+        @change=${({target}: Event) => {
+          choose({dxfUnit: (target as HTMLSelectElement).value as DxfUnit});
+        }}
+      >
+        ${dxfUnits.map(
+          (unit) =>
+            html`<option value=${unit} ?selected=${unit === dxfUnit}>
+              ${words.dxfUnits[unit]}
+            </option>`,
+        )}
+      </select>
+    </label>`;
 }
 
 function paperPart(shown: Shown): TemplateResult {
@@ -143,6 +178,7 @@ function guidePart({choices, words, choose}: Shown): TemplateResult | typeof not
 
 export const cutSettings = (shown: Shown): TemplateResult =>
   html`${filePart(shown)} ${shown.choices.file === 'pdf' ? paperPart(shown) : nothing}
+    ${shown.choices.file === 'dxf' ? dxfPart(shown) : nothing}
     <div class="lengths">
       ${lengthPart('allowanceCm', shown.words.allowance, shown)}
       ${lengthPart('hemCm', shown.words.hem, shown)} ${ownPart(shown)}

@@ -28,6 +28,9 @@ serve(async (asked, request) => {
   if (kind === 'plan') return planOf(sheet, question);
   const pixels = async (width: number, height: number) =>
     (await request({width, height})) as Uint8Array<ArrayBuffer> | undefined;
-  const {file, paper, ink, guide} = choices;
-  return cutFile(sheet, print, {file, paper, ink, pixels, ...(guide && {guide: options})});
+  const {file, paper, ink, guide, dxfStyle: style, dxfUnit: unit} = choices;
+  return cutFile(sheet, print, {
+    ...{file, paper, ink, dxf: {style, unit}, pixels},
+    ...(guide && {guide: options}),
+  });
 });

@@ -2,15 +2,15 @@
 import {readDrawing} from '../../files/read-drawing.js';
 import {useOfSvg} from '../../files/svg/read-svg.js';
 import {defaultChoices, garmentOf} from '../../files/to-garment.js';
-import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
+import type {DrawingOptions, DrawnPiece} from '../../model/garment/imported-drawing.js';
 import {garmentFile} from '../../model/garment/write-garment.js';
 import {serve} from '../worker/serve.js';
 import {pieceShape} from './piece-shape.js';
 import type {Making, Question, ShownDrawing} from './reading.js';
 
-async function drawingOf(file: File, size: string | undefined): Promise<ShownDrawing> {
+async function drawingOf(file: File, options: DrawingOptions): Promise<ShownDrawing> {
   const bytes = new Uint8Array(await file.arrayBuffer());
-  const drawing = readDrawing(bytes, file.name, size === undefined ? {} : {size});
+  const drawing = readDrawing(bytes, file.name, options);
   return {drawing, shapes: drawing.pieces.map(pieceShape), first: defaultChoices(drawing)};
 }
 
@@ -28,7 +28,7 @@ serve(async (asked) => {
     case 'use':
       return useOfSvg(await question.file.text());
     case 'drawing':
-      return drawingOf(question.file, question.size);
+      return drawingOf(question.file, question.options);
     default:
       return garmentText(question);
   }

@@ -6,6 +6,7 @@ import {controls} from '../../editor/style/controls.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
 import {unitsInMetre, type FileUnit} from '../../model/garment/garment-document.js';
+import {densities} from '../../files/base/units.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import {chosenAlso, largestOf} from './choices.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
@@ -87,6 +88,37 @@ function unitChoice(
   </section>`;
 }
 
+/**
+ * Choice of the pixels per inch of an SVG file.
+ * @param isWaiting true while the file is being read again
+ */
+function densityChoice(
+  {kind}: Drawing,
+  density: number | undefined,
+  isWaiting: boolean,
+  choose: (density: number | undefined) => void,
+  words: ImportTexts,
+): TemplateResult | typeof nothing {
+  if (kind !== 'svg') return nothing;
+  return html`<section>
+    <label>
+      ${words.density}
+      <select
+        ?disabled=${isWaiting}
+        @change=${({target}: Event) => {
+          const {value} = target as HTMLSelectElement;
+          choose(value === '' ? undefined : Number(value));
+        }}
+      >
+        <option value="" ?selected=${density === undefined}>${words.asInFile}</option>
+        ${densities.map(
+          (one) => html`<option value=${one} ?selected=${one === density}>${String(one)}</option>`,
+        )}
+      </select>
+    </label>
+  </section>`;
+}
+
 export type FileUse = 'drawing' | 'print';
 
 /**
@@ -102,6 +134,7 @@ export class ImportSheet extends WorkbenchElement {
     shown: {state: true},
     unit: {state: true},
     choices: {state: true},
+    density: {state: true},
     isOuterSewn: {state: true},
     isBusy: {state: true},
     trouble: {state: true},
@@ -114,6 +147,8 @@ export class ImportSheet extends WorkbenchElement {
   declare protected shown: ShownDrawing | undefined;
   declare protected unit: FileUnit;
   declare protected choices: readonly PieceChoice[];
+  /** Pixels per inch; undefined as in the file. */
+  declare protected density: number | undefined;
   declare protected isOuterSewn: boolean;
   declare protected isBusy: boolean;
   declare protected trouble: string | undefined;
@@ -146,6 +181,7 @@ export class ImportSheet extends WorkbenchElement {
     this.shown = shown;
     ({unit: this.unit, pieces: this.choices} = shown.first);
     this.isOuterSewn = false;
+    this.density = undefined;
     await this.#show();
   }
 
@@ -214,6 +250,7 @@ export class ImportSheet extends WorkbenchElement {
             words,
             format,
           )}
+          ${densityChoice(drawing, this.density, this.isBusy, this.#readDensity, words)}
           ${this.#lines(shown)} ${this.#notes(shown)}
         </div>
         <div class="pieces">${pieceChoice(choosing)} ${ruler(choosing)}</div>
@@ -282,9 +319,22 @@ export class ImportSheet extends WorkbenchElement {
     void this.#busy(async (signal) => {
       const {file, shown, choices} = this;
       if (!file || !shown) return;
-      const read = await drawingIn(file, signal, size);
+      const read = await drawingIn(file, signal, {size});
       this.choices = chosenAlso(read, shown, choices);
       this.shown = read;
+    });
+  };
+
+  readonly #readDensity = (density: number | undefined): void => {
+    void this.#busy(async (signal) => {
+      const {file, shown, choices} = this;
+      if (!file || !shown) return;
+      const options = density === undefined ? {} : {pixelsPerInch: density};
+      const read = await drawingIn(file, signal, options);
+      this.choices = chosenAlso(read, shown, choices);
+      this.unit = read.first.unit;
+      this.shown = read;
+      this.density = density;
     });
   };
 

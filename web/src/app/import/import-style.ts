@@ -153,6 +153,13 @@ export const importStyle = css`
     stroke-width: 2;
     stroke-dasharray: 8 3 2 3;
   }
+  .doubtful {
+    stroke: var(--sw-accent);
+    stroke-width: 2;
+  }
+  .pieces li > p {
+    margin: 0;
+  }
   .off path {
     stroke: var(--sw-strong-line);
     stroke-dasharray: 3 3;

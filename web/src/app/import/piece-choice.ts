@@ -37,7 +37,12 @@ function scaleOf(shown: ShownDrawing): number {
   return (isRoomy ? roomy : dense) / (largestOf(shown, 'cm') || 1);
 }
 
-function picture({box, sewn, cut, marks, fold}: PieceShape, scale: number): TemplateResult {
+/** @param lines indices of holes that are lines drawn on the piece */
+function picture(
+  {box, sewn, doubtful, cut, marks, fold}: PieceShape,
+  lines: readonly number[],
+  scale: number,
+): TemplateResult {
   const [left, top, width, height] = box;
   const margin = rim / scale;
   const view = [left - margin, top - margin, width + 2 * margin, height + 2 * margin];
@@ -48,8 +53,12 @@ function picture({box, sewn, cut, marks, fold}: PieceShape, scale: number): Temp
     aria-hidden="true"
   >
     ${cut ? svg`<path class="cut" d=${cut}></path>` : nothing}
-    <path class="sewn" d=${sewn}></path>
+    <path
+      class="sewn"
+      d=${[sewn, ...doubtful.flatMap((one) => (lines.includes(one.hole) ? [] : [one.path]))].join('')}
+    ></path>
     <path class="marks" d=${marks}></path>
+    ${doubtful.map((one) => svg`<path class="doubtful" d=${one.path}></path>`)}
     ${fold ? svg`<path class="fold" d=${fold}></path>` : nothing}
   </svg>`;
 }
@@ -81,7 +90,7 @@ export function pieceChoice(of: ShownChoices): TemplateResult {
 function pieceCard(of: ShownChoices, shape: PieceShape, k: number, scale: number): TemplateResult {
   const {shown, unit, choices, words, format} = of;
   const piece = shown.drawing.pieces[k];
-  const {take = false, cut = 'once'} = choices[k] ?? {};
+  const {take = false, cut = 'once', lines = []} = choices[k] ?? {};
   const name = readable(piece?.name ?? '');
   const side = (units: number): string => format.length(units * cmOf(unit));
   const about = [
@@ -91,7 +100,7 @@ function pieceCard(of: ShownChoices, shape: PieceShape, k: number, scale: number
   ];
   return html`<li class=${take ? '' : 'off'}>
     <label>
-      <span class="shape">${picture(shape, scale)}</span>
+      <span class="shape">${picture(shape, lines, scale)}</span>
       <span class="name">
         <input
           type="checkbox"
@@ -115,6 +124,26 @@ function pieceCard(of: ShownChoices, shape: PieceShape, k: number, scale: number
       <option value="once" ?selected=${cut === 'once'}>${words.once}</option>
       <option value="pair" ?selected=${cut === 'pair'}>${words.pair}</option>
     </select>
+    ${shape.doubtful.length === 0 ? nothing : html`<p>${words.holeOrLine}</p>`}
+    ${shape.doubtful.map(
+      ({hole, size: [width, height]}) =>
+        html`<select
+          aria-label=${`${words.holeOrLine} ${words.extent(side(width), side(height))}`}
+          ?disabled=${!take}
+          @change=${({target}: Event) => {
+            const others = lines.filter((one) => one !== hole);
+            const isLine = (target as HTMLSelectElement).value === 'line';
+            of.choose(k, {lines: isLine ? [...others, hole] : others});
+          }}
+        >
+          <option value="hole" ?selected=${!lines.includes(hole)}>
+            ${words.hole(words.extent(side(width), side(height)))}
+          </option>
+          <option value="line" ?selected=${lines.includes(hole)}>
+            ${words.lineOn(words.extent(side(width), side(height)))}
+          </option>
+        </select>`,
+    )}
   </li>`;
 }
 

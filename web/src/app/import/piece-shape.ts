@@ -1,15 +1,26 @@
 /** Lines of a drawn piece as SVG paths, y down, and its size. Lengths in the file's unit. */
 import type {DrawnPiece, Run} from '../../model/garment/imported-drawing.js';
-import type {Point} from '../../model/geometry/vectors.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+import {minus, type Point} from '../../model/geometry/vectors.js';
 
 export interface PieceShape {
   /** Upper left corner, width and height, as in a `viewBox`. */
   readonly box: readonly [left: number, top: number, width: number, height: number];
+  /** The sewn line, and holes that are certain. */
   readonly sewn: string;
+  /** Lines that are holes or drawn on the piece. */
+  readonly doubtful: readonly DoubtfulLine[];
   readonly cut: string;
   /** Grain, and lines drawn on the piece. */
   readonly marks: string;
   readonly fold: string;
+}
+
+export interface DoubtfulLine {
+  /** Index among the holes of the piece. */
+  readonly hole: number;
+  readonly path: string;
+  readonly size: readonly [width: number, height: number];
 }
 
 /** Number of steps for measuring a curve. */
@@ -46,15 +57,17 @@ function* along(runs: readonly Run[]): Generator<Point> {
 }
 
 export function pieceShape(piece: DrawnPiece): PieceShape {
-  const {sewn, cut = [], holes, grain, fold, internalLines} = piece;
-  let [left, low, right, high] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const [x, y] of along([...sewn, ...cut])) {
-    [left, right] = [Math.min(left, x), Math.max(right, x)];
-    [low, high] = [Math.min(low, y), Math.max(high, y)];
-  }
+  const {sewn, cut = [], holes, doubtfulHoles = [], grain, fold, internalLines} = piece;
+  const {low, high} = boxOf([...along([...sewn, ...cut])]);
+  const certain = holes.filter((_, k) => !doubtfulHoles.includes(k));
   return {
-    box: [left, -high, right - left, high - low],
-    sewn: [sewn, ...holes].map(path).join(''),
+    box: [low[0], -high[1], high[0] - low[0], high[1] - low[1]],
+    sewn: [sewn, ...certain].map(path).join(''),
+    doubtful: doubtfulHoles.map((hole) => {
+      const runs = holes[hole] ?? [];
+      const box = boxOf([...along(runs)]);
+      return {hole, path: path(runs), size: minus(box.high, box.low)};
+    }),
     cut: path(cut),
     marks: [...(grain ? [grain] : []), ...internalLines].map(line).join(''),
     fold: fold ? line(fold) : '',

@@ -1,7 +1,7 @@
 /** Requests to the worker that reads drawings. */
 import type {Choices, DefaultChoices} from '../../files/to-garment.js';
 import type {SvgUse} from '../../files/svg/read-svg.js';
-import type {Drawing} from '../../model/garment/imported-drawing.js';
+import type {Drawing, DrawingOptions} from '../../model/garment/imported-drawing.js';
 import {ask} from '../worker/ask.js';
 import type {PieceShape} from './piece-shape.js';
 
@@ -22,7 +22,7 @@ export interface Making {
 
 export type Question =
   | {readonly kind: 'use'; readonly file: File}
-  | {readonly kind: 'drawing'; readonly file: File; readonly size: string | undefined}
+  | {readonly kind: 'drawing'; readonly file: File; readonly options: DrawingOptions}
   | ({readonly kind: 'garment'} & Making);
 
 const asked = <Answer>(question: Question, signal: AbortSignal): Promise<Answer> =>
@@ -40,8 +40,11 @@ export const svgUse = (file: File, signal: AbortSignal): Promise<SvgUse> =>
  * @throws {WorkerComplaint} a message of one sentence if the file cannot be read; the signal's
  * reason when it fires
  */
-export const drawingIn = (file: File, signal: AbortSignal, size?: string): Promise<ShownDrawing> =>
-  asked({kind: 'drawing', file, size}, signal);
+export const drawingIn = (
+  file: File,
+  signal: AbortSignal,
+  options: DrawingOptions = {},
+): Promise<ShownDrawing> => asked({kind: 'drawing', file, options}, signal);
 
 /** Returns the text of the garment's file. @throws the errors of `drawingIn` */
 export const garmentFrom = (making: Making, signal: AbortSignal): Promise<string> =>

@@ -93,18 +93,21 @@ function checkedValue(
 
 /**
  * The flag's value, if it is one of `choices`.
+ * @param other other values that the caller reads, for messages
  * @throws {UsageError} for any other value
  */
 export function choice<T extends string>(
   args: Arguments,
   flag: string,
   choices: readonly T[],
+  other?: string,
 ): T | undefined {
   const value = args.value(flag);
   if (value === undefined) return undefined;
   const found = choices.find((known) => known === value);
   if (found === undefined) {
-    throw new UsageError(`${flag} is '${value}', but must be one of ${choices.join(', ')}.`);
+    const or = other === undefined ? '' : `, or ${other}`;
+    throw new UsageError(`${flag} is '${value}', but must be one of ${choices.join(', ')}${or}.`);
   }
   return found;
 }

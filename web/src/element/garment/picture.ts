@@ -2,6 +2,7 @@
 import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
 import {SolverError} from '../../model/result/failure.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 import type {SheetWindow} from '../../workbench/state.js';
@@ -52,6 +53,10 @@ export interface BlobRequest {
    * false.
    */
   readonly guide?: boolean | undefined;
+  /** Dialect of a DXF file: AAMA-292 or ASTM D6673. Default aama. */
+  readonly dxfStyle?: DxfStyle | undefined;
+  /** Unit of a DXF file. Default mm. */
+  readonly dxfUnit?: DxfUnit | undefined;
   /**
    * True for one repeat of the print in its size, for a print shop: PNG, or SVG if `type` is
    * `image/svg+xml`. Default false.
@@ -90,7 +95,16 @@ const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
  */
 async function cutFileFor(
   workbench: Workbench,
-  {type = '', paper = 'a4', allowance, hem, ink = 'full', guide = false}: BlobRequest,
+  {
+    type = '',
+    paper = 'a4',
+    allowance,
+    hem,
+    ink = 'full',
+    guide = false,
+    dxfStyle,
+    dxfUnit,
+  }: BlobRequest,
   {garment}: Texts,
 ): Promise<Blob | undefined> {
   const file = Object.hasOwn(cutTypes, type) ? cutTypes[type] : undefined;
@@ -99,9 +113,13 @@ async function cutFileFor(
   if (!isAllowance(rule.allowanceCm) || !isAllowance(rule.hemCm)) {
     throw new SolverError({code: 'options', message: garment.allowance(`${greatestAllowance} cm`)});
   }
+  const dxf = {style: dxfStyle ?? 'aama', unit: dxfUnit ?? 'mm'};
+  if (!dxfStyles.includes(dxf.style) || !dxfUnits.includes(dxf.unit)) {
+    throw new SolverError({code: 'options', message: garment.dxf});
+  }
   const {cutHere} = await import('../../workbench/cutting/cut-material.js');
   try {
-    const request = {file, paper, ink, guide, ...rule};
+    const request = {file, paper, ink, guide, dxf, ...rule};
     const content = await cutHere(workbench, request);
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {

@@ -1,4 +1,5 @@
 /** Notes on lines of a drawing that become neither pieces nor marks of pieces. [mm] */
+import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
 import {distance, type Point} from '../../model/geometry/vectors.js';
 import {lengthOf, signedArea} from '../../model/geometry/polyline.js';
 import {placeOf, pointText, type ClosedLine, type YAxis} from './closed-lines.js';
@@ -28,20 +29,22 @@ export function leftOutNotes<T extends Candidate>(
   {frames, titleBoxes, copies, grids, small}: Roles<T>,
   {open, layerOf, axis}: LeftOutLines,
 ): string[] {
-  const [largest] = [...small].sort((a, b) => b.area - a.area);
   const on = (line: Candidate): string => onLayer(layerOf?.(line));
+  const noted = (lines: readonly Candidate[], rest: string): string[] => {
+    const [largest] = [...lines].sort((a, b) => b.area - a.area);
+    if (!largest) return [];
+    return [
+      `${closedLines(lines.length)} ${rest}: left out; the largest is ${placeOf(largest, axis)}${on(largest)}.`,
+    ];
+  };
   return [
-    ...(frames.length > 0 ? ['Frames around pieces are left out.'] : []),
-    ...(titleBoxes.length > 0 ? ['Title boxes are left out.'] : []),
+    ...noted(frames, '(frame around pieces)'),
+    ...noted(titleBoxes, '(title box)'),
     ...(grids.length > 0 ? [`A grid of ${closedLines(grids.length)} is left out.`] : []),
     ...(copies.length > 0
       ? [`${closedLines(copies.length)} of the same size as others at the same place are left out.`]
       : []),
-    ...(largest
-      ? [
-          `${closedLines(small.length)} outside of pieces, marks or below 4 cm²: left out; the largest is ${placeOf(largest, axis)}${on(largest)}.`,
-        ]
-      : []),
+    ...noted(small, 'outside of pieces, marks or below 4 cm²'),
     ...openNotes(open, axis),
   ];
 }
@@ -91,6 +94,15 @@ export function cutOutNote(
       ? `The closed line inside '${piece}' is`
       : `${lines.length} closed lines inside '${piece}' are`;
   return `${subject} taken as cut out (${placeOf(first, axis)}); if not, draw ${lines.length === 1 ? 'it' : 'them'} on a layer or in a colour of its own.`;
+}
+
+/** The indices of doubtful cut-outs, if there are any. */
+export function doubtfulHoles<T>(
+  cutOuts: readonly T[],
+  doubtful: readonly T[],
+): Pick<DrawnPiece, 'doubtfulHoles'> {
+  const indices = cutOuts.flatMap((one, k) => (doubtful.includes(one) ? [k] : []));
+  return indices.length > 0 ? {doubtfulHoles: indices} : {};
 }
 
 /** The name and the reason of a line that may be a piece, and is not taken as one. */

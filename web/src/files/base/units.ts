@@ -26,6 +26,9 @@ const drawnIn: readonly FileUnit[] = ['mm', 'cm', 'inch', 'm'];
 const likely = (largest: number, units: readonly FileUnit[]): FileUnit[] =>
   units.filter((unit) => isWithin(largest * inCm(unit), usual));
 
+/** Usual pixels per inch of programs. */
+export const densities = [72, 90, 96, 150, 200, 300, 600] as const;
+
 /** Millimetres per unit of paper, as drawings name them. */
 export const paperUnits: Readonly<Record<string, number>> = {
   ...{mm: 1, cm: 10, m: 1000, in: 25.4, pt: 25.4 / 72, pc: 25.4 / 6, q: 0.25},

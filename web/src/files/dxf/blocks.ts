@@ -26,6 +26,9 @@ export interface PlacedBlock {
 type Map2 = (point: Point) => Point;
 
 function moved(entity: Drawn, map: Map2): Drawn {
+  if (entity.kind === 'point' && entity.towards) {
+    return {...entity, at: map(entity.at), towards: map(entity.towards)};
+  }
   if (entity.kind !== 'line') return {...entity, at: map(entity.at)};
   const {run} = entity;
   return {

@@ -95,7 +95,7 @@ function readLayer(group: Group, shut: Map<string, string>): void {
 
 /** The reason why a program does not show an entity; undefined if it does. */
 function hiddenBecause(group: Group, shut: ReadonlyMap<string, string>): string | undefined {
-  if (group.number(60, 0) === 1) return 'that are invisible';
+  if (group.number(60, 0) === 1) return 'marked as invisible';
   if (group.number(67, 0) === 1) return 'in paper space';
   return shut.get(group.text(8).trim().toUpperCase());
 }

@@ -4,10 +4,11 @@ import {distance, middle, type Point} from '../../model/geometry/vectors.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
 import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
-import {gapNote} from '../base/left-out.js';
+import {doubtfulHoles, gapNote} from '../base/left-out.js';
 import {reach} from './flat.js';
-import {areaOf, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
+import {areaOf, bySize, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
 import {outlineOf, type Outline} from './outline.js';
+import type {LineEntity} from './entities.js';
 import {linesOf, linesOn, pointsOn, type DxfPiece} from './pieces.js';
 import type {Vendor} from './vendors.js';
 
@@ -66,11 +67,17 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
       sewn: (sewn ?? outer).runs,
       ...(sewn && {cut: outer.runs}),
       holes: inner.map(({runs}) => runs),
+      ...doubtfulHoles(
+        inside,
+        inside.filter(({isDoubtful}) => isDoubtful),
+      ),
       notches: notchesOf(piece, how),
       ...(grain && {grain}),
       ...(fold && {fold}),
       internalLines: [
-        ...linesOn(entities, layers.internalLine).filter(({points}) => points.length > 1),
+        ...linesOn(entities, layers.internalLine).filter(
+          (line) => line.points.length > 1 && !isTick(line, piece, how),
+        ),
         ...beside
           .filter((loop) => !holes.includes(loop))
           .map(({points}) => ({points, isClosed: true})),
@@ -111,15 +118,16 @@ function parted<T>(all: readonly T[], is: (one: T) => boolean): [T[], T[]] {
 }
 
 /** Layers whose closed lines are part of a piece. */
-const isRead = (layer: string): boolean =>
-  layer === layers.boundary || layer in layers.roles || layers.isMark(layer);
+const isRead = (layer: string): boolean => layer === layers.boundary || layer in layers.roles;
 
-/** Closed lines of a block on layers without a meaning. */
+/** Closed lines of a block on layers without a meaning, or of marks that hold none. */
 const unread = ({entities, loops}: DxfPiece, {cmPerUnit}: DrawnWith): readonly Loop[] =>
   loops
     ? []
     : loopsOf(
-        linesOf(entities).filter(({layer}) => !isRead(layer)),
+        linesOf(entities).filter(({layer, isClosed}) =>
+          layers.isMark(layer) ? isClosed && !layers.holdsClosedMarks(layer) : !isRead(layer),
+        ),
         reach / cmPerUnit,
       ).closed;
 
@@ -147,8 +155,6 @@ function unreadNotes(piece: DxfPiece, loops: readonly Loop[], how: DrawnWith): s
     `${loops.length} closed ${loops.length === 1 ? 'line' : 'lines'} of '${piece.name}' on layer ${names} ${loops.length === 1 ? 'is' : 'are'} left out; the largest is ${placeOf(lineOf(largest, how), 'up')}.`,
   ];
 }
-
-const bySize = (loops: readonly Loop[]): Loop[] => [...loops].sort((a, b) => areaOf(b) - areaOf(a));
 
 /**
  * Closed lines of a layer, the largest first. Each is replaced by its validation copy if that has
@@ -181,6 +187,27 @@ function sewLoops(
   return [...others, ...internal].filter((loop) => isCutAround(cut, lineOf(loop, how)));
 }
 
+/** Greatest distance of a label from the middle of its tick. [cm] */
+const labelReach = 0.001;
+
+/** Longest tick or cross of a print. [cm] */
+const longestTick = 1;
+
+/**
+ * Returns whether an internal line is a tick or a part of a cross where a print has to match, with its
+ * label at its middle. Such marks belong to that print, not to the piece.
+ */
+const isTick = (line: LineEntity, {text}: DxfPiece, {cmPerUnit}: DrawnWith): boolean => {
+  const [from, to] = line.points;
+  if (!from || !to || line.points.length !== 2) return false;
+  if (distance(from, to) * cmPerUnit > longestTick) return false;
+  const at = middle(from, to);
+  return text.others.some(
+    (label) =>
+      layers.annotations.includes(label.layer) && distance(label.at, at) * cmPerUnit < labelReach,
+  );
+};
+
 const materialIn = ({text}: DxfPiece): string | undefined =>
   text.value('material') ??
   text.value('fabric') ??
@@ -201,8 +228,9 @@ const mostNotches = 1000;
 /** @throws {FileError} for more notches than any outline has */
 function notchesOf({name, entities}: DxfPiece, {file}: DrawnWith): DrawnNotch[] {
   const notches = Object.entries(layers.notches).flatMap(([layer, kind]) => [
-    ...pointsOn(entities, layer).map(({at, depth, width}): DrawnNotch => ({
+    ...pointsOn(entities, layer).map(({at, towards, depth, width}): DrawnNotch => ({
       at,
+      ...(towards && {towards}),
       ...(depth !== undefined && {depth}),
       kind: kind === 'v' && width === undefined ? 'slit' : kind,
     })),

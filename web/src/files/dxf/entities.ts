@@ -3,7 +3,7 @@
  * the file's unit, y up.
  */
 import type {Run} from '../../model/garment/imported-drawing.js';
-import type {Point} from '../../model/geometry/vectors.js';
+import {plus, radians, towards, type Point} from '../../model/geometry/vectors.js';
 import {boxOf} from '../../model/geometry/polyline.js';
 import {mapped, tracedRun} from '../base/bezier.js';
 import {longerSide} from '../base/closed-lines.js';
@@ -35,6 +35,8 @@ export interface PointEntity extends OnLayer {
   /** Depth of a notch. */
   readonly depth?: number;
   readonly width?: number;
+  /** A second point in the direction of a notch. */
+  readonly towards?: Point;
 }
 
 export interface TextEntity extends OnLayer {
@@ -122,8 +124,11 @@ const readers: Readonly<Record<string, Reader>> = {
   SPLINE: (group) => curve(layerOf(group), spline(group), (group.number(70, 0) & 1) === 1),
   POINT: (group) => {
     const [depth, width] = [30, 39].map((code) => Math.abs(group.number(code, 0)));
+    const at = group.point(10);
+    const angle = group.number(50, NaN);
     return {
-      ...{kind: 'point', layer: layerOf(group), at: group.point(10)},
+      ...{kind: 'point', layer: layerOf(group), at},
+      ...(Number.isFinite(angle) && {towards: plus(at, towards(radians(angle)))}),
       ...(depth && {depth}),
       ...(width && {width}),
     };

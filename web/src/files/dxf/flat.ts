@@ -13,7 +13,7 @@ import type {Drawn} from './blocks.js';
 import {checkCount} from './count.js';
 import type {LineEntity} from './entities.js';
 import * as layers from './layers.js';
-import {loopsOf, type Loop, type Loops} from './loops.js';
+import {bySize, loopsOf, type Loop, type Loops} from './loops.js';
 import {linesOf, pieceOf, type DxfPiece} from './pieces.js';
 
 /** Greatest gap between the ends of lines. [cm] */
@@ -33,12 +33,16 @@ interface FlatPiece extends RolesOfPiece<LoopLine> {
 /** A closed line in millimetres, with its drawing. */
 interface LoopLine extends Candidate {
   readonly loop: Loop;
+  /** The outline of another block. */
+  readonly isOther?: boolean;
 }
 
-interface FlatDrawing {
+export interface FlatDrawing {
   readonly cmPerUnit: number;
   /** Name of the block, and of the only piece without words. */
   readonly name?: string;
+  /** Other blocks, whose pieces a frame may enclose. */
+  readonly others?: readonly (readonly Drawn[])[];
   /** File name for messages. */
   readonly file: string;
 }
@@ -73,7 +77,7 @@ export function largestLine(entities: readonly Drawn[]): number {
  */
 export function flatPieces(
   entities: readonly Drawn[],
-  {cmPerUnit, name, file}: FlatDrawing,
+  {cmPerUnit, name, others = [], file}: FlatDrawing,
 ): FlatPieces {
   const lines = linesOf(entities);
   const isLayered = lines.some(({layer}) => layer === layers.boundary || layer in layers.roles);
@@ -96,8 +100,15 @@ export function flatPieces(
   const words = entities.flatMap((one): Words[] =>
     one.kind === 'text' && one.text !== '' ? [{at: toMm(one.at), lines: [one.text]}] : [],
   );
-  const roles = rolesOf(candidates, {words});
-  const pieces = roles.pieces.map((one): FlatPiece => ({
+  const elsewhere = others.flatMap((block): LoopLine[] => {
+    const [loop] = bySize(loopsOf(linesOf(block), reach / cmPerUnit).closed);
+    if (!loop) return [];
+    const line = closedLine(loop.points.map(toMm));
+    return [{...line, stated: 'piece', style: loop.layer, loop, isOther: true}];
+  });
+  const roles = rolesOf([...candidates, ...elsewhere], {words});
+  const own = roles.pieces.filter(({outline}) => outline.isOther !== true);
+  const pieces = own.map((one): FlatPiece => ({
     ...one,
     box: boxOf(one.outline.loop.points),
     marked: [],
@@ -112,8 +123,8 @@ export function flatPieces(
     else outside.push(chain);
   }
   const found = pieces.map((one, k) => {
-    const own = name !== undefined && pieces.length === 1 ? name : `piece ${String(k + 1)}`;
-    return asPiece(one, own);
+    const called = name !== undefined && pieces.length === 1 ? name : `piece ${String(k + 1)}`;
+    return asPiece(one, called);
   });
   return {
     pieces: [...found, ...doubtsIn(roles)],
@@ -191,7 +202,10 @@ function ownerOf(
 }
 
 /** A piece in the structure of a file with blocks. */
-function asPiece({outline, sewn, cutOuts, marks, marked}: FlatPiece, name: string): DxfPiece {
+function asPiece(
+  {outline, sewn, cutOuts, doubtfulCutOuts, marks, marked}: FlatPiece,
+  name: string,
+): DxfPiece {
   const texts = marked.flatMap((mark) => (mark.kind === 'text' ? [mark.text] : []));
   const named = texts.find((text) => !isNoName(text)) ?? texts.find(isLetter);
   const onLayer = ({loop}: LoopLine, layer: string): Loop => ({...loop, layer});
@@ -204,7 +218,10 @@ function asPiece({outline, sewn, cutOuts, marks, marked}: FlatPiece, name: strin
     loops: [
       onLayer(outline, layers.boundary),
       ...(sewn ? [onLayer(sewn, layers.sewLine)] : []),
-      ...cutOuts.map((one) => onLayer(one, layers.cutOut)),
+      ...cutOuts.map((one) => ({
+        ...onLayer(one, layers.cutOut),
+        isDoubtful: doubtfulCutOuts.includes(one),
+      })),
     ],
   };
 }

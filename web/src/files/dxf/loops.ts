@@ -21,6 +21,8 @@ export interface Loop {
   readonly exact?: Run;
   readonly gap?: Gap;
   readonly layer: string;
+  /** A cut-out that may be a line drawn on the piece. */
+  readonly isDoubtful?: boolean;
 }
 
 /** Open lines that close nowhere. */
@@ -36,6 +38,10 @@ export interface Loops {
 
 /** The enclosed area. */
 export const areaOf = ({points}: Loop): number => Math.abs(signedArea(points));
+
+/** Loops in order of their areas, the largest first. */
+export const bySize = (loops: readonly Loop[]): Loop[] =>
+  [...loops].sort((a, b) => areaOf(b) - areaOf(a));
 
 /** Least turn of a corner between two segments; smaller turns belong to curves. */
 const cornerTurn = radians(20);

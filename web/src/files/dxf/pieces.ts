@@ -1,8 +1,9 @@
 /** Reads the pieces of a DXF file in all sizes, one block each, from their system text. */
-import {boundary, annotations} from './layers.js';
+import {isInside} from '../../model/geometry/polyline.js';
+import {annotations, boundary, holdsClosedMarks, roles} from './layers.js';
 import type {Drawn, PlacedBlock} from './blocks.js';
 import type {LineEntity, PointEntity, TextEntity} from './entities.js';
-import type {Loop} from './loops.js';
+import {areaOf, bySize, loopsOf, type Loop} from './loops.js';
 import {quantityOf, systemText, type SystemText} from './system-text.js';
 
 export interface DxfPiece {
@@ -32,6 +33,37 @@ const textsIn = (entities: readonly Drawn[]): TextEntity[] =>
 /** Returns whether a block draws on the boundary layer, as those of AAMA and ASTM do. */
 export const hasBoundary = ({entities}: PlacedBlock): boolean =>
   linesOn(entities, boundary).length > 0;
+
+/** Least area of another piece's outline in a block. [share of the largest] */
+const leastShare = 0.05;
+
+/**
+ * Returns whether a block is a piece: it draws on the boundary layer and names its piece, or has no
+ * closed lines outside of each other, as a drawing in one block has.
+ */
+export function isPieceBlock(placed: PlacedBlock): boolean {
+  if (!hasBoundary(placed)) return false;
+  const {entities} = placed;
+  if (systemText(textsIn(entities)).value('piece name') !== undefined) return true;
+  const loops = closedIn(linesOf(entities).filter(({layer}) => !(layer in roles)));
+  const [largest] = loops;
+  return !loops.some(
+    (loop) =>
+      largest &&
+      areaOf(loop) > leastShare * areaOf(largest) &&
+      !loop.points.some((point) => isInside(largest.points, point)) &&
+      !largest.points.some((point) => isInside(loop.points, point)),
+  );
+}
+
+/** The closed polylines that may be outlines, the largest first. */
+const closedIn = (lines: readonly LineEntity[]): Loop[] =>
+  bySize(
+    loopsOf(
+      lines.filter(({isClosed, layer}) => isClosed && !holdsClosedMarks(layer)),
+      Number.EPSILON,
+    ).closed,
+  );
 
 export function pieceOf({
   name,

@@ -11,8 +11,8 @@ import {Blocks, scaled, type Drawn} from './blocks.js';
 import {documentOf, type DxfDocument} from './document.js';
 import {drawnPiece, type DrawnDxfPiece, type DrawnWith} from './drawn-piece.js';
 import {checkCount} from './count.js';
-import {flatPieces, largestLine} from './flat.js';
-import {hasBoundary, pieceOf, type DxfPiece} from './pieces.js';
+import {flatPieces, largestLine, type FlatDrawing} from './flat.js';
+import {isPieceBlock, pieceOf, type DxfPiece} from './pieces.js';
 import {chooseSize} from './sizes.js';
 import {systemText, type SystemText} from './system-text.js';
 import {textOf} from './text.js';
@@ -70,6 +70,11 @@ function scaledDocument(document: DxfDocument, {units}: DrawingOptions): DxfDocu
   return times === 1 ? document : scaled(document, times);
 }
 
+/** Lines that belong together: those of a block, or those outside of blocks. */
+interface FlatGroup extends Pick<FlatDrawing, 'name' | 'others'> {
+  readonly entities: readonly Drawn[];
+}
+
 interface FoundPieces {
   /** Pieces in all sizes. */
   readonly pieces: readonly DxfPiece[];
@@ -88,13 +93,13 @@ function piecesOf(
   {size}: DrawingOptions,
 ): FoundPieces {
   const placed = blocks.placed();
-  const inBlocks = placed.filter(hasBoundary).map(pieceOf);
+  const inBlocks = placed.filter(isPieceBlock).map(pieceOf);
   const stated = words.style.value('sample size');
-  const groups: readonly {readonly name?: string; readonly entities: readonly Drawn[]}[] =
+  const groups: readonly FlatGroup[] =
     inBlocks.length > 0
       ? [
-          ...placed.filter((block) => !hasBoundary(block) && block.isInserted),
-          {entities: blocks.loose()},
+          ...placed.filter((block) => !isPieceBlock(block) && block.isInserted),
+          {entities: blocks.loose(), others: placed.map(({entities}) => entities)},
         ]
       : [{entities: blocks.flat()}];
   const largest =
@@ -103,8 +108,8 @@ function piecesOf(
       : Math.max(...groups.map(({entities}) => largestLine(entities)));
   const unit = unitOf(largest, words);
   const cmPerUnit = cmPer(unit.unit);
-  const flat = groups.map(({name, entities}) =>
-    flatPieces(entities, {cmPerUnit, file, ...(name !== undefined && {name})}),
+  const flat = groups.map(({entities, ...group}) =>
+    flatPieces(entities, {...group, cmPerUnit, file}),
   );
   const pieces = [...inBlocks, ...flat.flatMap((group) => group.pieces)];
   const notes = flat.flatMap((group) => group.notes);
@@ -152,7 +157,7 @@ function drawnPieces(
 const hiddenNotes = ({hidden}: DxfDocument): string[] =>
   [...hidden].map(([reason, count]) =>
     `${count} ${count === 1 ? 'line or block' : 'lines or blocks'} ${reason}, ${count === 1 ? 'is' : 'are'} left out.`.replace(
-      /( that are invisible| in paper space),/,
+      /( marked as invisible| in paper space),/,
       '$1',
     ),
   );

@@ -1,18 +1,31 @@
 /**
- * Records of DXF R12 in millimetres: pairs of a group code and a value, one line each. Coordinates
- * have four decimal places.
+ * Records of DXF R12: pairs of a group code and a value, one line each. Lengths are in cm until the
+ * file is written in its unit, with four decimal places.
  */
 import type {Point} from '../../model/geometry/vectors.js';
+import {cmPer} from '../base/units.js';
+import type {DxfUnit} from './dxf-format.js';
 
 /** Line ending of CAD programs. */
 const lineEnd = '\r\n';
-/** Height of text, which readers ignore. [mm] */
-const textHeight = 5;
+/** Height of text, which readers ignore. [cm] */
+const textHeight = 0.5;
 
-export type Pair = readonly [code: number, value: string | number];
+/** A length that is written in the unit of the file. */
+interface Length {
+  readonly cm: number;
+}
 
-/** Converts centimetres to millimetres without redundant digits. */
-const mm = (cm: number): string => String(Number((10 * cm).toFixed(4)) + 0);
+export type Pair = readonly [code: number, value: string | number | Length];
+
+/** Units per centimetre. */
+const perCm = (unit: DxfUnit): number => (unit === 'mm' ? 10 : 1 / cmPer('inch'));
+
+export const length = (cm: number): Length => ({cm});
+
+/** A value without redundant digits. */
+const written = (value: string | number | Length, scale: number): string | number =>
+  typeof value === 'object' ? String(Number((scale * value.cm).toFixed(4)) + 0) : value;
 
 /** The text in 7-bit ASCII: letters without accents, and a question mark for all others. */
 export function plainText(text: string): string {
@@ -40,8 +53,8 @@ export function plainText(text: string): string {
 }
 
 const at = ([x, y]: Point): readonly Pair[] => [
-  [10, mm(x)],
-  [20, mm(y)],
+  [10, length(x)],
+  [20, length(y)],
 ];
 
 /**
@@ -59,8 +72,8 @@ export const line = (layer: number, [from, to]: readonly [Point, Point]): readon
   [0, 'LINE'],
   [8, layer],
   ...at(from),
-  [11, mm(to[0])],
-  [21, mm(to[1])],
+  [11, length(to[0])],
+  [21, length(to[1])],
 ];
 
 /** @param colour AutoCAD colour index; that of the layer when omitted */
@@ -86,7 +99,7 @@ export const text = (layer: number, p: Point, words: string): readonly Pair[] =>
   [0, 'TEXT'],
   [8, layer],
   ...at(p),
-  [40, textHeight],
+  [40, length(textHeight)],
   [1, plainText(words)],
 ];
 
@@ -101,15 +114,20 @@ export const block = (name: string, entities: readonly Pair[]): readonly Pair[] 
   [8, 1],
 ];
 
-export const insert = (name: string): readonly Pair[] => [
+export const insert = (name: string, place: Point = [0, 0]): readonly Pair[] => [
   [0, 'INSERT'],
   [8, 1],
   [2, name],
-  ...at([0, 0]),
+  ...at(place),
 ];
 
 /** A whole file, without tables, since some readers reject them. */
-export function dxfFile(blocks: readonly Pair[], entities: readonly Pair[]): string {
+export function dxfFile(
+  blocks: readonly Pair[],
+  entities: readonly Pair[],
+  unit: DxfUnit = 'mm',
+): string {
+  const scale = perCm(unit);
   const section = (name: string, pairs: readonly Pair[]): readonly Pair[] => [
     [0, 'SECTION'],
     [2, name],
@@ -126,6 +144,8 @@ export function dxfFile(blocks: readonly Pair[], entities: readonly Pair[]): str
     [0, 'EOF'],
   ];
   return pairs
-    .map(([code, value]) => `${String(code).padStart(3)}${lineEnd}${value}${lineEnd}`)
+    .map(
+      ([code, value]) => `${String(code).padStart(3)}${lineEnd}${written(value, scale)}${lineEnd}`,
+    )
     .join('');
 }

@@ -6,6 +6,7 @@ import {guessedUnit} from '../base/units.js';
 import {boundary} from './layers.js';
 import {linesOn, type DxfPiece} from './pieces.js';
 import type {SystemText} from './system-text.js';
+import {vendorOf} from './vendors.js';
 
 /** A unit of the header as a multiple of one that patterns use. */
 interface HeaderUnit {
@@ -52,7 +53,10 @@ export function unitOf(largest: number, {style, header, chosen}: UnitWords): Uni
   if (chosen) return {unit: chosen, because: 'stated', isSure: true, others: []};
   const words = style.value('units') ?? '';
   if (/english|imperial|inch/i.test(words)) return guessedUnit({largest, stated: ['inch']});
-  if (/metric|mm|cm|milli|centi/i.test(words)) return guessedUnit({largest, stated: ['mm', 'cm']});
+  if (/metric|mm|cm|milli|centi/i.test(words)) {
+    const {metric} = vendorOf(style.value('author'));
+    return guessedUnit({largest, stated: metric});
+  }
   const inserted = insertUnits[header.get('$INSUNITS') ?? 0];
   if (inserted) return guessedUnit({largest, stated: [inserted.unit], because: 'program'});
   if (inchFormats.includes(header.get('$LUNITS') ?? 0)) {

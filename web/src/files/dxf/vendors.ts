@@ -1,4 +1,5 @@
 /** Deviations of DXF programs from the standard. */
+import type {FileUnit} from '../../model/garment/garment-document.js';
 import type {SplineRule} from '../base/splines.js';
 
 export interface Vendor {
@@ -10,6 +11,8 @@ export interface Vendor {
    * and CLO's to 0.57 and 0.00 mm.
    */
   readonly rule: SplineRule;
+  /** Units that METRIC means, the most likely first. CLO writes centimetres. */
+  readonly metric: readonly FileUnit[];
 }
 
 /**
@@ -18,5 +21,10 @@ export interface Vendor {
  */
 export function vendorOf(author: string | undefined): Vendor {
   const rule = /gerber|accumark/i.test(author ?? '') ? 'catmull-rom' : 'natural';
-  return {...(author !== undefined && {program: author.split(';')[0]?.trim() ?? author}), rule};
+  const metric: readonly FileUnit[] = /^seamwise/i.test(author ?? '') ? ['mm'] : ['mm', 'cm'];
+  return {
+    ...(author !== undefined && {program: author.split(';')[0]?.trim() ?? author}),
+    rule,
+    metric,
+  };
 }

@@ -8,7 +8,14 @@ import {isInside, type Box} from '../../model/geometry/polyline.js';
 import {endOf} from '../base/bezier.js';
 import {longerSide} from '../base/closed-lines.js';
 import {runsOf} from '../base/edges.js';
-import {cutOutNote, doubtOf, gapNote, leftOutNotes, mostDoubts} from '../base/left-out.js';
+import {
+  cutOutNote,
+  doubtOf,
+  doubtfulHoles,
+  gapNote,
+  leftOutNotes,
+  mostDoubts,
+} from '../base/left-out.js';
 import {leastPiece, rolesOf, type Candidate, type Roles, type RolesOfPiece} from '../base/roles.js';
 import {countOf, saysFold} from '../base/words.js';
 import type {XmlElement} from '../base/xml.js';
@@ -189,7 +196,7 @@ function ownerOf({at}: DrawnText, outer: readonly Loop[]): Loop | undefined {
 }
 
 function pieceOf(
-  {outline: outer, sewn: seam, cutOuts}: RolesOfPiece<LoopCandidate>,
+  {outline: outer, sewn: seam, cutOuts, doubtfulCutOuts}: RolesOfPiece<LoopCandidate>,
   marks: readonly Mark[],
   written: readonly DrawnText[],
 ): Omit<DrawnPiece, 'name'> {
@@ -207,6 +214,7 @@ function pieceOf(
     sewn: runs,
     ...(seam && {cut: runsOf(outer.line)}),
     holes: cutOuts.map(({line}): readonly Run[] => runsOf(line)),
+    ...doubtfulHoles(cutOuts, doubtfulCutOuts),
     notches: notchesOf(near, sewn, outer),
     ...(grain && {grain: grainEnds(grain)}),
     ...(fold && {fold: [fold.start, endOf(fold)]}),

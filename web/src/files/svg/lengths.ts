@@ -3,7 +3,7 @@ import type {UnitGuess} from '../../model/garment/imported-drawing.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import type {XmlDocument} from '../base/xml.js';
 import {paperOf} from '../base/frames.js';
-import {paperUnits} from '../base/units.js';
+import {densities, paperUnits} from '../base/units.js';
 import {fitOf, numbersOf} from './values.js';
 
 interface SvgProgram {
@@ -55,9 +55,6 @@ const titlesOf = (root: XmlDocument['root']): string[] =>
       : [],
   );
 
-/** Pixels per inch of programs. */
-const densities = [72, 90, 96, 150, 200, 300, 600] as const;
-
 /** The pixels per inch at which a page has the size of a sheet of paper; undefined if none has. */
 const densityOf = (page: readonly [number, number]): number | undefined =>
   densities.find((density) => {
@@ -80,10 +77,16 @@ interface SvgScale {
 
 /**
  * The scale from the outermost element. Percentages count as missing.
+ * @param pixelsPerInch makes the file's lengths on paper count as missing, too
  * @throws {FileError} for a size of 0
  */
-export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
-  const {perInch, name} = programOf({root, comments});
+export function scaleOf(
+  {root, comments}: XmlDocument,
+  file: string,
+  pixelsPerInch?: number,
+): SvgScale {
+  const {perInch: usual, name} = programOf({root, comments});
+  const perInch = pixelsPerInch ?? usual;
   const [, , across, tall] = numbersOf(root.attributes.get('viewBox'));
   const pixel = 25.4 / perInch;
   const sides = [
@@ -107,12 +110,14 @@ export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
     const scale = units !== undefined && units > 0 ? length / units : pixel;
     return [{scale, isStated: paper !== undefined}];
   });
-  const isStated = scales.some((one) => one.isStated);
+  const isStated = pixelsPerInch === undefined && scales.some((one) => one.isStated);
   const found = scales.filter((one) => one.isStated === isStated).map((one) => one.scale);
   const [width = pixel, height = width] = found;
   const [millimetres, down] = fitOf(root.attributes.get('preserveAspectRatio'), width, height);
   const stretch = down / millimetres;
-  if (isStated) return {millimetres, stretch, because: 'stated', isStated};
+  if (isStated || pixelsPerInch !== undefined) {
+    return {millimetres, stretch, because: 'stated', isStated};
+  }
   // Illustrator omits the size of files for web pages, and writes points
   const isKnown = name?.startsWith('Adobe Illustrator') ?? false;
   if (found.length === 0 && !isKnown) {

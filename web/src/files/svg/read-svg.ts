@@ -1,6 +1,12 @@
 /** Reads SVG as a drawing of pieces. */
 import {after, scaling, shifting} from '../../model/geometry/plane-map.js';
-import type {Drawing, DrawnPiece, Run, UnitGuess} from '../../model/garment/imported-drawing.js';
+import type {
+  Drawing,
+  DrawingOptions,
+  DrawnPiece,
+  Run,
+  UnitGuess,
+} from '../../model/garment/imported-drawing.js';
 import type {FileUnit} from '../../model/garment/garment-document.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {boxOf} from '../../model/geometry/polyline.js';
@@ -20,12 +26,12 @@ import {walked, type Sheet} from './walk.js';
  * Reads an SVG file.
  * @param text content of the file
  * @param file file name for messages
- * @param units unit of the drawing, if known
  * @throws {FileError} without readable pieces
  */
-export function readSvg(text: string, file: string, units?: FileUnit): Drawing {
+export function readSvg(text: string, file: string, options: DrawingOptions = {}): Drawing {
   const document = svgOf(text, file);
-  const {sheet, unit, notes} = scaled(document, file, units);
+  const {sheet, unit, notes} = scaled(document, file, options);
+  const isStated = options.units !== undefined || options.pixelsPerInch !== undefined;
   const {program} = sheet;
   const {pieces, notes: found} = foundIn(sheet);
   if (pieces.length === 0) throw new FileError(file, whyNone(sheet, found));
@@ -35,7 +41,7 @@ export function readSvg(text: string, file: string, units?: FileUnit): Drawing {
     ...(program !== undefined && {program}),
     ...(title !== undefined && {title}),
     sizes: [],
-    unit: {...unit, isSure: unit.isSure && (units !== undefined || isUsual(pieces))},
+    unit: {...unit, isSure: unit.isSure && (isStated || isUsual(pieces))},
     pieces: pieces.map((piece) => inUnit(piece, unit.unit)),
     seams: [],
     notes: [...notes, ...found, ...sheet.notes],
@@ -91,13 +97,21 @@ interface Scaled {
 /** Tolerance of a test square for the rounding of files. */
 const rounding = 0.003;
 
-function scaled(document: XmlDocument, file: string, units?: FileUnit): Scaled {
-  const {millimetres, because, note, stretch = 1} = scaleOf(document, file);
+function scaled(
+  document: XmlDocument,
+  file: string,
+  {units, pixelsPerInch}: DrawingOptions = {},
+): Scaled {
+  const {millimetres, because, note, stretch = 1} = scaleOf(document, file, pixelsPerInch);
   const at = (factor: number): Sheet => sheetOf(document, [factor, factor * stretch], file);
   const sure = {isSure: true, others: []};
   if (units !== undefined) {
     const unit: UnitGuess = {unit: units, because: 'stated', ...sure};
     return {sheet: at(10 * cmPer(units)), unit, notes: []};
+  }
+  if (pixelsPerInch !== undefined) {
+    const unit: UnitGuess = {unit: 'mm', because: 'stated', ...sure};
+    return {sheet: at(millimetres ?? 1), unit, notes: []};
   }
   const notes = note === undefined ? [] : [note];
   const sheet = at(millimetres ?? 1);

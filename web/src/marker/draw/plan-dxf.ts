@@ -2,7 +2,9 @@
  * Writes a layout as DXF for CAD programs and cutters, one block per piece in its place on the
  * fabric.
  */
-import {blockName, crosses, drawn, layers, namesOf} from '../../cutting/out/sheet-dxf.js';
+import {crosses, drawn, layers} from '../../cutting/out/piece-dxf.js';
+import {blockName, namesOf, styleText, unitText} from '../../cutting/out/sheet-dxf.js';
+import type {DxfFormat} from '../../files/dxf/dxf-format.js';
 import {block, dxfFile, insert, line, polyline, text} from '../../files/dxf/records.js';
 import {lineColours} from '../../cutting/line-colours.js';
 import type {Point} from '../../model/geometry/vectors.js';
@@ -10,14 +12,18 @@ import type {LayPlan} from '../../model/result/marker-plan.js';
 import {namesIn, planPieces, type KnownPieces} from './plan-pieces.js';
 import {plan as english, type PlanTexts} from '../../texts/en/plan.js';
 
-interface PlanDxfOptions extends KnownPieces {
+interface PlanDxfOptions extends KnownPieces, DxfFormat {
   readonly texts?: PlanTexts;
 }
 
 /**
- * DXF text in 7-bit ASCII and millimetres. The fabric's left edge is at x = 0, its start at y = 0.
+ * DXF text in 7-bit ASCII. The fabric's left edge is at x = 0, its start at y = 0.
  */
-export function planDxf(plan: LayPlan, {texts = english, ...known}: PlanDxfOptions = {}): string {
+export function planDxf(
+  plan: LayPlan,
+  {texts = english, style, unit, ...known}: PlanDxfOptions = {},
+): string {
+  const format = {...(style && {style}), ...(unit && {unit})};
   const pieces = planPieces(plan, known, namesIn(plan, known, texts.garment));
   const names = namesOf(pieces);
   const blocks = pieces.flatMap(({cut, grain, laid, crosses: marked}, k) => {
@@ -27,7 +33,7 @@ export function planDxf(plan: LayPlan, {texts = english, ...known}: PlanDxfOptio
       ...text(layers.cut, grain[0], 'Quantity: 1,0'),
       ...text(layers.words, grain[0], name),
       ...(laid
-        ? drawn(laid)
+        ? drawn(laid, format)
         : [
             ...polyline(layers.cut, cut, true, lineColours.cut.index),
             ...line(layers.grain, grain),
@@ -45,9 +51,11 @@ export function planDxf(plan: LayPlan, {texts = english, ...known}: PlanDxfOptio
     [widthCm, y],
   ];
   const edges = [...new Set([0, selvedgeCm, widthCm - selvedgeCm, widthCm])].map(along);
-  return dxfFile(blocks, [
-    ...text(layers.cut, [0, -2], 'Units: METRIC'),
+  const said = style === 'astm' ? styleText({}, format) : [unitText(unit)];
+  const entities = [
+    ...said.flatMap((one, k) => text(layers.cut, [0, -2 - k], one)),
     ...names.flatMap((name) => insert(blockName(name))),
     ...[...edges, across(0), across(lengthCm)].flatMap((ends) => line(layers.inner, ends)),
-  ]);
+  ];
+  return dxfFile(blocks, entities, unit);
 }

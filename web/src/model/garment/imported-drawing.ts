@@ -18,6 +18,8 @@ export type NotchKind = 'slit' | 'v' | 't' | 'castle' | 'check' | 'u';
 
 export interface DrawnNotch {
   readonly at: Point;
+  /** A second point in the direction of the notch, into the piece or out of it. */
+  readonly towards?: Point;
   readonly depth?: number;
   readonly kind: NotchKind;
 }
@@ -33,6 +35,8 @@ export interface DrawnPiece {
   /** The cutting line, if the file draws both. */
   readonly cut?: readonly Run[];
   readonly holes: readonly (readonly Run[])[];
+  /** Indices of holes that may be lines drawn on the piece. */
+  readonly doubtfulHoles?: readonly number[];
   readonly notches: readonly DrawnNotch[];
   readonly grain?: readonly [Point, Point];
   /** Axis of a half piece, along which the fabric is folded. */
@@ -87,6 +91,8 @@ export interface DrawingOptions {
   readonly size?: string;
   /** Unit of the drawing; it overrides the unit in the file. */
   readonly units?: FileUnit;
+  /** Pixels per inch of an SVG file, instead of `units`. */
+  readonly pixelsPerInch?: number;
 }
 
 const drawingEnding =

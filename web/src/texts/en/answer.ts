@@ -265,6 +265,7 @@ export const answer = {
     noDrawing: 'Nothing is drawn yet; wait for it with solve().',
     pictureWidth: text('A picture is 1 to {most} pixels wide; ask for one of these.'),
     allowance: text('An allowance is 0 to {most}; ask for one of these.'),
+    dxf: 'A DXF file is of style aama or astm, in mm or in; ask for one of these.',
     noPicture: 'This browser cannot write the picture; ask for a smaller one.',
     noTools: text(
       'What this needs cannot be loaded ({reason}); check the connection and load the page again.',

@@ -5,6 +5,7 @@ import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
+import type {DxfFormat} from '../../files/dxf/dxf-format.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
 import {textsOf} from '../../texts/texts.js';
@@ -53,6 +54,7 @@ interface CutRequest extends AllowanceRule {
   readonly paper: string;
   readonly ink: PrintInk;
   readonly guide: boolean;
+  readonly dxf: DxfFormat;
 }
 
 /**
@@ -61,12 +63,15 @@ interface CutRequest extends AllowanceRule {
  */
 export async function cutHere(
   workbench: Workbench,
-  {file, paper, ink, guide, ...rule}: CutRequest,
+  {file, paper, ink, guide, dxf, ...rule}: CutRequest,
 ): Promise<string | Uint8Array<ArrayBuffer> | undefined> {
   const material = await cutMaterial(workbench, rule);
   if (!material) return undefined;
   const {result, print, marks, options} = material;
   const sheet = cutSheet(result, print, marks, options);
   const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
-  return cutFile(sheet, print, {file, paper, ink, pixels, ...(guide && {guide: options})});
+  return cutFile(sheet, print, {
+    ...{file, paper, ink, dxf, pixels},
+    ...(guide && {guide: options}),
+  });
 }
