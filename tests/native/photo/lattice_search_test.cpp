@@ -100,6 +100,8 @@ TEST(LatticeSearch, ReadsStripesByTheirPeriodAcross) {
   finish(search);
   ASSERT_FALSE(search.error()) << search.error()->message;
   EXPECT_TRUE(search.result().is_stripes);
+  EXPECT_GT(search.result().uncertainty, 0);
+  EXPECT_LT(search.result().uncertainty, 0.003);
   const Mat2 basis = TiltedLattice::of(search.result().map).basis;
   const Vec2 along = basis.col(1).normalized();
   EXPECT_NEAR(std::abs(cross(along, basis.col(0))) * truth.radius, 65, 0.2);

@@ -157,6 +157,19 @@ describe('allowances', () => {
     expect(Math.min(...line.map(([x]) => x))).toBeCloseTo(-2.5, 2);
   });
 
+  it('are cut off square where the cut line of a curved edge crosses them', () => {
+    const made = pieceOf('front', rectangle, {
+      allowances: [undefined, {width: 1, corner: 'square'}],
+    });
+    // the top rises at 37 degrees from the corner, and is level from 0.2 cm on
+    const shape = made.piece.shape.map(([x, y]): Point => {
+      if (y < 30 || x % 20 === 0) return [x, y];
+      return [x === 15 ? 19.8 : x, 30.15];
+    });
+    const [line = []] = cut([{...made, piece: {...made.piece, shape}}], []).lines;
+    for (const x of [20, 20.9]) expect(reach(line, [x, 30], [0, 1])).toBeCloseTo(1.15, 1);
+  });
+
   it('end where those of the other side end: square, at one distance from the seam', () => {
     // the right edge of one is sewn to the left edge of the other; tops at 60 and at 100 degrees to
     // it

@@ -103,3 +103,28 @@ it.each(
   const found = wholeCell(await decoded(png(name)), print.group, size, isCentred ? 2 : 1);
   expect(found).toMatchObject({group: print.group, turnDeg: 0});
 });
+
+/** An image after a quarter turn counter-clockwise. */
+function turnedBack({width, height, data}: Pixels): Pixels {
+  const turned = new Uint8ClampedArray(data.length);
+  for (let y = 0; y < height; y++)
+    for (let x = 0; x < width; x++)
+      for (let k = 0; k < 4; k++)
+        turned[4 * ((width - 1 - x) * height + y) + k] = data[4 * (y * width + x) + k] ?? 0;
+  return {width: height, height: width, data: turned};
+}
+
+it('is taken whole as the cell of a group after a quarter turn, if its axes are swapped', async () => {
+  const print = printNamed('pmg');
+  const {width, height} = repeatOf(print).size;
+  const swapped = {width: height, height: width, angleDeg: 90};
+  const turned = turnedBack(await decoded(png('pmg')));
+  expect(wholeCell(turned, 'pmg', swapped, 1)).toMatchObject({
+    ...{turnDeg: 90, size: {width, height}},
+  });
+});
+
+it('is no cell of a group that it lacks, turned or not', async () => {
+  const size = {width: 10, height: 12, angleDeg: 90};
+  expect(wholeCell(await decoded(png('p1')), 'pmg', size, 1)).toBeUndefined();
+});

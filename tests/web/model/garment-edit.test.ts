@@ -116,7 +116,7 @@ describe('splitting', () => {
     const piece = draftedSquare('one', {notches});
     const document = documentOf([piece, draftedSquare('other')], {
       seams: [draftedSeam()],
-      symmetries: [{kind: 'piece', piece: 'one', seams: [1, 3]}],
+      symmetries: ['one', 'other'].map((name) => ({kind: 'piece', piece: name, seams: [1, 3]})),
     });
     const {document: next, edgesOf} = splitEdge(document, {piece: 0, edge: 0}, 0.5);
     expect(next.pieces[0]?.outline.map(({points}) => points[0])).toEqual([
@@ -132,7 +132,10 @@ describe('splitting', () => {
       {edge: 3, at: 0.1},
     ]);
     expect(next.seams).toEqual([draftedSeam({a: {piece: 0, edge: 2}})]);
-    expect(next.symmetries).toEqual([{kind: 'piece', piece: 'one', seams: [2, 4]}]);
+    expect(next.symmetries).toEqual([
+      {kind: 'piece', piece: 'one', seams: [2, 4]},
+      {kind: 'piece', piece: 'other', seams: [1, 3]},
+    ]);
     expect(edgesOf({piece: 0, edge: 0})).toEqual([
       {piece: 0, edge: 0},
       {piece: 0, edge: 1},

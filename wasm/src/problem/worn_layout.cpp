@@ -155,8 +155,12 @@ WornLayout wornLayout(const Garment& garment, const std::vector<BodySymmetry>& k
   }
   if (placement.known()) findNeck(upright, &worn);
   // A garment that covers one side of the body covers its front, unless it is placed behind.
-  if (front - back < kOneSided)
-    (front < -kOneSided ? front : back) = front < -kOneSided ? kOneSided : back - 2 * kOneSided;
+  if (front - back < kOneSided) {
+    if (front < -kOneSided)
+      front = kOneSided;
+    else
+      back -= 2 * kOneSided;
+  }
   worn.middle_depth = (front + back) / 2;
   worn.depth = (front - back) / 2;
   return worn;

@@ -81,7 +81,7 @@ void SearchMoves::place(int leader, Layout& layout, std::vector<char>& placed) {
   for (std::size_t k = 0; k < choices.size(); ++k) {
     const double cost = costAt(choices[k], leader, layout, &placed, next);
     if (cost < least) {
-      second = k == 0 ? 0 : first, next = least;
+      second = first, next = least;
       first = k, least = cost;
     } else if (cost < next) {
       second = k, next = cost;

@@ -324,7 +324,8 @@ export class Studio {
   }
 }
 
-function solidGeometry({positions, normals, colours, triangles}: Solid): BufferGeometry {
+/** Returns a solid as three.js draws it. */
+export function solidGeometry({positions, normals, colours, triangles}: Solid): BufferGeometry {
   const geometry = new BufferGeometry();
   for (const [name, array] of [
     ['position', positions],
