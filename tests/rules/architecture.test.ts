@@ -79,7 +79,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   workbench: [
     ...model,
     ...['solver', 'image', 'layout', 'clicks', 'photo', 'scene', 'picture', 'cutting'],
-    ...['paper', 'marker', 'remedies', 'texts', 'print', 'sewing'],
+    ...['files', 'paper', 'marker', 'remedies', 'texts', 'print', 'sewing'],
   ],
   commands: [...model, 'clicks', 'viewer', 'texts', 'workbench'], // by key or by name
   editor: [
@@ -89,14 +89,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   ],
   element: [
     ...model,
-    'solver',
-    'image',
-    'paper',
-    'cutting',
-    'marker',
-    'texts',
-    'workbench',
-    'editor',
+    ...['solver', 'image', 'files', 'paper', 'cutting', 'marker', 'texts', 'workbench', 'editor'],
   ],
   app: [
     ...model,

@@ -62,7 +62,7 @@ export function pieceWords(
   const {label, quantity} = piece;
   return [
     label,
-    print ? `Cut ${quantity}, face up, single layer` : `Cut ${quantity} of plain cloth`,
+    print ? `Cut ${quantity}, face up, single layer` : `Cut ${quantity} of plain fabric`,
     ...(twin === undefined ? [] : [`Mirror image of ${twin}`]),
     ...(heading === '' ? [] : [heading]),
     ...(print
