@@ -4,6 +4,7 @@
 
 #include "support/cut_layout.h"
 #include "support/meshed_samples.h"
+#include "tuning/search.h"
 
 namespace seamwise {
 namespace {
@@ -151,6 +152,46 @@ TEST_P(SampledSeamsIn, HaveTheGradientOfTheirCost) {
   // They may differ where a sample's element changes or its distance is below the model's floor.
   EXPECT_GT(equal, 50);
   EXPECT_LT(unequal, equal / 20);
+}
+
+/// The sum of J^T J over the edges, with weights 1/d, of the distances to the nearest elements.
+TEST_P(SampledSeamsIn, HaveTheHessianOfTheirSquaredDistances) {
+  constexpr double kStep = 1e-5;
+  const SampledSeams<double> exact(problem_, 0);
+  const Alignments at = randomLeaders(problem_, random_);
+  for (std::size_t s = 0; s < problem_.seams.size(); ++s) {
+    const MatchSeam& seam = problem_.seams[s];
+    if (seam.a == seam.b) continue;
+    Eigen::Matrix<double, 6, 6> expected = Eigen::Matrix<double, 6, 6>::Zero();
+    for (std::size_t k = 0; k < seam.w.size(); ++k) {
+      const Vec2 x = at[seam.a].toPrint(seam.pa[k]), y = at[seam.b].toPrint(seam.pb[k]);
+      Element nearest;
+      double least = std::numeric_limits<double>::max();
+      for (const Element& e : group_.elements())
+        if (const double d = group_.reduce(x - e(y)).norm(); d < least) least = d, nearest = e;
+      Eigen::Matrix<double, 2, 6> slopes;
+      for (int i = 0; i < 6; ++i) {
+        const int l = i < 3 ? seam.a : seam.b;
+        const Vec2& p = i < 3 ? seam.pa[k] : seam.pb[k];
+        const auto movedBy = [&](double d) {
+          return moved(at[l], problem_.leaders[l].centre, i % 3 == 0 ? d : 0,
+                       Vec2(i % 3 == 1 ? d : 0, i % 3 == 2 ? d : 0))
+              .toPrint(p);
+        };
+        const Vec2 slope = (movedBy(kStep) - movedBy(-kStep)) / (2 * kStep);
+        slopes.col(i) = i < 3 ? slope : Vec2(-nearest.A * slope);
+      }
+      expected +=
+          seam.w[k] / std::max(least, SearchTuning::kLeastDistance) * slopes.transpose() * slopes;
+    }
+    const auto hessian = exact
+                             .model(static_cast<int>(s), exact.pose(seam.a, at[seam.a]),
+                                    exact.pose(seam.b, at[seam.b]), 0)
+                             .hessian;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j <= i; ++j)
+        EXPECT_NEAR(hessian(i, j), expected(i, j), 1e-6 * expected.norm()) << i << ' ' << j;
+  }
 }
 
 }  // namespace
