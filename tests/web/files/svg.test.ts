@@ -49,6 +49,11 @@ describe("FreeSewing's SVG", () => {
     expect(piece?.sewn).toHaveLength(6);
   });
 
+  it('has names of lines that are written along them', () => {
+    const lines = piece?.internalLines.map((points, k) => [points.length, piece.lineNames?.[k]]);
+    expect(lines).toContainEqual([2, 'chest line']);
+  });
+
   it('is cut along its allowance, which ends at the fold', () => {
     const {low, high} = boxOf(tracedLoop(piece?.cut ?? [], 0.01));
     expect([high[0] - low[0], high[1] - low[1]]).toEqual([
