@@ -63,13 +63,13 @@ describe("FreeSewing's SVG", () => {
     expect(areaOf(drawing, piece?.cut)).toBeGreaterThan(whole + 60);
   });
 
-  it('has marks: fold, grain, notches on the outline, buttons, darts; hidden lines are none', () => {
+  it('has marks: fold, grain, notches on the outline, buttons, darts; hidden lines without names are none', () => {
     expect(piece?.quantity).toEqual({asDrawn: 1, mirrored: 0});
     expect(piece?.fold?.map(([x]) => x)).toEqual([25, 25]);
     expect(piece?.grain).toEqual(piece?.fold);
     expect(piece?.notches).toEqual([{at: [265, -315], kind: 'slit'}]);
     expect(piece?.drillHoles).toEqual([[75, -215]]);
-    expect(piece?.internalLines).toHaveLength(1);
+    expect(piece?.internalLines).toHaveLength(2);
   });
 
   it('becomes a garment whose half pieces are whole', () => {
