@@ -67,6 +67,8 @@ export const freesewingPart = (name: string, scale = 1): string => {
 <path class="fabric sa" id="fs-2" d="M 0,${410 * u} L ${250 * u},${410 * u} L ${250 * u},${190 * u} L ${200 * u},${10 * u} L ${70 * u},${-10 * u} L ${60 * u},0 L 0,${50 * u}M 0,${400 * u} L 0,${410 * u}" />
 <path class="note" marker-start="url(#cutonfoldFrom)" marker-end="url(#cutonfoldTo)" id="fs-3" d="M 0,${100 * u} L 15,${100 * u} L 15,${380 * u} L 0,${380 * u}" />
 <path class="fabric" id="fs-4" d="${dart}" />
+<path class="hidden" id="fs-6" d="M 0,${200 * u} L ${240 * u},${200 * u}" />
+<text><textPath xlink:href="#fs-6" startOffset="50%"><tspan dy="-1">x:chestLine &#160;&#160; x:chestLine &#160;&#160; x:chestLine</tspan></textPath></text>
 <path class="hidden" id="fs-5" d="M 0,0 L 5000,5000 L 0,5000 z" />
 <text class="text-lg fill-current font-bold left" transform="matrix(1, 0, 0, 1, 0, 0) rotate(0 100 100)" x="100" y="100"><tspan>${name} </tspan></text>
 <text class="text-md" x="100" y="120"><tspan>plugin-annotations:cut,1,plugin-annotations:onFold,plugin-annotations:from,plugin-annotations:fabric,</tspan><tspan x="100" dy="8"> </tspan></text>

@@ -20,6 +20,8 @@ const others = 16;
 const tolerance = 12;
 /** Distance of compared pixels from outlines and other content. [pixels] */
 const clear = 4;
+/** Radius of the colours around a pixel, which renderers place differently. [pixels] */
+const reachPixels = 1.5;
 /** Steps in each direction around a pixel. */
 const steps = 3;
 
@@ -122,7 +124,7 @@ export function comparedPage(compared: Compared): Comparison {
   const edge = clear * pixelCm;
   const isShown = ([x, y]: Point): boolean =>
     x > from[0] + edge && y > from[1] + edge && x < to[0] - edge && y < to[1] - edge;
-  const reach = Math.max(pixelCm, grainCm) / steps;
+  const reach = Math.max(reachPixels * pixelCm, grainCm) / steps;
   const offsets = Array.from({length: 2 * steps + 1}, (_, k) => (k - steps) * reach);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {

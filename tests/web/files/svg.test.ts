@@ -49,6 +49,11 @@ describe("FreeSewing's SVG", () => {
     expect(piece?.sewn).toHaveLength(6);
   });
 
+  it('has names of lines that are written along them', () => {
+    const lines = piece?.internalLines.map((points, k) => [points.length, piece.lineNames?.[k]]);
+    expect(lines).toContainEqual([2, 'chest line']);
+  });
+
   it('is cut along its allowance, which ends at the fold', () => {
     const {low, high} = boxOf(tracedLoop(piece?.cut ?? [], 0.01));
     expect([high[0] - low[0], high[1] - low[1]]).toEqual([
@@ -58,13 +63,13 @@ describe("FreeSewing's SVG", () => {
     expect(areaOf(drawing, piece?.cut)).toBeGreaterThan(whole + 60);
   });
 
-  it('has marks: fold, grain, notches on the outline, buttons, darts; hidden lines are none', () => {
+  it('has marks: fold, grain, notches on the outline, buttons, darts; hidden lines without names are none', () => {
     expect(piece?.quantity).toEqual({asDrawn: 1, mirrored: 0});
     expect(piece?.fold?.map(([x]) => x)).toEqual([25, 25]);
     expect(piece?.grain).toEqual(piece?.fold);
     expect(piece?.notches).toEqual([{at: [265, -315], kind: 'slit'}]);
     expect(piece?.drillHoles).toEqual([[75, -215]]);
-    expect(piece?.internalLines).toHaveLength(1);
+    expect(piece?.internalLines).toHaveLength(2);
   });
 
   it('becomes a garment whose half pieces are whole', () => {

@@ -135,6 +135,34 @@ describe('a PDF of pieces to cut', () => {
     expect(wall).not.toContain('Sew line');
   });
 
+  it('tints a pale print, and draws none as outlines', async () => {
+    const tints = async (ink: 'full' | 'pale' | 'outline') =>
+      readPdf((await written('a0', {ink})).bytes).pages.map(
+        ({content}) => content.match(/\/G\d+ gs\n1 1 1 rg\n[^\n]* re\nf/g)?.length ?? 0,
+      );
+    const [full, pale, outline] = [
+      await tints('full'),
+      await tints('pale'),
+      await tints('outline'),
+    ];
+    expect(full).toEqual(outline);
+    expect(pale.reduce((sum, count) => sum + count, 0)).toBe(1);
+  });
+
+  it('adds a placing guide with the footer of all pages', async () => {
+    const [plain, guided] = [
+      await written('a4', {ink: 'outline'}),
+      await written('a4', {ink: 'outline', guide: {units: 'inch'}}),
+    ];
+    const pages = readPdf(guided.bytes).pages;
+    expect(pages).toHaveLength(plain.layout.pages.length + 1);
+    expect(pages.at(-1)?.content).toMatch(/Motif \d.* in /);
+    expect(pages[0]?.content).toContain(`of ${pages.length})`);
+    expect(guided.map).toEqual(plain.map);
+    const wall = await written('projector', {guide: {units: 'cm'}});
+    expect(readPdf(wall.bytes).pages).toHaveLength(1);
+  });
+
   it('writes words in letters of its font, and says so where others stand for them', async () => {
     const [piece = laidRectangle(1, 1)] = printed.pieces;
     const sheet = {...printed, heading: 'Юбка (Größe 38)', pieces: [{...piece, label: 'Śródek'}]};

@@ -7,6 +7,8 @@ import {drawFirstPage} from '@/paper/first-page.js';
 import {paperOf} from '@/paper/papers.js';
 import {marksOnPages} from '@/paper/words-on-page.js';
 
+import type {CutText} from '@/cutting/cut-sheet.js';
+
 import {laidRectangle, sheetOf} from '../../support/paper/cut-sheets.js';
 
 const a4 = paperOf('a4') ?? {name: 'none', widthCm: 0};
@@ -43,6 +45,22 @@ it('leaves them where there is no room, and where they are whole', () => {
   for (const sheet of [thin, small]) {
     const [piece = laidRectangle(1, 1)] = sheet.pieces;
     expect(marksOnPages(piece, pagesOf(sheet, a4).pages)).toEqual(piece.marks);
+  }
+});
+
+it('moves each other text, and the name of a narrow piece, off joints by the shortest way', () => {
+  const sheet = sheetOf(40, 2.6);
+  const [piece = laidRectangle(1, 1)] = sheet.pieces;
+  const {pages} = pagesOf(sheet, a4);
+  const joint = pages[0]?.frame.high[0] ?? 0;
+  const texts = (['marks', 'words'] as const).map((layer): CutText => ({
+    ...{kind: 'text', layer, at: [joint - 0.1, 1.3], lines: ['Ab'], sizeMm: 5, hasPlate: true},
+  }));
+  const moved = marksOnPages({...piece, marks: texts}, pages);
+  for (const mark of moved) {
+    const {low, high} = boxOfMark(mark);
+    expect(pages.some(({frame}) => frame.low[0] <= low[0] && frame.high[0] >= high[0])).toBe(true);
+    expect(Math.abs((low[0] + high[0]) / 2 - joint)).toBeLessThan(1.5);
   }
 });
 

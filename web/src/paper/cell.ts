@@ -40,25 +40,25 @@ const leastReach = 0.02;
 /** Cells with shorter sides are combined to blocks. */
 const blockSide = 5;
 
-/** Size of the print's cell, and the map from a form's rectangle to the oblique cell. */
-function sheared(print: Print): {readonly size: Size; readonly matrix: string} {
-  const sides = imageCell(print);
-  const [[ax, ay], [bx, by]] = [unit(sides[0]), unit(sides[1])];
-  return {
-    size: [norm(sides[0]), norm(sides[1])],
-    matrix: `/Matrix[${[ax, ay, bx, by].map((value) => num(value, 8)).join(' ')} 0 0]`,
-  };
+type Sides = readonly [Point, Point];
+
+const sizeOf = ([a, b]: Sides): Size => [norm(a), norm(b)];
+
+/** The map from a form's rectangle to the oblique cell. */
+function shearing([a, b]: Sides): string {
+  const parts = [...unit(a), ...unit(b)].map((value) => num(value, 8));
+  return `/Matrix[${parts.join(' ')} 0 0]`;
 }
 
 const bounds = ({low, high}: Box): string => `/BBox[${nums(...low, ...high)}]`;
 
 /** Combines small cells to blocks. */
-function inBlocks(resources: PdfResources, print: Print, cell: Cell, reach: number): Cell {
+function inBlocks(resources: PdfResources, cell: Cell, reach: number): Cell {
   const [a, b] = cell.sides;
   const counts = [a, b].map((side) => Math.max(1, Math.round(blockSide / norm(side))));
   const [across = 1, up = 1] = counts;
   if (across * up === 1) return cell;
-  const points = [0, across].flatMap((i) => [0, up].map((j) => combined(imageCell(print), i, j)));
+  const points = [0, across].flatMap((i) => [0, up].map((j) => combined([a, b], i, j)));
   const places = Array.from({length: across * up}, (_, k) =>
     combined([a, b], k % across, Math.floor(k / across)),
   );
@@ -76,25 +76,24 @@ const placed = (form: string, at: Point): string => `q 1 0 0 1 ${nums(...at)} cm
 
 /**
  * A cell of vector graphics.
- * @param drawn returns the contents for the cell's size by level, in groups with their opacity
+ * @param drawn the contents of the cell by level, in groups with their opacity
  */
 export function vectorCell(
   resources: PdfResources,
-  print: Print,
-  drawn: (size: Size) => readonly {
+  sides: Sides,
+  drawn: readonly {
     readonly levels: readonly string[];
     readonly reach: number;
     readonly opacity: number;
   }[],
 ): Cell {
-  const {size, matrix} = sheared(print);
-  const found = drawn(size);
-  const groups = found.map(({levels, reach, opacity}) => {
-    const more = `${bounds(grown(boxAt([0, 0], ...size), reach))}${matrix}`;
+  const matrix = shearing(sides);
+  const groups = drawn.map(({levels, reach, opacity}) => {
+    const more = `${bounds(grown(boxAt([0, 0], ...sizeOf(sides)), reach))}${matrix}`;
     return {opacity, forms: levels.map((content) => resources.form(more, content))};
   });
-  const reach = Math.max(0, ...found.map((one) => one.reach));
-  return inBlocks(resources, print, {sides: imageCell(print), groups}, reach);
+  const reach = Math.max(0, ...drawn.map((one) => one.reach));
+  return inBlocks(resources, {sides, groups}, reach);
 }
 
 /**
@@ -102,8 +101,10 @@ export function vectorCell(
  * between two of true size.
  */
 export function rasterCell(resources: PdfResources, print: Print, image: PdfImage): Cell {
-  const {size, matrix} = sheared(print);
+  const sides = imageCell(print);
+  const matrix = shearing(sides);
   const name = resources.image(image);
+  const size = sizeOf(sides);
   const [w, h] = size;
   const forms = [leastReach, 0].map((reach) => {
     const drawn = scoped(
@@ -114,7 +115,7 @@ export function rasterCell(resources: PdfResources, print: Print, image: PdfImag
     return resources.form(more, drawn);
   });
   const groups = [{opacity: 1, forms}];
-  return inBlocks(resources, print, {sides: imageCell(print), groups}, 2 * leastReach);
+  return inBlocks(resources, {sides, groups}, 2 * leastReach);
 }
 
 /** The alignment of the print on the sheet: the piece's place composed with its alignment. */

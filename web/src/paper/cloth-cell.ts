@@ -1,6 +1,6 @@
 /** Builds a print's cell for a PDF from any supported image. Drawing code is loaded on demand. */
 import {blobOf} from '../image/data-url.js';
-import {norm} from '../model/geometry/vectors.js';
+import {norm, plus, unit, type Point} from '../model/geometry/vectors.js';
 import {FileError} from '../model/base/versioned-file.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import type {PrintWithTile} from '../picture/cloth.js';
@@ -53,11 +53,19 @@ export async function clothCell(
     const {vectorTile} = await import('./vector-tile.js');
     const groups = vectorTile(content, width, height);
     if (groups) {
-      const {drawnLevels} = await import('./vector-cell.js');
-      const cell = vectorCell(resources, print, (size) =>
-        groups.map(({leaves, opacity}) => ({...drawnLevels(leaves, size), opacity})),
+      const {drawnLevels, lengthened} = await import('./vector-cell.js');
+      const all = groups.map(({leaves}) => leaves);
+      const {size, groups: longer} = lengthened(all, [width, height]);
+      const [a, b] = imageCell(print).map(unit) as [Point, Point];
+      const cell = vectorCell(
+        resources,
+        [plus([0, 0], a, size[0]), plus([0, 0], b, size[1])],
+        longer.map((leaves, k) => ({
+          ...drawnLevels(leaves, size),
+          opacity: groups[k]?.opacity ?? 1,
+        })),
       );
-      return {...cell, leaves: groups.flatMap(({leaves}) => leaves)};
+      return {...cell, leaves: all.flat()};
     }
   }
   const {pdfImage} = await import('../files/pdf/image.js');

@@ -10,7 +10,7 @@ import {clothCell, type CellPixels} from './cloth-cell.js';
 import {drawMarks} from './draw-marks.js';
 import {drawFirstPage, roomOf} from './first-page.js';
 import {drawFoot, drawFrame} from './page-frame.js';
-import {guideCount, guidePages, type GuideOptions} from './guide/guide-pages.js';
+import {guideCount, guidePages, type GuideOptions} from './guide-pages.js';
 import {dividedAmong, usualMargin, type PageLayout, type SheetPage} from './pages.js';
 import type {Paper} from './papers.js';
 import {

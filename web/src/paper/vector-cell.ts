@@ -21,6 +21,36 @@ const onBorder = 1e-4;
 /** Further levels are drawn together, which bounds the size of files. */
 const mostLevels = 64;
 
+/** Length of a cell whose picture is the same all along it. */
+const stripeLength = 40;
+
+/**
+ * The size of a cell and its leaves. Stripes, which run from border to border, become longer: many
+ * short cells would show their overlaps.
+ */
+export function lengthened(
+  groups: readonly (readonly Leaf[])[],
+  size: Size,
+): {readonly size: Size; readonly groups: readonly (readonly Leaf[])[]} {
+  const ends = groups.flat().flatMap(({path}) => path.flatMap(({points}) => points));
+  const axis = ([0, 1] as const).find((one) =>
+    ends.every((p) => [false, true].some((isFar) => isOn(p, {axis: one, isFar}, size))),
+  );
+  if (axis === undefined || groups.flat().some(({stroke}) => stroke)) return {size, groups};
+  const factor = Math.max(1, Math.round(stripeLength / size[axis]));
+  const longer = ([x, y]: Point): Point => (axis === 0 ? [factor * x, y] : [x, factor * y]);
+  return {
+    size: longer(size),
+    groups: groups.map((leaves) =>
+      leaves.map(({path, box, ...leaf}) => ({
+        ...leaf,
+        path: path.map(({kind, points}) => ({kind, points: points.map(longer)})),
+        box: {low: longer(box.low), high: longer(box.high)},
+      })),
+    ),
+  };
+}
+
 /** An area or a line of one colour. */
 interface Part {
   readonly leaf: Leaf;

@@ -2,7 +2,7 @@
 import {cutSheet} from '../../cutting/lay-sheet.js';
 import type {CutSheet} from '../../cutting/cut-sheet.js';
 import {cutFile} from '../../paper/cut-file.js';
-import {guideCount} from '../../paper/guide/guide-pages.js';
+import {guideCount} from '../../paper/guide-pages.js';
 import {pagesOf} from '../../paper/cutting-pdf.js';
 import {paperOf} from '../../paper/papers.js';
 import {serve} from '../worker/serve.js';

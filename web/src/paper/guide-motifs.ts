@@ -1,5 +1,5 @@
 /** Points of a print that are easy to find on fabric, such as the middle of a flower. [cm] */
-import type {Leaf} from '../vector-tile.js';
+import type {Leaf} from './vector-tile.js';
 import {
   combined,
   coordinates,
@@ -15,14 +15,14 @@ import {
   unit,
   type Alignment,
   type Point,
-} from '../../model/geometry/vectors.js';
-import {boxOf, type Box} from '../../model/geometry/polyline.js';
-import type {Print} from '../../model/print/repeating-print.js';
-import {imageCell} from '../../model/print/wallpaper.js';
-import {shared} from '../boxes.js';
+} from '../model/geometry/vectors.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {imageCell} from '../model/print/wallpaper.js';
+import {shared} from './boxes.js';
 
 /** A motif of the print, and its copies at all points of a lattice. */
-export interface Motif {
+interface Motif {
   /** The middle on the print. */
   readonly at: Point;
   readonly radius: number;

@@ -2,21 +2,13 @@
  * Pages that help to place paper pieces on fabric that is printed already. Each piece has an
  * overview with two or three points, and the print around each of them. Lengths in cm.
  */
-import type {LaidPiece} from '../../cutting/cut-sheet.js';
-import {lineColours} from '../../cutting/line-colours.js';
-import {colourOf} from '../../files/base/colours.js';
-import {
-  box,
-  filledWith,
-  line,
-  nums,
-  scoped,
-  strokedWith,
-  through,
-} from '../../files/pdf/content.js';
-import type {PdfResources} from '../../files/pdf/resources.js';
-import {textAt, widthOf} from '../../files/pdf/text.js';
-import {formatLength, type Units} from '../../model/base/length-text.js';
+import type {LaidPiece} from '../cutting/cut-sheet.js';
+import {lineColours} from '../cutting/line-colours.js';
+import {colourOf} from '../files/base/colours.js';
+import {box, filledWith, line, nums, scoped, strokedWith, through} from '../files/pdf/content.js';
+import type {PdfResources} from '../files/pdf/resources.js';
+import {textAt, widthOf} from '../files/pdf/text.js';
+import {formatLength, type Units} from '../model/base/length-text.js';
 import {
   distance,
   middle,
@@ -25,13 +17,13 @@ import {
   towards,
   unit,
   type Point,
-} from '../../model/geometry/vectors.js';
-import {boxOf, type Box} from '../../model/geometry/polyline.js';
-import type {Print} from '../../model/print/repeating-print.js';
-import {boxAt} from '../boxes.js';
-import {clothUnder, type Cell} from '../cell.js';
-import type {PageLayout} from '../pages.js';
-import {motifsOf} from './motifs.js';
+} from '../model/geometry/vectors.js';
+import {boxOf, type Box} from '../model/geometry/polyline.js';
+import type {Print} from '../model/print/repeating-print.js';
+import {boxAt} from './boxes.js';
+import {clothUnder, type Cell} from './cell.js';
+import type {PageLayout} from './pages.js';
+import {motifsOf} from './guide-motifs.js';
 import {placingPoints, type PlacingPoint} from './placing-points.js';
 
 export interface GuideOptions {

@@ -2,7 +2,7 @@
  * Points of a paper piece by which it is placed on printed fabric: notches and corners, each with
  * the motif nearest to it. Lengths in cm on the sheet.
  */
-import type {LaidPiece} from '../../cutting/cut-sheet.js';
+import type {LaidPiece} from '../cutting/cut-sheet.js';
 import {
   distance,
   minus,
@@ -11,11 +11,11 @@ import {
   turnBetween,
   type Alignment,
   type Point,
-} from '../../model/geometry/vectors.js';
-import {boxOf, isInside, type Box} from '../../model/geometry/polyline.js';
-import {seamLetter} from '../../model/garment/letters.js';
-import {onSheet} from '../cell.js';
-import {nearestMotif, type Motifs} from './motifs.js';
+} from '../model/geometry/vectors.js';
+import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
+import {seamLetter} from '../model/garment/letters.js';
+import {onSheet} from './cell.js';
+import {nearestMotif, type Motifs} from './guide-motifs.js';
 
 export interface PlacingPoint {
   /** The place on the piece, such as `Notch of seam B`. */
