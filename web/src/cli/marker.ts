@@ -1,4 +1,4 @@
-import type {DxfFormat} from '../files/dxf/dxf-format.js';
+import type {DxfFormat} from '../model/base/dxf-format.js';
 import {chosenNames, panelMarks} from '../model/garment/panel-marks.js';
 import type {Point} from '../model/geometry/vectors.js';
 import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
