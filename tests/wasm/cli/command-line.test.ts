@@ -185,6 +185,9 @@ it('explains itself', async () => {
   const {code, out} = await seamwise('--help');
   expect(code).toBe(0);
   expect(out).toContain('seamwise align GARMENT.json --print PRINT.json');
+  const {out: own} = await seamwise('convert', '--help');
+  expect(own).toMatch(/^seamwise convert GARMENT\.json/);
+  expect(own).not.toContain('seamwise align');
 });
 
 it('lists the symmetries of a garment in a form that align takes', async () => {

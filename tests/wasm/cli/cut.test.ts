@@ -1,4 +1,4 @@
-import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
@@ -69,6 +69,21 @@ describe('cut', () => {
     expect(readFileSync(file('cut.plt'), 'utf8')).toMatch(/^IN;/);
   });
 
+  it('writes several results as sizes of one DXF file, in inches and as ASTM', async () => {
+    copyFileSync(file('result.json'), file('large.json'));
+    const nest = (...words: string[]) =>
+      cut(file('large.json'), '--dxf', file('nest.dxf'), '--dxf-style', 'astm', ...words);
+    expect((await nest('--dxf-unit', 'in')).code).toBe(0);
+    const {out} = await seamwise('import', file('nest.dxf'), '--json', '--size', 'large');
+    expect(JSON.parse(out)).toMatchObject({
+      ...{sizes: ['result', 'large'], size: 'large', units: {used: 'in', from: 'file'}},
+      pieces: [{name: 'left', cutLine: true}, {name: 'right'}],
+    });
+    const {code, err} = await nest('--pdf', file('nest.pdf'));
+    expect(code).toBe(2);
+    expect(err).toMatch(/one file by --dxf alone; write --pdf of one result at a time/);
+  });
+
   it('leaves the print out to save ink', async () => {
     await cut('--pdf', file('full.pdf'));
     await cut('--pdf', file('lines.pdf'), '--ink', 'outline');
@@ -93,6 +108,7 @@ describe('cut', () => {
       /^seamwise: --pdf and --svg name the same file; name two\.\n$/,
     ],
     [['--allowance', '99'], /from 0 to 10 cm/],
+    [['--dxf-unit', 'in'], /^seamwise: --dxf-unit belongs to --dxf FILE, which is missing\.\n$/],
   ])('refuses %j in one sentence', async (words, sentence) => {
     const {code, out, err} = await cut(...words);
     expect({code, out}).toEqual({code: 2, out: ''});
@@ -108,6 +124,9 @@ describe('cut', () => {
     const {code, err} = await seamwise(...words, file('silk.json'));
     expect(code).toBe(2);
     expect(err).toMatch(/^seamwise: silk\.svg is none of the pictures that PDF files hold/);
+    const others = await seamwise(...words, file('silk.json'), '--dxf', file('silk.dxf'));
+    expect(others.code).toBe(2);
+    expect(readFileSync(file('silk.dxf'), 'utf8')).toMatch(/EOF\r?\n$/);
     const raster = JSON.stringify({
       ...silk,
       colourways: [

@@ -221,6 +221,12 @@ const sewn = (svg: string, k: number): number[] =>
 describe('the file to cut by', () => {
   const svg = fileOf();
 
+  it('has references and layers that Inkscape reads', () => {
+    expect(svg).not.toContain(' href=');
+    expect(svg.match(/ xlink:href="/g)?.length).toBeGreaterThan(0);
+    expect(group(svg, 0)).toMatch(/ inkscape:groupmode="layer" inkscape:label="[^"]+"/);
+  });
+
   it('says how large the repeat of the cloth is', () => {
     expect(svg).toContain('dashes, repeat 10 cm × 8 cm');
     expect(fileOf({units: 'inch'})).toMatch(/repeat 3.15\/16.in × 3.1\/8.in/);

@@ -133,7 +133,7 @@ describe('the plan as SVG', () => {
   it('has the print where it lies on the cloth', () => {
     const svg = drawPlanSvg(plan, {...options, print: {...print, tile: '<svg/>'}});
     const [, numbers = ''] =
-      /id="cloth" href="#tile" patternTransform="matrix\(([^)]*)\)/.exec(svg) ?? [];
+      /id="cloth" xlink:href="#tile" patternTransform="matrix\(([^)]*)\)/.exec(svg) ?? [];
     const [a, b, c, d, x = NaN, y = NaN] = numbers.split(' ').map(Number);
     expect([a, b, c, d]).toEqual([1, 0, 0, 1]);
     // the left edge of the fabric and its start, as in the rest of the drawing

@@ -73,6 +73,8 @@ describe('pictures of pixels', () => {
     const whole = png([1, 1], 2, [[0, 1, 2, 3]]);
     await expect(pdfImage(whole.slice(0, 50), 'a.png')).rejects.toThrow(/damaged picture/);
     await expect(pdfImage(png([1, 9], 6, [[0, 1, 2, 3, 4]]), 'a.png')).rejects.toThrow(/damaged/);
+    const swollen = png([1, 1], 6, [new Array<number>(100_000).fill(0)]);
+    await expect(pdfImage(swollen, 'a.png')).rejects.toThrow(/damaged/);
     expect(await pdfImage(new TextEncoder().encode('GIF89a'), 'a.gif')).toBeUndefined();
   });
 

@@ -8,6 +8,7 @@ import {notAsSold} from '../picture/watermark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {cut as cutResult, type Cut} from '../node/index.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
+import {countOf} from './base/count-of.js';
 import {dxfFlags, dxfFormat} from './base/dxf-format.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
@@ -81,10 +82,16 @@ export async function cut(words: readonly string[]): Promise<void> {
   const [first] = cuts;
   if (!first) throw new UsageError(`${grammar.files[0]} is missing.`);
   const options = {...format, sewAsBoundary: args.has(sewAs1), ...sizesOf(args.files, cuts)};
+  const failed: unknown[] = [];
   for (const {flag, path} of wanted) {
-    const content = await outputs[flag]?.(first, options);
-    if (content !== undefined) await writeWhole(path, content);
+    try {
+      const content = await outputs[flag]?.(first, options);
+      if (content !== undefined) await writeWhole(path, content);
+    } catch (error) {
+      failed.push(error); // other files are written in any case
+    }
   }
+  if (failed.length > 0) throw failed[0];
   cuts.forEach((done, k) => {
     print(figures(args.files[k] ?? '', done));
   });
@@ -192,7 +199,7 @@ function figures(resultFile: string, {sheet, layout}: Cut): string {
   const size = (width: number, height: number): string =>
     `${width.toFixed(1)} x ${height.toFixed(1)} cm`;
   return [
-    `${resultFile}: ${pieces.length} pieces on a sheet of ${size(widthCm, heightCm)}`,
-    `${pages.length} ${pages.length === 1 ? 'page' : 'pages'} of ${size(layout.widthCm, layout.heightCm)}, ${paper.name}`,
+    `${resultFile}: ${countOf(pieces.length, 'piece')} on a sheet of ${size(widthCm, heightCm)}`,
+    `${countOf(pages.length, 'page')} of ${size(layout.widthCm, layout.heightCm)}, ${paper.name}`,
   ].join('; ');
 }

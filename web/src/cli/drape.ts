@@ -21,6 +21,7 @@ import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
 import {readCell} from './base/cell-picture.js';
 import {parsed, plainIn, readFabricOf, readResult, type ResultFile} from './result-file.js';
+import {countOf} from './base/count-of.js';
 
 const grammar = {
   files: ['the result file'],
@@ -163,11 +164,11 @@ function report(resultFile: string, file: DrapeFile, asJson: boolean): void {
   notes.forEach(remark);
   print(
     [
-      `${resultFile}: ${pieces.length} pieces of ${fabric.name}, ${triangles} triangles`,
+      `${resultFile}: ${countOf(pieces.length, 'piece')} of ${fabric.name}, ${triangles} triangles`,
       `seams closed to ${(10 * check.gap).toFixed(1)} mm`,
       `stretched by ${percent(check.tension.median)} in the middle, ${percent(check.tension.max)} at the most`,
       `${(10 * check.depth).toFixed(1)} mm into the form`,
-      `${check.crossings} crossings`,
+      countOf(check.crossings, 'crossing'),
       `${metrics.milliseconds} ms`,
     ].join('; '),
   );

@@ -7,6 +7,7 @@ import {seamCount} from '../model/result/seam-groups.js';
 import type {Remedy} from '../node/index.js';
 import {seamGroupsOf} from '../scene/group-states.js';
 import {finalMismatch, mismatchOf, worstOf} from '../scene/mismatch.js';
+import {countOf} from './base/count-of.js';
 
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 
@@ -30,8 +31,7 @@ function grainAsDrafted({garment, options}: Asked, {pieces}: SolveResult): strin
     return !line && grainDeg === undefined;
   });
   if (unsaid.length === 0) return '';
-  const count = unsaid.length === 1 ? '1 piece' : `${String(unsaid.length)} pieces`;
-  const which = unsaid.length === pieces.length ? '' : ` for ${count}`;
+  const which = unsaid.length === pieces.length ? '' : ` for ${countOf(unsaid.length, 'piece')}`;
   return ` with the grain upwards as drawn, for the file states none${which}`;
 }
 
@@ -81,7 +81,7 @@ function times({total, deformation, attempts = deformation}: Milliseconds): stri
 export function figuresLine(name: string, result: SolveResult, asked: Asked): string {
   const {print, pieces, seams, metrics} = result;
   return [
-    `${name}: ${String(pieces.length)} pieces, ${String(seams.length)} seams, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
+    `${name}: ${countOf(pieces.length, 'piece')}, ${countOf(seams.length, 'seam')}, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
     ...varied(print),
     ...matching(result, asked),
     ...mismatch(result, asked),

@@ -9,6 +9,7 @@ import {drawingLimit} from '../node/import.js';
 import {choice, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
+import {countOf} from './base/count-of.js';
 
 const grammar = {
   files: ['the pattern file'],
@@ -74,10 +75,10 @@ function listOf(
     size === null ? '' : `, size ${size}${sizes.length > 1 ? ` of ${sizes.join(', ')}` : ''}`;
   const origin = {file: 'as the file says', flag: 'as asked for', guess: 'guessed from size'}[from];
   return [
-    `${file}: ${String(taken.length)} pieces${inSize}, in ${unitNames[used] ?? used} (${origin}), ${String(seams.length)} seams`,
+    `${file}: ${countOf(taken.length, 'piece')}${inSize}, in ${unitNames[used] ?? used} (${origin}), ${countOf(seams.length, 'seam')}`,
     ...taken.map(
       ({name, widthCm, heightCm, quantity, notches}) =>
-        `${name}: ${cm(widthCm)} x ${cm(heightCm)} cm, cut ${String(quantity)}, ${String(notches)} notches`,
+        `${name}: ${cm(widthCm)} x ${cm(heightCm)} cm, cut ${String(quantity)}, ${notches} ${notches === 1 ? 'notch' : 'notches'}`,
     ),
   ].join('\n');
 }

@@ -27,7 +27,8 @@ const commands: Readonly<Record<string, () => Promise<Command>>> = {
 
 async function main([command, ...words]: readonly string[]): Promise<void> {
   if (command === '--help' || command === '-h' || words.includes('--help')) {
-    print((await import('./usage.js')).usage);
+    const {usage, usageOf} = await import('./usage.js');
+    print(usageOf(command ?? '') ?? usage);
     return;
   }
   if (command === '--version') {

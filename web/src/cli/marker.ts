@@ -1,4 +1,4 @@
-import type {DxfFormat} from '../files/dxf/dxf-format.js';
+import type {DxfFormat} from '../model/base/dxf-format.js';
 import {chosenNames, panelMarks} from '../model/garment/panel-marks.js';
 import type {Point} from '../model/geometry/vectors.js';
 import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
@@ -36,6 +36,7 @@ import {
 } from './base/lay-wish.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
+import {countOf} from './base/count-of.js';
 import {garmentOf, optionsIn, parsed, problemIn, readFabricOf, readResult} from './result-file.js';
 
 type Content = string | Uint8Array;
@@ -287,7 +288,7 @@ function line(files: readonly string[], plan: LayPlan): string {
   const {placements, unplaced, widthCm, lengthCm, useShare, boundCm, proven} = plan;
   const free = plan.printOrigin ? plan.freeLengthCm : null;
   return [
-    `${files.join(', ')}: ${placements.length} pieces on ${cm(lengthCm)} of fabric ${widthCm} cm wide`,
+    `${files.join(', ')}: ${countOf(placements.length, 'piece')} on ${cm(lengthCm)} of fabric ${widthCm} cm wide`,
     `${(100 * useShare).toFixed(1)} % of it used`,
     ...(proven ? ['proven the shortest'] : []),
     ...(!proven && boundCm > 0 ? [`${cm(boundCm)} at the least`] : []),

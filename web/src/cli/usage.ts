@@ -173,3 +173,10 @@ seamwise --help
 Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 3 an order whose answer is not
 the one that was sold; 1 anything else, such as a job of a batch that failed; 130 a batch that was interrupted.
 `;
+
+/** The part on a command; undefined for an unknown command. */
+export function usageOf(command: string): string | undefined {
+  const parts = usage.split(/\n(?=seamwise )/);
+  const own = parts.filter((part) => part.startsWith(`seamwise ${command} `));
+  return own.length > 0 ? own.map((part) => part.trimEnd()).join('\n') : undefined;
+}

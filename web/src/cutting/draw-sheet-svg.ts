@@ -2,7 +2,7 @@
 import {markAcross} from '../picture/watermark.js';
 import {onPiece, type Point} from '../model/geometry/vectors.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
-import {escaped, polyline, short, text} from '../files/svg/written.js';
+import {drawingSpaces, escaped, linked, polyline, short, text} from '../files/svg/written.js';
 import {textWidth} from '../layout/name-lines.js';
 import {lineColours} from './line-colours.js';
 import {paleWhite, type PrintInk} from './print-ink.js';
@@ -94,13 +94,14 @@ export function drawnMarks(marks: readonly CutMark[], page: Page): string {
   return drawn.join('');
 }
 
+/** A piece as a layer of drawing programs. */
 function drawnPiece(piece: LaidPiece, k: number, page: Page, ink: PrintInk): string {
   const area = (fill: string): string =>
     `<path d="${closed(piece.cut, page)}" ${fill} fill-rule="evenodd"/>`;
   const isPrinted = piece.alignment && ink !== 'outline';
   const cloth = area(isPrinted ? `fill="url(#cloth-${k})"` : 'fill="#fff"');
   const tint = isPrinted && ink === 'pale' ? area(`fill="#fff" fill-opacity="${paleWhite}"`) : '';
-  return `<g id="piece-${k}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round">${cloth}${tint}${drawnMarks(piece.marks, page)}</g>`;
+  return `<g id="piece-${k}" inkscape:groupmode="layer" inkscape:label="${escaped(piece.label)}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round">${cloth}${tint}${drawnMarks(piece.marks, page)}</g>`;
 }
 
 /** Squares that verify the print scale with a ruler. */
@@ -134,9 +135,11 @@ export function drawSheetSvg(
   );
   const below = height - margin - footHeight + belowWords;
   return [
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}mm" height="${short(height)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
+    `<svg xmlns="http://www.w3.org/2000/svg" ${drawingSpaces} width="${short(width)}mm" height="${short(height)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
     `<title>${escaped(heading)}</title>`,
-    ink === 'outline' ? '' : `<defs>${clothTile('cloth', print, unit)}${cloths.join('')}</defs>`,
+    ink === 'outline'
+      ? ''
+      : `<defs>${linked(clothTile('cloth', print, unit) + cloths.join(''))}</defs>`,
     '<rect width="100%" height="100%" fill="#fff"/>',
     ...pieces.map((piece, k) => drawnPiece(piece, k, page, ink)),
     testSquares([margin, below]),

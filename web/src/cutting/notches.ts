@@ -1,7 +1,8 @@
 /** Notches of the garment, and additional notches of seams. Lengths in cm. */
 import type {Notch, PanelMarks} from '../model/garment/panel-marks.js';
-import {distance, dot, leftOf, minus, plus, type Point} from '../model/geometry/vectors.js';
-import {atShare, distanceTo, lengthOf} from '../model/geometry/polyline.js';
+import {distance, dot, leftOf, minus, plus, unit, type Point} from '../model/geometry/vectors.js';
+import {nearestOn} from '../files/base/nearest.js';
+import {atShare, lengthOf} from '../model/geometry/polyline.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {turned} from '../layout/on-body.js';
 import {notchMark} from './follow.js';
@@ -81,19 +82,34 @@ function ownNotches(
   return notches.flatMap((notch) => {
     const mark = notchMark(piece, notch);
     if (!mark) return [];
-    // the notch is on the edge with the segment that contains it
-    const k = lines.findIndex((line) =>
-      line.slice(1).some((to, n) => {
-        const from = line[n] ?? to;
-        const along = dot(minus(to, from), mark.outward);
-        return Math.abs(along) < 1e-6 && distanceTo([from, to], mark.at) < 1e-6;
-      }),
-    );
-    const key = keys[k];
-    const seam = key === undefined ? undefined : garment.edges.get(key)?.edge.seam?.number;
-    const width = key === undefined ? 0 : widthOf(key);
-    return [{...mark, width, depth: slitDepth(width), ...(seam !== undefined && {seam})}];
+    const [best] = lines
+      .flatMap((line, k) => projected(mark, line, keys[k]))
+      .sort((a, b) => a.miss - b.miss);
+    if (!best) return [{...mark, width: 0, depth: 0}];
+    const {at, outward, key} = best;
+    const seam = garment.edges.get(key)?.edge.seam?.number;
+    const width = widthOf(key);
+    return [{at, outward, width, depth: slitDepth(width), ...(seam !== undefined && {seam})}];
   });
+}
+
+/** Greatest distance of a notch on a chord of the mesh from the curve of its edge. [cm] */
+const chordReach = 0.3;
+/** Distance that counts as much as a notch across its edge: at a corner, the direction decides. */
+const acrossMiss = 0.1;
+
+/** A mark moved onto an edge, and how far it misses it; none beyond reach. */
+function projected(
+  mark: Pick<CutNotch, 'at' | 'outward'>,
+  line: readonly Point[],
+  key: EdgeKey | undefined,
+): (Pick<CutNotch, 'at' | 'outward'> & {readonly key: EdgeKey; readonly miss: number})[] {
+  const {at, off, step} = nearestOn(line, mark.at, false);
+  const [from, to] = [line[step], line[step + 1]];
+  if (key === undefined || !from || !to || off > chordReach) return [];
+  const [x, y] = leftOf(unit(minus(to, from)));
+  const outward: Point = [0 - x, 0 - y];
+  return [{at, outward, key, miss: off + acrossMiss * (1 - dot(outward, mark.outward))}];
 }
 
 /**

@@ -37,7 +37,7 @@ export type {OwnShare} from '../cutting/allowances.js';
 export type * from '../cutting/cut-sheet.js';
 export type {PieceDxfOptions} from '../cutting/out/piece-dxf.js';
 export type {DxfOptions} from '../cutting/out/sheet-dxf.js';
-export type {DxfFormat, DxfStyle, DxfUnit} from '../files/dxf/dxf-format.js';
+export type {DxfFormat, DxfStyle, DxfUnit} from '../model/base/dxf-format.js';
 export {layPlanText} from '../marker/plan.js';
 export type {LaidPrint} from '../marker/problem.js';
 export type {PrintScale} from '../model/result/unscaled-print.js';

@@ -1,5 +1,5 @@
 /** Files of a layout. */
-import type {DxfFormat} from '../files/dxf/dxf-format.js';
+import type {DxfFormat} from '../model/base/dxf-format.js';
 import {drawPlanSvg} from '../marker/draw/draw-plan-svg.js';
 import {planDxf} from '../marker/draw/plan-dxf.js';
 import {planHpgl} from '../marker/draw/plan-hpgl.js';

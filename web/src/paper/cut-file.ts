@@ -1,7 +1,7 @@
 /** Writes a cutting sheet as a file of any kind. */
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
-import type {DxfFormat} from '../files/dxf/dxf-format.js';
+import type {DxfFormat} from '../model/base/dxf-format.js';
 import {sheetDxf} from '../cutting/out/sheet-dxf.js';
 import {sheetHpgl} from '../cutting/out/sheet-hpgl.js';
 import type {PrintWithTile} from '../picture/cloth.js';

@@ -3,7 +3,7 @@ import {allowancesIn, withAllowances} from '../../workbench/allowances.js';
 import type {ChosenAllowances} from '../../texts/preferences.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {fieldOf} from '../../model/base/read.js';
-import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../model/base/dxf-format.js';
 import type {Units} from '../../model/base/length-text.js';
 import {printInks, type PrintInk} from '../../cutting/print-ink.js';
 import type {CutFileKind} from '../../paper/cut-file.js';

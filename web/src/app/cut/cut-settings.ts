@@ -4,7 +4,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {lengthUnit} from '../../editor/controls/number-field.js';
 import {greatestAllowance} from '../../cutting/allowance-rule.js';
 import {printInks} from '../../cutting/print-ink.js';
-import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../model/base/dxf-format.js';
 import type {Units} from '../../model/base/length-text.js';
 import {paperOf} from '../../paper/papers.js';
 import type {CutTexts} from '../../texts/cut-texts.js';

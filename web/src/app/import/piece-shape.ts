@@ -16,7 +16,7 @@ export interface PieceShape {
   readonly fold: string;
 }
 
-export interface DoubtfulLine {
+interface DoubtfulLine {
   /** Index among the holes of the piece. */
   readonly hole: number;
   readonly path: string;

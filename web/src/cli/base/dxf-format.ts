@@ -1,5 +1,5 @@
 /** Flags for the dialect and unit of DXF files. */
-import {dxfStyles, dxfUnits, type DxfFormat} from '../../files/dxf/dxf-format.js';
+import {dxfStyles, dxfUnits, type DxfFormat} from '../../model/base/dxf-format.js';
 import {choice, UsageError, type Arguments} from './arguments.js';
 
 const [styleFlag, unitFlag] = ['--dxf-style', '--dxf-unit'] as const;

@@ -14,7 +14,7 @@ import {
 import {signedArea} from '../../model/geometry/polyline.js';
 import type {LaidPiece} from '../cut-sheet.js';
 import {lineColours} from '../line-colours.js';
-import type {DxfFormat} from '../../files/dxf/dxf-format.js';
+import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {length, line, point, polyline, text, type Pair} from '../../files/dxf/records.js';
 
 export const layers = {

@@ -5,7 +5,7 @@
 import {plus, type Point} from '../../model/geometry/vectors.js';
 import {packageVersion} from '../../model/base/version.js';
 import type {CutSheet, LaidPiece} from '../cut-sheet.js';
-import type {DxfFormat, DxfUnit} from '../../files/dxf/dxf-format.js';
+import type {DxfFormat, DxfUnit} from '../../model/base/dxf-format.js';
 import {block, dxfFile, insert, plainText, text, type Pair} from '../../files/dxf/records.js';
 import {drawn, layers, type PieceDxfOptions} from './piece-dxf.js';
 

@@ -2,7 +2,7 @@
 import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
 import {SolverError} from '../../model/result/failure.js';
-import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../files/dxf/dxf-format.js';
+import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../model/base/dxf-format.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 import type {SheetWindow} from '../../workbench/state.js';

@@ -31,8 +31,7 @@ const textsIn = (entities: readonly Drawn[]): TextEntity[] =>
   entities.filter((one): one is TextEntity => one.kind === 'text');
 
 /** Returns whether a block draws on the boundary layer, as those of AAMA and ASTM do. */
-export const hasBoundary = ({entities}: PlacedBlock): boolean =>
-  linesOn(entities, boundary).length > 0;
+const hasBoundary = ({entities}: PlacedBlock): boolean => linesOn(entities, boundary).length > 0;
 
 /** Least area of another piece's outline in a block. [share of the largest] */
 const leastShare = 0.05;

@@ -4,7 +4,7 @@
  */
 import type {Point} from '../../model/geometry/vectors.js';
 import {cmPer} from '../base/units.js';
-import type {DxfUnit} from './dxf-format.js';
+import type {DxfUnit} from '../../model/base/dxf-format.js';
 
 /** Line ending of CAD programs. */
 const lineEnd = '\r\n';

@@ -6,7 +6,7 @@ import type {Point} from '../../model/geometry/vectors.js';
 import {boxOf, type Box} from '../../model/geometry/polyline.js';
 import {clippedTo} from './clip.js';
 
-export interface Stroke {
+interface Stroke {
   readonly points: readonly Point[];
   readonly isClosed: boolean;
 }
@@ -26,7 +26,7 @@ const frameCm = 80;
 
 const reach = farthest / units;
 /** Greatest width of a plot across the paper. [cm] */
-export const hpglWidthCm = 2 * reach;
+const hpglWidthCm = 2 * reach;
 
 const place = ([x, y]: Point): string => `${Math.round(units * x)},${Math.round(units * y)}`;
 

@@ -20,9 +20,32 @@ const hex = (bytes: Uint8Array): string =>
 const overWhite = (value: number, alpha: number): number =>
   Math.round((value * alpha + 255 * (255 - alpha)) / 255);
 
-async function piped(data: Bytes, stream: CompressionStream | DecompressionStream): Promise<Bytes> {
-  const through = new Blob([data]).stream().pipeThrough(stream);
+async function deflated(data: Bytes): Promise<Bytes> {
+  const through = new Blob([data]).stream().pipeThrough(new CompressionStream('deflate'));
   return new Uint8Array(await new Response(through).arrayBuffer());
+}
+
+/**
+ * The inflated data of an image, read no further than its pixels need.
+ * @throws {RangeError} if there is less or more
+ */
+async function inflated(data: Bytes, size: number): Promise<Bytes> {
+  const through = new Blob([data]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const reader = through.getReader();
+  const out = new Uint8Array(size);
+  let at = 0;
+  for (;;) {
+    const {done, value} = await reader.read();
+    if (done) break;
+    if (at + value.length > size) {
+      await reader.cancel();
+      throw new RangeError('more data than pixels');
+    }
+    out.set(value, at);
+    at += value.length;
+  }
+  if (at < size) throw new RangeError('cut off');
+  return out;
 }
 
 const entriesOf = (width: number, height: number, bits: number, more: string): string =>
@@ -95,9 +118,8 @@ function predictedBy(filter: number, left: number, above: number, corner: number
 async function flattened({data, width, height, kind}: Png): Promise<Bytes> {
   const colours = kind === 4 ? 1 : 3;
   const depth = colours + 1;
-  const raw = await piped(data, new DecompressionStream('deflate'));
   const row = width * depth;
-  if (raw.length < height * (row + 1)) throw new RangeError('cut off');
+  const raw = await inflated(data, height * (row + 1));
   const out = new Uint8Array(height * (width * colours + 1));
   let above = new Uint8Array(row);
   let before = new Uint8Array(width * colours);
@@ -121,7 +143,7 @@ async function flattened({data, width, height, kind}: Png): Promise<Bytes> {
     }
     before = laid;
   }
-  return piped(out, new CompressionStream('deflate'));
+  return deflated(out);
 }
 
 /** The palette composited on white, for colours with transparency. */

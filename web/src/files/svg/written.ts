@@ -16,6 +16,14 @@ export const short = (value: number): string => String(Number(value.toFixed(2)) 
 export const polyline = (points: readonly Point[]): string =>
   points.map(([x, y], k) => `${k === 0 ? 'M' : 'L'}${short(x)} ${short(y)}`).join('');
 
+/** Namespaces of files that drawing programs open. */
+export const drawingSpaces =
+  'xmlns:xlink="http://www.w3.org/1999/xlink" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"';
+
+/** Definitions with references that all drawing programs read; Inkscape 1.2 needs `xlink:href`. */
+export const linked = (definitions: string): string =>
+  definitions.replaceAll(' href="', ' xlink:href="');
+
 interface TextStyle {
   readonly size: number;
   readonly fill?: string;

@@ -3,7 +3,7 @@ import {drawnMarks} from '../../cutting/draw-sheet-svg.js';
 import {plus, type Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../../picture/cloth.js';
-import {escaped, polyline, short} from '../../files/svg/written.js';
+import {drawingSpaces, escaped, linked, polyline, short} from '../../files/svg/written.js';
 import {printOnFabric} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
 import {veils} from './veils.js';
@@ -33,8 +33,10 @@ function drawnFabric(
     `<path d="${closed(loops, onSheet)}" fill="${fill}" fill-opacity="${opacity}" fill-rule="evenodd"/>`;
   return {
     defs: printOrigin
-      ? clothTile('tile', print, unit) +
-        clothUnder('cloth', 'tile', print, printOnFabric(printOrigin), onSheet)
+      ? linked(
+          clothTile('tile', print, unit) +
+            clothUnder('cloth', 'tile', print, printOnFabric(printOrigin), onSheet),
+        )
       : '',
     drawn: [
       ...(printOrigin ? [ground('url(#cloth)', [around])] : []),
@@ -63,7 +65,7 @@ export function drawPlanSvg(
   const page: Page = ([x, y]) => [unit * x, height - unit * y];
   const {defs, drawn} = drawnFabric(plan, print, sheet, page);
   return [
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width / scale)}mm" height="${short(height / scale)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
+    `<svg xmlns="http://www.w3.org/2000/svg" ${drawingSpaces} width="${short(width / scale)}mm" height="${short(height / scale)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
     `<title>${escaped(options.title ?? '')}</title>`,
     `<defs>${defs}</defs>`,
     '<rect width="100%" height="100%" fill="#fff"/>',

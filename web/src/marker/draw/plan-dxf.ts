@@ -4,7 +4,7 @@
  */
 import {crosses, drawn, layers} from '../../cutting/out/piece-dxf.js';
 import {blockName, namesOf, styleText, unitText} from '../../cutting/out/sheet-dxf.js';
-import type {DxfFormat} from '../../files/dxf/dxf-format.js';
+import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {block, dxfFile, insert, line, polyline, text} from '../../files/dxf/records.js';
 import {lineColours} from '../../cutting/line-colours.js';
 import type {Point} from '../../model/geometry/vectors.js';

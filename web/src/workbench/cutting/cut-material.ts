@@ -5,7 +5,7 @@ import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
-import type {DxfFormat} from '../../files/dxf/dxf-format.js';
+import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
 import {textsOf} from '../../texts/texts.js';
