@@ -140,7 +140,4 @@ export const page = {
     better: text('A better match: {count, plural, =1 {1 more seam} other {# more seams}}.'),
     use: 'Use it',
   },
-  samples: {garments: {}, prints: {}, colourways: {}} as Readonly<
-    Record<'garments' | 'prints' | 'colourways', Readonly<Partial<Record<string, string>>>>
-  >,
 };
