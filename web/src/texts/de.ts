@@ -7,4 +7,8 @@ import print from './de/print.json' with {type: 'json'};
 import samples from './de/samples.json' with {type: 'json'};
 import {en, type Texts} from './en.js';
 
-export const de: Texts = translated(en, {...page, ...pattern, ...answer, ...print, ...samples}, 'de');
+export const de: Texts = translated(
+  en,
+  {...page, ...pattern, ...answer, ...print, ...samples},
+  'de',
+);

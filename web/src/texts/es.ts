@@ -7,4 +7,8 @@ import print from './es/print.json' with {type: 'json'};
 import samples from './es/samples.json' with {type: 'json'};
 import {en, type Texts} from './en.js';
 
-export const es: Texts = translated(en, {...page, ...pattern, ...answer, ...print, ...samples}, 'es');
+export const es: Texts = translated(
+  en,
+  {...page, ...pattern, ...answer, ...print, ...samples},
+  'es',
+);

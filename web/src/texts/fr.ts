@@ -7,4 +7,8 @@ import print from './fr/print.json' with {type: 'json'};
 import samples from './fr/samples.json' with {type: 'json'};
 import {en, type Texts} from './en.js';
 
-export const fr: Texts = translated(en, {...page, ...pattern, ...answer, ...print, ...samples}, 'fr');
+export const fr: Texts = translated(
+  en,
+  {...page, ...pattern, ...answer, ...print, ...samples},
+  'fr',
+);

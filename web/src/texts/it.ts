@@ -7,4 +7,8 @@ import print from './it/print.json' with {type: 'json'};
 import samples from './it/samples.json' with {type: 'json'};
 import {en, type Texts} from './en.js';
 
-export const it: Texts = translated(en, {...page, ...pattern, ...answer, ...print, ...samples}, 'it');
+export const it: Texts = translated(
+  en,
+  {...page, ...pattern, ...answer, ...print, ...samples},
+  'it',
+);

@@ -1,5 +1,5 @@
 /** Names of a sample garment's pieces and seams in the user's language. */
-import type {GarmentDocument} from '../model/garment/garment-document.js';
+import type {DraftedEdge, GarmentDocument} from '../model/garment/garment-document.js';
 import type {Texts} from './texts.js';
 
 type SampleTexts = Pick<Texts, 'samples' | 'lists'>;
@@ -34,6 +34,13 @@ function seamName(name: string, {samples: {seams}, lists}: SampleTexts): string 
   return lists.onSide[side === 'left' ? 'left' : 'right'](words);
 }
 
+/** The edge without its name. */
+function unnamed(edge: DraftedEdge): DraftedEdge {
+  const copy: DraftedEdge & {label?: string} = {...edge};
+  delete copy.label;
+  return copy;
+}
+
 const known = new WeakMap<GarmentDocument, {readonly texts: SampleTexts; shown: GarmentDocument}>();
 
 /**
@@ -57,8 +64,11 @@ export function withSampleNames(
     title,
     pieces: garment.pieces.map((piece) => {
       const label = pieceName(style, piece.label ?? '', texts) ?? piece.label;
-      const outline = piece.outline.map(({label: _, ...edge}) => edge);
-      return {...piece, outline, ...(label !== undefined && {label})};
+      return {
+        ...piece,
+        outline: piece.outline.map(unnamed),
+        ...(label !== undefined && {label}),
+      };
     }),
     seams: garment.seams.map((seam) => {
       const name = seamName(seam.name ?? '', texts) ?? seam.name;

@@ -26,7 +26,7 @@ async function drawnWith({history: {design}, solving, preferences}: Workbench, p
     document && design && withSampleNames(document, design.garment.name, preferences.texts);
   const tile = print.image === noPicture ? undefined : await embeddedTile(print.image);
   const marks = design && garment ? panelMarks(garment, decidedOf(design)) : undefined;
-  const {title} = (garment && garmentTitle(garment, design?.garment.name)) ?? {};
+  const {title} = (garment && garmentTitle(garment, design.garment.name)) ?? {};
   return {
     print: {...printOf(print), ...(tile !== undefined && {tile})},
     ...(result && {
