@@ -27,9 +27,9 @@ export const worn = {
   },
   draping: text('Draping, {percent}'),
   stop: 'Stop',
-  stopped: 'Stopped: the garment has not settled.',
+  stopped: 'Stopped: the garment still moves.',
   again: 'Drape again',
-  waiting: 'Draped once the print is aligned',
+  waiting: 'The drape starts once the print is aligned',
   /** Notes on a drape, by code. */
   notes: {
     drapeNoStart: 'The garment cannot be draped: its pieces have no position to start from.',
