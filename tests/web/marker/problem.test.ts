@@ -330,7 +330,7 @@ describe('a problem', () => {
     const print = {...plainPrint, w1: [8, 1], w2: [-Math.SQRT2, 9]} as const;
     const turned = orderOf({result: result({print})}, {plies: 3});
     expect(turned.problem.wholeRepeats).toBe(false);
-    expect(saidOf(turned.notes)).toContain('never comes again along the fabric');
+    expect(saidOf(turned.notes)).toContain('does not repeat along the fabric');
   });
 
   it('counts flaws from the cut', () => {

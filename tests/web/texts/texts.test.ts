@@ -49,7 +49,7 @@ const placeholders = (words: string): readonly string[] => [
 /** Names, and words that are the same in related languages. */
 const alike = new Set([
   ...['Seamwise', 'Wolff et al. 2019', '{value} dpi', 'Ctrl', 'Enter', 'Zoom', 'Double', 'Jersey'],
-  ...['Chiffon', 'Place', 'Name', 'Second point'],
+  ...['Chiffon', 'Place', 'Name', 'Second point', 'Start'],
 ]);
 
 /** Returns whether a text has to differ from language to language. */
