@@ -102,7 +102,7 @@ TEST(Drapes, WhatHasNoStartIsSaid) {
   while (drape.advance(1)) {
   }
   ASSERT_EQ(drape.notes().size(), 1u);
-  EXPECT_NE(drape.notes()[0].find("start"), std::string::npos);
+  EXPECT_NE(drape.notes()[0].text.find("start"), std::string::npos);
 }
 
 TEST(Drapes, AnExhaustedBudgetIsSaid) {
@@ -113,7 +113,7 @@ TEST(Drapes, AnExhaustedBudgetIsSaid) {
   while (drape.advance(1)) {
   }
   ASSERT_EQ(drape.notes().size(), 1u);
-  EXPECT_NE(drape.notes()[0].find("still moving"), std::string::npos);
+  EXPECT_NE(drape.notes()[0].text.find("still moving"), std::string::npos);
 }
 
 TEST(DrapeChecks, CrossingsAreCountedOnce) {

@@ -195,7 +195,7 @@ it('says that a garment without seams has nothing to match', {tags: ['thorough']
     const text = JSON.stringify({pattern: {panels: {scarf: cloth}, stitches: []}});
     await element?.workbench.open({name: 'scarf.json', text});
   });
-  const words = 'No seams yet: sew edges to each other, and the print is matched there.';
+  const words = 'No seams yet: sew the edges together, and the print is matched there.';
   await page.locator('sw-seam-table').getByText(words).waitFor();
   await expect.poll(() => rows(page, 'Pieces').count()).toBe(1);
   await expect.poll(() => table(page, 'Seams').isVisible()).toBe(true);

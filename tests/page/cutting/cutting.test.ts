@@ -93,14 +93,16 @@ it(
         JSON.stringify(squares(side)),
       );
     await open(60);
-    await caption.filter({hasText: 'There is no answer to cut: align the print first.'}).waitFor();
+    await caption
+      .filter({hasText: 'Align the print first; then the pattern can be cut.'})
+      .waitFor();
     await expect
       .poll(async () => [await save.isDisabled(), await drawn.count()])
       .toEqual([true, 0]);
     await page.locator('seamwise-page').evaluate((element) => {
       (element as SeamwisePage).workbench.solving.align();
     });
-    await dialog.getByText('The answer has changed: this is the new one.').waitFor();
+    await dialog.getByText('The match has changed; this is the new one.').waitFor();
     await caption.filter({hasText: /page/}).waitFor();
     await expect.poll(() => save.isDisabled()).toBe(false);
     await expect.poll(() => drawn.getAttribute('d')).not.toBe(before);

@@ -34,7 +34,7 @@ it('gives the pieces to cut as files, and says what it has not', async () => {
     return Promise.all([refused({type, paper: 'b9'}), refused({type, allowance: -1})]);
   });
   expect(heard[0]).toMatch(/^options: .*'b9'/);
-  expect(heard[1]).toBe('options: An allowance is 0 to 10 cm; ask for one of these.');
+  expect(heard[1]).toBe('options: An allowance is 0 to 10 cm; choose a value in that range.');
 });
 
 it('has nothing to cut before there is an answer', {tags: ['thorough']}, async () => {

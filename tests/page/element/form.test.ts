@@ -33,7 +33,7 @@ it('submits its design under its name once there is an answer, and is invalid un
   });
   expect(seen.early).toEqual([
     ...[null, '', false, true],
-    ...['The print is not fitted yet; wait until it is, or choose another.', 2, true],
+    ...['The print is not matched yet; wait, or choose another one.', 2, true],
   ]);
   expect(seen.late).toEqual([true, true, true, true, false, true, true]);
 });

@@ -37,7 +37,7 @@ it(
     await open.page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
     const heard = await asked(open, [1, 301.4, 0, -1, NaN, Infinity, 1e6]);
     const [, widest] = /1 to (\d+) pixels/.exec(heard[2] ?? '') ?? [];
-    const refused = `options: A picture is 1 to ${String(widest)} pixels wide; ask for one of these.`;
+    const refused = `options: A picture is 1 to ${String(widest)} pixels wide; choose a width in that range.`;
     expect(heard).toEqual(['1', '301', refused, refused, refused, refused, refused]);
     expect(Number(widest)).toBeGreaterThan(4000);
     expect(Number(widest)).toBeLessThanOrEqual(8192);

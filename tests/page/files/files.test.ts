@@ -151,7 +151,7 @@ it(
       [jsonFile('stranger.json', stranger), /sleeve/],
       [jsonFile('future.json', {format: 'seamwise-project/9', design: {}}), /newer Seamwise/],
       [jsonFile('damaged.json', {format: 'seamwise-project/1', design: {}}), /damaged/],
-      [jsonFile('bare.json', {format: 'seamwise-result/1', pieces: []}), /without its design/],
+      [jsonFile('bare.json', {format: 'seamwise-result/1', pieces: []}), /without its pattern/],
       [{name: 'noise.png', mimeType: 'image/png', content: 'noise'}, /cannot be read as a picture/],
     ];
     for (const [file, complaint] of cases) {
@@ -203,7 +203,7 @@ it('offers to sew when a file has no seams', {tags: ['thorough']}, async () => {
 it('asks about the unit of a garment that fits nobody', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await choose(page, 'My pattern', jsonFile('small.json', squares(6)));
-  await page.getByText('Is the tallest piece really 6 cm tall?').waitFor();
+  await page.getByText('Is the longest piece really 6 cm long?').waitFor();
   await button(page, 'No, the file is in inches').click();
   await page.getByText('Is the tallest piece').waitFor({state: 'detached'});
   await solved(page);

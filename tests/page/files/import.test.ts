@@ -99,9 +99,9 @@ it('takes another unit than it guessed, from who knows better', {tags: ['thoroug
   const page = await quietPage();
   const pieces = await samplePieces(1);
   const dialog = await offered(page, dxf(plainDxf(pieces)));
-  await dialog.getByText('unit cm: guessed from size.').waitFor();
+  await dialog.getByText('unit cm, guessed from the size.').waitFor();
   await dialog.getByRole('button', {name: /^in /}).click();
-  await dialog.getByText('unit in: chosen.').waitFor();
+  await dialog.getByText('unit in, chosen.').waitFor();
   await dialog.getByRole('button', {name: 'Open', exact: true}).click();
   await dialog.waitFor({state: 'detached'});
   const [front] = (await readGarment((await designOf(page)).garment.text)).pieces;

@@ -37,7 +37,7 @@ it(
     await rowOf(page, 'Sleeve left').focus();
     await page.keyboard.press('Delete');
     await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
-    await expect.poll(() => caption(page)).toMatch(/Lengths of all pieces, packed anew$/);
+    await expect.poll(() => caption(page)).toMatch(/Lengths for a new layout of all pieces$/);
     await expect.poll(() => present.innerText()).toBe(packed);
     // files contain only the length of the placed pieces
     const partial = await savedPlan(page);

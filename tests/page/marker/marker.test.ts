@@ -123,7 +123,7 @@ it(
     await expect
       .poll(() => status(page))
       .toMatch(
-        new RegExp(`^Front: .* ${where} \\(moved [\\d.]+ cm, as nearer places are not free\\)$`),
+        new RegExp(`^Front: .* ${where} \\(moved [\\d.]+ cm, since nearer places are taken\\)$`),
       );
     await expect.poll(() => isSeen(page, 'Front')).toBe(true);
     // there is free room beyond all other pieces
@@ -151,7 +151,7 @@ it(
     // the others are too close to it
     await expect
       .poll(() => status(page))
-      .toMatch(/^Front stays as it lies: turned, it has no free place within [\d.]+ cm\.$/);
+      .toMatch(/^Front cannot turn here: there is no free place for it within [\d.]+ cm\.$/);
     await rowOf(page, 'Back').focus();
     await rowOf(page, 'Front').focus();
     await expect.poll(() => status(page)).toBe(before);
@@ -196,10 +196,10 @@ it(
     const all = await keys.innerText();
     for (const [key, meaning] of [
       ['←  →  ↑  ↓', 'Move the piece to the next free place'],
-      ['Alt ←  →  ↑  ↓', 'The same, even where others lie'],
+      ['Alt ←  →  ↑  ↓', 'The same, even onto other pieces'],
       ['R', 'Turn'],
       ['P', 'Pin'],
-      ['Delete', 'Take off the fabric'],
+      ['Delete', 'Remove from the fabric'],
       ['A', 'Pack the rest'],
       ['X', 'Mark a flaw'],
       ['Shift X', 'Add a flaw'],
@@ -215,7 +215,7 @@ it(
         .poll(() => shown.locator('xpath=following-sibling::dd[1]').innerText())
         .toBe(meaning);
     }
-    expect(all).not.toContain('Hold for before');
+    expect(all).not.toContain('Hold to see it without matching');
   },
 );
 
@@ -361,12 +361,12 @@ it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}
   await expect.poll(() => rowOf(page, 'Sleeve left').textContent()).toMatch(/not on the fabric/);
   // the length to buy is still unknown
   await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');
-  await expect.poll(() => facts(page)).toMatch(/^The others lie on [\d.]+ cm, \d+ % used/);
+  await expect.poll(() => facts(page)).toMatch(/^The others take [\d.]+ cm, \d+ % used/);
   expect(await facts(page)).not.toMatch(/Proven|At best/);
   const plan = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
   expect(plan).toMatchObject({proven: false, boundCm: 0, unplaced: [{piece: 'sleeve_left'}]});
   const svg = await saved(page, 'Save fabric layout (SVG)');
-  expect(svg).toContain('of the pieces that lie');
+  expect(svg).toContain('of the placed pieces');
   expect(svg).not.toMatch(/>(Buy|proven)/);
   for (const name of ['Front', 'Back', 'Sleeve right']) {
     await rowOf(page, name).focus();
@@ -375,7 +375,7 @@ it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}
   await expect.poll(() => bought(page)).toBe('4 pieces do not lie yet');
   await expect
     .poll(() => button(page, 'Undo').getAttribute('title'))
-    .toBe('Undo: taking off the fabric');
+    .toBe('Undo: remove from the fabric');
   await pane(page).getByRole('button', {name: 'Pack again'}).click();
   await laid(page);
   await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
@@ -397,7 +397,7 @@ it(
     });
     await expect
       .poll(() => said(page))
-      .toBe('The design has changed: this is the plan from before.');
+      .toBe('The design has changed: this is the layout from before.');
     await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(1);
     await expect
       .poll(() => pane(page).getByRole('button', {name: 'Pack again'}).isDisabled())
@@ -485,7 +485,7 @@ it(
     const why = panel(page).getByRole('alert');
     await why.filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
     await expect.poll(() => said(page)).toBe('Not aligned');
-    await button(page, 'Leave out what it cannot keep').click();
+    await button(page, 'Remove what the print cannot keep').click();
     await laid(page);
     await expect.poll(() => why.count()).toBe(0);
   },

@@ -88,7 +88,7 @@ it('is of another lattice when somebody says so', {tags: ['thorough']}, async ()
   await makeUncertain(dialog);
   await dialog.getByText(/^No repeat is certain/).waitFor();
   // it needs confirmation by its button; Enter does nothing
-  const although = dialog.getByRole('button', {name: 'Use it although uncertain'});
+  const although = dialog.getByRole('button', {name: 'Use it anyway'});
   await although.waitFor();
   await expect.poll(() => use(page).count()).toBe(0);
   await dialog.getByText(/^Whether this cell is .* uncertain: drag its corners/).waitFor();

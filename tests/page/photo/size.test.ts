@@ -50,7 +50,7 @@ it(
     };
     await tap(coinAt[0] + 5, coinAt[1] - 4);
     await dialog
-      .getByText(/Measured by the red outline, good to about 1(\.\d)? %\./)
+      .getByText(/Measured by the red outline, accurate to about 1(\.\d)? %\./)
       .waitFor(patient);
     expect(Math.abs((await said(dialog)) / repeat - 1)).toBeLessThan(0.02);
     await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(1);
@@ -159,9 +159,9 @@ it(
     const broken = () => page.locator('sw-photo-stage .broken').getAttribute('d');
     await expect.poll(broken).toBe('');
     await dialog.getByRole('radio', {name: /^p4m, has not/}).check();
-    await dialog.getByText('Where it breaks p4m').waitFor(patient);
+    await dialog.getByText('Differences from p4m').waitFor(patient);
     await expect.poll(async () => (await broken())?.split('Z').length ?? 0).toBeGreaterThan(100);
-    await dialog.getByLabel('Where it breaks the symmetry').uncheck();
+    await dialog.getByLabel('Differences from the symmetry').uncheck();
     await expect.poll(broken).toBe('');
   },
 );

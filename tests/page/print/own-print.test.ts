@@ -35,13 +35,13 @@ const repeat = (page: Page, name: string) => page.getByRole('radio', {name, exac
 it('is as large as its file says, and again when asked', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await give(page, 'leaf.png', leafFile(100));
-  await page.getByText('From the file: 100 dpi, 6.1 cm wide').waitFor();
+  await page.getByText('Size in the file: 100 dpi, 6.1 cm wide').waitFor();
   const {size} = (await designOf(page)).print;
   expect([size.width, size.height].map((side) => side.toFixed(2))).toEqual(['6.10', '5.08']);
   await page.getByLabel('Repeat width (cm)').fill('12');
   await page.getByLabel('Repeat width (cm)').press('Enter');
-  await button(page, 'As large as the file says: 100 dpi, 6.1 cm wide').click();
-  await page.getByText('From the file: 100 dpi').waitFor();
+  await button(page, 'Size from the file: 100 dpi, 6.1 cm wide').click();
+  await page.getByText('Size in the file: 100 dpi').waitFor();
   expect((await designOf(page)).print.size.height).toBeCloseTo(5.08, 2);
   await give(page, 'unsaid.png', leafFile());
   await page.getByText('The file does not say how large it is printed').waitFor();
@@ -87,7 +87,7 @@ it(
     const page = await quietPage();
     const before = await designOf(page);
     await give(page, 'cut.png', pngOf(painted(220, 200, cut)));
-    await page.getByText('cut does not repeat as it is. Its edges do not meet.').waitFor();
+    await page.getByText('cut does not repeat. Its edges do not meet.').waitFor();
     const marks = page.getByRole('img', {name: 'cut, with'}).locator('path').first();
     await expect.poll(() => marks.getAttribute('d')).toMatch(/^M0 0\.\d+V0\.\d+M1 0/);
     expect(await designOf(page)).toEqual(before);
@@ -208,7 +208,7 @@ it(
       ['f.pdf', '%PDF-1.4', `f.pdf is a PDF document, ${tail}`],
       ['g.tif', 'II*\0', `g.tif is a TIFF picture, ${tail}`],
       ['h.png', '\0\0\0\x18ftypheic\0\0\0\0', `h.png is a HEIC photo, ${tail}`],
-      ['i.json', '{"pattern": {}}', 'i.json is a sewing pattern, no print: use My pattern.'],
+      ['i.json', '{"pattern": {}}', 'i.json is a sewing pattern: open it with My pattern.'],
       ['j.svg', svg('<image href="photo.jpg"/>'), 'j.svg takes in pictures from elsewhere'],
       ['k.svg', svg('<rect fill="url(https://a.b/c.svg#d)"/>'), 'k.svg takes in pictures'],
     ] as const) {
@@ -224,6 +224,6 @@ it('says all of it without a fault that axe could find', {tags: ['thorough']}, a
   await give(page, 'leaf.png', leafFile(72));
   await page.getByText('Your own: leaf').waitFor();
   await give(page, 'cut.png', pngOf(painted(220, 200, cut)));
-  await page.getByText('cut does not repeat as it is.').waitFor();
+  await page.getByText('cut does not repeat.').waitFor();
   expect(await barriers(page)).toEqual([]);
 });

@@ -205,12 +205,12 @@ it(
     const {print} = await designOf(page);
     expect(print).toMatchObject({group: 'p1', oneWay: true, size: {width: 10, height: 5}});
     await group(page, 'pmm').click();
-    await page.getByText('This picture reads differently from left to right').waitFor();
+    await page.getByText('This picture looks different from left to right').waitFor();
     const outline = page.getByRole('img', {name: 'Dots, with'}).locator('path').first();
     await expect.poll(() => outline.getAttribute('d')).not.toBe('');
     const report = page.locator('sw-tile-report');
     await report.getByRole('button', {name: 'Repeats, without turns or mirrors.'}).click();
-    await page.getByText('This picture reads differently').waitFor({state: 'detached'});
+    await page.getByText('This picture looks different').waitFor({state: 'detached'});
     await report.getByText('Repeats, without turns or mirrors.').waitFor();
   },
 );

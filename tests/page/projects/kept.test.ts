@@ -97,7 +97,7 @@ it('carries a design of samples in a link', {tags: ['thorough']}, async () => {
   expect(askedSymmetries(design).length).toBeGreaterThan(0);
   await button(page, 'Save …').click();
   await button(page, 'Copy link').click();
-  await page.getByText('The link is in the clipboard.').waitFor();
+  await page.getByText('The link is copied.').waitFor();
   const link = await page.evaluate(() => navigator.clipboard.readText());
   const other = await quietPage({query: new URL(link).hash});
   expect(await designOf(other)).toEqual(design);

@@ -223,7 +223,7 @@ it(
     await page.reload();
     await quiet(() => Promise.resolve(page));
     await chooseGroup(page, 'pgg');
-    const note = 'This browser keeps nothing for this page; save the project before you leave.';
+    const note = 'This browser cannot keep your work; save the project before you leave.';
     await page.getByRole('alert').filter({hasText: note}).waitFor();
     await drop(page, 'scarf.json');
     const list = await listOf(page);

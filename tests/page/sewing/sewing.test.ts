@@ -281,7 +281,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   for (let k = 0; k < 2; k++) await page.keyboard.press('ArrowUp');
   for (let k = 0; k < 2; k++) await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
-  await says(page, /longer.*Gathered.*Or is it/);
+  await says(page, /longer.*gathered.*Is it .* instead/);
   await page.keyboard.press('m');
   await expect.poll(async () => (await sides(page)).length).toBe(6);
   expect(await sides(page)).toEqual(

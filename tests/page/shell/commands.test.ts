@@ -125,7 +125,7 @@ it('is walked by arrow keys, says how many there are, and why one cannot be carr
     .poll(() => active(page).textContent())
     .toBe((await options(page).allTextContents()).at(-1));
   await field(page).fill('no such thing');
-  await page.getByText('No command has these words.').waitFor();
+  await page.getByText('No command found.').waitFor();
 });
 
 it(

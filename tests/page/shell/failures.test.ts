@@ -49,7 +49,7 @@ describe('a solver that breaks', () => {
       await sabotage(page, end);
       await group(page, 'pgg');
       await page
-        .getByText('The solver broke and was started again; nothing is lost.')
+        .getByText('The calculation stopped and was restarted; nothing is lost.')
         .waitFor({timeout: 50_000});
       await solved(page);
       expect((await designOf(page)).print.group).toBe('pgg');

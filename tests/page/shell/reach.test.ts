@@ -29,7 +29,7 @@ it(
   async () => {
     const page = await openPage();
     await solved(page);
-    const hint = page.getByText('Let go to open the file');
+    const hint = page.getByText('Drop to open the file');
     const drag = (type: string, kind: 'file' | 'text'): Promise<void> =>
       page.evaluate(
         ([type, kind]) => {

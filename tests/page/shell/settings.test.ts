@@ -47,9 +47,9 @@ it('solves only when asked once that is switched off', {tags: ['thorough']}, asy
   await expect.poll(() => live.getAttribute('aria-checked')).toBe('true');
   await live.press('Space');
   await expect.poll(() => live.getAttribute('aria-checked')).toBe('false');
-  await page.getByLabel('Continue the print only').check();
+  await page.getByLabel('Continuous print only').check();
   expect((await designOf(page)).options.continuousOnly).toBe(true);
-  await page.getByText('Out of date. Align to bring it up to date.').waitFor();
+  await page.getByText('Out of date. Choose Align to update it.').waitFor();
 });
 
 it('speaks German, counts in inches and is dark, and is so again the next time', async () => {

@@ -218,7 +218,7 @@ it(
     expect((await designOf(page)).print.turnDeg).toBeCloseTo(90, 6);
     await button(page, 'Undo').click();
     await ways
-      .getByRole('button', {name: /^Let .* lie at any angle$/})
+      .getByRole('button', {name: /^Allow any angle for .*$/})
       .first()
       .waitFor();
     await ways
@@ -232,7 +232,7 @@ it('offers to leave out what the print cannot keep', {tags: ['thorough']}, async
   const page = await symmetricTee(openPage);
   await change(page, {print: {group: 'p2'}});
   await page.getByRole('alert').filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
-  await button(page, 'Leave out what it cannot keep').click();
+  await button(page, 'Remove what the print cannot keep').click();
   await solved(page);
   expect((await designOf(page)).symmetry).toBe('none');
   await expect.poll(() => progress(page).innerText()).toMatch(/^Aligned in/);

@@ -104,7 +104,7 @@ it(
     await button(page, 'Symmetric pair').click();
     await clickPiece(page, 'front_left');
     await clickPiece(page, 'sleeve_front_left');
-    await hint(page, /These do not mirror: they are up to [\d.]+ mm apart/);
+    await hint(page, /These are not mirror images: they differ by up to [\d.]+ mm/);
     await page.keyboard.press('Escape');
     await hint(page, /Now click the piece/);
   },

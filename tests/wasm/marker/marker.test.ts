@@ -107,7 +107,7 @@ describe('a garment on its print', () => {
     expect(plan.phases).toHaveLength(8);
     const lengths = plan.phases.map(({lengthCm}) => lengthCm ?? Infinity);
     expect(Math.min(...lengths)).toBeCloseTo(plan.lengthCm, 6);
-    expect(plan.notes.join()).toMatch(/\d+ to \d+ cm, by where the print starts at the selvedge/);
+    expect(plan.notes.join()).toMatch(/\d+ to \d+ cm, depending on where the print starts at the selvedge/);
   });
 
   it('is laid in copies, with others, and with naps', async () => {

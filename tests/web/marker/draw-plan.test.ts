@@ -120,7 +120,7 @@ describe('the plan as SVG', () => {
     const all = wordsIn(svg);
     expect(all).toContain('Shirt <M>: Fabric layout 1 : 10');
     expect(all.filter((one) => one.startsWith('Front'))).toHaveLength(2);
-    for (const one of ['22 cm', '0.25 m', 'rounded up to 5 cm', 'proven: none is shorter']) {
+    for (const one of ['22 cm', '0.25 m', 'rounded up to 5 cm', 'proven shortest']) {
       expect(all).toContain(one);
     }
     expect(all).toContain('without it 20 cm');
@@ -169,8 +169,8 @@ describe('the plan as SVG', () => {
     const all = wordsIn(
       drawPlanSvg({...plan, unplaced: [{result: 0, copy: 0, piece: 'back'}]}, options),
     );
-    expect(all).toContain('of the pieces that lie');
-    for (const one of ['Buy', '0.25 m', 'proven: none is shorter', 'The print costs']) {
+    expect(all).toContain('of the placed pieces');
+    for (const one of ['Buy', '0.25 m', 'proven shortest', 'The print costs']) {
       expect(all).not.toContain(one);
     }
   });
@@ -189,7 +189,7 @@ describe('the plan as SVG', () => {
     expectXml(svg);
     expect(svg).not.toContain('<pattern');
     expect(wordsIn(svg).join()).not.toMatch(/Cross|The print costs/);
-    expect(wordsIn(svg)).toContain('The print is not regarded: pieces lie anywhere.');
+    expect(wordsIn(svg)).toContain('The print is ignored: pieces may be anywhere.');
   });
 
   it('has tables of other phases and other cloth', () => {

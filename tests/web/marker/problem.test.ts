@@ -255,7 +255,7 @@ describe('a problem', () => {
     const {pieces, notes} = orderOf({options: {plain: ['left_half']}});
     expect(pieces.map(({piece}) => piece)).toEqual(['right_half']);
     expect(notes.map((note) => saidNote(note))).toEqual([
-      'Pieces of plain fabric are not laid on the print: left_half.',
+      'Pieces of plain fabric are not in the layout: left_half.',
     ]);
     expect(() => orderOf({options: {plain: ['left_half', 'right_half']}})).toThrow(
       /^All pieces are of plain fabric/,
@@ -326,11 +326,11 @@ describe('a problem', () => {
   it('rounds lengths of several plies where the print comes again', () => {
     const {problem, notes} = orderOf({}, {plies: 3});
     expect(problem.wholeRepeats).toBe(true);
-    expect(saidOf(notes)).toContain('3 plies is a whole number of repeats long, of 10.00 cm');
+    expect(saidOf(notes)).toContain('3 plies is a whole number of repeats (10.00 cm) long');
     const print = {...plainPrint, w1: [8, 1], w2: [-Math.SQRT2, 9]} as const;
     const turned = orderOf({result: result({print})}, {plies: 3});
     expect(turned.problem.wholeRepeats).toBe(false);
-    expect(saidOf(turned.notes)).toContain('never comes again along the fabric');
+    expect(saidOf(turned.notes)).toContain('does not repeat along the fabric');
   });
 
   it('counts flaws from the cut', () => {
@@ -342,7 +342,7 @@ describe('a problem', () => {
       ],
     ];
     expect(orderOf({}, {flaws}).problem.startCm).toBe(0);
-    expect(saidOf(orderOf({}, {flaws}).notes)).toContain('counted from the cut');
+    expect(saidOf(orderOf({}, {flaws}).notes)).toContain('measured from the cut');
     const told = orderOf({}, {flaws, startCm: 3});
     expect(told.problem.startCm).toBe(3);
     expect(told.notes).toEqual([]);
@@ -481,7 +481,7 @@ describe('a plan', () => {
   it('says what the place of the print is worth', () => {
     expect(plan.notes).toEqual([
       expect.stringMatching(
-        /^7 to 10 cm, by where the print starts at the selvedge; measure it\.$/,
+        /^7 to 10 cm, depending on where the print starts at the selvedge; measure it\.$/,
       ),
       'At 1 of 8 places where the print may start at the selvedge, not all pieces fit on the fabric.',
     ]);
@@ -490,8 +490,8 @@ describe('a plan', () => {
   it('says a range that holds the lengths it is told beside, to a millimetre', () => {
     const said = (...lengthsCm: number[]): string =>
       saidNote({code: 'phaseRange', pieces: [], lengthsCm, counts: []});
-    expect(said(186.4, 198.6)).toMatch(/^186 to 199 cm, by /);
-    expect(said(186.97, 199.02)).toMatch(/^187 to 199 cm, by /); // 187.0 and 199.0
+    expect(said(186.4, 198.6)).toMatch(/^186 to 199 cm, depending /);
+    expect(said(186.97, 199.02)).toMatch(/^187 to 199 cm, depending /); // 187.0 and 199.0
   });
 
   it('stays where it is on cloth whose start is told, and has no print where that is ignored', () => {

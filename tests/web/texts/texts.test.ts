@@ -13,6 +13,7 @@ import {pattern} from '@/texts/en/pattern.js';
 import {photo} from '@/texts/en/photo.js';
 import {plan} from '@/texts/en/plan.js';
 import {print} from '@/texts/en/print.js';
+import {samples as sampleNames} from '@/texts/en/samples.js';
 import {sew} from '@/texts/en/sew.js';
 import {loadTexts, textsOf} from '@/texts/texts.js';
 import {languages, preferencesFor} from '@/texts/preferences.js';
@@ -24,7 +25,7 @@ const translations = languages.filter((language) => language !== 'en');
 
 /** English texts by the names of their translations' files. */
 const files = {
-  ...{page, pattern, answer, print},
+  ...{page, pattern, answer, print, samples: sampleNames},
   ...{cut: cutting, drape: worn, import: importing, marker: cloth, photo, plan, sew},
 };
 
@@ -48,7 +49,7 @@ const placeholders = (words: string): readonly string[] => [
 /** Names, and words that are the same in related languages. */
 const alike = new Set([
   ...['Seamwise', 'Wolff et al. 2019', '{value} dpi', 'Ctrl', 'Enter', 'Zoom', 'Double', 'Jersey'],
-  ...['Chiffon', 'Place', 'Name', 'Second point'],
+  ...['Chiffon', 'Place', 'Name', 'Second point', 'Start'],
 ]);
 
 /** Returns whether a text has to differ from language to language. */
@@ -67,7 +68,7 @@ describe.each(translations)('the translation into %s', (language) => {
       const theirs = new Map(textsBelow(english, file));
       const ours = new Map(
         // the names of samples are in English in the samples themselves
-        textsBelow(json, file).filter(([path]) => !path.startsWith('page.samples.')),
+        textsBelow(json, file).filter(([path]) => !path.startsWith('samples.')),
       );
       const shape = (texts: ReadonlyMap<string, string>) =>
         Object.fromEntries(

@@ -1,5 +1,6 @@
 import {expect, it} from 'vitest';
 
+import {en} from '@/texts/en.js';
 import {SceneMaker} from '@/workbench/scenes.js';
 import type {Design} from '@/model/design/design.js';
 import type {MeshedPattern} from '@/model/result/result.js';
@@ -41,7 +42,7 @@ it('shows the same figures before in every window', () => {
     history: {design},
     solving: {garment, pattern, result: undefined},
     running: {partial: undefined},
-    preferences: {chosen: {scale: 'absolute'}},
+    preferences: {chosen: {scale: 'absolute'}, texts: en},
   } as const;
   const all = [390, 820, 1280, 2560].map((width) =>
     new SceneMaker().scenes(workbench, {width, height: 800}),

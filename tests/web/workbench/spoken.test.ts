@@ -15,6 +15,7 @@ const workbench = {
   history: {design: {print: {group: 'p1'}}},
   sheet: {scenes: {now: {pieces: [{label: 'Front'}, {label: 'Back'}]}}},
   solving: {},
+  preferences: {chosen: {language: 'en', units: 'cm'}},
 } as unknown as Workbench;
 
 const detailOf = (code: string): NoteDetail => ({
@@ -49,7 +50,7 @@ describe.each(languages)('in %s', (language) => {
     expect(
       spokenNote(english, undefined, workbench, textsOf(language), formatFor(language, 'cm')),
     ).toBe(english);
-    expect(spokenFailure(failure({}), workbench, textsOf(language))).toBe(english);
+    expect(spokenFailure(failure({code: 'network'}), workbench, textsOf(language))).toBe(english);
   });
 
   it('a symmetry that cannot hold says why', async () => {

@@ -255,12 +255,18 @@ val DrapeHandle::report() const {
               one.set("energy", listValue(stage.energies, [](double e) { return val(e); }));
               return one;
             }));
-  std::vector<std::string> notes = drape.notes();
+  std::vector<Note> notes = drape.notes();
   if (worn_->hanging().by_seams)
-    notes.emplace_back(
-        "The garment's file does not say where its pieces hang; they hang as their seams and names "
-        "have it.");
-  value.set("notes", listValue(notes, [](const std::string& note) { return val(note); }));
+    notes.push_back({"drapeBySeams",
+                     "The garment's file does not say where its pieces hang; they hang as their "
+                     "seams and names have it."});
+  value.set("notes", listValue(notes, [](const Note& note) { return val(note.text); }));
+  value.set("noteDetails", listValue(notes, [](const Note& note) {
+              val one = val::object();
+              one.set("code", std::string(note.code));
+              one.set("number", note.numbers.empty() ? 0 : note.numbers.front());
+              return one;
+            }));
   return value;
 }
 

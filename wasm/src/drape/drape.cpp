@@ -162,15 +162,21 @@ void Drape::watch(double fall) {
 
 void Drape::finish() {
   if (!std::isfinite(cloth_->energy())) {
-    notes_.emplace_back("The garment cannot be draped: it has no position to start from.");
+    notes_.push_back(
+        {"drapeNoStart", "The garment cannot be draped: it has no position to start from."});
   } else if (!at_rest_) {
     const int millimetres = static_cast<int>(std::nearbyint(1000 * farthest_));
-    notes_.push_back("The garment is still moving by " +
-                     (millimetres < 1 ? "less than 1" : decimal(millimetres)) + " mm in a step.");
+    notes_.push_back({"drapeMoving",
+                      "The garment is still moving by " +
+                          (millimetres < 1 ? "less than 1" : decimal(millimetres)) +
+                          " mm in a step.",
+                      {},
+                      {},
+                      {100 * farthest_}});
   }
   check_ = checkDrape(fine_, positions(), *problem_.body);
-  if (std::string doubt = doubtAbout(check_, problem_.fabric); !doubt.empty())
-    notes_.push_back(std::move(doubt));
+  if (std::optional<Note> doubt = doubtAbout(check_, problem_.fabric))
+    notes_.push_back(*std::move(doubt));
   begin(Stage::kDone);
 }
 

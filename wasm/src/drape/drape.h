@@ -7,6 +7,7 @@
 #include "drape/drape_check.h"
 #include "drape/level_cloth.h"
 #include "drape/sewn_mesh.h"
+#include "pattern/note.h"
 
 namespace seamwise {
 
@@ -67,7 +68,7 @@ class Drape {
   const DrapeCheck& check() const { return check_; }
   /// Notes for the user, a sentence each. "Still moving by 3 mm" gives the movement in the last
   /// step.
-  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<Note>& notes() const { return notes_; }
 
  private:
   /// @param from   positions at the start of sewing or settling, m
@@ -101,7 +102,7 @@ class Drape {
   double began_ = 0;     ///< work at the start of the stage
   std::vector<StageReport> stages_;
   DrapeCheck check_;
-  std::vector<std::string> notes_;
+  std::vector<Note> notes_;
 };
 
 }  // namespace seamwise

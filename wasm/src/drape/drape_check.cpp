@@ -84,20 +84,32 @@ DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceFi
   return check;
 }
 
-std::string doubtAbout(const DrapeCheck& check, const Fabric& fabric) {
+std::optional<Note> doubtAbout(const DrapeCheck& check, const Fabric& fabric) {
   const auto whole = [](double value) {
     return decimal(static_cast<std::int64_t>(std::nearbyint(value)));
   };
   if (check.tension.p99 > fabric.stiff_from + kOverstretched)
-    return "The garment is too small for its form, or sewn wrongly: its cloth would be stretched "
-           "by " +
-           whole(100 * check.tension.p99) + " %.";
+    return Note{
+        "drapeStretched",
+        "The garment is too small for its form, or sewn wrongly: its cloth would be stretched by " +
+            whole(100 * check.tension.p99) + " %.",
+        {},
+        {},
+        {check.tension.p99}};
   if (check.depth > kVisiblyInside)
-    return "The form comes through the cloth by " + whole(1000 * check.depth) +
-           " mm: look at how the pieces are sewn and where they hang.";
+    return Note{"drapeForm",
+                "The form comes through the cloth by " + whole(1000 * check.depth) +
+                    " mm: look at how the pieces are sewn and where they hang.",
+                {},
+                {},
+                {100 * check.depth}};
   if (check.crossings > kFewCrossings)
-    return "The cloth passes through itself at " + decimal(check.crossings) + " places.";
-  return "";
+    return Note{"drapeCrossings",
+                "The cloth passes through itself at " + decimal(check.crossings) + " places.",
+                {},
+                {},
+                {static_cast<double>(check.crossings)}};
+  return std::nullopt;
 }
 
 }  // namespace seamwise

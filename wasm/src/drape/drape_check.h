@@ -1,11 +1,12 @@
 #pragma once
 #include <array>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "drape/distance.h"
 #include "drape/fabric.h"
 #include "drape/sewn_mesh.h"
+#include "pattern/note.h"
 
 namespace seamwise {
 
@@ -24,9 +25,8 @@ struct DrapeCheck {
 
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body);
 
-/// Returns a sentence for the user about a drape that no real cloth could have, else an empty
-/// string.
-std::string doubtAbout(const DrapeCheck& check, const Fabric& fabric);
+/// Returns a note for the user about a drape that no real cloth could have.
+std::optional<Note> doubtAbout(const DrapeCheck& check, const Fabric& fabric);
 
 /// Edge that pierces a triangle without sharing a vertex with it.
 struct ClothCrossing {

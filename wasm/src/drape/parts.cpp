@@ -112,7 +112,7 @@ class Hanger {
                      "Piece " + inQuotes(piece.name) +
                          " is placed far from any body: give 'translation' in the units of the "
                          "garment's file, from the floor up, and align it again.",
-                     static_cast<int>(i)};
+                     static_cast<int>(i), -1, "drapeFar"};
     }
     return std::nullopt;
   }

@@ -34,7 +34,7 @@ class SeamPlacer {
                    "No seam joins piece " + inQuotes(layout_.name(alone)) +
                        " to the others, and the file does not say where it hangs: sew it, or give "
                        "the panels of the garment a 'translation' each.",
-                   alone};
+                   alone, -1, "drapeUnsewn"};
     wind();
     PlacedPieces all;
     all.held = held_;

@@ -104,7 +104,8 @@ std::optional<Error> tooMuchCloth(const Pattern& pattern) {
   return Error{Failure::kNotAGarment,
                "The garment takes " + decimal(static_cast<std::int64_t>(area)) +
                    " m2 of cloth, more than the " + decimal(static_cast<std::int64_t>(kMostCloth)) +
-                   " m2 that can be draped; check the units of its file."};
+                   " m2 that can be draped; check the units of its file.",
+               -1, -1, "drapeTooLarge"};
 }
 
 double topOf(const Positions& positions) {
@@ -189,22 +190,23 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
 }
 
 std::optional<Error> WornGarment::refusal() const {
-  const auto refused = [](const char* what) {
+  const auto refused = [](const char* reason, const char* what) {
     return Error{Failure::kNotAGarment,
                  std::string(what) +
                      ": give the measurements of the body that it is drafted for, or look at how "
-                     "its pieces are sewn."};
+                     "its pieces are sewn.",
+                 -1, -1, reason};
   };
   if (topOf(drape_->positions()) < top_ - kFarthestFall)
-    return refused("The garment slides off the form");
+    return refused("drapeSlides", "The garment slides off the form");
   if (drape_->stage() != Drape::Stage::kDone) return std::nullopt;
   const DrapeCheck& check = drape_->check();
   if (check.tension.p99 > kMostTension + drape_->fabric().stiff_from || check.depth > kMostDepth)
-    return refused("The garment is too small for its form");
+    return refused("drapeTooSmall", "The garment is too small for its form");
   std::size_t triangles = 0;
   for (const Piece& piece : levels_.fine.pattern.pieces) triangles += piece.triangles.size();
   if (check.crossings > kMostCrossings * static_cast<double>(triangles))
-    return refused("The garment's pieces lie in a tangle on the form");
+    return refused("drapeTangled", "The garment's pieces lie in a tangle on the form");
   return std::nullopt;
 }
 

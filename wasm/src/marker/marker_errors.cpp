@@ -16,8 +16,12 @@ constexpr double kMostWider = 200, kWider = 0.5;
 std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
 /// A length rounded up, so that fabric of that width is wide enough.
 std::string atLeast(double length) { return centimetres(std::ceil(10 * length - 1e-4) / 10); }
-std::string widthNeeded(double width) {
-  return "; the fabric has to be at least " + atLeast(width) + " wide.";
+
+/// An error about a piece, by its index in the problem. Its reason is part of the API. The page
+/// reads the least width of the fabric from the end of the message.
+Error about(std::size_t piece, const char* reason, std::string message, double width = 0) {
+  if (width > 0) message += "; the fabric has to be at least " + atLeast(width) + " wide";
+  return {Failure::kOptions, message + ".", static_cast<int>(piece), -1, reason};
 }
 
 }  // namespace
@@ -30,19 +34,18 @@ Outcome<std::unique_ptr<Marker>> Marker::make(MarkerProblem problem) {
     const MarkerPiece& piece = marker->problem_.pieces[k];
     const std::vector<LayWay>& ways = marker->pieces_.items()[k].ways;
     if (ways.empty())
-      return Error{
-          Failure::kOptions,
-          piece.name + " cannot lie with its upper end up on this print; allow both ways."};
+      return about(k, "layUpright",
+                   piece.name + " cannot lie with its upper end up on this print; allow both ways");
     double least = std::numeric_limits<double>::infinity();
     for (const LayWay& way : ways) {
       const Shape& shape = marker->pieces_.shapeOf(way);
       least = std::min(least, shape.high.x() - shape.low.x());
     }
     if (!piece.pin && least > room + 1e-5)
-      return Error{Failure::kOptions,
+      return about(k, "layTooWide",
                    piece.name + " is " + atLeast(least) + " wide, more than the " +
-                       centimetres(std::max(room, 0.0)) + " between the selvedges" +
-                       widthNeeded(least + 2 * marker->problem_.selvedge)};
+                       centimetres(std::max(room, 0.0)) + " between the selvedges",
+                   least + 2 * marker->problem_.selvedge);
   }
   return marker;
 }
@@ -54,13 +57,13 @@ void Marker::fail() {
   stage_ = Stage::kDone;
   if (piece.pin) {
     error_ =
-        Error{Failure::kOptions,
-              piece.name + " cannot lie where it is pinned, over a pin, flaw or edge; move it."};
+        about(item, "layPinned",
+              piece.name + " cannot lie where it is pinned, over a pin, flaw or edge; move it");
     return;
   }
   if (!problem_.flaws.empty()) {
-    error_ = Error{Failure::kOptions,
-                   piece.name + " finds no place between the flaws; take fabric with fewer."};
+    error_ = about(item, "layFlaws",
+                   piece.name + " finds no place between the flaws; take fabric with fewer");
     return;
   }
   const std::string nowhere =
@@ -71,12 +74,12 @@ void Marker::fail() {
       const Window window{cloth.left, cloth.right, 0, 1000};
       for (const LayWay& way : pieces_.items()[item].ways) {
         if (pieces_.domain(way.placed, window, cloth.origin).empty()) continue;
-        error_ = Error{Failure::kOptions, nowhere + widthNeeded(width)};
+        error_ = about(item, "layNowhere", nowhere, width);
         return;
       }
     }
   }
-  error_ = Error{Failure::kOptions, nowhere + "."};
+  error_ = about(item, "layNowhere", nowhere);
 }
 
 }  // namespace seamwise

@@ -4,6 +4,11 @@ import answer from './de/answer.json' with {type: 'json'};
 import page from './de/page.json' with {type: 'json'};
 import pattern from './de/pattern.json' with {type: 'json'};
 import print from './de/print.json' with {type: 'json'};
+import samples from './de/samples.json' with {type: 'json'};
 import {en, type Texts} from './en.js';
 
-export const de: Texts = translated(en, {...page, ...pattern, ...answer, ...print}, 'de');
+export const de: Texts = translated(
+  en,
+  {...page, ...pattern, ...answer, ...print, ...samples},
+  'de',
+);

@@ -4,6 +4,11 @@ import answer from './it/answer.json' with {type: 'json'};
 import page from './it/page.json' with {type: 'json'};
 import pattern from './it/pattern.json' with {type: 'json'};
 import print from './it/print.json' with {type: 'json'};
+import samples from './it/samples.json' with {type: 'json'};
 import {en, type Texts} from './en.js';
 
-export const it: Texts = translated(en, {...page, ...pattern, ...answer, ...print}, 'it');
+export const it: Texts = translated(
+  en,
+  {...page, ...pattern, ...answer, ...print, ...samples},
+  'it',
+);

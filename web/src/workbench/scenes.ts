@@ -22,6 +22,8 @@ import {
   type PatternScene,
   type SceneOptions,
 } from '../scene/scene.js';
+import {withSampleNames} from '../texts/sample-names.js';
+import type {Texts} from '../texts/texts.js';
 import {keptLines} from './kept-pins.js';
 import {lastOf} from '../model/base/last-of.js';
 
@@ -43,7 +45,10 @@ interface Work {
     readonly result: SolveResult | undefined;
   };
   readonly running: {readonly partial: readonly Alignment[] | undefined};
-  readonly preferences: {readonly chosen: {readonly scale: MismatchScale}};
+  readonly preferences: {
+    readonly chosen: {readonly scale: MismatchScale};
+    readonly texts: Pick<Texts, 'samples' | 'lists'>;
+  };
 }
 
 /** Caches the last sheets, since building a sheet costs far more than aligning it anew. */
@@ -98,9 +103,10 @@ export class SceneMaker {
   /** Sheets of a design; undefined until the solver has read the garment. */
   scenes(work: Work, shown: Room): Scenes | undefined {
     const {design} = work.history;
-    const {garment, pattern, result} = work.solving;
+    const {garment: document, pattern, result} = work.solving;
     const {partial} = work.running;
-    if (!design || !garment || !pattern) return undefined;
+    if (!design || !document || !pattern) return undefined;
+    const garment = withSampleNames(document, design.garment.name, work.preferences.texts);
     const print = this.#print(design.print);
     if (!this.#roomBefore(design.garment)) this.#last = new Map();
     const {plain, pins, locked} = design.options;

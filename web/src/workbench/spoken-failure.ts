@@ -1,6 +1,7 @@
 /** A failure of the core in the user's language; in English where a translation is missing. */
-import {SolverError, type Failure} from '../model/result/failure.js';
+import {drapeReasons, layReasons, SolverError, type Failure} from '../model/result/failure.js';
 import {carries, groupsThatCarry} from '../model/print/repeat.js';
+import {formatFor, type Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';
 import type {Workbench} from './workbench.js';
 
@@ -8,14 +9,22 @@ import type {Workbench} from './workbench.js';
 export const symmetryReason = ({notes}: Texts, code: string | undefined): string | undefined =>
   Object.entries(notes.why).find(([name]) => name === code)?.[1];
 
-/** Failures of a file of another kind, as far as its text shows. */
-const otherFiles: ReadonlySet<string> = new Set(['notJson', 'notAGarment', 'noPanels']);
-/** Failures of a garment file with an error. */
-const garmentFaults: ReadonlySet<string> = new Set([
-  ...['tooLarge', 'units', 'number', 'edgeIndex', 'edgeZeroLength', 'curvature', 'outlineOpen'],
-  ...['outlineSelfIntersects', 'seamUnknownPiece', 'seamUnknownEdge', 'seamEdgeTwice'],
-  ...['seamMalformed', 'mesh'],
-]);
+/** Least width of the fabric, which the core writes at the end of a message. [cm] */
+const leastWidth = / at least ([\d.]+) cm wide\.$/;
+
+/** Message for pieces that cannot be laid; undefined for another reason. */
+function spokenLay(
+  {reason, message}: Failure,
+  label: string,
+  {failures}: Texts,
+  format: Format,
+): string | undefined {
+  const needed = Number(leastWidth.exec(message)?.[1] ?? NaN);
+  const known = layReasons.find((one) => one === reason);
+  if (!known) return undefined;
+  const words = failures.lay[known](label);
+  return Number.isFinite(needed) ? `${words} ${failures.atLeast(format.length(needed))}` : words;
+}
 
 /**
  * Message for a failed solve.
@@ -23,11 +32,12 @@ const garmentFaults: ReadonlySet<string> = new Set([
  * the failure
  */
 export function spokenFailure(
-  {code, message, piece, reason}: Failure,
-  {history: {design}, sheet: {scenes}}: Workbench,
+  failure: Failure,
+  {history: {design}, sheet: {scenes}, preferences}: Workbench,
   texts: Texts,
   pieces?: string,
 ): string {
+  const {code, message, piece, reason} = failure;
   const {failures, notes, symmetry} = texts;
   const why = symmetryReason(texts, reason);
   const label = pieces ?? scenes?.now.pieces[piece ?? -1]?.label;
@@ -37,20 +47,15 @@ export function spokenFailure(
     const kind = carries(group, 'pair') ? 'piece' : 'pair';
     return symmetry.lacks[kind](group, groupsThatCarry(kind).join(', '));
   }
-  if (otherFiles.has(code)) return failures.noGarment(message);
-  if (garmentFaults.has(code)) return failures.garment(message);
-  switch (code) {
-    case 'internal':
-      return failures.solver(message);
-    case 'no-wasm':
-      return failures.noWasm(message);
-    case 'worker-blocked':
-      return failures.noWorker(message);
-    case 'unscaled':
-      return texts.print.unscaled;
-    default:
-      return message;
-  }
+  const {language, units} = preferences.chosen;
+  const lay =
+    label === undefined ? undefined : spokenLay(failure, label, texts, formatFor(language, units));
+  if (lay !== undefined) return lay;
+  const drape = drapeReasons.find((one) => one === reason);
+  if (drape && (label !== undefined || piece === null)) return failures.drape[drape](label ?? '');
+  if (code === 'unscaled') return texts.print.unscaled;
+  const words = Object.entries(failures.codes).find(([name]) => name === code)?.[1];
+  return words?.(message) ?? message;
 }
 
 /** The failure as an error with this message. */

@@ -160,8 +160,8 @@ describe('the headline', () => {
       'It has no mirrors for these seams, so left and right can’t both match.',
     ]);
     expect(sentencesOf(some, de, formatFor('de', 'cm'), 'de').slice(0, 2)).toEqual([
-      'Das Muster trifft sich an der vorderen Mitte und an den Seitennähten.',
-      'Es trifft sich fast an der Passe.',
+      'Das Muster passt an der vorderen Mitte und an den Seitennähten.',
+      'Es passt fast an der Passe.',
     ]);
   });
 

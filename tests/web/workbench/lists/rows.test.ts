@@ -152,7 +152,7 @@ describe('the text of a seam', () => {
     const texts = [row, other].map((one) => seamText(one as SeamRow, en, format));
     expect(texts.map((text) => text.split(', ').slice(4).join(', '))).toEqual([
       'meets at one end, 40 mm off at the other',
-      'followed all along, up to 25 mm off',
+      'along the whole seam, up to 25 mm off',
     ]);
   });
 
@@ -166,12 +166,12 @@ describe('the text of a seam', () => {
         .join(', ');
     const drift = {start: 0.1, end: 4, most: 4.2, isLost: false};
     expect(said({})).toBe('');
-    expect(said({why: 'grain', drift})).toBe('on grain, its two edges run at different angles');
+    expect(said({why: 'grain', drift})).toBe('its two edges run at different angles to the grain');
     expect(said({why: 'others', drift})).toBe('meets at one end, 40 mm off at the other');
     expect(said({drift: {...drift, most: 24.84, isLost: true}})).toBe(
-      'the print does not run on along it',
+      'the print does not continue across it',
     );
-    expect(said({why: 'others'})).toBe('other seams of its pieces come first');
+    expect(said({why: 'others'})).toBe('other seams of the same pieces are matched first');
     expect(said({why: 'locked'})).toBe('its outline is kept');
     expect(said({why: 'size'})).toBe('the print is too large for it');
     expect(said({why: 'group'})).toBe('this print has no mirrors for it');

@@ -26,6 +26,11 @@ export const labelled = css`
 
 /** Layout around the editor, depending on the editor's width. */
 export const pageLayout = css`
+  :host {
+    /* long words of narrow panels, by the rules of the page's language */
+    hyphens: auto;
+    hyphenate-limit-chars: 10 4 4;
+  }
   sw-editor {
     --sw-editor-height: 100dvh;
   }

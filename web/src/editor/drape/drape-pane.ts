@@ -6,6 +6,7 @@ import {fabricNames, type FabricName} from '../../model/result/draped-garment.js
 import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {drapeTexts, type DrapeTexts} from '../../texts/drape-texts.js';
+import {spokenDrapeNotes} from '../../workbench/drape/spoken-drape-notes.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {commandFor, keysOf, type KeyList, type Command} from '../../commands/editor-command.js';
 import {sameTarget} from '../../workbench/state.js';
@@ -315,7 +316,7 @@ export class DrapePane extends DrapeDrawing {
         return html`<p class="told bad" role="alert">${why} ${isPassing ? again : nothing}</p>`;
       }
       case 'done': {
-        const notes = drape?.notes ?? [];
+        const notes = drape ? spokenDrapeNotes(drape, words, this.format) : [];
         if (this.seams && notes.length === 0)
           return html`<sw-legend .workbench=${this.workbench}></sw-legend>`;
         return notes.length > 0

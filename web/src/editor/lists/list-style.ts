@@ -93,7 +93,7 @@ export const listStyle = css`
     box-shadow: inset 3px 0 var(--sw-accent);
   }
   tbody th {
-    overflow-wrap: anywhere;
+    overflow-wrap: break-word;
     line-height: 1.3;
     hyphens: auto;
   }

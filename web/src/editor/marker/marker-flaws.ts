@@ -53,7 +53,7 @@ export class MarkerFlaws extends MarkerElement {
         flex: 1;
         text-align: left;
         white-space: normal;
-        overflow-wrap: anywhere;
+        overflow-wrap: break-word;
       }
       .row .name[aria-expanded='true'] {
         font-weight: 600;

@@ -81,7 +81,7 @@ export const panelStyle = css`
   .pieces th {
     width: 34%;
     font-weight: 600;
-    overflow-wrap: anywhere;
+    overflow-wrap: break-word;
     hyphens: auto;
   }
   .pieces td:last-child {

@@ -230,6 +230,27 @@ export interface DrapeHooks {
   readonly onProgress?: (progress: DrapeProgress) => void;
 }
 
+/**
+ * Codes of notes on a drape. They are part of the API: new ones may be added, but none may change.
+ */
+export type DrapeNoteCode =
+  | 'drapeNoStart'
+  /** The garment still moves by `number` in a step. [cm] */
+  | 'drapeMoving'
+  /** The fabric would be stretched by the share `number`. */
+  | 'drapeStretched'
+  /** The form comes through the fabric by `number`. [cm] */
+  | 'drapeForm'
+  /** The fabric passes through itself at `number` places. */
+  | 'drapeCrossings'
+  /** The pieces hang by their seams and names, since the file has no placements. */
+  | 'drapeBySeams';
+
+export interface DrapeNote {
+  readonly code: DrapeNoteCode;
+  readonly number: number;
+}
+
 /** A draped garment. */
 export interface Drape {
   readonly mesh: DrapeMesh;
@@ -241,4 +262,6 @@ export interface Drape {
   readonly check: DrapeCheck;
   /** Notes for people, one sentence each. */
   readonly notes: readonly string[];
+  /** Content of each note, for translation; missing in stored drapes. */
+  readonly noteDetails?: readonly DrapeNote[];
 }

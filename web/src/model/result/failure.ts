@@ -58,17 +58,49 @@ export const pageFailureCodes = [
 
 export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[number];
 
+/**
+ * Reasons why pieces cannot be laid on the fabric, or why a garment cannot be draped. They are part
+ * of the API, too.
+ */
+export const layReasons = [
+  /** The upper end of a piece cannot be up on a one-way print. */
+  'layUpright',
+  /** A piece is wider than the fabric between its selvedges. */
+  'layTooWide',
+  /** A pinned piece is over another pin, a flaw or the edge. */
+  'layPinned',
+  'layFlaws',
+  /** No place of a piece in the print fits on the width of the fabric. */
+  'layNowhere',
+] as const;
+
+export const drapeReasons = [
+  /** A piece is placed far from any body. */
+  'drapeFar',
+  /** No seam joins a piece without a placement. */
+  'drapeUnsewn',
+  /** The garment takes more fabric than any garment. */
+  'drapeTooLarge',
+  'drapeSlides',
+  'drapeTooSmall',
+  'drapeTangled',
+] as const;
+
+/** Reason of a failure within its code. */
+export type FailureReason =
+  SymmetryReason | PhotoFault | (typeof layReasons)[number] | (typeof drapeReasons)[number];
+
 /** A failure as plain data that can be posted between threads. */
 export interface Failure {
   readonly code: FailureCode;
   /** One sentence for people, which names the piece or seam and the remedy. */
   readonly message: string;
-  /** Index of the affected piece in the garment; null without one. */
+  /** Index of the affected piece in the garment, or among the pieces to lay; null without one. */
   readonly piece: number | null;
   /** Number of the affected seam in the garment; null without one. */
   readonly seam: number | null;
-  /** Reason why a requested symmetry cannot hold, or why no print can be read from an image. */
-  readonly reason?: SymmetryReason | PhotoFault;
+  /** Reason within the code, if the core gives one. */
+  readonly reason?: FailureReason;
 }
 
 /** The only error that the solver throws for its input. */
@@ -77,7 +109,7 @@ export class SolverError extends Error implements Failure {
   readonly code: FailureCode;
   readonly piece: number | null;
   readonly seam: number | null;
-  declare readonly reason?: SymmetryReason | PhotoFault;
+  declare readonly reason?: FailureReason;
 
   constructor(failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>) {
     super(failure.message);

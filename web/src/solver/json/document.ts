@@ -5,7 +5,7 @@
  */
 import type {DocumentLimits, ModuleFailure} from '../module/module.js';
 import {scan, type JsonBreak, type JsonSink} from './scan.js';
-import {failureCode, SolverError} from '../../model/result/failure.js';
+import {drapeReasons, failureCode, layReasons, SolverError} from '../../model/result/failure.js';
 import {symmetryReasons} from '../../model/result/notes.js';
 import {photoFaults} from '../../model/print/photo-reading.js';
 import type {ModuleDocument} from '../module/seamwise.mjs';
@@ -211,7 +211,8 @@ export function valueOf({document, failure}: ModuleDocument): unknown {
 }
 
 export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
-  const why = [...symmetryReasons, ...photoFaults].find((known) => known === reason);
+  const known = [...symmetryReasons, ...photoFaults, ...layReasons, ...drapeReasons];
+  const why = known.find((one) => one === reason);
   return new SolverError({
     code: failureCode(code),
     message,

@@ -42,7 +42,7 @@ export interface ModuleDrape extends EmbindObject {
   shown(): Float32Array;
   positions(): Float64Array;
   /** Available once `advance` has returned false. */
-  report(): Pick<Drape, 'fabric' | 'stages' | 'check' | 'notes'>;
+  report(): Pick<Drape, 'fabric' | 'stages' | 'check' | 'notes' | 'noteDetails'>;
 }
 
 export interface DrapeModule extends DocumentLimits {

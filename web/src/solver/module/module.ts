@@ -11,9 +11,7 @@ export interface ModuleFailure {
   readonly message: string;
   readonly piece: number;
   readonly seam: number;
-  /**
-   * Reason as a code: of a symmetry that cannot hold, or of an unreadable photo; otherwise empty.
-   */
+  /** Reason as a code (`FailureReason`), or empty. */
   readonly reason: string;
 }
 

@@ -27,10 +27,25 @@ export const worn = {
   },
   draping: text('Draping, {percent}'),
   stop: 'Stop',
-  stopped: 'Stopped: the garment has not settled.',
+  stopped: 'Stopped: the garment still moves.',
   again: 'Drape again',
-  waiting: 'Draped once the print is aligned',
-  truth: 'A drape, no promise of fit',
+  waiting: 'The drape starts once the print is aligned',
+  /** Notes on a drape, by code. */
+  notes: {
+    drapeNoStart: 'The garment cannot be draped: its pieces have no position to start from.',
+    drapeMoving: text('The garment still moves by {length} in a step.'),
+    drapeStretched: text(
+      'The garment is too small for the form, or sewn wrongly: the fabric would stretch by {share}.',
+    ),
+    drapeForm: text(
+      'The form shows through the fabric by {length}; check how the pieces are sewn.',
+    ),
+    drapeCrossings: text(
+      '{count, plural, one {The fabric passes through itself at # place.} other {The fabric passes through itself at # places.}}',
+    ),
+    drapeBySeams: 'The file has no positions of the pieces, so they hang by their seams and names.',
+  },
+  truth: 'A drape does not show how the garment fits',
   nextPiece: 'Next piece',
   pieceBefore: 'Piece before',
   savePicture: 'Save picture of the garment',

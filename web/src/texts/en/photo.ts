@@ -11,7 +11,7 @@ import type {
 export const photo = {
   title: 'Photo of your fabric',
   intake:
-    'Lay the fabric flat and photograph it from above, so that three repeats or more are seen in both directions. Choose the picture, drop it here, or paste it.',
+    'Spread the fabric flat and photograph it from above, with at least three repeats in both directions. Choose the picture, drop it here, or paste it.',
   stays: 'It stays on this device.',
   choose: 'Choose a picture',
   camera: 'Take a photo',
@@ -28,24 +28,23 @@ export const photo = {
   } satisfies Record<PhotoStage, string> as Record<PhotoStage, string>,
   faults: {
     plain:
-      'No print was found, the fabric looks plain: photograph it in brighter light from one side.',
+      'No print was found: the fabric looks plain. Photograph it in brighter light from one side.',
     noRepeat:
-      'No repeat was found: step back until three repeats are seen each way, and photograph the fabric flat and from above.',
-    fewRepeats: 'Too few repeats are seen: step back until there are three each way.',
+      'No repeat was found: step back until at least three repeats are visible each way, and photograph the fabric flat, from above.',
+    fewRepeats: 'Too few repeats are visible: step back until there are three each way.',
     twoPrints:
-      'A part of the picture shows another print, or none: cut the picture to the print that is wanted.',
+      'A part of the picture shows another print, or none: crop the picture to the print you want.',
     changes:
       'The print changes along the fabric: photograph a part in which all repeats are alike.',
     blurred: 'The picture is blurred: hold the camera still, and let it focus on the fabric.',
-    moire:
-      'The weave makes a moiré on the picture: photograph the fabric from a little closer or farther away.',
+    moire: 'The weave makes wavy lines (moiré) in the picture: go a little closer or farther away.',
     uneven: 'The fabric does not lie flat: smooth it out and photograph it again.',
     misplaced:
-      'The print does not repeat by this cell: put its corners onto the same spot of neighbouring motifs, or undo.',
-    edges: 'The picture’s edges do not meet: give the whole repeat, or a photo that shows several.',
-    small: 'The picture is too small: give one of 32 pixels each way at least.',
+      'The print does not repeat by this cell: put its corners on the same spot of neighbouring motifs, or undo.',
+    edges: 'The picture’s edges do not meet: use the whole repeat, or a photo of several repeats.',
+    small: 'The picture is too small: use one of at least 32 pixels each way.',
     object:
-      'No outline of that is seen there: tap its middle, or measure between two points instead.',
+      'The object was not found there: tap its middle, or measure between two points instead.',
   } satisfies Record<PhotoFault, string> as Record<PhotoFault, string>,
   reading: text('{stage}, {percent}'),
   cancelled: 'Stopped.',
@@ -55,17 +54,17 @@ export const photo = {
   alignHand: 'Find the repeat from here',
   found: text('Found: {group}.'),
   confidences: {
-    likely: 'It is likely, but compare the swatch with your fabric.',
+    likely: 'This is likely. Compare the swatch with your fabric.',
     uncertain:
-      'No repeat is certain: choose what is right, move the corners, or take another photo with three repeats in both directions.',
+      'No repeat is certain: choose the right one, move the corners, or take another photo with three repeats in both directions.',
   },
   others: 'Other choices',
   other: text('Repeat {number, number}'),
   notes: {
     uneven: 'The fabric does not lie quite flat.',
     differs: 'Red areas differ from all other copies, and are left out.',
-    focalLength: 'Measure along w1 and w2: proportions are uncertain without both.',
-    unequal: 'The measured sides differ: a smaller symmetry was taken.',
+    focalLength: 'Measure along w1 and w2: without both, the proportions are uncertain.',
+    unequal: 'The measured sides differ: a lower symmetry is used.',
   } satisfies Record<PhotoNote, string> as Record<PhotoNote, string>,
   lattice: 'Repeat',
   how: 'Drag corners, or move them with the arrow keys: the repeat follows the print near them. With Alt it stays as you place it.',
@@ -77,17 +76,17 @@ export const photo = {
     has: 'has',
     almost: 'almost',
     'has not': 'has not',
-    cannot: 'cannot on this repeat',
+    cannot: 'impossible with this repeat',
   } satisfies Record<SymmetryVerdict, string> as Record<SymmetryVerdict, string>,
   foundOne: 'found',
-  breaks: text('Where it breaks {group}'),
+  breaks: text('Differences from {group}'),
   exact: 'Make the symmetries exact',
   show: 'Show',
   overlays: {
     cells: 'Cells',
     axes: 'Mirrors and turns',
     differing: 'Copies that differ',
-    breaks: 'Where it breaks the symmetry',
+    breaks: 'Differences from the symmetry',
   },
   flatten: 'Flatten the light',
   white: 'White balance',
@@ -99,13 +98,13 @@ export const photo = {
   making: 'Making the swatch …',
   size: 'Size',
   unknown:
-    'Size unknown: measure it in one of these ways. You can align the print before, but not cut.',
+    'Size unknown: measure it in one of these ways. Without it you can align the print, but not cut the pattern.',
   repeatsAlong: text('Repeats along {vector}'),
   measure: text('measure ({unit})'),
   measureBy: 'Measure by',
   measuring: {tape: 'Tape', points: 'Two points', object: 'Coin or card'},
-  between: 'Drag the two points on the photo, then enter how far they lie apart.',
-  object: 'Which',
+  between: 'Drag the two points on the photo, then enter the distance between them.',
+  object: 'Object',
   objects: {
     eur1: '1 euro, 23.25 mm',
     eur2: '2 euros, 25.75 mm',
@@ -115,9 +114,9 @@ export const photo = {
     a4: 'A4 sheet, 297 × 210 mm',
   } satisfies Record<KnownObject, string> as Record<KnownObject, string>,
   aim: 'Middle of the coin or card',
-  tap: 'It has to be flat on the fabric: tap its middle on the photo. Or move the ring with the arrow keys and press Enter.',
+  tap: 'It has to be flat on the fabric. Tap its middle on the photo, or move the ring with the arrow keys and press Enter.',
   look: 'Look for it at the ring',
-  byObject: text('Measured by the red outline, good to about {error}.'),
+  byObject: text('Measured by the red outline, accurate to about {error}.'),
   distance: text('Distance between them ({unit})'),
   measures: text('One repeat is {width} × {height}.'),
   vectors: text('w1 is {w1} and w2 {w2} long.'),
@@ -141,7 +140,7 @@ export const photo = {
   warp: text('The print is turned by {turn}; the length of the fabric runs upwards.'),
   name: 'Name',
   use: 'Use this print',
-  useDoubtful: 'Use it although uncertain',
+  useDoubtful: 'Use it anyway',
   doubt:
     'It is uncertain that this cell is the print’s repeat: drag its corners into place, or choose another.',
 };

@@ -5,9 +5,9 @@ import {text} from '../base/message.js';
 export const plan = {
   title: text('Fabric layout 1 : {scale, number}'),
   length: 'Length',
-  proven: 'proven: none is shorter',
+  proven: 'proven shortest',
   atBest: text('at best {length}'),
-  lying: 'of the pieces that lie',
+  lying: 'of the placed pieces',
   buy: 'Buy',
   roundedUp: text('rounded up to {step}'),
   use: 'Fabric used',
@@ -24,13 +24,13 @@ export const plan = {
   print: text(
     '{name}: the ring is on a corner of its repeat, {across} from the left edge, {along} from the start.',
   ),
-  plain: 'The print is not regarded: pieces lie anywhere.',
+  plain: 'The print is ignored: pieces may be anywhere.',
   unplaced: text('Pieces without a place: {pieces}.'),
   pinned: text('Pinned pieces cost {length} more.'),
   start: 'Start of the fabric',
   page: text('page {number, number} of {count, number}'),
   garment: text('{piece}, garment {garment, number}'),
-  crosses: 'Crosses of a piece lie on one and the same point of the print',
+  crosses: 'The crosses of a piece are on the same point of the print',
   crossesUnit: text('Each from the left edge × from the start of the fabric [{unit}]'),
   number: 'No.',
   piece: 'Piece',
@@ -42,18 +42,19 @@ export const plan = {
   none: '–',
   /** Notes on a layout, by code. */
   notes: {
-    plainPieces: 'Pieces of plain fabric are not laid on the print: {pieces}.',
+    plainPieces: 'Pieces of plain fabric are not in the layout: {pieces}.',
     pliesUnlike:
-      'This print never comes again along the fabric, so no length makes all plies start alike: lay them one by one.',
+      'This print does not repeat along the fabric, so the plies cannot all start at the same point of the print. Cut them one by one.',
     pliesWhole:
-      'Each of the {count} plies is a whole number of repeats long, of {length}, so that all start alike.',
+      'Each of the {count} plies is a whole number of repeats ({length}) long, so all start at the same point of the print.',
     flawsFromCut:
-      'Flaws are counted from the cut, where the print is taken to start; say how far from it the print starts if it does not.',
+      'Flaws are measured from the cut, and the print is assumed to start there. If it starts elsewhere, enter the distance.',
     folded:
       'The fabric is folded {rounded} from its left edge, face to face, and both plies are cut at once.',
     foldKeepsPrint:
-      'The print is moved under no piece on folded fabric, since the lower ply shows its mirror image.',
-    phaseRange: '{least} to {most}, by where the print starts at the selvedge; measure it.',
+      'On folded fabric the print is not moved under any piece, since the lower ply shows its mirror image.',
+    phaseRange:
+      '{least} to {most}, depending on where the print starts at the selvedge; measure it.',
     phaseNowhere:
       'At {count} of {all} places where the print may start at the selvedge, not all pieces fit on the fabric.',
   } satisfies Record<LayNoteCode, string> as Record<LayNoteCode, string>,

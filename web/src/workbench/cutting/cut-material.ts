@@ -8,7 +8,7 @@ import type {PrintInk} from '../../cutting/print-ink.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
-import {textsOf} from '../../texts/texts.js';
+import {withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
@@ -30,19 +30,21 @@ export async function cutMaterial(
   rule: AllowanceRule,
 ): Promise<CutMaterial | undefined> {
   if (!design || !garment || !result) return undefined;
-  const {units, language: locale, messages} = preferences.chosen;
+  const {units, language: locale} = preferences.chosen;
+  const {texts} = preferences;
   if (design.print.unscaled) {
-    const message = textsOf(locale, messages).print.unscaled;
+    const message = texts.print.unscaled;
     throw new SolverError({code: 'unscaled', message});
   }
   const {image} = design.print;
   const tile = image === noPicture ? undefined : await embeddedTile(image);
+  const named = withSampleNames(garment, design.garment.name, texts);
   return {
     result,
     print: {...printOf(design.print), ...(tile !== undefined && {tile})},
     marks: {
-      ...garmentTitle(garment, design.garment.name),
-      panels: panelMarks(garment, decidedOf(design)),
+      ...garmentTitle(named, design.garment.name),
+      panels: panelMarks(named, decidedOf(design)),
     },
     options: {...rule, units, locale, plain: design.options.plain ?? []},
   };

@@ -11,6 +11,7 @@ import {isGathered, type Drift} from '../../scene/mismatch.js';
 import {pick} from '../../scene/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
 import type {Format} from '../../texts/format.js';
+import {withSampleNames} from '../../texts/sample-names.js';
 import type {Texts} from '../../texts/texts.js';
 import {lastOf} from '../../model/base/last-of.js';
 import type {DesignHistory} from '../design-history.js';
@@ -111,7 +112,8 @@ export function seamRows(
   texts: Texts,
 ): readonly SeamRow[] {
   if (!design || !garment || !scenes || !(result ?? pattern)) return [];
-  return seamsOf(garment, design.options, scenes, texts);
+  const named = withSampleNames(garment, design.garment.name, texts);
+  return seamsOf(named, design.options, scenes, texts);
 }
 
 /** "Side seam, left (A), Front to Back, 41 cm, mismatch 2 mm, mirrored" */

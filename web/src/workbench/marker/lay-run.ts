@@ -10,6 +10,7 @@ import {unlessFailed} from '../../marker/shifted.js';
 import type {Design} from '../../model/design/design.js';
 import {problemOf} from '../../model/documents/design-problem.js';
 import type {GarmentDocument} from '../../model/garment/garment-document.js';
+import {failureOf, SolverError} from '../../model/result/failure.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {besideThePage, runInSlices, stepsFor} from '../../solver/answers/slices.js';
@@ -75,17 +76,28 @@ export async function laid(
   const order = markerOrder(garments, settings, print);
   const problem = askedOf(order.problem, toLay.step);
   const asked = {...order, problem};
-  const answer = await solver.marker(problem, {
-    signal,
-    onProgress: ({fraction}) => {
-      if (!signal.aborted) onProgress(fraction);
-    },
-    onLayout: (layout) => {
-      if (!signal.aborted) onPlan(order, layPlan(asked, layout));
-    },
-  });
+  const answer = await solver
+    .marker(problem, {
+      signal,
+      onProgress: ({fraction}) => {
+        if (!signal.aborted) onProgress(fraction);
+      },
+      onLayout: (layout) => {
+        if (!signal.aborted) onPlan(order, layPlan(asked, layout));
+      },
+    })
+    .catch((error: unknown) => {
+      throw error instanceof SolverError ? ofGarment(error, order, toLay) : error;
+    });
   signal.throwIfAborted();
   onPlan(order, layPlan(asked, answer));
+}
+
+/** A failure with the index of its piece in the garment in place of that among the laid pieces. */
+function ofGarment(failure: SolverError, {pieces}: MarkerOrder, {result}: ToLay): SolverError {
+  const name = pieces[failure.piece ?? -1]?.piece;
+  const piece = result.pieces.findIndex((one) => one.name === name);
+  return new SolverError({...failureOf(failure), piece: piece < 0 ? null : piece});
 }
 
 /**

@@ -6,6 +6,7 @@ import type {LayPlan} from '../../model/result/marker-plan.js';
 import {readable} from '../../model/garment/piece-names.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import {planTextsIn} from '../../texts/plan-texts.js';
+import {withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
 
@@ -19,13 +20,13 @@ interface MarkerFileChoice {
 }
 
 /** Returns the options for drawing a marker. @throws {Error} if the print's image cannot be read */
-async function drawnWith(
-  {history: {design}, solving: {garment, result}, preferences}: Workbench,
-  print: DesignPrint,
-) {
+async function drawnWith({history: {design}, solving, preferences}: Workbench, print: DesignPrint) {
+  const {garment: document, result} = solving;
+  const garment =
+    document && design && withSampleNames(document, design.garment.name, preferences.texts);
   const tile = print.image === noPicture ? undefined : await embeddedTile(print.image);
   const marks = design && garment ? panelMarks(garment, decidedOf(design)) : undefined;
-  const {title} = (garment && garmentTitle(garment, design?.garment.name)) ?? {};
+  const {title} = (garment && garmentTitle(garment, design.garment.name)) ?? {};
   return {
     print: {...printOf(print), ...(tile !== undefined && {tile})},
     ...(result && {

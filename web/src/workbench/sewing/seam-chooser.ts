@@ -24,6 +24,7 @@ import {edgePoints, type Overlay} from '../../scene/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {formatFor, type Format} from '../../texts/format.js';
 import type {SewTexts} from '../../texts/sew-texts.js';
+import {withSampleNames} from '../../texts/sample-names.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
 import {lastOf} from '../../model/base/last-of.js';
 import type {Workbench} from '../workbench.js';
@@ -306,7 +307,9 @@ export class SeamChooser {
 
   #speech({garment}: Sewing, texts: Texts, format: Format): Speech {
     const scene = this.#workbench.sheet.scenes?.now ?? {pieces: []};
-    return {names: this.#names(garment, scene, texts, this.#sew), sew: this.#sew, format};
+    const file = this.#workbench.history.design?.garment.name ?? '';
+    const named = withSampleNames(garment, file, texts);
+    return {names: this.#names(named, scene, texts, this.#sew), sew: this.#sew, format};
   }
 }
 
