@@ -1,5 +1,6 @@
 /** Features of a pair of edges that ignore the seams of their neighbours. */
 import type {MeasuredEdge, MeasuredGarment} from './edges.js';
+import {nameFeatures} from './names.js';
 
 /** Gaussian weight of a difference: 1 at zero, 1/e at `width`. */
 export const near = (difference: number, width: number): number =>
@@ -147,6 +148,7 @@ export function featuresOf(
     Number(p.words.isSleeve && q.words.isSleeve),
     Number(p.words.isSleeve !== q.words.isSleeve),
     Number(p.material !== q.material),
+    ...nameFeatures(garment, a, b),
     ...orientations(a, b),
     logRatio(p.area, q.area),
     logArea,
