@@ -41,6 +41,13 @@ function neighboursByNumber(
   return apart === 1 || apart === row.length - 1 ? 1 : -1;
 }
 
+/** Returns the share of the words in both names, and whether exactly one word differs. */
+function sharedWords(one: readonly string[], other: readonly string[]): readonly [number, number] {
+  const most = Math.max(one.length, other.length);
+  const shared = one.filter((word) => other.includes(word)).length;
+  return most === 0 ? [0, 0] : [shared / most, Number(most > 1 && most - shared === 1)];
+}
+
 /** Returns the features of two edges by the names of their pieces; symmetric. */
 export function nameFeatures(
   garment: MeasuredGarment,
@@ -49,7 +56,7 @@ export function nameFeatures(
 ): readonly number[] {
   const [p, q] = [garment.pieces[a.at.piece], garment.pieces[b.at.piece]];
   const [one, other] = [p?.words.kind, q?.words.kind];
-  if (!p || !q) return [0, 0, 0, 0, 0, 0];
+  if (!p || !q) return [0, 0, 0, 0, 0, 0, 0, 0];
   const areKnown = one !== undefined && other !== undefined;
   const [down, up] = [`${one ?? ''} ${other ?? ''}`, `${other ?? ''} ${one ?? ''}`];
   const isNatural = areKnown && (neighbours.has(down) || neighbours.has(up));
@@ -66,5 +73,6 @@ export function nameFeatures(
     hangs,
     sideOf(garment, a) * sideOf(garment, b),
     p === q ? 0 : neighboursByNumber(garment.pieces, p, q),
+    ...sharedWords(p.words.all, q.words.all),
   ];
 }

@@ -1,7 +1,8 @@
 /** Joins likely pairs of edges to whole seams, such as a side seam of three edges on each side. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {Boundary, type Step} from './boundary.js';
-import {edgeAt, partnersIn, meetsAtStarts, type PairingHooks} from './rank.js';
+import {copiesOf} from './congruent.js';
+import {edgeAt, meetsAtStarts, type PairingHooks} from './rank.js';
 import {scoresOf, type Scores} from './scores.js';
 
 /** Two edges, by number. */
@@ -24,11 +25,57 @@ const leastPart = 0.2;
 
 const isStraight = ({angle}: Step): boolean => Math.abs(angle - Math.PI) < straight;
 
-const likelihoodOf = ({likelihoods: {size, values}}: Scores, [a, b]: Pair): number =>
-  values[a * size + b] ?? 0;
+/** Likelihoods of pairs of open edges. */
+interface Pairs {
+  /** Likelihood that the seam is right, or right after pieces of equal shape change places. */
+  readonly of: (pair: Pair) => number;
+  /** The likeliest partner of each edge, or -1. */
+  readonly best: Int32Array;
+}
+
+/** Returns the edges that are on pieces without a seam to another piece. */
+function looseEdges({garment}: Scores, {seams}: GarmentDocument): (edge: number) => boolean {
+  const bound = new Set(
+    seams.flatMap(({a, b}) => (a.piece === b.piece ? [] : [a.piece, b.piece])),
+  );
+  return (edge) => !bound.has(garment.edges[edge]?.at.piece ?? -1);
+}
+
+/** Distance of two pieces in a numbered row. */
+const distanceOf = ({garment: {edges, pieces}}: Scores, a: number, b: number): number => {
+  const [one, other] = [a, b].map((edge) => pieces[edges[edge]?.at.piece ?? -1]?.words.number);
+  return Math.abs((one ?? 0) - (other ?? 0));
+};
+
+/** Likelihoods that differ by less are equal: twin pieces differ by rounding. */
+const rounding = 0.02;
+
+function pairsIn(scores: Scores, document: GarmentDocument): Pairs {
+  const {
+    likelihoods: {size, values},
+    isFree,
+  } = scores;
+  const isLoose = looseEdges(scores, document);
+  const copies = copiesOf(scores.garment).map((all, edge) => (isLoose(edge) ? all : [edge]));
+  const own = (a: number, b: number): number => values[a * size + b] ?? 0;
+  const sum = (a: number, b: number): number =>
+    (copies[b] ?? []).reduce((total, copy) => total + own(a, copy), 0);
+  const of = ([a, b]: Pair): number => Math.min(1, Math.max(sum(a, b), sum(b, a)));
+  const best = Int32Array.from(isFree, (_, a) => {
+    let [found, most] = [-1, 0];
+    for (let b = 0; b < size; b++) {
+      if (isFree[a] !== 1 || isFree[b] !== 1 || own(a, b) === 0) continue;
+      const p = of([a, b]) + 0.1 * own(a, b);
+      const isNearer = found >= 0 && distanceOf(scores, a, b) < distanceOf(scores, a, found);
+      if (p > most + rounding || (p > most - rounding && isNearer)) [found, most] = [b, p];
+    }
+    return found;
+  });
+  return {of, best};
+}
 
 /** Adds the parts beyond the end of a seam's first side, as far as both boundaries go straight on. */
-function extended(scores: Scores, boundary: Boundary, pairs: readonly Pair[]): readonly Pair[] {
+function extended({of}: Pairs, boundary: Boundary, pairs: readonly Pair[]): readonly Pair[] {
   const all = [...pairs];
   const used = new Set(pairs.flat());
   for (;;) {
@@ -37,7 +84,7 @@ function extended(scores: Scores, boundary: Boundary, pairs: readonly Pair[]): r
     if (!next || !other || !isStraight(next) || !isStraight(other)) return all;
     const pair: Pair = [next.edge, other.edge];
     if (next.edge === other.edge || used.has(next.edge) || used.has(other.edge)) return all;
-    if (likelihoodOf(scores, pair) < leastPart) return all;
+    if (of(pair) < leastPart) return all;
     all.push(pair);
     pair.forEach((edge) => used.add(edge));
   }
@@ -49,12 +96,11 @@ const turned = (pairs: readonly Pair[]): readonly Pair[] =>
 const logit = (p: number): number => Math.log((p + 1e-4) / (1 - p + 1e-4));
 
 /** Returns the likelihood of a seam: its parts weighted by their length. */
-function wholeLikelihood(scores: Scores, pairs: readonly Pair[]): number {
-  const {edges} = scores.garment;
+function wholeLikelihood({garment: {edges}}: Scores, {of}: Pairs, pairs: readonly Pair[]): number {
   let [sum, total] = [0, 0];
   for (const pair of pairs) {
     const length = (edges[pair[0]]?.length ?? 0) + (edges[pair[1]]?.length ?? 0);
-    sum += length * logit(likelihoodOf(scores, pair));
+    sum += length * logit(of(pair));
     total += length;
   }
   return 1 / (1 + Math.exp(-sum / total));
@@ -71,24 +117,24 @@ export function wholeSeams(
 ): readonly WholeSeam[] {
   const scores = scoresOf(garment, refused);
   const boundary = new Boundary(scores.garment, garment);
-  const best = scores.garment.edges.map((_, edge) => partnersIn(scores, edge)[0]);
-  const seeds = best
-    .filter((one) => one !== undefined)
-    .filter(({a, b, p}) => a < b && p >= least && best[b]?.b === a)
+  const likely = pairsIn(scores, garment);
+  const seeds = [...likely.best.entries()]
+    .map(([a, b]) => ({a, b, p: b < 0 ? 0 : likely.of([a, b])}))
+    .filter(({a, b, p}) => p >= least && (a < b || likely.best[b] !== a))
     .sort((one, other) => other.p - one.p);
   const used = new Set<number>();
   const found: WholeSeam[] = [];
   for (const {a, b} of seeds) {
     if (used.has(a) || used.has(b)) continue;
-    const onwards = extended(scores, boundary, [[a, b]]);
-    const pairs = turned(extended(scores, boundary, turned(onwards)));
+    const onwards = extended(likely, boundary, [[a, b]]);
+    const pairs = turned(extended(likely, boundary, turned(onwards)));
     const own = pairs.filter((pair) => pair.every((edge) => !used.has(edge)));
     own.flat().forEach((edge) => used.add(edge));
     const ends = own.map(([one, other]) => [edgeAt(scores, one), edgeAt(scores, other)] as const);
     const [from, to] = [edgeAt(scores, a), edgeAt(scores, b)];
     found.push({
       pairs: ends,
-      p: wholeLikelihood(scores, own),
+      p: wholeLikelihood(scores, likely, own),
       sameDirection: meetsAtStarts(garment, from, to),
     });
   }

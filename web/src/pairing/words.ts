@@ -19,6 +19,8 @@ export interface Words {
   readonly number: number | undefined;
   /** The name without that number. */
   readonly stem: string;
+  /** All words of the name, in lower case and without accents. */
+  readonly all: readonly string[];
 }
 
 /** Sleeve in the languages of the page. */
@@ -65,5 +67,6 @@ export function wordsOf(name: string): Words {
     kind: kinds.find(([, word]) => parts.some((part) => word.test(part)))?.[0],
     number: digits === undefined ? undefined : Number(digits),
     stem: name.replace(/\d+(?=\D*$)/, '#'),
+    all: parts.filter((part) => part !== ''),
   };
 }
