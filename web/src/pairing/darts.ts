@@ -1,5 +1,5 @@
 /** Finds darts: wedges cut into a piece, with two sides of equal length. */
-import type {MeasuredEdge, MeasuredGarment} from './edges.js';
+import type {MeasuredEdge, MeasuredPiece} from './edges.js';
 
 /** Greatest angle between the two sides. [rad] */
 const widest = 1.05;
@@ -14,20 +14,27 @@ const upright = 0.4;
 /** Greatest angle of an insert at its tip. [rad] */
 const insert = 1.4;
 
+/** A garment with open darts. */
+interface Outlines {
+  readonly edges: readonly Outline[];
+  readonly pieces: readonly MeasuredPiece[];
+}
+type Outline = Pick<MeasuredEdge, 'at' | 'length' | 'corner' | 'chord' | 'after' | 'isOpen'>;
+
 /** Edge numbers of both sides, in the order of the outline. */
 export type Dart = readonly [number, number];
 
 /**
  * Returns whether a wedge can be a slit: it begins at the foot of a piece that may end in a hem.
  */
-function mayBeSlit({pieces}: MeasuredGarment, first: MeasuredEdge): boolean {
+function mayBeSlit({pieces}: Outlines, first: Outline): boolean {
   const kind = pieces[first.at.piece]?.words.kind;
   const limit = kind === 'skirt' || kind === 'trousers' ? -upright : upright;
   return kind !== 'bodice' && kind !== 'sleeve' && first.chord[1] > limit;
 }
 
 /** Returns whether another piece has a wedge with sides of the same length, which may be set in. */
-const hasInsert = (garment: MeasuredGarment, {at, length}: MeasuredEdge): boolean =>
+const hasInsert = (garment: Outlines, {at, length}: Outline): boolean =>
   garment.edges.some((edge) => {
     const next = garment.edges[edge.after];
     return (
@@ -40,7 +47,7 @@ const hasInsert = (garment: MeasuredGarment, {at, length}: MeasuredEdge): boolea
   });
 
 /** Returns the darts that need no question: neither slits nor places of inserts. */
-export function dartsOf(garment: MeasuredGarment): readonly Dart[] {
+export function dartsOf(garment: Outlines): readonly Dart[] {
   return garment.edges.flatMap((first, number): Dart[] => {
     const second = garment.edges[first.after];
     if (!second || first.isOpen || second.isOpen) return [];

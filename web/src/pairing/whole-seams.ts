@@ -1,7 +1,9 @@
 /** Joins likely pairs of edges to whole seams, such as a side seam of three edges on each side. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {Boundary, type Step} from './boundary.js';
+import type {SeamPlace} from '../model/result/result.js';
 import {copiesOf} from './congruent.js';
+import {placeOf, stepOf} from './places.js';
 import {edgeAt, meetsAtStarts, type PairingHooks} from './rank.js';
 import {scoresOf, type Scores} from './scores.js';
 
@@ -12,6 +14,7 @@ type Pair = readonly [number, number];
 export interface WholeSeam {
   /** Its parts along the first side: edges that are sewn to each other. */
   readonly pairs: readonly (readonly [EdgeOfPiece, EdgeOfPiece])[];
+  readonly place: SeamPlace;
   /** Likelihood, from 0 to 1. */
   readonly p: number;
   /** Start meets start. */
@@ -93,17 +96,26 @@ function extended({of}: Pairs, boundary: Boundary, pairs: readonly Pair[]): read
 const turned = (pairs: readonly Pair[]): readonly Pair[] =>
   pairs.map(([a, b]): Pair => [b, a]).reverse();
 
+/** Returns whether one side goes straight on where the other ends, as at a piece that is missing. */
+function isUneven(boundary: Boundary, [a, b]: Pair): boolean {
+  const goesOn = [boundary.after(a), boundary.before(b)].map((step) => step && isStraight(step));
+  return goesOn[0] !== goesOn[1];
+}
+
 const logit = (p: number): number => Math.log((p + 1e-4) / (1 - p + 1e-4));
 
+/** Subtracted from the log odds for each uneven end. */
+const doubt = Number((globalThis as any).process?.env?.DOUBT ?? 0.7);
+
 /** Returns the likelihood of a seam: its parts weighted by their length. */
-function wholeLikelihood({garment: {edges}}: Scores, {of}: Pairs, pairs: readonly Pair[]): number {
+function wholeLikelihood({garment: {edges}}: Scores, {of}: Pairs, pairs: readonly Pair[], uneven: number): number {
   let [sum, total] = [0, 0];
   for (const pair of pairs) {
     const length = (edges[pair[0]]?.length ?? 0) + (edges[pair[1]]?.length ?? 0);
     sum += length * logit(of(pair));
     total += length;
   }
-  return 1 / (1 + Math.exp(-sum / total));
+  return 1 / (1 + Math.exp(uneven * doubt - sum / total));
 }
 
 /**
@@ -117,26 +129,39 @@ export function wholeSeams(
 ): readonly WholeSeam[] {
   const scores = scoresOf(garment, refused);
   const boundary = new Boundary(scores.garment, garment);
-  const likely = pairsIn(scores, garment);
-  const seeds = [...likely.best.entries()]
-    .map(([a, b]) => ({a, b, p: b < 0 ? 0 : likely.of([a, b])}))
-    .filter(({a, b, p}) => p >= least && (a < b || likely.best[b] !== a))
+  const pairsOf = pairsIn(scores, garment);
+  const seeds = [...pairsOf.best.entries()]
+    .map(([a, b]) => ({a, b, p: b < 0 ? 0 : pairsOf.of([a, b])}))
+    .filter(({a, b, p}) => p >= least && (a < b || pairsOf.best[b] !== a))
     .sort((one, other) => other.p - one.p);
   const used = new Set<number>();
   const found: WholeSeam[] = [];
   for (const {a, b} of seeds) {
     if (used.has(a) || used.has(b)) continue;
-    const onwards = extended(likely, boundary, [[a, b]]);
-    const pairs = turned(extended(likely, boundary, turned(onwards)));
+    const onwards = extended(pairsOf, boundary, [[a, b]]);
+    const pairs = turned(extended(pairsOf, boundary, turned(onwards)));
     const own = pairs.filter((pair) => pair.every((edge) => !used.has(edge)));
     own.flat().forEach((edge) => used.add(edge));
+    const [head, tail] = [own[0], own.at(-1)];
+    if (!head || !tail) continue;
+    const uneven =
+      Number(isUneven(boundary, tail)) + Number(isUneven(boundary, [head[1], head[0]]));
+    const place = placeOf(scores.garment, a, b);
     const ends = own.map(([one, other]) => [edgeAt(scores, one), edgeAt(scores, other)] as const);
     const [from, to] = [edgeAt(scores, a), edgeAt(scores, b)];
     found.push({
       pairs: ends,
-      p: wholeLikelihood(scores, likely, own),
+      place,
+      p: wholeLikelihood(scores, pairsOf, own, uneven),
       sameDirection: meetsAtStarts(garment, from, to),
     });
   }
-  return found.sort((one, other) => other.p - one.p);
+  return found.sort((one, other) => rankOf(one) - rankOf(other) || other.p - one.p);
 }
+
+/** Likelihood from which the order of sewing decides. */
+const likely = Number((globalThis as any).process?.env?.LIKELY ?? 0.8);
+
+/** Returns the step at which a seam is asked about: likely seams in the order of sewing. */
+const rankOf = ({place, p}: WholeSeam): number => (p >= likely ? stepOf(place) : 10);
+
