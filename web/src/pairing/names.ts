@@ -9,6 +9,12 @@ const neighbours: ReadonlySet<string> = new Set<`${PieceKind} ${PieceKind}`>([
   ...(['band trousers', 'trousers cuff'] as const),
 ]);
 
+/** Returns whether pieces of two kinds are sewn to each other. */
+export const areNeighbours = (one: PieceKind | undefined, other: PieceKind | undefined): boolean =>
+  one !== undefined &&
+  other !== undefined &&
+  (neighbours.has(`${one} ${other}`) || neighbours.has(`${other} ${one}`));
+
 /** Kinds that hang below their first neighbour, at its foot. */
 const below = /^(bodice|band) (band|skirt|trousers)$/;
 
@@ -36,7 +42,9 @@ function neighboursByNumber(
 ): number {
   if (one.number === undefined || other.number === undefined || one.stem !== other.stem) return 0;
   const row = pieces.filter(({words}) => words.stem === one.stem);
-  if (row.length < 3) return 0;
+  const areas = row.map(({area}) => area);
+  // numbers of pieces that differ are mere numbers
+  if (row.length < 3 || Math.max(...areas) > 2 * Math.min(...areas)) return 0;
   const apart = Math.abs(one.number - other.number);
   return apart === 1 || apart === row.length - 1 ? 1 : -1;
 }
@@ -59,7 +67,7 @@ export function nameFeatures(
   if (!p || !q) return [0, 0, 0, 0, 0, 0, 0, 0];
   const areKnown = one !== undefined && other !== undefined;
   const [down, up] = [`${one ?? ''} ${other ?? ''}`, `${other ?? ''} ${one ?? ''}`];
-  const isNatural = areKnown && (neighbours.has(down) || neighbours.has(up));
+  const isNatural = areNeighbours(one, other);
   const hangs = below.test(down)
     ? (1 - a.place[1]) * b.place[1]
     : below.test(up)
@@ -75,4 +83,15 @@ export function nameFeatures(
     p === q ? 0 : neighboursByNumber(garment.pieces, p, q),
     ...sharedWords(p.words.all, q.words.all),
   ];
+}
+
+/**
+ * Returns 1 if two edges of equal length face each other on neighbours in a numbered row or ring,
+ * -1 if they do so on other pieces of it, and 0 otherwise.
+ */
+export function rowOf({edges, pieces}: MeasuredGarment, one: number, other: number): number {
+  const [a, b] = [edges[one], edges[other]];
+  const [p, q] = [pieces[a?.at.piece ?? -1], pieces[b?.at.piece ?? -1]];
+  if (!a || !b || !p || !q || p === q || a.chord[1] * b.chord[1] > -0.5) return 0;
+  return Math.abs(Math.log(a.length / b.length)) < 0.01 ? neighboursByNumber(pieces, p, q) : 0;
 }

@@ -2,6 +2,7 @@
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {believed, candidatesOf, givenBeliefs, hopeful, type Candidates} from './candidates.js';
 import {measured, type MeasuredGarment} from './edges.js';
+import {rowOf} from './names.js';
 import {surroundingsOf} from './features.js';
 import type {Table} from './matching.js';
 import {mirrorEdges, withPartImages} from './mirror-edges.js';
@@ -28,6 +29,8 @@ const rounds = 3;
  * Added to the log odds that a sleeve is closed: the training garments had few one-piece sleeves.
  */
 const underarm = 5;
+/** Added to the log odds for neighbours in a numbered row, subtracted for others in it. */
+const inRow = 3;
 
 const known = new WeakMap<GarmentDocument, {readonly refused: Refused; readonly scores: Scores}>();
 
@@ -87,7 +90,9 @@ const weighed = (
 ): readonly number[] =>
   pairs.map(
     ([i, j], k) =>
-      logOdds(network, features[k] ?? []) + (isUnderarm(garment, i, j) ? underarm : 0),
+      logOdds(network, features[k] ?? []) +
+      (isUnderarm(garment, i, j) ? underarm : 0) +
+      inRow * rowOf(garment, i, j),
   );
 
 function newScores({pieces, seams}: GarmentDocument, refused: Refused): Scores {

@@ -1,19 +1,20 @@
 /** Joins likely pairs of edges to whole seams, such as a side seam of three edges on each side. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
-import {Boundary, type Step} from './boundary.js';
 import type {SeamPlace} from '../model/result/result.js';
-import {copiesOf} from './congruent.js';
+import {Boundary, type Step} from './boundary.js';
+import {likelyPairs, type LikelyPairs, type Pair} from './likely-pairs.js';
 import {placeOf, stepOf} from './places.js';
 import {edgeAt, meetsAtStarts, type PairingHooks} from './rank.js';
 import {scoresOf, type Scores} from './scores.js';
 
-/** Two edges, by number. */
-type Pair = readonly [number, number];
+/** Edges that are sewn to each other, in their order along a seam. */
+export type Parts = readonly (readonly [EdgeOfPiece, EdgeOfPiece])[];
 
 /** A seam from corner to corner. */
 export interface WholeSeam {
-  /** Its parts along the first side: edges that are sewn to each other. */
-  readonly pairs: readonly (readonly [EdgeOfPiece, EdgeOfPiece])[];
+  readonly parts: Parts;
+  /** The seam on the other side of the body; empty without one. */
+  readonly images: Parts;
   readonly place: SeamPlace;
   /** Likelihood, from 0 to 1. */
   readonly p: number;
@@ -28,57 +29,8 @@ const leastPart = 0.2;
 
 const isStraight = ({angle}: Step): boolean => Math.abs(angle - Math.PI) < straight;
 
-/** Likelihoods of pairs of open edges. */
-interface Pairs {
-  /** Likelihood that the seam is right, or right after pieces of equal shape change places. */
-  readonly of: (pair: Pair) => number;
-  /** The likeliest partner of each edge, or -1. */
-  readonly best: Int32Array;
-}
-
-/** Returns the edges that are on pieces without a seam to another piece. */
-function looseEdges({garment}: Scores, {seams}: GarmentDocument): (edge: number) => boolean {
-  const bound = new Set(
-    seams.flatMap(({a, b}) => (a.piece === b.piece ? [] : [a.piece, b.piece])),
-  );
-  return (edge) => !bound.has(garment.edges[edge]?.at.piece ?? -1);
-}
-
-/** Distance of two pieces in a numbered row. */
-const distanceOf = ({garment: {edges, pieces}}: Scores, a: number, b: number): number => {
-  const [one, other] = [a, b].map((edge) => pieces[edges[edge]?.at.piece ?? -1]?.words.number);
-  return Math.abs((one ?? 0) - (other ?? 0));
-};
-
-/** Likelihoods that differ by less are equal: twin pieces differ by rounding. */
-const rounding = 0.02;
-
-function pairsIn(scores: Scores, document: GarmentDocument): Pairs {
-  const {
-    likelihoods: {size, values},
-    isFree,
-  } = scores;
-  const isLoose = looseEdges(scores, document);
-  const copies = copiesOf(scores.garment).map((all, edge) => (isLoose(edge) ? all : [edge]));
-  const own = (a: number, b: number): number => values[a * size + b] ?? 0;
-  const sum = (a: number, b: number): number =>
-    (copies[b] ?? []).reduce((total, copy) => total + own(a, copy), 0);
-  const of = ([a, b]: Pair): number => Math.min(1, Math.max(sum(a, b), sum(b, a)));
-  const best = Int32Array.from(isFree, (_, a) => {
-    let [found, most] = [-1, 0];
-    for (let b = 0; b < size; b++) {
-      if (isFree[a] !== 1 || isFree[b] !== 1 || own(a, b) === 0) continue;
-      const p = of([a, b]) + 0.1 * own(a, b);
-      const isNearer = found >= 0 && distanceOf(scores, a, b) < distanceOf(scores, a, found);
-      if (p > most + rounding || (p > most - rounding && isNearer)) [found, most] = [b, p];
-    }
-    return found;
-  });
-  return {of, best};
-}
-
 /** Adds the parts beyond the end of a seam's first side, as far as both boundaries go straight on. */
-function extended({of}: Pairs, boundary: Boundary, pairs: readonly Pair[]): readonly Pair[] {
+function extended({of}: LikelyPairs, boundary: Boundary, pairs: readonly Pair[]): readonly Pair[] {
   const all = [...pairs];
   const used = new Set(pairs.flat());
   for (;;) {
@@ -86,7 +38,7 @@ function extended({of}: Pairs, boundary: Boundary, pairs: readonly Pair[]): read
     const [next, other] = [boundary.after(a), boundary.before(b)];
     if (!next || !other || !isStraight(next) || !isStraight(other)) return all;
     const pair: Pair = [next.edge, other.edge];
-    if (next.edge === other.edge || used.has(next.edge) || used.has(other.edge)) return all;
+    if (next.edge === other.edge || pair.some((edge) => used.has(edge))) return all;
     if (of(pair) < leastPart) return all;
     all.push(pair);
     pair.forEach((edge) => used.add(edge));
@@ -96,31 +48,105 @@ function extended({of}: Pairs, boundary: Boundary, pairs: readonly Pair[]): read
 const turned = (pairs: readonly Pair[]): readonly Pair[] =>
   pairs.map(([a, b]): Pair => [b, a]).reverse();
 
-/** Returns whether one side goes straight on where the other ends, as at a piece that is missing. */
+/** Returns whether one side goes straight on where the other ends, as at a missing seam. */
 function isUneven(boundary: Boundary, [a, b]: Pair): boolean {
   const goesOn = [boundary.after(a), boundary.before(b)].map((step) => step && isStraight(step));
   return goesOn[0] !== goesOn[1];
 }
 
-const logit = (p: number): number => Math.log((p + 1e-4) / (1 - p + 1e-4));
+const unevenEnds = (boundary: Boundary, pairs: readonly Pair[]): number =>
+  [pairs, turned(pairs)].filter((side) => {
+    const last = side.at(-1);
+    return last && isUneven(boundary, last);
+  }).length;
 
 /** Subtracted from the log odds for each uneven end. */
-const doubt = Number((globalThis as any).process?.env?.DOUBT ?? 0.7);
+const doubt = 0.7;
 
-/** Returns the likelihood of a seam: its parts weighted by their length. */
-function wholeLikelihood({garment: {edges}}: Scores, {of}: Pairs, pairs: readonly Pair[], uneven: number): number {
+const logit = (p: number): number => Math.log((p + 1e-4) / (1 - p + 1e-4));
+
+/** Returns the mean log odds of a seam's parts, weighted by their length. */
+function meanOdds(
+  {garment: {edges}}: Scores,
+  {of}: LikelyPairs,
+  pairs: readonly Pair[],
+): number {
   let [sum, total] = [0, 0];
   for (const pair of pairs) {
     const length = (edges[pair[0]]?.length ?? 0) + (edges[pair[1]]?.length ?? 0);
     sum += length * logit(of(pair));
     total += length;
   }
-  return 1 / (1 + Math.exp(uneven * doubt - sum / total));
+  return sum / total;
+}
+
+/** Returns the parts of the seam on the other side of the body, if that is likely, too. */
+function imagesOf(
+  {images, isFree}: Scores,
+  {of}: LikelyPairs,
+  pairs: readonly Pair[],
+): readonly Pair[] {
+  const own = new Set(pairs.flat());
+  const found = pairs.map(([a, b]): Pair => [images[a] ?? -1, images[b] ?? -1]);
+  const isSeam = found.every(
+    ([a, b]) => a !== b && isFree[a] === 1 && isFree[b] === 1 && of([a, b]) >= leastPart,
+  );
+  return isSeam && found.every((pair) => pair.every((edge) => !own.has(edge))) ? found : [];
+}
+
+/** Likelihood from which the order of sewing decides. */
+const likely = 0.8;
+
+/** Returns the step at which a seam is asked about: likely seams in the order of sewing. */
+const rankOf = ({place, p}: WholeSeam): number => (p >= likely ? stepOf(place) : Infinity);
+
+const byRank = (one: WholeSeam, other: WholeSeam): number => {
+  const [first, second] = [rankOf(one), rankOf(other)];
+  return first === second ? other.p - one.p : first - second;
+};
+
+function seamsIn(
+  scores: Scores,
+  garment: GarmentDocument,
+  least: number,
+  joins: boolean,
+): readonly WholeSeam[] {
+  const boundary = new Boundary(scores.garment, garment);
+  const pairs = likelyPairs(scores, garment, joins);
+  const seeds = [...pairs.best.entries()]
+    .map(([a, b]) => ({a, b, p: b < 0 ? 0 : pairs.of([a, b])}))
+    .filter(({a, b, p}) => p >= least && (a < b || pairs.best[b] !== a))
+    .sort((one, other) => other.p - one.p);
+  const used = new Set<number>();
+  const isLeft = (pair: Pair): boolean => pair.every((edge) => !used.has(edge));
+  const partsOf = (list: readonly Pair[]): Parts =>
+    list.map(([a, b]) => [edgeAt(scores, a), edgeAt(scores, b)] as const);
+  return seeds
+    .flatMap(({a, b}): WholeSeam[] => {
+      if (!isLeft([a, b])) return [];
+      const onwards = extended(pairs, boundary, [[a, b]]);
+      const own = turned(extended(pairs, boundary, turned(onwards))).filter(isLeft);
+      const images = imagesOf(scores, pairs, own).filter(isLeft);
+      [...own, ...images].flat().forEach((edge) => used.add(edge));
+      const odds = meanOdds(scores, pairs, own) - doubt * unevenEnds(boundary, own);
+      return [
+        {
+          parts: partsOf(own),
+          images: partsOf(images),
+          place: placeOf(scores.garment, a, b),
+          p: 1 / (1 + Math.exp(-odds)),
+          sameDirection: meetsAtStarts(garment, edgeAt(scores, a), edgeAt(scores, b)),
+        },
+      ];
+    })
+    .filter(({p}) => p >= least)
+    .sort(byRank);
 }
 
 /**
- * Returns whole seams that share no edge, the likeliest first.
- * @param least least likelihood of their likeliest part, from 0 to 1
+ * Returns likely whole seams that share no edge: in the order of sewing if they are almost certain,
+ * then the likeliest first. If there are none, seams that join separate parts count as likelier.
+ * @param least least likelihood, from 0 to 1
  */
 export function wholeSeams(
   garment: GarmentDocument,
@@ -128,40 +154,6 @@ export function wholeSeams(
   {refused = []}: PairingHooks = {},
 ): readonly WholeSeam[] {
   const scores = scoresOf(garment, refused);
-  const boundary = new Boundary(scores.garment, garment);
-  const pairsOf = pairsIn(scores, garment);
-  const seeds = [...pairsOf.best.entries()]
-    .map(([a, b]) => ({a, b, p: b < 0 ? 0 : pairsOf.of([a, b])}))
-    .filter(({a, b, p}) => p >= least && (a < b || pairsOf.best[b] !== a))
-    .sort((one, other) => other.p - one.p);
-  const used = new Set<number>();
-  const found: WholeSeam[] = [];
-  for (const {a, b} of seeds) {
-    if (used.has(a) || used.has(b)) continue;
-    const onwards = extended(pairsOf, boundary, [[a, b]]);
-    const pairs = turned(extended(pairsOf, boundary, turned(onwards)));
-    const own = pairs.filter((pair) => pair.every((edge) => !used.has(edge)));
-    own.flat().forEach((edge) => used.add(edge));
-    const [head, tail] = [own[0], own.at(-1)];
-    if (!head || !tail) continue;
-    const uneven =
-      Number(isUneven(boundary, tail)) + Number(isUneven(boundary, [head[1], head[0]]));
-    const place = placeOf(scores.garment, a, b);
-    const ends = own.map(([one, other]) => [edgeAt(scores, one), edgeAt(scores, other)] as const);
-    const [from, to] = [edgeAt(scores, a), edgeAt(scores, b)];
-    found.push({
-      pairs: ends,
-      place,
-      p: wholeLikelihood(scores, pairsOf, own, uneven),
-      sameDirection: meetsAtStarts(garment, from, to),
-    });
-  }
-  return found.sort((one, other) => rankOf(one) - rankOf(other) || other.p - one.p);
+  const found = seamsIn(scores, garment, least, false);
+  return found.length > 0 ? found : seamsIn(scores, garment, least, true);
 }
-
-/** Likelihood from which the order of sewing decides. */
-const likely = Number((globalThis as any).process?.env?.LIKELY ?? 0.8);
-
-/** Returns the step at which a seam is asked about: likely seams in the order of sewing. */
-const rankOf = ({place, p}: WholeSeam): number => (p >= likely ? stepOf(place) : 10);
-
