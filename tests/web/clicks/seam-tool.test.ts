@@ -35,7 +35,7 @@ function sewingOf(garment: GarmentDocument, more: Partial<Sewing> = {}): Sewing 
         }))
       : [];
   };
-  const nothing = {sure: () => [], likeliest: () => undefined, best: () => undefined};
+  const nothing = {sure: () => [], darts: () => [], questions: () => [], best: () => undefined};
   return {garment, candidates, ...nothing, order, ...more};
 }
 

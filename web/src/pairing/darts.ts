@@ -1,5 +1,7 @@
 /** Finds darts: wedges cut into a piece, with two sides of equal length. */
-import type {MeasuredEdge, MeasuredPiece} from './edges.js';
+import type {EdgeOfPiece} from '../model/garment/garment-document.js';
+import type {Words} from '../model/garment/piece-words.js';
+import type {Point} from '../model/geometry/vectors.js';
 
 /** Greatest angle between the two sides. [rad] */
 const widest = 1.05;
@@ -14,12 +16,19 @@ const upright = 0.4;
 /** Greatest angle of an insert at its tip. [rad] */
 const insert = 1.4;
 
-/** A garment with open darts. */
+/** A measured edge of a garment with open darts. */
+interface Outline {
+  readonly at: EdgeOfPiece;
+  readonly length: number;
+  readonly corner: number;
+  readonly chord: Point;
+  readonly after: number;
+  readonly isOpen: boolean;
+}
 interface Outlines {
   readonly edges: readonly Outline[];
-  readonly pieces: readonly MeasuredPiece[];
+  readonly pieces: readonly {readonly words: Words}[];
 }
-type Outline = Pick<MeasuredEdge, 'at' | 'length' | 'corner' | 'chord' | 'after' | 'isOpen'>;
 
 /** Edge numbers of both sides, in the order of the outline. */
 export type Dart = readonly [number, number];

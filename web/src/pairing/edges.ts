@@ -17,7 +17,7 @@ import type {EdgeOfPiece, GarmentPiece} from '../model/garment/garment-document.
 import {edgeLine} from '../model/garment/edge-curve.js';
 import {lengthOf, signedArea, stepAt} from '../model/geometry/polyline.js';
 import {dartsOf} from './darts.js';
-import {wordsOf, type Words} from './words.js';
+import {wordsOf, type Words} from '../model/garment/piece-words.js';
 
 /** Number of equal steps in a heading profile: fine enough for the S of a sleeve cap. */
 const profileSteps = 9;

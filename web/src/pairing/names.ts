@@ -1,6 +1,6 @@
 /** Features of a pair of edges that come from the names of their pieces. */
 import type {MeasuredEdge, MeasuredGarment, MeasuredPiece} from './edges.js';
-import type {PieceKind} from './words.js';
+import type {PieceKind} from '../model/garment/piece-words.js';
 
 /** Kinds that are sewn to each other; the first one is worn above the second, or farther inside. */
 const neighbours: ReadonlySet<string> = new Set<`${PieceKind} ${PieceKind}`>([

@@ -2,7 +2,7 @@
 import type {SeamPlace} from '../model/result/result.js';
 import type {MeasuredEdge, MeasuredGarment, MeasuredPiece} from './edges.js';
 import {sideOf} from './names.js';
-import type {PieceKind} from './words.js';
+import type {PieceKind} from '../model/garment/piece-words.js';
 
 /** Least rise of the direction out of a piece at an edge across it. */
 const across = 0.7;

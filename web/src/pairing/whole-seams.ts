@@ -66,11 +66,7 @@ const doubt = 0.7;
 const logit = (p: number): number => Math.log((p + 1e-4) / (1 - p + 1e-4));
 
 /** Returns the mean log odds of a seam's parts, weighted by their length. */
-function meanOdds(
-  {garment: {edges}}: Scores,
-  {of}: LikelyPairs,
-  pairs: readonly Pair[],
-): number {
+function meanOdds({garment: {edges}}: Scores, {of}: LikelyPairs, pairs: readonly Pair[]): number {
   let [sum, total] = [0, 0];
   for (const pair of pairs) {
     const length = (edges[pair[0]]?.length ?? 0) + (edges[pair[1]]?.length ?? 0);

@@ -30,6 +30,7 @@ import type {Workbench} from '../workbench.js';
 import {EdgeNames, editedPattern, nearestNotch} from '../../sewing/edited-pattern.js';
 import {editedBy, newGathers} from '../../sewing/seam-edits.js';
 import {partMarks, seamMarks, type Part} from '../../sewing/seam-marks.js';
+import {seamPicture, type SeamPicture} from '../../sewing/seam-picture.js';
 import {countWords, edgeWords, seamWords, type Speech} from '../../sewing/seam-words.js';
 import {sewingOf} from '../../sewing/sewing.js';
 
@@ -59,6 +60,7 @@ export class SeamChooser {
   readonly #names = lastOf(
     (...given: ConstructorParameters<typeof EdgeNames>) => new EdgeNames(...given),
   );
+  readonly #picture = lastOf(seamPicture);
   #latest = nothingChosen;
   /** The garment that `#latest` belongs to. */
   #garment: DesignGarment | undefined;
@@ -83,10 +85,13 @@ export class SeamChooser {
   get state(): SeamState {
     const garment = this.#workbench.history.design?.garment;
     if (garment !== this.#garment) {
-      const {suggests} = this.#latest;
+      const isSame = this.#latest.suggests && garment?.name === this.#garment?.name;
+      const {suggests, answered, later, log} = this.#latest;
+      // a seam that the history took back was the last *yes*
+      const last = log.lastIndexOf('yes');
       this.#latest = {
         ...nothingChosen,
-        suggests: suggests && garment?.name === this.#garment?.name,
+        ...(isSame && {suggests, answered, later, log: log.filter((_, k) => k !== last)}),
       };
       this.#garment = garment;
       this.#hovered = undefined;
@@ -137,6 +142,34 @@ export class SeamChooser {
     return true;
   }
 
+  /** Progress of the questions: the number of the present one, and that of all. */
+  get progress(): {readonly present: number; readonly all: number} | undefined {
+    const {sewing, question, state} = this;
+    if (!sewing || question?.kind !== 'seam') return undefined;
+    const answers = state.log.filter((answer) => answer !== 'skip').length;
+    return {present: answers + 1, all: answers + sewing.questions().length};
+  }
+
+  /** The sides of the seam in question, face to face. */
+  get picture(): SeamPicture | undefined {
+    const {sewing, question} = this;
+    return sewing && question?.kind === 'seam'
+      ? this.#picture(sewing.garment, question)
+      : undefined;
+  }
+
+  /** Starts the questions, unless they are open already. */
+  ask(): void {
+    if (!this.state.suggests) this.send({type: 'suggest'});
+  }
+
+  /** Takes the last answer back. */
+  unanswer(): void {
+    const {log} = this.state;
+    if (log.at(-1) === 'yes') this.#workbench.history.undo();
+    else this.send({type: 'unanswer'});
+  }
+
   /** Each change is one separate step of the history. */
   #take(edit: SeamEdit, {garment: before}: Sewing): void {
     const {design} = this.#workbench.history;
@@ -151,6 +184,8 @@ export class SeamChooser {
     const {document, edgesOf} = edited;
     const isSewing = edit.kind === 'sew' || edit.kind === 'sewAll';
     const gathered = isSewing ? newGathers(before, document) : [];
+    // the question of a whole seam gives its ease, so that gathers need no further one
+    const isAsked = edit.kind === 'sewAll' && edit.exactly === true;
     const {options, ...change} = designAfter(design, before, edited);
     const unmatched = [...(options.unmatched ?? []), ...gathered];
     const next = {...change, options: gathered.length > 0 ? {...options, unmatched} : options};
@@ -158,7 +193,10 @@ export class SeamChooser {
     this.#hovered = undefined;
     this.#workbench.edit(next, document, editedPattern(pattern, edited));
     const kept = edit.kind === 'split' ? {keeps: edit.keeps} : {};
-    const event = {type: 'edited', edgesOf, gathered, ...kept} as const;
+    const event = {
+      ...({type: 'edited', edgesOf} as const),
+      ...{gathered: isAsked ? [] : gathered, ...kept},
+    };
     const answer = afterEvent(this.#latest, event, this.#sewing(document, []));
     if (answer) this.#latest = answer.state;
   }
@@ -306,7 +344,9 @@ export class SeamChooser {
 
   #speech({garment}: Sewing, texts: Texts, format: Format): Speech {
     const scene = this.#workbench.sheet.scenes?.now ?? {pieces: []};
-    return {names: this.#names(garment, scene, texts, this.#sew), sew: this.#sew, format};
+    const {language} = this.#workbench.preferences.chosen;
+    const names = this.#names(garment, scene, texts, this.#sew, language);
+    return {names, sew: this.#sew, format, places: texts.places};
   }
 }
 
