@@ -175,6 +175,7 @@ export class Editor extends WorkbenchElement {
     this.addEventListener('sw-size-wanted', () => void this.#toSize());
     this.addEventListener('sw-sew-wanted', () => {
       this.pattern?.tools.beginSewing();
+      this.show('pattern'); // who sews has to see the edges
       this.toPattern();
     });
     this.addEventListener('sw-grain-wanted', () => {

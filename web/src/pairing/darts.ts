@@ -31,7 +31,7 @@ interface Outlines {
 }
 
 /** Edge numbers of both sides, in the order of the outline. */
-export type Dart = readonly [number, number];
+type Dart = readonly [number, number];
 
 /**
  * Returns whether a wedge can be a slit: it begins at the foot of a piece that may end in a hem.

@@ -36,7 +36,7 @@ const connecting = 3.5;
 const margin = 2;
 
 /**
- * Returns whether a seam joins two parts that are not sewn to each other, of kinds that are
+ * Returns whether a seam joins two parts that are not sewn to each other, of the same kind or of
  * neighbours: a garment is one whole.
  */
 function joinTest(
@@ -54,7 +54,8 @@ function joinTest(
     const [p, q] = [garment.edges[a]?.at.piece ?? 0, garment.edges[b]?.at.piece ?? 0];
     const [one, other] = [garment.pieces[p], garment.pieces[q]];
     if (!one || !other || parts.find(p) === parts.find(q)) return false;
-    return areNeighbours(one.words.kind, other.words.kind) && isBest(a, b) && isBest(b, a);
+    const kinds = [one.words.kind, other.words.kind] as const;
+    return (kinds[0] === kinds[1] || areNeighbours(...kinds)) && isBest(a, b) && isBest(b, a);
   };
 }
 

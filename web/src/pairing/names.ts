@@ -16,7 +16,7 @@ export const areNeighbours = (one: PieceKind | undefined, other: PieceKind | und
   (neighbours.has(`${one} ${other}`) || neighbours.has(`${other} ${one}`));
 
 /** Kinds that hang below their first neighbour, at its foot. */
-const below = /^(bodice|band) (band|skirt|trousers)$/;
+const below = /^(bodice (band|skirt|trousers)|band (skirt|trousers))$/;
 
 /**
  * Greatest distance from the middle of a piece that is neither left nor right, as a share of its

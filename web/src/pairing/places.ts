@@ -6,6 +6,8 @@ import type {PieceKind} from '../model/garment/piece-words.js';
 
 /** Least rise of the direction out of a piece at an edge across it. */
 const across = 0.7;
+/** Least rise of the direction out of a piece at a sloping shoulder. */
+const slope = 0.35;
 
 /** Returns the rise of the direction out of a piece, from -1 to 1: outlines run counter-clockwise. */
 const riseOf = ({chord}: MeasuredEdge): number => -chord[0];
@@ -45,8 +47,8 @@ function bodyPlace(
   if (low > across) return 'shoulder';
   if (high > across && low < -across) return p.words.kind === q.words.kind ? 'other' : 'waist';
   if (p === q) return face === 0 ? 'other' : face > 0 ? 'centre back' : 'centre front';
-  // a short seam near the top of front and back
-  if (areFaces && a.place[1] > 0.8 && b.place[1] > 0.8 && low > 0) return 'shoulder';
+  // a sloping seam near the top of front and back
+  if (areFaces && a.place[1] > 0.8 && b.place[1] > 0.8 && low > slope) return 'shoulder';
   if (areFaces) return 'side';
   if (face === 0) return 'other';
   const areTwins = p.words.side * q.words.side < 0 && sideOf(garment, a) * sideOf(garment, b) < 0;

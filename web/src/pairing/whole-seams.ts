@@ -90,6 +90,12 @@ function imagesOf(
   return isSeam && found.every((pair) => pair.every((edge) => !own.has(edge))) ? found : [];
 }
 
+/** Returns the longest part of a seam, which decides on its place. */
+const longest = ({garment: {edges}}: Scores, pairs: readonly Pair[]): Pair =>
+  pairs.reduce((best, pair) =>
+    (edges[pair[0]]?.length ?? 0) > (edges[best[0]]?.length ?? 0) ? pair : best,
+  );
+
 /** Likelihood from which the order of sewing decides. */
 const likely = 0.8;
 
@@ -129,7 +135,7 @@ function seamsIn(
         {
           parts: partsOf(own),
           images: partsOf(images),
-          place: placeOf(scores.garment, a, b),
+          place: placeOf(scores.garment, ...longest(scores, own)),
           p: 1 / (1 + Math.exp(-odds)),
           sameDirection: meetsAtStarts(garment, edgeAt(scores, a), edgeAt(scores, b)),
         },

@@ -17,6 +17,8 @@ import {easeOf} from './seam-edits.js';
 
 /** Smaller ease does not matter in sewing. [cm] */
 const leastEase = 0.05;
+/** Ease from which it is given as a length. [cm] */
+const mostFine = 2;
 
 export interface Speech {
   readonly names: EdgeNames;
@@ -28,7 +30,9 @@ export interface Speech {
 
 const easeWords = ({garment}: Sewing, a: Run, b: Run, {sew, format}: Speech): string => {
   const {cm} = easeOf(garment, a, b);
-  return cm < leastEase ? sew.noEase : sew.ease(format.fine(cm));
+  return cm < leastEase
+    ? sew.noEase
+    : sew.ease(cm < mostFine ? format.fine(cm) : format.length(cm));
 };
 
 /** Capitalizes the start of a sentence. */

@@ -51,6 +51,7 @@ export class SewBar extends WorkbenchElement {
         gap: var(--sw-space-1);
       }
       figure {
+        position: relative;
         margin: 0 0 var(--sw-space-1);
         border-radius: var(--sw-radius);
         background: var(--sw-ground);
@@ -59,7 +60,21 @@ export class SewBar extends WorkbenchElement {
       svg {
         display: block;
         width: 100%;
-        height: clamp(6rem, 18vh, 11rem);
+        height: clamp(5.5rem, 16vh, 9rem);
+      }
+      .side {
+        position: absolute;
+        left: var(--sw-space-2);
+        max-width: 45%;
+        color: var(--sw-soft);
+        font-size: var(--sw-text);
+        line-height: 1.2;
+      }
+      .side:first-of-type {
+        top: var(--sw-space-1);
+      }
+      .side:last-of-type {
+        bottom: var(--sw-space-1);
       }
       svg path {
         fill: none;
@@ -110,7 +125,7 @@ export class SewBar extends WorkbenchElement {
 
   /** Both sides of the seam in question. */
   #picture(): TemplateResult | typeof nothing {
-    const {picture, sew} = this.chooser;
+    const {picture, sides, sew} = this.chooser;
     if (!picture) return nothing;
     const lines = (look: string, paths: readonly string[]) =>
       paths.map((path) => svg`<path class=${look} d=${path}></path>`);
@@ -119,6 +134,7 @@ export class SewBar extends WorkbenchElement {
         ${lines('piece', picture.pieces)} ${lines('tie', picture.ties)}
         ${lines('edge', picture.edges)}
       </svg>
+      ${sides.map((name) => html`<span class="side">${name}</span>`)}
     </figure>`;
   }
 

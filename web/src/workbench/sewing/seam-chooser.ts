@@ -158,6 +158,14 @@ export class SeamChooser {
       : undefined;
   }
 
+  /** Names of the pieces on both sides of the seam in question. */
+  get sides(): readonly string[] {
+    const {sewing, question} = this;
+    if (!sewing || question?.kind !== 'seam') return [];
+    const {names} = this.#own(sewing);
+    return [question.a, question.b].map((run) => names.piecesOf(run));
+  }
+
   /** Starts the questions, unless they are open already. */
   ask(): void {
     if (!this.state.suggests) this.send({type: 'suggest'});
