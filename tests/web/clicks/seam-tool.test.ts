@@ -35,7 +35,7 @@ function sewingOf(garment: GarmentDocument, more: Partial<Sewing> = {}): Sewing 
         }))
       : [];
   };
-  const nothing = {sure: () => [], likeliest: () => undefined, best: () => undefined};
+  const nothing = {sure: () => [], darts: () => [], questions: () => [], best: () => undefined};
   return {garment, candidates, ...nothing, order, ...more};
 }
 
@@ -188,29 +188,55 @@ describe('keys', () => {
 describe('suggestions', () => {
   const one: Suggestion = {a: [at(0, 1)], b: [at(1, 3)], sameDirection: false};
   const other: Suggestion = {a: [at(0, 0)], b: [at(1, 2)], sameDirection: true};
-  const asking = (answered: number): Sewing =>
-    sewingOf(bare, {likeliest: () => [one, other][answered], sure: () => [one, other]});
+  const asking = (...questions: readonly Suggestion[]): Sewing =>
+    sewingOf(bare, {questions: () => questions, sure: () => [one, other]});
 
-  it('are asked about one by one: yes sews, no and skip lead to the next', () => {
-    const {state} = after([{type: 'suggest'}], asking(0));
-    expect(questionOf(state, asking(0))).toEqual({kind: 'seam', ...one});
-    expect(afterEvent(state, {type: 'yes'}, asking(0))?.edit).toEqual(sewnTo(at(1, 3)));
-    const no = afterEvent(state, {type: 'no'}, asking(0))?.state ?? nothingChosen;
+  it('are asked about one by one: yes sews, and no leads to the next', () => {
+    const {state} = after([{type: 'suggest'}], asking(one, other));
+    expect(questionOf(state, asking(one, other))).toEqual({kind: 'seam', ...one});
+    expect(afterEvent(state, {type: 'yes'}, asking(one, other))?.edit).toEqual(sewnTo(at(1, 3)));
+    const no = afterEvent(state, {type: 'no'}, asking(one, other))?.state ?? nothingChosen;
     expect(no.answered).toMatchObject([one]);
-    expect(questionOf(no, asking(1))).toEqual({kind: 'seam', ...other});
-    const skipped = afterEvent(no, {type: 'skip'}, asking(1))?.state ?? nothingChosen;
-    expect(skipped.answered.length).toBe(2);
-    expect(questionOf(skipped, asking(2))).toBeUndefined();
+    expect(questionOf(no, asking(other))).toEqual({kind: 'seam', ...other});
+  });
+
+  it('come back once all others are answered, if they were put off', () => {
+    const {state} = after([{type: 'suggest'}, {type: 'skip'}], asking(one, other));
+    expect(questionOf(state, asking(one, other))).toEqual({kind: 'seam', ...other});
+    expect(questionOf(state, asking(one))).toEqual({kind: 'seam', ...one});
+  });
+
+  it('are asked again after the answer is taken back', () => {
+    const {state} = after(
+      [{type: 'suggest'}, {type: 'skip'}, {type: 'no'}, {type: 'unanswer'}, {type: 'unanswer'}],
+      asking(one, other),
+    );
+    expect(state).toMatchObject({answered: [], later: [], log: []});
+  });
+
+  it('begin with the darts, which need no question', () => {
+    const darts = [other];
+    const {edits, state} = after([{type: 'suggest'}], sewingOf(bare, {darts: () => darts}));
+    expect(edits).toEqual([{kind: 'sewAll', seams: darts, exactly: true}]);
+    expect(state.suggests).toBe(true);
+  });
+
+  it('sew all parts of a whole seam, and no others', () => {
+    const whole = {a: [at(0, 0), at(0, 1)], b: [at(1, 2), at(1, 3)], sameDirection: false};
+    const sewing = asking({...whole, parts: [one, other]} as Suggestion);
+    expect(after([{type: 'suggest'}, {type: 'yes'}], sewing).edits).toEqual([
+      {kind: 'sewAll', seams: [one, other], exactly: true},
+    ]);
   });
 
   it('are accepted all at once', () => {
-    expect(after([{type: 'suggest'}, {type: 'acceptAll'}], asking(0)).edits).toEqual([
+    expect(after([{type: 'suggest'}, {type: 'acceptAll'}], asking(one, other)).edits).toEqual([
       {kind: 'sewAll', seams: [one, other]},
     ]);
   });
 
   it('keep what was answered over an edit, by its new numbers', () => {
-    const {state} = after([{type: 'suggest'}, {type: 'no'}], asking(0));
+    const {state} = after([{type: 'suggest'}, {type: 'no'}], asking(one, other));
     const edited = sew(bare, {a: [at(0, 0)], b: [at(1, 2)], sameDirection: true});
     const moved = (edge: EdgeOfPiece): readonly EdgeOfPiece[] =>
       edited.edgesOf(edge).map((part) => ({...part, edge: part.edge + 1}));

@@ -144,10 +144,26 @@ describe('pieces that no placement tells apart', () => {
     shirt.pieces.map(({name}) => [name, {translation: [0, 0, 0]}] as const),
   );
 
-  it('stand on shelves, pairs by name side by side with the right one first', () => {
+  it('lie as on the body where names tell: sleeves beside the front', () => {
     const layout = layOut(shirt, 2, bare, flat);
     expect(layout).toEqual(layOut(shirt, 2, bare));
     const at = middles(shirt, layout);
+    const [left = NaN, right = NaN, middle = NaN] = [at.sleeve_left, at.sleeve_right, at.front].map(
+      (point) => point?.[0] ?? NaN,
+    );
+    expect(left).toBeGreaterThan(middle);
+    expect(right).toBeLessThan(middle);
+  });
+
+  it('stand on shelves otherwise, pairs by name side by side with the right one first', () => {
+    const names = ['one', 'two', 'three', 'four', 'five'];
+    const nameless = {
+      ...shirt,
+      pieces: shirt.pieces.map((piece, k) =>
+        piece.name.startsWith('sleeve_') ? piece : {...piece, name: names[k] ?? `${k}`},
+      ),
+    };
+    const at = middles(nameless, layOut(nameless, 2, bare, flat));
     expect(at.sleeve_left?.[1]).toBe(at.sleeve_right?.[1]);
     expect((at.sleeve_left?.[0] ?? NaN) - (at.sleeve_right?.[0] ?? NaN)).toBe(32);
   });

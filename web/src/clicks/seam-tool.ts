@@ -3,6 +3,7 @@
  */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {edgeOf, isOpen, sameEdge, seamAt, sideLength} from '../model/garment/edits.js';
+import type {SeamPlace} from '../model/result/result.js';
 import {has, inOrder, joined, stretched, type Run} from './run.js';
 
 /** Two sides that may be sewn together. */
@@ -11,6 +12,15 @@ export interface Suggestion {
   readonly b: Run;
   /** Start meets start. */
   readonly sameDirection: boolean;
+}
+
+/** A whole seam that is likely. */
+export interface SuggestedSeam extends Suggestion {
+  /** Edges that are sewn to each other, and those of the seam on the other side of the body. */
+  readonly parts?: readonly Suggestion[];
+  /** True if `parts` contain the seam on the other side. */
+  readonly isPaired?: boolean;
+  readonly place?: SeamPlace;
 }
 
 /** A possible partner of a side: `a` is that side, or a longer run that contains it. */
@@ -28,8 +38,10 @@ export interface Sewing {
   readonly best: (run: Run) => Candidate | undefined;
   /** Returns the seams that are almost certain. */
   readonly sure: () => readonly Suggestion[];
-  /** Returns the likeliest suggestion without an answer. */
-  readonly likeliest: () => Suggestion | undefined;
+  /** Returns the darts that are not sewn yet and need no question. */
+  readonly darts: () => readonly Suggestion[];
+  /** Returns the likely seams without an answer, in the order of the questions. */
+  readonly questions: () => readonly SuggestedSeam[];
   /** All edges, in keyboard order. */
   readonly order: Run;
 }
@@ -57,6 +69,10 @@ export interface SeamState {
   readonly suggests: boolean;
   /** Suggestions that the user has declined. */
   readonly answered: readonly Suggestion[];
+  /** Suggestions that the user has put off. */
+  readonly later: readonly Suggestion[];
+  /** All answers to suggestions, in their order. */
+  readonly log: readonly ('yes' | 'no' | 'skip')[];
   /** Numbers of the seams with a pending question about gathers. */
   readonly gathered: readonly number[];
   readonly refused: Refusal | undefined;
@@ -74,7 +90,12 @@ interface Split {
 /** A change of the garment that the user requests. */
 export type SeamEdit =
   | {readonly kind: 'sew'; readonly a: Run; readonly b: Run; readonly sameDirection: boolean}
-  | {readonly kind: 'sewAll'; readonly seams: readonly Suggestion[]}
+  /** `exactly`: without the mirror images of the seams. */
+  | {
+      readonly kind: 'sewAll';
+      readonly seams: readonly Suggestion[];
+      readonly exactly?: true;
+    }
   | Split
   | {readonly kind: 'unsew' | 'turn'; readonly seam: number}
   | {readonly kind: 'open'; readonly run: Run; readonly open: boolean}
@@ -101,6 +122,8 @@ export type SeamEvent =
   | ({readonly type: 'split'} & Omit<Split, 'kind'>)
   | RunEvent
   | {readonly type: 'next' | 'suggest' | 'acceptAll' | 'back' | 'yes' | 'no' | 'skip' | 'join'}
+  /** Takes the last answer to a suggestion back; the history takes back the seam of a *yes*. */
+  | {readonly type: 'unanswer'}
   /** The garment has changed. */
   | {
       readonly type: 'edited';
@@ -117,7 +140,7 @@ interface Answer {
 
 export const nothingChosen: SeamState = {
   ...{run: [], isHeld: false, other: [], isTurned: false},
-  ...{suggests: false, answered: [], gathered: [], refused: undefined},
+  ...{suggests: false, answered: [], later: [], log: [], gathered: [], refused: undefined},
 };
 
 /** A question to be answered with yes, no or skip. */
@@ -128,7 +151,7 @@ export type Question =
       /** Seam with the next edge added, which makes the shorter side as long as the other. */
       readonly instead?: Suggestion;
     }
-  | ({readonly kind: 'seam'} & Suggestion);
+  | ({readonly kind: 'seam'} & SuggestedSeam);
 
 export function questionOf(state: SeamState, sewing: Sewing): Question | undefined {
   const {gathered: seams} = state;
@@ -137,9 +160,22 @@ export function questionOf(state: SeamState, sewing: Sewing): Question | undefin
     return {kind: 'gathered', seams, ...(instead && {instead})};
   }
   if (!state.suggests || state.run.length > 0) return undefined;
-  const likely = sewing.likeliest();
+  const questions = sewing.questions();
+  const isLater = (one: Suggestion): boolean => state.later.some((other) => sameSides(one, other));
+  const [oldest] = state.later.flatMap(
+    (one) => questions.find((other) => sameSides(one, other)) ?? [],
+  );
+  const likely = questions.find((one) => !isLater(one)) ?? oldest;
   return likely && {kind: 'seam', ...likely};
 }
+
+const sameRun = (one: Run, other: Run): boolean =>
+  one.length === other.length && one.every((edge) => has(other, edge));
+
+/** Returns whether two suggestions are about the same sides, in either order. */
+export const sameSides = (one: Suggestion, other: Suggestion): boolean =>
+  (sameRun(one.a, other.a) && sameRun(one.b, other.b)) ||
+  (sameRun(one.a, other.b) && sameRun(one.b, other.a));
 
 function insteadOf({garment}: Sewing, number: number): Suggestion | undefined {
   const seam = garment.seams[number];
@@ -228,7 +264,7 @@ function back(state: SeamState): SeamState | undefined {
   if (state.other.length > 0) return {...state, other: []};
   if (state.isHeld) return {...state, isHeld: false, isTurned: false};
   if (state.run.length > 0) return chosen(state, [], false);
-  return state.suggests ? {...state, suggests: false, answered: []} : undefined;
+  return state.suggests ? {...nothingChosen} : undefined;
 }
 
 function answered(state: SeamState, sewing: Sewing, answer: 'yes' | 'no' | 'skip'): Answer {
@@ -238,10 +274,31 @@ function answered(state: SeamState, sewing: Sewing, answer: 'yes' | 'no' | 'skip
     return {state: calm(state), ...(answer === 'no' && {edit})};
   }
   if (!question) return {state};
-  const {a, b, sameDirection} = question;
-  return answer === 'yes'
-    ? {state, edit: {kind: 'sew', a, b, sameDirection}}
-    : {state: {...state, answered: [...state.answered, question]}};
+  const {a, b, sameDirection, parts} = question;
+  const logged = {...state, log: [...state.log, answer]};
+  if (answer === 'no') return {state: {...logged, answered: [...state.answered, question]}};
+  if (answer === 'skip') {
+    const others = state.later.filter((one) => !sameSides(one, question));
+    return {state: {...logged, later: [...others, question]}};
+  }
+  return {
+    state: logged,
+    edit: parts
+      ? {kind: 'sewAll', seams: parts, exactly: true}
+      : {kind: 'sew', a, b, sameDirection},
+  };
+}
+
+function unanswered(state: SeamState): SeamState {
+  const log = state.log.slice(0, -1);
+  switch (state.log.at(-1)) {
+    case 'no':
+      return {...state, log, answered: state.answered.slice(0, -1)};
+    case 'skip':
+      return {...state, log, later: state.later.slice(0, -1)};
+    default:
+      return {...state, log};
+  }
 }
 
 function edited(
@@ -260,6 +317,7 @@ function edited(
     }),
     ...{isHeld: false, other: [], isTurned: false},
     answered: state.answered.flatMap(both),
+    later: state.later.flatMap(both),
     gathered,
   };
 }
@@ -305,8 +363,15 @@ export function afterEvent(
       const {edge, share, keeps} = event;
       return {state, edit: {kind: 'split', edge, share, keeps}};
     }
-    case 'suggest':
-      return {state: {...chosen(state, [], false), suggests: !state.suggests, answered: []}};
+    case 'suggest': {
+      if (state.suggests) return {state: {...nothingChosen}};
+      const darts = sewing.darts();
+      const begun = {...nothingChosen, suggests: true};
+      const edit = {kind: 'sewAll', seams: darts, exactly: true} as const;
+      return {state: begun, ...(darts.length > 0 && {edit})};
+    }
+    case 'unanswer':
+      return {state: unanswered(state)};
     case 'acceptAll':
       return {state, edit: {kind: 'sewAll', seams: sewing.sure()}};
     case 'next': {

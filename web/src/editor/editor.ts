@@ -174,8 +174,8 @@ export class Editor extends WorkbenchElement {
     this.addEventListener('sw-photo-wanted', (event) => void this.#toPhoto(event as PhotoWanted));
     this.addEventListener('sw-size-wanted', () => void this.#toSize());
     this.addEventListener('sw-sew-wanted', () => {
-      const {pattern} = this;
-      if (pattern?.tools.active !== 'sew') pattern?.tools.toggle('sew');
+      this.pattern?.tools.beginSewing();
+      this.show('pattern'); // who sews has to see the edges
       this.toPattern();
     });
     this.addEventListener('sw-grain-wanted', () => {

@@ -1,9 +1,10 @@
 /**
- * Lays pieces out on a sheet: as on the body if the garment has placements, otherwise on shelves.
+ * Lays pieces out on a sheet: as on the body if placements or names tell, otherwise on shelves.
  * Lengths in cm, y up.
  */
 import {minus, type Point} from '../model/geometry/vectors.js';
 import {boxOf} from '../model/geometry/polyline.js';
+import {placementsByName} from './by-name.js';
 import type {Pattern} from '../model/result/result.js';
 import type {SheetPlace} from '../model/geometry/sheet-place.js';
 import {
@@ -121,25 +122,26 @@ export function layOut(
   {boxes = boxesOf(pattern), isPacked = false}: LayoutChoice = {},
 ): Layout {
   const cells = cellsOf(boxes, spacing);
-  const arrangements =
-    placements && !isPacked && isPlaced(pattern, placements)
-      ? onBody(pattern, boxes, cells, placements, spacing.gap)
-      : onShelves(pattern, cells, spacing.gap);
+  const known = placements && isPlaced(pattern, placements);
+  const places = isPacked ? undefined : known ? placements : placementsByName(pattern);
+  const arrangements = places
+    ? onBody(pattern, boxes, cells, places, spacing.gap)
+    : onShelves(pattern, cells, spacing.gap);
   const size = ({block: {width, height}, merit}: Arrangement): number =>
     merit * Math.min(aspect / width, 1 / height);
   const {block} = arrangements.reduce((best, next) =>
     size(next) > size(best) * (1 + noise) ? next : best,
   );
   const turned = headDown(pattern, placements);
-  const places = boxes.map((): SheetPlace => ({offset: [0, 0]}));
+  const placed = boxes.map((): SheetPlace => ({offset: [0, 0]}));
   for (const {piece, at} of block.places) {
     const {low, width, height} = boxes[piece] ?? {low: [0, 0], width: 0, height: 0};
     const isTurned = turned[piece] ?? false;
     const [x, y] = isTurned ? [-low[0] - width, -low[1] - height] : low;
     const offset: Point = [at[0] - x, block.height - at[1] - height - y];
-    places[piece] = {offset, ...(isTurned && {isTurned})};
+    placed[piece] = {offset, ...(isTurned && {isTurned})};
   }
-  return {places, width: block.width, height: block.height};
+  return {places: placed, width: block.width, height: block.height};
 }
 
 /** A page for laying pieces out. Lengths are in pixels, and names keep their size at any scale. */

@@ -16,7 +16,8 @@ import {
 import type {EdgeOfPiece, GarmentPiece} from '../model/garment/garment-document.js';
 import {edgeLine} from '../model/garment/edge-curve.js';
 import {lengthOf, signedArea, stepAt} from '../model/geometry/polyline.js';
-import {wordsOf, type Words} from './words.js';
+import {dartsOf} from './darts.js';
+import {wordsOf, type Words} from '../model/garment/piece-words.js';
 
 /** Number of equal steps in a heading profile: fine enough for the S of a sleeve cap. */
 const profileSteps = 9;
@@ -42,6 +43,10 @@ export interface MeasuredEdge {
   /** Numbers of the previous and the next edge of the outline, in the list of all edges. */
   readonly before: number;
   readonly after: number;
+  /** As `before`, `after` and `corner` once the piece's darts are closed. */
+  readonly previous: number;
+  readonly next: number;
+  readonly angle: number;
   /** Notches as shares of the length, ascending. */
   readonly notches: readonly number[];
   readonly isOpen: boolean;
@@ -132,7 +137,7 @@ function edgesOfPiece(
   lines: readonly (readonly Point[])[],
   number: number,
   first: number,
-): MeasuredEdge[] {
+): OutlineEdge[] {
   const shapes = lines.map(shapeOf);
   const perimeter = shapes.reduce((sum, {length}) => sum + length, 0);
   const up = upOf(piece);
@@ -159,9 +164,31 @@ function edgesOfPiece(
   });
 }
 
+/** An edge as drafted, with open darts. */
+type OutlineEdge = Omit<MeasuredEdge, 'previous' | 'next' | 'angle'>;
+
+/** Adds the neighbours of each edge beyond closed darts. */
+function withClosedDarts(
+  edges: readonly OutlineEdge[],
+  pieces: readonly MeasuredPiece[],
+): readonly MeasuredEdge[] {
+  const all = edges.map((edge) => ({
+    ...edge,
+    ...{previous: edge.before, next: edge.after, angle: edge.corner},
+  }));
+  for (const [first, second] of dartsOf({edges, pieces})) {
+    const [before, after] = [all[all[first]?.previous ?? -1], all[all[second]?.next ?? -1]];
+    const leg = all[first];
+    if (!before || !after || !leg || before === after) continue;
+    after.angle += leg.angle;
+    [after.previous, before.next] = [leg.previous, all[second]?.next ?? before.next];
+  }
+  return all;
+}
+
 /** Measures all edges of a garment, piece by piece. */
 export function measured(pieces: readonly GarmentPiece[]): MeasuredGarment {
-  const edges: MeasuredEdge[] = [];
+  const edges: OutlineEdge[] = [];
   const seen = pieces.map((piece, number): MeasuredPiece => {
     const first = edges.length;
     const lines = piece.outline.map((edge) => edgeLine(edge));
@@ -174,5 +201,5 @@ export function measured(pieces: readonly GarmentPiece[]): MeasuredGarment {
     };
   });
   const total = seen.reduce((sum, {area}) => sum + area, 0);
-  return {edges, pieces: seen, scale: Math.sqrt(total)};
+  return {edges: withClosedDarts(edges, seen), pieces: seen, scale: Math.sqrt(total)};
 }

@@ -1,5 +1,6 @@
 /** Features of a pair of edges that ignore the seams of their neighbours. */
 import type {MeasuredEdge, MeasuredGarment} from './edges.js';
+import {nameFeatures} from './names.js';
 
 /** Gaussian weight of a difference: 1 at zero, 1/e at `width`. */
 export const near = (difference: number, width: number): number =>
@@ -80,19 +81,19 @@ export function featuresOf(
   if (!a || !b) return [];
   const [p, q] = [pieces[a.at.piece], pieces[b.at.piece]];
   const [rivalsA, rivalsB] = [rivals[i], rivals[j]];
-  const beside = [edges[a.before], edges[a.after], edges[b.before], edges[b.after]] as const;
+  const beside = [edges[a.previous], edges[a.next], edges[b.previous], edges[b.next]] as const;
   const [beforeA, afterA, beforeB, afterB] = beside;
   if (!p || !q || !rivalsA || !rivalsB || !beforeA || !afterA || !beforeB || !afterB) return [];
 
   const d = logRatio(a.length, b.length);
   const alike = unlikeness(a.profile, b.profile, 1);
   const opposite = unlikeness(a.profile, b.profile, -1);
-  const sum1 = a.corner + afterB.corner;
-  const sum2 = afterA.corner + b.corner;
+  const sum1 = a.angle + afterB.angle;
+  const sum2 = afterA.angle + b.angle;
   const straight1 = near(sum1 - Math.PI, cornerWidth);
   const straight2 = near(sum2 - Math.PI, cornerWidth);
-  const same1 = near(a.corner - afterB.corner, cornerWidth);
-  const same2 = near(afterA.corner - b.corner, cornerWidth);
+  const same1 = near(a.angle - afterB.angle, cornerWidth);
+  const same2 = near(afterA.angle - b.angle, cornerWidth);
   const d1 = logRatio(beforeA.length, afterB.length);
   const d2 = logRatio(afterA.length, beforeB.length);
   const next1 = near(d1, widths.eased);
@@ -147,6 +148,7 @@ export function featuresOf(
     Number(p.words.isSleeve && q.words.isSleeve),
     Number(p.words.isSleeve !== q.words.isSleeve),
     Number(p.material !== q.material),
+    ...nameFeatures(garment, a, b),
     ...orientations(a, b),
     logRatio(p.area, q.area),
     logArea,

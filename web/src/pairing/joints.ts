@@ -52,12 +52,12 @@ export function beliefsOf(
  */
 const closes = (angle: number, whole: number): number => near(angle - whole, 0.3);
 
-/** One end of a seam: the edges beside it, and the sum of both pieces' angles there. */
+/** One end of a seam: the edges beside it, and the angles of both pieces there. */
 interface SeamEnd {
   /** Edges beside the seam's first and second edge. */
   readonly a: number;
   readonly b: number;
-  readonly angle: number;
+  readonly angles: readonly [number, number];
   /** `a` begins at this end, so its partner ends here. */
   readonly begins: boolean;
 }
@@ -65,16 +65,17 @@ interface SeamEnd {
 /** Scores one end of a seam for each kind of joint that may close there. */
 function closings({garment: {edges}}: Surroundings, beliefs: Beliefs, end: SeamEnd): number[] {
   const {open, likely, likelihoods} = beliefs;
-  const {a, b, angle, begins} = end;
+  const {a, b, angles, begins} = end;
+  const angle = angles[0] + angles[1];
   const p = (i: number, j: number): number => likelihoods.values[i * likelihoods.size + j] ?? 0;
   /**
    * Next edge of a third piece at this joint, seen from a partner of `a`; `back` does the same for
    * `b`.
    */
-  const onwards = (k: number): number => (begins ? edges[k]?.after : edges[k]?.before) ?? k;
-  const back = (l: number): number => (begins ? edges[l]?.before : edges[l]?.after) ?? l;
-  const angleAt = (k: number): number => edges[begins ? onwards(k) : k]?.corner ?? 0;
-  const angleBack = (l: number): number => edges[begins ? l : back(l)]?.corner ?? 0;
+  const onwards = (k: number): number => (begins ? edges[k]?.next : edges[k]?.previous) ?? k;
+  const back = (l: number): number => (begins ? edges[l]?.previous : edges[l]?.next) ?? l;
+  const angleAt = (k: number): number => edges[begins ? onwards(k) : k]?.angle ?? 0;
+  const angleBack = (l: number): number => edges[begins ? l : back(l)]?.angle ?? 0;
   const openA = open[a] ?? 0;
   const openB = open[b] ?? 0;
   let [three, threeWhole, four, fourWhole, border] = [0, 0, 0, 0, 0];
@@ -98,8 +99,11 @@ function closings({garment: {edges}}: Surroundings, beliefs: Beliefs, end: SeamE
     border += p(b, m) * openA * (open[back(m)] ?? 0) * closes(angle + angleBack(m), Math.PI);
   }
   const free = openA * openB;
+  const straight = closes(angles[0], Math.PI) * closes(angles[1], Math.PI);
   return [
     p(a, b),
+    p(a, b) * straight,
+    free * straight,
     three,
     threeWhole,
     Math.min(1, four),
@@ -113,7 +117,7 @@ function closings({garment: {edges}}: Surroundings, beliefs: Beliefs, end: SeamE
 }
 
 /** Number of scores in `closings`. */
-const ways = 10;
+const ways = 12;
 const none: readonly number[] = Array.from({length: ways}, () => 0);
 
 const logit = (p: number): number =>
@@ -144,23 +148,23 @@ export function jointFeatures(
   const hasImage = ia >= 0 && ib >= 0;
   const isOwnImage = hasImage && ((ia === i && ib === j) || (ia === j && ib === i));
   const image = hasImage && !isOwnImage ? p(ia, ib) : 0;
-  const isApex = [a.after === j, a.before === j];
-  const afterA = edges[a.after]?.corner ?? 0;
-  const afterB = edges[b.after]?.corner ?? 0;
+  const isApex = [a.next === j, a.previous === j];
+  const afterA = edges[a.next]?.angle ?? 0;
+  const afterB = edges[b.next]?.angle ?? 0;
   const first = isApex[0]
     ? none
     : closings(surroundings, beliefs, {
-        a: a.after,
-        b: b.before,
-        angle: afterA + b.corner,
+        a: a.next,
+        b: b.previous,
+        angles: [afterA, b.angle],
         begins: true,
       });
   const last = isApex[1]
     ? none
     : closings(surroundings, beliefs, {
-        a: a.before,
-        b: b.after,
-        angle: a.corner + afterB,
+        a: a.previous,
+        b: b.next,
+        angles: [a.angle, afterB],
         begins: false,
       });
   const together =
@@ -176,7 +180,7 @@ export function jointFeatures(
     Number(hasImage && !isOwnImage),
     Number(isOwnImage),
     Math.min(3, Math.max(0, together - own)),
-    Number(a.after === b.before) + Number(a.before === b.after),
+    Number(a.next === b.previous) + Number(a.previous === b.next),
     beliefs.confirmed,
     ...first.map((one, k) => one + (last[k] ?? 0)),
     ...first.map((one, k) => Math.max(one, last[k] ?? 0)),

@@ -2,6 +2,7 @@
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {believed, candidatesOf, givenBeliefs, hopeful, type Candidates} from './candidates.js';
 import {measured, type MeasuredGarment} from './edges.js';
+import {rowOf} from './names.js';
 import {surroundingsOf} from './features.js';
 import type {Table} from './matching.js';
 import {mirrorEdges, withPartImages} from './mirror-edges.js';
@@ -28,6 +29,8 @@ const rounds = 3;
  * Added to the log odds that a sleeve is closed: the training garments had few one-piece sleeves.
  */
 const underarm = 5;
+/** Added to the log odds for neighbours in a numbered row, subtracted for others in it. */
+const inRow = 3;
 
 const known = new WeakMap<GarmentDocument, {readonly refused: Refused; readonly scores: Scores}>();
 
@@ -46,8 +49,54 @@ export function scoresOf(document: GarmentDocument, refused: Refused = []): Scor
 export const numberOf = ({pieces}: MeasuredGarment, {piece, edge}: EdgeOfPiece): number =>
   (pieces[piece]?.first ?? 0) + edge;
 
-function newScores({pieces, seams}: GarmentDocument, refused: Refused): Scores {
+/** Results that depend on the pieces alone, and not on their seams. */
+interface Shapes {
+  readonly garment: MeasuredGarment;
+  readonly images: Int32Array;
+  readonly candidates: Candidates;
+  /** One value for each candidate. */
+  readonly odds: readonly number[];
+}
+
+const shapes = new WeakMap<GarmentDocument['pieces'], Shapes>();
+
+function shapesOf(pieces: GarmentDocument['pieces']): Shapes {
+  const before = shapes.get(pieces);
+  if (before) return before;
   const garment = measured(pieces);
+  const {edges} = garment;
+  const wholes = mirrorEdges(garment); // the networks were trained with these images
+  const images = withPartImages(garment, wholes);
+  const candidates = candidatesOf(
+    surroundingsOf(garment, wholes),
+    (i, j) =>
+      edges[i]?.isOpen === false && edges[j]?.isOpen === false && !isOfTwins(garment, images, i, j),
+  );
+  const odds = weighed(candidates, unpacked(alone), candidates.features);
+  const found = {garment, images, candidates, odds};
+  shapes.set(pieces, found);
+  return found;
+}
+
+/** Returns the measured edges of a garment, and the mirror image of each edge, or -1. */
+export const imagesOf = ({pieces}: GarmentDocument): Pick<Shapes, 'garment' | 'images'> =>
+  shapesOf(pieces);
+
+/** Returns the log odds of all candidates. */
+const weighed = (
+  {pairs, surroundings: {garment}}: Candidates,
+  network: Network,
+  features: readonly (readonly number[])[],
+): readonly number[] =>
+  pairs.map(
+    ([i, j], k) =>
+      logOdds(network, features[k] ?? []) +
+      (isUnderarm(garment, i, j) ? underarm : 0) +
+      inRow * rowOf(garment, i, j),
+  );
+
+function newScores({pieces, seams}: GarmentDocument, refused: Refused): Scores {
+  const {garment, images, candidates: shaped, odds: shapedOdds} = shapesOf(pieces);
   const {edges} = garment;
   const pairOf = (a: EdgeOfPiece, b: EdgeOfPiece) =>
     [numberOf(garment, a), numberOf(garment, b)] as const;
@@ -56,28 +105,18 @@ function newScores({pieces, seams}: GarmentDocument, refused: Refused): Scores {
   for (const end of sewn.flat()) isFree[end] = 0;
   const keyOf = (i: number, j: number): number => Math.max(i, j) * edges.length + Math.min(i, j);
   const isNot = new Set(refused.map(([a, b]) => keyOf(...pairOf(a, b))));
-  const wholes = mirrorEdges(garment); // the networks were trained with these images
-  const images = withPartImages(garment, wholes);
-  const all = candidatesOf(
-    surroundingsOf(garment, wholes),
-    (i, j) =>
-      isFree[i] === 1 &&
-      isFree[j] === 1 &&
-      !isNot.has(keyOf(i, j)) &&
-      !isOfTwins(garment, images, i, j),
+  const isLeft = shaped.pairs.map(
+    ([i, j]) => isFree[i] === 1 && isFree[j] === 1 && !isNot.has(keyOf(i, j)),
   );
-  const [first, later] = [unpacked(alone), unpacked(given)];
-  const weighed = (
-    {pairs}: Candidates,
-    network: Network,
-    features: readonly (readonly number[])[],
-  ) =>
-    pairs.map(
-      ([i, j], k) =>
-        logOdds(network, features[k] ?? []) + (isUnderarm(garment, i, j) ? underarm : 0),
-    );
-  const firstOdds = weighed(all, first, all.features);
+  const left = <T>(list: readonly T[]): T[] => list.filter((_, k) => isLeft[k]);
+  const all: Candidates = {
+    surroundings: shaped.surroundings,
+    pairs: left(shaped.pairs),
+    features: left(shaped.features),
+  };
+  const firstOdds = left(shapedOdds);
   const candidates = hopeful(all, firstOdds);
+  const later = unpacked(given);
   let beliefs = believed(all, firstOdds, sewn);
   for (let round = 0; round < rounds; round++) {
     const odds = weighed(candidates, later, givenBeliefs(candidates, beliefs));

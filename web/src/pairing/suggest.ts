@@ -1,7 +1,8 @@
 /** Suggests seams: those that are almost certain, and those to be confirmed. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {edgeAt, meetsAtStarts, partnersIn, type PairingHooks} from './rank.js';
-import {numberOf, scoresOf} from './scores.js';
+import {dartsOf} from './darts.js';
+import {imagesOf, numberOf, scoresOf} from './scores.js';
 import {isPlain} from './sure.js';
 
 interface SuggestedSeam {
@@ -47,5 +48,19 @@ export function sureSeams(
   return likeliestSeams(document, sure, hooks).filter(({a, b}) => {
     const [one, other] = [a, b].map((edge) => garment.edges[numberOf(garment, edge)]);
     return one && other && isPlain(document, garment, one, other);
+  });
+}
+
+/** Returns the darts of a garment that are not sewn yet. */
+export function openDarts(
+  document: GarmentDocument,
+): readonly (readonly [EdgeOfPiece, EdgeOfPiece])[] {
+  const {garment} = imagesOf(document);
+  const sewn = new Set(
+    document.seams.flatMap(({a, b}) => [a, b].map((end) => numberOf(garment, end))),
+  );
+  return dartsOf(garment).flatMap(([first, second]) => {
+    const [a, b] = [garment.edges[first]?.at, garment.edges[second]?.at];
+    return a && b && !sewn.has(first) && !sewn.has(second) ? [[a, b] as const] : [];
   });
 }

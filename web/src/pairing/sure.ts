@@ -1,6 +1,7 @@
 /** Conditions, besides likelihood, for a seam that is added without a question. */
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import type {MeasuredEdge, MeasuredGarment} from './edges.js';
+import {sideOf} from './names.js';
 
 /** Least length of a seam. [cm] */
 const scrap = 2;
@@ -8,22 +9,6 @@ const scrap = 2;
 const most = {eased: 0.07, gathered: 0.3};
 /** Names of pieces that others are gathered onto, and of gathered pieces. */
 const gathers = /cuff|band|^wb|skirt|ruffle|frill|flounce|gather/i;
-/**
- * Greatest distance from the middle of a piece that is neither left nor right, as a share of its
- * width.
- */
-const middle = 0.05;
-
-/**
- * Returns 1 for an edge worn on the left, -1 on the right, and 0 if neither names nor places
- * decide. Pieces are face up.
- */
-function sideOf({pieces}: MeasuredGarment, {at, place: [across]}: MeasuredEdge): number {
-  const {side = 0, face = 0} = pieces[at.piece]?.words ?? {};
-  if (side !== 0) return side;
-  return Math.abs(across) > middle ? face * Math.sign(across) : 0;
-}
-
 /**
  * Halves of whole pieces are sewn on their own side; only left and right pieces meet at a centre.
  */

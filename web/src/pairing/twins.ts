@@ -4,10 +4,10 @@
  */
 import type {MeasuredGarment, MeasuredPiece} from './edges.js';
 
-/** Returns whether both are sleeves of the same face whose names allow opposite sides. */
+/** Returns whether both are sleeves or cuffs of the same face whose names allow opposite sides. */
 const areSleeves = ({words: one}: MeasuredPiece, {words: other}: MeasuredPiece): boolean =>
-  one.isSleeve &&
-  other.isSleeve &&
+  one.kind === other.kind &&
+  (one.isSleeve || one.kind === 'cuff') &&
   one.face === other.face &&
   one.side === (-other.side as typeof one.side);
 

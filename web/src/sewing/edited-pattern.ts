@@ -20,6 +20,8 @@ const places = [
 
 export class EdgeNames {
   readonly #names = new Map<string, string>();
+  readonly #pieces: readonly string[];
+  readonly #list: Intl.ListFormat;
   readonly #sew: SewTexts;
 
   constructor(
@@ -27,8 +29,11 @@ export class EdgeNames {
     scene: Pick<PatternScene, 'pieces'>,
     {lists}: Pick<Texts, 'lists'>,
     sew: SewTexts,
+    language = 'en',
   ) {
     this.#sew = sew;
+    this.#list = new Intl.ListFormat(language, {type: 'conjunction'});
+    this.#pieces = garment.pieces.map(({name}, piece) => scene.pieces[piece]?.label ?? name);
     for (const [piece, {outline, name}] of garment.pieces.entries()) {
       const {label = name, isTurned = false} = scene.pieces[piece] ?? {};
       const own = outline.map((drafted) => {
@@ -48,6 +53,12 @@ export class EdgeNames {
 
   of({piece, edge}: EdgeOfPiece): string {
     return this.#names.get(`${piece} ${edge}`) ?? '';
+  }
+
+  /** Names the pieces of a run. */
+  piecesOf(run: Run): string {
+    const pieces = [...new Set(run.map(({piece}) => piece))];
+    return this.#list.format(pieces.map((piece) => this.#pieces[piece] ?? ''));
   }
 
   ofRun(run: Run): string {

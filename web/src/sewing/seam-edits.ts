@@ -42,11 +42,16 @@ function sewn(document: GarmentDocument, {a, b, sameDirection}: Sewn): Edited {
   return after(first, (next) => sew(next, {a: otherA, b: otherB, sameDirection}));
 }
 
-function sewnAll(document: GarmentDocument, seams: readonly Suggestion[]): Edited {
+/** @param isExact omits the mirror images */
+function sewnAll(
+  document: GarmentDocument,
+  seams: readonly Suggestion[],
+  isExact: boolean,
+): Edited {
   return seams.reduce((done, {a, b, sameDirection}) => {
     const [one, other] = [a.flatMap(done.edgesOf), b.flatMap(done.edgesOf)];
     return isFree(done.document, [...one, ...other])
-      ? after(done, (next) => sewn(next, {a: one, b: other, sameDirection}))
+      ? after(done, (next) => (isExact ? sew : sewn)(next, {a: one, b: other, sameDirection}))
       : done;
   }, unchanged(document));
 }
@@ -118,7 +123,7 @@ export function editedBy(
     case 'sew':
       return sewn(document, edit);
     case 'sewAll':
-      return sewnAll(document, edit.seams);
+      return sewnAll(document, edit.seams, edit.exactly === true);
     case 'join':
       return joined(document, edit);
     case 'split':

@@ -1,25 +1,38 @@
 /** Texts of the sewing tool on choices, questions and refusals. */
 import {has, type Run} from '../clicks/run.js';
-import {questionOf, type SeamState, type Sewing, type Suggestion} from '../clicks/seam-tool.js';
+import {
+  questionOf,
+  type SeamState,
+  type Sewing,
+  type SuggestedSeam,
+  type Suggestion,
+} from '../clicks/seam-tool.js';
 import {edgeOf, isOpen, seamAt, sideLength, twinOf} from '../model/garment/edits.js';
 import type {Format} from '../texts/format.js';
 import type {SewTexts} from '../texts/sew-texts.js';
+import type {Texts} from '../texts/texts.js';
 import type {EdgeNames} from './edited-pattern.js';
 import {allEdges} from './sewing.js';
 import {easeOf} from './seam-edits.js';
 
 /** Smaller ease does not matter in sewing. [cm] */
 const leastEase = 0.05;
+/** Ease from which it is given as a length. [cm] */
+const mostFine = 2;
 
 export interface Speech {
   readonly names: EdgeNames;
   readonly sew: SewTexts;
   readonly format: Format;
+  /** Names of the places of seams. */
+  readonly places: Texts['places'];
 }
 
 const easeWords = ({garment}: Sewing, a: Run, b: Run, {sew, format}: Speech): string => {
   const {cm} = easeOf(garment, a, b);
-  return cm < leastEase ? sew.noEase : sew.ease(format.fine(cm));
+  return cm < leastEase
+    ? sew.noEase
+    : sew.ease(cm < mostFine ? format.fine(cm) : format.length(cm));
 };
 
 /** Capitalizes the start of a sentence. */
@@ -81,7 +94,8 @@ function runWords(state: SeamState, sewing: Sewing, speech: Speech): string {
   return [said, next, isTurned ? sew.turned : ''].filter((text) => text !== '').join(' ');
 }
 
-function questionWords(state: SeamState, sewing: Sewing, {sew, names, format}: Speech): string {
+function questionWords(state: SeamState, sewing: Sewing, speech: Speech): string {
+  const {sew, names, format} = speech;
   const question = questionOf(state, sewing);
   if (question?.kind === 'gathered') {
     const seam = sewing.garment.seams[question.seams[0] ?? -1];
@@ -90,11 +104,25 @@ function questionWords(state: SeamState, sewing: Sewing, {sew, names, format}: S
     const {instead} = question;
     return instead ? `${asked} ${sew.orJoined(names.ofRun(instead.a))}` : asked;
   }
-  const sure = sewing.sure().length;
-  const asked = question
-    ? sew.isSewn(names.ofRun(question.a), names.ofRun(question.b))
-    : sew.nothingSure;
-  return sure > 0 ? `${sew.sure(sure)} ${asked}` : asked;
+  return question ? seamQuestion(question, sewing, speech) : sew.nothingSure;
+}
+
+/** "Side seams: sew Skirt front to Skirt back? 67 cm, ease 2 mm." */
+function seamQuestion(question: SuggestedSeam, sewing: Sewing, speech: Speech): string {
+  const {sew, names, places, format} = speech;
+  const {a, b, place = 'other', isPaired = false} = question;
+  const [from, to] = [names.piecesOf(a), names.piecesOf(b)];
+  const lengths = `${format.length(sideLength(sewing.garment, a))}, ${easeWords(sewing, a, b, speech)}.`;
+  if (place === 'other') {
+    const asked =
+      a.length + b.length > 2 || from === to
+        ? sew.asksPieces(from, to)
+        : sew.isSewn(names.ofRun(a), names.ofRun(b));
+    return `${asked} ${lengths}`;
+  }
+  const where = capital(isPaired ? places[place].many : places[place].one);
+  const asked = from === to ? sew.asksItself(where, from) : sew.asks(where, from, to);
+  return `${asked} ${lengths}`;
 }
 
 export function seamWords(state: SeamState, sewing: Sewing, speech: Speech): string {

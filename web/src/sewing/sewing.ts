@@ -1,15 +1,23 @@
 /** A garment in the sewing tool: matching edges, computed once per garment and answer. */
 import {has, type Run} from '../clicks/run.js';
-import type {Candidate, Sewing, Suggestion} from '../clicks/seam-tool.js';
+import {
+  sameSides,
+  type Candidate,
+  type Sewing,
+  type SuggestedSeam,
+  type Suggestion,
+} from '../clicks/seam-tool.js';
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {edgeOf, isOpen, seamAt, sideLength} from '../model/garment/edits.js';
 import {rankPartners} from '../pairing/rank.js';
 import {likeliestSides} from '../pairing/sides.js';
-import {likeliestSeams, sureSeams} from '../pairing/suggest.js';
+import {openDarts, sureSeams} from '../pairing/suggest.js';
+import {wholeSeams, type Parts, type WholeSeam} from '../pairing/whole-seams.js';
+import {wordsOf} from '../model/garment/piece-words.js';
 import {lastOf} from '../model/base/last-of.js';
 
 /** Least likelihood of a seam in a question. */
-const leastLikely = 0.15;
+const leastLikely = 0.5;
 /** Least likelihood of a partner that the tool names. */
 const leastNamed = 0.3;
 /** Greatest number of displayed candidates, which have keys. */
@@ -38,16 +46,40 @@ function byLength(garment: GarmentDocument, run: Run): readonly Candidate[] {
 const pairsOf = ({a: [a, ...moreA], b: [b, ...moreB]}: Suggestion) =>
   a && b && moreA.length + moreB.length === 0 ? [[a, b] as const] : [];
 
+/** Returns the pairs of a suggestion: the parts of a whole seam, without its mirror images. */
+const refusedPairs = (one: SuggestedSeam) => (one.parts ?? [one]).flatMap(pairsOf);
+
 const sameRun = (one: Run, other: Run): boolean =>
   one.length === other.length && one.every((edge) => has(other, edge));
 
-const sameSides = (one: Suggestion, other: Suggestion): boolean =>
-  (sameRun(one.a, other.a) && sameRun(one.b, other.b)) ||
-  (sameRun(one.a, other.b) && sameRun(one.b, other.a));
+/** Kinds of pieces that one edge of is sewn around several others. */
+const rings: ReadonlySet<string | undefined> = new Set([
+  'sleeve',
+  'cuff',
+  'collar',
+  'hood',
+  'band',
+]);
+
+const sewnPair = ([a, b]: Parts[number], sameDirection: boolean): Suggestion => ({
+  ...{a: [a], b: [b], sameDirection},
+});
+
+/** Returns a whole seam as a question. */
+function asked({parts, images, place, sameDirection}: WholeSeam): SuggestedSeam {
+  const b = parts.map(([, other]) => other);
+  return {
+    a: parts.map(([one]) => one),
+    b: sameDirection ? b : b.reverse(),
+    ...{sameDirection, place},
+    parts: [...parts, ...images].map((pair) => sewnPair(pair, sameDirection)),
+    isPaired: images.length > 0,
+  };
+}
 
 /** @param refused pairs of sides that the user rejected */
-export function sewingOf(garment: GarmentDocument, refused: readonly Suggestion[]): Sewing {
-  const hooks = {refused: refused.flatMap(pairsOf)};
+export function sewingOf(garment: GarmentDocument, refused: readonly SuggestedSeam[]): Sewing {
+  const hooks = {refused: refused.flatMap(refusedPairs)};
   const isLeft = (one: Suggestion): boolean => !refused.some((other) => sameSides(one, other));
   const sides = lastOf((): readonly Candidate[] =>
     likeliestSides(garment, hooks)
@@ -76,18 +108,25 @@ export function sewingOf(garment: GarmentDocument, refused: readonly Suggestion[
     );
     return [...more, ...single].sort((one, other) => other.p - one.p).slice(0, mostCandidates);
   });
-  const likeliest = lastOf(() => {
-    const [single] = likeliestSeams(garment, leastLikely, hooks);
-    const [side] = sides();
-    if (side && side.p >= leastLikely && side.p > (single?.p ?? 0)) return side;
-    return single && sided(single);
+  const darts = lastOf(() => openDarts(garment).map((pair) => sewnPair(pair, false)));
+  /** Sleeves and bands that are set in as a ring. */
+  const ringed = (): readonly SuggestedSeam[] =>
+    sides()
+      .filter(({b: [edge], p}) => {
+        const name = garment.pieces[edge?.piece ?? -1]?.name ?? '';
+        return p >= leastLikely && rings.has(wordsOf(name).kind);
+      })
+      .slice(0, 1);
+  const questions = lastOf((): readonly SuggestedSeam[] => {
+    const whole = wholeSeams(garment, leastLikely, hooks).map(asked);
+    return whole.length > 0 ? whole : ringed();
   });
   const sure = lastOf(() => sureSeams(garment, hooks).map(sided));
   const best = (run: Run): Candidate | undefined => {
     const [first] = candidates(run);
     return first && first.p >= leastNamed ? first : undefined;
   };
-  return {garment, candidates, best, sure, likeliest, order: allEdges(garment)};
+  return {garment, candidates, best, sure, darts, questions, order: allEdges(garment)};
 }
 
 /** Returns a suggestion with one edge on each side. */

@@ -177,7 +177,10 @@ export class PatternPane extends PatternDrawing {
     const {garment} = this.workbench.solving;
     if (!garment || beginnings === this.#welcomed || this.purpose !== 'edit') return;
     this.#welcomed = beginnings;
-    if (garment.seams.length === 0 && this.tools.active !== 'sew') this.tools.toggle('sew');
+    if (garment.seams.length > 0) return;
+    void this.updateComplete.then(() => {
+      this.dispatchEvent(new Event('sw-sew-wanted', {bubbles: true, composed: true}));
+    });
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {

@@ -1,5 +1,5 @@
 /** Progress of sewing, actions for the chosen run, and answers to an open question. */
-import {css, html, nothing, type TemplateResult} from 'lit';
+import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {SeamEvent, SeamState} from '../../clicks/seam-tool.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
@@ -50,24 +50,92 @@ export class SewBar extends WorkbenchElement {
         display: flex;
         gap: var(--sw-space-1);
       }
+      figure {
+        position: relative;
+        margin: 0 0 var(--sw-space-1);
+        border-radius: var(--sw-radius);
+        background: var(--sw-ground);
+        overflow: hidden;
+      }
+      svg {
+        display: block;
+        width: 100%;
+        height: clamp(5.5rem, 16vh, 9rem);
+      }
+      .side {
+        position: absolute;
+        left: var(--sw-space-2);
+        max-width: 45%;
+        color: var(--sw-soft);
+        font-size: var(--sw-text);
+        line-height: 1.2;
+      }
+      .side:first-of-type {
+        top: var(--sw-space-1);
+      }
+      .side:last-of-type {
+        bottom: var(--sw-space-1);
+      }
+      svg path {
+        fill: none;
+        stroke-linejoin: round;
+        vector-effect: non-scaling-stroke;
+      }
+      svg .piece {
+        fill: var(--sw-paper);
+        stroke: var(--sw-strong-line);
+      }
+      svg .edge {
+        stroke: var(--sw-accent);
+        stroke-width: 3;
+      }
+      svg .tie {
+        stroke: var(--sw-accent);
+        stroke-width: 1.5;
+        stroke-dasharray: 3 3;
+      }
     `,
   ];
 
   protected override render(): TemplateResult {
     const {chooser} = this;
     const {sew} = chooser;
-    return html`<div class="bar" role="group" aria-label=${sew.actions}>
-      <span class="count">${chooser.countWords()}</span>
-      ${this.#question()} ${this.#ofRun()} ${this.#button(sew.next, {type: 'next'}, 'N')}
-      <button
-        class="outlined"
-        aria-pressed=${this.state.suggests}
-        title="${sew.suggest} (Q)"
-        @click=${this.#sending({type: 'suggest'})}
-      >
-        ${sew.suggest}
-      </button>
-    </div>`;
+    return html`${this.#picture()}
+      <div class="bar" role="group" aria-label=${sew.actions}>
+        <span class="count">${this.#count()}</span>
+        ${this.#question()} ${this.#ofRun()}
+        ${chooser.question ? nothing : this.#button(sew.next, {type: 'next'}, 'N')}
+        <button
+          class="outlined"
+          aria-pressed=${this.state.suggests}
+          title="${sew.suggest} (Q)"
+          @click=${this.#sending({type: 'suggest'})}
+        >
+          ${sew.suggest}
+        </button>
+      </div>`;
+  }
+
+  /** Progress of the questions, or the number of sewn edges. */
+  #count(): string {
+    const {chooser} = this;
+    const {progress} = chooser;
+    return progress ? chooser.sew.progress(progress.present, progress.all) : chooser.countWords();
+  }
+
+  /** Both sides of the seam in question. */
+  #picture(): TemplateResult | typeof nothing {
+    const {picture, sides, sew} = this.chooser;
+    if (!picture) return nothing;
+    const lines = (look: string, paths: readonly string[]) =>
+      paths.map((path) => svg`<path class=${look} d=${path}></path>`);
+    return html`<figure>
+      <svg viewBox=${picture.box.join(' ')} role="img" aria-label=${sew.picture}>
+        ${lines('piece', picture.pieces)} ${lines('tie', picture.ties)}
+        ${lines('edge', picture.edges)}
+      </svg>
+      ${sides.map((name) => html`<span class="side">${name}</span>`)}
+    </figure>`;
   }
 
   /** Buttons for answers, and for all certain seams at once. */
@@ -77,22 +145,37 @@ export class SewBar extends WorkbenchElement {
     const {state} = this;
     const sure = state.suggests ? (chooser.sewing?.sure().length ?? 0) : 0;
     return html`${
-      sure > 0 && state.run.length === 0
-        ? this.#button(sew.acceptAll(sure), {type: 'acceptAll'}, 'A')
-        : nothing
-    }
-    ${
       question
         ? html`${this.#button(sew.yes, {type: 'yes'}, 'Y', 'primary')}
           ${this.#button(sew.no, {type: 'no'}, 'N')}
-          ${question.kind === 'seam' ? this.#button(sew.skip, {type: 'skip'}, 'S') : nothing}
+          ${question.kind === 'seam' ? this.#button(sew.skip, {type: 'skip'}, 'L') : nothing}
           ${
             question.kind === 'gathered' && question.instead
               ? this.#button(sew.join, {type: 'join'}, 'M')
               : nothing
           }`
         : nothing
+    }
+    ${state.suggests && state.log.length > 0 && state.run.length === 0 ? this.#back() : nothing}
+    ${
+      sure > 0 && state.run.length === 0
+        ? this.#button(sew.acceptAll(sure), {type: 'acceptAll'}, 'A')
+        : nothing
     }`;
+  }
+
+  /** Takes the last answer back. */
+  #back(): TemplateResult {
+    const {sew} = this.chooser;
+    return html`<button
+      class="outlined"
+      title="${sew.back} (B)"
+      @click=${() => {
+        this.chooser.unanswer();
+      }}
+    >
+      ${sew.back}
+    </button>`;
   }
 
   /** Buttons for the chosen run. */

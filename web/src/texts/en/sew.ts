@@ -34,8 +34,14 @@ export const sew = {
   sure: text(
     '{count, plural, =1 {One seam is almost certain.} other {# seams are almost certain.}}',
   ),
-  nothingSure: 'Nothing more to suggest.',
+  nothingSure: 'No further seam is likely. Click an edge to sew it yourself; the rest stays open.',
   isSewn: text('Is {one} sewn to {other}?'),
+  /** A question about a whole seam: `place` begins the sentence, such as "Side seams". */
+  asks: text('{place}: sew {one} to {other}?'),
+  /** The same of two edges of one piece. */
+  asksItself: text('{place}: sew {piece} to itself?'),
+  /** The same without a name of the place. */
+  asksPieces: text('Sew {one} to {other}?'),
   gathered: text(
     'One side is {share} longer ({length}). Is it gathered, so the print need not match?',
   ),
@@ -58,11 +64,15 @@ export const sew = {
     preview: text('Sew to {edge}, {ease}: tap it.'),
     sewnTo: text('Sewn to {edge}, {ease}.'),
   },
-  suggest: 'Suggest',
+  suggest: 'Suggest seams',
   acceptAll: text('Accept all {count, number}'),
   yes: 'Yes',
   no: 'No',
-  skip: 'Skip',
+  skip: 'Later',
+  back: 'Back',
+  /** Number of the present question, and of all. */
+  progress: text('{present, number} of {all, number}'),
+  picture: 'Both sides of the seam, as sewn',
   sewIt: 'Sew',
   turn: 'Turn',
   join: 'Join with the next edge',
@@ -86,7 +96,10 @@ export const sew = {
     ['Delete', 'Unpick the seam'],
     ['U', 'Undo'],
     ['M', 'Join the shorter side with its next edge, not gathered'],
-    ['Q', 'Suggestions: Y, N or S answers; A accepts all'],
+    [
+      'Q',
+      'Questions about seams, answered by Y, N or L (later); B takes the last answer back, A accepts all certain ones',
+    ],
   ] as readonly (readonly [key: string, meaning: string])[],
 };
 

@@ -31,6 +31,7 @@ import type {Workbench} from '../workbench.js';
 import {EdgeNames, editedPattern, nearestNotch} from '../../sewing/edited-pattern.js';
 import {editedBy, newGathers} from '../../sewing/seam-edits.js';
 import {partMarks, seamMarks, type Part} from '../../sewing/seam-marks.js';
+import {seamPicture, type SeamPicture} from '../../sewing/seam-picture.js';
 import {countWords, edgeWords, seamWords, type Speech} from '../../sewing/seam-words.js';
 import {sewingOf} from '../../sewing/sewing.js';
 
@@ -60,6 +61,7 @@ export class SeamChooser {
   readonly #names = lastOf(
     (...given: ConstructorParameters<typeof EdgeNames>) => new EdgeNames(...given),
   );
+  readonly #picture = lastOf(seamPicture);
   #latest = nothingChosen;
   /** The garment that `#latest` belongs to. */
   #garment: DesignGarment | undefined;
@@ -84,10 +86,13 @@ export class SeamChooser {
   get state(): SeamState {
     const garment = this.#workbench.history.design?.garment;
     if (garment !== this.#garment) {
-      const {suggests} = this.#latest;
+      const isSame = this.#latest.suggests && garment?.name === this.#garment?.name;
+      const {suggests, answered, later, log} = this.#latest;
+      // a seam that the history took back was the last *yes*
+      const last = log.lastIndexOf('yes');
       this.#latest = {
         ...nothingChosen,
-        suggests: suggests && garment?.name === this.#garment?.name,
+        ...(isSame && {suggests, answered, later, log: log.filter((_, k) => k !== last)}),
       };
       this.#garment = garment;
       this.#hovered = undefined;
@@ -138,6 +143,42 @@ export class SeamChooser {
     return true;
   }
 
+  /** Progress of the questions: the number of the present one, and that of all. */
+  get progress(): {readonly present: number; readonly all: number} | undefined {
+    const {sewing, question, state} = this;
+    if (!sewing || question?.kind !== 'seam') return undefined;
+    const answers = state.log.filter((answer) => answer !== 'skip').length;
+    return {present: answers + 1, all: answers + sewing.questions().length};
+  }
+
+  /** The sides of the seam in question, face to face. */
+  get picture(): SeamPicture | undefined {
+    const {sewing, question} = this;
+    return sewing && question?.kind === 'seam'
+      ? this.#picture(sewing.garment, question)
+      : undefined;
+  }
+
+  /** Names of the pieces on both sides of the seam in question. */
+  get sides(): readonly string[] {
+    const {sewing, question} = this;
+    if (!sewing || question?.kind !== 'seam') return [];
+    const {names} = this.#own(sewing);
+    return [question.a, question.b].map((run) => names.piecesOf(run));
+  }
+
+  /** Starts the questions, unless they are open already. */
+  ask(): void {
+    if (!this.state.suggests) this.send({type: 'suggest'});
+  }
+
+  /** Takes the last answer back. */
+  unanswer(): void {
+    const {log} = this.state;
+    if (log.at(-1) === 'yes') this.#workbench.history.undo();
+    else this.send({type: 'unanswer'});
+  }
+
   /** Each change is one separate step of the history. */
   #take(edit: SeamEdit, {garment: before}: Sewing): void {
     const {design} = this.#workbench.history;
@@ -152,6 +193,8 @@ export class SeamChooser {
     const {document, edgesOf} = edited;
     const isSewing = edit.kind === 'sew' || edit.kind === 'sewAll';
     const gathered = isSewing ? newGathers(before, document) : [];
+    // the question of a whole seam gives its ease, so that gathers need no further one
+    const isAsked = edit.kind === 'sewAll' && edit.exactly === true;
     const {options, ...change} = designAfter(design, before, edited);
     const unmatched = [...(options.unmatched ?? []), ...gathered];
     const next = {...change, options: gathered.length > 0 ? {...options, unmatched} : options};
@@ -159,7 +202,10 @@ export class SeamChooser {
     this.#hovered = undefined;
     this.#workbench.edit(next, document, editedPattern(pattern, edited));
     const kept = edit.kind === 'split' ? {keeps: edit.keeps} : {};
-    const event = {type: 'edited', edgesOf, gathered, ...kept} as const;
+    const event = {
+      ...({type: 'edited', edgesOf} as const),
+      ...{gathered: isAsked ? [] : gathered, ...kept},
+    };
     const answer = afterEvent(this.#latest, event, this.#sewing(document, []));
     if (answer) this.#latest = answer.state;
   }
@@ -307,9 +353,11 @@ export class SeamChooser {
 
   #speech({garment}: Sewing, texts: Texts, format: Format): Speech {
     const scene = this.#workbench.sheet.scenes?.now ?? {pieces: []};
-    const file = this.#workbench.history.design?.garment.name ?? '';
-    const named = withSampleNames(garment, file, texts);
-    return {names: this.#names(named, scene, texts, this.#sew), sew: this.#sew, format};
+    const {history, preferences} = this.#workbench;
+    const {language} = preferences.chosen;
+    const named = withSampleNames(garment, history.design?.garment.name ?? '', texts);
+    const names = this.#names(named, scene, texts, this.#sew, language);
+    return {names, sew: this.#sew, format, places: texts.places};
   }
 }
 

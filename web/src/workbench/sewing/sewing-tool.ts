@@ -61,6 +61,10 @@ const answers: Readonly<Record<string, Act>> = {
   y: send({type: 'yes'}),
   n: send({type: 'no'}),
   s: send({type: 'skip'}),
+  l: send({type: 'skip'}),
+  b: (chooser) => {
+    chooser.unanswer();
+  },
   m: send({type: 'join'}),
 };
 

@@ -56,6 +56,8 @@ export class PatternTools {
   #own: OwnTool | undefined;
   /** The sewing tool in one language, loaded at first use. */
   #sewing: {readonly language: string; readonly tool: SewingTool | undefined} | undefined;
+  /** The sewing tool asks its questions as soon as it is loaded. */
+  #asks = false;
   #byPoints = false;
   /** The part that a press would keep or release. */
   #pointed: Picked | undefined;
@@ -86,6 +88,7 @@ export class PatternTools {
 
   toggle(tool: Tool): void {
     if (this.isFixed || (tool === 'sew' && tool !== this.#own && !this.canSew)) return;
+    this.#asks = false;
     if (isOwn(tool)) {
       this.chooser.leave();
       this.grain.begin();
@@ -97,6 +100,13 @@ export class PatternTools {
       this.#byPoints = tool === 'axis';
     }
     this.#changed();
+  }
+
+  /** Starts the sewing tool for a garment without seams, with questions about likely seams. */
+  beginSewing(): void {
+    if (this.active !== 'sew') this.toggle('sew');
+    this.#asks = true;
+    this.sewing?.chooser.ask();
   }
 
   /** The sewing tool, if it is active and loaded. */
@@ -113,6 +123,7 @@ export class PatternTools {
       const {sewingTool} = await import('../sewing/sewing-tool.js');
       const tool = await sewingTool(this.#workbench, this.#changed);
       this.#sewing = {language, tool};
+      if (this.#asks) tool.chooser.ask();
     } catch (error) {
       this.#sewing = this.#own = undefined;
       this.#workbench.notices.say({tone: 'error', text: toFailure(error).message});
