@@ -10,7 +10,18 @@ import {draftedSquare} from '../../support/garments/documents.js';
 type Edge = readonly [piece: number, edge: number];
 
 /** Kinds of joints in the order of their features, which begin with number 11. */
-const kinds = ['beside', 'three', 'threeWhole', 'four', 'fourWhole', 'border', 'free', 'straight'];
+const kinds = [
+  'beside',
+  'besideStraight',
+  'freeStraight',
+  'three',
+  'threeWhole',
+  'four',
+  'fourWhole',
+  'border',
+  'free',
+  'straight',
+];
 
 /** Scores of both ends of a pair of edges, added up, if these seams and no others are known. */
 function joints(

@@ -87,7 +87,7 @@ export const drapeReasons = [
 ] as const;
 
 /** Reason of a failure within its code. */
-export type FailureReason =
+type FailureReason =
   SymmetryReason | PhotoFault | (typeof layReasons)[number] | (typeof drapeReasons)[number];
 
 /** A failure as plain data that can be posted between threads. */
