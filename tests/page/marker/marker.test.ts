@@ -357,7 +357,7 @@ it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}
   await expect.poll(() => pane(page).locator('.piece').count()).toBe(3);
   await expect
     .poll(() => status(page))
-    .toBe('Sleeve left is off the fabric; packing brings it back.');
+    .toBe('Sleeve left is off the fabric; Pack again brings it back.');
   await expect.poll(() => rowOf(page, 'Sleeve left').textContent()).toMatch(/not on the fabric/);
   // the length to buy is still unknown
   await expect.poll(() => bought(page)).toBe('1 piece does not lie yet');

@@ -89,23 +89,23 @@ std::optional<Note> doubtAbout(const DrapeCheck& check, const Fabric& fabric) {
     return decimal(static_cast<std::int64_t>(std::nearbyint(value)));
   };
   if (check.tension.p99 > fabric.stiff_from + kOverstretched)
-    return Note{
-        "drapeStretched",
-        "The garment is too small for its form, or sewn wrongly: its cloth would be stretched by " +
-            whole(100 * check.tension.p99) + " %.",
-        {},
-        {},
-        {check.tension.p99}};
+    return Note{"drapeStretched",
+                "The garment is too small for its form, or sewn wrongly: its fabric would be "
+                "stretched by " +
+                    whole(100 * check.tension.p99) + " %.",
+                {},
+                {},
+                {check.tension.p99}};
   if (check.depth > kVisiblyInside)
     return Note{"drapeForm",
-                "The form comes through the cloth by " + whole(1000 * check.depth) +
+                "The form comes through the fabric by " + whole(1000 * check.depth) +
                     " mm: look at how the pieces are sewn and where they hang.",
                 {},
                 {},
                 {100 * check.depth}};
   if (check.crossings > kFewCrossings)
     return Note{"drapeCrossings",
-                "The cloth passes through itself at " + decimal(check.crossings) + " places.",
+                "The fabric passes through itself at " + decimal(check.crossings) + " places.",
                 {},
                 {},
                 {static_cast<double>(check.crossings)}};

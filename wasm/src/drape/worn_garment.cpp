@@ -103,7 +103,8 @@ std::optional<Error> tooMuchCloth(const Pattern& pattern) {
   if (area <= kMostCloth) return std::nullopt;
   return Error{Failure::kNotAGarment,
                "The garment takes " + decimal(static_cast<std::int64_t>(area)) +
-                   " m2 of cloth, more than the " + decimal(static_cast<std::int64_t>(kMostCloth)) +
+                   " m2 of fabric, more than the " +
+                   decimal(static_cast<std::int64_t>(kMostCloth)) +
                    " m2 that can be draped; check the units of its file.",
                -1, -1, "drapeTooLarge"};
 }

@@ -83,7 +83,7 @@ Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
   if (local > kLocal) {
     return fault(
         "uneven",
-        "the print repeats in the middle of the picture only, the cloth does not lie flat: smooth "
+        "the print repeats in the middle of the picture only, the fabric does not lie flat: smooth "
         "it out and photograph it again");
   }
   return fault(

@@ -135,7 +135,7 @@ bool Photo::fitFields() {
                      "the same spot of neighbouring motifs",
                      -1, -1, "misplaced"}
              : Error{Failure::kPicture,
-                     "the cloth does not lie flat: smooth it out and photograph it again", -1, -1,
+                     "the fabric does not lie flat: smooth it out and photograph it again", -1, -1,
                      "uneven"});
     return false;
   }

@@ -11,7 +11,7 @@ export interface ModuleFailure {
   readonly message: string;
   readonly piece: number;
   readonly seam: number;
-  /** Reason as a code (`FailureReason`), or empty. */
+  /** Reason as a code (`Failure.reason`), or empty. */
   readonly reason: string;
 }
 
