@@ -2,7 +2,14 @@
  * Results that cannot be draped: an error, or a drape with a note about its fault; the next drape
  * works.
  */
-import {drape, solve, type DrapeSettings, type ResultPiece, type SolveResult} from 'seamwise/node';
+import {
+  drape,
+  solve,
+  type SolverError,
+  type DrapeSettings,
+  type ResultPiece,
+  type SolveResult,
+} from 'seamwise/node';
 import {beforeAll, describe, expect, it} from 'vitest';
 
 import {sampleOf} from '../../support/level.js';
@@ -59,7 +66,7 @@ const times =
 
 const nowhere = {translation: [0, 0, 0], rotation: [0, 0, 0]};
 
-const refused: readonly [string, Change, string][] = [
+const refused: readonly [string, Change, string, reason?: string][] = [
   [
     'made before garments were worn',
     eachPiece(() => ({placement: undefined})),
@@ -69,23 +76,35 @@ const refused: readonly [string, Change, string][] = [
     'of panels that are all at 0 and not sewn',
     (result) => ({...eachPiece(() => ({placement: nowhere}))(result), seams: []}),
     "No seam joins piece 'back' to the others",
+    'drapeUnsewn',
   ],
   ['without a number', movedBy(NaN), 'write a number'],
   ['1e6 cm up', movedBy(1e6), 'is beyond 10000'],
-  ['10 m up', movedBy(1000), 'is placed far from any body'],
+  ['10 m up', movedBy(1000), 'is placed far from any body', 'drapeFar'],
   ['of pieces of 1e6 cm', larger(1e4), 'is beyond 10000 cm'],
-  ['in the wrong unit', larger(10), 'm2 of fabric, more than the 20 m2 that can be draped'],
-  ['of 200 pieces', times(50), 'm2 of fabric, more than the 20 m2 that can be draped'],
+  [
+    'in the wrong unit',
+    larger(10),
+    'm2 of fabric, more than the 20 m2 that can be draped',
+    'drapeTooLarge',
+  ],
+  [
+    'of 200 pieces',
+    times(50),
+    'm2 of fabric, more than the 20 m2 that can be draped',
+    'drapeTooLarge',
+  ],
   ['cut to nothing', eachPiece(({shape}) => ({shape: shape.map(() => [0, 0])})), 'no area as cut'],
 ];
 
 describe('refuses in one sentence a result', () => {
-  it.each(refused)('%s', async (_, change, sentence) => {
+  it.each(refused)('%s', async (_, change, sentence, reason) => {
     const failure = await drape(JSON.stringify(change(tee))).then(
       () => undefined,
-      (error: unknown) => error as Error,
+      (error: unknown) => error as SolverError,
     );
     expect(failure?.message).toContain(sentence);
+    expect(failure?.reason).toBe(reason);
     expect(failure?.message).toMatch(/^[^`\n]*\.$/);
     expect(failure?.message.match(/\. /g)).toBeNull();
   });

@@ -107,7 +107,9 @@ describe('a garment on its print', () => {
     expect(plan.phases).toHaveLength(8);
     const lengths = plan.phases.map(({lengthCm}) => lengthCm ?? Infinity);
     expect(Math.min(...lengths)).toBeCloseTo(plan.lengthCm, 6);
-    expect(plan.notes.join()).toMatch(/\d+ to \d+ cm, depending on where the print starts at the selvedge/);
+    expect(plan.notes.join()).toMatch(
+      /\d+ to \d+ cm, depending on where the print starts at the selvedge/,
+    );
   });
 
   it('is laid in copies, with others, and with naps', async () => {
@@ -194,6 +196,13 @@ describe('folded cloth', () => {
     await expect(marker([single], wide)).rejects.toThrow(
       /^front is 32.0 cm wide, .* between selvedge and fold; folded fabric has to be at least 66.2 cm wide/,
     );
+  });
+
+  it('names the piece and the reason of an impossible layout', async () => {
+    const narrow = {...usual, widthCm: 30};
+    await expect(
+      marker([resultOf(print, [rectangle('front', 30, 40)])], narrow),
+    ).rejects.toMatchObject({code: 'options', piece: 0, reason: 'layTooWide'});
   });
 });
 
