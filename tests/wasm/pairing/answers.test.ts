@@ -8,12 +8,12 @@ import {basename} from 'node:path';
 import {readGarment} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {readDrawing} from '@/formats/read-drawing.js';
-import {defaultChoices, garmentOf} from '@/formats/to-garment.js';
+import {readDrawing} from '@/files/read-drawing.js';
+import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import {edgeLine} from '@/model/garment/edge-curve.js';
 import {atShare} from '@/model/geometry/polyline.js';
 import type {GarmentDocument} from '@/model/garment/garment-document.js';
-import {dxfOf, habits, type PatternPiece} from '../../support/formats/dxf-habits.js';
+import {dxfOf, habits, type PatternPiece} from '../../support/files/dxf-habits.js';
 import {scoreOf, sewnByYes, type Score} from '../../pairing/answers.js';
 
 /** Forty pieces of a patchwork take a minute, and the ends of a neck strap are scraps. */
