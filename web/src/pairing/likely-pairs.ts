@@ -36,8 +36,8 @@ const connecting = 3.5;
 const margin = 2;
 
 /**
- * Returns whether a seam joins two parts that are not sewn to each other, of the same kind or of
- * neighbours: a garment is one whole.
+ * Returns whether a seam joins two parts that are not sewn to each other, of the same kind, of
+ * neighbours or of an unknown kind: a garment is one whole.
  */
 function joinTest(
   {garment, likelihoods: {size, values}}: Scores,
@@ -55,7 +55,8 @@ function joinTest(
     const [one, other] = [garment.pieces[p], garment.pieces[q]];
     if (!one || !other || parts.find(p) === parts.find(q)) return false;
     const kinds = [one.words.kind, other.words.kind] as const;
-    return (kinds[0] === kinds[1] || areNeighbours(...kinds)) && isBest(a, b) && isBest(b, a);
+    const mayJoin = kinds[0] === kinds[1] || kinds.includes(undefined) || areNeighbours(...kinds);
+    return mayJoin && isBest(a, b) && isBest(b, a);
   };
 }
 

@@ -17,7 +17,7 @@ import {wordsOf} from '../model/garment/piece-words.js';
 import {lastOf} from '../model/base/last-of.js';
 
 /** Least likelihood of a seam in a question. */
-const leastLikely = 0.5;
+const leastLikely = 0.4;
 /** Least likelihood of a partner that the tool names. */
 const leastNamed = 0.3;
 /** Greatest number of displayed candidates, which have keys. */
