@@ -45,7 +45,7 @@ describe('align', () => {
     const {code, out, err} = await align();
     expect({code, err}).toEqual({code: 0, err: ''});
     expect(out.trimEnd().split('\n')).toHaveLength(1);
-    expect(out).toContain('strips.json: 2 pieces, 1 seams, p4m, best, seed 1');
+    expect(out).toContain('strips.json: 2 pieces, 1 seam, p4m, best, seed 1');
   });
 
   it('prints the figures as JSON', async () => {

@@ -76,7 +76,7 @@ describe('cut', () => {
     expect((await nest('--dxf-unit', 'in')).code).toBe(0);
     const {out} = await seamwise('import', file('nest.dxf'), '--json', '--size', 'large');
     expect(JSON.parse(out)).toMatchObject({
-      ...{sizes: ['result', 'large'], size: 'large', units: {used: 'in', from: 'file'}},
+      ...{sizes: ['Result', 'Large'], size: 'Large', units: {used: 'in', from: 'file'}},
       pieces: [{name: 'left', cutLine: true}, {name: 'right'}],
     });
     const {code, err} = await nest('--pdf', file('nest.pdf'));
