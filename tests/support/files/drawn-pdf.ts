@@ -33,7 +33,7 @@ export interface PatternSheet {
 }
 
 /** A page of a file; its content is in mm. */
-export interface PdfPage {
+interface PdfPage {
   readonly width: number;
   readonly height: number;
   readonly content: string;
@@ -64,10 +64,10 @@ const latin = (text: string): string =>
     return code < 127 ? letter : `\\${code.toString(8)}`;
   }).join('');
 
-export const label = ({at, text, size = 6, layer}: DrawnLabel): string =>
+const label = ({at, text, size = 6, layer}: DrawnLabel): string =>
   onLayer(layer, `BT /F1 ${num(size)} Tf ${pair(at)} Td (${latin(text)}) Tj ET`);
 
-export const stroke = ({outline, style = '0 G 0.4 w [] 0 d', layer}: DrawnStroke): string =>
+const stroke = ({outline, style = '0 G 0.4 w [] 0 d', layer}: DrawnStroke): string =>
   onLayer(layer, `q ${style}\n${operatorsOf(outline)}\nQ`);
 
 export const contentOf = ({strokes, labels}: PatternSheet): string =>
@@ -128,7 +128,7 @@ export const wordsPage = ([width, height]: Place, lines: number): PdfPage => ({
   ).join('\n'),
 });
 
-export interface PdfFacts {
+interface PdfFacts {
   readonly layers?: readonly string[];
   /** Encrypts the file so that it is readable without a password, or with this one only. */
   readonly lock?: {readonly user: string};

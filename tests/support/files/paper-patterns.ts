@@ -14,7 +14,7 @@ export function grown({start, steps, isOpen}: Outline, by: number, [x, y]: Place
 const line = (...points: readonly Place[]): Outline['steps'] => points.map((p) => [p]);
 
 /** Half of a bodice; its fold is at x = 0. */
-export const bodice: Outline = {
+const bodice: Outline = {
   start: [0, 0],
   steps: [
     ...line([260, 0], [250, 220]),
@@ -35,7 +35,7 @@ export const bodice: Outline = {
 /** The bodice without its fold, and the fold alone. */
 export const openBodice: Outline = {...bodice, isOpen: true};
 
-export const sleeve: Outline = {
+const sleeve: Outline = {
   start: [40, 0],
   steps: [
     ...line([280, 0], [320, 260]),
@@ -52,7 +52,7 @@ export const sleeve: Outline = {
   ],
 };
 
-export const pocket: Outline = {start: [0, 0], steps: line([140, 0], [140, 160], [0, 160])};
+const pocket: Outline = {start: [0, 0], steps: line([140, 0], [140, 160], [0, 160])};
 
 export const places = {
   front: [30, 30],
@@ -96,7 +96,7 @@ export const piecesIn = (by: number, more: Partial<DrawnStroke> = {}): DrawnStro
   }));
 
 /** An arrow upwards with heads of two strokes. */
-export function grainArrow([x, y]: Place, length: number): DrawnStroke[] {
+function grainArrow([x, y]: Place, length: number): DrawnStroke[] {
   const head = (tip: number, back: number): Outline => ({
     start: [x - 4, back],
     steps: line([x, tip], [x + 4, back]),
@@ -110,7 +110,7 @@ export function grainArrow([x, y]: Place, length: number): DrawnStroke[] {
 }
 
 /** Words and grain lines of all pieces. */
-export function marksOf(words: PieceWords): Pick<PatternSheet, 'strokes' | 'labels'> {
+function marksOf(words: PieceWords): Pick<PatternSheet, 'strokes' | 'labels'> {
   const names = ['front', 'back', 'sleeve', 'pocket'] as const;
   return {
     strokes: names.flatMap((name) => {
@@ -129,7 +129,7 @@ export function marksOf(words: PieceWords): Pick<PatternSheet, 'strokes' | 'labe
 }
 
 /** A test square with its label. */
-export const testSquare: Pick<PatternSheet, 'strokes' | 'labels'> = {
+const testSquare: Pick<PatternSheet, 'strokes' | 'labels'> = {
   strokes: [{outline: {start: [560, 700], steps: line([610, 700], [610, 750], [560, 750])}}],
   labels: [{at: [565, 720], text: '5 cm x 5 cm', size: 4}],
 };

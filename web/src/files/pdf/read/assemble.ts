@@ -48,10 +48,10 @@ const apart = 50;
 /** Puts the pages of a file together. */
 export function assembled(pages: readonly PageInk[], stated: StatedGrid): Sheet {
   const tiles = bySize(pages).flatMap(withoutFurniture);
-  const {chosen, notes} = chosenTiles(tiles, stated);
+  const {chosen: drawn, notes} = chosenTiles(tiles, stated);
+  const {chosen, arrangement} = joinable(drawn, stated);
   const isChosen = new Set(chosen.map(({ink}) => ink.number));
   const others = pages.map(({number}) => number).filter((number) => !isChosen.has(number));
-  const arrangement = chosen.length > 1 ? arranged(chosen, stated) : undefined;
   const isTiled =
     arrangement !== undefined &&
     (arrangement.score > 0 || arrangement.isNamed || stated.grid !== undefined);
@@ -59,7 +59,24 @@ export function assembled(pages: readonly PageInk[], stated: StatedGrid): Sheet 
   return {...sheet, others, notes: [...notes, ...sheet.notes]};
 }
 
+/** The tiles with their arrangement. If they do not join, the first may be a cover. */
+function joinable(
+  tiles: readonly Tile[],
+  stated: StatedGrid,
+): {readonly chosen: readonly Tile[]; readonly arrangement?: Arrangement} {
+  if (tiles.length < 2) return {chosen: tiles};
+  const arrangement = arranged(tiles, stated);
+  const isExact = stated.isExact === true || stated.grid !== undefined;
+  if (arrangement.score > 0 || isExact || tiles.length < 3) return {chosen: tiles, arrangement};
+  const rest = tiles.slice(1);
+  const other = arranged(rest, stated);
+  return other.score > 0 ? {chosen: rest, arrangement: other} : {chosen: tiles, arrangement};
+}
+
 type Joined = Omit<Sheet, 'others'>;
+
+/** Both sides of the outline of one piece end on both pages. */
+const manyMisses = 4;
 
 function joined(tiles: readonly Tile[], arrangement: Arrangement): Joined {
   const {cells, window, overlap, joints} = arrangement;
@@ -74,7 +91,7 @@ function joined(tiles: readonly Tile[], arrangement: Arrangement): Joined {
     return placedTile(tile, regions, shift, {row, column});
   });
   const openJoints = joints
-    .filter(({meets, misses}) => misses > Math.max(1, 0.25 * meets))
+    .filter(({meets, misses}) => misses >= manyMisses && misses > meets)
     .map(({a, b, misses}): OpenJoint => {
       const number = (index: number): number => tiles[index]?.ink.number ?? 0;
       return {pages: [number(a), number(b)], misses};

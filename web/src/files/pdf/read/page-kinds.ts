@@ -103,7 +103,8 @@ function patternIn(group: readonly Measured[]): Measured[] {
   const hasFurniture = group.some(({tile}, k) => leaving[k] === true && tile.isFurnished);
   if (!isTiled) return group.filter((_, k) => drawn[k]);
   // pages without lines keep their place among tiles
-  return group.filter(({tile}, k) =>
-    hasFurniture ? tile.isFurnished || leaving[k] === true : k >= from && k <= to,
-  );
+  return group.filter(({tile, letters}, k) => {
+    const isAmong = k >= from && k <= to && (leaving[k] === true || letters < manyLetters);
+    return isAmong || (hasFurniture && tile.isFurnished);
+  });
 }
