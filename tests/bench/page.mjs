@@ -1,5 +1,5 @@
 // The page's download size and the time of a cold start until the final answer.
-import {mkdtemp, rm} from 'node:fs/promises';
+import {mkdtemp, readdir, readFile, rm} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {gzipSync} from 'node:zlib';
@@ -27,10 +27,20 @@ export async function measurePage({say}) {
   try {
     const [node, vite] = tool('vite');
     await must(node, [vite, 'build', '--config', configFile, '--outDir', outDir]);
-    return await onServer(outDir);
+    return {...(await onServer(outDir)), pdfReader: await pdfReaderIn(outDir)};
   } finally {
     await rm(outDir, {recursive: true});
   }
+}
+
+/** Compressed size of the reader of PDF, which is loaded with the first PDF. [bytes] */
+async function pdfReaderIn(outDir) {
+  const folder = join(outDir, 'assets');
+  const names = (await readdir(folder)).filter((name) =>
+    /^(?:pdf|pdf\.worker|read-pdf)-.*\.js$/.test(name),
+  );
+  const files = await Promise.all(names.map((name) => readFile(join(folder, name))));
+  return files.reduce((sum, file) => sum + gzipSync(file, {level: 9}).length, 0);
 }
 
 async function onServer(outDir) {

@@ -260,9 +260,10 @@ const growthHead = [
   'memory MB',
 ];
 
-const pageRows = ({code, drawingLibrary, wasm, opening}) => [
+const pageRows = ({code, drawingLibrary, pdfReader, wasm, opening}) => [
   ['initial code, gzipped', `${kilobytes(code)} kB`],
   ['drawing library, gzipped', `${kilobytes(drawingLibrary)} kB`],
+  ['reader of PDF, gzipped', `${kilobytes(pdfReader)} kB`],
   ['wasm, gzipped', `${kilobytes(wasm)} kB`],
   ['cold opening to the final answer', `${ms(opening)} ms`],
 ];

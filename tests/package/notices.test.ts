@@ -26,7 +26,10 @@ const listing = (names: Set<string>): Plugin => ({
 });
 
 describe.each([
-  {config: 'vite.config.ts', known: ['three', 'lit', 'clipper2-ts', 'idb', 'svgpath']},
+  {
+    config: 'vite.config.ts',
+    known: ['three', 'lit', 'clipper2-ts', 'idb', 'svgpath', 'pdfjs-dist'],
+  },
   {config: 'vite.standalone.config.ts', known: ['three', 'lit', '@noble/hashes']},
 ])('what $config builds', ({config, known}) => {
   let folder = '';

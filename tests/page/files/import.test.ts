@@ -9,6 +9,8 @@ import {barriers} from '../../support/page/barriers.js';
 import {designOf} from '../../support/page/design.js';
 import {choose, hand, type HandedFile} from '../../support/page/files.js';
 import {solved, usePage} from '../../support/page/page.js';
+import {pdfOf, tilesOf, wordsPage} from '../../support/files/drawn-pdf.js';
+import {english, piecesIn, plainSheet} from '../../support/files/paper-patterns.js';
 import {plainDxf, type PlainPiece} from '../../support/files/plain-dxf.js';
 import {sampleOf} from '../../support/level.js';
 import {caughtUp} from '../../support/page/waiting.js';
@@ -42,6 +44,44 @@ async function quietPage(options: Parameters<typeof openPage>[0] = {}): Promise<
   await solved(page);
   return page;
 }
+
+/** A tiled pattern in three sizes after a page of words; all of its bytes are ASCII. */
+function tiledPdf(): HandedFile {
+  const layers = ['36', '38', '40'].map((size) => `Size ${size}`);
+  const strokes = layers.flatMap((layer, k) => piecesIn(0.03 * k, {layer}));
+  const paper = [210, 297] as const;
+  const tiles = tilesOf(plainSheet(english, strokes), {paper, margin: 10, overlap: 10});
+  const bytes = pdfOf([wordsPage(paper, 40), ...tiles], {layers});
+  return {name: 'dress.pdf', mimeType: 'application/pdf', content: Buffer.from(bytes).toString()};
+}
+
+it('puts the pages of a PDF together, and anew as its user corrects it', async () => {
+  const page = await quietPage();
+  const dialog = await offered(page, tiledPdf());
+  await dialog.getByText('4 of 4 pieces').waitFor();
+  await dialog.getByText('26.8 cm × 41.2 cm, half, on the fold').first().waitFor();
+  await dialog.getByText('Without a pattern: 1', {exact: true}).waitFor();
+  await dialog.getByLabel('Size').selectOption('40');
+  await dialog.getByText('27.6 cm × 42.4 cm, half, on the fold').first().waitFor();
+  // two columns put wrong pages beside each other
+  const columns = dialog.getByLabel('Columns');
+  await columns.fill('2');
+  await columns.press('Tab');
+  await dialog
+    .getByText(/Pages \d+ and \d+ do not meet/)
+    .first()
+    .waitFor();
+  await columns.fill('4');
+  await columns.press('Tab');
+  await dialog.getByText('27.6 cm × 42.4 cm, half, on the fold').first().waitFor();
+  await dialog.getByLabel('Seam allowance (cm)').fill('1');
+  await dialog.getByLabel('Seam allowance (cm)').press('Tab');
+  await dialog.getByText('The outer line is the cut line').waitFor();
+  await dialog.getByRole('button', {name: 'Open', exact: true}).click();
+  await dialog.waitFor({state: 'detached'});
+  const {garment} = await designOf(page);
+  expect(JSON.stringify(garment)).toContain('Pocket');
+});
 
 it(
   'shows the pieces of a DXF with the unit that fits, and leaves all as it is when that is cancelled',

@@ -31,8 +31,6 @@ describe('files of other kinds', () => {
     ['DWG', 'AC1032\0\0\0\0', /DWG.*ASCII DXF/],
     ['a picture called .dxf', '\x89PNG\r\n\x1a\n\0\0\0\rIHDR', /PNG picture.*DXF or SVG/],
     ['a photo', '\xff\xd8\xff\xe0', /JPEG picture/],
-    ['PDF', '%PDF-1.7\n%\xe2\xe3', /Inkscape.*pdftocairo -svg/],
-    ['Illustrator', '%PDF-1.6\n/Creator (Adobe Illustrator 27.0)', /Save a Copy.*SVG/],
     ['old Illustrator', '%!PS-Adobe-3.0\n%%Creator: Adobe Illustrator(R) 8', /Save a Copy.*SVG/],
     ['EPS', '%!PS-Adobe-3.0 EPSF-3.0', /PostScript.*Inkscape/],
     ['a project of CLO', 'PK\x03\x04\x14\0', /\.zprj.*File > Export > DXF \(AAMA\/ASTM\)/],

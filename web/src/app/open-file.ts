@@ -81,6 +81,7 @@ async function useOf(
 ): Promise<Use | undefined> {
   const {failures, print} = texts;
   const kind = await kindOf(file);
+  if (kind === 'pdf' && how !== 'chosen as print') return 'drawing';
   if (kind && isDocument(kind))
     throw new Error(failures.document(file.name, print.files.kinds[kind]));
   if (kind === 'dxf') return 'drawing';

@@ -224,7 +224,7 @@ export class SeamwisePage extends WorkbenchElement {
   }
 
   async #open(): Promise<void> {
-    const file = await chooseFile('.json,.dxf,.svg,.obj,application/json');
+    const file = await chooseFile('.json,.pdf,.dxf,.svg,.obj,application/json,application/pdf');
     if (file) await this.#take(file, 'chosen as garment');
   }
 

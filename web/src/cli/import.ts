@@ -5,15 +5,19 @@ import {
   type ImportReport,
 } from '../node/index.js';
 import {readBytes} from '../node/files.js';
+import {numbersIn} from '../model/base/number-ranges.js';
 import {drawingLimit} from '../node/import.js';
-import {choice, parseArguments, UsageError, type Arguments} from './base/arguments.js';
+import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
 import {countOf} from './base/count-of.js';
 
 const grammar = {
   files: ['the pattern file'],
-  valued: ['--units', '--size', '--seams', '--out'],
+  valued: [
+    ...['--units', '--size', '--seams', '--out'],
+    ...['--pages', '--grid', '--trim', '--overlap', '--allowance'],
+  ],
   switches: ['--json'],
 };
 
@@ -44,11 +48,21 @@ export async function importFile(words: readonly string[]): Promise<void> {
   const seams = choice(args, '--seams', ['suggest', 'file', 'none']);
   const out = args.value('--out');
   if (out !== undefined) await checkWritable(out, [file]);
+  const pages = pagesIn(args);
+  const grid = gridIn(args);
+  const [trimCm, overlapCm, allowanceCm] = (['--trim', '--overlap', '--allowance'] as const).map(
+    (flag) => lengthCm(args, flag, widest),
+  );
   const {garment, report} = await importGarment(await readBytes(file, drawingLimit), {
     name: file,
     ...unit,
     ...(size !== undefined && {size}),
     ...(seams && {seams}),
+    ...(pages && {pages}),
+    ...(grid && {grid}),
+    ...(trimCm !== undefined && {trimCm}),
+    ...(overlapCm !== undefined && {overlapCm}),
+    ...(allowanceCm !== undefined && {allowanceCm}),
   });
   if (out !== undefined) await writeWhole(out, garment);
   if (args.has('--json')) {
@@ -57,6 +71,25 @@ export async function importFile(words: readonly string[]): Promise<void> {
   }
   report.notes.forEach(remark);
   print(listOf(file, report));
+}
+
+/** Greatest trim, overlap and allowance. [cm] */
+const widest = 10;
+
+function pagesIn(args: Arguments): readonly number[] | undefined {
+  const value = args.value('--pages');
+  if (value === undefined) return undefined;
+  const numbers = numbersIn(value);
+  if (numbers) return numbers;
+  throw new UsageError(`--pages is '${value}', but must be page numbers such as 3-26 or 1,4-6.`);
+}
+
+function gridIn(args: Arguments): readonly [columns: number, rows: number] | undefined {
+  const value = args.value('--grid');
+  if (value === undefined) return undefined;
+  const [, columns, rows] = /^([1-9]\d?)x([1-9]\d?)$/.exec(value) ?? [];
+  if (columns !== undefined && rows !== undefined) return [Number(columns), Number(rows)];
+  throw new UsageError(`--grid is '${value}', but must be columns and rows such as 4x6.`);
 }
 
 const cm = (length: number): string => length.toFixed(1);

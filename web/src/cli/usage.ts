@@ -54,11 +54,15 @@ seamwise symmetries GARMENT.json [--out FILE.json]
   Lists the symmetries that the garment shows by itself, in the format of a symmetry file.
 
 seamwise import FILE [flags]
-  Reads a pattern of another program, DXF (AAMA, ASTM or plain), SVG, OBJ with texture coordinates, or a
-  garment's JSON, and tells what is in it.
+  Reads a pattern of another program, PDF, DXF (AAMA, ASTM or plain), SVG, OBJ with texture coordinates, or
+  a garment's JSON, and tells what is in it.
     --units mm|cm|in            in which unit it is, whatever it says; 300ppi: pixels per inch of an SVG
     --size NAME                 of a nest of sizes; default the one that the others were graded from
     --seams suggest|file|none   default: suggested where the file has none
+    --pages 3-26                pages of a PDF; default those that show the pattern
+    --grid 4x6                  columns and rows of the pages of a PDF; default by their lines and names
+    --trim CM, --overlap CM     of the pages of a PDF; default by their lines
+    --allowance CM              which the lines of a PDF include; default 0
     --out GARMENT.json          writes it in the project's own format, seamwise-garment/1
     --json                      prints what was found as JSON
 

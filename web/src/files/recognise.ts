@@ -1,7 +1,7 @@
 /** Recognises file types by content, regardless of the name, and explains unsupported ones. */
 import {decoded} from './base/decoded.js';
 
-export type DrawingKind = 'dxf' | 'svg' | 'obj';
+export type DrawingKind = 'dxf' | 'svg' | 'obj' | 'pdf';
 
 /** The start of a file. */
 interface Beginning {
@@ -63,14 +63,9 @@ const kinds: readonly Recognised[] = [
   {is: starts('RIFF'), kind: picture('WebP')},
   {is: starts('II*\0', 'MM\0*'), kind: picture('TIFF')},
   {is: starts('BM'), kind: picture('BMP')},
-  {is: says(/^%(?:PDF|!PS)[^]*Adobe Illustrator/), kind: illustrator},
-  {
-    is: starts('%PDF'),
-    kind: {
-      refusal:
-        'is PDF, in which lines belong to no piece; save it as SVG with Inkscape, or with: pdftocairo -svg FILE.pdf FILE.svg.',
-    },
-  },
+  {is: says(/^%!PS[^]*Adobe Illustrator/), kind: illustrator},
+  // the version may follow some bytes of a mail or a web server
+  {is: says(/^[^]{0,1000}%PDF-\d/), kind: 'pdf'},
   {is: starts('%!'), kind: {refusal: 'is PostScript; save it as SVG with Inkscape.'}},
   {
     is: starts('PK\x03\x04'),

@@ -1,5 +1,5 @@
 /** Imports patterns of other programs as garments, with a report. */
-import {drawingLimit, readDrawing} from '../files/read-drawing.js';
+import {drawingLimit, readAnyDrawing} from '../files/read-drawing.js';
 import {
   defaultChoices,
   drawnPieceInCm,
@@ -37,6 +37,16 @@ export interface ImportOptions {
   readonly pixelsPerInch?: number;
   /** Size of a nest. Default: the sample size, from which others were graded. */
   readonly size?: string;
+  /** Pages of a PDF, by their numbers from 1. Default: those that show the pattern. */
+  readonly pages?: readonly number[];
+  /** Columns and rows of the pages of a PDF, in reading order. Default: by their lines and names. */
+  readonly grid?: readonly [columns: number, rows: number];
+  /** Strip at each side of the pages of a PDF that is cut off. Default: by their lines. [cm] */
+  readonly trimCm?: number;
+  /** Overlap of neighbouring pages of a PDF, after trimming. Default: by their lines. [cm] */
+  readonly overlapCm?: number;
+  /** Seam allowance that the lines of a PDF include; 0 if they are sewn lines, the default. [cm] */
+  readonly allowanceCm?: number;
   /**
    * Source of the seams: `suggest`, the default, adds suggestions if the file has none; `file` uses
    * only the file; `none` omits them.
@@ -105,16 +115,12 @@ type ReadGarment = (text: string, name: string) => Promise<GarmentDocument>;
 export async function importWith(
   readGarment: ReadGarment,
   bytes: Uint8Array,
-  {name = 'the pattern', units, pixelsPerInch, size, seams = 'suggest'}: ImportOptions,
+  {name = 'the pattern', seams = 'suggest', ...reading}: ImportOptions,
 ): Promise<ImportedGarment> {
   const isJson = /^\s*\{/.test(textOf(bytes.subarray(0, 64)));
   const {document, found} = isJson
-    ? await fromGarment(readGarment, textOf(bytes), name, units)
-    : await fromDrawing(readGarment, bytes, name, {
-        ...(units && {units}),
-        ...(pixelsPerInch !== undefined && {pixelsPerInch}),
-        ...(size !== undefined && {size}),
-      });
+    ? await fromGarment(readGarment, textOf(bytes), name, reading.units)
+    : await fromDrawing(readGarment, bytes, name, reading);
   const sewn =
     seams === 'none'
       ? {...document, seams: []}
@@ -173,7 +179,7 @@ async function fromDrawing(
   name: string,
   options: DrawingOptions,
 ): Promise<Found> {
-  const drawing = readDrawing(bytes, name, options);
+  const drawing = await readAnyDrawing(bytes, name, options);
   const choices = await soundChoices(readGarment, drawing, name);
   const drawn = garmentOf(drawing, choices);
   const {unit, because} = drawing.unit;

@@ -11,10 +11,11 @@ import type {ImportTexts} from '../../texts/import-texts.js';
 import {chosenAlso, largestOf} from './choices.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {importStyle} from './import-style.js';
+import {allowanceChoice, pageChoice, pagePreview, type ShownPages} from './page-choice.js';
 import {pieceChoice, ruler, type ShownChoices} from './piece-choice.js';
 import {WorkerComplaint} from '../worker/ask.js';
-import {drawingIn, garmentFrom, type ShownDrawing} from './reading.js';
-import type {Drawing} from '../../model/garment/imported-drawing.js';
+import {drawingAgain, drawingIn, garmentFrom, type ShownDrawing} from './reading.js';
+import type {Drawing, DrawingOptions} from '../../model/garment/imported-drawing.js';
 import type {Format} from '../../texts/format.js';
 
 // Choice of a size, for a drawing with several.
@@ -136,6 +137,7 @@ export class ImportSheet extends WorkbenchElement {
     choices: {state: true},
     density: {state: true},
     isOuterSewn: {state: true},
+    options: {state: true},
     isBusy: {state: true},
     trouble: {state: true},
   };
@@ -150,6 +152,8 @@ export class ImportSheet extends WorkbenchElement {
   /** Pixels per inch; undefined as in the file. */
   declare protected density: number | undefined;
   declare protected isOuterSewn: boolean;
+  /** Choices of how the pages of a PDF are put together. */
+  declare protected options: DrawingOptions;
   declare protected isBusy: boolean;
   declare protected trouble: string | undefined;
   #life = new AbortController();
@@ -159,6 +163,7 @@ export class ImportSheet extends WorkbenchElement {
   constructor() {
     super();
     this.choices = [];
+    this.options = {};
     this.isOuterSewn = this.isBusy = false;
   }
 
@@ -182,6 +187,7 @@ export class ImportSheet extends WorkbenchElement {
     ({unit: this.unit, pieces: this.choices} = shown.first);
     this.isOuterSewn = false;
     this.density = undefined;
+    this.options = {};
     await this.#show();
   }
 
@@ -238,24 +244,42 @@ export class ImportSheet extends WorkbenchElement {
         this.choices = this.choices.map((one, k) => (k === piece ? {...one, ...change} : one));
       },
     };
+    const ofPages = this.#pagesOf(shown);
     return html`<div class="body">
         <div class="settings">
           ${sizeChoice(drawing, this.isBusy, this.#readSize, words)}
-          ${unitChoice(
-            shown,
-            this.unit,
-            (unit) => {
-              this.unit = unit;
-            },
-            words,
-            format,
-          )}
+          ${
+            ofPages
+              ? [pageChoice(ofPages), allowanceChoice(ofPages)]
+              : unitChoice(
+                  shown,
+                  this.unit,
+                  (unit) => {
+                    this.unit = unit;
+                  },
+                  words,
+                  format,
+                )
+          }
           ${densityChoice(drawing, this.density, this.isBusy, this.#readDensity, words)}
           ${this.#lines(shown)} ${this.#notes(shown)}
         </div>
-        <div class="pieces">${pieceChoice(choosing)} ${ruler(choosing)}</div>
+        <div class="pieces">
+          ${ofPages ? pagePreview(ofPages) : nothing} ${pieceChoice(choosing)} ${ruler(choosing)}
+        </div>
       </div>
       ${this.#foot()}`;
+  }
+
+  #pagesOf(shown: ShownDrawing): ShownPages | undefined {
+    const {pages} = shown.drawing;
+    if (!pages) return undefined;
+    const {options, words, texts, format} = this;
+    const {units} = this.workbench.preferences.chosen;
+    const choose = (change: DrawingOptions): void => {
+      this.#readAgain({...options, ...change});
+    };
+    return {shown, pages, options, units, words, texts, format, choose};
   }
 
   /** Needed only if a piece has both a cutting and a sewing line. */
@@ -315,7 +339,24 @@ export class ImportSheet extends WorkbenchElement {
     </footer>`;
   }
 
+  /** Puts the pages of a PDF together with other options. */
+  #readAgain(options: DrawingOptions): void {
+    this.options = options;
+    void this.#busy(async (signal) => {
+      const {file, shown, choices} = this;
+      if (!file || !shown?.opened) return;
+      const read = await drawingAgain(shown.opened, file.name, options, signal);
+      if (this.options !== options) return;
+      this.choices = chosenAlso(read, shown, choices);
+      this.shown = read;
+    });
+  }
+
   readonly #readSize = (size: string): void => {
+    if (this.shown?.opened) {
+      this.#readAgain({...this.options, size});
+      return;
+    }
     void this.#busy(async (signal) => {
       const {file, shown, choices} = this;
       if (!file || !shown) return;

@@ -72,6 +72,45 @@ export const importStyle = css`
     padding: 0 0 0 var(--sw-space-4);
     overflow-wrap: anywhere;
   }
+  section label input {
+    color: var(--sw-ink);
+  }
+  .grid {
+    display: grid;
+    grid-template-columns: repeat(auto-fit, minmax(6.5rem, 1fr));
+    gap: var(--sw-space-2) var(--sw-space-3);
+  }
+  .sheet {
+    display: block;
+    width: 100%;
+    max-height: 22rem;
+    margin-bottom: var(--sw-space-4);
+  }
+  .page {
+    cursor: pointer;
+  }
+  .page rect {
+    fill: var(--sw-raised);
+    stroke: var(--sw-line);
+    stroke-width: 1;
+    vector-effect: non-scaling-stroke;
+  }
+  .page:hover rect {
+    fill: var(--sw-tint);
+  }
+  .page text {
+    fill: var(--sw-soft);
+  }
+  .sheet path {
+    pointer-events: none;
+  }
+  .sheet .sewn {
+    fill: none;
+  }
+  .sheet .open {
+    stroke: var(--sw-error);
+    stroke-width: 3;
+  }
   .pieces {
     position: relative;
     padding-bottom: 0;

@@ -37,16 +37,32 @@ export {svgUse} from './reading.js';
 export const askUse = async (file: File, place: DrawingPlace): Promise<FileUse | undefined> =>
   (await sheetIn(place)).askUse(file);
 
-/** Shows a notice if reading takes long. @returns a function that removes it */
-function sayReading(workbench: Workbench, text: string, cancel: () => void): () => void {
+/** A notice that appears if reading takes long. */
+interface ReadingNotice {
+  readonly change: (text: string) => void;
+  readonly remove: () => void;
+}
+
+function sayReading(workbench: Workbench, text: string, cancel: () => void): ReadingNotice {
   const {app} = textsOf(workbench.preferences.chosen.language);
-  const notice = {tone: 'info', text, action: {label: app.cancel, act: cancel}} as const;
+  const saying = (text: string) =>
+    ({tone: 'info', text, action: {label: app.cancel, act: cancel}}) as const;
+  let notice = saying(text);
+  let isShown = false;
   const timer = setTimeout(() => {
+    isShown = true;
     workbench.notices.say(notice);
   }, patience);
-  return () => {
-    clearTimeout(timer);
-    if (workbench.notices.notice === notice) workbench.notices.say(undefined);
+  return {
+    change: (text) => {
+      const isCurrent = isShown && workbench.notices.notice === notice;
+      notice = saying(text);
+      if (isCurrent) workbench.notices.say(notice);
+    },
+    remove: () => {
+      clearTimeout(timer);
+      if (workbench.notices.notice === notice) workbench.notices.say(undefined);
+    },
   };
 }
 
@@ -73,8 +89,10 @@ export async function openDrawing(
     life.abort();
   });
   try {
-    const shown = await drawingIn(file, life.signal);
-    said();
+    const shown = await drawingIn(file, life.signal, {}, ({read, count}) => {
+      said.change(words.readingPage(file.name, read, count));
+    });
+    said.remove();
     await sheet.offer(file, shown, (text, signal) =>
       open(workbench, {name: titleOf(shown, file), text}, signal),
     );
@@ -82,7 +100,7 @@ export async function openDrawing(
     if (life.signal.aborted) return;
     throw error instanceof WorkerComplaint ? new Error(words.failed(error.message)) : error;
   } finally {
-    said();
+    said.remove();
   }
 }
 

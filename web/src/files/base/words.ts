@@ -22,7 +22,7 @@ const counts = [
 ];
 
 const pairsOf = /\d\s*(?:x\s*)?(?:pairs?|paare?|paires?|coppi[ae]|par(?:es)?)\b/i;
-const sameWords = /identi[ck]|gleich(?!gewicht)|same|ugual|igual/i;
+const sameWords = /identi[ck]|gleich(?!gewicht)|same|ugual|igual|single layer/i;
 
 /**
  * The number of pieces in a text; undefined if there is none. An even number is cut from folded

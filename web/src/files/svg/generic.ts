@@ -95,12 +95,17 @@ function candidateOf(loop: Loop, squares: ReadonlySet<Loop['line']>): LoopCandid
   const isMark = squares.has(loop.line) || isLetter(loop);
   return {
     ...loop,
-    ...(isPanel ? {stated: 'piece'} : isMark ? {stated: 'mark'} : {}),
+    ...(isPanel ? {stated: 'piece'} : isMark ? {stated: 'mark'} : hinted(loop)),
     isAside: loop.drawers.every((one) => isFaint(one) || isForHelp(one)),
-    style: drawer ? `${drawer.style.stroke} ${drawer.style.fill}` : '',
+    style: drawer ? (drawer.hints?.style ?? `${drawer.style.stroke} ${drawer.style.fill}`) : '',
     ...(drawer && loop.drawers.length === 1 && {path: drawer.element}),
     isEvenOdd: drawer?.style.isEvenOdd ?? false,
   };
+}
+
+function hinted({drawers}: Loop): Pick<Candidate, 'stated'> {
+  const stated = drawers.flatMap(({hints}) => hints?.stated ?? [])[0];
+  return stated ? {stated} : {};
 }
 
 export function genericPieces(whole: Sheet): Found {

@@ -1,9 +1,17 @@
 /** Recognises marks in pieces and at their outlines: grain, folds, notches and drill holes. [mm] */
 import type {DrawnNotch, Run} from '../../model/garment/imported-drawing.js';
-import {cross, distance, middle, minus, unit, type Point} from '../../model/geometry/vectors.js';
-import {atShare, boxOf, lengthOf} from '../../model/geometry/polyline.js';
+import {
+  cross,
+  distance,
+  middle,
+  minus,
+  plus,
+  unit,
+  type Point,
+} from '../../model/geometry/vectors.js';
+import {atShare, boxOf, crossingsOf, lengthOf} from '../../model/geometry/polyline.js';
 import {endOf, isLine} from '../base/bezier.js';
-import {nearestOn} from '../base/nearest.js';
+import {nearestOn, type Near} from '../base/nearest.js';
 import {saysFold, saysGrain} from '../base/words.js';
 import {longerSide} from '../base/closed-lines.js';
 import type {Loop, Stroke} from './nesting.js';
@@ -69,10 +77,10 @@ export function middleOf({points}: Mark): Point {
  * The grain line: a straight line with that label, with that text beside it, or with arrowheads.
  */
 export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): Mark | undefined {
-  const straight = within.filter(({line}) => {
-    const length = distance(line.start, farthest(line));
-    return length >= 50 && isLine({start: line.start, cubics: line.cubics.slice(0, 1)}, 0.1);
-  });
+  const lines = within.filter(({line}) =>
+    isLine({start: line.start, cubics: line.cubics.slice(0, 1)}, 0.1),
+  );
+  const straight = lines.filter(({line}) => distance(line.start, farthest(line)) >= 50);
   const isCalled = ({drawers}: Mark): boolean =>
     drawers.some(({element, groups}) =>
       saysGrain(
@@ -87,7 +95,7 @@ export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): M
   const off = ({line}: Mark): number =>
     Math.min(...said.map((at) => nearestOn([line.start, farthest(line)], at, false).off));
   const beside = straight.filter((chain) => off(chain) <= 60).sort((a, b) => off(a) - off(b));
-  return straight.find(isCalled) ?? beside[0] ?? straight.find(isArrow);
+  return lines.find(isCalled) ?? beside[0] ?? straight.find(isArrow);
 }
 
 /**
@@ -113,6 +121,19 @@ export function foldOf(
   return bare[0] ?? near[0] ?? long[0];
 }
 
+/** The point of the sewn line in the direction of a slit from the cut line; undefined beside it. */
+function ahead(sewn: readonly Point[], from: Point, slit: readonly Point[]): Near | undefined {
+  const [start, end] = [slit[0], slit.at(-1)];
+  if (!start || !end || !isLine({start, cubics: slit.slice(1).map((p) => [p, p, p])}, 0.05)) {
+    return undefined;
+  }
+  const inner = distance(start, from) > distance(end, from) ? start : end;
+  const along = unit(minus(inner, from));
+  const crossings = crossingsOf(sewn, from, along).filter((length) => length > 0);
+  const length = Math.min(...crossings);
+  return length <= widest ? nearestOn(sewn, plus(from, along, length), true) : undefined;
+}
+
 /** Greatest distance between a notch and its outline. [mm] */
 const notchReach = 0.5;
 /** Greatest allowance between a notch at the cut line and the sewn line. [mm] */
@@ -125,8 +146,9 @@ export function notchesOf(near: readonly Mark[], sewn: Loop, outer: Loop): Drawn
     const onRim = points
       .map((p) => nearestOn(outer.rim, p, true))
       .find(({off}) => off <= notchReach);
-    const at = onRim && nearestOn(sewn.rim, onRim.at, true);
-    if (!at || at.off > widest) continue;
+    const nearest = onRim && nearestOn(sewn.rim, onRim.at, true);
+    if (!nearest || nearest.off > widest) continue;
+    const at = line.isClosed ? nearest : (ahead(sewn.rim, onRim.at, points) ?? nearest);
     const way = unit(minus(farthest(line), line.start));
     const next = sewn.rim[(at.step + 1) % sewn.rim.length] ?? at.at;
     const along = unit(minus(next, sewn.rim[at.step] ?? at.at));

@@ -16,6 +16,16 @@ export interface Drawn {
   readonly lines: readonly Line[];
   /** True if it is drawn through a `use`. */
   readonly isUsed: boolean;
+  /** Facts that other formats state. */
+  readonly hints?: Hints;
+}
+
+/** Facts of a line that SVG does not state. */
+interface Hints {
+  /** The role by the name of its layer. */
+  readonly stated?: 'sewn line' | 'mark';
+  /** Key of the style: colour, width, dashes and layer. */
+  readonly style: string;
 }
 
 export interface DrawnText {

@@ -67,7 +67,7 @@ export interface UnitGuess {
 }
 
 export interface Drawing {
-  readonly kind: 'dxf' | 'svg' | 'obj';
+  readonly kind: 'dxf' | 'svg' | 'obj' | 'pdf';
   readonly program?: string;
   readonly title?: string;
   /**
@@ -81,6 +81,36 @@ export interface Drawing {
   readonly seams: readonly DrawnSeam[];
   /** Omissions and assumptions, one sentence each. */
   readonly notes: readonly string[];
+  /** The assembled pages of a PDF. */
+  readonly pages?: AssembledPages;
+}
+
+/** Pages of a PDF as they are put together. Lengths in mm, y up, in coordinates of the pieces. */
+export interface AssembledPages {
+  /** Number of pages of the file. */
+  readonly count: number;
+  readonly placed: readonly {
+    /** Page number, from 1. */
+    readonly number: number;
+    /** Column and row from 0; undefined for pages without joints. */
+    readonly cell?: readonly [column: number, row: number];
+    /** Corners of the shown part. */
+    readonly low: Point;
+    readonly high: Point;
+  }[];
+  /** Pages that are left out. */
+  readonly others: readonly number[];
+  readonly columns: number;
+  readonly rows: number;
+  /** Overlap of neighbouring pages across and down; undefined without joints. [cm] */
+  readonly overlapCm?: readonly [across: number, down: number];
+  /** Strip at the left side of pages beside the drawn part; undefined without joints. [cm] */
+  readonly trimCm?: number;
+  /** Pairs of pages with lines that end at their joint. */
+  readonly openJoints: readonly {
+    readonly pages: readonly [number, number];
+    readonly misses: number;
+  }[];
 }
 
 /** Options for reading a file. */
@@ -93,10 +123,20 @@ export interface DrawingOptions {
   readonly units?: FileUnit;
   /** Pixels per inch of an SVG file, instead of `units`. */
   readonly pixelsPerInch?: number;
+  /** Page numbers of a PDF, from 1. Default: those with a pattern. */
+  readonly pages?: readonly number[];
+  /** Columns and rows of the pages of a PDF, in reading order. */
+  readonly grid?: readonly [columns: number, rows: number];
+  /** Strip at each side of the pages of a PDF that is cut off. [cm] */
+  readonly trimCm?: number;
+  /** Overlap of neighbouring pages of a PDF, after trimming. [cm] */
+  readonly overlapCm?: number;
+  /** Seam allowance that the lines of a PDF include; 0 for sewn lines. [cm] */
+  readonly allowanceCm?: number;
 }
 
 const drawingEnding =
-  /(\.(aama|astm|browzwear|clo|flat|gerber|lectra|optitex|polypattern|richpeace|valentina))?\.(dxf|obj|svg)$/i;
+  /(\.(aama|astm|browzwear|clo|flat|gerber|lectra|optitex|polypattern|richpeace|valentina))?\.(dxf|obj|pdf|svg)$/i;
 
 /** Name of a drawing file without the endings that programs add: "tee-m" of "tee-m.gerber.dxf". */
 export const drawingName = (file: string): string =>

@@ -1,0 +1,110 @@
+import {readdirSync, readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+import {readGarment} from 'seamwise/node';
+import {describe, expect, it} from 'vitest';
+
+import type {CutSheet, LaidPiece} from '@/cutting/cut-sheet.js';
+import {draftedSheet} from '@/cutting/drafted-sheet.js';
+import {tracedLoop} from '@/files/base/bezier.js';
+import {nearestOn} from '@/files/base/nearest.js';
+import {readAnyDrawing} from '@/files/read-drawing.js';
+import type {Drawing, DrawnPiece} from '@/model/garment/imported-drawing.js';
+import {boxOf} from '@/model/geometry/polyline.js';
+import {distance, minus, plus, type Point} from '@/model/geometry/vectors.js';
+import {cuttingPdf} from '@/paper/cutting-pdf.js';
+import {paperOf} from '@/paper/papers.js';
+
+import {sampleOf} from '../../support/level.js';
+import {onPrintAt} from '../../support/paper/cut-sheets.js';
+
+const folder = fileURLToPath(new URL('../../../public/garments', import.meta.url));
+const garments = sampleOf(
+  1,
+  readdirSync(folder)
+    .filter((name) => name.endsWith('-m.json'))
+    .sort((a, b) => order(a) - order(b)),
+);
+
+/** Shirt, hoodie and six-gore skirt first: many pieces, holes in the grid of pages, cut-outs. */
+function order(name: string): number {
+  const place = ['shirt', 'six-gore-skirt', 'hoodie'].findIndex((one) => name.startsWith(one));
+  return place < 0 ? 9 : place;
+}
+
+const print = {group: 'p4m', w1: [5, 0], w2: [0, 5]} as const;
+const tile = '<svg viewBox="0 0 10 10"><rect x="1" y="1" width="4" height="4" fill="#a33"/></svg>';
+
+const inMm = (points: readonly Point[]): Point[] => points.map(([x, y]) => [10 * x, 10 * y]);
+
+/** The greatest distance between two closed lines. [mm] */
+function deviation(a: readonly Point[], b: readonly Point[]): number {
+  const off = (from: readonly Point[], to: readonly Point[]): number[] =>
+    from.map((p) => nearestOn(to, p, true).off);
+  return Math.max(...off(a, b), ...off(b, a));
+}
+
+async function comesBack(sheet: CutSheet, paper: string, ink: 'full' | 'outline'): Promise<void> {
+  const found = paperOf(paper);
+  if (!found) throw new Error(paper);
+  const {bytes} = await cuttingPdf(sheet, {...print, tile}, {paper: found, ink});
+  const drawing = await readAnyDrawing(bytes, 'own.pdf');
+  const isProjected = paper === 'projector';
+  expect(drawing.pieces.map(({doubt}) => doubt)).toEqual(sheet.pieces.map(() => undefined));
+  expect(drawing.pieces.map(({name}) => name).sort()).toEqual(
+    sheet.pieces.map(({label}) => label).sort(),
+  );
+  const shift = shiftOf(sheet, drawing, isProjected);
+  for (const laid of sheet.pieces) {
+    const piece = drawing.pieces.find(({name}) => name === laid.label);
+    if (piece) expectSame(laid, piece, shift, isProjected);
+  }
+}
+
+/** The place of the sheet's origin in the drawing. */
+function shiftOf({pieces}: CutSheet, drawing: Drawing, isProjected: boolean): Point {
+  const [laid] = pieces;
+  const piece = drawing.pieces.find(({name}) => name === laid?.label);
+  const line = inMm((isProjected ? laid?.cut : laid?.sewn)?.[0] ?? []);
+  return minus(boxOf(tracedLoop(piece?.sewn ?? [], 0.01)).low, boxOf(line).low);
+}
+
+function expectSame(laid: LaidPiece, piece: DrawnPiece, shift: Point, isProjected: boolean): void {
+  const moved = (points: readonly Point[]): Point[] => inMm(points).map((p) => plus(p, shift));
+  const sewn = tracedLoop(piece.sewn, 0.01);
+  const line = moved((isProjected ? laid.cut : laid.sewn)[0] ?? []);
+  expect(deviation(line, sewn), laid.label).toBeLessThan(0.2);
+  const total = piece.quantity.asDrawn + piece.quantity.mirrored;
+  expect(total, laid.label).toBe(laid.quantity);
+  const ends = moved(laid.grain);
+  const [foot, head] = piece.grain ?? [];
+  const offs = [foot, head].map((end) =>
+    Math.min(...ends.map((one) => distance(one, end ?? [0, 0]))),
+  );
+  expect(Math.max(...offs), laid.label).toBeLessThan(0.2);
+  if (isProjected) return;
+  expect(deviation(moved(laid.cut[0] ?? []), tracedLoop(piece.cut ?? [], 0.01))).toBeLessThan(0.2);
+  const cutInto = laid.notches.filter(({depthCm}) => depthCm > 0);
+  expect(piece.notches, laid.label).toHaveLength(cutInto.length);
+  for (const at of moved(cutInto.map((notch) => notch.at))) {
+    const off = Math.min(...piece.notches.map((notch) => distance(notch.at, at)));
+    expect(off, laid.label).toBeLessThan(0.25);
+  }
+}
+
+describe.each(garments)('the cutting sheet of %s comes back as the same pieces', (name) => {
+  const sheet = readGarment(readFileSync(join(folder, name), 'utf8')).then((garment) =>
+    draftedSheet(garment, {allowanceCm: 1, hemCm: 3, units: 'cm'}),
+  );
+
+  it.each(['a4', 'letter', 'a0', 'projector'])('from %s', async (paper) => {
+    await comesBack(await sheet, paper, 'outline');
+  });
+
+  it.each(['a4', 'projector'])('from %s with its print', async (paper) => {
+    const {pieces, ...rest} = await sheet;
+    const printed = pieces.map((piece) => ({...piece, ...onPrintAt(0.3, [1, 2])}));
+    await comesBack({...rest, pieces: printed}, paper, 'full');
+  });
+});

@@ -1,0 +1,87 @@
+import {describe, expect, it} from 'vitest';
+
+import {readAnyDrawing} from '@/files/read-drawing.js';
+import type {Drawing} from '@/model/garment/imported-drawing.js';
+
+import {contentOf, pdfOf, tilesOf, wordsPage} from '../../support/files/drawn-pdf.js';
+import {plainSheet, size} from '../../support/files/paper-patterns.js';
+
+const read = (bytes: Uint8Array): Promise<Drawing> => readAnyDrawing(bytes, 'bad.pdf');
+
+const a4 = [210, 297] as const;
+const tiles = tilesOf(plainSheet(), {paper: a4, margin: 10, overlap: 10});
+const good = pdfOf(tiles);
+
+const textOf = (bytes: Uint8Array): string => Buffer.from(bytes).toString('latin1');
+const bytesOf = (text: string): Uint8Array => Uint8Array.from(Buffer.from(text, 'latin1'));
+
+describe('a PDF', () => {
+  it('with a broken cross-reference table is read', async () => {
+    const broken = bytesOf(textOf(good).replace(/startxref\n\d+/, 'startxref\n7'));
+    expect((await read(broken)).pieces).toHaveLength(4);
+  });
+
+  it('that is cut off is read as far as it goes, or refused in one sentence', async () => {
+    const half = bytesOf(textOf(good).slice(0, textOf(good).length >> 1));
+    await expect(read(half)).rejects.toThrow(/^bad\.pdf [^\n]*[.]$/);
+  });
+
+  it('locked by a password is refused', async () => {
+    await expect(read(pdfOf(tiles, {lock: {user: 'secret'}}))).rejects.toThrow(
+      'bad.pdf is locked by a password; open it in a PDF viewer, and save it without one.',
+    );
+  });
+
+  it('of words alone is refused', async () => {
+    await expect(read(pdfOf([wordsPage(a4, 30)]))).rejects.toThrow(
+      'bad.pdf shows no lines; choose the PDF of the pattern, and not that of its instructions.',
+    );
+  });
+
+  it('of pictures alone is refused', async () => {
+    const [width, height] = a4;
+    const text = textOf(pdfOf([{width, height, content: 'q 180 0 0 250 10 10 cm /I Do Q'}]));
+    const image = '/XObject<</I<</Subtype/Image/Width 2/Height 2>>>>';
+    await expect(read(bytesOf(text.replace('/Font<<', `${image}/Font<<`)))).rejects.toThrow(
+      'bad.pdf shows pictures alone, as scans do; only patterns drawn with lines can be read, so ask its maker for a PDF with lines.',
+    );
+  });
+
+  it('of 300 pages is read up to a number of pages', async () => {
+    const pages = [...tiles, ...Array.from({length: 284}, () => wordsPage(a4, 3))];
+    const {pieces, notes} = await read(pdfOf(pages));
+    expect(pieces).toHaveLength(4);
+    expect(notes.join(' ')).toContain('The file has 300 pages, of which the first 200 are read');
+  });
+
+  it('of millions of points is refused', async () => {
+    const wave = Array.from({length: 20_000}, (_, k) => `${k % 200} ${(k * 7) % 280} l`).join('\n');
+    const content = `0 0 m\n${wave}\nS\n`.repeat(20);
+    const [width, height] = a4;
+    const pages = Array.from({length: 6}, () => ({width, height, content}));
+    await expect(read(pdfOf(pages))).rejects.toThrow(
+      /^bad\.pdf draws more than 1\.2 million points/,
+    );
+  });
+
+  it('with neither pages nor objects is refused', async () => {
+    await expect(read(bytesOf('%PDF-1.7\n%%EOF\n'))).rejects.toThrow(
+      'bad.pdf is a damaged PDF; download or export it again.',
+    );
+  });
+
+  it('runs no script and fetches nothing', async () => {
+    const whole = {width: size[0], height: size[1], content: contentOf(plainSheet())};
+    const text = textOf(pdfOf([whole])).replace(
+      '/Type/Catalog',
+      '/Type/Catalog/OpenAction<</S/JavaScript/JS(globalThis.wasRun = 1)>>',
+    );
+    expect((await read(bytesOf(text))).pieces).toHaveLength(4);
+    expect('wasRun' in globalThis).toBe(false);
+  });
+
+  it('leaves the globals of its reader as they were', async () => {
+    await read(good);
+    expect(['window', 'DOMMatrix', 'Path2D'].filter((name) => name in globalThis)).toEqual([]);
+  });
+});

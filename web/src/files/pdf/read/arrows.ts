@@ -1,0 +1,79 @@
+/** Finds arrows: straight lines with a head at one end or both, as grain lines are drawn. [mm] */
+import {cross, distance, dot, minus, unit, type Point} from '../../../model/geometry/vectors.js';
+import {boxOf} from '../../../model/geometry/polyline.js';
+import type {InkLine} from './ink.js';
+
+/** Least length of an arrow, and greatest size of its heads. */
+const shortest = 15;
+const largestHead = 20;
+
+/** Greatest distance between the end of an arrow and its head. */
+const touching = 0.8;
+
+/** Greatest deviation of an arrow from a straight line. */
+const straightness = 0.2;
+
+/** A line with a head. */
+interface Arrow {
+  readonly line: InkLine;
+  readonly heads: readonly InkLine[];
+}
+
+function isStraightLine({points, isClosed}: InkLine): boolean {
+  const [from, to] = [points[0], points.at(-1)];
+  if (isClosed || !from || !to || distance(from, to) < shortest) return false;
+  const along = unit(minus(to, from));
+  return points.every((p) => Math.abs(cross(along, minus(p, from))) <= straightness);
+}
+
+const isSmall = ({points}: InkLine): boolean => {
+  const {low, high} = boxOf(points);
+  return Math.max(high[0] - low[0], high[1] - low[1]) <= largestHead;
+};
+
+/** Returns whether a small line is the head of an arrow at its tip: its points lie behind the tip. */
+function isHead({points}: InkLine, tip: Point, along: Point): boolean {
+  const at = points.map((p) => minus(p, tip));
+  const near = at.some((off) => Math.hypot(...off) <= touching);
+  const behind = at.every((off) => dot(off, along) <= touching);
+  const asides = at.map((off) => cross(along, off));
+  const isWide = Math.max(...asides.map(Math.abs)) > touching;
+  return near && behind && isWide && at.some((off) => dot(off, along) < -touching);
+}
+
+/** Divides lines into arrows and others; heads of arrows are in neither. */
+export function arrowsIn(lines: readonly InkLine[]): {
+  readonly arrows: readonly InkLine[];
+  readonly rest: readonly InkLine[];
+} {
+  const small = lines.filter(isSmall);
+  const cells = new Map<string, InkLine[]>();
+  const keyOf = (x: number, y: number): string => `${Math.round(x / 10)} ${Math.round(y / 10)}`;
+  for (const line of small) {
+    for (const key of new Set(line.points.map(([x, y]) => keyOf(x, y)))) {
+      cells.set(key, [...(cells.get(key) ?? []), line]);
+    }
+  }
+  const near = ([x, y]: Point): InkLine[] => [
+    ...new Set(
+      [-10, 0, 10].flatMap((dx) =>
+        [-10, 0, 10].flatMap((dy) => cells.get(keyOf(x + dx, y + dy)) ?? []),
+      ),
+    ),
+  ];
+  const found = lines.filter(isStraightLine).flatMap((line): Arrow[] => {
+    const [from, to]: [Point, Point] = [line.points[0] ?? [0, 0], line.points.at(-1) ?? [0, 0]];
+    const along = unit(minus(to, from));
+    const back: Point = [-along[0], -along[1]];
+    const ahead = near(to).filter((one) => isHead(one, to, along));
+    const behind = near(from).filter((one) => isHead(one, from, back));
+    const heads = [...ahead, ...behind];
+    // a single stroke at an end is a tick or a corner
+    const isArrow = [ahead, behind].some(
+      (some) => some.length > 1 || some.some(({points}) => points.length > 2),
+    );
+    return isArrow ? [{line, heads}] : [];
+  });
+  const used = new Set(found.flatMap(({line, heads}) => [line, ...heads]));
+  return {arrows: found.map(({line}) => line), rest: lines.filter((line) => !used.has(line))};
+}

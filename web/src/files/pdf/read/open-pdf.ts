@@ -1,0 +1,218 @@
+/** Opens a PDF with pdf.js and reads its pages one after the other. */
+import {FileError} from '../../../model/base/versioned-file.js';
+import {after, planeMap, scaling, shifting, turning} from '../../../model/geometry/plane-map.js';
+import {pdfJs} from './load.js';
+import type {PageInk} from './ink.js';
+import {readInk, type PageFrame, type PointBudget} from './page-ink.js';
+
+/** A layer of the file. */
+export interface PdfLayer {
+  readonly name: string;
+  /** True if viewers show it at first. */
+  readonly isShown: boolean;
+}
+
+export interface PdfPages {
+  readonly pages: readonly PageInk[];
+  readonly layers: readonly PdfLayer[];
+  /** Number of pages of the file. */
+  readonly count: number;
+  /** True if the file contains pictures, which are not read. */
+  readonly hasPictures: boolean;
+  readonly title?: string;
+  readonly program?: string;
+  readonly notes: readonly string[];
+}
+
+/** Greatest number of pages that are read. */
+const mostPages = 200;
+
+/** Greatest number of points of all lines, far above that of a pattern in ten sizes. */
+const mostPoints = 1_200_000;
+
+const millimetresPerPoint = 25.4 / 72;
+
+/** Greatest side of a page; viewers show no larger ones. [mm] */
+const longestSide = 6000;
+
+interface PageChoice {
+  /** Page numbers to read, from 1; all without it. */
+  readonly pages?: readonly number[];
+  /** Called after each page. */
+  readonly onPage?: (read: number, count: number) => Promise<void>;
+}
+
+type Document = Awaited<ReturnType<Awaited<ReturnType<typeof pdfJs>>['getDocument']>['promise']>;
+type Page = Awaited<ReturnType<Document['getPage']>>;
+
+/**
+ * Reads the lines and words of all pages.
+ * @throws {FileError} if the file is locked, damaged or too large
+ */
+export async function openPdf(
+  bytes: Uint8Array,
+  file: string,
+  {pages: chosen, onPage}: PageChoice,
+): Promise<PdfPages> {
+  const library = await pdfJs();
+  const task = library.getDocument({
+    // pdf.js transfers the bytes, and empties them for the caller
+    data: new Uint8Array(bytes),
+    ...{isEvalSupported: false, enableXfa: false, useWasm: false, useWorkerFetch: false},
+    ...{disableFontFace: true, useSystemFonts: false, fontExtraProperties: false},
+    ...{disableAutoFetch: true, disableStream: true, isOffscreenCanvasSupported: false},
+    ...{isImageDecoderSupported: false, maxImageSize: 1, verbosity: 0},
+  });
+  try {
+    const document = await opened(task.promise, file);
+    const count = document.numPages;
+    const numbers = pagesToRead(chosen, count, file);
+    const {layers, names} = await layersOf(document);
+    const budget: PointBudget = {left: mostPoints};
+    const pages: PageInk[] = [];
+    const notes: string[] = [];
+    for (const [k, number] of numbers.entries()) {
+      try {
+        const page = await document.getPage(number);
+        pages.push(await inkOf(page, number, {library, names, budget}));
+        page.cleanup();
+      } catch (error) {
+        if (error instanceof RangeError && budget.left < 0) {
+          throw new FileError(
+            file,
+            `draws more than ${mostPoints / 1e6} million points up to page ${number}, as a picture does and no pattern; choose its pattern pages, or export the outlines alone.`,
+          );
+        }
+        notes.push(`Page ${number} is damaged, and left out.`);
+      }
+      await onPage?.(k + 1, numbers.length);
+    }
+    if (pages.length === 0)
+      throw new FileError(file, 'has no page that can be read; export it again.');
+    if (chosen === undefined && count > numbers.length) {
+      notes.push(
+        `The file has ${count} pages, of which the first ${numbers.length} are read; choose others by their numbers.`,
+      );
+    }
+    return {
+      ...{pages, layers, count, notes, hasPictures: containsPictures(bytes)},
+      ...(await about(document)),
+    };
+  } finally {
+    await task.destroy();
+  }
+}
+
+function pagesToRead(
+  chosen: readonly number[] | undefined,
+  count: number,
+  file: string,
+): readonly number[] {
+  if (!chosen) return Array.from({length: Math.min(count, mostPages)}, (_, k) => k + 1);
+  const inFile = chosen.filter((number) => number <= count);
+  if (inFile.length > 0) return inFile.slice(0, mostPages);
+  throw new FileError(
+    file,
+    `has ${count} ${count === 1 ? 'page' : 'pages'} and no page ${chosen[0] ?? 0}; choose other pages.`,
+  );
+}
+
+/** @throws {FileError} with the reason in one sentence */
+async function opened(document: Promise<Document>, file: string): Promise<Document> {
+  try {
+    return await document;
+  } catch (cause) {
+    const {name} = cause as Error;
+    const why =
+      name === 'PasswordException'
+        ? 'is locked by a password; open it in a PDF viewer, and save it without one.'
+        : 'is a damaged PDF; download or export it again.';
+    throw new FileError(file, why, {cause});
+  }
+}
+
+/** The layers, and their names by the identifiers of pdf.js. */
+async function layersOf(
+  document: Document,
+): Promise<{readonly layers: readonly PdfLayer[]; readonly names: ReadonlyMap<string, string>}> {
+  const names = new Map<string, string>();
+  const layers = new Map<string, PdfLayer>();
+  try {
+    const config = await document.getOptionalContentConfig();
+    for (const [id, group] of config as Iterable<[string, {name?: unknown; visible?: unknown}]>) {
+      const {name: stated, visible} = group;
+      const name = typeof stated === 'string' && stated.trim() !== '' ? stated.trim() : id;
+      names.set(id, name);
+      layers.set(name, {name, isShown: visible !== false});
+    }
+  } catch {
+    // a file with damaged layers is read without them
+  }
+  return {layers: [...layers.values()], names};
+}
+
+async function inkOf(
+  page: Page,
+  number: number,
+  {
+    library,
+    names,
+    budget,
+  }: {
+    readonly library: Awaited<ReturnType<typeof pdfJs>>;
+    readonly names: ReadonlyMap<string, string>;
+    readonly budget: PointBudget;
+  },
+): Promise<PageInk> {
+  const list = await page.getOperatorList({
+    intent: 'print',
+    annotationMode: library.AnnotationMode.DISABLE,
+  });
+  return readInk(list, library.OPS, frameOf(page, number), names, budget);
+}
+
+/** Size of the parts in which a file is searched, and their overlap. [bytes] */
+const searched = {size: 2 ** 20, overlap: 32};
+
+/**
+ * Returns whether the file contains pictures. Their entries are never compressed, and pdf.js does
+ * not report pictures that it does not decode.
+ */
+function containsPictures(bytes: Uint8Array): boolean {
+  const decoder = new TextDecoder('latin1');
+  for (let from = 0; from < bytes.length; from += searched.size) {
+    const part = bytes.subarray(from, from + searched.size + searched.overlap);
+    if (/\/Subtype\s*\/Image\b/.test(decoder.decode(part))) return true;
+  }
+  return false;
+}
+
+/** The page as it is shown: turned, and from its lower left corner. */
+function frameOf(page: Page, number: number): PageFrame {
+  const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = page.view;
+  const scale = millimetresPerPoint * (page.userUnit || 1);
+  const [across, up] = [(x1 - x0) * scale, (y1 - y0) * scale];
+  const turn = ((page.rotate % 360) + 360) % 360;
+  const unturned = after(scaling(scale), shifting(-x0, -y0));
+  // the corner that becomes the lower left one
+  const corner = {90: [0, across], 180: [across, up], 270: [up, 0]}[turn] ?? [0, 0];
+  const map = after(planeMap(1, 0, 0, 1, corner[0], corner[1]), after(turning(-turn), unturned));
+  const [width, height] = turn % 180 === 0 ? [across, up] : [up, across];
+  if (!(width > 0 && height > 0 && Math.max(width, height) <= longestSide)) {
+    throw new RangeError('no size');
+  }
+  return {number, width, height, map};
+}
+
+async function about(document: Document): Promise<{title?: string; program?: string}> {
+  try {
+    const {info} = await document.getMetadata();
+    const {Title, Creator} = info as {readonly Title?: unknown; readonly Creator?: unknown};
+    const said = (value: unknown): string | undefined =>
+      typeof value === 'string' && value.trim() !== '' ? value.trim() : undefined;
+    const [title, program] = [said(Title), said(Creator)];
+    return {...(title !== undefined && {title}), ...(program !== undefined && {program})};
+  } catch {
+    return {};
+  }
+}

@@ -1,0 +1,70 @@
+/**
+ * Converts an assembled sheet to the drawing from which pieces are read: joined lines with hints of
+ * their roles, and texts. Lengths in mm.
+ */
+import type {Point} from '../../../model/geometry/vectors.js';
+import {boxOf} from '../../../model/geometry/polyline.js';
+import {straight} from '../../base/bezier.js';
+import type {XmlElement} from '../../base/xml.js';
+import type {Line} from '../../svg/lines.js';
+import type {Drawn, DrawnText, Sheet as DrawnSheet} from '../../svg/walk.js';
+import {arrowsIn} from './arrows.js';
+import type {Sheet} from './assemble.js';
+import {middleOf, type InkStyle, type InkText} from './ink.js';
+import {isHelpLayer, statedRole} from './layer-words.js';
+import {byStyle, joinedLines, styleKey} from './styles.js';
+
+const elementOf = (name?: string): XmlElement => ({
+  name: 'path',
+  attributes: new Map(name === undefined ? [] : [['data-name', name]]),
+  children: [],
+});
+
+const lineOf = (points: readonly Point[], isClosed: boolean): Line => {
+  const [start = [0, 0], ...rest] = points;
+  const ends = isClosed ? [...rest, start] : rest;
+  return {start, cubics: ends.map((to, k) => straight(points[k] ?? start, to)), isClosed};
+};
+
+function drawn(points: readonly Point[], isClosed: boolean, style: InkStyle, name?: string): Drawn {
+  const {stroke = 'none', isFilled, opacity, layer} = style;
+  const stated = layer === undefined ? undefined : statedRole(layer);
+  return {
+    element: elementOf(name),
+    groups: [],
+    style: {
+      ...{stroke, fill: isFilled ? '#000000' : 'none', isHidden: false, isDashed: false},
+      ...{opacity, isEvenOdd: false, fontSize: 1},
+    },
+    lines: [lineOf(points, isClosed)],
+    isUsed: false,
+    hints: {...(stated && {stated}), style: styleKey(style)},
+  };
+}
+
+const textOf = ({text, size, ...ends}: InkText): DrawnText => ({
+  ...{element: elementOf(), groups: [], lines: [text], size},
+  at: middleOf({text, size, ...ends}),
+});
+
+/** The drawing of a sheet; lines for help and arrowheads are left out. */
+export function drawingOf(
+  {lines, texts}: Pick<Sheet, 'lines' | 'texts'>,
+  program?: string,
+): DrawnSheet {
+  const useful = lines.filter(({style: {layer}}) => layer === undefined || !isHelpLayer(layer));
+  const {arrows, rest} = arrowsIn(useful);
+  const joined = [...byStyle(rest).values()].flatMap(joinedLines);
+  const {low, high} = boxOf(joined.flatMap(({points}) => points));
+  return {
+    drawn: [
+      ...joined.map(({points, isClosed, style}) => drawn(points, isClosed, style)),
+      ...arrows.map(({points, style}) => drawn(points, false, style, 'grainline')),
+    ],
+    texts: texts.filter(({layer}) => layer === undefined || !isHelpLayer(layer)).map(textOf),
+    symbols: [],
+    notes: [],
+    page: [high[0] - low[0] + 1000, high[1] - low[1] + 1000],
+    ...(program !== undefined && {program}),
+  };
+}
