@@ -235,7 +235,7 @@ describe('DXF of other formats', () => {
 
 /** The pen's lines by frame, and the size of the frames. [cm] */
 function framesOf(plt: string) {
-  const [, length = NaN] = /PS(\d+),/.exec(plt) ?? [];
+  const [, length = NaN] = /PS(\d+);/.exec(plt) ?? [];
   const lines = plt
     .split('FR;')
     .map((frame) =>

@@ -45,7 +45,7 @@ const penLines = (lines: readonly {readonly pen: number; readonly lines: readonl
 /**
  * The HP-GL text of strokes in cm. A plot within 81.9 cm is written as it is. A larger one is moved
  * to the origin with its longer side along x. Each frame then starts at x = 0, and joins the end of
- * the one before; `FR` advances the paper by a frame, whose size `PS` states.
+ * the one before; `FR` advances the paper by a frame, whose length `PS` states.
  * @throws {RangeError} if both sides are longer than `hpglWidthCm`
  */
 export function hpglText(pens: readonly PenStrokes[]): string {
@@ -65,7 +65,6 @@ export function hpglText(pens: readonly PenStrokes[]): string {
 /** The place of a point on the plotter, whose x axis follows the longer side. */
 function onPlotter({low, high}: Box): {
   readonly lengthCm: number;
-  readonly widthCm: number;
   readonly map: (point: Point) => Point;
 } {
   const [across, up] = [high[0] - low[0], high[1] - low[1]];
@@ -79,11 +78,11 @@ function onPlotter({low, high}: Box): {
   const shift = widthCm > reach ? -widthCm / 2 : 0;
   const map = ([x, y]: Point): Point =>
     up > across ? [y - low[1], high[0] - x + shift] : [x - low[0], y - low[1] + shift];
-  return {lengthCm, widthCm, map};
+  return {lengthCm, map};
 }
 
 function framed(pens: readonly PenStrokes[], box: Box): string {
-  const {lengthCm, widthCm, map} = onPlotter(box);
+  const {lengthCm, map} = onPlotter(box);
   const laid = pens.map(({pen, strokes}) => ({
     pen,
     lines: strokes.map((stroke) => closed(stroke).map(map)),
@@ -99,6 +98,6 @@ function framed(pens: readonly PenStrokes[], box: Box): string {
       })),
     ).join('\n');
   });
-  const size = `PS${Math.round(units * frameCm)},${Math.ceil(units * widthCm)};`;
+  const size = `PS${Math.round(units * frameCm)};`;
   return ['IN;', size, frames.join('\nFR;\n'), 'SP0;', ''].join('\n');
 }
