@@ -41,6 +41,27 @@ function isHead({points}: InkLine, tip: Point, along: Point): boolean {
   return near && behind && isWide && at.some((off) => dot(off, along) < -touching);
 }
 
+/** Greatest width of an arrow with its heads in one path, and least length in widths. */
+const slender = {width: 10, ratio: 6};
+
+/** The straight line of an arrow that is drawn as one filled path; undefined for other lines. */
+function inOnePath(line: InkLine): InkLine | undefined {
+  const {points, style} = line;
+  const [first] = points;
+  if (!first || !style.isFilled || points.length < 5 || points.length > 16) return undefined;
+  const farthest = (from: Point): Point =>
+    points.reduce((best, p) => (distance(from, p) > distance(from, best) ? p : best), from);
+  const to = farthest(first);
+  const from = farthest(to);
+  const length = distance(from, to);
+  if (length < shortest) return undefined;
+  const along = unit(minus(to, from));
+  const asides = points.map((p) => cross(along, minus(p, from)));
+  const width = Math.max(...asides) - Math.min(...asides);
+  const isArrow = width > touching && width <= slender.width && length >= slender.ratio * width;
+  return isArrow ? {points: [from, to], isClosed: false, style} : undefined;
+}
+
 /** Divides lines into arrows and others; heads of arrows are in neither. */
 export function arrowsIn(lines: readonly InkLine[]): {
   readonly arrows: readonly InkLine[];
@@ -74,6 +95,16 @@ export function arrowsIn(lines: readonly InkLine[]): {
     );
     return isArrow ? [{line, heads}] : [];
   });
-  const used = new Set(found.flatMap(({line, heads}) => [line, ...heads]));
-  return {arrows: found.map(({line}) => line), rest: lines.filter((line) => !used.has(line))};
+  const whole = lines.flatMap((line) => {
+    const arrow = inOnePath(line);
+    return arrow ? [{line, arrow}] : [];
+  });
+  const used = new Set([
+    ...found.flatMap(({line, heads}) => [line, ...heads]),
+    ...whole.map(({line}) => line),
+  ]);
+  return {
+    arrows: [...found.map(({line}) => line), ...whole.map(({arrow}) => arrow)],
+    rest: lines.filter((line) => !used.has(line)),
+  };
 }

@@ -11,6 +11,7 @@ import {assembled, type Sheet} from './assemble.js';
 import {withAllowance} from './allowance.js';
 import {statedAllowance} from './allowance-words.js';
 import type {PageInk} from './ink.js';
+import {withOpenCutLines} from './open-cut-lines.js';
 import {openPdf, type PdfPages} from './open-pdf.js';
 import {assemblyNotes, whyNoPiece} from './notes.js';
 import {withoutGrid} from './projector-grid.js';
@@ -81,13 +82,15 @@ export function drawingOfPdf(
       ),
   };
   const sized = chosenSize(sheet, layers, options.size, file);
-  const found = genericPieces(drawingOf(sized, program));
+  const drawn = drawingOf(sized, program);
+  const found = genericPieces(drawn);
   const complaint = found.pieces.length > 0 ? undefined : whyNoPiece(pdf, whole, found.notes);
   if (complaint !== undefined && !(isOffered && whole.lines.length > 0)) {
     throw new FileError(file, complaint);
   }
   const stated = statedAllowance(pdf.pages.flatMap(({texts}) => texts.map(({text}) => text)));
-  const allowed = withAllowance(found.pieces, options.allowanceCm, stated);
+  const pieces = withOpenCutLines(found.pieces, drawn);
+  const allowed = withAllowance(pieces, options.allowanceCm, stated);
   return {
     kind: 'pdf',
     ...(program !== undefined && {program}),
