@@ -81,7 +81,7 @@ bool EffortRun::keptLines(const BestRun& run) const {
 void EffortRun::tryLessChange() {
   const Round last = rounds_.back();
   const double change = last.change / 2;
-  if (change < ShapingTuning::kLeastHalved * requested_change_) return;
+  if (change < kLeastChange || change < ShapingTuning::kLeastHalved * requested_change_) return;
   if (!keptLines(*best_requested_) || (best_symmetric_ && !keptLines(*best_symmetric_))) return;
   if (symmetric_) rounds_.push_back({true, change, last.seed});
   rounds_.push_back({false, change, last.seed});
