@@ -162,7 +162,7 @@ it('says once in the editor what is wrong with a picture, which several of its p
   await frames(open.page);
   const told = await open.page.evaluate(() => (globalThis as unknown as {told: string[]}).told);
   expect(told).toEqual([
-    expect.stringMatching(/^not-an-image: .*p4m.svg takes in pictures from elsewhere.*\.$/),
+    expect.stringMatching(/^not-an-image: .*p4m.svg links to other pictures.*\.$/),
   ]);
 });
 

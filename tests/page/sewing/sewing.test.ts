@@ -33,8 +33,7 @@ const says = (page: Page, text: RegExp): Promise<void> =>
 
 /** Leaves the questions that a garment without seams begins with. */
 async function byHand(page: Page): Promise<void> {
-  await expect.poll(() => button(page, 'Suggest seams').getAttribute('aria-pressed')).toBe('true');
-  await button(page, 'Suggest seams').click();
+  await page.getByRole('button', {name: 'Suggest seams', pressed: true}).click();
   await says(page, /^(Choose|Tap) an edge/);
 }
 

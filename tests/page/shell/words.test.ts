@@ -15,7 +15,7 @@ it('says notes on a garment and faults of files in German, around the place in t
   await page.getByText(/^In .* ausgerichtet$/).waitFor({timeout: 60_000});
   await page.getByText(/^Hinweise/).click();
   await page
-    .getByText(/Eine Seite ist um mehr als ein Zehntel länger .*: Front waist, Back waist\./)
+    .getByText(/Eine Seite ist um mehr als ein Zehntel länger .*: Taille vorn, Taille hinten\./)
     .waitFor();
 
   await choose(page, 'Mein Schnitt', jsonFile('leer.json', {pattern: {}}));

@@ -21,14 +21,14 @@ async function mirrorLines(page: Page, lines: readonly [Line, Line]): Promise<vo
     const {seam, side} = await seamOf(page, name, piece);
     await clickSeam(page, seam, side);
   }
-  await hint(page, /mirrors onto itself, to within [\d.]+ mm/);
+  await hint(page, /The piece is symmetric to within [\d.]+ mm/);
   await button(page, 'Accept').click();
 }
 
 async function mirrorPieces(page: Page, pieces: readonly [string, string]): Promise<void> {
   await hint(page, /^Click the first/);
   for (const piece of pieces) await clickPiece(page, piece);
-  await hint(page, /mirror onto each other, to within [\d.]+ mm/);
+  await hint(page, /The pieces are mirror images to within [\d.]+ mm/);
   await button(page, 'Accept').click();
 }
 
