@@ -353,15 +353,19 @@ class InkReader {
   #add(data: ArrayLike<number>, style: InkStyle, closes: boolean): void {
     const {clip, map} = this.state;
     if (style.layer !== undefined && isHelpLayer(style.layer)) return;
-    this.#spend(data.length / 3);
+    const written = data.length / 3;
+    this.#spend(written);
+    let drawn = 0;
     for (const line of linesOfPath(data, map)) {
       const whole = closes ? {...line, isClosed: true} : line;
       for (const {points, isClosed} of partsInBox(whole, clip)) {
-        this.#spend(points.length);
+        drawn += points.length;
         const list = style.stroke === undefined ? this.#fills : this.#lines;
         list.push({points, isClosed, style});
       }
     }
+    // curves have more points than their data
+    this.#spend(Math.max(0, drawn - written));
     if (style.stroke !== undefined) this.#use(clip);
   }
 

@@ -12,6 +12,7 @@ import {withAllowance} from './allowance.js';
 import {statedAllowance} from './allowance-words.js';
 import type {PageInk} from './ink.js';
 import {withOpenCutLines} from './open-cut-lines.js';
+import {withoutHatching} from './hatching.js';
 import {openPdf, type PdfPages} from './open-pdf.js';
 import {assemblyNotes, whyNoPiece} from './notes.js';
 import {withoutGrid} from './projector-grid.js';
@@ -63,7 +64,8 @@ export function drawingOfPdf(
   const scale = ratio ?? 1;
   const isScaled = !isTrueToScale(scale);
   const isOwn = layers.some(({name}) => name === wordsLayer);
-  const {lines, notes: gridNotes} = withoutGrid(whole.lines.filter((line) => !squares.has(line)));
+  const bare = withoutHatching(whole.lines.filter((line) => !squares.has(line)));
+  const {lines, notes: gridNotes} = withoutGrid(bare.lines);
   const sheet = {
     lines: isScaled
       ? lines.map((one) => ({...one, points: scaledPoints(one.points, scale)}))
@@ -107,7 +109,14 @@ export function drawingOfPdf(
       ...(complaint === undefined ? [] : [`${file} ${complaint}`]),
       ...assemblyNotes(whole, pdf),
       ...(isScaled && ratio !== undefined ? [scaleNote(ratio)] : []),
-      ...[...gridNotes, ...sized.notes, ...allowed.notes, ...found.notes, ...pdf.notes],
+      ...[
+        ...bare.notes,
+        ...gridNotes,
+        ...sized.notes,
+        ...allowed.notes,
+        ...found.notes,
+        ...pdf.notes,
+      ],
     ],
   };
 }
