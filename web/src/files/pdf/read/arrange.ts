@@ -147,7 +147,7 @@ const highest = <T extends {readonly score: number}>(rated: readonly T[]): T | u
 /** The overlap that borders imply: pages are usually cut along them. */
 function priorOverlap(tiles: readonly Tile[], {low, high}: Box, {overlap}: StatedGrid): Point {
   if (overlap !== undefined) return [overlap, overlap];
-  const borders = tiles.flatMap(({border}) => border ?? []);
+  const borders = tiles.map(({border}) => border);
   const implied = (axis: 0 | 1): number => {
     const least = Math.min(...borders.map((box) => box.high[axis] - box.low[axis]));
     const left = high[axis] - low[axis] - least;

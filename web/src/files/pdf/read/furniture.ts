@@ -14,8 +14,8 @@ export interface Tile {
   readonly texts: readonly InkText[];
   /** True if it has the furniture of most pages of its size. */
   readonly isFurnished: boolean;
-  /** The border of the page, if it is drawn. */
-  readonly border?: Box;
+  /** The border of the page; the window where none is drawn. */
+  readonly border: Box;
 }
 
 /** Layers of lines that belong to the paper. */
@@ -58,7 +58,12 @@ export function withoutFurniture(pages: readonly PageInk[]): Tile[] {
   const least = Math.max(usual.count, usual.share * pages.length);
   const common = new Set([...counts].filter(([, count]) => count >= least).map(([key]) => key));
   return pages.map((ink) => {
-    const border = borderOf(ink, counts);
+    const border =
+      borderOf(ink, counts) ??
+      borderBetween(
+        ink,
+        ink.lines.filter((line) => common.has(keyOf(line))),
+      );
     const isOwn = (line: InkLine): boolean =>
       !common.has(keyOf(line)) && !isPaper(line) && !isBorder(line, ink, counts);
     const keys = new Set(ink.lines.map(keyOf));
@@ -68,7 +73,7 @@ export function withoutFurniture(pages: readonly PageInk[]): Tile[] {
       lines: ink.lines.filter(isOwn),
       texts: ink.texts.filter(({layer}) => layer === undefined || !furnitureLayer.test(layer)),
       isFurnished: common.size > 0 ? found >= common.size / 2 : ink.lines.some(isPaper),
-      ...(border && {border}),
+      border,
     };
   });
 }
@@ -96,4 +101,31 @@ function borderOf(ink: PageInk, counts: ReadonlyMap<string, number>): Box | unde
     .filter((line) => isBorder(line, ink, counts))
     .map(({points}) => boxOf(points))
     .sort((a, b) => area(a) - area(b))[0];
+}
+
+/** Least share of a page that a line of its border spans. */
+const leastSpan = 0.75;
+
+/** The border that single lines across a page draw; other sides are those of the window. */
+function borderBetween(
+  {window: {low, high}, width, height}: PageInk,
+  lines: readonly InkLine[],
+): Box {
+  const sides = (axis: 0 | 1): readonly [number, number] => {
+    const along = axis === 0 ? 1 : 0;
+    const places = lines.flatMap(({points, isClosed}) => {
+      const box = boxOf(points);
+      const span = along === 0 ? width : height;
+      const isAcross = box.high[along] - box.low[along] >= leastSpan * span;
+      const isStraight = box.high[axis] - box.low[axis] < 0.1;
+      return !isClosed && isAcross && isStraight ? [box.low[axis]] : [];
+    });
+    const middle = (axis === 0 ? width : height) / 2;
+    return [
+      Math.max(low[axis], ...places.filter((place) => place < middle)),
+      Math.min(high[axis], ...places.filter((place) => place > middle)),
+    ];
+  };
+  const [[left, right], [below, above]] = [sides(0), sides(1)];
+  return {low: [left, below], high: [right, above]};
 }

@@ -90,6 +90,8 @@ const bend = 0.2;
 
 /** Penalty for a line that ends at a joint. */
 const miss = 0.75;
+/** Penalty for the distance between lines that go on, per mm. */
+const drift = 0.5;
 /** Weight of the parallels at both sides of an overlap, against that in its middle. */
 const outer = 0.5;
 /** Penalty for a line that enters a strip without any line, which may be a margin. */
@@ -110,8 +112,9 @@ export function gainAt(from: Profile, to: Profile, k: number): number {
     const [one, two] = [from[a] ?? [], to[b] ?? []];
     const isMargin = (one.length === 0 || two.length === 0) && weight < 1;
     if (isMargin) return sum - intoNothing * (one.length + two.length);
-    const {meets, misses} = meetingOf(one, two);
-    return sum + weight * (meets - miss * misses);
+    const {meets, misses, gaps} = meetingOf(one, two);
+    const off = gaps.reduce((all, gap) => all + Math.abs(gap), 0);
+    return sum + weight * (meets - miss * misses - drift * off);
   }, 0);
 }
 

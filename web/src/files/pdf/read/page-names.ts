@@ -33,7 +33,7 @@ function pairOf(text: string): Pair | undefined {
   if (worded) return [Number(worded[1]) - 1, Number(worded[2]) - 1];
   const turned = columnThenRow.exec(text);
   if (turned) return [Number(turned[2]) - 1, Number(turned[1]) - 1];
-  const plain = /^(\d{1,2}) ?[-/.,:x×] ?(\d{1,2})$/.exec(text);
+  const plain = /^(?:\p{L}* ?\( ?)?(\d{1,2}) ?[-/.,:x×] ?(\d{1,2})(?: ?\))?$/u.exec(text);
   return plain ? [Number(plain[1]) - 1, Number(plain[2]) - 1] : undefined;
 }
 
