@@ -106,7 +106,10 @@ function borderOf(ink: PageInk, counts: ReadonlyMap<string, number>): Box | unde
 /** Least share of a page that a line of its border spans. */
 const leastSpan = 0.75;
 
-/** The border that single lines across a page draw; other sides are those of the window. */
+/**
+ * The border that single lines across a page draw. The side opposite to a line is that of the
+ * window; without lines, that of the page.
+ */
 function borderBetween(
   {window: {low, high}, width, height}: PageInk,
   lines: readonly InkLine[],
@@ -120,7 +123,9 @@ function borderBetween(
       const isStraight = box.high[axis] - box.low[axis] < 0.1;
       return !isClosed && isAcross && isStraight ? [box.low[axis]] : [];
     });
-    const middle = (axis === 0 ? width : height) / 2;
+    const whole = axis === 0 ? width : height;
+    if (places.length === 0) return [0, whole];
+    const middle = whole / 2;
     return [
       Math.max(low[axis], ...places.filter((place) => place < middle)),
       Math.min(high[axis], ...places.filter((place) => place > middle)),

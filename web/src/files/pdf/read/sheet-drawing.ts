@@ -47,6 +47,9 @@ const textOf = ({text, size, ...ends}: InkText): DrawnText => ({
   at: middleOf({text, size, ...ends}),
 });
 
+/** Greatest length of a text that names or counts a piece; longer ones run along lines. */
+const longest = 80;
+
 /** The drawing of a sheet; lines for help and arrowheads are left out. */
 export function drawingOf(
   {lines, texts}: Pick<Sheet, 'lines' | 'texts'>,
@@ -61,7 +64,11 @@ export function drawingOf(
       ...joined.map(({points, isClosed, style}) => drawn(points, isClosed, style)),
       ...arrows.map(({points, style}) => drawn(points, false, style, 'grainline')),
     ],
-    texts: texts.filter(({layer}) => layer === undefined || !isHelpLayer(layer)).map(textOf),
+    texts: texts
+      .filter(
+        ({layer, text}) => (layer === undefined || !isHelpLayer(layer)) && text.length <= longest,
+      )
+      .map(textOf),
     symbols: [],
     notes: [],
     page: [high[0] - low[0] + 1000, high[1] - low[1] + 1000],

@@ -73,7 +73,24 @@ function endsAt(tiles: readonly Tile[], axis: 0 | 1, side: 'low' | 'high', given
   if (found.length === 0) return given;
   const best = found.reduce((one, other) => (around(other) > around(one) ? other : one));
   const exact = meanAt(tiles, axis, best * bin);
+  if (shareBeyond(tiles, axis, side, exact) > mostBeyond) return given;
   return Math.abs(exact - given) < same ? given : exact;
+}
+
+/** Greatest share of lines that reach beyond the side of a window, where programs cut all lines. */
+const mostBeyond = 0.02;
+
+function shareBeyond(
+  tiles: readonly Tile[],
+  axis: 0 | 1,
+  side: 'low' | 'high',
+  place: number,
+): number {
+  const lines = tiles.flatMap((tile) => tile.lines);
+  const reaches = lines.filter(({points}) =>
+    points.some((p) => (side === 'low' ? p[axis] < place - same : p[axis] > place + same)),
+  );
+  return reaches.length / (lines.length || 1);
 }
 
 /** The mean place of the ends near a place. */
