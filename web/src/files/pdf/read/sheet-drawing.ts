@@ -47,8 +47,8 @@ const textOf = ({text, size, ...ends}: InkText): DrawnText => ({
   at: middleOf({text, size, ...ends}),
 });
 
-/** Greatest length of a text that names or counts a piece; longer ones run along lines. */
-const longest = 80;
+/** Text along a line repeats its words from end to end, and names no piece. */
+const isRepeated = (text: string): boolean => /(.{4,80}?)\s*\1\s*\1/.test(text.slice(0, 300));
 
 /** The drawing of a sheet; lines for help and arrowheads are left out. */
 export function drawingOf(
@@ -65,9 +65,7 @@ export function drawingOf(
       ...arrows.map(({points, style}) => drawn(points, false, style, 'grainline')),
     ],
     texts: texts
-      .filter(
-        ({layer, text}) => (layer === undefined || !isHelpLayer(layer)) && text.length <= longest,
-      )
+      .filter(({layer, text}) => (layer === undefined || !isHelpLayer(layer)) && !isRepeated(text))
       .map(textOf),
     symbols: [],
     notes: [],
