@@ -219,6 +219,12 @@ describe('the pages of a PDF', () => {
     expect(drawing.pages).toMatchObject({columns: 4, rows: 4, overlapCm: [1, 1]});
   });
 
+  it('may be left out and keep their place', async () => {
+    const {pieces, pages} = await read(bytes, {without: [10]});
+    expect(pages).toMatchObject({columns: 4, rows: 4, others: [1, 10]});
+    expect(pieces.map(({name}) => name)).toContain('Pocket');
+  });
+
   it('are reported where their lines do not meet', async () => {
     const drawing = await read(bytes, {
       grid: [4, 4],

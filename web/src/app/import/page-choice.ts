@@ -55,7 +55,7 @@ function numbersField({pages, words, choose}: ShownPages): TemplateResult {
       @change=${({target}: Event) => {
         const field = target as HTMLInputElement;
         const numbers = numbersIn(field.value)?.filter((number) => number <= pages.count);
-        if (numbers && numbers.length > 0) choose({pages: numbers});
+        if (numbers && numbers.length > 0) choose({pages: numbers, without: []});
         else field.value = used;
       }}
     />
@@ -77,7 +77,7 @@ function gridFields(of: ShownPages): TemplateResult {
       .wrong=${texts.controls.between('1', String(most))}
       @entered=${({detail}: CustomEvent<number>) => {
         const columns = Math.round(detail);
-        choose({pages: usedIn(pages), grid: [columns, Math.ceil(count / columns)]});
+        choose({pages: usedIn(pages), without: [], grid: [columns, Math.ceil(count / columns)]});
       }}
     ></sw-number-field>
     ${lengthField(of, 'trimCm', words.trim, pages.trimCm ?? 0)}
@@ -94,7 +94,7 @@ function lengthField(
   const {cm, name: unit} = lengthUnit[units];
   return html`<sw-number-field
     .label=${label(unit)}
-    .value=${Number(((options[name] ?? found) / cm).toFixed(3))}
+    .value=${Number(((options[name] ?? found) / cm).toFixed(2))}
     .least=${0}
     .most=${widest / cm}
     .step=${0.1}
@@ -127,7 +127,7 @@ const short = (value: number): string => String(Number(value.toFixed(1)));
 const rim = 0.01;
 
 /** Draws the sheet with its pages; a click on a page leaves it out. */
-export function pagePreview({pages, shown, words, choose}: ShownPages): TemplateResult {
+export function pagePreview({pages, shown, options, words, choose}: ShownPages): TemplateResult {
   const {placed, openJoints} = pages;
   const corners = placed.flatMap(({low, high}) => [low, high]);
   const side = (axis: 0 | 1, most: boolean): number =>
@@ -136,8 +136,7 @@ export function pagePreview({pages, shown, words, choose}: ShownPages): Template
   const margin = rim * Math.max(right - left, high - low);
   const view = [left - margin, -high - margin, right - left + 2 * margin, high - low + 2 * margin];
   const leaveOut = (number: number): void => {
-    const rest = usedIn(pages).filter((other) => other !== number);
-    if (rest.length > 0) choose({pages: rest});
+    if (placed.length > 1) choose({without: [...(options.without ?? []), number]});
   };
   return html`<svg
     class="sheet"

@@ -125,6 +125,8 @@ export interface DrawingOptions {
   readonly pixelsPerInch?: number;
   /** Page numbers of a PDF, from 1. Default: those with a pattern. */
   readonly pages?: readonly number[];
+  /** Page numbers of a PDF that keep their place in the grid and show nothing. */
+  readonly without?: readonly number[];
   /** Columns and rows of the pages of a PDF, in reading order. */
   readonly grid?: readonly [columns: number, rows: number];
   /** Strip at each side of the pages of a PDF that is cut off. [cm] */

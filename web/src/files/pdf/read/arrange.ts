@@ -25,6 +25,8 @@ import {tileWindow} from './windows.js';
 export interface StatedGrid {
   /** True if the user names the pages, in their order. */
   readonly isExact?: boolean;
+  /** Numbers of pages that keep their place and show nothing. */
+  readonly without?: readonly number[];
   /** Number of columns and rows. */
   readonly grid?: Point;
   /** Strip that is cut off at each side of a page. [mm] */

@@ -50,12 +50,17 @@ export function assembled(pages: readonly PageInk[], stated: StatedGrid): Sheet 
   const tiles = bySize(pages).flatMap(withoutFurniture);
   const {chosen: drawn, notes} = chosenTiles(tiles, stated);
   const {chosen, arrangement} = joinable(drawn, stated);
-  const isChosen = new Set(chosen.map(({ink}) => ink.number));
+  const hidden = new Set(stated.without ?? []);
+  const isChosen = new Set(
+    chosen.map(({ink}) => ink.number).filter((number) => !hidden.has(number)),
+  );
   const others = pages.map(({number}) => number).filter((number) => !isChosen.has(number));
   const isTiled =
     arrangement !== undefined &&
     (arrangement.score > 0 || arrangement.isNamed || stated.grid !== undefined);
-  const sheet = isTiled ? joined(chosen, arrangement) : besideEachOther(chosen);
+  const sheet = isTiled
+    ? joined(chosen, arrangement, hidden)
+    : besideEachOther(chosen.filter(({ink}) => !hidden.has(ink.number)));
   return {...sheet, others, notes: [...notes, ...sheet.notes]};
 }
 
@@ -78,18 +83,23 @@ type Joined = Omit<Sheet, 'others'>;
 /** Both sides of the outline of one piece end on both pages. */
 const manyMisses = 4;
 
-function joined(tiles: readonly Tile[], arrangement: Arrangement): Joined {
+function joined(
+  tiles: readonly Tile[],
+  arrangement: Arrangement,
+  hidden: ReadonlySet<number>,
+): Joined {
   const {cells, window, overlap, joints} = arrangement;
   const {low, high} = window;
   const steps: Point = [high[0] - low[0] - overlap[0], high[1] - low[1] - overlap[1]];
   const taken = new Set(cells.map(({row, column}) => `${row} ${column}`));
-  const placed = tiles.map((tile, k) => {
+  const all = tiles.map((tile, k) => {
     const {row, column} = cells[k] ?? {row: 0, column: 0};
     const shift: Point = [column * steps[0] - low[0], -row * steps[1] - high[1]];
     const isTaken = (r: number, c: number): boolean => taken.has(`${r} ${c}`);
     const regions = regionsOf(arrangement, {row, column}, isTaken);
     return placedTile(tile, regions, shift, {row, column});
   });
+  const placed = all.filter(({page}) => !hidden.has(page.number));
   const openJoints = joints
     .filter(({meets, misses}) => misses >= manyMisses && misses > meets)
     .map(({a, b, misses}): OpenJoint => {

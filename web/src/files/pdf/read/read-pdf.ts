@@ -56,6 +56,7 @@ export function drawingOfPdf(
   }
   const whole = assembled(chosenPages(pdf.pages, options.pages), {
     isExact: options.pages !== undefined,
+    ...(options.without && {without: options.without}),
     ...(options.grid && {grid: options.grid}),
     ...(options.trimCm !== undefined && {trim: 10 * options.trimCm}),
     ...(options.overlapCm !== undefined && {overlap: 10 * options.overlapCm}),
