@@ -204,7 +204,7 @@ it(
     await choose(page, 'My pattern', {name: 'no.dxf', mimeType: 'image/vnd.dxf', content: ''});
     await alert.filter({hasText: 'no.dxf is empty; export it again.'}).waitFor();
     await choose(page, 'My pattern', {name: 'a.pdf', mimeType: '', content: '%PDF-1.7\n'});
-    await alert.filter({hasText: 'choose DXF, SVG, OBJ or a GarmentCode file'}).waitFor();
+    await alert.filter({hasText: 'a.pdf is a damaged PDF; download or export it again.'}).waitFor();
   },
 );
 

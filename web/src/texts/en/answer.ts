@@ -176,7 +176,7 @@ export const answer = {
     },
     picture: text('{file} is a picture; open it as a print, or choose a sewing pattern.'),
     document: text(
-      '{file} is {kind}, which Seamwise cannot read: choose DXF, SVG, OBJ or a GarmentCode file for a pattern, or a PNG, JPEG, WebP or SVG picture for a print.',
+      '{file} is {kind}, which Seamwise cannot read: choose PDF, DXF, SVG, OBJ or a GarmentCode file for a pattern, or a PNG, JPEG, WebP or SVG picture for a print.',
     ),
     tooLarge: text('{file} is too large for a sewing pattern; choose another file.'),
     noDesign: text(

@@ -94,7 +94,7 @@ export const page = {
   },
   introduction: {
     label: 'Start',
-    pattern: 'DXF, SVG, OBJ or GarmentCode',
+    pattern: 'PDF, DXF, SVG, OBJ or GarmentCode',
     fabric: 'One repeat as an image, or a photo',
     sample: 'A sample',
     samples: '12 garments, 24 prints',

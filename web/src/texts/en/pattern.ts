@@ -22,7 +22,7 @@ export const pattern = {
     lost: 'The browser has stopped the graphics; reload the page to see the pattern.',
     nothing: 'Open a garment to begin',
     howToOpen:
-      'Choose My pattern, or drop or paste a sewing pattern here: DXF, SVG, OBJ, GarmentCode, or a project or result of Seamwise.',
+      'Choose My pattern, or drop or paste a sewing pattern here: PDF, DXF, SVG, OBJ, GarmentCode, or a project or result of Seamwise.',
     stale: 'The picture is out of date',
     failed: 'Not aligned: the pieces keep their places',
     noSeams: 'No seams yet: sew the edges together, and the print is matched there.',
