@@ -15,12 +15,12 @@ import {packed, type Packed} from '../support/package/packed.js';
 
 const kilobyte = 1000;
 /** Most bytes of the compressed package, as the registry sends it; three is not included. */
-const mostForPackage = 1165 * kilobyte;
+const mostForPackage = 1260 * kilobyte;
 /**
  * Most bytes of the scripts for pages without a bundler, with three and Lit, without the solver's
  * module.
  */
-const mostForStandalone = 595 * kilobyte;
+const mostForStandalone = 640 * kilobyte;
 /** Most bytes of the drape's module, which only pages with a draped garment fetch. */
 const mostForDrape = 107 * kilobyte;
 /** Most bytes of the layout's module, which is fetched only for layouts. */
@@ -328,7 +328,7 @@ const banned: Readonly<Record<string, RegExp>> = {
   'evaluates text': /\beval\(|\bnew Function\b/,
   'makes a worker of text': /new Blob\(\[[^\]]*\][^)]*(?:java|ecma)script/,
   'has a script in an address': /\bdata:(?:text|application)\/(?:java|ecma)script/,
-  'names a host, but for the names of formats': /\bhttps?:\/\/(?!www\.w3\.org\/)[\w-]/,
+  'names a host, but for the names of formats': /\bhttps?:\/\/(?!www\.(?:w3|inkscape)\.org\/)[\w-]/,
 };
 
 it.each(Object.entries(banned))('has no file that %s', (_, pattern) => {

@@ -62,7 +62,7 @@ describe('seams', () => {
     const {code, out} = await seams(file('strips.json'), '--strip', '--suggest');
     expect(code).toBe(0);
     const lines = out.trimEnd().split('\n');
-    expect(lines.some((line) => /^left 1: right 3 \(\d+ %\)/.test(line))).toBe(true);
+    expect(lines.some((line) => /^left 1: left 3 \(\d+ %\)/.test(line))).toBe(true);
     expect(lines.filter((line) => !line.startsWith('sure'))).toHaveLength(8);
   });
 

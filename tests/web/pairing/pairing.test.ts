@@ -166,7 +166,10 @@ describe('what changes nothing', () => {
   const garment = bare(skirt());
 
   it('other names with the same words', () => {
-    const renamed = garment.pieces.map((one) => ({...one, name: one.name.replace('band', 'waistband')}));
+    const renamed = garment.pieces.map((one) => ({
+      ...one,
+      name: one.name.replace('band', 'waistband'),
+    }));
     const nameOf = (number: number, edge: number) =>
       `${garment.pieces[number]?.name ?? ''} ${String(edge)}`;
     expectAlike(likelihoods(garment), likelihoods({...garment, pieces: renamed}, nameOf));

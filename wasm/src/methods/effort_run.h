@@ -57,7 +57,7 @@ class EffortRun : public Run {
   SearchMemo& searches_;
   double requested_change_;  ///< cm
   std::vector<Round> rounds_;
-  std::size_t ended_ = 0;                                     ///< number of rounds that have ended
+  std::size_t ended_ = 0;  ///< number of rounds that have ended
   double fraction_ = 0;
   std::unique_ptr<BestRun> run_;                              ///< current run
   std::unique_ptr<BestRun> best_symmetric_, best_requested_;  ///< best of the ended rounds

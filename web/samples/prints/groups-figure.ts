@@ -3,7 +3,12 @@ import {apply, determinant} from '../../src/model/geometry/plane-map.js';
 import {groupNames} from '../../src/model/base/core-tables.js';
 import {combined, middle, minus, plus, type Point} from '../../src/model/geometry/vectors.js';
 import {type GroupName} from '../../src/model/print/repeating-print.js';
-import {latticeAround, latticeType, printElements, type LatticeType} from '../../src/model/print/wallpaper.js';
+import {
+  latticeAround,
+  latticeType,
+  printElements,
+  type LatticeType,
+} from '../../src/model/print/wallpaper.js';
 import {polyline, short, text} from '../../src/files/svg/written.js';
 import {cellOf, hexagonal, rhombic, slanted, square, upright, type Lattice} from './design.js';
 import {drawElements, elementsWithin, type Elements} from './elements.js';
