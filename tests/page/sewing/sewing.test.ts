@@ -175,7 +175,7 @@ it('is sewn by clicks, several edges as one side, split, left open and taken apa
   await expect
     .poll(async () => (await garmentOf(page)).seams.map(({sameDirection}) => sameDirection))
     .toEqual([true, true]);
-  await button(page, 'Take apart').click();
+  await button(page, 'Unpick').click();
   await page.getByText('0 of 26 edges sewn').waitFor();
 
   await click(page, 'front', 0);

@@ -11,7 +11,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 const openPage = usePage();
 const phone = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true};
 
-const ways = (page: Page) => page.getByRole('group', {name: 'Start'});
+const ways = (page: Page) => page.getByRole('group', {name: 'Start', exact: true});
 
 it('shows the garment in its print without the solver, and does not load the drape', async () => {
   const page = await openPage({isFirst: true, query: 'samples.json', maySay: /404/}); // a file of the same host
