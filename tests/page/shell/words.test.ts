@@ -20,8 +20,10 @@ it('says notes on a garment and faults of files in German, around the place in t
 
   await choose(page, 'Mein Schnitt', jsonFile('leer.json', {pattern: {}}));
   const alert = page.getByRole('alert');
-  await alert.filter({hasText: /Die Datei ist kein lesbarer Schnitt.*Auf Englisch: leer\.json has no/}).waitFor();
+  await alert
+    .filter({hasText: /Die Datei ist kein lesbarer Schnitt.*Auf Englisch: leer\.json has no/})
+    .waitFor();
   await choose(page, 'Mein Schnitt', jsonFile('ergebnis.json', {format: 'seamwise-result/1'}));
-  await alert.filter({hasText: 'ergebnis.json ist ein Ergebnis ohne seinen Entwurf'}).waitFor();
+  await alert.filter({hasText: 'ergebnis.json ist ein Ergebnis ohne seinen Schnitt'}).waitFor();
   await expect.poll(() => page.getByText(/^In .* ausgerichtet$/).count()).toBe(1);
 });
