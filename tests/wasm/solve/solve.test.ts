@@ -68,6 +68,13 @@ describe('the greatest change', () => {
     expect(metrics.maxMovedCm).toBeGreaterThan(0.1);
   });
 
+  it('of 0 keeps every line', async () => {
+    const {metrics} = await solve({...strips, symmetry: 'none', options: {maxChangeCm: 0}});
+    expect(metrics.maxMovedCm).toBe(0);
+    const tee = {garment: sample('tee'), print: checks, options: {maxChangeCm: 0}};
+    expect((await solve(tee)).metrics.maxMovedCm).toBeLessThan(1e-3);
+  });
+
   it('is kept by the published methods after attempts whose time counts apart', async () => {
     const {metrics} = await solve({
       garment: sample('six-gore-skirt'),
