@@ -186,7 +186,7 @@ it('is sewn by clicks, several edges as one side, split, left open and taken apa
   await click(page, 'sleeve_left', 3, ['Shift']);
   await says(page, /^2 edges from cap back of Sleeve left/);
   await click(page, 'front', 2);
-  await says(page, /longer.*Gathered/);
+  await says(page, /longer.*gathered/);
   expect(await barriers(page)).toEqual([]);
   await button(page, 'Yes').click();
   const {seams, pieces} = await garmentOf(page);
