@@ -206,7 +206,7 @@ it('is sewn by clicks, several edges as one side, split, left open and taken apa
   await page.keyboard.press('Control+z');
   await page.getByText('0 of 26 edges sewn, 1 open').waitFor();
 
-  await page.getByRole('button', {name: 'Suggest seams', pressed: false}).click();
+  await page.getByTitle('Suggest seams (Q)').click();
   await says(page, /\?/);
   await button(page, 'Yes').click();
   await expect.poll(async () => (await garmentOf(page)).seams.length).toBeGreaterThan(0);
