@@ -14,7 +14,7 @@ import {imageCell} from '@/model/print/wallpaper.js';
 
 /** Width of the compared band along borders of cells. [cm] */
 const nearCm = 0.1;
-/** Of the other pixels, one in this number is compared. */
+/** The number of other pixels of which one is compared. */
 const others = 16;
 /** Difference from all colours around a pixel that counts as wrong, from 0 to 255. */
 const tolerance = 12;

@@ -79,4 +79,12 @@ Shapes evenedShapes(const Pattern& pattern) {
   return shapes;
 }
 
+bool hasDraftedLines(const Pattern& pattern, const Shapes& shapes) {
+  const Shapes rest = evenedShapes(pattern);
+  for (std::size_t p = 0; p < rest.size(); ++p)
+    for (std::size_t v = 0; v < rest[p].size(); ++v)
+      if ((shapes[p][v] - rest[p][v]).norm() > kLeastChange) return false;
+  return true;
+}
+
 }  // namespace seamwise

@@ -30,5 +30,7 @@ bool isSewable(const Pattern& pattern, const Shapes& shapes);
 /// The exactly symmetric shapes closest to the drafted ones: every vertex is in the middle between
 /// itself and the one mirrored onto it. Equal to the rest shapes if no symmetry is imposed.
 Shapes evenedShapes(const Pattern& pattern);
+/// Returns whether no vertex is more than kLeastChange from those shapes.
+bool hasDraftedLines(const Pattern& pattern, const Shapes& shapes);
 
 }  // namespace seamwise

@@ -68,12 +68,8 @@ const BestRun& EffortRun::best() const {
 
 /// Returns whether the print misses somewhere, and yet every piece has its drafted lines.
 bool EffortRun::keptLines(const BestRun& run) const {
-  if (mismatchOf(run) <= SearchTuning::kPerfectCost) return false;
-  const Shapes rest = evenedShapes(requested_.pattern);
-  for (std::size_t p = 0; p < rest.size(); ++p)
-    for (std::size_t v = 0; v < rest[p].size(); ++v)
-      if ((run.shapes()[p][v] - rest[p][v]).norm() > kLeastChange) return false;
-  return true;
+  return mismatchOf(run) > SearchTuning::kPerfectCost &&
+         hasDraftedLines(requested_.pattern, run.shapes());
 }
 
 /// Plans rounds of half the greatest change if no shape was found in the rounds so far. Shapes that

@@ -52,11 +52,7 @@ std::vector<Note> remarksOn(const Pattern& pattern) {
 }
 
 std::optional<Note> remarkOnRest(const Pattern& pattern, const Shapes& shapes, double worst) {
-  if (worst < kOff) return {};
-  const Shapes rest = evenedShapes(pattern);
-  for (std::size_t p = 0; p < rest.size(); ++p)
-    for (std::size_t v = 0; v < rest[p].size(); ++v)
-      if ((shapes[p][v] - rest[p][v]).norm() > kLeastChange) return {};
+  if (worst < kOff || !hasDraftedLines(pattern, shapes)) return {};
   return Note{"leftAsDrafted",
               "No shape that the method found fits better than the pieces as drafted, so they keep "
               "their lines."};

@@ -352,7 +352,7 @@ function onLine(line: Measured, point: Point): OnLine {
   return {off, share: shareOf(line, step, at)};
 }
 
-/** Where a straight line through two points crosses another line. */
+/** The crossings of a straight line through two points with another line. */
 function hits(line: Measured, from: Point, to: Point): OnLine[] {
   const way = minus(to, from);
   const sides = line.points.map((p) => cross(way, minus(p, from)));

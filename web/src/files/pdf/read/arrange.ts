@@ -21,7 +21,7 @@ import {
 import {namedGrids, orderedGrids, statedGrid, type Cell} from './page-names.js';
 import {tileWindow} from './windows.js';
 
-/** What the user states about the grid. */
+/** The user's statements about the grid. */
 export interface StatedGrid {
   /** True if the user names the pages, in their order. */
   readonly isExact?: boolean;
