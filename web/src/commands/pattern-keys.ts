@@ -61,7 +61,7 @@ const ways: Readonly<Record<string, Point>> = {
  */
 interface KeyedPattern extends CommandedPattern {
   readonly index: PickIndex | undefined;
-  split: number | undefined;
+  isBefore: boolean;
 }
 
 export function patternKeys(pane: KeyedPattern, event: KeyboardEvent): void {
@@ -118,7 +118,7 @@ function heldOrStepped(pane: KeyedPattern, key: string): boolean {
   }
   if (tools.isFixed) return false;
   if (key.toLowerCase() === 'w') {
-    pane.split = 1;
+    pane.isBefore = true;
     return true;
   }
   const number = Number(key);

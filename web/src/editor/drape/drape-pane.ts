@@ -36,6 +36,7 @@ export class DrapePane extends DrapeDrawing {
   declare seams: boolean;
   /** Share of the width that shows the garment before the solve; undefined for none. */
   #split: number | undefined;
+  #isBefore = false;
   /** The preset nearest to the camera; a change of it is announced. */
   #preset: CameraPreset = 'front';
   /** Last selected target, here or elsewhere. */
@@ -47,23 +48,15 @@ export class DrapePane extends DrapeDrawing {
     this.seams = false;
   }
 
-  /**
-   * Shows the garment before the solve on a share of the width, for example on all of it while a
-   * key is held.
-   */
-  set split(split: number | undefined) {
-    this.#split = split;
+  /** Shows the garment before the solve on the whole width, as while a key is held. */
+  set isBefore(isBefore: boolean) {
+    this.#isBefore = isBefore;
     this.requestUpdate();
-  }
-
-  /** False while all of the garment is shown as before. */
-  get #isWiping(): boolean {
-    return this.#split !== undefined && this.#split < 1;
   }
 
   /** Shows or hides the garment before the solve on one half. */
   toggleWipe(): void {
-    this.split = this.#isWiping ? undefined : 0.5;
+    this.#wipe(this.#split === undefined ? 0.5 : undefined);
   }
 
   toggleSeams(): void {
@@ -120,9 +113,9 @@ export class DrapePane extends DrapeDrawing {
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     const {selected} = this.workbench.selection;
-    if (sameTarget(selected, this.#selected)) return;
-    this.#selected = selected;
-    if (selected) this.view?.face(selected);
+    if (!this.view || sameTarget(selected, this.#selected)) return;
+    // without a garment yet, the camera turns when there is one
+    if (!selected || this.view.face(selected)) this.#selected = selected;
   }
 
   protected override drew(view: DrapeView): void {
@@ -130,7 +123,7 @@ export class DrapePane extends DrapeDrawing {
     view.setSeams(this.seams);
     const {selected, pointed} = this.workbench.selection;
     const {scenes} = this.workbench.sheet;
-    const split = this.#split;
+    const split = this.#isBefore ? 1 : this.#split;
     view.setWipe(split === undefined || !scenes ? undefined : {before: scenes.before, split});
     view.setMarked(this.purpose === 'edit' ? {selected, pointed} : {});
   }
@@ -148,12 +141,12 @@ export class DrapePane extends DrapeDrawing {
         tabindex="0"
         @keydown=${this.#press}
         @keyup=${({key}: KeyboardEvent) => {
-          if (key.toLowerCase() === 'w') this.split = undefined;
+          if (key.toLowerCase() === 'w') this.isBefore = false;
         }}
       >
         <div class="stage"></div>
       </div>
-      ${this.#split !== undefined && this.#isWiping ? this.#wiping(this.#split) : nothing}
+      ${this.#split !== undefined ? this.#wiping(this.#split) : nothing}
       ${edits ? this.#bar(words) : nothing}
       <slot name="notice"></slot>
       <div class="foot">
@@ -207,13 +200,18 @@ export class DrapePane extends DrapeDrawing {
     </div>`;
   }
 
+  #wipe(split: number | undefined): void {
+    this.#split = split;
+    this.requestUpdate();
+  }
+
   #wiping(split: number): TemplateResult {
     return html`<div class="wipe">
       <sw-wipe-handle
         .workbench=${this.workbench}
         .split=${split}
         @input=${({detail}: CustomEvent<number>) => {
-          this.split = detail;
+          this.#wipe(detail);
         }}
       ></sw-wipe-handle>
     </div>`;
@@ -229,16 +227,16 @@ export class DrapePane extends DrapeDrawing {
         edits
           ? html`<sw-before
                 .workbench=${this.workbench}
-                .isOn=${this.#split === 1}
+                .isOn=${this.#isBefore}
                 @hold=${({detail}: CustomEvent<boolean>) => {
-                  this.split = detail ? 1 : undefined;
+                  this.isBefore = detail;
                 }}
               ></sw-before>
               <button
                 class="icon"
                 aria-label=${pattern.wipe}
                 title=${pattern.wipe}
-                aria-pressed=${this.#isWiping}
+                aria-pressed=${this.#split !== undefined}
                 @click=${() => {
                   this.toggleWipe();
                 }}
@@ -348,7 +346,7 @@ export class DrapePane extends DrapeDrawing {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const command = commandFor(this.commands, event.key);
     if (command) command.run();
-    else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.split = 1;
+    else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.isBefore = true;
     else if (event.key === 'Escape' && this.workbench.selection.selected)
       this.workbench.selection.select(undefined);
     else if (!this.view?.camera.key(event.key, event.shiftKey)) return;

@@ -83,6 +83,7 @@ export class PatternPane extends PatternDrawing {
   #pointing: Pointing | undefined;
   /** Share of the width that shows the garment before the solve; undefined for none. */
   #split: number | undefined;
+  #isBefore = false;
   #showsMovement = false;
   #isBare = false;
   /** Number of the last work that was checked for seams. */
@@ -115,22 +116,10 @@ export class PatternPane extends PatternDrawing {
     this.requestUpdate();
   }
 
-  /**
-   * Shows the garment before the solve on a share of the width, for example on all of it while a
-   * key is held.
-   */
-  set split(split: number | undefined) {
-    this.#split = split;
+  /** Shows the garment before the solve on the whole width, as while a key is held. */
+  set isBefore(isBefore: boolean) {
+    this.#isBefore = isBefore;
     this.requestUpdate();
-  }
-
-  get split(): number | undefined {
-    return this.#split;
-  }
-
-  /** False while all of the garment is shown as before. */
-  get #isWiping(): boolean {
-    return this.#split !== undefined && this.#split < 1;
   }
 
   /** Shows the fabric alone, or all marks over it again. */
@@ -141,7 +130,7 @@ export class PatternPane extends PatternDrawing {
 
   /** Shows or hides the garment before the solve on one half. */
   toggleWipe(): void {
-    this.split = this.#isWiping ? undefined : 0.5;
+    this.#wipe(this.#split === undefined ? 0.5 : undefined);
   }
 
   /** Shows or hides the change of each outline. */
@@ -193,9 +182,8 @@ export class PatternPane extends PatternDrawing {
     const {workbench} = this;
     const {scenes} = workbench.sheet;
     if (!scenes) return;
-    view.setWipe(
-      this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
-    );
+    const split = this.#isBefore ? 1 : this.#split;
+    view.setWipe(split === undefined ? undefined : {before: scenes.before, split});
     view.setBare(this.#isBare);
     view.setMovement(
       this.#showsMovement && workbench.solving.result
@@ -249,7 +237,7 @@ export class PatternPane extends PatternDrawing {
           patternKeys(this, event);
         }}
         @keyup=${(event: KeyboardEvent) => {
-          if (event.key === 'w') this.split = undefined;
+          if (event.key.toLowerCase() === 'w') this.isBefore = false;
         }}
       >
         <div class="stage"></div>
@@ -258,13 +246,13 @@ export class PatternPane extends PatternDrawing {
       <slot name="notice"></slot>
       ${this.#menu()}
       ${
-        !this.#isWiping
+        this.#split === undefined
           ? nothing
           : html`<sw-wipe-handle
               .workbench=${workbench}
               .split=${this.#split}
               @input=${(event: CustomEvent<number>) => {
-                this.split = event.detail;
+                this.#wipe(event.detail);
               }}
             ></sw-wipe-handle>`
       }
@@ -302,6 +290,11 @@ export class PatternPane extends PatternDrawing {
   }
 
   /** Pieces and seams as text, or edges while the sewing tool is active. */
+  #wipe(split: number | undefined): void {
+    this.#split = split;
+    this.requestUpdate();
+  }
+
   #options(index: PickIndex): TemplateResult {
     const {pattern} = this.texts;
     const {sewing} = this.tools;
@@ -326,12 +319,12 @@ export class PatternPane extends PatternDrawing {
     const {pattern} = this.texts;
     return html`<sw-before
         .workbench=${this.workbench}
-        .isOn=${this.#split === 1}
+        .isOn=${this.#isBefore}
         @hold=${({detail}: CustomEvent<boolean>) => {
-          this.split = detail ? 1 : undefined;
+          this.isBefore = detail;
         }}
       ></sw-before>
-      ${this.#toggle(pattern.wipe, icon.wipe, this.#isWiping, () => {
+      ${this.#toggle(pattern.wipe, icon.wipe, this.#split !== undefined, () => {
         this.toggleWipe();
       })}
       ${this.#toggle(pattern.clothOnly, icon.cloth, this.#isBare, () => {

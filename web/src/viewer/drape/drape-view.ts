@@ -192,10 +192,14 @@ export class DrapeView {
     this.#screen.request();
   }
 
-  /** Turns the camera to face a piece or a seam. */
-  face(target: DrapeTarget): void {
+  /**
+   * Turns the camera to face a piece or a seam.
+   * @returns false without a garment
+   */
+  face(target: DrapeTarget): boolean {
     const {layer} = this.#worn;
     if (layer) this.#camera.face(this.#picker.facing(layer, target));
+    return layer !== undefined;
   }
 
   /** Returns the seam or piece at a point of the host. [CSS px] */
