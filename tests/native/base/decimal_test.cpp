@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "base/random.h"
 
@@ -14,6 +15,10 @@ std::string printed(const char* format, int digits, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, digits, value);
   return text;
+}
+
+TEST(Decimal, OfTheLeastNumber) {
+  EXPECT_EQ(decimal(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
 }
 
 TEST(Decimal, IsWhatTheCLibraryPrints) {

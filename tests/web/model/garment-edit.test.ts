@@ -277,12 +277,16 @@ it('says what is cut beyond an edge, or leaves it as usual', () => {
 
 it('calls a piece otherwise, and leaves one out with all that names it', () => {
   const seams = [draftedSeam(), draftedSeam({a: {piece: 1, edge: 0}, b: {piece: 1, edge: 2}})];
-  const document = squares({seams, symmetries: [{kind: 'pair', pieces: ['one', 'other']}]});
+  const document = squares({
+    ...{seams, symmetries: [{kind: 'pair', pieces: ['one', 'other']}]},
+    names: {one: 'Front', other: 'Back'},
+  });
   expect(rename(document, 1, 'Back').document.pieces[1]?.label).toBe('Back');
   const {document: rest, edgesOf, seamsOf} = removePiece(document, 0);
   expect(rest).toEqual(
     documentOf([draftedSquare('other')], {
       seams: [draftedSeam({a: {piece: 0, edge: 0}, b: {piece: 0, edge: 2}})],
+      names: {other: 'Back'},
     }),
   );
   expect([edgesOf({piece: 0, edge: 1}), edgesOf({piece: 1, edge: 1})]).toEqual([

@@ -1,13 +1,19 @@
 import {describe, expect, it} from 'vitest';
 
-import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry/vectors.js';
+import {
+  alignmentsFrom,
+  coordinates,
+  onPrint,
+  type Alignment,
+  type Point,
+} from '@/model/geometry/vectors.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import type {Pattern} from '@/model/result/result.js';
 import {apply} from '@/model/geometry/plane-map.js';
 import {panelMarks} from '@/model/garment/panel-marks.js';
 import {documentOf, draftedSquare} from '../../support/garments/documents.js';
 import {imageCoordinates} from '@/model/print/image-coordinates.js';
-import {alignmentsFrom, pieceAt, realigned, reprinted, sceneOf} from '@/scene/scene.js';
+import {pieceAt, realigned, reprinted, sceneOf} from '@/scene/scene.js';
 import {symmetriesOf} from '@/scene/scene-marks.js';
 import {seamStrokes} from '@/viewer/strokes.js';
 import {

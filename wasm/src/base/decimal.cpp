@@ -69,7 +69,8 @@ int exponentOf(double value) {
 }  // namespace
 
 std::string decimal(std::int64_t number) {
-  const std::string digits = pointed(static_cast<std::uint64_t>(number < 0 ? -number : number), 0);
+  const auto bits = static_cast<std::uint64_t>(number);
+  const std::string digits = pointed(number < 0 ? 0 - bits : bits, 0);
   return number < 0 ? "-" + digits : digits;
 }
 

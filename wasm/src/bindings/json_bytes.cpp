@@ -23,8 +23,10 @@ JsonDocument documentOf(std::string_view text) {
   document.defect = static_cast<JsonDefect>(head.defect);
   document.line = head.line;
   document.column = head.column;
-  document.nodes.resize(head.nodes);
   const std::size_t bytes = head.nodes * sizeof(JsonNode);
+  if ((text.size() - sizeof head) / sizeof(JsonNode) < head.nodes)
+    return document.defect = JsonDefect::kEmpty, document;
+  document.nodes.resize(head.nodes);
   std::memcpy(document.nodes.data(), text.data() + sizeof head, bytes);
   document.texts = text.substr(sizeof head + bytes);
   return document;

@@ -1,7 +1,7 @@
 import {mkdir} from 'node:fs/promises';
 import {join} from 'node:path';
 
-import type {Alignment} from '../model/geometry/vectors.js';
+import {alignmentsFrom} from '../model/geometry/vectors.js';
 import {methods} from '../model/result/method.js';
 import type {MeshedPattern} from '../model/result/result.js';
 import {fileError, readText, textOf} from '../node/files.js';
@@ -73,16 +73,8 @@ async function stages(
   const drafted = rest.pattern.pieces.map(({alignment}) => alignment);
   return [
     {...rest, title: 'drafted', alignments: drafted},
-    ...found.map((numbers) => ({...rest, title: 'search', alignments: alignmentsIn(numbers)})),
+    ...found.map((numbers) => ({...rest, title: 'search', alignments: alignmentsFrom(numbers)})),
     {...rest, title: 'placed', alignments: placed},
     {pattern: result, outline: 'shape', title: 'shaped', alignments: placed},
   ];
-}
-
-/** @param numbers angle, x and y per piece */
-function alignmentsIn(numbers: Float64Array): readonly Alignment[] {
-  return Array.from({length: numbers.length / 3}, (_, k) => {
-    const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k);
-    return {angle, translation: [x, y]};
-  });
 }

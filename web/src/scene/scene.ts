@@ -249,13 +249,6 @@ export function reprinted(scene: PatternScene, print: Print): PatternScene {
   );
 }
 
-/** Converts alignments from a solve's progress: angle, x and y per piece. */
-export const alignmentsFrom = (numbers: Float64Array): readonly Alignment[] =>
-  Array.from({length: Math.floor(numbers.length / 3)}, (_, k) => {
-    const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k, 3 * k + 3);
-    return {angle, translation: [x, y]};
-  });
-
 /** The piece at a point of the sheet, and the point in piece coordinates. */
 export function pieceAt(
   scene: PatternScene,

@@ -1,7 +1,7 @@
 /** Progress and intermediate result of the running solve. Both change many times a second. */
 import type {Alignment} from '../model/geometry/vectors.js';
 import type {Progress} from '../model/design/solve-problem.js';
-import {alignmentsFrom} from '../scene/scene.js';
+import {alignmentsFrom} from '../model/geometry/vectors.js';
 import {Observable} from './observable.js';
 
 const start: Progress = {phase: 'preparation', fraction: 0};

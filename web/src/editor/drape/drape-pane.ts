@@ -3,6 +3,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {fabricOf, usualFabric} from '../../model/design/design.js';
 import {fabricNames, type FabricName} from '../../model/result/draped-garment.js';
+import {passingFailures} from '../../model/result/failure.js';
 import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {drapeTexts, type DrapeTexts} from '../../texts/drape-texts.js';
@@ -19,9 +20,6 @@ import {DrapeDrawing, drapeStyle} from './drape-drawing.js';
 
 /** Zoom step of a button; a key zooms less. */
 const zoomFactor = 1.4;
-
-/** Failures that a second attempt may avoid; all others are caused by the garment. */
-const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
 
 export class DrapePane extends DrapeDrawing {
   static override properties = {
@@ -310,7 +308,7 @@ export class DrapePane extends DrapeDrawing {
       case 'failed': {
         const {failure} = state;
         const why = spokenFailure(failure, this.workbench, this.texts);
-        const isPassing = passing.has(failure.code);
+        const isPassing = passingFailures.has(failure.code);
         return html`<p class="told bad" role="alert">${why} ${isPassing ? again : nothing}</p>`;
       }
       case 'done': {

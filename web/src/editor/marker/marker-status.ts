@@ -1,6 +1,7 @@
 /** Status of the fabric layout: progress, failures and conflicts, place of the selected piece. */
 import {html, nothing, type TemplateResult} from 'lit';
 
+import {passingFailures} from '../../model/result/failure.js';
 import type {Format} from '../../texts/format.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Laying} from '../../workbench/marker/laying.js';
@@ -24,9 +25,6 @@ interface Status {
   readonly words: MarkerTexts;
   readonly format: Format;
 }
-
-/** Failures that a second attempt may avoid; all others are caused by the garment or the fabric. */
-const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
 
 export function markerStatus(status: Status): TemplateResult {
   const {laying, words, format, why} = status;
@@ -54,7 +52,7 @@ export function markerStatus(status: Status): TemplateResult {
       return html`<p class="told">${words.cancelled} ${again}</p>`;
     case 'failed':
       return html`<p class="told bad" role="alert">
-        ${why} ${passing.has(state.failure.code) ? again : nothing}
+        ${why} ${passingFailures.has(state.failure.code) ? again : nothing}
         ${state.failure.code === 'unscaled' ? act(words.toSize, status.toSize) : nothing}
       </p>`;
     case 'done':

@@ -267,10 +267,8 @@ const inSeam = (document: GarmentDocument, number: number, change: Partial<Garme
 export const turnSeam = (document: GarmentDocument, seam: number): Edited =>
   inSeam(document, seam, {sameDirection: !document.seams[seam]?.sameDirection});
 
-const without = (edge: DraftedEdge, name: keyof DraftedEdge): DraftedEdge =>
-  Object.fromEntries(
-    Object.entries(edge).filter(([other]) => other !== name),
-  ) as unknown as DraftedEdge;
+const without = <T extends object>(holder: T, name: string): T =>
+  Object.fromEntries(Object.entries(holder).filter(([other]) => other !== name)) as T;
 
 /** Sets whether an edge stays open, such as a hem or a neckline. */
 export const setOpen = (document: GarmentDocument, at: EdgeOfPiece, open: boolean): Edited =>
@@ -294,7 +292,7 @@ export const rename = (document: GarmentDocument, piece: number, label: string):
 
 /** Removes a piece, its seams, and its symmetries and matches. */
 export function removePiece(document: GarmentDocument, number: number): Edited {
-  const {pieces, seams, symmetries, matches} = document;
+  const {pieces, seams, symmetries, matches, names} = document;
   const name = pieces[number]?.name;
   const moved = (edge: EdgeOfPiece): EdgeOfPiece =>
     edge.piece > number ? {...edge, piece: edge.piece - 1} : edge;
@@ -303,6 +301,7 @@ export function removePiece(document: GarmentDocument, number: number): Edited {
   return {
     document: {
       ...document,
+      ...(names && name !== undefined && {names: without(names, name)}),
       pieces: pieces.filter((_, k) => k !== number),
       seams: seams.filter(isKept).map((seam) => ({...seam, a: moved(seam.a), b: moved(seam.b)})),
       symmetries: symmetries.filter((one) =>

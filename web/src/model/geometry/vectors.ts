@@ -85,6 +85,13 @@ export interface Alignment {
   readonly translation: Point;
 }
 
+/** Converts alignments from a solve's progress: angle, x and y per piece. */
+export const alignmentsFrom = (numbers: Float64Array): readonly Alignment[] =>
+  Array.from({length: Math.floor(numbers.length / 3)}, (_, k) => {
+    const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k, 3 * k + 3);
+    return {angle, translation: [x, y]};
+  });
+
 /**
  * Map of a piece to its mirror image, itself or its twin, face up: p' = R(angle) F p + translation,
  * F = diag(-1, 1). [rad, cm]

@@ -58,6 +58,9 @@ export const pageFailureCodes = [
 
 export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[number];
 
+/** Failures that a second attempt may avoid; all others are caused by the input. */
+export const passingFailures: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
+
 /**
  * Reasons why pieces cannot be laid on the fabric, or why a garment cannot be draped. They are part
  * of the API, too.
