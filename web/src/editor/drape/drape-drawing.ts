@@ -3,7 +3,7 @@ import {css, type PropertyValues} from 'lit';
 
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {lastOf} from '../../model/base/last-of.js';
-import {printOf} from '../../model/design/design.js';
+import {fabricOf, printOf} from '../../model/design/design.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {standInScene} from '../../scene/stand-in.js';
 import type {CameraPreset} from '../../viewer/drape/camera.js';
@@ -196,6 +196,8 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
 
   protected override drew(view: DrapeView): void {
     view.setForm(this.form !== 'hidden');
+    const {design} = this.workbench.history;
+    if (design) view.setFabric(fabricOf(design));
     this.#tellNews();
   }
 

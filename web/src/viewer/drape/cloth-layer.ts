@@ -7,44 +7,73 @@ import type {Alignment, Point} from '../../model/geometry/vectors.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import {apply} from '../../model/geometry/plane-map.js';
 import {imageCoordinates} from '../../model/print/image-coordinates.js';
+import {hemPlaces, hollows, openEdges, type OpenEdge} from './relief.js';
+
+/** Attributes of a drawn vertex that change, and their numbers of components. */
+const moving = {position: 3, normal: 3, uv: 2, drafted: 2, printed: 1, hollow: 1} as const;
+/** Those that a mesh keeps. */
+const lasting = {shape: 2, piece: 1, hem: 2} as const;
+const attributes = {...moving, ...lasting};
+type Attribute = keyof typeof attributes;
 
 export class FabricLayer {
   readonly geometry = new BufferGeometry();
+  /** The fabric's thickness along its open edges. */
+  readonly hems: BufferGeometry;
   readonly cloth: Cloth;
   /** Positions of the mesh's vertices as x, y, z triples. [cm] */
   positions: Float32Array = new Float32Array();
   readonly normals: Float32Array<ArrayBuffer>;
+  readonly #hollows: Float32Array;
+  /** Drawn vertex of each vertex of the hems. */
+  readonly #hemmed: Uint32Array;
   #scene: PatternScene | undefined;
   /** The drafted scene. */
   #before: PatternScene | undefined;
 
   constructor(mesh: DrapeMesh) {
     this.cloth = clothOf(mesh);
-    const {pieces, shape, triangles} = this.cloth;
-    const count = pieces.length;
+    const {pieces, shape, triangles, firsts} = this.cloth;
     this.normals = new Float32Array(3 * mesh.size);
-    for (const [name, size] of [
-      ['position', 3],
-      ['normal', 3],
-      ['uv', 2],
-      ['drafted', 2],
-      ['printed', 1],
-    ] as const) {
-      const attribute = new BufferAttribute(new Float32Array(size * count), size);
-      attribute.setUsage(DynamicDrawUsage);
-      this.geometry.setAttribute(name, attribute);
-    }
-    this.geometry.setAttribute('shape', new BufferAttribute(shape, 2));
-    this.geometry.setAttribute('piece', new BufferAttribute(Float32Array.from(pieces), 1));
+    this.#hollows = new Float32Array(mesh.size);
+    addAttributes(this.geometry, pieces.length);
     this.geometry.setIndex(new BufferAttribute(triangles, 1));
+    const open = openEdges(mesh);
+    this.hems = hemsOf(open);
+    this.#hemmed = Uint32Array.from(
+      open.flatMap(({piece, from, to}) =>
+        [from, from, to, to].map((k) => k + (firsts[piece] ?? 0)),
+      ),
+    );
+    this.#fill('shape', (array) => {
+      array.set(shape);
+    });
+    this.#fill('piece', (array) => {
+      array.set(pieces);
+    });
+    this.#fill('hem', (array) => {
+      for (const [number, piece] of mesh.pieces.entries()) {
+        const own = open.filter((edge) => edge.piece === number);
+        array.set(hemPlaces(piece, own), 2 * (firsts[number] ?? 0));
+      }
+    });
   }
 
   /** Moves the mesh. */
   pose(positions: Float32Array): void {
     this.positions = positions;
-    normalsOf(positions, this.cloth.welded, this.normals);
-    putToDrawn(this.cloth, positions, this.#array('position'));
-    putToDrawn(this.cloth, this.normals, this.#array('normal'));
+    const {cloth, normals} = this;
+    normalsOf(positions, cloth.welded, normals);
+    hollows(positions, normals, cloth.welded, this.#hollows);
+    this.#fill('position', (array) => {
+      putToDrawn(cloth, positions, array);
+    });
+    this.#fill('normal', (array) => {
+      putToDrawn(cloth, normals, array);
+    });
+    this.#fill('hollow', (array) => {
+      for (let k = 0; k < array.length; k++) array[k] = this.#hollows[cloth.sewn[k] ?? 0] ?? 0;
+    });
   }
 
   /**
@@ -57,10 +86,13 @@ export class FabricLayer {
     this.#scene = scene;
     if (before?.pieces !== pieces || before.print !== print) {
       const alignments = pieces.map(({alignment}) => alignment);
-      printPlaces(this.cloth, alignments, print, this.#array('uv'));
+      this.#fill('uv', (array) => {
+        printPlaces(this.cloth, alignments, print, array);
+      });
     }
-    const printed = this.#array('printed');
-    this.cloth.pieces.forEach((piece, k) => (printed[k] = pieces[piece]?.plain ? 0 : 1));
+    this.#fill('printed', (array) => {
+      this.cloth.pieces.forEach((piece, k) => (array[k] = pieces[piece]?.plain ? 0 : 1));
+    });
   }
 
   /**
@@ -73,7 +105,9 @@ export class FabricLayer {
     this.#before = before;
     const {pieces, print} = before;
     const alignments = pieces.map(({alignment}) => alignment);
-    printPlaces(this.cloth, alignments, print, this.#array('drafted'), 'rest');
+    this.#fill('drafted', (array) => {
+      printPlaces(this.cloth, alignments, print, array, 'rest');
+    });
   }
 
   isOf({pieces}: PatternScene): boolean {
@@ -84,11 +118,45 @@ export class FabricLayer {
     );
   }
 
-  #array(name: string): Float32Array {
-    const attribute = this.geometry.getAttribute(name) as BufferAttribute;
-    attribute.needsUpdate = true;
-    return attribute.array as Float32Array;
+  dispose(): void {
+    this.geometry.dispose();
+    this.hems.dispose();
   }
+
+  /** Changes an attribute of the fabric, and with it that of the hems. */
+  #fill(name: Attribute, change: (array: Float32Array) => void): void {
+    const from = arrayOf(this.geometry, name);
+    change(from);
+    const into = arrayOf(this.hems, name);
+    const size = attributes[name];
+    this.#hemmed.forEach((vertex, k) => {
+      for (let c = 0; c < size; c++) into[size * k + c] = from[size * vertex + c] ?? 0;
+    });
+  }
+}
+
+function addAttributes(geometry: BufferGeometry, count: number): void {
+  for (const [name, size] of Object.entries(attributes)) {
+    const attribute = new BufferAttribute(new Float32Array(size * count), size);
+    if (name in moving) attribute.setUsage(DynamicDrawUsage);
+    geometry.setAttribute(name, attribute);
+  }
+}
+
+function arrayOf(geometry: BufferGeometry, name: Attribute): Float32Array {
+  const attribute = geometry.getAttribute(name) as BufferAttribute;
+  attribute.needsUpdate = true;
+  return attribute.array as Float32Array;
+}
+
+/** Returns a strip along each open edge, as high as the fabric is thick. */
+function hemsOf(open: readonly OpenEdge[]): BufferGeometry {
+  const geometry = new BufferGeometry();
+  addAttributes(geometry, 4 * open.length);
+  const sides = Float32Array.from({length: 4 * open.length}, (_, k) => (k % 2 === 0 ? -1 : 1));
+  geometry.setAttribute('side', new BufferAttribute(sides, 1));
+  geometry.setIndex(open.flatMap((_, k) => [0, 2, 1, 1, 2, 3].map((corner) => 4 * k + corner)));
+  return geometry;
 }
 
 // The mesh of a drape for drawing: split by piece, since each piece has its own place on the print.

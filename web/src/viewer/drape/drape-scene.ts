@@ -1,7 +1,7 @@
 /** The contents of a drape's view: settling fabric, dummy and floor, seams and marks. */
 import {BufferGeometry, type WebGLRenderer} from 'three';
 
-import type {DrapeMesh, Form} from '../../model/result/draped-garment.js';
+import type {DrapeMesh, FabricName, Form} from '../../model/result/draped-garment.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Raster} from '../stage.js';
 import {inks, type Appearance} from '../strokes.js';
@@ -10,6 +10,7 @@ import type {Orbit} from './camera.js';
 import {FabricLayer} from './cloth-layer.js';
 import type {DrapeTarget} from './drape-picker.js';
 import {bodyOf, standOf, type Solid, type Stand} from './dummy.js';
+import {fabricLooks} from './fabric-look.js';
 import type {Fineness} from './fineness.js';
 import {outlineVertices, Ribbons, seamLines, seamVertices, type RibbonLine} from './ribbons.js';
 import {boxAround, boxDistance, type Box3} from './space.js';
@@ -107,6 +108,10 @@ export class DrapeScene {
     this.studio.hasDummy = isShown;
   }
 
+  set fabric(fabric: FabricName) {
+    this.studio.look = fabricLooks[fabric];
+  }
+
   setMarked(marked: Marked): void {
     const {selected, pointed} = this.#marked;
     if (marked.selected === selected && marked.pointed === pointed) return;
@@ -144,7 +149,7 @@ export class DrapeScene {
     this.#form = undefined;
     this.#stand = undefined;
     this.#box = undefined;
-    this.studio.cloth = new BufferGeometry();
+    this.studio.setCloth(new BufferGeometry(), new BufferGeometry());
     this.#laySeams();
     this.#marks.set([]);
   }
@@ -162,7 +167,7 @@ export class DrapeScene {
     if (layer?.normals.length !== pose.length) return false;
     layer.pose(pose);
     if (isNew) {
-      this.studio.cloth = layer.geometry;
+      this.studio.setCloth(layer.geometry, layer.hems);
       if (this.#scene) layer.print(this.#scene);
       if (this.#wipe) layer.draft(this.#wipe.before);
       this.#laySeams();
@@ -194,7 +199,7 @@ export class DrapeScene {
   }
 
   dispose(): void {
-    this.#next?.geometry.dispose();
+    this.#next?.dispose();
     this.#seams.dispose();
     this.#drafted.dispose();
     this.#marks.dispose();

@@ -1,7 +1,7 @@
 /**
  * The view of a drape: its fabric with the print, on a tailor's dummy. Draws only after a change.
  */
-import type {DrapeMesh, Form} from '../../model/result/draped-garment.js';
+import type {DrapeMesh, FabricName, Form} from '../../model/result/draped-garment.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {imageCell} from '../../model/print/wallpaper.js';
 import type {Tile} from '../../image/tile.js';
@@ -161,6 +161,11 @@ export class DrapeView {
   /** Sets whether the dummy is visible. */
   setForm(isShown: boolean): void {
     this.#worn.setForm(isShown);
+    this.#screen.request();
+  }
+
+  setFabric(fabric: FabricName): void {
+    this.#worn.fabric = fabric;
     this.#screen.request();
   }
 

@@ -30,6 +30,7 @@ import type {Raster} from '../stage.js';
 import {eyeOf, fieldOfView, type Orbit} from './camera.js';
 import {footRadius, type Solid} from './dummy.js';
 import {coarser, finest, type Fineness} from './fineness.js';
+import {fabricLooks, weaves, type FabricLook} from './fabric-look.js';
 import * as shaders from './shaders.js';
 import type {Box3} from './space.js';
 
@@ -87,6 +88,17 @@ const shader = (
   uniforms: ShaderMaterial['uniforms'] = {},
 ): ShaderMaterial => new ShaderMaterial({vertexShader: vertex, fragmentShader: fragment, uniforms});
 
+const uniformsOf = (look: FabricLook) => ({
+  weave: {value: weaves[look.weave] as number},
+  pitch: {value: look.pitch},
+  relief: {value: look.relief},
+  sheen: {value: look.sheen},
+  opacity: {value: look.opacity},
+  thickness: {value: look.hem},
+  stitch: {value: look.stitch},
+});
+type Uniforms = ReturnType<typeof uniformsOf>;
+
 const rgb = ([r, g, b]: readonly [number, number, number]): Color =>
   new Color().setRGB(r, g, b, LinearSRGBColorSpace);
 
@@ -104,9 +116,16 @@ export class Studio {
     pointed: {value: noPiece},
     isDrafted: {value: false},
   };
-  readonly #clothMaterial = shader(shaders.cloth, {...this.#light, ...this.#print});
+  readonly #look = uniformsOf(fabricLooks.poplin);
+  readonly #clothMaterial = shader(shaders.cloth, {
+    ...this.#light,
+    ...this.#print,
+    ...this.#look,
+  });
   readonly #dummyMaterial = shader(shaders.dummy, this.#light);
   readonly #depthMaterial = shader(shaders.depth);
+  /** Keeps what is behind the front of sheer fabric out of the picture, but for the form. */
+  readonly #frontMaterial = shader(shaders.depth);
   readonly #floorMaterial = shader(shaders.floor, {
     soft: {value: new Vector2(1, 1)},
     foot: {value: footRadius},
@@ -119,6 +138,8 @@ export class Studio {
   });
   readonly ribbonMaterial = shader(shaders.ribbon, {perPixel: {value: 0}});
   readonly #cloth = this.#mesh(this.#clothMaterial);
+  readonly #hems = this.#mesh(this.#clothMaterial);
+  readonly #front = this.#mesh(this.#frontMaterial);
   readonly #body = this.#mesh(this.#dummyMaterial);
   readonly #stand = this.#mesh(this.#dummyMaterial);
   readonly #floor = this.#mesh(this.#floorMaterial, ['position']);
@@ -134,12 +155,19 @@ export class Studio {
   constructor() {
     this.#clothMaterial.side = DoubleSide;
     this.#depthMaterial.side = DoubleSide;
+    Object.assign(this.#frontMaterial, {
+      ...{side: DoubleSide, colorWrite: false},
+      ...{polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1},
+    });
+    this.#front.visible = false;
+    this.#front.renderOrder = 1; // after the form, which shows through
     this.ribbonMaterial.side = DoubleSide;
     Object.assign(this.#floorMaterial, {transparent: true, depthWrite: false, side: DoubleSide});
     Object.assign(this.#copyMaterial, {
       ...{blending: NoBlending, depthTest: false, depthWrite: false, depthFunc: AlwaysDepth},
     });
-    this.#scene.add(this.#floor, this.#cloth, this.#body, this.#stand);
+    this.#scene.add(this.#floor, this.#front, this.#cloth, this.#hems, this.#body, this.#stand);
+    this.#floor.renderOrder = -1;
     this.#shadowScene.add(this.#shade);
     this.#copy.geometry.setAttribute(
       'position',
@@ -183,10 +211,19 @@ export class Studio {
     this.#print.accent.value = rgb([r / 255, g / 255, b / 255]);
   }
 
-  /** Sets the geometry of the fabric. */
-  set cloth(geometry: BufferGeometry) {
+  set look(look: FabricLook) {
+    for (const [name, {value}] of Object.entries(uniformsOf(look)))
+      this.#look[name as keyof Uniforms].value = value;
+    const isSheer = look.opacity < 1;
+    this.#clothMaterial.transparent = isSheer;
+    this.#front.visible = isSheer;
+  }
+
+  /** Sets the geometries of the fabric and of the thickness along its edges. */
+  setCloth(geometry: BufferGeometry, hems: BufferGeometry): void {
     replace(this.#cloth, geometry);
-    this.#shade.geometry = geometry; // the shadow uses the same geometry
+    replace(this.#hems, hems);
+    for (const other of [this.#shade, this.#front]) other.geometry = geometry;
   }
 
   setDummy(body: Solid, stand: Solid): void {
@@ -268,12 +305,13 @@ export class Studio {
   }
 
   dispose(): void {
-    const meshes = [this.#cloth, this.#body, this.#stand, this.#floor, this.#copy];
+    const meshes = [this.#cloth, this.#hems, this.#body, this.#stand, this.#floor, this.#copy];
     for (const {geometry, material} of meshes) {
       geometry.dispose();
       material.dispose();
     }
     this.#depthMaterial.dispose();
+    this.#frontMaterial.dispose();
     this.ribbonMaterial.dispose();
   }
 
