@@ -8,7 +8,7 @@ import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {Afterwards} from '@/workbench/afterwards.js';
 import {whileVisible} from '@/workbench/considerate.js';
-import {canResize} from '@/workbench/print-sizes.js';
+import {canResize} from '@/workbench/other-sizes.js';
 
 const design: Design = {
   garment: {name: 'two.json', text: '{}'},

@@ -9,8 +9,9 @@ import {repeatOf, type PrintRepeat} from '../model/print/repeat.js';
 import type {GroupName} from '../model/print/repeating-print.js';
 import {scalesOf} from '../solver/search/asked-search.js';
 import {IdleSearch, type VariantSearch} from './idle-search.js';
-import {betterThan} from './idle-solver.js';
+import {betterThan, type IdleSolver} from './idle-solver.js';
 import type {Candidate} from './known-answers.js';
+import {hasOtherSizes} from './other-sizes.js';
 
 /** Compared sizes, as multiples of the print's own size. */
 const range = {from: 0.9, to: 1.1};
@@ -35,10 +36,6 @@ export interface PrintComparison {
   /** A size or turn in which more visible seams match. */
   readonly better: VariantAnswer | undefined;
 }
-
-/** Returns whether the print can be enlarged: its size is known, and the fabric is not printed. */
-export const canResize = ({method, print}: Pick<Design, 'method' | 'print'>): boolean =>
-  method === 'best' && !print.unscaled && !print.isPrinted;
 
 /** Pieces that lie at any angle need no turn of the print. */
 const turnsFor = ({options, print}: Design): readonly number[] => {
@@ -99,19 +96,21 @@ export class PrintSizes extends IdleSearch {
    * Sizes that a shop offers, as multiples of the print's own size; it offers no turns. Undefined
    * without a shop: usual sizes, and turns.
    */
-  offered: readonly number[] | undefined;
+  readonly #offered: () => readonly number[] | undefined;
 
-  /** Returns whether there are other sizes or turns of the print. */
-  hasOthers(design: Design): boolean {
-    if (!canResize(design)) return false;
-    const {scales, turns: all} = new Variants(design, this.offered);
-    return scales.length + all.length > 2;
+  constructor(
+    solver: IdleSolver,
+    changed: () => void,
+    offered: () => readonly number[] | undefined,
+  ) {
+    super(solver, changed);
+    this.#offered = offered;
   }
 
   /** Undefined until another size or turn is being solved. */
   of(design: Design): PrintComparison | undefined {
-    if (!this.hasOthers(design)) return undefined;
-    const variants = new Variants(design, this.offered);
+    if (!hasOtherSizes(design, this.#offered())) return undefined;
+    const variants = new Variants(design, this.#offered());
     const {scale, turnDeg} = variants.present;
     const answer = (variant: PrintVariant): readonly VariantAnswer[] => {
       const found = this.solver.known.of(variants.design(variant));
@@ -126,8 +125,8 @@ export class PrintSizes extends IdleSearch {
   }
 
   protected override searches(design: Design): readonly VariantSearch[] {
-    if (!this.hasOthers(design)) return [];
-    const variants = new Variants(design, this.offered);
+    if (!hasOtherSizes(design, this.#offered())) return [];
+    const variants = new Variants(design, this.#offered());
     const {scale, turnDeg} = variants.present;
     const designOf = (variant: PrintVariant): Design => variants.design(variant);
     const common = {isLong: false, seed: design.seed, designOf};

@@ -38,32 +38,20 @@ export const hemReach = 4;
  * Returns the distance of each vertex of a piece to the nearest open edge, at most `hemReach`, and
  * the place along the outline that is nearest. [cm]
  */
-export function hemPlaces(piece: DrapedPiece, open: readonly OpenEdge[]): Float32Array {
-  const {shape} = piece;
+export function hemPlaces({shape}: DrapedPiece, open: readonly OpenEdge[]): Float32Array {
   const places = new Float32Array(shape.length);
-  const cells = new Map<string, OpenEdge[]>();
-  const cell = (value: number): number => Math.floor(value / hemReach);
-  for (const edge of open) {
-    const [x0, y0] = [shape[2 * edge.from] ?? 0, shape[2 * edge.from + 1] ?? 0];
-    const [x1, y1] = [shape[2 * edge.to] ?? 0, shape[2 * edge.to + 1] ?? 0];
-    for (let i = cell(Math.min(x0, x1)) - 1; i <= cell(Math.max(x0, x1)) + 1; i++)
-      for (let j = cell(Math.min(y0, y1)) - 1; j <= cell(Math.max(y0, y1)) + 1; j++) {
-        const known = cells.get(`${i} ${j}`);
-        if (known) known.push(edge);
-        else cells.set(`${i} ${j}`, [edge]);
-      }
-  }
-  for (let k = 0; 2 * k < shape.length; k++) {
-    const [x, y] = [shape[2 * k] ?? 0, shape[2 * k + 1] ?? 0];
-    places[2 * k] = hemReach;
-    for (const edge of cells.get(`${cell(x)} ${cell(y)}`) ?? []) {
-      const [x0, y0] = [shape[2 * edge.from] ?? 0, shape[2 * edge.from + 1] ?? 0];
-      const [ux, uy] = [(shape[2 * edge.to] ?? 0) - x0, (shape[2 * edge.to + 1] ?? 0) - y0];
-      const length = Math.hypot(ux, uy);
-      const share = ((x - x0) * ux + (y - y0) * uy) / (length * length || 1);
-      const along = Math.min(1, Math.max(0, share));
-      const distance = Math.hypot(x - x0 - along * ux, y - y0 - along * uy);
-      if (distance < (places[2 * k] ?? 0)) places.set([distance, edge.run + along * length], 2 * k);
+  for (let k = 0; k < shape.length; k += 2) places[k] = hemReach;
+  for (const {from, to, run} of open) {
+    const [x0, y0] = [shape[2 * from] ?? 0, shape[2 * from + 1] ?? 0];
+    const [ux, uy] = [(shape[2 * to] ?? 0) - x0, (shape[2 * to + 1] ?? 0) - y0];
+    const length = Math.hypot(ux, uy);
+    const reach = length + hemReach;
+    for (let k = 0; k < shape.length; k += 2) {
+      const [x, y] = [(shape[k] ?? 0) - x0, (shape[k + 1] ?? 0) - y0];
+      if (Math.abs(x) > reach || Math.abs(y) > reach) continue;
+      const share = Math.min(1, Math.max(0, (x * ux + y * uy) / (length * length || 1)));
+      const distance = Math.hypot(x - share * ux, y - share * uy);
+      if (distance < (places[k] ?? 0)) places.set([distance, run + share * length], k);
     }
   }
   return places;

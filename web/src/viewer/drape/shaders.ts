@@ -1,7 +1,10 @@
 /** Shaders of a drape. All colours are sRGB as input and output, and linear in between. */
 
 /**
- * The lights follow the camera, as in a studio with a turning garment: each side is lit the same.
+ * The lights follow the camera, as in a studio with a turning garment: each side is lit the same. A
+ * key light, of which a share arrives by nine looks at what it sees; a weak fill from the other
+ * side, light from above, and a rim from behind. The sum is never more than 0.905: white fabric is
+ * #f4f4f2 at most, and nothing is clipped. Comments are outside, since they would be sent.
  */
 const lighting = `
 uniform vec3 key;
@@ -17,7 +20,6 @@ vec3 encoded(vec3 c) {
   return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
-/** The share of the key light that arrives: nine looks at what it sees. */
 float reached(vec3 n) {
   vec4 seen = shadowMatrix * vec4(place + 0.6 * n, 1.0);
   vec3 at = seen.xyz / seen.w;
@@ -30,10 +32,6 @@ float reached(vec3 n) {
   return sum / 9.0;
 }
 
-/**
- * A key light, a weak fill from the other side, light from above, and a rim from behind. Never more
- * than 0.905: white cloth is #f4f4f2 at most, and nothing is clipped.
- */
 vec3 lit(vec3 albedo, vec3 n, float open, float sheen) {
   vec3 towards = normalize(cameraPosition - place);
   vec3 left = normalize(cross(vec3(0.0, 1.0, 0.0), towards));
@@ -53,7 +51,12 @@ const standing = `
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 `;
 
-/** The fabric, and its thickness along open edges, whose vertices have a side. */
+/**
+ * The fabric, and its thickness along open edges, whose vertices have a side. The print is pale on
+ * the inside. Threads show as long as there are pixels for them; those of a knit are a V on each
+ * side of a wale. A row of stitches runs along each hem, which is thicker than the rest. Heights
+ * tilt the normal as in Mikkelsen 2010, Bump mapping unparametrized surfaces on the GPU.
+ */
 export const cloth = {
   vertex: `
 varying vec3 place;
@@ -110,12 +113,10 @@ varying float mark;
 const float turn = 6.2832;
 const float hemWidth = 1.5;
 
-/** Height of the threads, from 0 to 1. */
 float threads(vec2 p) {
   vec2 w = turn * p / pitch;
   if (weave < 0.5) return 0.5 + 0.5 * sin(0.5 * w.x) * sin(0.5 * w.y);
   if (weave < 1.5) return 0.5 + 0.5 * sin(0.7071 * (w.x + w.y)) * (0.8 + 0.2 * sin(2.0 * w.x));
-  // stitches of a knit are a V on each side of a wale
   return 0.5 + 0.5 * sin(w.x) * (0.7 + 0.3 * sin(w.y + 2.0 * abs(sin(0.5 * w.x))));
 }
 
@@ -128,14 +129,11 @@ void main() {
     n *= sign(dot(n, cameraPosition - place));
   }
   vec3 ink = isPrinted > 0.5 ? texture2D(tile, at).rgb : linear(bare);
-  // a print is pale on the inside of its cloth
   if (!gl_FrontFacing && edge < 0.5) ink = mix(ink, vec3(1.0), 0.7) * 0.86;
-  // threads, as long as there are pixels to show them
   vec2 pixel = fwidth(yarn) / pitch;
   float near = clamp(1.5 - 3.5 * max(pixel.x, pixel.y), 0.0, 1.0);
   float thread = threads(yarn);
   ink *= 1.0 - 0.1 * near * (1.0 - thread);
-  // a row of stitches along each hem, which is thicker than the rest
   float wide = fwidth(seam.x);
   float row = 1.0 - smoothstep(0.03, 0.06 + wide, abs(seam.x - hemWidth));
   float dashes = mix(0.7, step(0.3, fract(seam.y / 0.35)), clamp(1.4 - 6.0 * wide, 0.0, 1.0));
@@ -143,7 +141,6 @@ void main() {
   float height = relief * near * thread;
   height += thickness * (1.0 - smoothstep(hemWidth - 0.25, hemWidth, seam.x));
   height -= 0.5 * thickness * (1.0 - smoothstep(0.0, 0.2 + wide, abs(seam.x - hemWidth)));
-  // Mikkelsen 2010, Bump mapping unparametrized surfaces on the GPU
   vec3 r1 = cross(up, n);
   vec3 r2 = cross(n, right);
   float det = dot(right, r1);
