@@ -256,14 +256,23 @@ it(
     });
     await button(page, 'Save …').click({timeout: 60_000});
     await button(page, 'Copy link').click();
-    await page.getByText(/The link is in the clipboard/).waitFor();
+    const copied = async (): Promise<string> => page.evaluate(() => navigator.clipboard.readText());
+    await page.getByText(/It leaves out the pattern/).waitFor();
+    const without = await copied();
+    await button(page, 'It is mine to share').click();
+    await expect.poll(copied).not.toBe(without);
     const design = await designOf(page);
-    const link = await page.evaluate(() => navigator.clipboard.readText());
+    const link = await copied();
     expect(link.length).toBeLessThan(3000);
     const other = await quietPage({query: new URL(link).hash});
     expect(await designOf(other)).toEqual(design);
     await expect.poll(() => other.url()).not.toContain('#');
     expect(await cards(await listOf(other))).toEqual(['scarf']);
+    // whoever has the pattern needs only the rest, and whoever has not is told
+    await other.goto(without);
+    await expect.poll(async () => (await designOf(other)).garment.text).toBe(design.garment.text);
+    const stranger = await quietPage({query: new URL(without).hash});
+    await stranger.getByText(/left out the pattern “scarf.json”/).waitFor();
   },
 );
 

@@ -6,6 +6,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {Design} from '@/model/design/design.js';
 import {LinkError, linkOf, readLink} from '@/model/documents/link.js';
+import {sha256Of} from '@/model/documents/result-text.js';
 import {isProject, readProject, writeProject} from '@/model/documents/project.js';
 import {written} from '@/model/design/read-design.js';
 import {fileNameOf, nameOf, shortened} from '@/model/documents/project-name.js';
@@ -204,29 +205,38 @@ describe('a link', () => {
   };
 
   it('holds all of a design of samples but the samples', async () => {
-    const link = await linkOf(design);
+    const link = await linkOf(design, undefined, false);
     expect(link).toMatch(/^#project=[\w-]+$/);
     expect(link.length).toBeLessThan(1000);
     expect(await readLink(link)).toEqual({...samples, garment: {sample: garment.sample}});
   });
 
   it('carries a garment, a print and a name of its own', async () => {
-    const link = await linkOf(own, 'Für Ada');
+    const link = await linkOf(own, 'Für Ada', true);
     expect(link.length).toBeLessThan(1500);
     expect(await readLink(link)).toEqual({...own, title: 'Für Ada'});
+  });
+
+  it('names a garment that it leaves out by its file and the hash of its text', async () => {
+    const {garment: left} = (await readLink(await linkOf(own, undefined, false))) ?? {};
+    expect(left).toEqual({name: own.garment.name, sha256: sha256Of(own.garment.text)});
   });
 
   it('carries how a picture of one’s own repeats, and that picture alone, of which the other is made', async () => {
     const tile = {image: 'data:image/png;base64,BBBB', repeat: 'halfDrop', turnedDeg: 90} as const;
     const {image: made, ...shown} = own.print;
-    const read = await readLink(await linkOf({...own, print: {...own.print, tile}}));
+    const read = await readLink(
+      await linkOf({...own, print: {...own.print, tile}}, undefined, true),
+    );
     expect(read?.print).toEqual({...shown, tile});
     expect(read?.print).not.toHaveProperty('image', made);
   });
 
   it('carries the picture of a sample that was redrawn', async () => {
     const image = 'data:image/png;base64,AAAA';
-    const read = await readLink(await linkOf({...design, print: {...print, image}}));
+    const read = await readLink(
+      await linkOf({...design, print: {...print, image}}, undefined, true),
+    );
     expect(read?.print).toEqual({title: print.title, group, size, turnDeg, oneWay, cell, image});
   });
 
@@ -272,7 +282,7 @@ describe('a link', () => {
   });
 
   it('is refused when it was cut anywhere', async () => {
-    const link = await linkOf(own);
+    const link = await linkOf(own, undefined, true);
     for (let length = '#project='.length; length < link.length; length += 7) {
       await expect(readLink(link.slice(0, length))).rejects.toThrow(LinkError);
     }

@@ -6,6 +6,7 @@ import {
   type LinkedGarment,
   type LinkedPrint,
 } from '../../model/documents/link.js';
+import {digestOf} from '../../model/base/digest.js';
 import {pictureOfTile} from '../../print/own-print.js';
 import {sampleGarment, samplePrint, type Samples} from '../../workbench/samples.js';
 import {textsOf} from '../../texts/texts.js';
@@ -31,7 +32,7 @@ export async function openLink(
     const {title, garment, print, ...decided} = link;
     const design: Design = {
       ...decided,
-      garment: await garmentOf(garment, await samples, words.noSample),
+      garment: await garmentOf(garment, await samples, projects, words),
       print: await printOf(print, await samples, words.noSample),
     };
     await workbench.solving.meshed(design);
@@ -42,15 +43,25 @@ export async function openLink(
   }
 }
 
+type LinkTexts = ReturnType<typeof textsOf>['link'];
+
 async function garmentOf(
   garment: LinkedGarment,
   {garments}: Samples,
-  missing: string,
+  projects: Projects,
+  words: LinkTexts,
 ): Promise<Design['garment']> {
+  if ('sha256' in garment) {
+    const known = await projects.findGarment(
+      async ({text}) => (await digestOf(text)) === garment.sha256,
+    );
+    if (!known) throw new Error(words.leftOut(garment.name));
+    return known;
+  }
   if (!('sample' in garment)) return garment;
   const {style, size} = garment.sample;
   const known = garments.find((one) => one.style === style);
-  if (!known?.sizes.includes(size)) throw new Error(missing);
+  if (!known?.sizes.includes(size)) throw new Error(words.noSample);
   return sampleGarment(style, size);
 }
 

@@ -16,8 +16,12 @@ interface Link {
   readonly hasSmallerPicture: boolean;
 }
 
-async function shortest(design: Design, title: string | undefined): Promise<Link> {
-  let text = await linkOf(design, title);
+async function shortest(
+  design: Design,
+  title: string | undefined,
+  hasPattern: boolean,
+): Promise<Link> {
+  let text = await linkOf(design, title, hasPattern);
   let hasSmallerPicture = false;
   for (const side of sides) {
     if (text.length <= longestLink) break;
@@ -27,17 +31,24 @@ async function shortest(design: Design, title: string | undefined): Promise<Link
     if (!image) continue;
     hasSmallerPicture = true;
     const made = tile ? {tile: {...tile, image}} : {image};
-    text = await linkOf({...design, print: {...design.print, ...made}}, title);
+    text = await linkOf({...design, print: {...design.print, ...made}}, title, hasPattern);
   }
   return {text, hasSmallerPicture};
 }
 
-/** Copies the link and reports its length; rejects one that is too long. */
-export async function copyLink(workbench: Workbench, projects: Projects): Promise<void> {
+/**
+ * Copies the link and reports its length; rejects one that is too long. A pattern is somebody's
+ * work: the link leaves out one that is no sample, until the user says that it is theirs to share.
+ */
+export async function copyLink(
+  workbench: Workbench,
+  projects: Projects,
+  hasPattern = false,
+): Promise<void> {
   const {design} = workbench.history;
   if (!design) return;
   const {link} = textsOf(workbench.preferences.chosen.language);
-  const {text, hasSmallerPicture} = await shortest(design, projects.present?.title);
+  const {text, hasSmallerPicture} = await shortest(design, projects.present?.title, hasPattern);
   const {href} = new URL(text, location.href);
   const size = `${Math.ceil(href.length / 1000).toLocaleString(workbench.preferences.chosen.language)} kB`;
   if (text.length > longestLink) {
@@ -50,6 +61,17 @@ export async function copyLink(workbench: Workbench, projects: Projects): Promis
     workbench.notices.say({tone: 'error', text: link.notCopied});
     return;
   }
-  const said = href.length > safeLength ? link.long(size) : link.copied;
-  workbench.notices.say({tone: 'info', text: hasSmallerPicture ? `${said} ${link.smaller}` : said});
+  const said = [
+    href.length > safeLength ? link.long(size) : link.copied,
+    ...(hasSmallerPicture ? [link.smaller] : []),
+  ];
+  if (hasPattern || design.garment.sample) {
+    workbench.notices.say({tone: 'info', text: said.join(' ')});
+    return;
+  }
+  workbench.notices.say({
+    tone: 'info',
+    text: [...said, link.withoutPattern].join(' '),
+    action: {label: link.mine, act: () => void copyLink(workbench, projects, true)},
+  });
 }

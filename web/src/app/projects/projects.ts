@@ -1,7 +1,7 @@
 /**
  * The projects of this browser, and the one open in this tab. Opening another one overwrites none.
  */
-import type {Design} from '../../model/design/design.js';
+import type {Design, DesignGarment} from '../../model/design/design.js';
 import {begun, type History} from '../../model/design/history.js';
 import {longestName, withoutEnding} from '../../model/documents/project-name.js';
 import {fieldOf} from '../../model/base/read.js';
@@ -157,6 +157,18 @@ export class Projects {
     const {id, name, thumbnail} = present;
     const entry = {id, name, changed: Date.now(), open: 'here', isDeleted: false} as const;
     return [{...entry, ...(thumbnail && {thumbnail})}, ...entries];
+  }
+
+  /** Returns the first garment of a project that is as asked; undefined if there is none. */
+  async findGarment(
+    isIt: (garment: DesignGarment) => Promise<boolean>,
+  ): Promise<DesignGarment | undefined> {
+    for (const {id} of await this.#autosave.list()) {
+      const history = historyIn((await this.#autosave.load(id))?.state);
+      const garment = history?.present.design.garment;
+      if (garment && (await isIt(garment))) return garment;
+    }
+    return undefined;
   }
 
   /** @param name new name; empty for the garment's name */

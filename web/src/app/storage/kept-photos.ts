@@ -1,6 +1,7 @@
 /** Photos behind prints, kept in this browser beside the projects and in no design. */
 import type {KeptPhoto} from '../../photo/photo-keeper.js';
 import {scaledStep} from '../../photo/photo-step.js';
+import {digestOf} from '../../model/base/digest.js';
 import {fieldOf} from '../../model/base/read.js';
 
 interface PhotoRecord extends KeptPhoto {
@@ -15,12 +16,6 @@ const longest = 2048;
 /** Number of kept photos; older ones are deleted. */
 const most = 20;
 const store = 'photos';
-
-/** Returns the SHA-256 of an image's URL. */
-export async function keyOf(image: string): Promise<string> {
-  const digest = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(image));
-  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
-}
 
 const answerOf = <T>(request: IDBRequest<T>): Promise<T> =>
   new Promise((resolve, reject) => {
@@ -67,7 +62,7 @@ async function small({picture, name, step}: KeptPhoto): Promise<KeptPhoto> {
 /** Keeps a photo, if the browser allows it. @param image image of the print made from it */
 export async function keepPhoto(image: string, photo: KeptPhoto): Promise<void> {
   try {
-    const [key, kept] = await Promise.all([keyOf(image), small(photo)]);
+    const [key, kept] = await Promise.all([digestOf(image), small(photo)]);
     await inStore('readwrite', async (photos) => {
       await answerOf(photos.put({...kept, key, kept: Date.now()} satisfies PhotoRecord));
       const keys = await answerOf(photos.index('kept').getAllKeys());
@@ -81,7 +76,7 @@ export async function keepPhoto(image: string, photo: KeptPhoto): Promise<void> 
 /** Returns the photo behind a print, if it is kept. */
 export async function keptPhoto(image: string): Promise<KeptPhoto | undefined> {
   try {
-    const key = await keyOf(image);
+    const key = await digestOf(image);
     const found: unknown = await inStore('readonly', (photos) => answerOf(photos.get(key)));
     return fieldOf(found, 'picture') instanceof Blob ? (found as PhotoRecord) : undefined;
   } catch {

@@ -3,6 +3,7 @@
  * the same garment.
  */
 
+import {digestOf} from '../../model/base/digest.js';
 import {fieldOf} from '../../model/base/read.js';
 
 /** Length below which a text stays in place. [characters] */
@@ -42,11 +43,6 @@ function replaced(value: unknown, leaf: (value: unknown) => unknown): unknown {
   return visit(value);
 }
 
-async function hashOf(text: string): Promise<string> {
-  const digest = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text));
-  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
-}
-
 export async function packed(value: unknown): Promise<Packed> {
   const long = new Set<string>();
   replaced(value, (leaf) => {
@@ -54,7 +50,7 @@ export async function packed(value: unknown): Promise<Packed> {
     return leaf;
   });
   const hashes = new Map(
-    await Promise.all([...long].map(async (text) => [text, await hashOf(text)] as const)),
+    await Promise.all([...long].map(async (text) => [text, await digestOf(text)] as const)),
   );
   const data = replaced(value, (leaf) => {
     const hash = typeof leaf === 'string' ? hashes.get(leaf) : undefined;

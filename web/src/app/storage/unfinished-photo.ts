@@ -2,7 +2,8 @@
 import {openDB, type DBSchema, type IDBPDatabase} from 'idb';
 
 import type {FoundPhoto, PhotoKeeper, UnfinishedPhoto} from '../../photo/photo-keeper.js';
-import {keepPhoto, keptPhoto, keyOf} from './kept-photos.js';
+import {keepPhoto, keptPhoto} from './kept-photos.js';
+import {digestOf} from '../../model/base/digest.js';
 
 interface Schema extends DBSchema {
   /** Photos by tab. Each is written once, since they are large. */
@@ -71,7 +72,7 @@ const keepUnfinished = (image: string, photo: UnfinishedPhoto): Promise<void> =>
     if (!isWritten || (await database.getKey('pictures', tab)) === undefined) {
       written = undefined;
       await drop(database, [tab]); // never combines the steps of one photo with another photo
-      const stored = {picture, print: await keyOf(image), kept: Date.now()};
+      const stored = {picture, print: await digestOf(image), kept: Date.now()};
       await database.put('pictures', stored, tab);
       written = {picture, image};
       const tabs = await database.getAllKeysFromIndex('pictures', 'kept');
@@ -91,7 +92,7 @@ export const unfinished = (image: string): Promise<FoundPhoto | undefined> =>
     return {
       ...{name: '', history: undefined, ...steps},
       picture,
-      isOfPrint: print === (await keyOf(image)),
+      isOfPrint: print === (await digestOf(image)),
     };
   });
 

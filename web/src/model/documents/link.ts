@@ -14,6 +14,7 @@ import {
   written,
 } from '../design/read-design.js';
 import {projectTitle} from './project-name.js';
+import {digestOf} from '../base/digest.js';
 import {fieldOf, Malformed, shape, text, type Read} from '../base/read.js';
 import type {PrintTile} from '../print/opened-image.js';
 import {partsOf} from '../base/fetched.js';
@@ -62,9 +63,16 @@ function bytesOf(letters: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(bytes, (byte) => byte.codePointAt(0) ?? 0);
 }
 
-/** A garment in a link: the name of a sample, or the whole garment. */
+/** A garment that its sender left out, since a pattern is somebody's work. */
+export interface LeftOutGarment extends Pick<DesignGarment, 'name'> {
+  readonly sha256: string;
+}
+
+/** A garment in a link: the name of a sample, the whole garment, or one that is left out. */
 export type LinkedGarment =
-  {readonly sample: NonNullable<DesignGarment['sample']>} | Pick<DesignGarment, 'name' | 'text'>;
+  | {readonly sample: NonNullable<DesignGarment['sample']>}
+  | Pick<DesignGarment, 'name' | 'text'>
+  | LeftOutGarment;
 
 /**
  * A print in a link. If its image was made from an opened one, the link contains only the opened
@@ -105,7 +113,12 @@ const either =
     fieldOf(value, field) === undefined ? other(value, at) : having(value, at);
 
 const title = text(/^.{0,255}$/su, 'a title');
-const garment = either('sample', shape({sample: garmentSample}), ownGarment);
+const leftOut = shape({name: text(), sha256: text(/^[\da-f]{64}$/, 'a hash')});
+const garment = either(
+  'sample',
+  shape({sample: garmentSample}),
+  either('sha256', leftOut, ownGarment),
+);
 const print = either(
   'sample',
   shape({sample: printSample}),
@@ -127,12 +140,30 @@ const linked: Read<LinkedProject> = (value, at) => {
 const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =>
   print.sample !== undefined && !print.image.startsWith('data:');
 
-/** The fragment "#..." of a project, of any length. @param title given by the owner */
-export async function linkOf(design: Design, title?: string): Promise<string> {
+/** The garment in a link, whole only if it may be shared. */
+async function linkedGarment(
+  {sample, name, text}: DesignGarment,
+  hasPattern: boolean,
+): Promise<LinkedGarment> {
+  if (sample) return {sample};
+  if (hasPattern) return {name, text};
+  return {name, sha256: await digestOf(text)};
+}
+
+/**
+ * The fragment "#..." of a project, of any length.
+ * @param title given by the owner
+ * @param hasPattern includes a garment that is no sample
+ */
+export async function linkOf(
+  design: Design,
+  title: string | undefined,
+  hasPattern: boolean,
+): Promise<string> {
   const {garment: own, print: shown} = design;
   const {group, size, turnDeg, oneWay, cell, tile, unscaled, own: before, isPrinted} = shown;
   const project: LinkedProject = {
-    garment: own.sample ? {sample: own.sample} : {name: own.name, text: own.text},
+    garment: await linkedGarment(own, hasPattern),
     print: {
       ...{group, size, turnDeg, oneWay, cell},
       ...(unscaled && {unscaled}),

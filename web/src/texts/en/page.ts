@@ -57,6 +57,11 @@ export const page = {
   link: {
     copied: 'The link is copied.',
     long: text('The link is copied. It is {size} long; some mail programs cut off such links.'),
+    withoutPattern: 'It leaves out the pattern, which may be somebody’s work.',
+    mine: 'It is mine to share',
+    leftOut: text(
+      'The sender left out the pattern “{name}”. Open its file with My pattern, then open the link again.',
+    ),
     smaller: 'The picture of the print was made smaller to shorten the link.',
     tooLong: text('The link would be too long ({size}); choose Save project and send the file.'),
     notCopied: 'The browser does not allow copying; choose Save project and send the file.',
