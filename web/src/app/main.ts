@@ -11,7 +11,8 @@ import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
 import {isFirstVisit} from './introduction/first-visit.js';
 import {Welcome} from './introduction/welcome.js';
 import {SeamwisePage} from './page.js';
-import {illustrate, ProjectList} from './projects/project-list.js';
+import {illustrate} from './projects/illustrate.js';
+import {ProjectsButton} from './projects/projects-button.js';
 import {Projects} from './projects/projects.js';
 import {SaveMenu} from './save-menu.js';
 import {keepPreferences, storedPreferences} from './storage/preferences.js';
@@ -32,7 +33,7 @@ const projects = new Projects(workbench, (trouble) => {
 });
 
 defineEditor();
-customElements.define('sw-project-list', ProjectList);
+customElements.define('sw-projects-button', ProjectsButton);
 customElements.define('sw-save-menu', SaveMenu);
 customElements.define('sw-welcome', Welcome);
 customElements.define('seamwise-page', SeamwisePage);

@@ -22,7 +22,7 @@ import type {How} from './open-file.js';
 import {pageLayout} from './style/page-layout.js';
 import type {PageParts} from './palette/page-parts.js';
 import {printPattern} from './print-pattern.js';
-import type {ProjectList} from './projects/project-list.js';
+import type {ProjectsButton} from './projects/projects-button.js';
 import type {Projects} from './projects/projects.js';
 import {savePicture, saveProject, saveResult, type SaveMenu} from './save-menu.js';
 
@@ -142,12 +142,12 @@ export class SeamwisePage extends WorkbenchElement {
           </header>
           <sw-garment-choice .workbench=${workbench} .samples=${samples}></sw-garment-choice>
         </section>
-        <sw-project-list
+        <sw-projects-button
           slot="actions"
           .workbench=${workbench}
           .projects=${projects}
           .blank=${this.blank}
-        ></sw-project-list>
+        ></sw-projects-button>
         <sw-save-menu
           slot="actions"
           .workbench=${workbench}
@@ -248,7 +248,8 @@ export class SeamwisePage extends WorkbenchElement {
   /** Undefined until the page is drawn. */
   get #parts(): PageParts | undefined {
     const {workbench, texts, format, samples, renderRoot: root} = this;
-    const [editor, list] = [this.#editor, root.querySelector<ProjectList>('sw-project-list')];
+    const editor = this.#editor;
+    const list = root.querySelector<ProjectsButton>('sw-projects-button');
     const garments = this.#garments;
     const menu = root.querySelector<SaveMenu>('sw-save-menu');
     if (!editor || !list || !garments || !menu) return undefined;

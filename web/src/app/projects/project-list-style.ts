@@ -1,13 +1,6 @@
 import {css} from 'lit';
 
-import {unseen} from '../style/page-layout.js';
-
 export const projectListStyle = css`
-  @container (width < 72rem) {
-    .label {
-      ${unseen}
-    }
-  }
   dialog {
     display: grid;
     grid-template-rows: auto minmax(0, 1fr);

@@ -64,7 +64,7 @@ function bytesOf(letters: string): Uint8Array<ArrayBuffer> {
 }
 
 /** A garment that its sender left out, since a pattern is somebody's work. */
-export interface LeftOutGarment extends Pick<DesignGarment, 'name'> {
+interface LeftOutGarment extends Pick<DesignGarment, 'name'> {
   readonly sha256: string;
 }
 
