@@ -64,7 +64,10 @@ interface CoverCaseAsked {
 }
 
 /** @param kind  of `covers` */
-export async function coverCase({name, seed, size}: CoverCaseAsked, kind: string): Promise<PhotoCase> {
+export async function coverCase(
+  {name, seed, size}: CoverCaseAsked,
+  kind: string,
+): Promise<PhotoCase> {
   const chance = new Chance(seed);
   const print = floralPrint(chance.of(allGroups), chance.branch(), 512);
   const conditions = conditionsOf('normal', chance.branch());

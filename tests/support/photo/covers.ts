@@ -81,13 +81,22 @@ function inked(dot: number, lines: number, chance: Chance): (x: number, y: numbe
     if (line < 0 || line >= lines || column < 0) return false;
     const letter = letters[order[(Math.floor(column / 5) + 97 * line) % order.length] ?? -1];
     const inRow = row - 8 * line;
-    return letter !== undefined && inRow < 5 && column % 5 < 4 && letter[4 * inRow + (column % 5)] === true;
+    return (
+      letter !== undefined &&
+      inRow < 5 &&
+      column % 5 < 4 &&
+      letter[4 * inRow + (column % 5)] === true
+    );
   };
 }
 
 /** A tape measure with ticks and numbers across the whole image. */
 function tape(chance: Chance): Cover {
-  const at = turned(chance.between(0, Math.PI), chance.between(-0.4, 0.4), chance.between(-0.3, 0.3));
+  const at = turned(
+    chance.between(0, Math.PI),
+    chance.between(-0.4, 0.4),
+    chance.between(-0.3, 0.3),
+  );
   const width = chance.between(0.03, 0.1);
   const ground = chance.of<Ink>([
     [0.8, 0.8, 0.78],
@@ -101,10 +110,12 @@ function tape(chance: Chance): Cover {
     (x, y) => {
       const [along, across] = at(x, y);
       const inTick = (period: number, from: number): boolean =>
-        Math.abs(along - period * Math.round(along / period)) < 0.02 * centimetre + 0.1 * period * 0.3 &&
-        across > from * width;
+        Math.abs(along - period * Math.round(along / period)) <
+          0.02 * centimetre + 0.1 * period * 0.3 && across > from * width;
       const isInk =
-        inTick(centimetre, 0.1) || inTick(centimetre / 10, 0.35) || number(along + 3, across + 0.4 * width);
+        inTick(centimetre, 0.1) ||
+        inTick(centimetre / 10, 0.35) ||
+        number(along + 3, across + 0.4 * width);
       return isInk ? [0.02, 0.02, 0.02] : ground;
     },
     shadowOf(chance),
@@ -130,7 +141,11 @@ const watermark = (chance: Chance): Cover =>
   lettering(chance.between(0.03, 0.06), 1, chance.between(0.3, 0.6), chance);
 
 function whiteCard(chance: Chance): Cover {
-  const at = turned(chance.between(0, Math.PI), chance.between(-0.6, 0.6), chance.between(-0.4, 0.4));
+  const at = turned(
+    chance.between(0, Math.PI),
+    chance.between(-0.6, 0.6),
+    chance.between(-0.4, 0.4),
+  );
   const [width, height] = [chance.between(0.25, 0.6), chance.between(0.2, 0.45)];
   return solid(
     (x, y) => {
@@ -145,7 +160,11 @@ function whiteCard(chance: Chance): Cover {
 /** An arm from the border, a palm and five fingers. */
 function hand(chance: Chance): Cover {
   const size = chance.between(0.6, 1.05);
-  const at = turned(chance.between(0, 2 * Math.PI), chance.between(-0.35, 0.35), chance.between(-0.3, 0.3));
+  const at = turned(
+    chance.between(0, 2 * Math.PI),
+    chance.between(-0.35, 0.35),
+    chance.between(-0.3, 0.3),
+  );
   const fingers = Array.from({length: 4}, (_, k) => {
     const lean = (k - 1.5) * 0.14 + chance.between(-0.04, 0.04);
     const length = 0.4 + 0.05 * (1.5 - Math.abs(k - 1.5));
@@ -175,7 +194,11 @@ function hand(chance: Chance): Cover {
 
 function scissors(chance: Chance): Cover {
   const size = chance.between(0.7, 1.2);
-  const at = turned(chance.between(0, 2 * Math.PI), chance.between(-0.3, 0.3), chance.between(-0.2, 0.2));
+  const at = turned(
+    chance.between(0, 2 * Math.PI),
+    chance.between(-0.3, 0.3),
+    chance.between(-0.2, 0.2),
+  );
   const open = chance.between(0.06, 0.25);
   const blades = nearest([-1, 1].map((side) => bar(-0.05, 0, 0.75, side * open, 0.035)));
   const ring = (side: number): Outside => {

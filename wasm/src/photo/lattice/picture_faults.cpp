@@ -12,7 +12,6 @@ constexpr int kContrastLongest = 330;  // longer side of the level that hides th
 constexpr double kBlurred = 0.04;  // share of the variance between 4 and 8 pixels; prints have 0.07
 constexpr double kMoire = 0.45;    // correlation at 3 to 6 pixels; white noise has 0.1
 constexpr double kLocal = 0.75;    // fabric that repeats in places; random bricks have 0.67
-constexpr double kLeastRepeats = 2.2;  // a repeat and the starts of its neighbours on both sides
 constexpr double kAgrees = 0.75, kDisagrees = 0.25;  // explained share of a cell's own variance
 constexpr double kManyCells = 0.15;                  // share of all cells
 constexpr double kExplained = 0.6;                   // below it, a print's copies differ too much
@@ -92,6 +91,13 @@ Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
       "cloth flat and from above");
 }
 
+Error twoPrints() {
+  return fault(
+      "twoPrints",
+      "a part of the picture shows another print or none: cut the picture to the part with the "
+      "print that is wanted");
+}
+
 std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifferences& differences,
                                 double seen) {
   double agreeing = 0, disagreeing = 0, all = 0;
@@ -102,10 +108,7 @@ std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifference
     if (agreement.of_cells[c] < kDisagrees) disagreeing += share;
   }
   if (agreeing > kManyCells * all && disagreeing > kManyCells * all) {
-    return fault(
-        "twoPrints",
-        "a part of the picture shows another print or none: cut the picture to the part with the "
-        "print that is wanted");
+    return twoPrints();
   }
   if (seen < kLeastRepeats) {
     return fault("fewRepeats",
