@@ -5,6 +5,8 @@ namespace {
 
 constexpr int kComparedSamples = 20;  // along a cell that is compared with others
 
+constexpr double kHopeless = 0.7;  // hidden share of the compared cells by a wrong lattice
+
 /// A fit, and the cells from the focus that are then compared.
 struct CoveredStage {
   std::array<FitStage, 2> fits;
@@ -38,7 +40,12 @@ bool CoveredFit::advance() {
   fit_.reset();
   hidden_ =
       hiddenPlaces(levelFor(levels_, fitted_.view, kComparedSamples), fitted_.view, stage.compared);
-  return ++stage_ < kStages.size();
+  ++stage_;
+  if (hidden_.share_of_compared > kHopeless) {
+    hidden_.share = 1;
+    stage_ = kStages.size();
+  }
+  return stage_ < kStages.size();
 }
 
 }  // namespace seamwise

@@ -9,7 +9,8 @@ namespace seamwise {
 namespace {
 
 constexpr int kBlocks = 40;          // blocks along the longer side
-constexpr int kSamples = 20;         // samples along a cell
+constexpr int kSamples = 20, kFewestSamples = 8;  // samples along a cell
+constexpr double kMostSamples = 100000;  // samples of all copies; more would not tell more
 constexpr int kRounds = 3;           // of medians without the blocks that differ from them
 constexpr float kLeastCopies = 2.5;  // copies of which one may differ
 // Limits of a block's mean squared difference: shares of the pattern's variance and of the
@@ -155,7 +156,10 @@ HiddenPlaces hiddenPlaces(const ChannelImage& image, const TiltedLattice& view, 
   places.rows = static_cast<int>(std::ceil(size.y() / places.side));
   const std::size_t count = static_cast<std::size_t>(places.columns) * places.rows;
   places.is_hidden.assign(count, 0);
-  const Copies copies = sampleCopies(image, view, visibleCells(view, reach), kSamples, false);
+  CellList cells = visibleCells(view, reach);
+  const double room = std::sqrt(kMostSamples / static_cast<double>(cells.size() + 1));
+  const int n = std::clamp(static_cast<int>(room), kFewestSamples, kSamples);
+  const Copies copies = sampleCopies(image, view, std::move(cells), n, false);
   const std::vector<int> blocks = blocksOf(copies, view, places);
   for (int round = 0; round < kRounds; ++round) {
     const auto flags =
@@ -169,6 +173,13 @@ HiddenPlaces hiddenPlaces(const ChannelImage& image, const TiltedLattice& view, 
     }
     places.is_hidden = whereMany(places, places.is_hidden, 1);
   }
+  std::vector<std::uint8_t> is_compared(count);
+  for (const int block : blocks)
+    if (block >= 0) is_compared[block] = 1;
+  double compared = 0, differing = 0;
+  for (std::size_t k = 0; k < count; ++k)
+    compared += is_compared[k], differing += is_compared[k] * places.is_hidden[k];
+  places.share_of_compared = compared > 0 ? differing / compared : 0;
   places.share =
       static_cast<double>(std::count(places.is_hidden.begin(), places.is_hidden.end(), 1)) /
       static_cast<double>(count);

@@ -15,6 +15,7 @@ struct HiddenPlaces {
   float side = 1;                       ///< of a block. [px]
   std::vector<std::uint8_t> is_hidden;  ///< one per block, row by row
   double share = 0;                     ///< share of the image that is hidden
+  double share_of_compared = 0;         ///< share of the blocks in which copies were compared
   /// Middle of the largest disc that is free. [px]
   Vec2 free_middle = Vec2::Zero();
 

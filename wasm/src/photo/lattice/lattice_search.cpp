@@ -19,6 +19,7 @@ constexpr int kRowsAtOnce = 64;         // rows of the reduced image per step
 constexpr double kLightSpread = 0.16;   // share of the shorter side: light varies more slowly
 constexpr int kHypotheses = 6;          // aligned lattices; the right one was never beyond the 4th
 constexpr int kBesideHypotheses = 10;   // the same where an object may be on the fabric; chosen
+constexpr double kLeastScore = 0.45;    // score beside an object. Prints have 0.6, noise 0.4
 constexpr double kWellExplained = 0.6;  // ends the search over tilts. Prints have 0.9, others 0.5
 constexpr double kNothing = 0.3;        // explained by chance, without a repeat
 constexpr double kAsGood = 0.04;        // loss of explained share accepted for a smaller cell
@@ -189,7 +190,8 @@ void LatticeSearch::align() {
   }
   const bool is_beside = part_end_ == TiltVotes::kBeside;
   const std::size_t most = is_beside ? kBesideHypotheses : kHypotheses;
-  if (hypothesis_ < std::min(most, hypotheses_.size())) {
+  if (hypothesis_ < std::min(most, hypotheses_.size()) &&
+      !(is_beside && hypotheses_[hypothesis_].score < kLeastScore)) {
     const TiltedLattice& view = hypotheses_[hypothesis_].view;
     if (is_beside) {
       covered_fit_.emplace(levels_, view);
