@@ -8,9 +8,9 @@
 namespace seamwise {
 namespace {
 
-constexpr int kBlocks = 40;          // blocks along the longer side
+constexpr int kBlocks = 40;                       // blocks along the longer side
 constexpr int kSamples = 20, kFewestSamples = 8;  // samples along a cell
-constexpr double kMostSamples = 100000;  // samples of all copies; more would not tell more
+constexpr double kMostSamples = 100000;           // samples of all copies; more would not tell more
 constexpr int kRounds = 3;           // of medians without the blocks that differ from them
 constexpr float kLeastCopies = 2.5;  // copies of which one may differ
 // Limits of a block's mean squared difference: shares of the pattern's variance and of the

@@ -52,6 +52,13 @@ double finePeriod(const ChannelImage& image) {
   return greatest;
 }
 
+Error noRepeat() {
+  return fault(
+      "noRepeat",
+      "no repeat was found: step back until three repeats are seen each way, and photograph the "
+      "cloth flat and from above");
+}
+
 }  // namespace
 
 Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
@@ -85,10 +92,7 @@ Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
         "the print repeats in the middle of the picture only, the fabric does not lie flat: smooth "
         "it out and photograph it again");
   }
-  return fault(
-      "noRepeat",
-      "no repeat was found: step back until three repeats are seen each way, and photograph the "
-      "cloth flat and from above");
+  return noRepeat();
 }
 
 Error twoPrints() {
@@ -111,6 +115,7 @@ std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifference
     return twoPrints();
   }
   if (seen < kLeastRepeats) {
+    if (agreement.explained < kExplained) return noRepeat();
     return fault("fewRepeats",
                  "fewer than 2.2 repeats are seen: step back until three repeats are seen");
   }
