@@ -110,8 +110,8 @@ function tape(chance: Chance): Cover {
     (x, y) => {
       const [along, across] = at(x, y);
       const inTick = (period: number, from: number): boolean =>
-        Math.abs(along - period * Math.round(along / period)) <
-          0.02 * centimetre + 0.1 * period * 0.3 && across > from * width;
+        Math.abs(along - period * Math.round(along / period)) < 0.02 * centimetre + 0.03 * period &&
+        across > from * width;
       const isInk =
         inTick(centimetre, 0.1) ||
         inTick(centimetre / 10, 0.35) ||
@@ -235,7 +235,9 @@ function shiftedBeyond(
   const shift = [chance.next(), chance.between(0.15, 0.85)] as const;
   return {
     hides: (x, y) => at(x, y)[0] > 0,
-    paint: (x, y, colour) => paint(...at(x, y), colour),
+    paint: (x, y, colour) => {
+      paint(...at(x, y), colour);
+    },
     displaced: (x, y) => (at(x, y)[0] > 0 ? shift : [0, 0]),
   };
 }

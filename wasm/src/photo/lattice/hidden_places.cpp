@@ -126,7 +126,6 @@ Vec2 freeMiddleOf(const HiddenPlaces& places) {
   for (bool is_left = true; is_left;) {
     is_left = false;
     std::vector<std::uint8_t> next(taken.size(), 1);
-    Vec2 sum = Vec2::Zero();
     int count = 0;
     for (int row = 0; row < places.rows; ++row) {
       for (int column = 0; column < places.columns; ++column) {
@@ -136,7 +135,6 @@ Vec2 freeMiddleOf(const HiddenPlaces& places) {
         if (taken[k] == 0) middle = Vec2(column + 0.5, row + 0.5);
         if (is_border || flaggedAround(places, taken, column, row) > 0) continue;
         next[k] = 0;
-        sum += Vec2(column + 0.5, row + 0.5);
         ++count;
       }
     }
