@@ -127,6 +127,23 @@ TEST(PhotoCoin, ARimLikeTheGroundIsNotPassedOverForTheRingWithin) {
   EXPECT_NEAR(coin.value().scale, 3, 0.045);
 }
 
+TEST(PhotoCoin, ASoftShadowIsNoPartOfIt) {
+  const CameraView view = closeUp();
+  const Photo photo = photographed(
+      480, 360,
+      [&](const Vec2& u) {
+        const double outside = (u.x() * view.w1 + u.y() * view.w2 - kMiddle).norm() - 2.325 / 2;
+        if (outside < 0) return std::array<double, 3>{0.75, 0.73, 0.7};
+        std::array<double, 3> ink = wavyPrint(u);
+        for (double& light : ink) light *= 1 - 0.5 * std::pow(std::max(0.0, 1 - outside / 0.4), 2);
+        return ink;
+      },
+      MapInverse(view.map()), [](const Vec2&) { return 1.0; }, 0.01);
+  const Outcome<FoundObject> coin = found(photo, 0, Vec2(0.1, 0.1));
+  ASSERT_TRUE(coin.ok());
+  EXPECT_NEAR(coin.value().scale, 3, 0.03);
+}
+
 TEST(PhotoCoin, PlainClothHasNone) {
   const Photo photo = photographed(
       480, 360,

@@ -7,6 +7,7 @@
 #include "photo/lattice/autocorrelation.h"
 #include "photo/lattice/cell_tests.h"
 #include "photo/lattice/channels.h"
+#include "photo/lattice/hidden_places.h"
 #include "photo/photographed_prints.h"
 
 namespace seamwise {
@@ -106,6 +107,69 @@ TEST(LatticeSearch, ReadsStripesByTheirPeriodAcross) {
   const Vec2 along = basis.col(1).normalized();
   EXPECT_NEAR(std::abs(cross(along, basis.col(0))) * truth.radius, 65, 0.2);
   EXPECT_NEAR(std::abs(along.dot(truth.basis.col(0).normalized())), 0, 0.003);
+}
+
+/// Whether a tape measure across the image covers a place, and the ink of its ticks there.
+std::optional<Ink> tapeAt(const Vec2& u) {
+  const double across = u.y() - 0.2 * u.x() - 0.3, along = 12 * u.x();
+  if (std::abs(across) > 0.14) return std::nullopt;
+  const bool is_tick = across > 0 && along - std::floor(along) < 0.3;
+  return is_tick ? Ink{0.05, 0.05, 0.05} : Ink{0.95, 0.9, 0.6};
+}
+
+TEST(LatticeSearch, FindsTheLatticeUnderATape) {
+  const DiscPrint print(3);
+  const TiltedLattice truth = latticeOnPicture(columns(88, 21, -30, 75));
+  const DrawnPicture picture =
+      photographed(truth, [&](const Vec2& u) { return tapeAt(u).value_or(print.at(u)); });
+  LatticeSearch search(picture.view());
+  finish(search);
+  ASSERT_FALSE(search.error()) << search.error()->message;
+  EXPECT_LT(errorOf(search.result().map, truth), 0.002);
+  EXPECT_EQ(search.result().confidence, Confidence::kSure);
+}
+
+TEST(LatticeSearch, FindsTheLatticeOfTheLargerPanelBesideASeam) {
+  const DiscPrint print(3);
+  const TiltedLattice truth = latticeOnPicture(columns(88, 21, -30, 75));
+  const DrawnPicture picture = photographed(truth, [&](const Vec2& u) {
+    const bool is_beyond = u.x() + 0.1 * u.y() > 0.9;
+    return print.at(is_beyond ? Vec2(u + Vec2(0.4, 0.3)) : u);
+  });
+  LatticeSearch search(picture.view());
+  finish(search);
+  ASSERT_FALSE(search.error()) << search.error()->message;
+  EXPECT_LT(errorOf(search.result().map, truth), 0.002);
+}
+
+TEST(LatticeSearch, RefusesTwoPrintsSideBySide) {
+  const DiscPrint left(3), right(4);
+  const TiltedLattice lattice = latticeOnPicture(columns(66, 16, -22, 56));
+  const Mat2 other = columns(0.7, 0.3, -0.4, 0.8);
+  const std::string sentence = refusal(photographed(lattice, [&](const Vec2& u) {
+    const bool is_left = (lattice.basis * u).x() < 0;
+    return is_left ? left.at(u) : right.at(other * u);
+  }));
+  EXPECT_NE(sentence.find("another print"), std::string::npos) << sentence;
+}
+
+TEST(HiddenPlaces, AreThoseUnderACard) {
+  const DiscPrint print(3);
+  const TiltedLattice lattice = latticeOnPicture(columns(66, 16, -22, 56));
+  const DrawnPicture drawn = photographed(lattice, [&](const Vec2& u) {
+    const Vec2 p = lattice.radius * (lattice.basis * u);
+    return std::abs(p.x()) < 70 && std::abs(p.y()) < 50 ? Ink{0.9, 0.9, 0.9} : print.at(u);
+  });
+  Picture picture = reducedFrame(drawn.view(), 1);
+  reduceRows(drawn.view(), 1, 0, picture.height, picture);
+  flatten(picture, 48);
+  const HiddenPlaces hidden = hiddenPlaces(ChannelImage::of(picture), lattice, 20);
+  EXPECT_NEAR(hidden.share, 140 * 100 / (400.0 * 300), 0.08);  // blocks beside it are hidden, too
+  EXPECT_TRUE(hidden.at(200, 150));
+  for (const Vec2& free : {Vec2(40, 40), Vec2(360, 150), Vec2(200, 270)})
+    EXPECT_FALSE(hidden.at(static_cast<float>(free.x()), static_cast<float>(free.y())));
+  EXPECT_FALSE(hidden.at(static_cast<float>(hidden.free_middle.x()),
+                         static_cast<float>(hidden.free_middle.y())));
 }
 
 TEST(LatticeSearch, RefusesWhatDoesNotRepeat) {

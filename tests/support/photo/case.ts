@@ -8,7 +8,7 @@ import {toGamma} from './inks.js';
 import type {PhotoLevel} from './conditions.js';
 import type {Rgba} from './pixels.js';
 
-type Level = PhotoLevel | 'decoy' | 'tile';
+type Level = PhotoLevel | 'covered' | 'decoy' | 'tile';
 
 /** Fields of a case's entry in cases.json about its print; lengths in cm. */
 export interface PrintTruth extends LatticeView {

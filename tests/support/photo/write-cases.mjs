@@ -1,8 +1,8 @@
 // Writes synthetic photos of prints with known truth:
 //   node tests/support/photo/write-cases.mjs FOLDER SEED NORMALS [PART ...]
-// NORMALS is the number of photos of each group at the level `normal`. PART is normal, scan, hard,
-// special, almost, decoy or tile, all of which are written by default, or large: five of 12
-// megapixels, as JPEG files.
+// NORMALS is the number of photos of each group at the level `normal`, and half of that of each object
+// on the fabric. PART is normal, scan, hard, special, almost, covered, decoy or tile, all of which are
+// written by default, or large: five of 12 megapixels, as JPEG files.
 import {fileURLToPath} from 'node:url';
 
 import {runnerImport} from 'vite';

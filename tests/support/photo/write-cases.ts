@@ -4,6 +4,7 @@ import {join} from 'node:path';
 
 import {cellPixels, type CaseTruth, type PhotoCase} from './case.js';
 import type {PhotoLevel} from './conditions.js';
+import {coverCase, coverKinds} from './cover-cases.js';
 import {decoyCases} from './decoy-cases.js';
 import {jpegOf, pngOf, rawOf, stored, withExif, type Orientation} from './files.js';
 import {allGroups} from './group-elements.js';
@@ -61,6 +62,15 @@ const almosts = (count: number, seed: number): readonly Making[] =>
       almostCase({name: `normal-almost-${k + 1}`, level: 'normal', seed: seed + k, size}, k),
   );
 
+const covered = (count: number, seed: number): readonly Making[] =>
+  coverKinds.flatMap((kind, t) =>
+    times(
+      count,
+      (k) => () =>
+        coverCase({name: `covered-${kind}-${k + 1}`, seed: seed + 100 * t + k, size}, kind),
+    ),
+  );
+
 const large = (seed: number): readonly Making[] =>
   (['p1', 'pmg', 'cmm', 'p4g', 'p31m'] as const).map((group, g) => () => {
     const name = `large-${group}`;
@@ -76,6 +86,7 @@ const parts = {
   decoy: (seed: number) => decoyCases(seed + 40_000, size),
   tile: (seed: number) => tiles(seed + 50_000),
   almost: (seed: number) => almosts(8, seed + 70_000),
+  covered: (seed: number, normals: number) => covered(2 * normals, seed + 80_000),
   large: (seed: number) => large(seed + 60_000),
 } as const;
 type Part = keyof typeof parts;

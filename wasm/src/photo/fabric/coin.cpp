@@ -25,16 +25,25 @@ constexpr double kCenterStep = 0.12;    // relative to half the longer side
 constexpr int kCenterSteps = 3;         // steps to each side
 constexpr int kTurnSteps = 30;          // steps in half a turn
 constexpr double kCoarseReach = 0.08;  // both sides of an outline, relative to half the longer side
-constexpr double kWindows[] = {0.14, 0.1, 0.07, 0.05, 0.04, 0.03};  // same unit
-constexpr double kCoverWindow = 0.06;  // wider windows use coverage, which has no inner rings
-constexpr double kCloseTo = 0.02;      // maximum distance of an edge from the outline, same unit
-constexpr double kClosePixels = 0.5;   // minimum of that distance, compared image. [px]
-constexpr double kLeastWindow = 2;     // same unit: coverage ends up to a pixel outside
-constexpr int kFewestSupports = kOutlineBits / 3;  // none of 133 finds with it is 2 % wrong
+constexpr double kWindows[] = {0.06, 0.05, 0.04, 0.03};  // same unit
+// Rims are tried from a little outside the coverage to well inside it: a shadow of 5 mm takes 0.3
+// of a coin's outline.
+constexpr double kLargestRim = 1.1, kSmallestRim = 0.6, kRimStep = 0.985;
+constexpr double kRimCenterStep = 0.04;  // relative to half the longer side
+constexpr int kRimCenterSteps = 3;       // steps to each side
+constexpr int kRimTurnSteps = 2;         // thirds of a step of kTurnSteps to each side
+constexpr double kRimReach = 0.025;      // both sides of a rim, relative to half the longer side
+constexpr float kAsSharp = 0.5f;  // share of the sharpest rim's sharpness; inner rings are sharper
+constexpr double kBeside = 1.08;  // place of the shadow beside a rim
+constexpr int kBrightBits = kOutlineBits / 6;  // bits of a shadow that may be brighter than print
+constexpr int kBluntBits = kOutlineBits * 2 / 5;  // bits of a rim that may have a fainter edge
+constexpr double kCloseTo = 0.02;     // maximum distance of an edge from the outline, same unit
+constexpr double kClosePixels = 0.5;  // minimum of that distance, compared image. [px]
+constexpr double kLeastWindow = 2;    // same unit: coverage ends up to a pixel outside
+constexpr int kFewestSupports = kOutlineBits / 3;  // chosen
 constexpr int kWindowSamples = 12;                 // samples to each side
 constexpr float kUnclear = 0.3f;                   // minimum edge of the coverage of an object
-constexpr float kFaintCover = 0.12f;  // minimum edge of the coverage of one bit in refinement
-constexpr float kFaint = 12;          // the same for the difference itself, of 3 x 255
+constexpr float kFaint = 12;                       // minimum sharpness of a bit or rim, of 3 x 255
 constexpr float kAsClear = 0.8f;  // share of the best outline's clearness: coins have inner rings
 constexpr double kPixelError = 0.2;   // error of outlines in the compared image. [px]
 constexpr double kThickness = 0.007;  // error of the size caused by the height of a coin
@@ -100,6 +109,21 @@ bool ObjectSearch::advance() {
         break;
       }
       if (chooseSize()) {
+        stage_ = Stage::kRims;
+        whole_ = placing_;
+        size_ = kLargestRim * placing_.size;
+        count_ = 0;
+        break;
+      }
+      error_ = notSeen(object_);
+      stage_ = Stage::kDone;
+      break;
+    case Stage::kRims:
+      if (size_ > kSmallestRim * whole_.size) {
+        tryRim();
+        break;
+      }
+      if (chooseRim()) {
         stage_ = Stage::kRefine;
         break;
       }
@@ -107,9 +131,7 @@ bool ObjectSearch::advance() {
       stage_ = Stage::kDone;
       break;
     case Stage::kRefine:
-      for (const double window : kWindows)
-        refine(std::max(window, kLeastWindow * pixel()),
-               window > kCoverWindow ? Edge::kCovered : Edge::kSteepest);
+      for (const double window : kWindows) refine(std::max(window, kLeastWindow * pixel()));
       if (supports_ < kFewestSupports) {
         error_ = notSeen(object_);
       } else {
@@ -129,6 +151,7 @@ double ObjectSearch::fraction() const {
       return kCompareShare * difference_.fraction();
     case Stage::kSizes:
       return kCompareShare + (1 - kCompareShare) * std::min(1.0, size_ / most_);
+    case Stage::kRims:
     case Stage::kRefine:
     case Stage::kDone:
       break;
@@ -145,13 +168,6 @@ double ObjectSearch::pixel() const {
   return 2 * difference_.factor() / (onPicture(Vec2(1, 0)) - onPicture(Vec2(-1, 0))).norm();
 }
 
-/// Returns how much more the inside differs from the print than the outside, at least 0.
-float ObjectSearch::edge(const Vec2& inside, const Vec2& outside, Edge of) const {
-  const Vec2 in = pictureOf(inside), out = pictureOf(outside);
-  return std::max(0.0f, of == Edge::kCovered ? difference_.covered(in) - difference_.covered(out)
-                                             : difference_.at(in) - difference_.at(out));
-}
-
 /// Returns the edge that three quarters of the outline exceed, or 0 if it is not above `least`.
 float ObjectSearch::clearness(const ObjectPlacing& placing, float least) const {
   std::vector<double> edges(kOutlineBits);
@@ -160,7 +176,8 @@ float ObjectSearch::clearness(const ObjectPlacing& placing, float least) const {
   for (int k = 0; k < kOutlineBits; ++k) {
     const Vec2 at = placing.center + placing.size * (turned * bits_[k].at);
     const Vec2 reach = placing.size * kCoarseReach * (turned * bits_[k].normal);
-    const float here = edge(at - reach, at + reach, Edge::kCovered);
+    const float here =
+        difference_.covered(pictureOf(at - reach)) - difference_.covered(pictureOf(at + reach));
     edges[k] = static_cast<double>(here);
     if (here <= least && ++faint > kOutlineBits / 4) return 0;
   }
@@ -198,7 +215,73 @@ bool ObjectSearch::chooseSize() {
   return false;
 }
 
-void ObjectSearch::refine(double window, Edge of) {
+/// Returns the step of the difference that three fifths of the outline exceed, or 0 if it is not
+/// above `least`.
+float ObjectSearch::sharpness(const ObjectPlacing& placing, float least) const {
+  std::vector<double> steps(kOutlineBits);
+  const Mat2 turned = rotation(placing.turn);
+  const double share = std::max(kRimReach, pixel());
+  int faint = 0;
+  for (int k = 0; k < kOutlineBits; ++k) {
+    const Vec2 at = placing.center + placing.size * (turned * bits_[k].at);
+    const Vec2 reach = placing.size * share * (turned * bits_[k].normal);
+    const float here = difference_.step(pictureOf(at - reach), pictureOf(at + reach));
+    steps[k] = static_cast<double>(here);
+    if (here <= least && ++faint > kBluntBits) return 0;
+  }
+  sortNumbers(steps);
+  return static_cast<float>(steps[kBluntBits]);
+}
+
+void ObjectSearch::tryRim() {
+  std::pair<float, ObjectPlacing> sharpest{0.0f, whole_};
+  const int turns = object_.round ? 0 : kRimTurnSteps;
+  for (int turn = -turns; turn <= turns; ++turn) {
+    for (int j = -kRimCenterSteps; j <= kRimCenterSteps; ++j) {
+      for (int i = -kRimCenterSteps; i <= kRimCenterSteps; ++i) {
+        const ObjectPlacing placing{whole_.center + kRimCenterStep * whole_.size * Vec2(i, j),
+                                    size_, whole_.turn + turn * kPi / (3 * kTurnSteps)};
+        const float sharp = sharpness(placing, std::max(kFaint, sharpest.first));
+        if (sharp > sharpest.first) sharpest = {sharp, placing};
+      }
+    }
+  }
+  sizes_[count_++] = sharpest;
+  size_ *= kRimStep;
+}
+
+/// Returns whether the print beside a rim is no brighter than elsewhere, or the rim is the whole
+/// outline.
+bool ObjectSearch::isInShadow(const ObjectPlacing& rim) const {
+  if (kBeside * rim.size > whole_.size) return true;
+  const Mat2 turned = rotation(rim.turn);
+  int bright = 0;
+  for (const OutlineBit& bit : bits_) {
+    const Vec2 beside = rim.center + kBeside * rim.size * (turned * bit.at);
+    if (difference_.brighter(pictureOf(beside)) > kFaint) ++bright;
+  }
+  return bright <= kBrightBits;
+}
+
+/// Chooses the largest rim that is nearly as sharp as the sharpest; returns false without any.
+bool ObjectSearch::chooseRim() {
+  float sharpest = 0;
+  for (int k = 1; k + 1 < count_; ++k) {
+    const float sharp = sizes_[k].first;
+    const bool is_rim = sharp >= sizes_[k - 1].first && sharp >= sizes_[k + 1].first &&
+                        isInShadow(sizes_[k].second);
+    if (is_rim) sharpest = std::max(sharpest, sharp);
+    is_rim_[k] = is_rim;
+  }
+  for (int k = 1; k + 1 < count_; ++k) {
+    if (!is_rim_[k] || sizes_[k].first <= std::max(kFaint, kAsSharp * sharpest)) continue;
+    placing_ = sizes_[k].second;
+    return true;
+  }
+  return false;
+}
+
+void ObjectSearch::refine(double window) {
   // Unknowns: shift of the centre, growth and turn, relative to the size; a circle does not turn.
   constexpr int kUnknowns = 4;
   NormalMatrix normal{}, inverse{};
@@ -213,11 +296,11 @@ void ObjectSearch::refine(double window, Edge of) {
     std::array<float, 2 * kWindowSamples + 1> edges;
     for (int k = 0; k <= 2 * kWindowSamples; ++k) {
       const Vec2 p = at + (k - kWindowSamples) * step * n;
-      edges[k] = edge(p - 1.5 * step * n, p + 1.5 * step * n, of);
+      edges[k] = difference_.step(pictureOf(p - 1.5 * step * n), pictureOf(p + 1.5 * step * n));
     }
     const int top =
         static_cast<int>(std::max_element(edges.begin() + 1, edges.end() - 1) - edges.begin());
-    if (edges[top] < (of == Edge::kCovered ? kFaintCover : kFaint)) continue;
+    if (edges[top] < kFaint) continue;
     const float before = edges[top - 1], after = edges[top + 1];
     const float bend = before - 2 * edges[top] + after;
     const double peak = top + (bend < 0 ? 0.5 * (before - after) / bend : 0.0);

@@ -47,10 +47,11 @@ struct OutlineBit {
 /// Finds an object's outline around a point that the user sets in it, within about a third of half
 /// its size from its middle.
 /// First, the search tries one size after another and looks for outlines that separate print from
-/// other content all around. Least squares then fit the outline to the clearest edge near each of
-/// its bits. An outline with such an edge along less than a third of it is rejected, because parts
-/// of a rim that look like the adjacent fabric leave the size open. The thickness of the object
-/// alone causes an error of about 1 %.
+/// other content all around. The other content includes a contact shadow, which ends softly. So
+/// the search then looks for the largest outline within that has a sharp edge, and least squares
+/// fit it to the sharpest edge near each of its bits. An outline with such an edge along less than
+/// a third of it is rejected, because parts of a rim that look like the adjacent fabric leave the
+/// size open. The thickness of the object alone causes an error of about 1 %.
 class ObjectSearch {
  public:
   /// `pixels` have to outlive the object.
@@ -68,15 +69,16 @@ class ObjectSearch {
   const FoundObject& found() const { return found_; }
 
  private:
-  enum class Stage : std::uint8_t { kCompare, kSizes, kRefine, kDone };
-  /// Edge between certain print and other content, or where the difference itself is steepest.
-  enum class Edge : std::uint8_t { kCovered, kSteepest };
+  enum class Stage : std::uint8_t { kCompare, kSizes, kRims, kRefine, kDone };
   void trySize();
   bool chooseSize();
-  void refine(double window, Edge of);
+  void tryRim();
+  bool chooseRim();
+  bool isInShadow(const ObjectPlacing& rim) const;
+  void refine(double window);
   void finish();
   float clearness(const ObjectPlacing& placing, float least) const;
-  float edge(const Vec2& inside, const Vec2& outside, Edge of) const;
+  float sharpness(const ObjectPlacing& placing, float least) const;
   Vec2 pictureOf(const Vec2& cloth) const { return map_(to_lattice_ * cloth); }
   Vec2 onPicture(const Vec2& bit) const;
   double pixel() const;
@@ -92,7 +94,9 @@ class ObjectSearch {
   double size_ = 0;  ///< next size to try
   float best_;       ///< greatest clearness so far
   std::array<std::pair<float, ObjectPlacing>, kMostSizes> sizes_;
-  int count_ = 0;  ///< number of tried sizes
+  std::array<bool, kMostSizes> is_rim_{};
+  int count_ = 0;        ///< number of tried sizes
+  ObjectPlacing whole_;  ///< outline with a shadow
   ObjectPlacing placing_;
   int supports_ = 0;  ///< number of outline bits with an edge nearby
   double left_ = 0;   ///< root mean square residual of the least squares, relative to the size

@@ -129,10 +129,8 @@ void PrintDifference::compare() {
       float shift[2];
       fit_.fields().shift.at(x, y, shift);
       const PixelLanes print = printAt(inverse(p - Vec2(shift[0], shift[1])));
-      const std::uint8_t* const rgba = &view.rgba[4 * difference_.size()];
-      const PixelLanes off = flattened(internal::pixelAt(rgba), x, y) - print;
-      off_.push_back(off);
-      difference_.push_back(summed(off));
+      const std::uint8_t* const rgba = &view.rgba[4 * off_.size()];
+      off_.push_back(flattened(internal::pixelAt(rgba), x, y) - print);
     }
   }
   if (end == view.height) stage_ = Stage::kNoise;
@@ -168,18 +166,22 @@ void PrintDifference::cover() {
     const float sum = inner ? summed(averaged(column, row)) : 0.0f;
     covered_.push_back(sum * sum / (sum * sum + half * half));
   }
-  if (end < off_.size()) return;
-  off_ = {};
-  stage_ = Stage::kDone;
+  if (end == off_.size()) stage_ = Stage::kDone;
 }
 
-float PrintDifference::between(const std::vector<float>& map, const Vec2& p) const {
+float PrintDifference::step(const Vec2& p, const Vec2& q) const {
+  return summed(between(off_, p, PixelLanes{}) - between(off_, q, PixelLanes{}));
+}
+
+template <class Value>
+Value PrintDifference::between(const std::vector<Value>& map, const Vec2& p,
+                               const Value& outside) const {
   const double x = p.x() / factor_ - 0.5, y = p.y() / factor_ - 0.5;
-  if (!(x >= 0 && y >= 0 && x < columns_ - 1 && y < rows_ - 1)) return 0;
+  if (!(x >= 0 && y >= 0 && x < columns_ - 1 && y < rows_ - 1)) return outside;
   const int i = static_cast<int>(x), j = static_cast<int>(y);
   const float s = static_cast<float>(x - i), t = static_cast<float>(y - j);
-  const float* above = &map[static_cast<std::size_t>(j) * columns_ + i];
-  const float* below = above + columns_;
+  const Value* above = &map[static_cast<std::size_t>(j) * columns_ + i];
+  const Value* below = above + columns_;
   return (1 - t) * ((1 - s) * above[0] + s * above[1]) + t * ((1 - s) * below[0] + s * below[1]);
 }
 

@@ -26,12 +26,17 @@ class PrintDifference {
 
   // Results, valid once done:
 
-  /// Returns the difference at a place of the whole image, summed over red, green and blue of 0 to
-  /// 255 each; 0 outside.
-  float at(const Vec2& p) const { return between(difference_, p); }
+  /// Returns how much the differences of two places of the whole image from the print differ,
+  /// summed over red, green and blue of 0 to 255 each; 0 outside.
+  float step(const Vec2& p, const Vec2& q) const;
+  /// Returns how much brighter a place is than the print, summed in the same way.
+  float brighter(const Vec2& p) const {
+    const PixelLanes off = between(off_, p, PixelLanes{});
+    return off[0] + off[1] + off[2];
+  }
   /// Returns the certainty that something other than the print is visible there, 0 to 1. It is a
   /// half where colours, averaged over 3 x 3, differ by several times the median of the image.
-  float covered(const Vec2& p) const { return between(covered_, p); }
+  float covered(const Vec2& p) const { return between(covered_, p, 0.0f); }
   /// Reduction factor of the compared image.
   int factor() const { return factor_; }
 
@@ -51,7 +56,8 @@ class PrintDifference {
   PixelLanes averaged(int column, int row) const;
   void measureNoise();
   void cover();
-  float between(const std::vector<float>& map, const Vec2& p) const;
+  template <class Value>
+  Value between(const std::vector<Value>& map, const Vec2& p, const Value& outside) const;
   PixelLanes flattened(PixelLanes colour, float x, float y) const;
   PixelLanes printAt(const Vec2& u) const;
 
@@ -66,9 +72,8 @@ class PrintDifference {
   LatticeCanvas canvas_;
   std::vector<PixelLanes> mean_;
   int columns_ = 0, rows_ = 0;
-  std::vector<PixelLanes> off_;    ///< colours minus those of the print
-  std::vector<float> difference_;  ///< sums of their absolute values
-  float noise_ = 0;                ///< median of such sums of averaged colours
+  std::vector<PixelLanes> off_;  ///< colours minus those of the print
+  float noise_ = 0;              ///< median of the sums of absolute values of averaged ones
   std::vector<float> covered_;
 };
 

@@ -35,7 +35,7 @@ bool isInside(const TiltedLattice& view, const Vec2& u) {
 
 CellList visibleCells(const TiltedLattice& view, double reach) {
   const MapInverse latticeAt(view.map());
-  const Vec2 middle = latticeAt(view.middle);
+  const Vec2 middle = latticeAt(view.middle + view.focus);
   Vec2 low = middle, high = middle;
   for (int k = 0; k < 16; ++k) {
     // These points are along the border, because corners alone are not the farthest if the image is

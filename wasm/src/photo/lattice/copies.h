@@ -10,7 +10,7 @@ namespace seamwise {
 /// Cells of a lattice, each by the lattice coordinates of its corner.
 using CellList = std::vector<std::array<int, 2>>;
 
-/// Returns the cells that are at least partly visible, within `reach` cells of the image's middle.
+/// Returns the cells that are at least partly visible, within `reach` cells of the view's focus.
 CellList visibleCells(const TiltedLattice& view, double reach);
 
 /// Returns the maximum number of cells that a straight line along w1 and one along w2 cross in the

@@ -18,6 +18,8 @@ constexpr int kSmallestLevel = 150;     // minimum longer side that is halved on
 constexpr int kRowsAtOnce = 64;         // rows of the reduced image per step
 constexpr double kLightSpread = 0.16;   // share of the shorter side: light varies more slowly
 constexpr int kHypotheses = 6;          // aligned lattices; the right one was never beyond the 4th
+constexpr int kBesideHypotheses = 10;   // the same where an object may be on the fabric; chosen
+constexpr double kLeastScore = 0.45;    // score beside an object. Prints have 0.6, noise 0.4
 constexpr double kWellExplained = 0.6;  // ends the search over tilts. Prints have 0.9, others 0.5
 constexpr double kNothing = 0.3;        // explained by chance, without a repeat
 constexpr double kAsGood = 0.04;        // loss of explained share accepted for a smaller cell
@@ -27,6 +29,9 @@ constexpr double kSure = 0.85, kLikely = 0.75;
 // as much: houndstooth on a body got 20 of its cells for 0.1 more. None of 170 drawn photos has
 // such a pair, even if one flower in six differs.
 constexpr double kMuchLarger = 5.5, kLittleMore = 0.15;
+constexpr double kMostHidden = 0.43;   // share of the image that an object may hide; chosen
+constexpr double kLeastOfTwo = 0.2;    // share of an image that is another print's; chosen
+constexpr double kMostLeft = 0.5;      // hidden share that a larger cell leaves, of a smaller one's
 constexpr double kMostChange = 1.6;    // change of the cell's area beyond which a fit diverged
 constexpr double kReach = 20;          // cells from the middle that are aligned
 constexpr double kAgreementReach = 8;  // cells from the middle that are compared
@@ -43,6 +48,11 @@ constexpr std::array<FitStage, 3> kAlignStages{{{1.5, 16, FitUnknowns::kBasis, 6
 constexpr std::array<FitStage, 1> kCellStages{{{kReach, 24, FitUnknowns::kLens, 4}}};
 constexpr std::array<FitStage, 2> kLastStages{
     {{kReach, 32, FitUnknowns::kLens, 6}, {kReach, 48, FitUnknowns::kLens, 4}}};
+
+/// Share of the image that a lattice explains.
+double meritOf(const LatticeHypothesis& aligned) {
+  return aligned.explained * aligned.repeated * (1 - aligned.hidden.share);
+}
 
 double areaOf(const TiltedLattice& view) { return std::abs(view.basis.determinant()); }
 
@@ -80,13 +90,9 @@ bool LatticeSearch::advance() {
     case Stage::kSmallestCell:
       findSmallestCell();
       break;
-    case Stage::kLargerCell: {
-      LatticeHypothesis& best = aligned_.front();
-      best.view = withLargerCell(levels_, {best.view, best.is_stripes}).view;
-      beginFit(best.view, kLastStages);
-      stage_ = Stage::kMeasure;
+    case Stage::kLargerCell:
+      findLargerCell();
       break;
-    }
     case Stage::kMeasure:
       measure();
       break;
@@ -170,13 +176,28 @@ void LatticeSearch::beginFit(const TiltedLattice& start, std::span<const FitStag
 void LatticeSearch::align() {
   if (fit_) {
     if (fit_->advance()) return;
-    keepAligned();
+    keepAligned(fit_->result(), {});
     fit_.reset();
     ++hypothesis_;
     return;
   }
-  if (hypothesis_ < std::min<std::size_t>(kHypotheses, hypotheses_.size())) {
-    beginFit(hypotheses_[hypothesis_].view, kAlignStages);
+  if (covered_fit_) {
+    if (covered_fit_->advance()) return;
+    keepAligned(covered_fit_->result(), covered_fit_->hidden());
+    covered_fit_.reset();
+    ++hypothesis_;
+    return;
+  }
+  const bool is_beside = part_end_ == TiltVotes::kBeside;
+  const std::size_t most = is_beside ? kBesideHypotheses : kHypotheses;
+  if (hypothesis_ < std::min(most, hypotheses_.size()) &&
+      !(is_beside && hypotheses_[hypothesis_].score < kLeastScore)) {
+    const TiltedLattice& view = hypotheses_[hypothesis_].view;
+    if (is_beside) {
+      covered_fit_.emplace(levels_, view);
+    } else {
+      beginFit(view, kAlignStages);
+    }
     return;
   }
   chooseBest();
@@ -187,22 +208,33 @@ Agreement LatticeSearch::agreement(const TiltedLattice& view) const {
                                   visibleCells(view, kAgreementReach), kAgreementSamples, false));
 }
 
-void LatticeSearch::keepAligned() {
+void LatticeSearch::keepAligned(const FittedLattice& fitted, const HiddenPlaces& hidden) {
   LatticeHypothesis aligned = hypotheses_[hypothesis_];
-  const FittedLattice& fitted = fit_->result();
   const double change = areaOf(fitted.view) / areaOf(aligned.view);
   if (!(change < kMostChange && change > 1 / kMostChange)) return;
   aligned.view = fitted.view;
   aligned.uncertainty = fitted.uncertainty;
-  aligned.explained = agreement(fitted.view).explained;
+  aligned.hidden = hidden;
+  if (hidden.share > 0) {
+    aligned.view.focus = hidden.free_middle - aligned.view.middle;
+    hide(levels_, &aligned.hidden);
+  }
+  aligned.explained = agreement(aligned.view).explained;
+  aligned.repeated = std::clamp((repeatsOf(aligned) - 1) / (kLeastRepeats - 1), 0.0, 1.0);
+  hide(levels_, nullptr);
+  if (hidden.share > kMostHidden) {
+    shows_two_prints_ |= aligned.explained > kSure && hidden.share < 1 - kLeastOfTwo;
+    return;
+  }
   aligned_.push_back(aligned);
 }
 
 void LatticeSearch::chooseBest() {
-  sortBy(aligned_, [](const LatticeHypothesis& aligned) { return -aligned.explained; });
-  if ((aligned_.empty() || aligned_.front().explained < kWellExplained) &&
-      part_end_ < votes_->count()) {
-    part_end_ = votes_->count();
+  sortBy(aligned_, [](const LatticeHypothesis& aligned) { return -meritOf(aligned); });
+  const double merit = aligned_.empty() ? 0 : meritOf(aligned_.front());
+  if (part_end_ == TiltVotes::kUsual ? merit < kSure
+                                     : merit < kWellExplained && part_end_ < votes_->count()) {
+    part_end_ = part_end_ == TiltVotes::kUsual ? TiltVotes::kBeside : votes_->count();
     stage_ = Stage::kVote;
     return;
   }
@@ -212,10 +244,11 @@ void LatticeSearch::chooseBest() {
   }
   std::size_t best = 0;
   for (std::size_t i = 1; i < aligned_.size(); ++i) {
-    const bool is_as_good = aligned_[i].explained > aligned_.front().explained - kAsGood;
+    const bool is_as_good = meritOf(aligned_[i]) > meritOf(aligned_.front()) - kAsGood;
     if (is_as_good && areaOf(aligned_[i].view) < 0.9 * areaOf(aligned_[best].view)) best = i;
   }
   std::swap(aligned_.front(), aligned_[best]);
+  if (aligned_.front().hidden.share > 0) hide(levels_, &aligned_.front().hidden);
   beginFit(aligned_.front().view, kCellStages);
   stage_ = Stage::kSmallestCell;
 }
@@ -235,6 +268,39 @@ void LatticeSearch::findSmallestCell() {
   const CellChoice smallest = withSmallestCell(levels_, {best.view, best.is_stripes});
   best.view = smallest.view;
   stage_ = Stage::kLargerCell;
+}
+
+/// An object on the fabric makes copies differ, too, but a larger cell does not explain it.
+void LatticeSearch::findLargerCell() {
+  LatticeHypothesis& best = aligned_.front();
+  const CellChoice own{best.view, best.is_stripes};
+  const auto hiddenBy = [&](const TiltedLattice& view) {
+    hide(levels_, nullptr);
+    HiddenPlaces hidden = hiddenPlaces(levelFor(levels_, view, kAgreementSamples), view, kReach);
+    if (hidden.share > kMostHidden) hidden = {};
+    return hidden;
+  };
+  const auto isTaken = [&](const CellChoice& larger, double hidden) {
+    const bool is_same = std::abs(areaOf(larger.view) / areaOf(own.view) - 1) < 0.1;
+    if (is_same) return false;
+    if (hidden == 0) return true;
+    const HiddenPlaces left = hiddenBy(larger.view);
+    return repeatsSeen(larger.view).minCoeff() >= kLeastRepeats && left.share < kMostLeft * hidden;
+  };
+  const HiddenPlaces hidden = hiddenBy(best.view);
+  const CellChoice larger = withLargerCell(levels_, own);
+  if (isTaken(larger, hidden.share)) {
+    best.view = larger.view;
+    best.hidden = hidden.share > 0 ? hiddenBy(best.view) : hidden;
+  } else {
+    best.hidden = hidden;
+  }
+  if (best.hidden.share > 0) {
+    best.view.focus = best.hidden.free_middle - best.view.middle;
+    hide(levels_, &best.hidden);
+  }
+  beginFit(best.view, kLastStages);
+  stage_ = Stage::kMeasure;
 }
 
 void LatticeSearch::measure() {
@@ -270,8 +336,9 @@ void LatticeSearch::finish() {
     result_ = readingOf(aligned_.front());
     return;
   }
-  if (candidates_.empty()) {
-    error_ = whyNoRepeat(levels_, votes_->bestOfMiddle());
+  if (candidates_.empty() || aligned_.front().explained < kNothing) {
+    candidates_.clear();
+    error_ = shows_two_prints_ ? twoPrints() : whyNoRepeat(levels_, votes_->bestOfMiddle());
     return;
   }
   const LatticeHypothesis& best = aligned_.front();

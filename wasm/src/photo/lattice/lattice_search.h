@@ -7,6 +7,7 @@
 #include "base/outcome.h"
 #include "photo/base/lattice_reading.h"
 #include "photo/base/picture.h"
+#include "photo/lattice/covered_fit.h"
 #include "photo/lattice/lattice_fit.h"
 #include "photo/lattice/tilt_votes.h"
 
@@ -58,9 +59,10 @@ class LatticeSearch {
   void vote();
   void align();
   void beginFit(const TiltedLattice& start, std::span<const FitStage> stages);
-  void keepAligned();
+  void keepAligned(const FittedLattice& fitted, const HiddenPlaces& hidden);
   void chooseBest();
   void findSmallestCell();
+  void findLargerCell();
   void measure();
   void finish();
   Agreement agreement(const TiltedLattice& view) const;
@@ -80,6 +82,8 @@ class LatticeSearch {
   std::vector<LatticeHypothesis> hypotheses_;
   std::size_t hypothesis_ = 0;
   std::optional<LatticeFit> fit_;
+  std::optional<CoveredFit> covered_fit_;
+  bool shows_two_prints_ = false;
   std::vector<LatticeHypothesis> aligned_;  ///< best first once one is chosen
   std::optional<Error> error_;
   LatticeReading result_;

@@ -12,7 +12,6 @@ constexpr int kContrastLongest = 330;  // longer side of the level that hides th
 constexpr double kBlurred = 0.04;  // share of the variance between 4 and 8 pixels; prints have 0.07
 constexpr double kMoire = 0.45;    // correlation at 3 to 6 pixels; white noise has 0.1
 constexpr double kLocal = 0.75;    // fabric that repeats in places; random bricks have 0.67
-constexpr double kLeastRepeats = 2.2;  // a repeat and the starts of its neighbours on both sides
 constexpr double kAgrees = 0.75, kDisagrees = 0.25;  // explained share of a cell's own variance
 constexpr double kManyCells = 0.15;                  // share of all cells
 constexpr double kExplained = 0.6;                   // below it, a print's copies differ too much
@@ -53,6 +52,13 @@ double finePeriod(const ChannelImage& image) {
   return greatest;
 }
 
+Error noRepeat() {
+  return fault(
+      "noRepeat",
+      "no repeat was found: step back until three repeats are seen each way, and photograph the "
+      "cloth flat and from above");
+}
+
 }  // namespace
 
 Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
@@ -86,10 +92,14 @@ Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
         "the print repeats in the middle of the picture only, the fabric does not lie flat: smooth "
         "it out and photograph it again");
   }
+  return noRepeat();
+}
+
+Error twoPrints() {
   return fault(
-      "noRepeat",
-      "no repeat was found: step back until three repeats are seen each way, and photograph the "
-      "cloth flat and from above");
+      "twoPrints",
+      "a part of the picture shows another print or none: cut the picture to the part with the "
+      "print that is wanted");
 }
 
 std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifferences& differences,
@@ -102,12 +112,10 @@ std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifference
     if (agreement.of_cells[c] < kDisagrees) disagreeing += share;
   }
   if (agreeing > kManyCells * all && disagreeing > kManyCells * all) {
-    return fault(
-        "twoPrints",
-        "a part of the picture shows another print or none: cut the picture to the part with the "
-        "print that is wanted");
+    return twoPrints();
   }
   if (seen < kLeastRepeats) {
+    if (agreement.explained < kExplained) return noRepeat();
     return fault("fewRepeats",
                  "fewer than 2.2 repeats are seen: step back until three repeats are seen");
   }

@@ -8,10 +8,16 @@
 
 namespace seamwise {
 
+/// Least visible repeats: one, and the starts of its neighbours on both sides.
+constexpr double kLeastRepeats = 2.2;
+
 /// Returns the reason why an image has no lattice: plain fabric, moire, blur, folds, or simply no
 /// repeat.
 /// @param local   greatest mean correlation of a lattice in the image's middle
 Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local);
+
+/// Returns the error of an image of which a large part shows another print or none.
+Error twoPrints();
 
 /// Returns the reason to reject a lattice that explains something: too few repeats, two prints side
 /// by side, or a print that changes along the fabric. The result is empty for an acceptable

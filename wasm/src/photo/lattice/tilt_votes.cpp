@@ -14,19 +14,27 @@ constexpr double kShortestPixels = 6;    // minimum repeat; the weave is shorter
 constexpr double kShiftReach = 0.55;     // maximum shift, in widths and heights of the part
 constexpr double kLeastMeeting = 0.04;   // minimum share of weights that overlap at a shift
 constexpr double kMiddle = 0.5;          // share of width and height
+constexpr double kPartBeside = 0.62;  // share of width and height of parts beside an object; chosen
 constexpr int kLatticesOfEach = 3;
 constexpr double kSame = 0.06;  // share of w1 and w2 for lattices voted for twice
 
-/// Returns all parts. Tilts are tangents times half the longer side over the focal length: 0.13 is
-/// 10 degrees at 24 mm and 20 at 50, 0.36 is 25 at 24 mm. A correlation finds lattices 0.07 away
-/// from its own tilt.
-std::vector<TiltedPart> allParts() {
+/// Returns all parts of an image with these half sides [halves of the longer side]. Tilts are
+/// tangents times half the longer side over the focal length: 0.13 is 10 degrees at 24 mm and 20 at
+/// 50, 0.36 is 25 at 24 mm. A correlation finds lattices 0.07 away from its own tilt.
+std::vector<TiltedPart> allParts(const Vec2& half) {
   std::vector<TiltedPart> parts;
   for (const double share : {1.0, kMiddle, 0.25}) parts.push_back({Vec2::Zero(), share});
   const auto addRing = [&](double tilt, int count, double from) {
     for (int k = 0; k < count; ++k) parts.push_back({tilt * unit(2 * kPi * (k + from) / count), 1});
   };
   addRing(0.13, 6, 0);
+  // Parts beside an object, which may be anywhere.
+  parts.push_back({Vec2::Zero(), 1});
+  for (int k = 0; k < 8; ++k) {
+    const int place = k < 4 ? k : k + 1;  // of nine, without the middle
+    const Vec2 middle((place % 3 - 1) * (1 - kPartBeside), (place / 3 - 1) * (1 - kPartBeside));
+    parts.push_back({Vec2::Zero(), kPartBeside, middle.cwiseProduct(half)});
+  }
   addRing(0.25, 12, 0.5);
   addRing(0.36, 14, 0);
   return parts;
@@ -44,7 +52,9 @@ bool isSameLattice(const TiltedLattice& a, const TiltedLattice& b, double tolera
 }
 
 TiltVotes::TiltVotes(const std::vector<ChannelImage>& levels)
-    : levels_(levels), parts_(allParts()) {
+    : levels_(levels),
+      parts_(allParts(Vec2(levels[0].width, levels[0].height) /
+                      std::max(levels[0].width, levels[0].height))) {
   std::size_t level = 0;
   while (level + 1 < levels.size() &&
          std::max(levels[level].width, levels[level].height) > kLongestVotingPart)
@@ -59,8 +69,10 @@ void TiltVotes::vote(int k) {
          part.share * std::max(levels_[level].width, levels_[level].height) > kLongestVotingPart)
     ++level;
   const ChannelImage& image = levels_[level];
+  const bool is_beside = k >= kUsual && k < kBeside;
   const Autocorrelation correlation = autocorrelation(
-      tiltedPlanes(image, axes_, part), static_cast<int>(kShiftReach * part.share * image.width),
+      tiltedPlanes(image, axes_, part, is_beside ? evenWeights(image) : BlockWeights{}),
+      static_cast<int>(kShiftReach * part.share * image.width),
       static_cast<int>(kShiftReach * part.share * image.height), kLeastMeeting);
   std::vector<VotedLattice> voted = voteStripes(correlation, kShortestPixels);
   for (const VotedLattice& lattice : voteLattices(correlation, kShortestPixels, kLatticesOfEach))
@@ -70,6 +82,7 @@ void TiltVotes::vote(int k) {
   view.middle = Vec2(image.width, image.height) / (2 * image.scale);
   view.radius = view.middle.maxCoeff();
   view.tilt = part.tilt;
+  view.focus = view.radius * part.middle;
   for (const VotedLattice& lattice : voted) {
     for (int c = 0; c < 2; ++c) view.basis.col(c) = lattice.basis[c] / (view.radius * image.scale);
     hypothesis.score = lattice.score;

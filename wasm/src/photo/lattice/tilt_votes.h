@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "photo/lattice/channel_image.h"
+#include "photo/lattice/hidden_places.h"
 #include "photo/lattice/tilted_lattice.h"
 #include "photo/lattice/tilted_planes.h"
 
@@ -16,15 +17,21 @@ struct LatticeHypothesis {
   // Valid once aligned:
   double explained = 0;             ///< see `LatticeReading`
   Vec2 uncertainty = Vec2::Zero();  ///< see `FittedLattice`
+  double repeated = 0;              ///< 1 if a repeat is seen twice both ways, 0 if once
+  HiddenPlaces hidden;
 };
 
 /// Autocorrelates an image under various assumed tilts of the fabric, because perspective smears
 /// the peaks of the whole image beyond some 8 degrees. It also uses parts around the image's
-/// middle, in which small repeats appear larger. Each of these steps votes for lattices.
+/// middle, in which small repeats appear larger. For images with an object on the fabric it uses
+/// other parts, too, in which no block has more contrast than others. Each of these steps votes for
+/// lattices.
 class TiltVotes {
  public:
   /// Number of the first steps, whose tilts cover most photos.
   static constexpr int kUsual = 9;
+  /// Number of the first steps with those that find a print beside an object.
+  static constexpr int kBeside = kUsual + 9;
 
   /// @param levels   image at decreasing sizes, each half the previous one; has to outlive the
   ///                 object

@@ -16,6 +16,8 @@ struct TiltedLattice {
   double lens = 0;
   Vec2 middle = Vec2::Zero();  ///< [px]
   double radius = 1;           ///< [px]
+  /// Place around which copies are compared, from the middle. It is no parameter of the map. [px]
+  Vec2 focus = Vec2::Zero();
 
   /// Returns the parameters of a map. The horizon must not go through the image's middle.
   static TiltedLattice of(const LatticeMap& map) {

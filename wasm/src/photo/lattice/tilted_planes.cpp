@@ -10,6 +10,8 @@ constexpr int kPowerSteps = 30;         // power iterations; two equal axes may 
 constexpr double kWidest = 1.7;         // maximum extent of the tilted part, in its own half sides
 constexpr double kLeastNearness = 0.2;  // minimum nearness of fabric, relative to the middle
 
+constexpr int kEvenBlocks = 20;  // blocks along the longer side; chosen
+
 }  // namespace
 
 std::array<std::array<float, 3>, 2> principalAxes(const ChannelImage& image) {
@@ -33,18 +35,45 @@ std::array<std::array<float, 3>, 2> principalAxes(const ChannelImage& image) {
   return axes;
 }
 
+BlockWeights evenWeights(const ChannelImage& image) {
+  BlockWeights blocks;
+  blocks.side = static_cast<float>(std::max(image.width, image.height)) / kEvenBlocks;
+  blocks.columns = static_cast<int>(static_cast<float>(image.width - 1) / blocks.side) + 1;
+  blocks.rows = static_cast<int>(static_cast<float>(image.height - 1) / blocks.side) + 1;
+  const std::size_t count = static_cast<std::size_t>(blocks.columns) * blocks.rows;
+  std::vector<float> counts(count);
+  blocks.values.assign(count, 0);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const std::size_t k = static_cast<int>(static_cast<float>(y) / blocks.side) * blocks.columns +
+                            static_cast<int>(static_cast<float>(x) / blocks.side);
+      const float* sample = &image.samples[4 * (static_cast<std::size_t>(y) * image.width + x)];
+      for (int c = 0; c < 3; ++c) blocks.values[k] += sample[c] * sample[c];
+      counts[k] += 1;
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k) blocks.values[k] /= std::max(1.0F, counts[k]);
+  std::vector<float> sorted = blocks.values;
+  std::nth_element(sorted.begin(), sorted.begin() + count / 2, sorted.end());
+  const float median = sorted[count / 2];
+  for (float& value : blocks.values) value = value > median ? std::sqrt(median / value) : 1;
+  return blocks;
+}
+
 WeightedPlanes tiltedPlanes(const ChannelImage& image,
-                            const std::array<std::array<float, 3>, 2>& axes,
-                            const TiltedPart& part) {
+                            const std::array<std::array<float, 3>, 2>& axes, const TiltedPart& part,
+                            const BlockWeights& blocks) {
   const double radius = std::max(image.width, image.height) / 2.0;  // [pixels of the image]
   const Vec2 half = part.share * Vec2(image.width, image.height) / (2 * radius);
   Vec2 low(1e9, 1e9), high(-1e9, -1e9);
   for (int k = 0; k < 4; ++k) {
-    const Vec2 p((k & 1) != 0 ? half.x() : -half.x(), (k & 2) != 0 ? half.y() : -half.y());
+    const Vec2 p = part.middle +
+                   Vec2((k & 1) != 0 ? half.x() : -half.x(), (k & 2) != 0 ? half.y() : -half.y());
     const Vec2 q = p / std::max(kLeastNearness, 1 - part.tilt.dot(p));
     low = low.cwiseMin(q), high = high.cwiseMax(q);
   }
-  low = low.cwiseMax(-kWidest * half), high = high.cwiseMin(kWidest * half);
+  low = low.cwiseMax(part.middle - kWidest * half);
+  high = high.cwiseMin(part.middle + kWidest * half);
   WeightedPlanes planes;
   planes.width = static_cast<int>((high.x() - low.x()) * radius);
   planes.height = static_cast<int>((high.y() - low.y()) * radius);
@@ -64,6 +93,8 @@ WeightedPlanes tiltedPlanes(const ChannelImage& image,
     const float at = (p / static_cast<float>(side) + 1) * (kTable / 2.0F);
     return at > 0 && at < kTable ? sines[static_cast<int>(at)] : 0.0F;
   };
+  const float from_x = static_cast<float>(part.middle.x()),
+              from_y = static_cast<float>(part.middle.y());
   const float tx = static_cast<float>(part.tilt.x()), ty = static_cast<float>(part.tilt.y());
   for (int y = 0; y < planes.height; ++y) {
     const float qy = static_cast<float>(low.y() + (y + 0.5) / radius);
@@ -72,9 +103,16 @@ WeightedPlanes tiltedPlanes(const ChannelImage& image,
       const float z = 1 + tx * qx + ty * qy;
       if (z < static_cast<float>(kLeastNearness)) continue;
       const float px = qx / z, py = qy / z;
-      const float weight = window(px, half.x()) * window(py, half.y());
+      float weight = window(px - from_x, half.x()) * window(py - from_y, half.y());
       ChannelImage::Patch patch;
       if (weight == 0 || !image.look(mx + pixels * px, my + pixels * py, patch)) continue;
+      if (!blocks.values.empty()) {
+        const float scale = image.scale / blocks.side;
+        const int column = static_cast<int>((mx + pixels * px) * scale);
+        const int row = static_cast<int>((my + pixels * py) * scale);
+        weight *= blocks.values[std::min(row, blocks.rows - 1) * blocks.columns +
+                                std::min(column, blocks.columns - 1)];
+      }
       const std::size_t i = static_cast<std::size_t>(y) * planes.width + x;
       planes.weight[i] = weight;
       for (int c = 0; c < 3; ++c) {
