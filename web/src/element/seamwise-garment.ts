@@ -4,7 +4,7 @@
  */
 import type {PropertyValues, TemplateResult} from 'lit';
 
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import type {LayPlan} from '../model/result/marker-plan.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/documents/stored-design.js';

@@ -1,5 +1,5 @@
 /** Settings of a layout, and their checks. Lengths in cm. */
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import type {Point} from '../model/geometry/vectors.js';
 import {naps, type Nap} from '../model/result/marker-search.js';
 import {signedArea} from '../model/geometry/polyline.js';

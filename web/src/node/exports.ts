@@ -15,7 +15,7 @@ export type * from '../model/print/photo-reading.js';
 export type * from '../model/print/repeating-print.js';
 export type * from '../model/result/method.js';
 export type * from '../model/design/solve-problem.js';
-export type {NoteCode, NoteDetail, SymmetryReason} from '../model/result/notes.js';
+export type {NoteCode, NoteDetail} from '../model/result/notes.js';
 export type * from '../model/result/result.js';
 export type * from '../model/garment/symmetries.js';
 export type {
@@ -25,7 +25,7 @@ export type {
   NamedSolveHooks as NodeSolveHooks,
   ProblemNames,
 } from '../solver/requests/requests.js';
-export {SolverError, type Failure, type FailureCode} from '../model/result/failure.js';
+export {SolverError, type Failure, type FailureCode, type SymmetryReason} from '../model/base/failure.js';
 export {printOfResult} from '../model/result/print-of-result.js';
 export {chosenProblem} from '../solver/search/asked-search.js';
 export {problemOfStored} from '../model/documents/design-problem.js';

@@ -1,7 +1,7 @@
 /** Pictures and cutting sheets of a pattern, in the requested format. */
 import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../model/base/dxf-format.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';

@@ -24,7 +24,7 @@ import type {
   MeasuredSymmetry,
   Symmetry,
 } from '../../model/garment/symmetries.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import type {Garment} from '../../model/garment/specification.js';
 import {methods} from '../../model/result/method.js';
 

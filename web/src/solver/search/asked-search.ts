@@ -10,7 +10,7 @@ import type {Problem, SingleProblem} from '../../model/design/solve-problem.js';
 import {scaleLimits} from '../../model/print/print-scale.js';
 import {asVariant, mostTurn, type PrintVariant} from '../../model/print/print-variant.js';
 import type {Print} from '../../model/print/repeating-print.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {SeamWeights} from '../../model/result/seam-groups.js';
 import {checkScaled} from '../../model/result/unscaled-print.js';

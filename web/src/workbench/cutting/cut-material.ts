@@ -1,6 +1,6 @@
 /** Input of a cutting sheet, available after a solve. */
 import {decidedOf, noPicture, printOf} from '../../model/design/design.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowance-rule.js';

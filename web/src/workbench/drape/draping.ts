@@ -8,7 +8,7 @@ import type {
   Form,
 } from '../../model/result/draped-garment.js';
 import {fabricOf, type Design, type DesignGarment} from '../../model/design/design.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {StoredDrape} from '../../model/documents/stored-drape.js';
