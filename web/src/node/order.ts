@@ -1,4 +1,5 @@
 /** Orders: a stored design is solved again from its files, and laid out on its fabric. */
+import {SolverError} from '../model/base/failure.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import {problemOfStored} from '../model/documents/design-problem.js';
 import {onPrint} from '../model/geometry/vectors.js';
@@ -11,7 +12,6 @@ import type {SolveResult} from '../model/result/result.js';
 import {
   printOfStored,
   readStoredDesign,
-  writeStoredDesign,
   type StoredDesign,
 } from '../model/documents/stored-design.js';
 import type {StoredFile} from '../model/design/design.js';
@@ -20,6 +20,7 @@ import {printDistance} from '../model/print/wallpaper.js';
 import type {SolverService} from '../solver/service.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';
+import {writeStoredDesign} from './documents.js';
 import {layWith} from './marker.js';
 
 export interface OrderHooks extends SolveHooks, ReadingLimits {
@@ -110,9 +111,11 @@ async function planOf(
 
 function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read']> {
   if (base === undefined) {
-    throw new TypeError(
-      "order() reads what the design names: give it 'read', a function that knows your files, or 'base', the folder or host they are on.",
-    );
+    throw new SolverError({
+      code: 'options',
+      message:
+        "order() reads what the design names: give it 'read', a function that knows your files, or 'base', the folder or host they are on.",
+    });
   }
   const folder = base instanceof URL ? base : folderOf(base);
   const {within = [new URL('.', folder)]} = limits;

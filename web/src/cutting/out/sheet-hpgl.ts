@@ -25,6 +25,6 @@ export function strokesOf(
 
 /**
  * The HP-GL text.
- * @throws {RangeError} if the sheet is too wide for a plotter
+ * @throws {SolverError} `options` if the sheet is too wide for a plotter
  */
 export const sheetHpgl = ({pieces}: CutSheet): string => hpglText(strokesOf(pieces));

@@ -124,8 +124,7 @@ async function cutFileFor(
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {
     if (error instanceof SolverError) throw error;
-    const {message} = error as Error;
-    throw new SolverError({code: error instanceof RangeError ? 'options' : 'internal', message});
+    throw new SolverError({code: 'internal', message: (error as Error).message});
   }
   throw new SolverError({code: 'options', message: garment.noAnswer});
 }

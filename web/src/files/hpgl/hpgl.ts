@@ -2,6 +2,7 @@
  * Writes strokes for plotters and cutters in HP-GL. Its unit is 1/40 mm, and plotters reject
  * coordinates beyond 32767. A longer plot is divided into frames along x, the way of the paper.
  */
+import {SolverError} from '../../model/base/failure.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {boxOf, type Box} from '../../model/geometry/polyline.js';
 import {clippedTo} from './clip.js';
@@ -46,7 +47,7 @@ const penLines = (lines: readonly {readonly pen: number; readonly lines: readonl
  * The HP-GL text of strokes in cm. A plot within 81.9 cm is written as it is. A larger one is moved
  * to the origin with its longer side along x. Each frame then starts at x = 0, and joins the end of
  * the one before; `FR` advances the paper by a frame, whose length `PS` states.
- * @throws {RangeError} if both sides are longer than `hpglWidthCm`
+ * @throws {SolverError} `options` if both sides are longer than `hpglWidthCm`
  */
 export function hpglText(pens: readonly PenStrokes[]): string {
   const all = pens.flatMap(({strokes}) => strokes.flatMap(({points}) => points));
@@ -70,9 +71,10 @@ function onPlotter({low, high}: Box): {
   const [across, up] = [high[0] - low[0], high[1] - low[1]];
   const [lengthCm, widthCm] = [Math.max(across, up), Math.min(across, up)];
   if (widthCm > hpglWidthCm) {
-    throw new RangeError(
-      `The sheet is ${across.toFixed(1)} x ${up.toFixed(1)} cm, but HP-GL reaches ${hpglWidthCm.toFixed(1)} cm across the paper; write it as DXF or PDF.`,
-    );
+    throw new SolverError({
+      code: 'options',
+      message: `The sheet is ${across.toFixed(1)} x ${up.toFixed(1)} cm, but HP-GL reaches ${hpglWidthCm.toFixed(1)} cm across the paper; write it as DXF or PDF.`,
+    });
   }
   // a plot wider than the positive range lies on both sides of the origin
   const shift = widthCm > reach ? -widthCm / 2 : 0;

@@ -139,7 +139,10 @@ export class SolverError extends Error implements Failure {
   readonly seam: number | null;
   declare readonly reason?: FailureReason;
 
-  constructor(failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>, options?: ErrorOptions) {
+  constructor(
+    failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>,
+    options?: ErrorOptions,
+  ) {
     super(failure.message, options);
     this.code = failure.code;
     this.piece = failure.piece ?? null;

@@ -61,7 +61,7 @@ interface CutRequest extends AllowanceRule {
 
 /**
  * Returns a cutting sheet; undefined before there is a result.
- * @throws {RangeError} for an unknown paper size; {Error} if the print's image cannot be read
+ * @throws {SolverError} `options` for an unknown paper size; {Error} if the print's image cannot be read
  */
 export async function cutHere(
   workbench: Workbench,
