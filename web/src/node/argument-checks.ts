@@ -1,18 +1,15 @@
 /** Checks the settings and hooks of the functions of `seamwise/node`: types, ranges and names. */
 import {
-  bytes,
   callback,
   checkedLater,
   date,
   either,
   fields,
   having,
-  list,
   optional,
   signal,
   type Checks,
 } from '../model/base/arguments.js';
-import {dxfStyles, dxfUnits, type DxfFormat} from '../model/base/dxf-format.js';
 import {
   fail,
   flag,
@@ -27,14 +24,12 @@ import {
   type Read,
 } from '../model/base/read.js';
 import {greatestAllowance} from '../cutting/allowance-rule.js';
-import type {DxfOptions} from '../cutting/out/sheet-dxf.js';
 import {printInks} from '../cutting/print-ink.js';
-import type {GlbOptions} from '../files/glb/glb.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import type {Problem, ProofHooks, SolveHooks} from '../model/design/solve-problem.js';
 import {unitsInMetre} from '../model/garment/garment-document.js';
 import type {PhotoHooks} from '../model/print/photo-reading.js';
-import type {DrapeHooks, DrapeSettings} from '../model/result/draped-garment.js';
+import type {DrapeHooks} from '../model/result/draped-garment.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import type {SuggestionSettings} from '../pairing/report.js';
 import type {
@@ -45,13 +40,14 @@ import type {
   ProblemNames,
 } from '../solver/requests/requests.js';
 import type {CutSettings} from './cut.js';
-import {drape, garmentDocument, laidGarment, print} from './document-checks.js';
+import {garmentDocument, laidGarment, print} from './document-checks.js';
 import type {ImportOptions} from './import.js';
-import type {ConvertOptions, GarmentDxfOptions, RemedyHooks} from './index.js';
+import type {ConvertOptions, GarmentDxfOptions, RemedyHooks} from './options.js';
 import type {LayPlanSettings} from './lay-plan.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {OrderHooks} from './order.js';
 import type {PrintFromPixelsSettings} from './photo.js';
+import {dxfFormat} from './setting-checks.js';
 
 const word = text();
 const title = text(/\S/, 'text that is not blank');
@@ -99,12 +95,6 @@ export const markerHooks = fields<MarkerPlanHooks>({
   ...{signal, onProgress: callback, onLayout: callback},
 });
 
-/** `drapeTexts` and the core check the other settings. */
-export const drapeSettings = fields<DrapeSettings>({
-  ...{fabric: checkedLater, size: checkedLater, body: checkedLater, effort: checkedLater},
-  from: drape,
-});
-
 const paper: Read<string> = (value, at) => {
   const name = word(value, at);
   if (paperOf(name)) return name;
@@ -128,12 +118,6 @@ export const cutSettings = fields<CutSettings>(
   },
   'print',
 );
-
-const dxfFormat: Checks<DxfFormat> = {style: oneOf(dxfStyles), unit: oneOf(dxfUnits)};
-
-export const dxfOptions = fields<DxfOptions>({
-  ...{...dxfFormat, sewAsBoundary: flag, date, size: word, otherSizes: list},
-});
 
 /** A number whose range is checked with better words later. */
 const anyNumber: Read<number> = (value, at) =>
@@ -165,8 +149,6 @@ export const layPlanSettings = fields<LayPlanSettings>(
   },
   'print',
 );
-
-export const layPlanDxf = fields<DxfFormat>(dxfFormat);
 
 const folder = either('a URL or a path', word, (value, at) =>
   value instanceof URL ? value : fail(at, 'a URL'),
@@ -205,9 +187,4 @@ export const photoSettings = fields<PrintFromPixelsSettings>({
   ...{w1Measured: measured, w2Measured: measured, keepsLattice: flag, flatten: number(0, 1)},
   between: fields({from: pairOf(finite), to: pairOf(finite), cm: finite}, 'from', 'to', 'cm'),
   lattice: fields({homography: listOf(finite), lens: finite}, 'homography', 'lens'),
-});
-
-export const glbOptions = fields<GlbOptions>({
-  picture: fields({bytes, type: oneOf(['image/png', 'image/jpeg'])}, 'bytes', 'type'),
-  ...{plain: listOf(word), attributes: flag, form: flag, garment: word, sha256: word},
 });

@@ -1,7 +1,7 @@
 /** Cutting sheets of a result, and their files. */
 import {checkArguments} from '../model/base/arguments.js';
 import {SolverError} from '../model/base/failure.js';
-import {dxfOptions} from './argument-checks.js';
+import {dxfOptions} from './setting-checks.js';
 import {ruleOf} from '../cutting/allowance-rule.js';
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import type {PrintInk} from '../cutting/print-ink.js';

@@ -12,9 +12,8 @@ import * as garments from '../model/garment/write-garment.js';
 import type {Print} from '../model/print/repeating-print.js';
 import * as prints from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
-import {jsonText} from '../solver/requests/requests.js';
 import * as searches from '../solver/search/asked-search.js';
-import {drapeSettings, glbOptions} from './argument-checks.js';
+import {drapeSettings, glbOptions, json} from './setting-checks.js';
 import {drape, filedDesign, garmentDocument, layPlan, print} from './document-checks.js';
 
 /** The function with checks of its arguments, in their order and by their names. */
@@ -29,12 +28,6 @@ const checked =
     checkArguments(call, ...given);
     return work(...args);
   };
-
-/** Accepts an object that JSON can hold. @throws {SolverError} `notJson` or `number` */
-const json: Read<object> = (value, at) => {
-  jsonText(having({})(value, at), at);
-  return value as object;
-};
 
 const printChanges = having({
   ...{group: text(), size: having({width: number(0, 1e6), height: number(0, 1e6)})},

@@ -2,7 +2,6 @@ import {bytes as bytesCheck, checkArguments} from '../model/base/arguments.js';
 import {text} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
 import type {MarkerGarment} from '../model/design/marker-garment.js';
-import type {PieceDxfOptions} from '../cutting/out/piece-dxf.js';
 import type {Drape, DrapeSettings} from '../model/result/draped-garment.js';
 import type {Garment} from '../model/garment/specification.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
@@ -34,12 +33,15 @@ import {
 import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
+import type {ConvertOptions, GarmentDxfOptions, RemedyHooks} from './options.js';
 import type {Order, OrderHooks} from './order.js';
+import {drapeSettings, json} from './setting-checks.js';
 import type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
 import type {RepeatForPrinting} from './repeat.js';
 import {ThreadSolver} from './thread-solver.js';
 
 export * from './exports.js';
+export type * from './options.js';
 
 const solver = new ThreadSolver();
 
@@ -54,11 +56,6 @@ const solver = new ThreadSolver();
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
   checkArguments('solve', ['hooks', hooks, checks.solveHooks]);
   return solver.solve(problem, hooks);
-}
-
-export interface RemedyHooks extends NamedPrepareHooks {
-  /** Called as soon as a remedy is found. */
-  readonly onRemedy?: (remedy: Remedy) => void;
 }
 
 /**
@@ -124,7 +121,8 @@ export async function withReach(
  *   {SolverError} for an invalid garment or print; the signal's reason when it aborts
  */
 export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
-  checkArguments('order', ['hooks', hooks, checks.orderHooks]);
+  const asked = typeof design === 'string' ? text() : json;
+  checkArguments('order', ['hooks', hooks, checks.orderHooks], ['design', design, asked]);
   const {orderWith} = await import('./order.js');
   return orderWith(solver, design, hooks);
 }
@@ -143,7 +141,7 @@ export async function drape(
   checkArguments(
     'drape',
     ['hooks', hooks, checks.drapeHooks],
-    ['settings', settings, checks.drapeSettings],
+    ['settings', settings, drapeSettings],
   );
   return solver.drape(result, settings, hooks);
 }
@@ -300,13 +298,6 @@ export async function seamSuggestions(
   return suggestionsFor(await readGarment(garment, name), settings);
 }
 
-export interface ConvertOptions {
-  /** Name of the garment in messages. */
-  readonly name?: string;
-  /** Writes a plain GarmentCode specification; see `convert`. */
-  readonly plain?: boolean;
-}
-
 /**
  * Converts a garment of any supported format to the text of a seamwise-garment/1 file. With
  * `plain`, writes a basic GarmentCode specification in centimetres. Each path is then split into
@@ -326,13 +317,6 @@ export async function convert(
   if (!plain) return solver.convert(garment, {name});
   const {plainGarment} = await import('../model/garment/plain-garment.js');
   return plainGarment(await solver.garment(garment, {name}));
-}
-
-export interface GarmentDxfOptions extends PieceDxfOptions {
-  /** Name of the garment in messages, and its title if it has none. */
-  readonly name?: string;
-  /** Allowance of edges without their own. Default 0. [cm] */
-  readonly allowanceCm?: number;
 }
 
 /**

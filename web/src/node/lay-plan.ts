@@ -1,7 +1,7 @@
 /** Files of a layout. */
 import {checkArguments, either} from '../model/base/arguments.js';
 import {number} from '../model/base/read.js';
-import {layPlanDxf} from './argument-checks.js';
+import {layPlanDxf} from './setting-checks.js';
 import type {DxfFormat} from '../model/base/dxf-format.js';
 import {drawPlanSvg} from '../marker/draw/draw-plan-svg.js';
 import {planDxf} from '../marker/draw/plan-dxf.js';

@@ -12,6 +12,7 @@ import type {SolveResult} from '../model/result/result.js';
 import {
   printOfStored,
   readStoredDesign,
+  writeStoredDesign,
   type StoredDesign,
 } from '../model/documents/stored-design.js';
 import type {StoredFile} from '../model/design/design.js';
@@ -20,7 +21,6 @@ import {printDistance} from '../model/print/wallpaper.js';
 import type {SolverService} from '../solver/service.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';
-import {writeStoredDesign} from './documents.js';
 import {layWith} from './marker.js';
 
 export interface OrderHooks extends SolveHooks, ReadingLimits {
