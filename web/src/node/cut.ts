@@ -52,7 +52,7 @@ export interface CutSettings extends PanelDecisions {
   readonly guide?: boolean;
   /** Date on every page. */
   readonly date?: Date;
-  /** Watermark on every page. */
+  /** Warning: a watermark on every page, text on layer 15 of DXF, and labels in HP-GL. */
   readonly mark?: string;
   /** Returns the cell as PNG or JPEG, for a `tile` that is neither and no simple SVG. */
   readonly pixels?: CellPixels;
@@ -121,8 +121,12 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
     svg: () => drawSheetSvg(sheet, print, {ink, mark}),
     dxf: (options = {}) => {
       checkArguments('dxf', ['options', options, dxfOptions]);
-      return sheetDxf(sheet, {...(date && {date}), ...options});
+      return sheetDxf(sheet, {
+        ...(date && {date}),
+        ...(mark !== undefined && {mark}),
+        ...options,
+      });
     },
-    hpgl: () => sheetHpgl(sheet),
+    hpgl: () => sheetHpgl(sheet, mark),
   };
 }

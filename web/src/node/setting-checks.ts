@@ -17,6 +17,7 @@ import {jsonText} from '../solver/requests/requests.js';
 import {drape} from './document-checks.js';
 
 const word = text();
+const title = text(/\S/, 'text that is not blank');
 
 /** Accepts an object that JSON can hold. @throws {SolverError} `notJson` or `number` */
 export const json: Read<object> = (value, at) => {
@@ -27,7 +28,7 @@ export const json: Read<object> = (value, at) => {
 export const dxfFormat: Checks<DxfFormat> = {style: oneOf(dxfStyles), unit: oneOf(dxfUnits)};
 
 export const dxfOptions = fields<DxfOptions>({
-  ...{...dxfFormat, sewAsBoundary: flag, date, size: word, otherSizes: list},
+  ...{...dxfFormat, sewAsBoundary: flag, date, size: word, otherSizes: list, mark: title},
 });
 
 export const layPlanDxf = fields<DxfFormat>(dxfFormat);

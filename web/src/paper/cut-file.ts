@@ -33,9 +33,13 @@ export async function cutFile(
     case 'svg':
       return drawSheetSvg(sheet, print, options);
     case 'dxf':
-      return sheetDxf(sheet, {...dxf, ...(options.date && {date: options.date})});
+      return sheetDxf(sheet, {
+        ...dxf,
+        ...(options.date && {date: options.date}),
+        ...(options.mark !== undefined && {mark: options.mark}),
+      });
     case 'plt':
-      return sheetHpgl(sheet);
+      return sheetHpgl(sheet, options.mark);
     default: {
       const paper = paperOf(word);
       if (!paper) throw new SolverError({code: 'options', message: noPaper(word)});

@@ -12,10 +12,17 @@ interface Stroke {
   readonly isClosed: boolean;
 }
 
+/** Text in the plotter's font, 1 cm high. */
+interface Label {
+  readonly words: string;
+  readonly at: Point;
+}
+
 /** Strokes of one pen. Pens draw in the order of the list. */
 export interface PenStrokes {
   readonly pen: number;
   readonly strokes: readonly Stroke[];
+  readonly labels?: readonly Label[];
 }
 
 /** Units per centimetre. */
@@ -37,6 +44,10 @@ function written(points: readonly Point[]): string {
   return `PU;PA${place(first)};PD;${others.map((p) => `PA${place(p)};`).join('')}PU;`;
 }
 
+/** A label ends with the character ETX; plotters know printable ASCII. */
+const labelled = (words: string, at: Point): string =>
+  `PU;PA${place(at)};SI0.7,1;LB${words.replace(/[^ -~]/g, '?')}\x03`;
+
 const closed = ({points, isClosed}: Stroke): readonly Point[] =>
   isClosed ? [...points, ...points.slice(0, 1)] : points;
 
@@ -54,9 +65,12 @@ export function hpglText(pens: readonly PenStrokes[]): string {
   const box = boxOf(all);
   const isNear = [...box.low, ...box.high].every((far) => Math.abs(far) <= reach);
   if (all.length === 0 || isNear) {
-    const lines = pens.map(({pen, strokes}) => ({
+    const lines = pens.map(({pen, strokes, labels = []}) => ({
       pen,
-      lines: strokes.map((stroke) => written(closed(stroke))),
+      lines: [
+        ...strokes.map((stroke) => written(closed(stroke))),
+        ...labels.map(({words, at}) => labelled(words, at)),
+      ],
     }));
     return ['IN;', ...penLines(lines), 'SP0;', ''].join('\n');
   }
@@ -85,18 +99,24 @@ function onPlotter({low, high}: Box): {
 
 function framed(pens: readonly PenStrokes[], box: Box): string {
   const {lengthCm, map} = onPlotter(box);
-  const laid = pens.map(({pen, strokes}) => ({
+  const laid = pens.map(({pen, strokes, labels = []}) => ({
     pen,
+    labels: labels.map(({words, at}) => ({words, at: map(at)})),
     lines: strokes.map((stroke) => closed(stroke).map(map)),
   }));
   const frames = Array.from({length: Math.ceil(lengthCm / frameCm)}, (_, k) => {
     const [from, to] = [k * frameCm, (k + 1) * frameCm];
     return penLines(
-      laid.map(({pen, lines}) => ({
+      laid.map(({pen, lines, labels}) => ({
         pen,
-        lines: lines
-          .flatMap((line) => clippedTo(line, from, to))
-          .map((line) => written(line.map(([x, y]): Point => [x - from, y]))),
+        lines: [
+          ...lines
+            .flatMap((line) => clippedTo(line, from, to))
+            .map((line) => written(line.map(([x, y]): Point => [x - from, y]))),
+          ...labels
+            .filter(({at: [x]}) => x >= from && x < to)
+            .map(({words, at: [x, y]}) => labelled(words, [x - from, y])),
+        ],
       })),
     ).join('\n');
   });
