@@ -90,7 +90,7 @@ async function repeatOf(
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
 
 /**
- * Returns undefined for a type that is no cutting sheet.
+ * Returns undefined for a type of pictures.
  * @throws {SolverError} a message of one sentence
  */
 async function cutFileFor(
@@ -108,7 +108,11 @@ async function cutFileFor(
   {garment}: Texts,
 ): Promise<Blob | undefined> {
   const file = Object.hasOwn(cutTypes, type) ? cutTypes[type] : undefined;
-  if (!file) return undefined;
+  if (!file) {
+    if (type === '' || types.includes(type)) return undefined;
+    const known = [...types, ...Object.keys(cutTypes)].join(', ');
+    throw new SolverError({code: 'options', message: garment.fileType(known)});
+  }
   const rule = ruleOf({allowanceCm: allowance, hemCm: hem});
   if (!isAllowance(rule.allowanceCm) || !isAllowance(rule.hemCm)) {
     throw new SolverError({code: 'options', message: garment.allowance(`${greatestAllowance} cm`)});
@@ -130,11 +134,11 @@ async function cutFileFor(
 }
 
 /**
- * Converts a PNG; an unsupported type gives the PNG.
+ * Converts a PNG to a type of pictures.
  * @throws {Error} if the browser cannot make a picture of this size
  */
 async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
-  if (type === png.type || !types.includes(type)) return png;
+  if (type === png.type) return png;
   const picture = await createImageBitmap(png);
   const canvas = document.createElement('canvas');
   canvas.width = picture.width;
