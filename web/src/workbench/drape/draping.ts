@@ -113,6 +113,8 @@ export class Draping extends Observable {
       viewer.mesh(this.#mesh);
       viewer.positions(this.#positions, this.#state.kind !== 'draping');
     }
+    // a file that was missing may be there by now
+    if (this.#viewers.size === 0 && this.#state.kind === 'failed') this.#question = undefined;
     this.#viewers.add(viewer);
     this.#end ??= this.#source.subscribe(['history', 'solving'], () => {
       this.#follow();
