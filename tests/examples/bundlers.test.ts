@@ -51,8 +51,9 @@ it('says what is missing where a bundler has left the worker behind', async () =
 
 it('works once the two files lie beside the bundle, as the guide says', async () => {
   const guide = await readFile(new URL('../../docs/frameworks.md', import.meta.url), 'utf8');
-  const [, names = ''] = /for \(const name of \[(.*)\]\) \{\n {2}await copyFile/.exec(guide) ?? [];
-  for (const name of names.split(', ').map((word) => word.slice(1, -1))) {
+  const [, names = ''] =
+    /const names = \[([^;]*)\];\nfor \(const name of names\)/.exec(guide) ?? [];
+  for (const [, name = ''] of names.matchAll(/'([^']+)'/g)) {
     const {output} = await all.node(
       `console.log(new URL(import.meta.resolve('seamwise/standalone/${name}')).pathname)`,
     );

@@ -38,6 +38,15 @@ beforeAll(async () => {
 
 afterAll(() => remove?.());
 
+it('lists in its guide all files that bundlers leave behind', async () => {
+  const guide = await readFile(join(all.folder, 'docs/frameworks.md'), 'utf8');
+  const [, names = ''] = /const names = \[([^;]*)\];/.exec(guide) ?? [];
+  const shipped = [...all.files.keys()].flatMap(
+    (file) => /^dist\/standalone\/(solver\..*\.js|.*\.wasm)$/.exec(file)?.[1] ?? [],
+  );
+  expect([...names.matchAll(/'([^']+)'/g)].map(([, name]) => name).sort()).toEqual(shipped.sort());
+});
+
 /** Import names of the entries that are modules. */
 const modules = (): readonly string[] =>
   Object.keys(all.manifest.exports)

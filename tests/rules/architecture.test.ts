@@ -306,7 +306,7 @@ it('uses Node only where Node is meant to be', () => {
 });
 
 it('names every failure of the core in the JavaScript API, with the same number', async () => {
-  const {failureCodes} = await import('@/model/result/failure.js');
+  const {failureCodes} = await import('@/model/base/failure.js');
   const header = readFileSync(join(root, 'wasm/src/base/outcome.h'), 'utf8');
   const declared = [...header.matchAll(/^\s*k(\w+) = (\d+),/gm)]
     .map(([, name = '', value]) => [name.charAt(0).toLowerCase() + name.slice(1), Number(value)])
@@ -315,7 +315,7 @@ it('names every failure of the core in the JavaScript API, with the same number'
 });
 
 it('has other names for what fails outside the core', async () => {
-  const {failureCodes, pageFailureCodes} = await import('@/model/result/failure.js');
+  const {failureCodes, pageFailureCodes} = await import('@/model/base/failure.js');
   const names = [...Object.keys(failureCodes), ...pageFailureCodes];
   expect(new Set(names).size).toBe(names.length);
   expect(pageFailureCodes.filter((name) => !/^[a-z]+(-[a-z]+)*$/.test(name))).toEqual([]);

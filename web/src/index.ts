@@ -23,10 +23,12 @@ export type * from './model/garment/symmetries.js';
 export {
   failureCodes,
   pageFailureCodes,
+  photoFaults,
   SolverError,
+  symmetryReasons,
   type Failure,
   type FailureCode,
-} from './model/result/failure.js';
+} from './model/base/failure.js';
 
 export {askedSymmetries, printOf} from './model/design/design.js';
 export type {

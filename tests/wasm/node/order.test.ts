@@ -140,7 +140,7 @@ describe('an order', () => {
   it('is refused when the design is damaged', async () => {
     await expect(order('{}', {read})).rejects.toThrow('design is no design');
     await expect(order({...(await sold()), seed: -1}, {read})).rejects.toThrow("'seed'");
-    await expect(order(undefined as never, {read})).rejects.toThrow("'garment' must be");
+    await expect(order(undefined as never, {read})).rejects.toThrow("'design' must be");
   });
 
   it('ends when it is told to', async () => {

@@ -289,6 +289,21 @@ describe('HP-GL of a long plot', () => {
   });
 });
 
+describe('files for cutters of a result that is not the sold one', () => {
+  const mark = 'NOT AS IT WAS SOLD';
+
+  it('say so on layer 15 of every piece in DXF, and beside the sheet', () => {
+    const warnings = sheetDxf(sheet, {mark}).split('NOT AS IT WAS SOLD').length - 1;
+    expect(warnings).toBe(sheet.pieces.length + 1);
+    expect(sheetDxf(sheet, {mark})).toMatch(/TEXT\r?\n *8\r?\n15\r?\n[^T]*NOT AS IT WAS SOLD/);
+  });
+
+  it('say so by a label on every piece in HP-GL', () => {
+    const labels = sheetHpgl(sheet, mark).split('LBNOT AS IT WAS SOLD\u0003').length - 1;
+    expect(labels).toBe(sheet.pieces.length);
+  });
+});
+
 describe('HP-GL of pieces to cut', () => {
   const plt = sheetHpgl(sheet);
 

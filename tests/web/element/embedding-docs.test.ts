@@ -11,7 +11,7 @@ import {spellings} from '@/element/garment/attributes.js';
 import {bubbling} from '@/element/garment/events.js';
 import {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {tokens} from '@/editor/style/tokens.js';
-import {failureCodes, pageFailureCodes} from '@/model/result/failure.js';
+import {failureCodes, pageFailureCodes} from '@/model/base/failure.js';
 import {rowsOf, snippetWith} from '../../support/package/embedding.js';
 
 const project = fileURLToPath(new URL('../../..', import.meta.url));

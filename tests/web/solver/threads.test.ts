@@ -3,7 +3,7 @@
  */
 import {beforeEach, expect, it} from 'vitest';
 
-import {SolverError} from '@/model/result/failure.js';
+import {SolverError} from '@/model/base/failure.js';
 import {Answerer, type AnswerTable, type Queue} from '@/solver/answers/answerer.js';
 import {workerBlocked} from '@/solver/answers/failures.js';
 import type {ModuleLoader} from '@/solver/module/shared-module.js';

@@ -4,9 +4,15 @@ import {readdirSync, readFileSync} from 'node:fs';
 import {describe, expect, it} from 'vitest';
 
 import type {DrapeNoteCode} from '@/model/result/draped-garment.js';
-import {drapeReasons, failureCodes, layReasons, type Failure} from '@/model/result/failure.js';
-import {noteCodes, symmetryReasons} from '@/model/result/notes.js';
-import {photoFaults} from '@/model/print/photo-reading.js';
+import {
+  drapeReasons,
+  failureCodes,
+  layReasons,
+  photoFaults,
+  symmetryReasons,
+  type Failure,
+} from '@/model/base/failure.js';
+import {noteCodes} from '@/model/result/notes.js';
 import {drapeTexts} from '@/texts/drape-texts.js';
 import {formatFor} from '@/texts/format.js';
 import {languages} from '@/texts/preferences.js';

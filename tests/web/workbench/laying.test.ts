@@ -2,7 +2,7 @@
 import {describe, expect, it, vi} from 'vitest';
 
 import type {Design} from '@/model/design/design.js';
-import {SolverError} from '@/model/result/failure.js';
+import {SolverError} from '@/model/base/failure.js';
 import type {GarmentDocument} from '@/model/garment/garment-document.js';
 import type {Alignment} from '@/model/geometry/vectors.js';
 import type {

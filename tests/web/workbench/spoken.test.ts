@@ -1,8 +1,9 @@
 /** The core's English messages, translated by the page to its user's language. */
 import {describe, expect, it} from 'vitest';
 
-import {noteCodes, symmetryReasons, type NoteDetail} from '@/model/result/notes.js';
-import {failureCodes, type Failure} from '@/model/result/failure.js';
+import {symmetryReasons} from '@/model/base/failure.js';
+import {noteCodes, type NoteDetail} from '@/model/result/notes.js';
+import {failureCodes, type Failure} from '@/model/base/failure.js';
 import {spokenNote} from '@/workbench/lists/spoken-note.js';
 import {formatFor} from '@/texts/format.js';
 import {loadTexts, textsOf} from '@/texts/texts.js';

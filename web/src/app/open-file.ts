@@ -1,7 +1,7 @@
 /** Opens a user's file: a garment, a print, a project, or a result. */
 import {FileError} from '../model/base/versioned-file.js';
 import type {Design} from '../model/design/design.js';
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import {isProject, readProject} from '../model/documents/project.js';
 import {longestName, withoutEnding} from '../model/documents/project-name.js';
 import {fieldOf} from '../model/base/read.js';

@@ -1,7 +1,6 @@
 #!/usr/bin/env node
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import {packageVersion} from '../model/base/version.js';
-import {FileError} from '../model/base/versioned-file.js';
 import {UsageError} from './base/arguments.js';
 import {print} from './base/terminal.js';
 
@@ -47,7 +46,7 @@ async function main([command, ...words]: readonly string[]): Promise<void> {
 
 /** Exit code 2 for invalid input, 1 for any other error. */
 function exitCode(error: unknown): 1 | 2 {
-  if (error instanceof UsageError || error instanceof FileError) return 2;
+  if (error instanceof UsageError) return 2;
   return error instanceof SolverError && error.code !== 'internal' ? 2 : 1;
 }
 

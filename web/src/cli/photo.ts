@@ -14,7 +14,7 @@ import type {Print} from '../model/print/repeating-print.js';
 import {repeatOf, type RepeatSize} from '../model/print/repeat.js';
 import {isCentred} from '../model/print/wallpaper.js';
 import {titleOfFile} from '../model/garment/piece-names.js';
-import {failureOf, SolverError} from '../model/result/failure.js';
+import {failureOf, SolverError} from '../model/base/failure.js';
 import {readBytes} from '../node/files.js';
 import {printFromPixels, type PrintFromPixels} from '../node/index.js';
 import {pictureIn, pictureLimit, pngOf} from '../node/picture-files.js';

@@ -1,28 +1,12 @@
 /** Reads and checks result files, which may have been changed by others. */
-import {groupNames} from '../model/base/core-tables.js';
 import {problemFor} from '../model/documents/design-problem.js';
-import {decisionFields, decisions, readAlignment} from '../model/design/read-design.js';
+import {decisionFields, decisions} from '../model/design/read-design.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
-import type {Point} from '../model/geometry/vectors.js';
 import type {SolveOptions} from '../model/design/options.js';
-import {scaleLimits} from '../model/print/print-scale.js';
-import {mostTurn} from '../model/print/print-variant.js';
 import {type Print} from '../model/print/repeating-print.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
-import {
-  fail,
-  fieldOf,
-  flag,
-  isTooDeep,
-  listOf,
-  Malformed,
-  number,
-  oneOf,
-  pairOf,
-  shape,
-  wholeNumber,
-  type Read,
-} from '../model/base/read.js';
+import {fieldOf, isTooDeep, Malformed} from '../model/base/read.js';
+import {checkedResult} from '../model/documents/checked-result.js';
 import type {Problem} from '../model/design/solve-problem.js';
 import {printOfResult} from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
@@ -38,50 +22,6 @@ export type ResultFile = SolveResult & {
   readonly design?: unknown;
 };
 
-const finite = number(-1e9, 1e9);
-const point: Read<Point> = pairOf(finite);
-
-const below =
-  (count: number): Read<number> =>
-  (value, at) =>
-    wholeNumber(value, at) < count ? Number(value) : fail(at, `a number below ${count}`);
-
-const otherAlignment = shape({
-  ...{pieces: listOf(readAlignment), placedCm: finite, expectedCm: finite},
-});
-
-function piece(value: unknown, at: string): void {
-  const {rest, shape: after} = shape({rest: listOf(point), shape: listOf(point)})(value, at);
-  if (rest.length !== after.length) fail(`${at}.shape`, `as long as '${at}.rest'`);
-  const vertex = below(rest.length);
-  const {outline} = shape({
-    name: (name: unknown, where: string) => (typeof name === 'string' ? name : fail(where, 'text')),
-    ...{outline: listOf(vertex), holes: listOf(listOf(vertex)), alignment: readAlignment},
-  })(value, at);
-  if (outline.length < 3) fail(`${at}.outline`, 'a list of at least three');
-}
-
-function checkSeams(value: unknown, pieces: number): void {
-  const side = shape({piece: below(pieces), vertices: listOf(wholeNumber)});
-  listOf(shape({a: side, b: side, weight: finite, matched: flag, mismatch: listOf(finite)}))(
-    value,
-    'seams',
-  );
-}
-
-function checkSymmetries(value: unknown, pieces: number): void {
-  const index = below(pieces);
-  const maps = {map: readAlignment, pairs: listOf(pairOf(wholeNumber))};
-  const kinds = {
-    piece: shape({...maps, piece: index}),
-    pair: shape({...maps, pieces: pairOf(index)}),
-  };
-  listOf((entry, at) => {
-    const kind = oneOf(['piece', 'pair'])(fieldOf(entry, 'kind'), `${at}.kind`);
-    return kinds[kind](entry, at);
-  })(value, 'symmetries');
-}
-
 const damaged = (path: string, what: string): UsageError =>
   new UsageError(
     `${path} is not a whole result file (seamwise-result/1)${what}; align the garment again with --out.`,
@@ -95,25 +35,11 @@ function asResult(value: unknown, path: string): ResultFile {
   const complain = (what: string): UsageError => damaged(path, what);
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
   try {
-    const {pieces} = shape(
-      {
-        pieces: listOf(piece),
-        print: shape(
-          {group: oneOf(groupNames), w1: point, w2: point},
-          {scale: number(...scaleLimits), turnDeg: number(-mostTurn, mostTurn)},
-        ),
-        metrics: shape({maxMovedCm: finite}),
-      },
-      {drafted: listOf(readAlignment), otherAlignments: listOf(otherAlignment)},
-    )(value, '');
-    if (pieces.length === 0) throw complain('');
-    checkSeams(fieldOf(value, 'seams'), pieces.length);
-    checkSymmetries(fieldOf(value, 'symmetries'), pieces.length);
+    return checkedResult(value, '') as ResultFile;
   } catch (error) {
     if (error instanceof Malformed) throw complain(`: ${error.message}`);
     throw error;
   }
-  return value as ResultFile;
 }
 
 /**

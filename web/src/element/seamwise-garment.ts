@@ -4,7 +4,7 @@
  */
 import type {PropertyValues, TemplateResult} from 'lit';
 
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import type {LayPlan} from '../model/result/marker-plan.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/documents/stored-design.js';
@@ -66,6 +66,8 @@ export class SeamwiseGarment extends AttributeElement {
   #shown: GarmentMode = 'preview';
   #shownView: GarmentView = 'pattern';
   #isDrawn = false;
+  /** Reason why nothing is drawn, until something is. */
+  #undrawable: SolverError | undefined;
   #releasing: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
@@ -245,7 +247,11 @@ export class SeamwiseGarment extends AttributeElement {
    * cutting sheet: if there is no answer, or the paper or an allowance is invalid
    */
   toBlob(request: BlobRequest = {}): Promise<Blob> {
-    return blobOf(this.#session.workbench, () => this.#isDrawn, request, this.#texts);
+    const isDrawn = (): boolean => {
+      if (!this.#isDrawn && this.#undrawable) throw this.#undrawable;
+      return this.#isDrawn;
+    };
+    return blobOf(this.#session.workbench, isDrawn, request, this.#texts);
   }
 
   formResetCallback(): void {
@@ -298,11 +304,13 @@ export class SeamwiseGarment extends AttributeElement {
       },
       drawn: () => {
         this.#isDrawn = true;
+        this.#undrawable = undefined;
         this.requestUpdate();
       },
       undrawable: (failure) => {
         this.#isDrawn = false;
-        this.#session.report(new SolverError(failure));
+        this.#undrawable = new SolverError(failure);
+        this.#session.report(this.#undrawable);
         this.requestUpdate();
       },
     });

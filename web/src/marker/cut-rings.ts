@@ -5,7 +5,7 @@ import {cutLineSteps} from '../cutting/cut-line.js';
 import {decidedOf} from '../model/design/design.js';
 import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {drained} from '../model/base/drained.js';
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import {panelMarks, type PanelMarks} from '../model/garment/panel-marks.js';
 import {cross, minus, type Point} from '../model/geometry/vectors.js';
 import type {SolveResult} from '../model/result/result.js';

@@ -2,7 +2,7 @@
  * Layouts on fabric that is folded lengthwise, with both plies cut at once. Lengths in cm, angles
  * in radians.
  */
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import {
   minus,
   onPiece,

@@ -2,7 +2,7 @@
  * Pairs of mirrored pieces that are cut at once from both plies of folded fabric. Lengths in cm,
  * angles in radians.
  */
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import {rotated, type MirrorMap, type Point} from '../model/geometry/vectors.js';
 import {inverse, mirrors} from '../model/print/mirror-images.js';
 import type {LaidTurns, MarkerPiece} from '../model/result/marker-search.js';

@@ -1,6 +1,6 @@
 /** Combines solved garments into one layout problem: pieces, fabric and settings. Lengths in cm. */
 import type {MarkerGarment} from '../model/design/marker-garment.js';
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import {distance, norm, rotated} from '../model/geometry/vectors.js';
 import {layNote, type LayNote} from '../model/result/lay-note.js';
 import type {MarkerPiece, MarkerProblem} from '../model/result/marker-search.js';

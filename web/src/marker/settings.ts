@@ -1,5 +1,6 @@
 /** Settings of a layout, and their checks. Lengths in cm. */
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
+import {shown} from '../model/base/read.js';
 import type {Point} from '../model/geometry/vectors.js';
 import {naps, type Nap} from '../model/result/marker-search.js';
 import {signedArea} from '../model/geometry/polyline.js';
@@ -123,7 +124,8 @@ function checkFlaws(flaws: Given['flaws']): void {
  * @throws {SolverError} for invalid settings
  */
 export function checkedSettings(asked: MarkerSettings): Given {
-  const settings: Given = {...usual, ...asked};
+  const given = Object.entries(asked).filter(([, value]) => value !== undefined);
+  const settings: Given = {...usual, ...(Object.fromEntries(given) as MarkerSettings)};
   const {widthCm, selvedgeCm, phaseCm, nap, widthsCm, shift} = settings;
   checkNumbers(settings);
   checkFlaws(settings.flaws);
@@ -140,10 +142,10 @@ export function checkedSettings(asked: MarkerSettings): Given {
     );
   }
   if (nap !== undefined && !naps.includes(nap)) {
-    throw wrong(`nap is ${JSON.stringify(nap)}, but must be one of ${naps.join(', ')}.`);
+    throw wrong(`nap is ${shown(nap)}, but must be one of ${naps.join(', ')}.`);
   }
   if (!['kept', 'component'].includes(shift)) {
-    throw wrong(`shift is ${JSON.stringify(shift)}, but must be one of kept, component.`);
+    throw wrong(`shift is ${shown(shift)}, but must be one of kept, component.`);
   }
   const narrow = widthsCm.find((width) => !(width > 0 && width <= markerLimits.widthCm[1]));
   if (narrow !== undefined) {

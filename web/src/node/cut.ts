@@ -1,4 +1,7 @@
 /** Cutting sheets of a result, and their files. */
+import {checkArguments} from '../model/base/arguments.js';
+import {SolverError} from '../model/base/failure.js';
+import {dxfOptions} from './setting-checks.js';
 import {ruleOf} from '../cutting/allowance-rule.js';
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import type {PrintInk} from '../cutting/print-ink.js';
@@ -49,7 +52,7 @@ export interface CutSettings extends PanelDecisions {
   readonly guide?: boolean;
   /** Date on every page. */
   readonly date?: Date;
-  /** Watermark on every page. */
+  /** Warning: a watermark on every page, text on layer 15 of DXF, and labels in HP-GL. */
   readonly mark?: string;
   /** Returns the cell as PNG or JPEG, for a `tile` that is neither and no simple SVG. */
   readonly pixels?: CellPixels;
@@ -71,21 +74,28 @@ export interface Cut {
   readonly dxf: (options?: DxfOptions) => string;
   /**
    * For plotters; a sheet longer than 81.9 cm in frames of 80 cm.
-   * @throws {RangeError} if both sides of the sheet are longer than 163.8 cm
+   * @throws {SolverError} `options` if both sides of the sheet are longer than 163.8 cm
    */
   readonly hpgl: () => string;
 }
 
+const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
+
 /**
  * Lays out the cutting sheet of a result.
- * @throws {RangeError} for an unknown paper
+ * @throws {SolverError} `options` for a print that is not that of the result
  */
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {garment, garmentFile, plain = [], mark} = settings;
-  const print = printOfResult(result.print, settings.print) ?? settings.print;
+  const print = printOfResult(result.print, settings.print);
+  if (!print) {
+    throw wrong(
+      'cut: the print has another group or repeat than that of the result; take the print that was solved.',
+    );
+  }
   const {paper: word = 'a4', ink, guide = false, date, pixels, colourway} = settings;
   const paper = paperOf(word);
-  if (!paper) throw new RangeError(noPaper(word));
+  if (!paper) throw wrong(noPaper(word));
   const marks = {
     ...(garment && garmentTitle(garment, garmentFile)),
     panels: garment ? panelMarks(garment, settings) : new Map(),
@@ -109,7 +119,14 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
         ...(pixels && {pixels}),
       }),
     svg: () => drawSheetSvg(sheet, print, {ink, mark}),
-    dxf: (options) => sheetDxf(sheet, {...(date && {date}), ...options}),
-    hpgl: () => sheetHpgl(sheet),
+    dxf: (options = {}) => {
+      checkArguments('dxf', ['options', options, dxfOptions]);
+      return sheetDxf(sheet, {
+        ...(date && {date}),
+        ...(mark !== undefined && {mark}),
+        ...options,
+      });
+    },
+    hpgl: () => sheetHpgl(sheet, mark),
   };
 }

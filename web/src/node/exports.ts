@@ -2,20 +2,29 @@
 export type {MarkerGarment} from '../model/design/marker-garment.js';
 export type {Alignment, MirrorMap, Point} from '../model/geometry/vectors.js';
 export * from '../model/result/draped-garment.js';
-export * from '../model/documents/drape-file.js';
-export * from '../files/glb/glb.js';
+export type {
+  Corners,
+  DrapeFile,
+  DrapeFileForm,
+  DrapeFileMirror,
+  DrapeFilePiece,
+  DrapeFileSeam,
+  DrapeFileSide,
+  Place,
+} from '../model/documents/drape-file.js';
+export type {CellPicture, GlbOptions} from '../files/glb/glb.js';
+export * from './documents.js';
 export type {LayNote, LayNoteCode} from '../model/result/lay-note.js';
 export type * from '../model/result/marker-plan.js';
 export type * from '../model/garment/specification.js';
 export type * from '../model/garment/garment-document.js';
-export {garmentFile} from '../model/garment/write-garment.js';
 export type * from '../model/design/options.js';
 export type * from '../model/garment/grain.js';
 export type * from '../model/print/photo-reading.js';
 export type * from '../model/print/repeating-print.js';
 export type * from '../model/result/method.js';
 export type * from '../model/design/solve-problem.js';
-export type {NoteCode, NoteDetail, SymmetryReason} from '../model/result/notes.js';
+export type {NoteCode, NoteDetail} from '../model/result/notes.js';
 export type * from '../model/result/result.js';
 export type * from '../model/garment/symmetries.js';
 export type {
@@ -25,20 +34,26 @@ export type {
   NamedSolveHooks as NodeSolveHooks,
   ProblemNames,
 } from '../solver/requests/requests.js';
-export {SolverError, type Failure, type FailureCode} from '../model/result/failure.js';
-export {printOfResult} from '../model/result/print-of-result.js';
-export {chosenProblem} from '../solver/search/asked-search.js';
-export {problemOfStored} from '../model/documents/design-problem.js';
-export * from '../model/documents/stored-design.js';
+export {
+  SolverError,
+  type Failure,
+  type FailureCode,
+  type SymmetryReason,
+} from '../model/base/failure.js';
+export type {
+  FiledDesign,
+  FiledGarment,
+  FiledPrint,
+  PrintChanges,
+  StoredDesign,
+} from '../model/documents/stored-design.js';
 export type {StoredFile} from '../model/design/design.js';
-export {resultText, sha256Of} from '../model/documents/result-text.js';
 export {FileError} from '../model/base/versioned-file.js';
 export type {OwnShare} from '../cutting/allowances.js';
 export type * from '../cutting/cut-sheet.js';
 export type {PieceDxfOptions} from '../cutting/out/piece-dxf.js';
 export type {DxfOptions} from '../cutting/out/sheet-dxf.js';
 export type {DxfFormat, DxfStyle, DxfUnit} from '../model/base/dxf-format.js';
-export {layPlanText} from '../marker/plan.js';
 export type {LaidPrint} from '../marker/problem.js';
 export type {PrintScale} from '../model/result/unscaled-print.js';
 export type {MarkerSettings} from '../marker/settings.js';

@@ -74,6 +74,7 @@ function pipeAt(path: string, signal: AbortSignal | undefined): AsyncIterable<Bu
 
 const reasons: Readonly<Record<string, string>> = {
   ENOENT: 'there is no such file or directory',
+  EEXIST: 'a file is where the folder belongs; move it, or name another folder',
   ENOTDIR: 'a part of the path is not a directory',
   EACCES: 'permission is denied',
   EPERM: 'permission is denied',

@@ -1,5 +1,7 @@
+import {bytes as bytesCheck, checkArguments} from '../model/base/arguments.js';
+import {text} from '../model/base/read.js';
+import {checkedResult} from '../model/documents/checked-result.js';
 import type {MarkerGarment} from '../model/design/marker-garment.js';
-import type {PieceDxfOptions} from '../cutting/out/piece-dxf.js';
 import type {Drape, DrapeSettings} from '../model/result/draped-garment.js';
 import type {Garment} from '../model/garment/specification.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
@@ -21,16 +23,25 @@ import {
   type NamedSolveHooks,
 } from '../solver/requests/requests.js';
 import {chosenProblem} from '../solver/search/asked-search.js';
+import * as checks from './argument-checks.js';
 import type {Cut, CutSettings} from './cut.js';
+import {
+  layPlan as planCheck,
+  pixels as pixelsCheck,
+  print as printCheck,
+} from './document-checks.js';
 import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
+import type {ConvertOptions, GarmentDxfOptions, RemedyHooks} from './options.js';
 import type {Order, OrderHooks} from './order.js';
+import {drapeSettings, json} from './setting-checks.js';
 import type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
 import type {RepeatForPrinting} from './repeat.js';
 import {ThreadSolver} from './thread-solver.js';
 
 export * from './exports.js';
+export type * from './options.js';
 
 const solver = new ThreadSolver();
 
@@ -43,6 +54,7 @@ const solver = new ThreadSolver();
  *   aborts
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
+  checkArguments('solve', ['hooks', hooks, checks.solveHooks]);
   return solver.solve(problem, hooks);
 }
 
@@ -56,15 +68,15 @@ export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Prom
 export async function remedies(
   problem: Problem,
   result: SolveResult,
-  {
-    signal,
-    names,
-    onRemedy,
-  }: NamedPrepareHooks & {
-    /** Called as soon as a remedy is found. */
-    readonly onRemedy?: (remedy: Remedy) => void;
-  } = {},
+  hooks: RemedyHooks = {},
 ): Promise<readonly Remedy[]> {
+  checkArguments(
+    'remedies',
+    ['problem', problem, checks.solvedProblem],
+    ['hooks', hooks, checks.remedyHooks],
+    ['result', result, checkedResult],
+  );
+  const {signal, names, onRemedy} = hooks;
   const {remediesOf} = await import('../remedies/remedies.js');
   return remediesOf(
     chosenProblem(problem, result),
@@ -84,8 +96,15 @@ export async function remedies(
 export async function withReach(
   problem: Problem,
   result: SolveResult,
-  {signal, names}: NamedPrepareHooks = {},
+  hooks: NamedPrepareHooks = {},
 ): Promise<SolveResult> {
+  checkArguments(
+    'withReach',
+    ['problem', problem, checks.solvedProblem],
+    ['hooks', hooks, checks.prepareHooks],
+    ['result', result, checkedResult],
+  );
+  const {signal, names} = hooks;
   const {withReach: tried} = await import('../remedies/reach.js');
   return tried(
     chosenProblem(problem, result),
@@ -102,6 +121,8 @@ export async function withReach(
  *   {SolverError} for an invalid garment or print; the signal's reason when it aborts
  */
 export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
+  const asked = typeof design === 'string' ? text() : json;
+  checkArguments('order', ['hooks', hooks, checks.orderHooks], ['design', design, asked]);
   const {orderWith} = await import('./order.js');
   return orderWith(solver, design, hooks);
 }
@@ -117,15 +138,25 @@ export async function drape(
   settings: DrapeSettings = {},
   hooks: NamedDrapeHooks = {},
 ): Promise<Drape> {
+  checkArguments(
+    'drape',
+    ['hooks', hooks, checks.drapeHooks],
+    ['settings', settings, drapeSettings],
+  );
   return solver.drape(result, settings, hooks);
 }
 
 /**
  * Lays the pieces of a result out on a cutting sheet at true scale, and divides it among pages. PDF
  * and SVG files are written on demand.
- * @throws {RangeError} for an unknown paper
+ * @throws {SolverError} `options` for invalid settings, such as an unknown paper
  */
 export async function cut(result: SolveResult, settings: CutSettings): Promise<Cut> {
+  checkArguments(
+    'cut',
+    ['result', result, checkedResult],
+    ['settings', settings, checks.cutSettings],
+  );
   const {cutWith} = await import('./cut.js');
   return cutWith(result, settings);
 }
@@ -141,6 +172,13 @@ export async function marker(
   settings: NodeMarkerSettings,
   hooks: MarkerPlanHooks = {},
 ): Promise<LayPlan> {
+  checkArguments('marker', ['hooks', hooks, checks.markerHooks]);
+  hooks.signal?.throwIfAborted();
+  checkArguments(
+    'marker',
+    ['results', results, checks.laidGarments],
+    ['settings', settings, checks.nodeMarkerSettings],
+  );
   const {markerWith} = await import('./marker.js');
   const means = {
     lay: (problem: MarkerProblem, all: MarkerHooks) => solver.marker(problem, all),
@@ -157,6 +195,11 @@ export async function layPlanFiles(
   plan: LayPlan,
   settings: LayPlanSettings,
 ): Promise<LayPlanFiles> {
+  checkArguments(
+    'layPlanFiles',
+    ['plan', plan, planCheck],
+    ['settings', settings, checks.layPlanSettings],
+  );
   const {layPlanFilesOf} = await import('./lay-plan.js');
   return layPlanFilesOf(plan, settings);
 }
@@ -166,6 +209,7 @@ export async function symmetries(
   garment: Garment | string,
   name = plainNames.garment,
 ): Promise<DetectedSymmetries> {
+  checkArguments('symmetries', ['name', name, text()]);
   return solver.symmetries(garment, {name});
 }
 
@@ -177,6 +221,7 @@ export async function prepare(
   problem: Problem,
   hooks: NamedPrepareHooks = {},
 ): Promise<MeshedPattern> {
+  checkArguments('prepare', ['hooks', hooks, checks.prepareHooks]);
   return solver.prepare(problem, hooks);
 }
 
@@ -186,6 +231,7 @@ export async function prepare(
  * @throws {SolverError} under the conditions of `solve`
  */
 export async function prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
+  checkArguments('prove', ['hooks', hooks, checks.proofHooks]);
   return solver.prove(problem, hooks);
 }
 
@@ -198,6 +244,7 @@ export async function mirror(
   symmetry: Symmetry,
   name = plainNames.garment,
 ): Promise<MeasuredSymmetry> {
+  checkArguments('mirror', ['name', name, text()]);
   return solver.mirror(garment, symmetry, {name});
 }
 
@@ -210,6 +257,7 @@ export async function readGarment(
   garment: Garment | string,
   name = plainNames.garment,
 ): Promise<GarmentDocument> {
+  checkArguments('readGarment', ['name', name, text()]);
   return solver.garment(garment, {name});
 }
 
@@ -222,6 +270,11 @@ export async function importGarment(
   bytes: Uint8Array,
   options: ImportOptions = {},
 ): Promise<ImportedGarment> {
+  checkArguments(
+    'importGarment',
+    ['bytes', bytes, bytesCheck],
+    ['options', options, checks.importOptions],
+  );
   const {importWith} = await import('./import.js');
   return importWith(readGarment, bytes, options);
 }
@@ -236,15 +289,13 @@ export async function seamSuggestions(
   settings: SuggestionSettings = {},
   name = plainNames.garment,
 ): Promise<SeamSuggestions> {
+  checkArguments(
+    'seamSuggestions',
+    ['settings', settings, checks.suggestionSettings],
+    ['name', name, text()],
+  );
   const {suggestionsFor} = await import('../pairing/report.js');
   return suggestionsFor(await readGarment(garment, name), settings);
-}
-
-export interface ConvertOptions {
-  /** Name of the garment in messages. */
-  readonly name?: string;
-  /** Writes a plain GarmentCode specification; see `convert`. */
-  readonly plain?: boolean;
 }
 
 /**
@@ -260,18 +311,12 @@ export async function convert(
   garment: Garment | string,
   options: ConvertOptions | string = {},
 ): Promise<string> {
+  checkArguments('convert', ['options', options, checks.convertOptions]);
   const {name = plainNames.garment, plain = false} =
     typeof options === 'string' ? {name: options} : options;
   if (!plain) return solver.convert(garment, {name});
   const {plainGarment} = await import('../model/garment/plain-garment.js');
   return plainGarment(await solver.garment(garment, {name}));
-}
-
-export interface GarmentDxfOptions extends PieceDxfOptions {
-  /** Name of the garment in messages, and its title if it has none. */
-  readonly name?: string;
-  /** Allowance of edges without their own. Default 0. [cm] */
-  readonly allowanceCm?: number;
 }
 
 /**
@@ -282,8 +327,10 @@ export interface GarmentDxfOptions extends PieceDxfOptions {
  */
 export async function garmentDxf(
   garment: Garment | string,
-  {name = plainNames.garment, allowanceCm = 0, ...format}: GarmentDxfOptions = {},
+  options: GarmentDxfOptions = {},
 ): Promise<string> {
+  checkArguments('garmentDxf', ['options', options, checks.garmentDxfOptions]);
+  const {name = plainNames.garment, allowanceCm = 0, ...format} = options;
   const document = await readGarment(garment, name);
   const [{draftedSheet}, {sheetDxf}] = await Promise.all([
     import('../cutting/drafted-sheet.js'),
@@ -303,7 +350,13 @@ export async function printFromPixels(
   settings: PrintFromPixelsSettings = {},
   hooks: PhotoHooks = {},
 ): Promise<PrintFromPixels> {
+  checkArguments('printFromPixels', ['hooks', hooks, checks.photoHooks]);
   hooks.signal?.throwIfAborted();
+  checkArguments(
+    'printFromPixels',
+    ['pixels', pixels, pixelsCheck],
+    ['settings', settings, checks.photoSettings],
+  );
   const {printWith} = await import('./photo.js');
   return printWith(
     {
@@ -321,6 +374,7 @@ export async function printFromPixels(
  * @throws {SolverError} `unscaled` for a print of unknown size
  */
 export async function printRepeat(print: PrintWithTile): Promise<RepeatForPrinting> {
+  checkArguments('printRepeat', ['print', print, printCheck]);
   return (await import('./repeat.js')).printRepeat(print);
 }
 

@@ -1,4 +1,7 @@
 /** Files of a layout. */
+import {checkArguments, either} from '../model/base/arguments.js';
+import {number} from '../model/base/read.js';
+import {layPlanDxf} from './setting-checks.js';
 import type {DxfFormat} from '../model/base/dxf-format.js';
 import {drawPlanSvg} from '../marker/draw/draw-plan-svg.js';
 import {planDxf} from '../marker/draw/plan-dxf.js';
@@ -34,7 +37,7 @@ export interface LayPlanFiles {
   readonly dxf: (format?: DxfFormat) => string;
   /**
    * For plotters, in frames of 80 cm.
-   * @throws {RangeError} if the fabric is wider than 163.8 cm
+   * @throws {SolverError} `options` if the fabric is wider than 163.8 cm
    */
   readonly hpgl: () => string;
 }
@@ -45,9 +48,14 @@ export function layPlanFilesOf(plan: LayPlan, settings: LayPlanSettings): LayPla
   const options = {...known, print, words: {units}, ...(title !== undefined && {title})};
   return {
     svg: () => drawPlanSvg(plan, options),
-    pdf: (scale = 10) =>
-      planPdf(plan, {...options, scale, ...(date && {date}), ...(pixels && {pixels})}),
+    pdf: async (scale = 10) => {
+      checkArguments('pdf', ['scale', scale, either('10 or 1', number(1, 1), number(10, 10))]);
+      return planPdf(plan, {...options, scale, ...(date && {date}), ...(pixels && {pixels})});
+    },
     hpgl: () => planHpgl(plan, known),
-    dxf: (format) => planDxf(plan, {...known, ...format}),
+    dxf: (format = {}) => {
+      checkArguments('dxf', ['format', format, layPlanDxf]);
+      return planDxf(plan, {...known, ...format});
+    },
   };
 }

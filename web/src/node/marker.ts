@@ -7,7 +7,7 @@ import {layPlan} from '../marker/plan.js';
 import {markerOrder, type LaidPrint} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import {layShifted, type Lay} from '../marker/shifted.js';
-import {failureOf, SolverError} from '../model/result/failure.js';
+import {failureOf, SolverError} from '../model/base/failure.js';
 import type {LayPlan} from '../model/result/marker-plan.js';
 import type {MarkerHooks} from '../model/result/marker-search.js';
 import type {SolveResult} from '../model/result/result.js';

@@ -1,4 +1,5 @@
 /** Orders: a stored design is solved again from its files, and laid out on its fabric. */
+import {SolverError} from '../model/base/failure.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import {problemOfStored} from '../model/documents/design-problem.js';
 import {onPrint} from '../model/geometry/vectors.js';
@@ -110,9 +111,11 @@ async function planOf(
 
 function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read']> {
   if (base === undefined) {
-    throw new TypeError(
-      "order() reads what the design names: give it 'read', a function that knows your files, or 'base', the folder or host they are on.",
-    );
+    throw new SolverError({
+      code: 'options',
+      message:
+        "order() reads what the design names: give it 'read', a function that knows your files, or 'base', the folder or host they are on.",
+    });
   }
   const folder = base instanceof URL ? base : folderOf(base);
   const {within = [new URL('.', folder)]} = limits;

@@ -3,7 +3,7 @@ import {withPrintedSize} from '../image/png-size.js';
 import {mostPixels, pixelsAt, repeatPixels, resolutionOf} from '../image/repeat-pixels.js';
 import type {PhotoPixels} from '../model/print/photo-reading.js';
 import {rectangularRepeat, type Rectangle} from '../model/print/rectangular-repeat.js';
-import {SolverError} from '../model/result/failure.js';
+import {SolverError} from '../model/base/failure.js';
 import {checkScaled} from '../model/result/unscaled-print.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 import {repeatSvg} from '../picture/repeat-svg.js';

@@ -1,4 +1,5 @@
 /** Writes a cutting sheet as a file of any kind. */
+import {SolverError} from '../model/base/failure.js';
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
 import type {DxfFormat} from '../model/base/dxf-format.js';
@@ -20,7 +21,7 @@ interface CutFileOptions extends Omit<CuttingPdfOptions, 'paper'> {
 
 /**
  * Writes a cutting sheet. Files for cutters and plotters contain no print.
- * @throws {RangeError} for an unknown paper
+ * @throws {SolverError} `options` for an unknown paper
  * @throws {FileError} if the print's image cannot be drawn
  */
 export async function cutFile(
@@ -32,12 +33,16 @@ export async function cutFile(
     case 'svg':
       return drawSheetSvg(sheet, print, options);
     case 'dxf':
-      return sheetDxf(sheet, {...dxf, ...(options.date && {date: options.date})});
+      return sheetDxf(sheet, {
+        ...dxf,
+        ...(options.date && {date: options.date}),
+        ...(options.mark !== undefined && {mark: options.mark}),
+      });
     case 'plt':
-      return sheetHpgl(sheet);
+      return sheetHpgl(sheet, options.mark);
     default: {
       const paper = paperOf(word);
-      if (!paper) throw new RangeError(noPaper(word));
+      if (!paper) throw new SolverError({code: 'options', message: noPaper(word)});
       return (await cuttingPdf(sheet, print, {...options, paper})).bytes;
     }
   }

@@ -1,4 +1,4 @@
-import {SolverError, type Failure} from '../model/result/failure.js';
+import {SolverError, type Failure} from '../model/base/failure.js';
 import {MainThreadSolver, SolverClient, type WorkerPlaces} from './page-solvers.js';
 import {helpersFor, mostCores, type HooksOf, type Requests} from './requests/requests.js';
 import {TextService} from './service.js';

@@ -8,11 +8,12 @@ import {serve} from './threads/serve.js';
 import {trustedScript} from '../model/base/trusted.js';
 
 /**
- * A worker inside this worker, with the same script at a distinguishable URL; it ends with this
- * one.
+ * A worker inside this worker, with the same script, at a distinguishable URL where possible; it
+ * ends with this one.
  */
 const nestedWorker: StartThread<Requests> = (owner) => {
-  const address = `${location.href.replace(/#.*/, '')}#helper`;
+  // some bundlers pass settings to the script in the fragment
+  const address = location.hash === '' ? `${location.href}#helper` : location.href;
   return workerThread(new Worker(trustedScript(address), {type: 'module'}), owner);
 };
 

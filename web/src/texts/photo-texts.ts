@@ -1,6 +1,6 @@
 /** Texts of the photo dialog in all languages, loaded with the dialog. */
-import type {Failure} from '../model/result/failure.js';
-import {photoFaults} from '../model/print/photo-reading.js';
+import type {Failure} from '../model/base/failure.js';
+import {photoFaults} from '../model/base/failure.js';
 import {translated} from './base/message.js';
 import de from './de/photo.json' with {type: 'json'};
 import {photo as en, type PhotoTexts} from './en/photo.js';

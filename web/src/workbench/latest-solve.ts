@@ -1,7 +1,7 @@
 /** Solves the newest design only. It replaces the one before, whose results are then ignored. */
 import type {Design} from '../model/design/design.js';
 import {problemOf} from '../model/documents/design-problem.js';
-import {failureOf, SolverError, type Failure} from '../model/result/failure.js';
+import {failureOf, SolverError, type Failure} from '../model/base/failure.js';
 import type {Progress} from '../model/design/solve-problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result/result.js';
 import type {SolverService} from '../solver/service.js';

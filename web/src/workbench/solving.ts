@@ -2,7 +2,7 @@
  * The solver's state for the present design: every new design is solved, and results are stored.
  */
 import {askedSymmetries, printOf, type Design, type DesignGarment} from '../model/design/design.js';
-import type {Failure} from '../model/result/failure.js';
+import type {Failure} from '../model/base/failure.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {mirroringsOf} from '../model/design/pins.js';
 import type {Progress} from '../model/design/solve-problem.js';

@@ -1,5 +1,5 @@
 /** A failure of the core in the user's language; in English where a translation is missing. */
-import {drapeReasons, layReasons, SolverError, type Failure} from '../model/result/failure.js';
+import {drapeReasons, layReasons, SolverError, type Failure} from '../model/base/failure.js';
 import {carries, groupsThatCarry} from '../model/print/repeat.js';
 import {formatFor, type Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';

@@ -1,6 +1,6 @@
 /** State of a workbench as plain data. */
 import type {Design, DesignPrint} from '../model/design/design.js';
-import type {Failure} from '../model/result/failure.js';
+import type {Failure} from '../model/base/failure.js';
 import type {OwnPicture} from '../model/design/tile-repeat.js';
 import type {OpenEdge} from '../model/print/photo-reading.js';
 

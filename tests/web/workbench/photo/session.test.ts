@@ -19,7 +19,7 @@ import {
 import {axesOf, centresOf, marksOn} from '@/photo/symmetry-marks.js';
 import {gainsFor} from '@/photo/white-spot.js';
 import {norm} from '@/model/geometry/vectors.js';
-import {SolverError} from '@/model/result/failure.js';
+import {SolverError} from '@/model/base/failure.js';
 import {pixelOf, rebased, vectorsAtMiddle} from '@/model/print/photo-map.js';
 import {type GroupName} from '@/model/print/repeating-print.js';
 import type {

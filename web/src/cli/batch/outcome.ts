@@ -1,4 +1,4 @@
-import type {Failure, FailureCode} from '../../model/result/failure.js';
+import type {Failure, FailureCode} from '../../model/base/failure.js';
 import type {Metrics, SolveResult} from '../../model/result/result.js';
 
 /** The reproducible figures of a result. */

@@ -1,7 +1,7 @@
 /** The task of a batch thread: solves one job at a time with its own instance of the solver. */
 import {problemFor} from '../../model/documents/design-problem.js';
 import {drapeFile, drapeText} from '../../model/documents/drape-file.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {glb} from '../../files/glb/glb.js';
 import {titleOfFile} from '../../model/garment/piece-names.js';
 import {readPrintFile} from '../../model/print/read-print-file.js';
@@ -74,9 +74,9 @@ async function solved(job: KeyedJob): Promise<Solved> {
     const figures = {metrics: figuresOf(result), sha256: sha256Of(text)};
     return {outcome: {status: 'done', ...figures, milliseconds: null}, text, beside};
   } catch (error) {
-    if (error instanceof SolverError) return refused(error);
     if (error instanceof UsageError) return {outcome: failedFor('not-found', error.message)};
     if (error instanceof FileError) return {outcome: failedFor('not-found', error.message)};
+    if (error instanceof SolverError) return refused(error);
     throw error;
   }
 }

@@ -45,12 +45,13 @@ export class Store {
     if (existing && !existing.isDirectory()) {
       throw new UsageError(`${this.folder} is a file; name a folder for --out.`);
     }
-    try {
-      for (const kind of Object.values(kinds)) {
-        await mkdir(join(this.folder, kind), {recursive: true});
+    for (const kind of Object.values(kinds)) {
+      const folder = join(this.folder, kind);
+      try {
+        await mkdir(folder, {recursive: true});
+      } catch (error) {
+        throw fileError(error, folder, 'written');
       }
-    } catch (error) {
-      throw fileError(error, this.folder, 'written');
     }
   }
 

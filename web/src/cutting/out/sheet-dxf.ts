@@ -16,6 +16,8 @@ export interface DxfOptions extends PieceDxfOptions {
   readonly size?: string;
   /** Sheets of other sizes of the pattern. Each has a size, and no two have the same. */
   readonly otherSizes?: readonly CutSheet[];
+  /** Warning on layer 15, on every piece and below the sheet. */
+  readonly mark?: string;
 }
 
 /** Greatest length of block names in some readers. */
@@ -27,7 +29,7 @@ function words(
   piece: LaidPiece,
   name: string,
   {size}: CutSheet,
-  {style}: DxfOptions,
+  {style, mark}: DxfOptions,
 ): readonly Pair[] {
   const [foot] = piece.grain;
   const said = [
@@ -40,6 +42,7 @@ function words(
   return [
     ...said.flatMap((one) => text(layers.cut, foot, one)),
     ...piece.words.flatMap((one, k) => text(layers.words, plus(foot, [0, -k]), one)),
+    ...(mark === undefined ? [] : text(layers.words, plus(foot, [0, 1]), mark)),
     ...piece.letters.flatMap(({letter, at}) => text(layers.words, at, letter)),
   ];
 }
@@ -102,7 +105,7 @@ function rowsOf(sheets: readonly CutSheet[]): readonly Point[] {
  * the sample size.
  */
 export function sheetDxf(drawnSheet: CutSheet, options: DxfOptions = {}): string {
-  const {size, otherSizes = []} = options;
+  const {size, otherSizes = [], mark} = options;
   const sheet = size === undefined ? drawnSheet : {...drawnSheet, size};
   const sheets = [sheet, ...otherSizes];
   const rows = rowsOf(sheets);
@@ -118,9 +121,10 @@ export function sheetDxf(drawnSheet: CutSheet, options: DxfOptions = {}): string
     });
   });
   const style = styleText(sheet, options).flatMap((one, k) => text(layers.cut, [0, -2 - k], one));
+  const warning = mark === undefined ? [] : text(layers.words, [0, -1], mark);
   return dxfFile(
     placed.flatMap((one) => one.block),
-    [...style, ...placed.flatMap((one) => one.insert)],
+    [...warning, ...style, ...placed.flatMap((one) => one.insert)],
     options.unit,
   );
 }

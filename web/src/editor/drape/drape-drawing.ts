@@ -2,13 +2,20 @@
 import {css, type PropertyValues} from 'lit';
 
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
+import type {Failure, FailureCode} from '../../model/base/failure.js';
 import {lastOf} from '../../model/base/last-of.js';
 import {fabricOf, printOf} from '../../model/design/design.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {standInScene} from '../../scene/stand-in.js';
 import type {CameraPreset} from '../../viewer/drape/camera.js';
 import {drapingOf, type Draping} from '../../workbench/drape/draping.js';
-import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
+import {
+  drapeEvent,
+  drawnEvent,
+  SceneDrawing,
+  undrawableEvent,
+  type OpenView,
+} from '../pattern/scene-drawing.js';
 import {progressLine} from '../style/progress-line.js';
 import {viewFrame} from '../style/view-frame.js';
 
@@ -106,6 +113,13 @@ interface DrapeNews {
   /** Notes for the user, one sentence each. */
   readonly notes: readonly string[];
 }
+
+/** Codes of failures that no change of the garment mends. */
+const lostParts: ReadonlySet<FailureCode> = new Set<FailureCode>([
+  'no-wasm',
+  'worker-blocked',
+  'internal',
+]);
 
 export class DrapeDrawing extends SceneDrawing<DrapeView> {
   static override properties = {
@@ -249,16 +263,21 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
     if (state.kind === 'draping') {
       const {stage, fraction} = state.progress;
       // the end is reported with the final positions
-      if (stage !== 'done') this.#tellOnce({stage, fraction, settled: false, notes: []});
+      if (stage !== 'done')
+        this.#tellOnce(drapeEvent, {stage, fraction, settled: false, notes: []});
     } else if (state.kind === 'done') {
-      this.#tellOnce({stage: 'done', fraction: 1, settled: true, notes: drape?.notes ?? []});
+      this.#tellOnce(drapeEvent, {
+        ...{stage: 'done', fraction: 1, settled: true, notes: drape?.notes ?? []},
+      } satisfies DrapeNews);
+    } else if (state.kind === 'failed' && lostParts.has(state.failure.code)) {
+      this.#tellOnce(undrawableEvent, state.failure);
     }
   }
 
-  #tellOnce(news: DrapeNews): void {
+  #tellOnce(type: string, news: DrapeNews | Failure): void {
     const told = JSON.stringify(news);
     if (told === this.#told) return;
     this.#told = told;
-    this.tell(drapeEvent, news);
+    this.tell(type, news);
   }
 }

@@ -3,7 +3,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {fabricOf, usualFabric} from '../../model/design/design.js';
 import {fabricNames, type FabricName} from '../../model/result/draped-garment.js';
-import {passingFailures} from '../../model/result/failure.js';
+import {passingFailures} from '../../model/base/failure.js';
 import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {drapeTexts, type DrapeTexts} from '../../texts/drape-texts.js';

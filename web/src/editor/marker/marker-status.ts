@@ -1,7 +1,7 @@
 /** Status of the fabric layout: progress, failures and conflicts, place of the selected piece. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {passingFailures} from '../../model/result/failure.js';
+import {passingFailures} from '../../model/base/failure.js';
 import type {Format} from '../../texts/format.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Laying} from '../../workbench/marker/laying.js';

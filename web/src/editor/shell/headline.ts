@@ -1,7 +1,7 @@
 /** The result in one headline and a few sentences, with the figures folded below. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import type {Metrics, SolveResult} from '../../model/result/result.js';
 import {countedGroups, seamCount} from '../../model/result/seam-groups.js';
 import {countAt, groupMismatch} from '../../scene/group-states.js';

@@ -2,7 +2,7 @@
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries, askingFor, printOf, type Design} from '../../model/design/design.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import {degrees} from '../../model/geometry/vectors.js';
 import {grainRule} from '../../model/design/grain-rule.js';
 import {mirrorAlignment, mirrors, turnToGrain} from '../../model/print/mirror-images.js';

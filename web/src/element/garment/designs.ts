@@ -8,7 +8,7 @@ import {
 import type {GarmentDocument} from '../../model/garment/garment-document.js';
 import {newDesign} from '../../workbench/samples.js';
 import type {Asked, FileWords, Loaded} from './sources.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {designOf, type StoredDesign} from '../../model/documents/stored-design.js';
 import {filedDesign} from '../../model/documents/design-problem.js';
 import type {SolveResult} from '../../model/result/result.js';

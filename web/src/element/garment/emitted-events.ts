@@ -1,11 +1,10 @@
 /** The element's events: fired once for each change; events of its parts stay inside. */
-import {failureOf, SolverError, type Failure} from '../../model/result/failure.js';
+import {failureOf, SolverError, type Failure} from '../../model/base/failure.js';
 import type {Progress} from '../../model/design/solve-problem.js';
 import type {Target, Workbench} from '../../workbench/workbench.js';
 import type {GarmentEvents} from './events.js';
 import type {Loaded} from './sources.js';
 import {drapeEvent, drawnEvent, undrawableEvent} from '../../editor/pattern/scene-drawing.js';
-import {FileError} from '../../model/base/versioned-file.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 
 /** Inner events that would leave the element as if they were its own. */
@@ -36,7 +35,6 @@ export function keepInside(root: EventTarget, {draped, drawn, undrawable}: Inner
 /** Converts any error to the element's only kind of error. */
 export function asError(error: unknown): SolverError {
   if (error instanceof SolverError) return error;
-  if (error instanceof FileError) return new SolverError({code: 'options', message: error.message});
   return new SolverError(toFailure(error));
 }
 

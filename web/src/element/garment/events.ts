@@ -1,6 +1,6 @@
 /** Events, states and details of the element. */
 import type {DrapeStage} from '../../model/result/draped-garment.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import type {Progress} from '../../model/design/solve-problem.js';
 import type {Metrics} from '../../model/result/result.js';
 import type {StoredDesign} from '../../model/documents/stored-design.js';

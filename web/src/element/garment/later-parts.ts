@@ -1,7 +1,7 @@
 /** Loads the code of modes, views and fabric layout on first use. */
 import {loadDrape} from '../../editor/load-later-parts.js';
 import type {GarmentMode, GarmentView} from './attributes.js';
-import type {SolverError} from '../../model/result/failure.js';
+import type {SolverError} from '../../model/base/failure.js';
 import type {MarkerLayer, MarkerOwner} from './marker-layer.js';
 
 /** Fabric layout of the answer. */

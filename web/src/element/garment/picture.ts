@@ -1,7 +1,7 @@
 /** Pictures and cutting sheets of a pattern, in the requested format. */
 import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../model/base/dxf-format.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
@@ -90,7 +90,7 @@ async function repeatOf(
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
 
 /**
- * Returns undefined for a type that is no cutting sheet.
+ * Returns undefined for a type of pictures.
  * @throws {SolverError} a message of one sentence
  */
 async function cutFileFor(
@@ -108,7 +108,11 @@ async function cutFileFor(
   {garment}: Texts,
 ): Promise<Blob | undefined> {
   const file = Object.hasOwn(cutTypes, type) ? cutTypes[type] : undefined;
-  if (!file) return undefined;
+  if (!file) {
+    if (type === '' || types.includes(type)) return undefined;
+    const known = [...types, ...Object.keys(cutTypes)].join(', ');
+    throw new SolverError({code: 'options', message: garment.fileType(known)});
+  }
   const rule = ruleOf({allowanceCm: allowance, hemCm: hem});
   if (!isAllowance(rule.allowanceCm) || !isAllowance(rule.hemCm)) {
     throw new SolverError({code: 'options', message: garment.allowance(`${greatestAllowance} cm`)});
@@ -124,18 +128,17 @@ async function cutFileFor(
     if (content !== undefined) return new Blob([content], {type});
   } catch (error) {
     if (error instanceof SolverError) throw error;
-    const {message} = error as Error;
-    throw new SolverError({code: error instanceof RangeError ? 'options' : 'internal', message});
+    throw new SolverError({code: 'internal', message: (error as Error).message});
   }
   throw new SolverError({code: 'options', message: garment.noAnswer});
 }
 
 /**
- * Converts a PNG; an unsupported type gives the PNG.
+ * Converts a PNG to a type of pictures.
  * @throws {Error} if the browser cannot make a picture of this size
  */
 async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
-  if (type === png.type || !types.includes(type)) return png;
+  if (type === png.type) return png;
   const picture = await createImageBitmap(png);
   const canvas = document.createElement('canvas');
   canvas.width = picture.width;

@@ -4,7 +4,7 @@
  */
 import type {GarmentSession, LoadReason} from './session.js';
 import type {Asked} from './sources.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import type {SolveResult} from '../../model/result/result.js';
 
 /** Distance outside the visible page within which it starts. */

@@ -4,7 +4,7 @@
 import {fabricOf, type Design} from '../../model/design/design.js';
 import {begun} from '../../model/design/history.js';
 import type {FabricName} from '../../model/result/draped-garment.js';
-import {SolverError, type Failure} from '../../model/result/failure.js';
+import {SolverError, type Failure} from '../../model/base/failure.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {writeStoredDesign, type StoredDesign} from '../../model/documents/stored-design.js';
 import {LastingSolver, type LeasePlaces} from '../../solver/pool.js';

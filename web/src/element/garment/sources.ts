@@ -13,7 +13,7 @@ import {
 } from '../../model/design/design.js';
 import {symmetryList} from '../../model/design/read-design.js';
 import type {FabricName} from '../../model/result/draped-garment.js';
-import {SolverError, type FailureCode} from '../../model/result/failure.js';
+import {SolverError, type FailureCode} from '../../model/base/failure.js';
 import {colourwayOf, type Print} from '../../model/print/repeating-print.js';
 import {fieldOf, Malformed} from '../../model/base/read.js';
 import {repeatOf} from '../../model/print/repeat.js';

@@ -2,7 +2,7 @@
  * Images of an element's prints. Each image is fetched once while the element is in use, and
  * reported once if it is unreadable.
  */
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {noPicture} from '../../model/design/design.js';
 import {svgTile, type Tile} from '../../image/tile.js';
 import {hasOutsidePictures} from '../../image/svg-picture.js';

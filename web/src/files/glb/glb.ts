@@ -3,6 +3,7 @@
  * towards +z. The texture coordinates include the place of the print, since many viewers ignore
  * texture transforms.
  */
+import {SolverError} from '../../model/base/failure.js';
 import type {Drape, DrapedPiece, Surface} from '../../model/result/draped-garment.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {imageCoordinates} from '../../model/print/image-coordinates.js';
@@ -58,7 +59,7 @@ const roughness = 0.85;
 /**
  * Builds the file. Texture coordinates refer to the image of the cell, (0, 0) its upper left
  * corner, on the pieces as cut.
- * @throws {RangeError} when the drape does not belong to this result
+ * @throws {SolverError} `options` when the drape does not belong to this result
  */
 export function glb(
   result: Pick<SolveResult, 'pieces'>,
@@ -130,7 +131,10 @@ function drapedPieces(
   return mesh.pieces.map((piece, index) => {
     const known = pieces[index];
     if (known?.name !== piece.name) {
-      throw new RangeError(`The result has no piece '${piece.name}' there; drape it again.`);
+      throw new SolverError({
+        code: 'options',
+        message: `The result has no piece '${piece.name}' there; drape it again.`,
+      });
     }
     const points = pointsOf(piece.shape);
     const onPicture = imageCoordinates(print, known.alignment, points[0] ?? [0, 0]);
@@ -298,7 +302,7 @@ const padded = (length: number): number => 4 * Math.ceil(length / 4);
  * Collects the contents of a glTF file's only buffer. Numbers keep the byte order of this machine,
  * which has to be little-endian.
  */
-export class GlbFile {
+class GlbFile {
   readonly #parts: Uint8Array[] = [];
   readonly #views: object[] = [];
   readonly #accessors: object[] = [];

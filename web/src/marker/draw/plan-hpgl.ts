@@ -6,7 +6,7 @@ import {planPieces, type KnownPieces} from './plan-pieces.js';
 
 /**
  * HP-GL text.
- * @throws {RangeError} if the fabric is too wide for a plotter
+ * @throws {SolverError} `options` if the fabric is too wide for a plotter
  */
 export function planHpgl(plan: LayPlan, known: KnownPieces = {}): string {
   const pieces = planPieces(plan, known, ({piece}) => piece);

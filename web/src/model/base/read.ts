@@ -5,6 +5,13 @@ export class Malformed extends Error {
   override readonly name = 'Malformed';
 }
 
+/** A value of any kind in a message, text in quotes. */
+export function shown(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value.slice(0, 80));
+  const isPlain = value === null || !['object', 'function', 'symbol'].includes(typeof value);
+  return isPlain ? String(value) : `a value of type ${typeof value}`;
+}
+
 /** Checks a value and returns it. @param at name of the value in messages */
 export type Read<T> = (value: unknown, at: string) => T;
 

@@ -1,15 +1,22 @@
 /** The project's own files, which state the version of their format. */
+import {SolverError, type FailureCode} from './failure.js';
 import {fieldOf, isTooDeep, Malformed, type Read} from './read.js';
+
+/** Code of a file error, and its cause. */
+interface FileErrorOptions extends ErrorOptions {
+  /** Default `file`. */
+  readonly code?: FailureCode;
+}
 
 /**
  * A file that cannot be used. The message is one sentence for people, with the file and the remedy.
  */
-export class FileError extends Error {
+export class FileError extends SolverError {
   override readonly name = 'FileError';
   readonly file: string;
 
-  constructor(file: string, complaint: string, options?: ErrorOptions) {
-    super(`${file} ${complaint}`, options);
+  constructor(file: string, complaint: string, {code = 'file', ...options}: FileErrorOptions = {}) {
+    super({code, message: `${file} ${complaint}`}, options);
     this.file = file;
   }
 }

@@ -106,16 +106,6 @@ export interface PhotoHooks {
 export const photoNotes = ['uneven', 'differs', 'focalLength', 'unequal'] as const;
 export type PhotoNote = (typeof photoNotes)[number];
 
-/**
- * Reasons why no print can be read from an image. `object`: no coin or card is visible at the given
- * place; `misplaced`: the print does not repeat by the given cell.
- */
-export const photoFaults = [
-  ...(['plain', 'noRepeat', 'fewRepeats', 'twoPrints', 'changes'] as const),
-  ...(['blurred', 'moire', 'uneven', 'edges', 'small', 'object', 'misplaced'] as const),
-] as const;
-export type PhotoFault = (typeof photoFaults)[number];
-
 export type Side = 'left' | 'right' | 'top' | 'bottom';
 
 /**

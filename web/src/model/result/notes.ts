@@ -1,18 +1,4 @@
-/**
- * Reasons why a symmetry does not hold: codes of notes on detected symmetries, and the `reason` of
- * failures of requested ones.
- */
-export const symmetryReasons = [
-  'symmetryPins',
-  'symmetryGrain',
-  'symmetryChange',
-  'symmetryKinks',
-  'symmetryLengths',
-  'symmetryCrossing',
-  'symmetrySewn',
-] as const;
-
-export type SymmetryReason = (typeof symmetryReasons)[number];
+import {symmetryReasons} from '../base/failure.js';
 
 /**
  * Codes of a result's notes. They are part of the API: new ones may be added, but none may change.

@@ -1,5 +1,5 @@
 /** Prints of unmeasured size: they can be placed, but not cut. */
-import {SolverError} from './failure.js';
+import {SolverError} from '../base/failure.js';
 import type {Print} from '../print/repeating-print.js';
 
 export type PrintScale = Pick<Print, 'title' | 'unscaled'>;

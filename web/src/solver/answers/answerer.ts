@@ -1,5 +1,5 @@
 /** Answers requests on the calling thread: queues, modules, and the table of answers. */
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import type {HooksOf, KindOf, RequestKind, RequestKinds} from '../requests/requests.js';
 import {brokenModule, loadingError, unlessAborted} from './failures.js';
 import {

@@ -1,5 +1,5 @@
 /** Errors of the solver itself, and the end of a wait by a signal. */
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {policyName} from '../../model/base/trusted.js';
 
 /**

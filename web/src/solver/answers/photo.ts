@@ -37,7 +37,7 @@ import type {
 } from '../module/photo.mjs';
 import type {ModuleFailure} from '../module/module.js';
 import {toError} from '../json/document.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {codedOf, linearOf} from '../../model/print/srgb.js';
 
 // Decodes an image to upright pixels, on the thread that answers the request.

@@ -5,9 +5,14 @@
  */
 import type {DocumentLimits, ModuleFailure} from '../module/module.js';
 import {scan, type JsonBreak, type JsonSink} from './scan.js';
-import {drapeReasons, failureCode, layReasons, SolverError} from '../../model/result/failure.js';
-import {symmetryReasons} from '../../model/result/notes.js';
-import {photoFaults} from '../../model/print/photo-reading.js';
+import {
+  drapeReasons,
+  failureCode,
+  layReasons,
+  photoFaults,
+  SolverError,
+  symmetryReasons,
+} from '../../model/base/failure.js';
 import type {ModuleDocument} from '../module/seamwise.mjs';
 
 /** Numbers of kinds and defects in the module. */

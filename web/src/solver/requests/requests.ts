@@ -24,7 +24,8 @@ import type {
   MeasuredSymmetry,
   Symmetry,
 } from '../../model/garment/symmetries.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
+import {shown} from '../../model/base/read.js';
 import type {Garment} from '../../model/garment/specification.js';
 import {methods} from '../../model/result/method.js';
 
@@ -172,7 +173,7 @@ export const namedSymmetries: ReadonlySet<string> = new Set(['auto', 'none']);
 const fields = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'];
 
 /** Rejects values that an untyped caller may pass instead of a problem. @throws {SolverError} */
-function checkProblem(problem: unknown): void {
+export function checkProblem(problem: unknown): void {
   const wrong = (message: string) => new SolverError({code: 'options', message});
   if (typeof problem !== 'object' || problem === null) {
     throw wrong('The problem is missing: hand over an object with garment and print.');
@@ -194,7 +195,7 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
   if (!methods.includes(method)) {
     throw new SolverError({
       code: 'options',
-      message: `method is ${JSON.stringify(method)}, but must be one of ${methods.join(', ')}.`,
+      message: `method is ${shown(method)}, but must be one of ${methods.join(', ')}.`,
     });
   }
   if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) {
@@ -261,7 +262,7 @@ export function jsonText(value: unknown, name: string): string {
     if (error instanceof SolverError) throw error;
     throw new SolverError({
       code: 'notJson',
-      message: `${name} cannot be written as JSON: ${error instanceof Error ? error.message : String(error)}.`,
+      message: `${name} cannot be written as JSON: ${firstLine(error)}.`,
     });
   }
   // JSON.stringify(undefined) is undefined, contrary to its declaration
@@ -273,6 +274,10 @@ export function jsonText(value: unknown, name: string): string {
   }
   return text;
 }
+
+/** The first line of an error; engines draw circles of objects in others. */
+const firstLine = (error: unknown): string =>
+  (error instanceof Error ? error.message : String(error)).replace(/\s*\n[^]*/, '');
 
 /** Rejects numbers that are not finite, which JSON would turn into null. @throws {SolverError} */
 function finite(value: unknown, key: string, name: string): unknown {
@@ -299,7 +304,7 @@ export function drapeTexts(
     if (known.includes(value)) return;
     throw new SolverError({
       code: 'options',
-      message: `${name} is ${JSON.stringify(value)}, but must be one of ${known.join(', ')}.`,
+      message: `${name} is ${shown(value)}, but must be one of ${known.join(', ')}.`,
     });
   };
   check('fabric', fabric, fabricNames);

@@ -10,11 +10,12 @@ import type {Problem, SingleProblem} from '../../model/design/solve-problem.js';
 import {scaleLimits} from '../../model/print/print-scale.js';
 import {asVariant, mostTurn, type PrintVariant} from '../../model/print/print-variant.js';
 import type {Print} from '../../model/print/repeating-print.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
+import {shown} from '../../model/base/read.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {SeamWeights} from '../../model/result/seam-groups.js';
 import {checkScaled} from '../../model/result/unscaled-print.js';
-import {plainNames} from '../requests/requests.js';
+import {checkProblem, plainNames} from '../requests/requests.js';
 
 /** A problem of several solves. */
 export interface AskedSearch {
@@ -52,7 +53,9 @@ function objectOf<T extends object>(part: T | string | undefined): T | undefined
  * The problem's options, if they ask for more than one solve or for another size. Undefined for
  * text without the words in question, so that other options are not parsed twice.
  */
-function askingOptions({options}: Problem): ProblemOptions | undefined {
+function askingOptions(problem: Problem): ProblemOptions | undefined {
+  checkProblem(problem);
+  const {options} = problem;
   if (typeof options === 'string' && !/"(printSize|printTurn|auto)"/.test(options)) {
     return undefined;
   }
@@ -71,7 +74,7 @@ function checkedNumber(
     return Number(value.toFixed(9));
   }
   throw wrongOption(
-    `${at} is ${JSON.stringify(value)}, but must be a number from ${String(least)} to ${String(most)}.`,
+    `${at} is ${shown(value)}, but must be a number from ${String(least)} to ${String(most)}.`,
   );
 }
 
@@ -91,18 +94,19 @@ export function scalesOf(
   const scale = (value: unknown, at: string): number =>
     checkedNumber(value, scaleLimits, `${called}: ${at}`);
   if (typeof sizes === 'number') return [scale(sizes, 'printSize')];
-  const fields = Object.keys(objectOf(sizes) ?? {}).sort();
-  if ('sizes' in sizes && fields.length === 1 && Array.isArray(sizes.sizes)) {
-    if (sizes.sizes.length < 1 || sizes.sizes.length > mostSizes) {
+  const given = objectOf(sizes) ?? {};
+  const fields = Object.keys(given).sort();
+  if ('sizes' in given && fields.length === 1 && Array.isArray(given.sizes)) {
+    if (given.sizes.length < 1 || given.sizes.length > mostSizes) {
       throw wrong(`printSize.sizes must list 1 to ${String(mostSizes)} sizes.`);
     }
     return withOwn(
       1,
-      sizes.sizes.map((size) => scale(size, 'a size of printSize')),
+      given.sizes.map((size: unknown) => scale(size, 'a size of printSize')),
     );
   }
-  if ('from' in sizes && 'to' in sizes && fields.length === 2) {
-    const [from, to] = [scale(sizes.from, 'printSize.from'), scale(sizes.to, 'printSize.to')];
+  if ('from' in given && 'to' in given && fields.length === 2) {
+    const [from, to] = [scale(given.from, 'printSize.from'), scale(given.to, 'printSize.to')];
     if (from > to) throw wrong('printSize.from is greater than printSize.to; exchange them.');
     const step = (to - from) / (sizesOfRange - 1);
     const all = Array.from({length: sizesOfRange}, (_, k) => from + k * step);

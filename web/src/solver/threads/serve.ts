@@ -1,5 +1,5 @@
 /** Answers requests of another thread. */
-import {failureOf, SolverError, type Failure} from '../../model/result/failure.js';
+import {failureOf, SolverError, type Failure} from '../../model/base/failure.js';
 import {Answerer, type AnswerTable} from '../answers/answerer.js';
 import {internalError} from '../answers/failures.js';
 import type {Modules, WasmSources} from '../module/shared-module.js';

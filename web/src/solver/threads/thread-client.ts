@@ -1,5 +1,5 @@
 /** Sends requests to another thread, and watches it. */
-import {SolverError, type Failure} from '../../model/result/failure.js';
+import {SolverError, type Failure} from '../../model/base/failure.js';
 import {internalError} from '../answers/failures.js';
 import type {HooksOf, KindOf, RequestKinds} from '../requests/requests.js';
 import {

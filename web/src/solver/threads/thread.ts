@@ -1,6 +1,6 @@
 /** Another thread: its messages, and its interface for the owner. */
 import type {KindOf, RequestKinds} from '../requests/requests.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 
 /** Increases with every change of the messages: a page must not use a worker from an old cache. */
 export const protocolVersion = '6';

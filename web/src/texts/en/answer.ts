@@ -308,6 +308,7 @@ export const answer = {
     pictureWidth: text('A picture is 1 to {most} pixels wide; choose a width in that range.'),
     allowance: text('An allowance is 0 to {most}; choose a value in that range.'),
     dxf: 'A DXF file is of style aama or astm, in mm or in; choose one of these.',
+    fileType: text('There is no file of this type; choose one of {known}.'),
     noPicture: 'This browser cannot write the picture; choose a smaller one.',
     noTools: text(
       'A part of the program cannot be loaded ({reason}); check the connection and reload the page.',

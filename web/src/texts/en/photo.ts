@@ -1,8 +1,8 @@
 /** English texts of the photo dialog. */
 import {text} from '../base/message.js';
+import type {PhotoFault} from '../../model/base/failure.js';
 import type {
   KnownObject,
-  PhotoFault,
   PhotoNote,
   PhotoStage,
   SymmetryVerdict,

@@ -1,6 +1,6 @@
 /** Input of a cutting sheet, available after a solve. */
 import {decidedOf, noPicture, printOf} from '../../model/design/design.js';
-import {SolverError} from '../../model/result/failure.js';
+import {SolverError} from '../../model/base/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowance-rule.js';
@@ -61,7 +61,7 @@ interface CutRequest extends AllowanceRule {
 
 /**
  * Returns a cutting sheet; undefined before there is a result.
- * @throws {RangeError} for an unknown paper size; {Error} if the print's image cannot be read
+ * @throws {SolverError} `options` for an unknown paper size; {Error} if the print's image cannot be read
  */
 export async function cutHere(
   workbench: Workbench,

@@ -8,7 +8,7 @@ import type {
   Form,
 } from '../../model/result/draped-garment.js';
 import {fabricOf, type Design, type DesignGarment} from '../../model/design/design.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {StoredDrape} from '../../model/documents/stored-drape.js';
@@ -113,6 +113,8 @@ export class Draping extends Observable {
       viewer.mesh(this.#mesh);
       viewer.positions(this.#positions, this.#state.kind !== 'draping');
     }
+    // a file that was missing may be there by now
+    if (this.#viewers.size === 0 && this.#state.kind === 'failed') this.#question = undefined;
     this.#viewers.add(viewer);
     this.#end ??= this.#source.subscribe(['history', 'solving'], () => {
       this.#follow();

@@ -10,7 +10,7 @@ import {unlessFailed} from '../../marker/shifted.js';
 import type {Design} from '../../model/design/design.js';
 import {problemOf} from '../../model/documents/design-problem.js';
 import type {GarmentDocument} from '../../model/garment/garment-document.js';
-import {failureOf, SolverError} from '../../model/result/failure.js';
+import {failureOf, SolverError} from '../../model/base/failure.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {besideThePage, runInSlices, stepsFor} from '../../solver/answers/slices.js';

@@ -1,7 +1,7 @@
 /** The user's state of a layout: choices about the fabric, pins, and flaws to avoid. */
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {MarkerOrder} from '../../marker/problem.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import type {Alignment, Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {MarkerProblem} from '../../model/result/marker-search.js';

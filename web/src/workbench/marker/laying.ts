@@ -7,7 +7,7 @@ import {placesIn} from '../../marker/moved-plan.js';
 import {aroundPins} from '../../model/result/pinned-plan.js';
 import type {Bolt} from '../../marker/places.js';
 import type {DesignPrint} from '../../model/design/design.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import type {Alignment} from '../../model/geometry/vectors.js';
 import {
   amended,

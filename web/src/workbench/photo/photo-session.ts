@@ -1,6 +1,6 @@
 /** A photo on its way to a print: the reading, the user's changes, and the tile. */
 import {exifTags} from '../../image/exif.js';
-import type {Failure} from '../../model/result/failure.js';
+import type {Failure} from '../../model/base/failure.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {begun, redone, stepped, undone, type History} from '../../model/design/history.js';
 import type {

@@ -1,6 +1,3 @@
-import type {SymmetryReason} from './notes.js';
-import type {PhotoFault} from '../print/photo-reading.js';
-
 /**
  * Reasons of a failed solve, with the numbers that the core uses. Names and numbers are part of the
  * API: new ones may be added, but none may change.
@@ -52,6 +49,8 @@ export const pageFailureCodes = [
   'not-an-image',
   /** A file differs from the one that a design was made with. */
   'file-changed',
+  /** A file cannot be read or written, or is damaged or of another kind. */
+  'file',
   /** A print of unmeasured size cannot be cut. */
   'unscaled',
 ] as const;
@@ -60,6 +59,32 @@ export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[
 
 /** Failures that a second attempt may avoid; all others are caused by the input. */
 export const passingFailures: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
+
+/**
+ * Reasons why a symmetry does not hold: codes of notes on detected symmetries, and the `reason` of
+ * failures of requested ones.
+ */
+export const symmetryReasons = [
+  'symmetryPins',
+  'symmetryGrain',
+  'symmetryChange',
+  'symmetryKinks',
+  'symmetryLengths',
+  'symmetryCrossing',
+  'symmetrySewn',
+] as const;
+
+export type SymmetryReason = (typeof symmetryReasons)[number];
+
+/**
+ * Reasons why no print can be read from an image. `object`: no coin or card is visible at the given
+ * place; `misplaced`: the print does not repeat by the given cell.
+ */
+export const photoFaults = [
+  ...(['plain', 'noRepeat', 'fewRepeats', 'twoPrints', 'changes'] as const),
+  ...(['blurred', 'moire', 'uneven', 'edges', 'small', 'object', 'misplaced'] as const),
+] as const;
+export type PhotoFault = (typeof photoFaults)[number];
 
 /**
  * Reasons why pieces cannot be laid on the fabric, or why a garment cannot be draped. They are part
@@ -106,16 +131,19 @@ export interface Failure {
   readonly reason?: FailureReason;
 }
 
-/** The only error that the solver throws for its input. */
+/** The only kind of error for input that cannot be used. */
 export class SolverError extends Error implements Failure {
-  override readonly name = 'SolverError';
+  override readonly name: string = 'SolverError';
   readonly code: FailureCode;
   readonly piece: number | null;
   readonly seam: number | null;
   declare readonly reason?: FailureReason;
 
-  constructor(failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>) {
-    super(failure.message);
+  constructor(
+    failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>,
+    options?: ErrorOptions,
+  ) {
+    super(failure.message, options);
     this.code = failure.code;
     this.piece = failure.piece ?? null;
     this.seam = failure.seam ?? null;

@@ -1,0 +1,124 @@
+/** Public functions of `seamwise/node` reject odd arguments alike: with a code and one sentence. */
+import * as node from 'seamwise/node';
+import {failureCodes, pageFailureCodes, SolverError} from 'seamwise';
+import {beforeAll, describe, expect, it} from 'vitest';
+
+import {checks, twoStrips} from '../../support/garments/samples.js';
+
+const cyclic: Record<string, unknown> = {};
+cyclic.self = cyclic;
+
+/** Values that no argument accepts. */
+const odd: Readonly<Record<string, unknown>> = {
+  ...{null: null, true: true, zero: 0, '-1': -1, '1.5': 1.5, NaN, Infinity, '1e308': 1e308},
+  ...{'1e-9': 1e-9, empty: '', letter: 'x', proto: '__proto__', long: '9'.repeat(100_000)},
+  ...{'[]': [], '[null]': [null], '[NaN]': [NaN], '{a: 1}': {a: 1}, symbol: Symbol('odd')},
+  ...{bigint: 5n, function: () => 1, cyclic, bytes: new Uint8Array([1, 2, 3])},
+};
+/** Values that count as settings without any field. */
+const bare: Readonly<Record<string, unknown>> = {
+  ...{undefined, '{}': {}, date: new Date(NaN), map: new Map(), null_: Object.create(null)},
+};
+
+const codes: readonly string[] = [...Object.keys(failureCodes), ...pageFailureCodes];
+
+/** Returns what is wrong with the outcome of a call; empty for a value or a proper error. */
+async function faultOf(call: () => unknown): Promise<string> {
+  try {
+    await call();
+    return '';
+  } catch (error) {
+    if (!(error instanceof SolverError)) return String(error);
+    if (error.code === 'internal' || !codes.includes(error.code)) return `code ${error.code}`;
+    return /^\S[^\n]*\.$/.test(error.message) ? '' : `no sentence: ${error.message}`;
+  }
+}
+
+const garment = twoStrips();
+const print = {...checks};
+const problem = {garment, print};
+const pixels = {width: 8, height: 8, data: new Uint8Array(256)};
+
+/** Valid arguments of each function, from which one at a time is replaced. */
+type Arguments = readonly unknown[];
+let calls: Readonly<Record<string, Arguments>> = {};
+
+beforeAll(async () => {
+  const result = await node.solve(problem);
+  const document = await node.readGarment(garment);
+  const design = {garment: {url: 'a', sha256: ''}, print: {url: 'b', sha256: ''}};
+  const plan = await node.marker([result], {widthCm: 140, effort: 0});
+  const bytes = new TextEncoder().encode(JSON.stringify(garment));
+  const json = JSON.stringify(print);
+  calls = {
+    ...{solve: [problem, {}], prepare: [problem, {}], remedies: [problem, result, {}]},
+    ...{withReach: [problem, result, {}], order: ['{}', {}], drape: [result, {}, {}]},
+    ...{cut: [result, {print}], marker: [[result], {widthCm: 140, effort: 0}, {}]},
+    ...{layPlanFiles: [plan, {print}], symmetries: [garment, 'name'], prove: [problem, {}]},
+    ...{mirror: [garment, {kind: 'piece', piece: 'left'}, 'name'], readGarment: [garment, 'name']},
+    ...{importGarment: [bytes, {}], seamSuggestions: [garment, {}, 'name']},
+    ...{convert: [garment, {}], garmentDxf: [garment, {}], printRepeat: [print]},
+    ...{printFromPixels: [pixels, {}, {}], memory: [], garmentFile: [document]},
+    ...{printOfResult: [result.print, print], chosenProblem: [problem, result]},
+    ...{problemOfStored: [design, {garment: '{}', print: json}], resultText: [result]},
+    ...{sha256Of: ['text'], layPlanText: [plan], drapeFile: [result, {}], drapeText: [{}]},
+    ...{cellPicture: [bytes], glb: [result, {}, print, {}], readStoredDesign: ['{}', 'name']},
+    ...{writeStoredDesign: [{}], designOf: [{...design, alignments: {}}, result]},
+    ...{changesOf: [{}, print], printOfStored: [design, json], printTextOf: [design, json]},
+  };
+});
+
+const named = (name: string) => Reflect.get(node, name) as (...args: Arguments) => unknown;
+
+/** Fields of an argument that is an object, from the message about an unknown one. */
+async function fieldsOf(name: string, args: Arguments, k: number): Promise<readonly string[]> {
+  const asked = args.with(k, {...(args[k] as object), unknownField: 1});
+  const message = await Promise.resolve()
+    .then(() => named(name)(...asked))
+    .then(String, (error: unknown) => (error as Error).message);
+  return /has no field 'unknownField'; it has (.*)\.$/.exec(message)?.[1]?.split(', ') ?? [];
+}
+
+describe('an odd argument', () => {
+  it('is tried for every function', () => {
+    expect(Object.keys(calls).sort()).toEqual(
+      Object.keys(node)
+        .filter((name) => typeof named(name) === 'function' && !name.endsWith('Error'))
+        .sort(),
+    );
+  });
+
+  it('is rejected with a code and a sentence, or harmless', async () => {
+    const faults: string[] = [];
+    for (const [name, args] of Object.entries(calls)) {
+      for (const [k, own] of args.entries()) {
+        const isSettings = typeof own === 'object' && k > 0;
+        for (const [label, value] of Object.entries({...odd, ...(isSettings ? {} : bare)})) {
+          const fault = await faultOf(() => named(name)(...args.with(k, value)));
+          if (fault) faults.push(`${name}, argument ${k + 1} is ${label}: ${fault}`);
+        }
+      }
+    }
+    expect(faults).toEqual([]);
+  });
+
+  it('is rejected in each field of settings and hooks', async () => {
+    const faults: string[] = [];
+    let tried = 0;
+    for (const [name, args] of Object.entries(calls)) {
+      for (const [k, own] of args.entries()) {
+        if (typeof own !== 'object' || own === null) continue;
+        for (const field of await fieldsOf(name, args, k)) {
+          for (const [label, value] of Object.entries(odd)) {
+            tried++;
+            const asked = args.with(k, {...own, [field]: value});
+            const fault = await faultOf(() => named(name)(...asked));
+            if (fault) faults.push(`${name}, ${field} is ${label}: ${fault}`);
+          }
+        }
+      }
+    }
+    expect(faults).toEqual([]);
+    expect(tried).toBeGreaterThan(1500);
+  });
+});
