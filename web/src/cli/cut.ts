@@ -4,6 +4,7 @@ import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {printInks} from '../cutting/print-ink.js';
 import {chosenNames} from '../model/garment/panel-marks.js';
 import {titleOfFile} from '../model/garment/piece-names.js';
+import {languages} from '../texts/preferences.js';
 import {notAsSold} from '../picture/watermark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {cut as cutResult, type Cut} from '../node/index.js';
@@ -12,6 +13,7 @@ import {countOf} from './base/count-of.js';
 import {dxfFlags, dxfFormat} from './base/dxf-format.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
+import {readBytes} from '../node/files.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {garmentOf, plainIn, readFabricOf, readResult} from './result-file.js';
 
@@ -46,6 +48,8 @@ const grammar = {
       '--paper',
       '--ink',
       '--date',
+      '--language',
+      '--font',
     ],
     ...Object.keys(outputs),
     ...dxfFlags,
@@ -63,7 +67,7 @@ export async function cut(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [printFile, garmentFile] = ['--print', '--garment'].map((flag) => args.value(flag));
   if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
-  const settings = settingsOf(args);
+  const settings = {...settingsOf(args), ...(await fontsOf(args))};
   const wanted = Object.keys(outputs).flatMap((flag): Wanted[] => {
     const path = args.value(flag);
     return path === undefined ? [] : [{flag, path}];
@@ -147,7 +151,7 @@ async function cutOf(
   file: string,
   printFile: string,
   args: Arguments,
-  settings: ReturnType<typeof settingsOf>,
+  settings: ReturnType<typeof settingsOf> & Awaited<ReturnType<typeof fontsOf>>,
 ): Promise<Cut> {
   const colourway = args.value('--colourway');
   const {result} = await readResult(file);
@@ -171,6 +175,12 @@ async function cutOf(
   });
 }
 
+/** @throws {FileError} if the font cannot be read */
+async function fontsOf(args: Arguments) {
+  const path = args.value('--font');
+  return path === undefined ? {} : {fonts: [new Uint8Array(await readBytes(path))]};
+}
+
 /** @throws {UsageError} for an invalid value */
 function settingsOf(args: Arguments) {
   const allowanceCm = lengthCm(args, '--allowance', greatestAllowance);
@@ -178,6 +188,7 @@ function settingsOf(args: Arguments) {
   const paper = args.value('--paper');
   if (paper !== undefined && !paperOf(paper)) throw new UsageError(noPaper(paper));
   const ink = choice(args, '--ink', printInks);
+  const language = choice(args, '--language', languages);
   const day = args.value('--date');
   const date = new Date(`${day ?? ''}T00:00:00Z`);
   if (day !== undefined && !(/^\d{4}-\d\d-\d\d$/.test(day) && Number.isFinite(date.getTime()))) {
@@ -189,6 +200,7 @@ function settingsOf(args: Arguments) {
     ...(paper !== undefined && {paper}),
     ...(ink && {ink}),
     ...(args.has('--guide') && {guide: true}),
+    ...(language && {language}),
     ...(day !== undefined && {date}),
   };
 }

@@ -105,6 +105,8 @@ seamwise cut RESULT.json [RESULT.json ...] --print PRINT.json [flags]
     --ink full|pale|outline     pale saves ink, outline leaves the print out
     --guide                     adds pages to the PDF that help to place the pieces on fabric that is
                                 printed already: motifs at two or three points of each
+    --language en|de|fr|es|it   of the words on the sheet; default en
+    --font FILE.ttf             letters of other scripts in the PDF; it contains Latin, Greek, Cyrillic, Japanese
     --date YYYY-MM-DD           to stand on every page
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf, --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie

@@ -103,6 +103,8 @@ export interface CutSheet {
   readonly heading: string;
   readonly title?: string;
   readonly size?: string;
+  /** Locale of the texts. Default 'en'. */
+  readonly locale?: string;
   /** The share of edges whose allowance is specified by the garment rather than the user. */
   readonly ownAllowances: OwnShare;
   /** Instructions, one sentence each. */

@@ -83,6 +83,7 @@ export function sheetsOf(
       ownAllowances: ownShare(cuts.flatMap(({allowances}) => allowances.map(({isOwn}) => isOwn))),
       ...(title !== undefined && {title}),
       ...(size !== undefined && {size}),
+      ...(options.locale !== undefined && {locale: options.locale}),
       pieces: cuts.map((piece, k) => {
         const cloth = plain.includes(piece.name) ? undefined : print;
         const twin = cuts[twinOf.get(k) ?? -1]?.label;

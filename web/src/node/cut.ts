@@ -13,6 +13,7 @@ import type {SolveResult} from '../model/result/result.js';
 import type {CellPixels} from '../paper/cloth-cell.js';
 import {cuttingPdf, pagesOf, sheetFor, type CuttingPdf} from '../paper/cutting-pdf.js';
 import {noPaper, paperOf} from '../paper/papers.js';
+import {lettersFrom} from './letters.js';
 import type {PageLayout} from '../paper/pages.js';
 import {sheetMap, type SheetMap} from '../paper/sheet-map.js';
 import type {PrintWithTile} from '../picture/cloth.js';
@@ -51,6 +52,15 @@ export interface CutSettings extends PanelDecisions {
   readonly date?: Date;
   /** Watermark on every page. */
   readonly mark?: string;
+  /**
+   * Language of the texts: en, de, fr, es or it. Default en.
+   */
+  readonly language?: string;
+  /**
+   * Font files for letters of other scripts than Latin, Greek, Cyrillic and Japanese in a PDF: TTF
+   * or WOFF with TrueType outlines.
+   */
+  readonly fonts?: readonly Uint8Array<ArrayBuffer>[];
   /** Returns the cell as PNG or JPEG, for a `tile` that is neither and no simple SVG. */
   readonly pixels?: CellPixels;
 }
@@ -83,7 +93,16 @@ export interface Cut {
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {garment, garmentFile, plain = [], mark} = settings;
   const print = printOfResult(result.print, settings.print) ?? settings.print;
-  const {paper: word = 'a4', ink, guide = false, date, pixels, colourway} = settings;
+  const {
+    paper: word = 'a4',
+    ink,
+    guide = false,
+    date,
+    pixels,
+    colourway,
+    language,
+    fonts,
+  } = settings;
   const paper = paperOf(word);
   if (!paper) throw new RangeError(noPaper(word));
   const marks = {
@@ -92,6 +111,7 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   };
   const sheetAt = sheetsOf(result, print, marks, {
     ...{...ruleOf(settings), plain, units: 'cm'},
+    ...(language !== undefined && {locale: language}),
     ...(colourway !== undefined && {colourway}),
     ...(date && {date: date.toISOString().slice(0, 10)}),
   });
@@ -101,9 +121,9 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
     ...{sheet, layout, map: sheetMap(sheet, layout)},
     pdf: () =>
       cuttingPdf(sheet, print, {
-        paper,
+        ...{paper, letters: lettersFrom(fonts)},
         ...(ink && {ink}),
-        ...(guide && {guide: {units: 'cm'} as const}),
+        ...(guide && {guide: {units: 'cm', ...(language !== undefined && {locale: language})}}),
         ...(date && {date}),
         ...(mark !== undefined && {mark}),
         ...(pixels && {pixels}),

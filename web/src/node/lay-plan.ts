@@ -9,6 +9,7 @@ import type {LayPlan} from '../model/result/marker-plan.js';
 import type {Units} from '../model/base/length-text.js';
 import type {CellPixels} from '../paper/cloth-cell.js';
 import type {PrintWithTile} from '../picture/cloth.js';
+import {lettersFrom} from './letters.js';
 
 export interface LayPlanSettings extends KnownPieces {
   /** The print of the fabric. `tile` is the image of its cell, as SVG text or `data:` URL. */
@@ -46,7 +47,11 @@ export function layPlanFilesOf(plan: LayPlan, settings: LayPlanSettings): LayPla
   return {
     svg: () => drawPlanSvg(plan, options),
     pdf: (scale = 10) =>
-      planPdf(plan, {...options, scale, ...(date && {date}), ...(pixels && {pixels})}),
+      planPdf(plan, {
+        ...{...options, scale, letters: lettersFrom()},
+        ...(date && {date}),
+        ...(pixels && {pixels}),
+      }),
     hpgl: () => planHpgl(plan, known),
     dxf: (format) => planDxf(plan, {...known, ...format}),
   };

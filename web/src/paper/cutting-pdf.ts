@@ -24,10 +24,14 @@ import {
   through,
 } from '../files/pdf/content.js';
 import {PdfDocument, refTo, textString, type Ref} from '../files/pdf/document.js';
-import {pdfFile} from '../files/pdf/file.js';
+import {missingNotes, pdfFile} from '../files/pdf/file.js';
 import {PdfResources} from '../files/pdf/resources.js';
-import {inFontLetters, textAt, widthOf} from '../files/pdf/text.js';
+import type {OtherLetters} from '../files/pdf/fonts/other-letters.js';
+import {textAt, widthOf} from '../files/pdf/text.js';
+import {printTitle} from '../cutting/words.js';
+import {sheetTextsIn, type SheetTexts} from '../texts/sheet-texts.js';
 import {sheetMap, type SheetMap} from './sheet-map.js';
+import type {Writing} from './writing.js';
 import {marksOnPages} from './words-on-page.js';
 
 export interface CuttingPdfOptions {
@@ -41,6 +45,8 @@ export interface CuttingPdfOptions {
   /** Date on every page. Without it, the same sheet gives the same bytes. */
   readonly date?: Date;
   readonly pixels?: CellPixels;
+  /** Letters that the embedded font does not have. */
+  readonly letters?: OtherLetters;
 }
 
 export interface CuttingPdf {
@@ -69,18 +75,12 @@ export function sheetFor(paper: Paper, lay: (aspect: number) => CutSheet): CutSh
   return (tried.find(({cost}) => cost === least) ?? {sheet: lay(aspects[0] ?? 1)}).sheet;
 }
 
-const layerNames = {
-  ...{print: 'Print', cut: 'Cut line', sew: 'Sew line', marks: 'Marks', matches: 'Match points'},
-  ...{words: 'Words', frame: 'Page frame', grid: 'Grid'},
-};
-
-type LayerName = keyof typeof layerNames;
+type LayerName = keyof SheetTexts['layers'];
 
 /** Content common to all pages of a file. */
-interface Drawing {
+interface Drawing extends Writing {
   readonly sheet: CutSheet;
   readonly layout: PageLayout;
-  readonly resources: PdfResources;
   readonly layers: Readonly<Record<LayerName, string>>;
   readonly marks: readonly (readonly CutMark[])[];
   readonly cloth: (window: Box) => string;
@@ -134,7 +134,7 @@ function drawnAcross(words: string, {low, high}: Box, resources: PdfResources): 
   return scoped(
     `/${resources.opacity(0.55)} gs`,
     filledWith([0.76, 0.15, 0.11]),
-    textAt(middle(low, high), words, {
+    textAt(resources, middle(low, high), words, {
       ...{size, weight: 'bold', align: 'middle', angle: Math.atan2(height, width)},
     }),
   );
@@ -151,13 +151,13 @@ function pageContent(page: SheetPage, number: number, drawing: Drawing): string 
   const pieces = scoped(
     `${line(cornersOf(window), true)}\nW n`,
     onLayer(layers.print, cloth(window)),
+    isProjector ? '' : onLayer(layers.frame, drawFrame(page, layout, resources)),
     isProjector ? onLayer(layers.grid, drawnGrid(window)) : '',
     ...marks.map((some) => drawMarks(some, window, layers, resources)),
   );
   const about = [
-    isProjector ? '' : drawFrame(page, layout),
-    isProjector ? '' : drawFoot(page, foot, number, count),
-    number === 1 ? drawFirstPage(sheet, layout) : '',
+    isProjector ? '' : drawFoot(page, foot, {number, count}, drawing),
+    number === 1 ? drawFirstPage(sheet, layout, resources) : '',
   ];
   return scoped(
     through(toPoints),
@@ -175,7 +175,11 @@ function guideContent(content: string, number: number, drawing: Drawing): string
   const window = grown(page, -usualMargin);
   return scoped(
     through({xx: pointsPerCm, xy: 0, yx: 0, yy: pointsPerCm, shift: [0, 0]}),
-    onLayer(layers.frame, content, drawFoot({low: page.low, window}, foot, number, count)),
+    onLayer(
+      layers.frame,
+      content,
+      drawFoot({low: page.low, window}, foot, {number, count}, drawing),
+    ),
     mark === undefined ? '' : drawnAcross(mark, window, resources),
   );
 }
@@ -218,8 +222,8 @@ function outlineOf(
 }
 
 /** Title and size, which are on every page. */
-const headingWords = ({heading, title, size}: CutSheet): readonly string[] =>
-  size === undefined ? [heading] : [title ?? '', `Size ${size}`];
+const headingWords = ({heading, title, size}: CutSheet, texts: SheetTexts): readonly string[] =>
+  size === undefined ? [heading] : [title ?? '', texts.size(size)];
 
 /**
  * Writes the file, and a map of its content. `print.tile` is the image of the print's cell, as SVG
@@ -229,9 +233,10 @@ const headingWords = ({heading, title, size}: CutSheet): readonly string[] =>
 export async function cuttingPdf(
   sheet: CutSheet,
   print: PrintWithTile,
-  {paper, ink = 'full', guide, mark, date, pixels}: CuttingPdfOptions,
+  {paper, ink = 'full', guide, mark, date, pixels, letters}: CuttingPdfOptions,
 ): Promise<CuttingPdf> {
   const notes: string[] = [];
+  const texts = sheetTextsIn(sheet.locale);
   const layout = pagesOf(sheet, paper);
   const document = new PdfDocument();
   const resources = new PdfResources(document);
@@ -242,7 +247,7 @@ export async function cuttingPdf(
     ...(ink === 'outline' ? (['print'] as const) : []),
   ]);
   const layers = Object.fromEntries(
-    Object.entries(layerNames).map(([key, name]) => [
+    Object.entries(texts.layers).map(([key, name]) => [
       key,
       unused.has(key as LayerName) ? '' : resources.layer(name),
     ]),
@@ -252,13 +257,9 @@ export async function cuttingPdf(
       ? undefined
       : await clothCell(resources, print, pixels, (sentence) => notes.push(sentence));
   const day = date?.toISOString().slice(0, 10);
-  const words = [
-    ...headingWords(sheet),
-    print.title ?? `Print ${print.group}`,
-    ...(day ? [day] : []),
-  ];
+  const words = [...headingWords(sheet, texts), printTitle(print, texts), ...(day ? [day] : [])];
   const drawing: Drawing = {
-    ...{sheet, layout, resources, layers, mark},
+    ...{sheet, layout, resources, texts, layers, mark},
     marks: sheet.pieces.map((piece) =>
       isProjector ? projected(piece.marks) : marksOnPages(piece, layout.pages),
     ),
@@ -272,25 +273,24 @@ export async function cuttingPdf(
     count: layout.pages.length + (hasGuide ? guideCount(layout, sheet.pieces) : 0),
   };
   const pages = layout.pages.map((page, k) => ({
-    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: page.name ?? 'Overview'},
+    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: page.name ?? texts.overview},
     content: () => pageContent(page, k + 1, drawing),
   }));
   const guided =
     hasGuide && cell
-      ? guidePages(sheet.pieces, layout, {drawing: {resources, cell}, print, options: guide})
+      ? guidePages(sheet.pieces, layout, {drawing: {resources, texts, cell}, print, options: guide})
       : [];
   const guides = guided.map((content, k) => ({
-    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: 'Placing guide'},
+    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: texts.guide},
     content: () => guideContent(content(), layout.pages.length + k + 1, drawing),
   }));
-  const bytes = await pdfFile(document, resources, [...pages, ...guides], {
+  const {bytes, missing} = await pdfFile(document, resources, [...pages, ...guides], {
     ...{title: sheet.heading, mode: isProjector ? 'UseOC' : 'UseNone'},
     ...(date && {date}),
+    ...(letters && {letters}),
+    ...(sheet.locale !== undefined && {locale: sheet.locale}),
     outline: (refs) => outlineOf(document, sheet, layout.pages, refs),
   });
-  const written = [sheet.heading, ...sheet.pieces.map(({label}) => label)];
-  if (written.some((text) => inFontLetters(text) !== text.normalize('NFC'))) {
-    notes.push('Words with letters that Helvetica has not are written in its own.');
-  }
+  notes.push(...missingNotes(missing));
   return {bytes, layout, map: sheetMap(sheet, layout), notes};
 }

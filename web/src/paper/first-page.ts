@@ -5,6 +5,7 @@ import {boxOf, type Box} from '../model/geometry/polyline.js';
 import {box, filledWith, line, nums, scoped, strokedWith} from '../files/pdf/content.js';
 import {cornersOf} from './boxes.js';
 import {textAt, widthOf} from '../files/pdf/text.js';
+import type {PdfResources} from '../files/pdf/resources.js';
 import type {PageLayout} from './pages.js';
 
 const inch = 2.54;
@@ -61,7 +62,7 @@ export const testSquares = ({low}: Box): readonly TestSquare[] =>
     low: plus(low, [k * ((squareSides[0] ?? 0) + gap), 0]),
   }));
 
-function drawnSquares(block: Box): string {
+function drawnSquares(block: Box, resources: PdfResources): string {
   return testSquares(block)
     .map(({low, side}, k) => {
       const middle = plus(low, [side / 2, side / 2 - 0.15]);
@@ -69,7 +70,7 @@ function drawnSquares(block: Box): string {
         `${nums(0.03)} w`,
         box(low, side, side),
         'S',
-        textAt(middle, squareWords[k] ?? '', {size: 0.5, align: 'middle'}),
+        textAt(resources, middle, squareWords[k] ?? '', {size: 0.5, align: 'middle'}),
       ].join('\n');
     })
     .join('\n');
@@ -78,7 +79,12 @@ function drawnSquares(block: Box): string {
 const grey = strokedWith([0.45, 0.45, 0.45]);
 
 /** The pages with their names over the outlines of the pieces; omitted pages are crossed out. */
-function drawnMap({pieces}: CutSheet, {pages, empty}: PageLayout, room: Box): string {
+function drawnMap(
+  {pieces}: CutSheet,
+  {pages, empty}: PageLayout,
+  room: Box,
+  resources: PdfResources,
+): string {
   const named = pages.filter(({name}) => name !== undefined);
   const {low, high} = boxOf([...named.map(({frame}) => frame), ...empty].flatMap(cornersOf));
   const scale = Math.min(
@@ -112,19 +118,23 @@ function drawnMap({pieces}: CutSheet, {pages, empty}: PageLayout, room: Box): st
       const plate = box(plus(at, [-0.15 * size, -0.15 * size]), width + 0.3 * size, size);
       return [
         scoped(filledWith([1, 1, 1]), plate, 'f'),
-        textAt(at, name, {size, weight: 'bold'}),
+        textAt(resources, at, name, {size, weight: 'bold'}),
       ].join('\n');
     }),
   ].join('\n');
 }
 
 /** Draws text at the top, squares at the bottom and the map between them. */
-export function drawFirstPage(sheet: CutSheet, layout: PageLayout): string {
+export function drawFirstPage(
+  sheet: CutSheet,
+  layout: PageLayout,
+  resources: PdfResources,
+): string {
   const {block} = layout;
   const {heading, facts} = sheet;
   const [left, top] = [block.low[0], block.high[1]];
   const words = facts.map((fact, k) =>
-    textAt([left, top - headingSize - gap - factLeading * k], fact, {size: factSize}),
+    textAt(resources, [left, top - headingSize - gap - factLeading * k], fact, {size: factSize}),
   );
   const hasMap = layout.pages.filter(({name}) => name !== undefined).length > 1;
   const room: Box = {
@@ -132,9 +142,11 @@ export function drawFirstPage(sheet: CutSheet, layout: PageLayout): string {
     high: plus(block.high, [0, -wordsHeight(facts)]),
   };
   return [
-    textAt([left, top - 0.8 * headingSize], fitting(heading), {size: headingSize, weight: 'bold'}),
+    textAt(resources, [left, top - 0.8 * headingSize], fitting(heading), {
+      ...{size: headingSize, weight: 'bold'},
+    }),
     ...words,
-    drawnSquares(block),
-    hasMap ? drawnMap(sheet, layout, room) : '',
+    drawnSquares(block, resources),
+    hasMap ? drawnMap(sheet, layout, room, resources) : '',
   ].join('\n');
 }

@@ -4,13 +4,13 @@
  */
 import {num} from './content.js';
 import {PdfDocument, refTo, textString, type Ref} from './document.js';
-import {fontNames, type Weight} from './text.js';
+import type {OtherLetters} from './fonts/other-letters.js';
+import {TextFonts} from './text-fonts.js';
 import type {PdfImage} from './image.js';
-
-const fonts: Readonly<Record<Weight, string>> = {regular: 'Helvetica', bold: 'Helvetica-Bold'};
 
 export class PdfResources {
   readonly ref: Ref;
+  readonly fonts: TextFonts;
   readonly #document: PdfDocument;
   readonly #layers: {readonly ref: Ref; readonly name: string}[] = [];
   readonly #opacities = new Map<string, string>();
@@ -19,6 +19,7 @@ export class PdfResources {
   constructor(document: PdfDocument) {
     this.#document = document;
     this.ref = document.reserve();
+    this.fonts = new TextFonts(document);
   }
 
   /**
@@ -63,12 +64,12 @@ export class PdfResources {
     return `<</OCGs[${refs}]/D<</Name(Layers)/Order[${refs}]/ON[${refs}]>>>>`;
   }
 
-  /** Writes the dictionary after everything is drawn. */
-  finish(): void {
-    const styles = Object.entries(fonts).map(
-      ([weight, font]) =>
-        `/${fontNames[weight as Weight]}<</Type/Font/Subtype/Type1/BaseFont/${font}/Encoding/WinAnsiEncoding>>`,
-    );
+  /**
+   * Writes the dictionary after everything is drawn.
+   * @returns letters that no font has
+   */
+  async finish(others?: OtherLetters): Promise<readonly string[]> {
+    const {fonts, objects: words, missing} = await this.fonts.finish(this.ref, others);
     const layers = this.#layers.map(({ref}, k) => `/L${k} ${refTo(ref)}`);
     const states = Array.from(
       this.#opacities,
@@ -79,12 +80,13 @@ export class PdfResources {
       this.ref,
       [
         '<<',
-        `/Font<<${styles.join('')}>>`,
+        `/Font<<${fonts.join('')}>>`,
         `/Properties<<${layers.join('')}>>`,
         `/ExtGState<<${states.join('')}>>`,
-        `/XObject<<${objects.join('')}>>`,
+        `/XObject<<${[...objects, ...words].join('')}>>`,
         '>>',
       ].join('\n'),
     );
+    return missing;
   }
 }

@@ -12,6 +12,7 @@ import {withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
+import {drawnLetters} from './drawn-letters.js';
 
 /** Plain data, which can be posted to a worker. */
 export interface CutMaterial {
@@ -73,7 +74,7 @@ export async function cutHere(
   const sheet = cutSheet(result, print, marks, options);
   const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
   return cutFile(sheet, print, {
-    ...{file, paper, ink, dxf, pixels},
+    ...{file, paper, ink, dxf, pixels, letters: drawnLetters},
     ...(guide && {guide: options}),
   });
 }

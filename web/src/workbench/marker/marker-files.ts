@@ -9,6 +9,7 @@ import {planTextsIn} from '../../texts/plan-texts.js';
 import {withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
+import {drawnLetters} from '../cutting/drawn-letters.js';
 
 interface MarkerFileChoice {
   readonly id: string;
@@ -46,6 +47,7 @@ async function drawnWith({history: {design}, solving, preferences}: Workbench, p
       texts: planTextsIn(preferences.chosen.language),
     },
     pixels: (width: number, height: number) => pixelsOfTile(tile ?? '', width, height),
+    letters: drawnLetters,
   };
 }
 
