@@ -8,6 +8,7 @@ import {onPiece, type Point} from '@/model/geometry/vectors.js';
 import {imageCoordinates} from '@/model/print/image-coordinates.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import {apply} from '@/model/geometry/plane-map.js';
+import type {CutText} from '@/cutting/cut-sheet.js';
 import {cuttingPdf, type CuttingPdf, type CuttingPdfOptions} from '@/paper/cutting-pdf.js';
 import {paperOf} from '@/paper/papers.js';
 import {laidRectangle, onPrintAt, sheetOf} from '../../support/paper/cut-sheets.js';
@@ -133,6 +134,33 @@ describe('a PDF of pieces to cut', () => {
     const wall = await names('projector', 'full');
     expect(wall).toContain('Grid');
     expect(wall).not.toContain('Sew line');
+  });
+
+  it('has letters of 7 points and more on paper, and of 15 mm on a projector', async () => {
+    const small: CutText = {
+      ...{kind: 'text', layer: 'words', at: [19, 20], lines: ['Small', 'words'], sizeMm: 3},
+      hasPlate: true,
+    };
+    const sheet = sheetOf(50, 40, [{...laidRectangle(50, 40), marks: [small]}]);
+    const leastOn = async (paper: string): Promise<number> => {
+      const {pages} = readPdf((await written(paper, {}, {sheet})).bytes);
+      const sizes = pages.flatMap(({content}) => [...content.matchAll(/^\/T\d (\S+) Tf$/gm)]);
+      return Math.min(...sizes.map(([, size]) => 10 * Number(size)));
+    };
+    expect(await leastOn('a4')).toBeGreaterThan(2.47); // mm
+    expect(await leastOn('projector')).toBeGreaterThanOrEqual(15);
+  });
+
+  it('draws cut lines over the white grounds of page frames', async () => {
+    const red = '0.7843 0.0863 0.1137 RG';
+    const pages = readPdf((await written('a4')).bytes).pages.filter(({content}) =>
+      content.includes(red),
+    );
+    expect(pages.length).toBeGreaterThan(1);
+    for (const {content} of pages) {
+      expect(content.lastIndexOf(' re\nB\n')).toBeGreaterThan(0);
+      expect(content.lastIndexOf(' re\nB\n')).toBeLessThan(content.indexOf(red));
+    }
   });
 
   it('tints a pale print, and draws none as outlines', async () => {

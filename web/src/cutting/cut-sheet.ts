@@ -5,6 +5,9 @@
 import type {Alignment, Point} from '../model/geometry/vectors.js';
 import type {OwnShare} from './allowances.js';
 
+/** Least letter size on paper, 7.4 pt. */
+export const leastLetterMm = 2.6;
+
 export type CutLayer = 'print' | 'cut' | 'sew' | 'marks' | 'matches' | 'words';
 
 export interface CutLine {

@@ -32,6 +32,7 @@ import {printTitle} from '../cutting/words.js';
 import {sheetTextsIn, type SheetTexts} from '../texts/sheet-texts.js';
 import {sheetMap, type SheetMap} from './sheet-map.js';
 import type {Writing} from './writing.js';
+import {projectedMarks} from './projected.js';
 import {marksOnPages} from './words-on-page.js';
 
 export interface CuttingPdfOptions {
@@ -59,7 +60,7 @@ export interface CuttingPdf {
 
 /** The pages of a sheet. This is fast enough for a preview before the file is written. */
 export const pagesOf = (sheet: CutSheet, paper: Paper): PageLayout =>
-  dividedAmong(sheet, paper, (hasMap) => roomOf(sheet, hasMap));
+  dividedAmong(sheet, paper, (hasMap) => roomOf(sheet, paper, hasMap));
 
 /** Ratios of width to height tried for a sheet. */
 const aspects = [1.4, 0.6, 2.8];
@@ -89,18 +90,6 @@ interface Drawing extends Writing {
   /** Number of all pages. */
   readonly count: number;
 }
-
-/**
- * Line width for projectors, which lose thin lines. Sewn lines are omitted, since they are not cut.
- */
-const projectedMm = 1.5;
-
-const projected = (marks: readonly CutMark[]): readonly CutMark[] =>
-  marks.flatMap((mark): readonly CutMark[] => {
-    if (mark.layer === 'sew') return [];
-    const isCut = mark.kind === 'line' && mark.layer === 'cut';
-    return [isCut ? {...mark, widthMm: projectedMm, haloMm: projectedMm} : mark];
-  });
 
 const gridSide = 5;
 const gridLine = 0.03;
@@ -261,7 +250,7 @@ export async function cuttingPdf(
   const drawing: Drawing = {
     ...{sheet, layout, resources, texts, layers, mark},
     marks: sheet.pieces.map((piece) =>
-      isProjector ? projected(piece.marks) : marksOnPages(piece, layout.pages),
+      isProjector ? projectedMarks(piece) : marksOnPages(piece, layout.pages),
     ),
     cloth: (window) =>
       cell && ink !== 'outline'

@@ -161,7 +161,7 @@ it.each(languages)('has room in %s for what stands on a lay plan', (language) =>
   ];
   const wide = (text: string, size: number, most: number): string[] =>
     size * widthOf(text) > most ? [text] : [];
-  expect(figures.flatMap((text) => wide(text, 2.5, rooms.figure))).toEqual([]);
+  expect(figures.flatMap((text) => wide(text, 2.6, rooms.figure))).toEqual([]);
   const names = [texts.phase, texts.width, texts.length].map((name) => `${name} (cm)`);
   expect(names.flatMap((text) => wide(text, 2.6, rooms.name))).toEqual([]);
   const {notes, ...others} = texts;
