@@ -163,6 +163,20 @@ describe('a PDF of pieces to cut', () => {
     }
   });
 
+  it('has a layer for each of several sizes, of which the first is shown', async () => {
+    const sized = (size: string) => ({...sheetOf(50, 40), title: 'Apron', size});
+    const print = {...slanted, tile: dot};
+    const otherSizes = [{sheet: sized('L'), print}];
+    const {bytes} = await written('a0', {otherSizes}, {sheet: sized('M')});
+    const text = Buffer.from(bytes).toString('latin1');
+    const refs = [...text.matchAll(/^(\d+) 0 obj\n<<\/Type\/OCG\/Name \(Size (\w)\)>>/gm)];
+    expect(refs.map(([, , size]) => size)).toEqual(['M', 'L']);
+    expect(text).toContain(`/OFF[${refs[1]?.[1] ?? ''} 0 R]`);
+    const {content = ''} = readPdf(bytes).pages[0] ?? {};
+    expect(content).toContain('(Apron, Sizes M, L)');
+    expect(content).toMatch(/\/OC \/L1 BDC\n[^]*\[0\.8 0\.3\] 0 d/);
+  });
+
   it('tints a pale print, and draws none as outlines', async () => {
     const tints = async (ink: 'full' | 'pale' | 'outline') =>
       readPdf((await written('a0', {ink})).bytes).pages.map(

@@ -48,6 +48,14 @@ describe('pages of paper', () => {
     expect(drawFirstPage(sheetOf(10, 10), layout, resources)).toContain('(Apron, M)');
   });
 
+  it('are all of their rows and columns if blank ones are kept', () => {
+    const sheet = frame(150, 20);
+    const {pages, columns, rows, empty} = pagesOf(sheet, {...paper('a4'), keepsBlank: true});
+    expect(pages.filter(({name}) => name !== undefined)).toHaveLength(columns * rows);
+    expect(empty).toEqual([]);
+    expect(pagesOf(sheet, paper('a4')).empty.length).toBeGreaterThan(0);
+  });
+
   it.each(['a4', 'letter', 'a3', 'legal', 'tabloid', 'a1', 'a0', '36in', 'projector', '40x70'])(
     'cover all that is cut, on %s',
     (name) => {

@@ -90,7 +90,7 @@ seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.s
 seamwise cut RESULT.json [RESULT.json ...] --print PRINT.json [flags]
   Lays the pieces on a sheet at true scale, in their print, to print and to cut along, and prints one line: how many
   pages of which size. Without a file to write it only says that. Several results are sizes of one pattern, which
-  --dxf writes as one nest; the first is the sample size.
+  --dxf and --pdf write as one nest; the first is the sample size. In a PDF each size is a layer.
     --colourway NAME            of the print
     --garment GARMENT.json      names, notches and grain lines; default the garment that the result holds
     --allowance CM              around pieces, where the garment gives none; default 1
@@ -102,6 +102,7 @@ seamwise cut RESULT.json [RESULT.json ...] --print PRINT.json [flags]
     --paper a2|a1|a0|36in       large sheets and rolls
     --paper projector           one page without margins, wide cut lines, no sewn lines, a grid of 5 cm
     --paper WxH[mm|cm|in]       any other
+    --blank-pages               keeps blank pages, for programs such as PDFStitcher that join all rows
     --ink full|pale|outline     pale saves ink, outline leaves the print out
     --guide                     adds pages to the PDF that help to place the pieces on fabric that is
                                 printed already: motifs at two or three points of each

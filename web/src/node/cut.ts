@@ -15,6 +15,7 @@ import {cuttingPdf, pagesOf, sheetFor, type CuttingPdf} from '../paper/cutting-p
 import {noPaper, paperOf} from '../paper/papers.js';
 import {lettersFrom} from './letters.js';
 import type {PageLayout} from '../paper/pages.js';
+import type {SizeSheet} from '../paper/several-sizes.js';
 import {sheetMap, type SheetMap} from '../paper/sheet-map.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 
@@ -41,6 +42,8 @@ export interface CutSettings extends PanelDecisions {
    * a4.
    */
   readonly paper?: string;
+  /** Keeps blank pages, for programs that join the pages row by row. Default false. */
+  readonly blankPages?: boolean;
   /** Draws the print in place, tinted to save ink, or lines only. Default full. */
   readonly ink?: PrintInk;
   /**
@@ -56,6 +59,8 @@ export interface CutSettings extends PanelDecisions {
    * Language of the texts: en, de, fr, es or it. Default en.
    */
   readonly language?: string;
+  /** Places the pieces on those of a larger size, for a PDF of several sizes. */
+  readonly under?: CutSheet;
   /**
    * Font files for letters of other scripts than Latin, Greek, Cyrillic and Japanese in a PDF: TTF
    * or WOFF with TrueType outlines.
@@ -67,14 +72,18 @@ export interface CutSettings extends PanelDecisions {
 
 export interface Cut {
   readonly sheet: CutSheet;
+  /** The print in the size of the result. */
+  readonly print: PrintWithTile;
   /** The pages of `pdf`. */
   readonly layout: PageLayout;
   readonly map: SheetMap;
   /**
-   * Writes the PDF.
+   * Writes the PDF. Other sizes are laid under the same sheet, and each is a layer.
    * @throws {FileError} if the print's image cannot be drawn
    */
-  readonly pdf: () => Promise<Pick<CuttingPdf, 'bytes' | 'notes'>>;
+  readonly pdf: (
+    otherSizes?: readonly SizeSheet[],
+  ) => Promise<Pick<CuttingPdf, 'bytes' | 'notes' | 'layout'>>;
   /** All pieces on one sheet, at true scale. */
   readonly svg: () => string;
   /** For CAD programs and cutters: AAMA or ASTM DXF. */
@@ -103,8 +112,9 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
     language,
     fonts,
   } = settings;
-  const paper = paperOf(word);
-  if (!paper) throw new RangeError(noPaper(word));
+  const named = paperOf(word);
+  if (!named) throw new RangeError(noPaper(word));
+  const paper = {...named, keepsBlank: settings.blankPages ?? false};
   const marks = {
     ...(garment && garmentTitle(garment, garmentFile)),
     panels: garment ? panelMarks(garment, settings) : new Map(),
@@ -115,13 +125,13 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
     ...(colourway !== undefined && {colourway}),
     ...(date && {date: date.toISOString().slice(0, 10)}),
   });
-  const sheet = sheetFor(paper, sheetAt);
+  const sheet = settings.under ? sheetAt(settings.under) : sheetFor(paper, sheetAt);
   const layout = pagesOf(sheet, paper);
   return {
-    ...{sheet, layout, map: sheetMap(sheet, layout)},
-    pdf: () =>
+    ...{sheet, print, layout, map: sheetMap(sheet, layout)},
+    pdf: (otherSizes = []) =>
       cuttingPdf(sheet, print, {
-        ...{paper, letters: lettersFrom(fonts)},
+        ...{paper, otherSizes, letters: lettersFrom(fonts)},
         ...(ink && {ink}),
         ...(guide && {guide: {units: 'cm', ...(language !== undefined && {locale: language})}}),
         ...(date && {date}),

@@ -12,7 +12,7 @@ export class PdfResources {
   readonly ref: Ref;
   readonly fonts: TextFonts;
   readonly #document: PdfDocument;
-  readonly #layers: {readonly ref: Ref; readonly name: string}[] = [];
+  readonly #layers: {readonly ref: Ref; readonly isShown: boolean}[] = [];
   readonly #opacities = new Map<string, string>();
   readonly #objects: Ref[] = [];
 
@@ -25,11 +25,12 @@ export class PdfResources {
   /**
    * Adds a layer.
    * @param name layer name in viewers
+   * @param isShown whether viewers show it at first
    * @returns the name in content
    */
-  layer(name: string): string {
+  layer(name: string, isShown = true): string {
     const ref = this.#document.add(`<</Type/OCG/Name ${textString(name)}>>`);
-    return `L${this.#layers.push({ref, name}) - 1}`;
+    return `L${this.#layers.push({ref, isShown}) - 1}`;
   }
 
   /** The graphics state for an opacity of fills and strokes. */
@@ -58,10 +59,16 @@ export class PdfResources {
     return `X${this.#objects.push(ref) - 1}`;
   }
 
-  /** Layers for the catalog, all visible. */
+  /** Layers for the catalog. */
   get optionalContent(): string {
-    const refs = this.#layers.map(({ref}) => refTo(ref)).join(' ');
-    return `<</OCGs[${refs}]/D<</Name(Layers)/Order[${refs}]/ON[${refs}]>>>>`;
+    const refs = (wanted: (isShown: boolean) => boolean): string =>
+      this.#layers
+        .filter(({isShown}) => wanted(isShown))
+        .map(({ref}) => refTo(ref))
+        .join(' ');
+    const [all, on, off] = [refs(() => true), refs((is) => is), refs((is) => !is)];
+    const hidden = off === '' ? '' : `/OFF[${off}]`;
+    return `<</OCGs[${all}]/D<</Name(Layers)/Order[${all}]/ON[${on}]${hidden}>>>>`;
   }
 
   /**

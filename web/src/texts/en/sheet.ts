@@ -7,6 +7,8 @@ export const sheet = {
   cutPlain: text('Cut {count, number} of plain fabric'),
   mirror: text('Mirror image of {piece}'),
   size: text('Size {size}'),
+  sizes: text('Sizes {sizes}'),
+  sizeLayers: 'Each size is a layer: show only the layer of your size in a PDF reader, then print.',
   repeat: text('{print}, repeat {size}'),
   turned: text('{repeat}, turned {angle}°'),
   noAllowance: 'Without allowance: sew along the solid line.',
@@ -22,7 +24,6 @@ export const sheet = {
   frames: 'the faint frame around each shows one repeat.',
   ticks: 'Ticks a, b, c of a seam: those of one name, such as Ab, meet on one point of the print.',
   scale: 'Print at 100 %; measure the squares.',
-  reduced: text('Scale {scale}: not for cutting. The squares are reduced, too.'),
   page: text('page {number, number} of {count, number}'),
   overview: 'Overview',
   layers: {
