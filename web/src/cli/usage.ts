@@ -59,6 +59,8 @@ seamwise import FILE [flags]
     --units mm|cm|in            in which unit it is, whatever it says; 300ppi: pixels per inch of an SVG
     --size NAME                 of a nest of sizes; default the one that the others were graded from
     --seams suggest|file|none   default: suggested where the file has none
+    --scale 1:5                 of a drawing that is reduced, as in books
+    --measure PIECE=CM          the longer side of a piece, which sets the scale of all
     --pages 3-26                pages of a PDF; default those that show the pattern
     --grid 4x6                  columns and rows of the pages of a PDF; default by their lines and names
     --trim CM, --overlap CM     of the pages of a PDF; default by their lines
