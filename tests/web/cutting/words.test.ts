@@ -66,3 +66,14 @@ it('tells how lines inside are drawn, thinner than those to cut and to sew, and 
   expect(dotted).toHaveLength(1);
   expect(dotted[0]?.widthMm).toBeLessThan(Math.min(...widths('cut'), ...widths('sew')));
 });
+
+it('writes the sheet in the language of its locale', () => {
+  const garment = documentOf([draftedSquare('front')]);
+  const {facts, pieces, locale} = draftedSheet(garment, {
+    ...{allowanceCm: 1, hemCm: 3, units: 'cm', locale: 'de-CH'},
+  });
+  expect(facts).toContain('Kanten mit demselben Buchstaben werden aneinandergenäht.');
+  expect(facts[0]).toMatch(/^Durchgezogen: schneiden\. Gestrichelt: nähen, 1 cm weiter innen/);
+  expect(pieces[0]?.words[1]).toBe('1 × aus Unistoff zuschneiden');
+  expect(locale).toBe('de-CH');
+});

@@ -8,7 +8,7 @@ import type {PrintInk} from '../../cutting/print-ink.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
-import {withSampleNames} from '../../texts/sample-names.js';
+import {printName, withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
@@ -42,7 +42,10 @@ export async function cutMaterial(
   const named = withSampleNames(garment, design.garment.name, texts);
   return {
     result,
-    print: {...printOf(design.print), ...(tile !== undefined && {tile})},
+    print: {
+      ...{...printOf(design.print), title: printName(design.print, texts)},
+      ...(tile !== undefined && {tile}),
+    },
     marks: {
       ...garmentTitle(named, design.garment.name),
       panels: panelMarks(named, decidedOf(design)),
