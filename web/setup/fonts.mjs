@@ -36,6 +36,7 @@ for (const code of codes) {
   else runs.push([code, code]);
 }
 const head = '// written by `npm run fonts`';
+const constant = 'export const';
 const widths = ({unitsPerEm, glyphOf, widthOf}) =>
   codes.map((code) => Math.round((1000 * widthOf(glyphOf(code))) / unitsPerEm)).join(' ');
 const outlines = (font) => {
@@ -47,11 +48,11 @@ writeFileSync(
   `${folder}/sans-widths.ts`,
   `${head}
 /** Code points of the letters, as first and last of consecutive ones. */
-export const sansRanges =
+${constant} sansRanges =
   '${runs.map((run) => run.join('-')).join(' ')}';
 
 /** Widths of the letters in thousandths of the font size. */
-export const sansWidths = {
+${constant} sansWidths = {
   regular:
     '${widths(fonts.regular)}',
   bold: '${widths(fonts.bold)}',
@@ -65,7 +66,7 @@ writeFileSync(
  * Liberation Sans (SIL Open Font License 1.1) as deflated TrueType files in base 64: glyph 0 is the
  * missing letter, the letters of \`sansRanges\` follow.
  */
-export const sansOutlines = {
+${constant} sansOutlines = {
   regular:
     '${outlines(fonts.regular)}',
   bold: '${outlines(fonts.bold)}',

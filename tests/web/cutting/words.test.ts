@@ -28,13 +28,13 @@ it.each([
   ['of the hem alone', 2, [undefined], '1 cm inside, 2 cm at hems.', 'some'],
   [
     ...['of some edges', undefined, [undefined, 0.5]],
-    ...['1 cm inside, 3 cm at hems, elsewhere as the pattern says.', 'some'],
+    ...['1 cm inside, 3 cm at hems, elsewhere as in the pattern.', 'some'],
   ],
   [
     'of all in different ways',
     0.5,
     [0.6, 0.5],
-    '0.5 cm at hems, elsewhere as the pattern says.',
+    '0.5 cm at hems, elsewhere as in the pattern.',
     'all',
   ],
 ] as const)('tells allowances %s', (_, hem, others, said, own) => {

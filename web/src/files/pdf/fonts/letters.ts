@@ -46,7 +46,7 @@ export const widthOf = (text: string, weight: Weight = 'regular'): number =>
   }, 0);
 
 /** Consecutive letters that the embedded font has, or has not. */
-export interface LetterRun {
+interface LetterRun {
   readonly text: string;
   readonly isSans: boolean;
 }
