@@ -65,6 +65,7 @@ describe.each([
   it("names Seamwise and what the solver's module is made of", () => {
     expect(text).toContain('Seamwise contributors');
     expect(text).toMatch(/### Eigen \d+\.\d+\.\d+\n[^#]*Mozilla Public License/);
+    expect(text).toMatch(/## Letters of Liberation Sans[^#]*SIL OPEN FONT LICENSE/);
     for (const name of ['musl', 'Emscripten', 'libc++']) expect(text).toContain(`### ${name}`);
   });
 });

@@ -65,8 +65,8 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   photo: [...model, 'image'], // the print on a photo
   scene: [...model, 'layout'], // no GL, no SVG, no DOM
   picture: [...model, 'files', 'image', 'layout', 'scene'],
-  cutting: [...model, 'files', 'layout', 'scene', 'picture'],
-  paper: [...model, 'files', 'image', 'picture', 'cutting'], // no DOM: files of pages in Node, too
+  cutting: [...model, 'files', 'layout', 'scene', 'picture', 'texts'],
+  paper: [...model, 'files', 'image', 'picture', 'cutting', 'texts'], // no DOM: files of pages in Node, too
   texts: [...model, 'scene'],
   marker: [
     ...model,
@@ -119,6 +119,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'cutting',
     'marker',
     'paper',
+    'texts',
     'node',
   ],
   '': [...model, 'files', 'solver'], // index.ts, the entry of the package

@@ -86,9 +86,16 @@ export function notices() {
 
 /** Licences of the typefaces in a bundle. */
 function fontNotices(bundle) {
-  if (!Object.keys(bundle).some((name) => name.endsWith('.woff2'))) return [];
-  const words = readFileSync(join(root, 'web/src/app/fonts/OFL.txt'), 'utf8').trim();
-  return [`## Source Sans 3 (OFL-1.1)\n\n${words}`];
+  const notice = (name, file) =>
+    `## ${name} (OFL-1.1)\n\n${readFileSync(join(root, file), 'utf8').trim()}`;
+  const hasFiles = Object.keys(bundle).some((name) => name.endsWith('.woff2'));
+  return [
+    ...(hasFiles ? [notice('Source Sans 3', 'web/src/app/fonts/OFL.txt')] : []),
+    notice(
+      'Letters of Liberation Sans, for PDF files',
+      'node_modules/pdfjs-dist/standard_fonts/LICENSE_LIBERATION',
+    ),
+  ];
 }
 
 /** The first line of a notice up to the version. */

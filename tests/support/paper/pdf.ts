@@ -12,10 +12,25 @@ export interface PdfObject {
 export interface ReadPdf {
   readonly objects: ReadonlyMap<number, PdfObject>;
   /** Pages in their order. */
+  /** Pages in their order; texts of their contents are in letters, as `(text) Tj`. */
   readonly pages: readonly {readonly size: readonly number[]; readonly content: string}[];
 }
 
 const latin = (bytes: Uint8Array): string => Buffer.from(bytes).toString('latin1');
+
+/** The letters of each font by their codes, from its map to Unicode. */
+function lettersOf(
+  {text}: PdfObject,
+  get: (ref: string | undefined) => PdfObject,
+): ReadonlyMap<string, string> {
+  const {stream = ''} = get(/\/ToUnicode (\d+) 0 R/.exec(text)?.[1]);
+  return new Map(
+    [...stream.matchAll(/^<(\w{4})> <(\w+)>$/gm)].map(([, code = '', units = '']) => [
+      code,
+      String.fromCharCode(...(units.match(/.{4}/g) ?? []).map((unit) => parseInt(unit, 16))),
+    ]),
+  );
+}
 
 /** @throws {Error} if the table does not point to objects */
 export function readPdf(bytes: Uint8Array): ReadPdf {
@@ -62,5 +77,24 @@ export function readPdf(bytes: Uint8Array): ReadPdf {
       content: get(/\/Contents (\d+) 0 R/.exec(text)?.[1]).stream ?? '',
     };
   });
-  return {objects, pages};
+  const fonts = new Map(
+    [...objects.values()].flatMap(({text}) => {
+      const list = /^\/Font<<(.*)>>$/m.exec(text)?.[1] ?? '';
+      return [...list.matchAll(/\/(\w+) (\d+) 0 R/g)].map(
+        ([, name = '', ref]) => [name, lettersOf(get(ref), get)] as const,
+      );
+    }),
+  );
+  const readable = (content: string): string =>
+    content.replaceAll(
+      /^\/(\w+) (\S+ Tf\n.*\n)<(\w*)> Tj$/gm,
+      (_, font: string, between: string, codes: string) => {
+        const letters = (codes.match(/.{4}/g) ?? []).map((code) => fonts.get(font)?.get(code));
+        return `/${font} ${between}(${letters.join('')}) Tj`;
+      },
+    );
+  return {
+    objects,
+    pages: pages.map(({size, content}) => ({size, content: readable(content)})),
+  };
 }

@@ -79,9 +79,11 @@ describe('cut', () => {
       ...{sizes: ['Result', 'Large'], size: 'Large', units: {used: 'in', from: 'file'}},
       pieces: [{name: 'left', cutLine: true}, {name: 'right'}],
     });
-    const {code, err} = await nest('--pdf', file('nest.pdf'));
+    const {out: said} = await nest('--pdf', file('nest.pdf'));
+    expect(said).toMatch(/^2 sizes as layers on \d+ page/);
+    const {code, err} = await nest('--svg', file('nest.svg'));
     expect(code).toBe(2);
-    expect(err).toMatch(/one file by --dxf alone; write --pdf of one result at a time/);
+    expect(err).toMatch(/one file by --dxf and --pdf alone; write --svg of one result at a time/);
   });
 
   it('leaves the print out to save ink', async () => {

@@ -28,13 +28,13 @@ it.each([
   ['of the hem alone', 2, [undefined], '1 cm inside, 2 cm at hems.', 'some'],
   [
     ...['of some edges', undefined, [undefined, 0.5]],
-    ...['1 cm inside, 3 cm at hems, elsewhere as the pattern says.', 'some'],
+    ...['1 cm inside, 3 cm at hems, elsewhere as in the pattern.', 'some'],
   ],
   [
     'of all in different ways',
     0.5,
     [0.6, 0.5],
-    '0.5 cm at hems, elsewhere as the pattern says.',
+    '0.5 cm at hems, elsewhere as in the pattern.',
     'all',
   ],
 ] as const)('tells allowances %s', (_, hem, others, said, own) => {
@@ -65,4 +65,15 @@ it('tells how lines inside are drawn, thinner than those to cut and to sew, and 
   const dotted = drawn.filter(({dashMm}) => dashMm?.length === 4);
   expect(dotted).toHaveLength(1);
   expect(dotted[0]?.widthMm).toBeLessThan(Math.min(...widths('cut'), ...widths('sew')));
+});
+
+it('writes the sheet in the language of its locale', () => {
+  const garment = documentOf([draftedSquare('front')]);
+  const {facts, pieces, locale} = draftedSheet(garment, {
+    ...{allowanceCm: 1, hemCm: 3, units: 'cm', locale: 'de-CH'},
+  });
+  expect(facts).toContain('Kanten mit demselben Buchstaben werden aneinandergenäht.');
+  expect(facts[0]).toMatch(/^Durchgezogen: schneiden\. Gestrichelt: nähen, 1 cm weiter innen/);
+  expect(pieces[0]?.words[1]).toBe('1 × aus Unistoff zuschneiden');
+  expect(locale).toBe('de-CH');
 });

@@ -172,6 +172,8 @@ describe('the size of an SVG', () => {
     expectBodice(readSvg(dense, 'pattern.svg', {pixelsPerInch: 300}));
     const shrunk = svg('width="300mm" viewBox="0 0 3543 5315"', perMm(150 / 25.4));
     expectBodice(readSvg(shrunk, 'pattern.svg', {pixelsPerInch: 150}));
+    const fifth = svg('width="60mm" viewBox="0 0 60 90"', perMm(0.2));
+    expectBodice(readSvg(fifth, 'book.svg', {scale: 5}));
   });
 
   it('is measured by a test square, whatever else is said', () => {

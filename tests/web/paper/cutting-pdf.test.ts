@@ -8,6 +8,7 @@ import {onPiece, type Point} from '@/model/geometry/vectors.js';
 import {imageCoordinates} from '@/model/print/image-coordinates.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import {apply} from '@/model/geometry/plane-map.js';
+import type {CutText} from '@/cutting/cut-sheet.js';
 import {cuttingPdf, type CuttingPdf, type CuttingPdfOptions} from '@/paper/cutting-pdf.js';
 import {paperOf} from '@/paper/papers.js';
 import {laidRectangle, onPrintAt, sheetOf} from '../../support/paper/cut-sheets.js';
@@ -135,6 +136,47 @@ describe('a PDF of pieces to cut', () => {
     expect(wall).not.toContain('Sew line');
   });
 
+  it('has letters of 7 points and more on paper, and of 15 mm on a projector', async () => {
+    const small: CutText = {
+      ...{kind: 'text', layer: 'words', at: [19, 20], lines: ['Small', 'words'], sizeMm: 3},
+      hasPlate: true,
+    };
+    const sheet = sheetOf(50, 40, [{...laidRectangle(50, 40), marks: [small]}]);
+    const leastOn = async (paper: string): Promise<number> => {
+      const {pages} = readPdf((await written(paper, {}, {sheet})).bytes);
+      const sizes = pages.flatMap(({content}) => [...content.matchAll(/^\/T\d (\S+) Tf$/gm)]);
+      return Math.min(...sizes.map(([, size]) => 10 * Number(size)));
+    };
+    expect(await leastOn('a4')).toBeGreaterThan(2.47); // mm
+    expect(await leastOn('projector')).toBeGreaterThanOrEqual(15);
+  });
+
+  it('draws cut lines over the white grounds of page frames', async () => {
+    const red = '0.7843 0.0863 0.1137 RG';
+    const pages = readPdf((await written('a4')).bytes).pages.filter(({content}) =>
+      content.includes(red),
+    );
+    expect(pages.length).toBeGreaterThan(1);
+    for (const {content} of pages) {
+      expect(content.lastIndexOf(' re\nB\n')).toBeGreaterThan(0);
+      expect(content.lastIndexOf(' re\nB\n')).toBeLessThan(content.indexOf(red));
+    }
+  });
+
+  it('has a layer for each of several sizes, of which the first is shown', async () => {
+    const sized = (size: string) => ({...sheetOf(50, 40), title: 'Apron', size});
+    const print = {...slanted, tile: dot};
+    const otherSizes = [{sheet: sized('L'), print}];
+    const {bytes} = await written('a0', {otherSizes}, {sheet: sized('M')});
+    const text = Buffer.from(bytes).toString('latin1');
+    const refs = [...text.matchAll(/^(\d+) 0 obj\n<<\/Type\/OCG\/Name \(Size (\w)\)>>/gm)];
+    expect(refs.map(([, , size]) => size)).toEqual(['M', 'L']);
+    expect(text).toContain(`/OFF[${refs[1]?.[1] ?? ''} 0 R]`);
+    const {content = ''} = readPdf(bytes).pages[0] ?? {};
+    expect(content).toContain('(Apron, Sizes M, L)');
+    expect(content).toMatch(/\/OC \/L1 BDC\n[^]*\[0\.8 0\.3\] 0 d/);
+  });
+
   it('tints a pale print, and draws none as outlines', async () => {
     const tints = async (ink: 'full' | 'pale' | 'outline') =>
       readPdf((await written('a0', {ink})).bytes).pages.map(
@@ -163,15 +205,18 @@ describe('a PDF of pieces to cut', () => {
     expect(readPdf(wall.bytes).pages).toHaveLength(1);
   });
 
-  it('writes words in letters of its font, and says so where others stand for them', async () => {
+  it('embeds Latin, Greek and Cyrillic letters', async () => {
     const [piece = laidRectangle(1, 1)] = printed.pieces;
-    const sheet = {...printed, heading: 'Юбка (Größe 38)', pieces: [{...piece, label: 'Śródek'}]};
+    const sheet = {...printed, heading: 'Юбка (Größe 38)', pieces: [{...piece, label: 'Środek'}]};
     const {bytes, notes} = await written('a4', {mark: 'NOT AS IT WAS SOLD'}, {sheet});
     const {content = ''} = readPdf(bytes).pages[0] ?? {};
-    expect(content).toContain(String.raw`(Yubka \(Gr\366\337e 38\))`);
+    expect(content).toContain('(Юбка (Größe 38))');
     expect(content).toContain('(NOT AS IT WAS SOLD)');
-    expect(notes).toEqual([expect.stringContaining('letters')]);
-    expect((await written('a4')).notes).toEqual([]);
+    expect(notes).toEqual([]);
+    const fonts = Buffer.from(bytes)
+      .toString('latin1')
+      .match(/\/FontFile2 /g);
+    expect(fonts).toHaveLength(2); // regular and bold
   });
 
   it('outlines cells where there is no picture, and says what it cannot draw', async () => {

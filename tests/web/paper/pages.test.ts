@@ -6,6 +6,7 @@ import {pagesOf, sheetFor} from '@/paper/cutting-pdf.js';
 import {drawFirstPage} from '@/paper/first-page.js';
 import {paperOf, type Paper} from '@/paper/papers.js';
 import {laidRectangle, sheetOf} from '../../support/paper/cut-sheets.js';
+import {readableText} from '../../support/paper/readable-text.js';
 
 function paper(name: string): Paper {
   const found = paperOf(name);
@@ -42,8 +43,17 @@ describe('pages of paper', () => {
     const layout = pagesOf(sheet, paper('a4'));
     const [left, right] = [layout.block.low[0], layout.block.high[0]];
     expect(right - left).toBeLessThan(21);
-    expect(drawFirstPage(sheet, layout)).toMatch(/dress_pencil\w*\\205\)/);
-    expect(drawFirstPage(sheetOf(10, 10), layout)).toContain('(Apron, M)');
+    const resources = readableText();
+    expect(drawFirstPage(sheet, layout, resources)).toMatch(/dress_pencil\w*…\)/);
+    expect(drawFirstPage(sheetOf(10, 10), layout, resources)).toContain('(Apron, M)');
+  });
+
+  it('are all of their rows and columns if blank ones are kept', () => {
+    const sheet = frame(150, 20);
+    const {pages, columns, rows, empty} = pagesOf(sheet, {...paper('a4'), keepsBlank: true});
+    expect(pages.filter(({name}) => name !== undefined)).toHaveLength(columns * rows);
+    expect(empty).toEqual([]);
+    expect(pagesOf(sheet, paper('a4')).empty.length).toBeGreaterThan(0);
   });
 
   it.each(['a4', 'letter', 'a3', 'legal', 'tabloid', 'a1', 'a0', '36in', 'projector', '40x70'])(

@@ -6,6 +6,7 @@ import type {Print} from '@/model/print/repeating-print.js';
 import {onSheet} from '@/paper/cell.js';
 import {motifsOf, nearestMotif} from '@/paper/guide-motifs.js';
 import {placingPoints} from '@/paper/placing-points.js';
+import {sheetTextsIn} from '@/texts/sheet-texts.js';
 import {vectorTile} from '@/paper/vector-tile.js';
 
 import {laidRectangle} from '../../support/paper/cut-sheets.js';
@@ -24,7 +25,9 @@ it('are corners far apart, each with the middle of the nearest flower', () => {
   const alignment = {angle: 0.4, translation: [1, 2]} as const;
   const place = {angle: Math.PI, translation: [30, 20]} as const;
   const piece = laidRectangle(30, 20, {place, alignment});
-  const points = placingPoints(piece, alignment, motifsOf(print, flower), 3);
+  const points = placingPoints(piece, alignment, motifsOf(print, flower), {
+    ...{count: 3, texts: sheetTextsIn()},
+  });
   expect(points.length).toBeGreaterThanOrEqual(2);
   expect(points[0]?.name).toMatch(/^Corner, (upper|lower) (left|right)$/);
   for (const {at, motif} of points) {

@@ -10,6 +10,7 @@ import {marksOnPages} from '@/paper/words-on-page.js';
 import type {CutText} from '@/cutting/cut-sheet.js';
 
 import {laidRectangle, sheetOf} from '../../support/paper/cut-sheets.js';
+import {readableText} from '../../support/paper/readable-text.js';
 
 const a4 = paperOf('a4') ?? {name: 'none', widthCm: 0};
 
@@ -68,7 +69,8 @@ it('puts a plate under each name of a page on the map', () => {
   const sheet = sheetOf(60, 60);
   const layout = pagesOf(sheet, a4);
   const names = layout.pages.flatMap(({name}) => name ?? []);
-  const plates = drawFirstPage(sheet, layout).match(/1 1 1 rg\n[^\n]* re\nf/g) ?? [];
+  const plates =
+    drawFirstPage(sheet, layout, readableText()).match(/1 1 1 rg\n[^\n]* re\nf/g) ?? [];
   expect(names.length).toBeGreaterThan(1);
   expect(plates).toHaveLength(names.length);
 });

@@ -12,6 +12,7 @@ import {page} from '@/texts/en/page.js';
 import {pattern} from '@/texts/en/pattern.js';
 import {photo} from '@/texts/en/photo.js';
 import {plan} from '@/texts/en/plan.js';
+import {sheet} from '@/texts/en/sheet.js';
 import {print} from '@/texts/en/print.js';
 import {samples as sampleNames} from '@/texts/en/samples.js';
 import {sew} from '@/texts/en/sew.js';
@@ -26,7 +27,7 @@ const translations = languages.filter((language) => language !== 'en');
 /** English texts by the names of their translations' files. */
 const files = {
   ...{page, pattern, answer, print, samples: sampleNames},
-  ...{cut: cutting, drape: worn, import: importing, marker: cloth, photo, plan, sew},
+  ...{cut: cutting, drape: worn, import: importing, marker: cloth, photo, plan, sew, sheet},
 };
 
 /** Texts by their paths; a function is the text that it was made from. */

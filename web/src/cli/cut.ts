@@ -4,6 +4,7 @@ import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {printInks} from '../cutting/print-ink.js';
 import {chosenNames} from '../model/garment/panel-marks.js';
 import {titleOfFile} from '../model/garment/piece-names.js';
+import {languages} from '../texts/preferences.js';
 import {notAsSold} from '../picture/watermark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {cut as cutResult, type Cut} from '../node/index.js';
@@ -12,23 +13,41 @@ import {countOf} from './base/count-of.js';
 import {dxfFlags, dxfFormat} from './base/dxf-format.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
+import {readBytes} from '../node/files.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {garmentOf, plainIn, readFabricOf, readResult} from './result-file.js';
 
 const sewAs1 = '--sew-as-1';
 const dxfFlag = '--dxf';
+const pdfFlag = '--pdf';
+/** Files that may have several sizes. */
+const nestFlags = [dxfFlag, pdfFlag];
+
+/** Sheets of several sizes; the first is the sample size. */
+interface Sizes {
+  readonly dxf: DxfOptions;
+  /** Returns the sheets of the sizes above each other. */
+  readonly nested: () => Promise<readonly [Cut, ...Cut[]]>;
+}
 
 /** Output formats by flag. */
 const outputs: Readonly<
-  Record<string, (cut: Cut, dxf: DxfOptions) => Promise<string | Uint8Array> | string>
+  Record<string, (cut: Cut, sizes: Sizes) => Promise<string | Uint8Array> | string>
 > = {
-  '--pdf': async (cut) => {
-    const {bytes, notes} = await cut.pdf();
+  [pdfFlag]: async (_, {nested}) => {
+    const [first, ...others] = await nested();
+    const {bytes, notes, layout} = await first.pdf(others);
     notes.forEach(remark);
+    if (others.length > 0) {
+      const {pages, paper} = layout;
+      print(
+        `${countOf(others.length + 1, 'size')} as layers on ${countOf(pages.length, 'page')}, ${paper.name}`,
+      );
+    }
     return bytes;
   },
   '--svg': (cut) => cut.svg(),
-  [dxfFlag]: (cut, options) => cut.dxf(options),
+  [dxfFlag]: (cut, {dxf}) => cut.dxf(dxf),
   '--plt': (cut) => cut.hpgl(),
   '--map': (cut) => `${JSON.stringify(cut.map)}\n`,
 };
@@ -46,11 +65,13 @@ const grammar = {
       '--paper',
       '--ink',
       '--date',
+      '--language',
+      '--font',
     ],
     ...Object.keys(outputs),
     ...dxfFlags,
   ],
-  switches: [sewAs1, '--guide'],
+  switches: [sewAs1, '--guide', '--blank-pages'],
 } as const;
 
 interface Wanted {
@@ -63,7 +84,7 @@ export async function cut(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [printFile, garmentFile] = ['--print', '--garment'].map((flag) => args.value(flag));
   if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
-  const settings = settingsOf(args);
+  const settings = {...settingsOf(args), ...(await fontsOf(args))};
   const wanted = Object.keys(outputs).flatMap((flag): Wanted[] => {
     const path = args.value(flag);
     return path === undefined ? [] : [{flag, path}];
@@ -77,15 +98,20 @@ export async function cut(words: readonly string[]): Promise<void> {
   checkDistinct(Object.fromEntries(wanted.map(({flag, path}) => [flag, path])));
   for (const {path} of wanted) await checkWritable(path, inputs);
 
-  const cuts: Cut[] = [];
-  for (const file of args.files) cuts.push(await cutOf(file, printFile, args, settings));
+  const cutters: Cutter[] = [];
+  for (const file of args.files) cutters.push(await cutterOf(file, printFile, args, settings));
+  const cuts = await Promise.all(cutters.map((cutter) => cutter()));
   const [first] = cuts;
   if (!first) throw new UsageError(`${grammar.files[0]} is missing.`);
-  const options = {...format, sewAsBoundary: args.has(sewAs1), ...sizesOf(args.files, cuts)};
+  const sized = withSizes(args.files, cuts);
+  const sizes: Sizes = {
+    dxf: {...format, sewAsBoundary: args.has(sewAs1), ...sizesOf(sized)},
+    nested: () => nestedCuts(sized, cutters),
+  };
   const failed: unknown[] = [];
   for (const {flag, path} of wanted) {
     try {
-      const content = await outputs[flag]?.(first, options);
+      const content = await outputs[flag]?.(first, sizes);
       if (content !== undefined) await writeWhole(path, content);
     } catch (error) {
       failed.push(error); // other files are written in any case
@@ -103,11 +129,14 @@ export async function cut(words: readonly string[]): Promise<void> {
 /** @throws {UsageError} for flags that only apply to a single size */
 function checkSizes(args: Arguments, wanted: readonly Wanted[]): void {
   if (args.files.length < 2) return;
-  const other = wanted.find(({flag}) => flag !== dxfFlag);
+  const other = wanted.find(({flag}) => !nestFlags.includes(flag));
   if (other) {
     throw new UsageError(
-      `Several sizes go into one file by ${dxfFlag} alone; write ${other.flag} of one result at a time.`,
+      `Several sizes go into one file by ${nestFlags.join(' and ')} alone; write ${other.flag} of one result at a time.`,
     );
+  }
+  if (args.has('--guide')) {
+    throw new UsageError('--guide is for one size; write it of one result at a time.');
   }
   if (args.value('--garment') !== undefined) {
     throw new UsageError(
@@ -117,19 +146,15 @@ function checkSizes(args: Arguments, wanted: readonly Wanted[]): void {
 }
 
 /**
- * Several sheets as sizes of one pattern; the first is the sample size. A garment without a size is
- * called by its file.
+ * Names the sizes of several sheets. A garment without a size is called by its file.
  * @throws {UsageError} for two results of one size
  */
-function sizesOf(
-  files: readonly string[],
-  cuts: readonly Cut[],
-): Pick<DxfOptions, 'size' | 'otherSizes'> {
-  if (cuts.length < 2) return {};
+function withSizes(files: readonly string[], cuts: readonly Cut[]): readonly Cut[] {
+  if (cuts.length < 2) return cuts;
   const fileOf = new Map<string, string>();
-  const [sample, ...otherSizes] = cuts.map(({sheet}, k): CutSheet => {
+  return cuts.map((cut, k): Cut => {
     const file = files[k] ?? '';
-    const {size = titleOfFile(file)} = sheet;
+    const {size = titleOfFile(file)} = cut.sheet;
     const same = fileOf.get(size);
     if (same !== undefined) {
       throw new UsageError(
@@ -137,18 +162,44 @@ function sizesOf(
       );
     }
     fileOf.set(size, file);
-    return {...sheet, size};
+    return {...cut, sheet: {...cut.sheet, size}};
   });
+}
+
+/** Several sheets as sizes of one DXF file. */
+function sizesOf(cuts: readonly Cut[]): Pick<DxfOptions, 'size' | 'otherSizes'> {
+  const [sample, ...otherSizes] = cuts.map(({sheet}) => sheet);
+  if (otherSizes.length === 0) return {};
   return {otherSizes, ...(sample?.size !== undefined && {size: sample.size})};
 }
 
+const areaOf = ({sheet: {widthCm, heightCm}}: Cut): number => widthCm * heightCm;
+
+/** The sheets laid on that of the largest size. */
+async function nestedCuts(
+  cuts: readonly Cut[],
+  cutters: readonly Cutter[],
+): Promise<readonly [Cut, ...Cut[]]> {
+  const [largest] = [...cuts].sort((a, b) => areaOf(b) - areaOf(a));
+  const nested = cuts.map(async (cut, k): Promise<Cut> => {
+    const laid = cut === largest ? undefined : await cutters[k]?.(largest?.sheet);
+    if (!laid) return cut;
+    const {size} = cut.sheet;
+    return {...laid, sheet: {...laid.sheet, ...(size !== undefined && {size})}};
+  });
+  return (await Promise.all(nested)) as [Cut, ...Cut[]];
+}
+
+/** Lays out a sheet, alone or on that of a larger size. */
+type Cutter = (under?: CutSheet) => Promise<Cut>;
+
 /** @throws {UsageError}, {FileError} or {SolverError} with the name of an invalid file */
-async function cutOf(
+async function cutterOf(
   file: string,
   printFile: string,
   args: Arguments,
-  settings: ReturnType<typeof settingsOf>,
-): Promise<Cut> {
+  settings: ReturnType<typeof settingsOf> & Awaited<ReturnType<typeof fontsOf>>,
+): Promise<Cutter> {
   const colourway = args.value('--colourway');
   const {result} = await readResult(file);
   const cloth = await readFabricOf(result, file, {printFile, colourway});
@@ -159,7 +210,7 @@ async function cutOf(
       `${file} does not hold its design, so pieces have no notches and no grain lines of their own; name the garment with --garment FILE.`,
     );
   }
-  return cutResult(result, {
+  const whole = {
     ...settings,
     ...garment,
     ...(colourway !== undefined && {colourway}),
@@ -168,7 +219,14 @@ async function cutOf(
     plain: plainIn(result),
     pixels: () => readRaster(cloth, printFile),
     ...(result.reproduced === false && {mark: notAsSold}),
-  });
+  };
+  return (under) => cutResult(result, {...whole, ...(under && {under})});
+}
+
+/** @throws {FileError} if the font cannot be read */
+async function fontsOf(args: Arguments) {
+  const path = args.value('--font');
+  return path === undefined ? {} : {fonts: [new Uint8Array(await readBytes(path))]};
 }
 
 /** @throws {UsageError} for an invalid value */
@@ -178,6 +236,7 @@ function settingsOf(args: Arguments) {
   const paper = args.value('--paper');
   if (paper !== undefined && !paperOf(paper)) throw new UsageError(noPaper(paper));
   const ink = choice(args, '--ink', printInks);
+  const language = choice(args, '--language', languages);
   const day = args.value('--date');
   const date = new Date(`${day ?? ''}T00:00:00Z`);
   if (day !== undefined && !(/^\d{4}-\d\d-\d\d$/.test(day) && Number.isFinite(date.getTime()))) {
@@ -189,6 +248,8 @@ function settingsOf(args: Arguments) {
     ...(paper !== undefined && {paper}),
     ...(ink && {ink}),
     ...(args.has('--guide') && {guide: true}),
+    ...(args.has('--blank-pages') && {blankPages: true}),
+    ...(language && {language}),
     ...(day !== undefined && {date}),
   };
 }

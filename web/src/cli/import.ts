@@ -15,7 +15,7 @@ import {countOf} from './base/count-of.js';
 const grammar = {
   files: ['the pattern file'],
   valued: [
-    ...['--units', '--size', '--seams', '--out'],
+    ...['--units', '--scale', '--measure', '--size', '--seams', '--out'],
     ...['--pages', '--grid', '--trim', '--overlap', '--allowance'],
   ],
   switches: ['--json'],
@@ -55,7 +55,7 @@ export async function importFile(words: readonly string[]): Promise<void> {
   );
   const {garment, report} = await importGarment(await readBytes(file, drawingLimit), {
     name: file,
-    ...unit,
+    ...{...unit, ...scaleIn(args)},
     ...(size !== undefined && {size}),
     ...(seams && {seams}),
     ...(pages && {pages}),
@@ -71,6 +71,29 @@ export async function importFile(words: readonly string[]): Promise<void> {
   }
   report.notes.forEach(remark);
   print(listOf(file, report));
+}
+
+/** Greatest scale 1 : n, and greatest length of a piece. [cm] */
+const [greatestScale, longest] = [100, 500];
+
+/** @throws {UsageError} for a scale that is none */
+function scaleIn(args: Arguments): Pick<ImportOptions, 'scale' | 'measured'> {
+  const [ratio, measure] = [args.value('--scale'), args.value('--measure')];
+  if (ratio !== undefined && measure !== undefined) {
+    throw new UsageError('--scale and --measure both set the scale; leave one out.');
+  }
+  if (ratio !== undefined) {
+    const scale = Number(/^1:(\d+(?:\.\d+)?)$/.exec(ratio)?.[1]);
+    if (scale > 0 && scale <= greatestScale) return {scale};
+    throw new UsageError(`--scale is '${ratio}', but must be from 1:0.01 to 1:100, such as 1:5.`);
+  }
+  if (measure === undefined) return {};
+  const [, piece = '', length] = /^(.+)=(\d+(?:\.\d+)?)$/.exec(measure) ?? [];
+  const longerCm = Number(length);
+  if (longerCm > 0 && longerCm <= longest) return {measured: {piece, longerCm}};
+  throw new UsageError(
+    `--measure is '${measure}', but must be a piece and its longer side in cm, such as front=62.5.`,
+  );
 }
 
 /** Greatest trim, overlap and allowance. [cm] */

@@ -59,6 +59,8 @@ seamwise import FILE [flags]
     --units mm|cm|in            in which unit it is, whatever it says; 300ppi: pixels per inch of an SVG
     --size NAME                 of a nest of sizes; default the one that the others were graded from
     --seams suggest|file|none   default: suggested where the file has none
+    --scale 1:5                 of a drawing that is reduced, as in books
+    --measure PIECE=CM          the longer side of a piece, which sets the scale of all
     --pages 3-26                pages of a PDF; default those that show the pattern
     --grid 4x6                  columns and rows of the pages of a PDF; default by their lines and names
     --trim CM, --overlap CM     of the pages of a PDF; default by their lines
@@ -90,7 +92,7 @@ seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.s
 seamwise cut RESULT.json [RESULT.json ...] --print PRINT.json [flags]
   Lays the pieces on a sheet at true scale, in their print, to print and to cut along, and prints one line: how many
   pages of which size. Without a file to write it only says that. Several results are sizes of one pattern, which
-  --dxf writes as one nest; the first is the sample size.
+  --dxf and --pdf write as one nest; the first is the sample size. In a PDF each size is a layer.
     --colourway NAME            of the print
     --garment GARMENT.json      names, notches and grain lines; default the garment that the result holds
     --allowance CM              around pieces, where the garment gives none; default 1
@@ -102,9 +104,12 @@ seamwise cut RESULT.json [RESULT.json ...] --print PRINT.json [flags]
     --paper a2|a1|a0|36in       large sheets and rolls
     --paper projector           one page without margins, wide cut lines, no sewn lines, a grid of 5 cm
     --paper WxH[mm|cm|in]       any other
+    --blank-pages               keeps blank pages, for programs such as PDFStitcher that join all rows
     --ink full|pale|outline     pale saves ink, outline leaves the print out
     --guide                     adds pages to the PDF that help to place the pieces on fabric that is
                                 printed already: motifs at two or three points of each
+    --language en|de|fr|es|it   of the words on the sheet; default en
+    --font FILE.ttf             letters of other scripts in the PDF; it contains Latin, Greek, Cyrillic, Japanese
     --date YYYY-MM-DD           to stand on every page
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf, --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie

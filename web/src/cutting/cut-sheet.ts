@@ -5,6 +5,9 @@
 import type {Alignment, Point} from '../model/geometry/vectors.js';
 import type {OwnShare} from './allowances.js';
 
+/** Least letter size on paper, 7.4 pt. */
+export const leastLetterMm = 2.6;
+
 export type CutLayer = 'print' | 'cut' | 'sew' | 'marks' | 'matches' | 'words';
 
 export interface CutLine {
@@ -103,6 +106,8 @@ export interface CutSheet {
   readonly heading: string;
   readonly title?: string;
   readonly size?: string;
+  /** Locale of the texts. Default 'en'. */
+  readonly locale?: string;
   /** The share of edges whose allowance is specified by the garment rather than the user. */
   readonly ownAllowances: OwnShare;
   /** Instructions, one sentence each. */

@@ -10,6 +10,7 @@ import {ownShare} from './allowances.js';
 import type {CutPiece} from './cut-piece.js';
 import type {CutSheet} from './cut-sheet.js';
 import {cutPieces, laidPiece, type SolvedPattern} from './garment-pieces.js';
+import {nestedPlaces} from './nested-places.js';
 import {factsOf, pieceWords, type WordsOptions} from './words.js';
 
 export interface CuttingMarks extends GarmentTitle {
@@ -58,8 +59,11 @@ const placeOf = ({offset, isTurned}: SheetPlace): Alignment => ({
   translation: offset,
 });
 
+/** A ratio of width to height, which a sheet approximates, or a sheet of another size to lie on. */
+type SheetForm = number | CutSheet;
+
 /**
- * Cutting sheets of a result for a desired ratio of width to height, which a sheet approximates.
+ * Cutting sheets of a result in a form.
  * @param print undefined for plain fabric only
  * @throws {SolverError} for a print of unknown size
  */
@@ -68,7 +72,7 @@ export function sheetsOf(
   print: Print | undefined,
   marks: CuttingMarks,
   options: SheetOptions,
-): (aspect: number) => CutSheet {
+): (form: SheetForm) => CutSheet {
   if (print) checkScaled(print);
   const {plain = []} = options;
   const {title, size, panels} = marks;
@@ -76,17 +80,26 @@ export function sheetsOf(
   const twinOf = twins(result);
   const heading = [title, size].filter((word) => word !== undefined).join(', ');
   const facts = factsOf(cuts, print, options);
-  return (aspect) => {
-    const {places, width, height} = laidOut(result, cuts, placementsIn(panels), aspect);
+  const arranged = (form: SheetForm) => {
+    if (typeof form !== 'number') {
+      const {widthCm, heightCm} = form;
+      return {places: nestedPlaces(cuts, form), widthCm, heightCm};
+    }
+    const {places, width, height} = laidOut(result, cuts, placementsIn(panels), form);
+    return {places: places.map(placeOf), widthCm: width, heightCm: height};
+  };
+  return (form) => {
+    const {places, ...extent} = arranged(form);
     return {
-      ...{widthCm: width, heightCm: height, heading, facts},
+      ...{...extent, heading, facts},
       ownAllowances: ownShare(cuts.flatMap(({allowances}) => allowances.map(({isOwn}) => isOwn))),
       ...(title !== undefined && {title}),
       ...(size !== undefined && {size}),
+      ...(options.locale !== undefined && {locale: options.locale}),
       pieces: cuts.map((piece, k) => {
         const cloth = plain.includes(piece.name) ? undefined : print;
         const twin = cuts[twinOf.get(k) ?? -1]?.label;
-        return laidPiece(piece, placeOf(places[k] ?? {offset: [0, 0]}), {
+        return laidPiece(piece, places[k] ?? {angle: 0, translation: [0, 0]}, {
           print: cloth,
           words: pieceWords(piece, {print: cloth, twin, heading}, options),
           material: panels.get(piece.name)?.drafted?.material,

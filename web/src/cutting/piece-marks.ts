@@ -20,7 +20,13 @@ import {textWidth} from '../layout/name-lines.js';
 import type {CutPiece} from './cut-piece.js';
 import {slitOf} from './notches.js';
 import type {SeamTick} from './ticks.js';
-import type {CutLayer, CutLine, CutMark, CutText} from './cut-sheet.js';
+import {
+  leastLetterMm,
+  type CutLayer,
+  type CutLine,
+  type CutMark,
+  type CutText,
+} from './cut-sheet.js';
 
 interface MarkStyle {
   /** Undefined for plain fabric. */
@@ -45,7 +51,6 @@ const crossReach = 0.45;
 const arrow = 0.35;
 const greatestWordsMm = 7;
 const easyWordsMm = 3;
-const leastWordsMm = 2;
 const letterMm = 5.5;
 const numberMm = 3.5;
 const insideMm = 0.25;
@@ -59,7 +64,6 @@ const tickMm = 0.4;
 const tickReach = 0.4;
 /** Distance from the end of a tick to the centre of its label. */
 const tickAside = 0.35;
-const tickLabelMm = 2.6;
 const stripeStyle = {
   widthMm: 0.25,
   dashMm: [8, 1.5, 0.5, 1.5, 0.5, 1.5],
@@ -104,7 +108,7 @@ function tickMarks({at, along, label}: SeamTick, onto: (p: Point) => Point): rea
   const ends = [plus(at, along, -tickReach), plus(at, along, tickReach)];
   return [
     line('matches', ends.map(onto), {widthMm: tickMm, haloMm}),
-    plate('matches', onto(plus(at, along, -tickReach - tickAside)), [label], tickLabelMm),
+    plate('matches', onto(plus(at, along, -tickReach - tickAside)), [label], leastLetterMm),
   ];
 }
 
@@ -162,7 +166,7 @@ function wordsOn({words: {at, room}}: CutPiece, {words, onto}: MarkStyle): CutTe
   const counts = words.map((_, k) => words.length - k);
   const count = counts.find((n) => sizeOf(words.slice(0, n)) >= easyWordsMm) ?? 1;
   const lines = words.slice(0, count);
-  const size = Math.max(leastWordsMm, Math.min(greatestWordsMm, sizeOf(lines)));
+  const size = Math.max(leastLetterMm, Math.min(greatestWordsMm, sizeOf(lines)));
   return plate('words', onto(at), lines, size);
 }
 

@@ -4,11 +4,12 @@ import type {Print} from '../model/print/repeating-print.js';
 import {repeatOf} from '../model/print/repeat.js';
 import {formatLength, type Units} from '../model/base/length-text.js';
 import type {AllowanceRule} from './allowance-rule.js';
+import {sheetTextsIn, type SheetTexts} from '../texts/sheet-texts.js';
 import type {CutPiece, EdgeAllowance} from './cut-piece.js';
 
 export interface WordsOptions extends AllowanceRule {
   readonly units: Units;
-  /** Locale of numbers. Default 'en'. */
+  /** Locale of numbers and texts. Default 'en'. */
   readonly locale?: string;
   /** Name of the print's colourway. */
   readonly colourway?: string;
@@ -19,8 +20,12 @@ export interface WordsOptions extends AllowanceRule {
 /** Smallest rotation that is mentioned. [degrees] */
 const leastTurn = 0.05;
 
-const printName = (print: Print, {colourway}: WordsOptions): string =>
-  [print.title ?? `Print ${print.group}`, ...(colourway === undefined ? [] : [colourway])].join(
+/** The name of a print, which is that of its group if it has no title. */
+export const printTitle = (print: Print, texts: SheetTexts): string =>
+  print.title ?? texts.print(print.group);
+
+const printName = (print: Print, {colourway, locale}: WordsOptions): string =>
+  [printTitle(print, sheetTextsIn(locale)), ...(colourway === undefined ? [] : [colourway])].join(
     ', ',
   );
 
@@ -35,11 +40,14 @@ function turnOf({grain: [foot, head], alignment}: CutPiece, print: Print): numbe
   return turn - 180 * Math.ceil(turn / 180 - 0.5);
 }
 
-function turnWords(piece: CutPiece, print: Print, {locale = 'en'}: WordsOptions): string {
+/** The size of the repeat, and its rotation from the grain line of a piece. */
+function repeatWords(piece: CutPiece, print: Print, options: WordsOptions): string {
+  const size = repeatSize(print, options);
   const turn = turnOf(piece, print);
-  if (Math.abs(turn) < leastTurn) return '';
+  if (Math.abs(turn) < leastTurn) return size;
+  const {locale = 'en'} = options;
   const amount = turn.toLocaleString(locale, {maximumFractionDigits: 1});
-  return `, turned ${amount}°`;
+  return sheetTextsIn(locale).turned(size, amount);
 }
 
 /**
@@ -60,17 +68,13 @@ export function pieceWords(
   options: WordsOptions,
 ): readonly string[] {
   const {label, quantity} = piece;
+  const texts = sheetTextsIn(options.locale);
   return [
     label,
-    print ? `Cut ${quantity}, face up, single layer` : `Cut ${quantity} of plain fabric`,
-    ...(twin === undefined ? [] : [`Mirror image of ${twin}`]),
+    print ? texts.cut(quantity) : texts.cutPlain(quantity),
+    ...(twin === undefined ? [] : [texts.mirror(twin)]),
     ...(heading === '' ? [] : [heading]),
-    ...(print
-      ? [
-          printName(print, options),
-          `${repeatSize(print, options)}${turnWords(piece, print, options)}`,
-        ]
-      : []),
+    ...(print ? [printName(print, options), repeatWords(piece, print, options)] : []),
   ];
 }
 
@@ -95,10 +99,11 @@ function saidOf(
 /** The line styles of cut and sewn lines, and the distance between them. */
 function linesSentence(cuts: readonly CutPiece[], options: WordsOptions): string {
   const {allowanceCm, hemCm = allowanceCm, units, locale = 'en'} = options;
+  const texts = sheetTextsIn(locale);
   const length = (cm: number): string => formatLength(cm, units, locale);
   const edges = cuts.flatMap(({allowances}) => allowances);
   if (edges.every(({widthCm}) => widthCm === 0)) {
-    return 'Without allowance: sew along the solid line.';
+    return texts.noAllowance;
   }
   const [seam, hem] = [false, true].map((hems) =>
     saidOf(
@@ -108,15 +113,13 @@ function linesSentence(cuts: readonly CutPiece[], options: WordsOptions): string
     ),
   ) as [SaidWidth, SaidWidth];
   const parts = [
-    'Solid: cut. Dashed: sew',
-    ...(seam.said === undefined ? [] : [`${seam.said} inside`]),
-    ...(hem.said === undefined || hem.said === seam.said ? [] : [`${hem.said} at hems`]),
-    ...(seam.isAll && hem.isAll ? [] : ['elsewhere as the pattern says']),
+    texts.lines,
+    ...(seam.said === undefined ? [] : [texts.seamInside(seam.said)]),
+    ...(hem.said === undefined || hem.said === seam.said ? [] : [texts.hemInside(hem.said)]),
+    ...(seam.isAll && hem.isAll ? [] : [texts.otherwise]),
   ];
   const isTold = seam.said !== undefined || hem.said !== undefined;
-  return isTold
-    ? `${parts.join(', ')}.`
-    : 'Solid: cut. Dashed: sew, as far inside as the pattern says.';
+  return isTold ? `${parts.join(', ')}.` : texts.asPattern;
 }
 
 /** Facts about the sheet, one sentence each. */
@@ -125,25 +128,19 @@ export function factsOf(
   print: Print | undefined,
   options: WordsOptions,
 ): readonly string[] {
-  const {date} = options;
+  const {date, locale} = options;
+  const texts = sheetTextsIn(locale);
+  const has = (marked: (piece: CutPiece) => readonly unknown[]): boolean =>
+    cuts.some((piece) => marked(piece).length > 0);
   return [
-    ...(print ? [`${printName(print, options)}, repeat ${repeatSize(print, options)}`] : []),
+    ...(print ? [texts.repeat(printName(print, options), repeatSize(print, options))] : []),
     linesSentence(cuts, options),
-    ...(cuts.some(({internalLines}) => internalLines.length > 0)
-      ? ['Dash-dot: lines that the pattern draws inside.']
-      : []),
-    'Edges with the same letter are sewn together.',
-    'Each piece is cut from a single layer, face up; none lies on a fold.',
-    ...(cuts.some(({matches}) => matches.length > 0)
-      ? [
-          'Numbered crosses of a piece lie on the same point of the print;',
-          'the faint frame around each shows one repeat.',
-        ]
-      : []),
-    ...(cuts.some(({ticks}) => ticks.length > 0)
-      ? ['Ticks a, b, c of a seam: those of one name, such as Ab, meet on one point of the print.']
-      : []),
-    'Print at 100 %; measure the squares.',
+    ...(has(({internalLines}) => internalLines) ? [texts.internal] : []),
+    texts.letters,
+    texts.singleLayer,
+    ...(has(({matches}) => matches) ? [texts.crosses, texts.frames] : []),
+    ...(has(({ticks}) => ticks) ? [texts.ticks] : []),
+    texts.scale,
     ...(date === undefined ? [] : [date]),
   ];
 }

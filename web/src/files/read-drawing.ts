@@ -123,5 +123,11 @@ function kindOf(bytes: Uint8Array, name: string, options: DrawingOptions): Drawi
   if (options.pixelsPerInch !== undefined && kind !== 'svg') {
     throw new FileError(name, 'is no SVG and has no pixels; give its unit as mm, cm or in.');
   }
+  if (options.scale !== undefined && kind === 'obj') {
+    throw new FileError(
+      name,
+      'is OBJ, whose pieces have the size of its garment; leave its scale out.',
+    );
+  }
   return kind;
 }

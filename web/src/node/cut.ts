@@ -16,7 +16,9 @@ import type {SolveResult} from '../model/result/result.js';
 import type {CellPixels} from '../paper/cloth-cell.js';
 import {cuttingPdf, pagesOf, sheetFor, type CuttingPdf} from '../paper/cutting-pdf.js';
 import {noPaper, paperOf} from '../paper/papers.js';
+import {lettersFrom} from './letters.js';
 import type {PageLayout} from '../paper/pages.js';
+import type {SizeSheet} from '../paper/several-sizes.js';
 import {sheetMap, type SheetMap} from '../paper/sheet-map.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 
@@ -43,6 +45,8 @@ export interface CutSettings extends PanelDecisions {
    * a4.
    */
   readonly paper?: string;
+  /** Keeps blank pages, for programs that join the pages row by row. Default false. */
+  readonly blankPages?: boolean;
   /** Draws the print in place, tinted to save ink, or lines only. Default full. */
   readonly ink?: PrintInk;
   /**
@@ -54,20 +58,35 @@ export interface CutSettings extends PanelDecisions {
   readonly date?: Date;
   /** Warning: a watermark on every page, text on layer 15 of DXF, and labels in HP-GL. */
   readonly mark?: string;
+  /**
+   * Language of the texts: en, de, fr, es or it. Default en.
+   */
+  readonly language?: string;
+  /** Places the pieces on those of a larger size, for a PDF of several sizes. */
+  readonly under?: CutSheet;
+  /**
+   * Font files for letters of other scripts than Latin, Greek, Cyrillic and Japanese in a PDF: TTF
+   * or WOFF with TrueType outlines.
+   */
+  readonly fonts?: readonly Uint8Array<ArrayBuffer>[];
   /** Returns the cell as PNG or JPEG, for a `tile` that is neither and no simple SVG. */
   readonly pixels?: CellPixels;
 }
 
 export interface Cut {
   readonly sheet: CutSheet;
+  /** The print in the size of the result. */
+  readonly print: PrintWithTile;
   /** The pages of `pdf`. */
   readonly layout: PageLayout;
   readonly map: SheetMap;
   /**
-   * Writes the PDF.
+   * Writes the PDF. Other sizes are laid under the same sheet, and each is a layer.
    * @throws {FileError} if the print's image cannot be drawn
    */
-  readonly pdf: () => Promise<Pick<CuttingPdf, 'bytes' | 'notes'>>;
+  readonly pdf: (
+    otherSizes?: readonly SizeSheet[],
+  ) => Promise<Pick<CuttingPdf, 'bytes' | 'notes' | 'layout'>>;
   /** All pieces on one sheet, at true scale. */
   readonly svg: () => string;
   /** For CAD programs and cutters: AAMA or ASTM DXF. */
@@ -93,27 +112,38 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
       'cut: the print has another group or repeat than that of the result; take the print that was solved.',
     );
   }
-  const {paper: word = 'a4', ink, guide = false, date, pixels, colourway} = settings;
-  const paper = paperOf(word);
-  if (!paper) throw wrong(noPaper(word));
+  const {
+    paper: word = 'a4',
+    ink,
+    guide = false,
+    date,
+    pixels,
+    colourway,
+    language,
+    fonts,
+  } = settings;
+  const named = paperOf(word);
+  if (!named) throw wrong(noPaper(word));
+  const paper = {...named, keepsBlank: settings.blankPages ?? false};
   const marks = {
     ...(garment && garmentTitle(garment, garmentFile)),
     panels: garment ? panelMarks(garment, settings) : new Map(),
   };
   const sheetAt = sheetsOf(result, print, marks, {
     ...{...ruleOf(settings), plain, units: 'cm'},
+    ...(language !== undefined && {locale: language}),
     ...(colourway !== undefined && {colourway}),
     ...(date && {date: date.toISOString().slice(0, 10)}),
   });
-  const sheet = sheetFor(paper, sheetAt);
+  const sheet = settings.under ? sheetAt(settings.under) : sheetFor(paper, sheetAt);
   const layout = pagesOf(sheet, paper);
   return {
-    ...{sheet, layout, map: sheetMap(sheet, layout)},
-    pdf: () =>
+    ...{sheet, print, layout, map: sheetMap(sheet, layout)},
+    pdf: (otherSizes = []) =>
       cuttingPdf(sheet, print, {
-        paper,
+        ...{paper, otherSizes, letters: lettersFrom(fonts)},
         ...(ink && {ink}),
-        ...(guide && {guide: {units: 'cm'} as const}),
+        ...(guide && {guide: {units: 'cm', ...(language !== undefined && {locale: language})}}),
         ...(date && {date}),
         ...(mark !== undefined && {mark}),
         ...(pixels && {pixels}),

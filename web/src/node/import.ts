@@ -35,6 +35,10 @@ export interface ImportOptions {
   readonly units?: FileUnit;
   /** Pixels per inch of an SVG file, instead of `units`. */
   readonly pixelsPerInch?: number;
+  /** Denominator of the scale 1 : n of a reduced drawing. Default 1. */
+  readonly scale?: number;
+  /** Sets the scale by the longer side of a piece. [cm] */
+  readonly measured?: {readonly piece: string; readonly longerCm: number};
   /** Size of a nest. Default: the sample size, from which others were graded. */
   readonly size?: string;
   /** Pages of a PDF, by their numbers from 1. Default: those that show the pattern. */
@@ -115,12 +119,15 @@ type ReadGarment = (text: string, name: string) => Promise<GarmentDocument>;
 export async function importWith(
   readGarment: ReadGarment,
   bytes: Uint8Array,
-  {name = 'the pattern', seams = 'suggest', ...reading}: ImportOptions,
+  {name = 'the pattern', seams = 'suggest', measured: known, ...reading}: ImportOptions,
 ): Promise<ImportedGarment> {
   const isJson = /^\s*\{/.test(textOf(bytes.subarray(0, 64)));
   const {document, found} = isJson
     ? await fromGarment(readGarment, textOf(bytes), name, reading.units)
-    : await fromDrawing(readGarment, bytes, name, reading);
+    : await fromDrawing(readGarment, bytes, name, {
+        ...reading,
+        ...(known && {scale: await scaleBy(known, bytes, name, reading)}),
+      });
   const sewn =
     seams === 'none'
       ? {...document, seams: []}
@@ -183,8 +190,8 @@ async function fromDrawing(
   const choices = await soundChoices(readGarment, drawing, name);
   const drawn = garmentOf(drawing, choices);
   const {unit, because} = drawing.unit;
-  const {units, pixelsPerInch} = options;
-  const isAsked = units !== undefined || pixelsPerInch !== undefined;
+  const {units, pixelsPerInch, scale} = options;
+  const isAsked = [units, pixelsPerInch, scale].some((one) => one !== undefined);
   const pieces = piecesIn(drawing, choices, drawn);
   const largest = Math.max(...pieces.map(({widthCm, heightCm}) => Math.max(widthCm, heightCm)));
   const guess = because === 'size' || !drawing.unit.isSure;
@@ -219,6 +226,27 @@ async function fromDrawing(
       ],
     },
   };
+}
+
+/**
+ * The scale at which a piece has a length.
+ * @throws {FileError} if there is no such piece
+ */
+async function scaleBy(
+  {piece, longerCm}: NonNullable<ImportOptions['measured']>,
+  bytes: Uint8Array,
+  name: string,
+  options: DrawingOptions,
+): Promise<number> {
+  const drawing = await readAnyDrawing(bytes, name, options);
+  const choices = defaultChoices(drawing);
+  const pieces = piecesIn(drawing, choices, garmentOf(drawing, choices));
+  const found = pieces.find((one) => one.name === piece);
+  if (!found) {
+    const names = pieces.map((one) => one.name).join(', ');
+    throw new FileError(name, `has no piece '${piece}' to measure; its pieces are ${names}.`);
+  }
+  return ((options.scale ?? 1) * longerCm) / Math.max(found.widthCm, found.heightCm);
 }
 
 /** The default choices, without pieces that no garment can have. A note names each of them. */

@@ -12,6 +12,7 @@ import type {LayPlan} from '../model/result/marker-plan.js';
 import type {Units} from '../model/base/length-text.js';
 import type {CellPixels} from '../paper/cloth-cell.js';
 import type {PrintWithTile} from '../picture/cloth.js';
+import {lettersFrom} from './letters.js';
 
 export interface LayPlanSettings extends KnownPieces {
   /** The print of the fabric. `tile` is the image of its cell, as SVG text or `data:` URL. */
@@ -50,7 +51,11 @@ export function layPlanFilesOf(plan: LayPlan, settings: LayPlanSettings): LayPla
     svg: () => drawPlanSvg(plan, options),
     pdf: async (scale = 10) => {
       checkArguments('pdf', ['scale', scale, either('10 or 1', number(1, 1), number(10, 10))]);
-      return planPdf(plan, {...options, scale, ...(date && {date}), ...(pixels && {pixels})});
+      return planPdf(plan, {
+        ...{...options, scale, letters: lettersFrom()},
+        ...(date && {date}),
+        ...(pixels && {pixels}),
+      });
     },
     hpgl: () => planHpgl(plan, known),
     dxf: (format = {}) => {

@@ -1,11 +1,11 @@
 /** Writes a cutting sheet as PDF at true scale, on pages of paper or for a projector. */
 import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
 import type {PrintInk} from '../cutting/print-ink.js';
-import {middle, type Point} from '../model/geometry/vectors.js';
-import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
+import {middle} from '../model/geometry/vectors.js';
+import type {Box} from '../model/geometry/polyline.js';
 import type {PrintWithTile} from '../picture/cloth.js';
-import {boxAt, cornersOf, grown, overlap} from './boxes.js';
-import {clothUnder} from './cell.js';
+import {boxAt, cornersOf, grown} from './boxes.js';
+import {clothUnder, type Cell} from './cell.js';
 import {clothCell, type CellPixels} from './cloth-cell.js';
 import {drawMarks} from './draw-marks.js';
 import {drawFirstPage, roomOf} from './first-page.js';
@@ -23,11 +23,18 @@ import {
   strokedWith,
   through,
 } from '../files/pdf/content.js';
-import {PdfDocument, refTo, textString, type Ref} from '../files/pdf/document.js';
-import {pdfFile} from '../files/pdf/file.js';
+import {PdfDocument} from '../files/pdf/document.js';
+import {missingNotes, pdfFile} from '../files/pdf/file.js';
 import {PdfResources} from '../files/pdf/resources.js';
-import {inFontLetters, textAt, widthOf} from '../files/pdf/text.js';
+import type {OtherLetters} from '../files/pdf/fonts/other-letters.js';
+import {textAt, widthOf} from '../files/pdf/text.js';
+import {printTitle} from '../cutting/words.js';
+import {sheetTextsIn, type SheetTexts} from '../texts/sheet-texts.js';
 import {sheetMap, type SheetMap} from './sheet-map.js';
+import type {Writing} from './writing.js';
+import {outlineOf} from './pdf-outline.js';
+import {headingWords, together, withDashes, type SizeSheet} from './several-sizes.js';
+import {projectedMarks} from './projected.js';
 import {marksOnPages} from './words-on-page.js';
 
 export interface CuttingPdfOptions {
@@ -41,6 +48,13 @@ export interface CuttingPdfOptions {
   /** Date on every page. Without it, the same sheet gives the same bytes. */
   readonly date?: Date;
   readonly pixels?: CellPixels;
+  /** Letters that the embedded font does not have. */
+  readonly letters?: OtherLetters;
+  /**
+   * Sheets of other sizes on the places of the sheet, each on its own layer; all of them have sizes.
+   * There is no placing guide then.
+   */
+  readonly otherSizes?: readonly SizeSheet[];
 }
 
 export interface CuttingPdf {
@@ -53,7 +67,7 @@ export interface CuttingPdf {
 
 /** The pages of a sheet. This is fast enough for a preview before the file is written. */
 export const pagesOf = (sheet: CutSheet, paper: Paper): PageLayout =>
-  dividedAmong(sheet, paper, (hasMap) => roomOf(sheet, hasMap));
+  dividedAmong(sheet, paper, (hasMap) => roomOf(sheet, paper, hasMap));
 
 /** Ratios of width to height tried for a sheet. */
 const aspects = [1.4, 0.6, 2.8];
@@ -69,38 +83,31 @@ export function sheetFor(paper: Paper, lay: (aspect: number) => CutSheet): CutSh
   return (tried.find(({cost}) => cost === least) ?? {sheet: lay(aspects[0] ?? 1)}).sheet;
 }
 
-const layerNames = {
-  ...{print: 'Print', cut: 'Cut line', sew: 'Sew line', marks: 'Marks', matches: 'Match points'},
-  ...{words: 'Words', frame: 'Page frame', grid: 'Grid'},
-};
+/** Returns whether two prints are equal in size and image. */
+const isSamePrint = (a: PrintWithTile, b: PrintWithTile | undefined): boolean =>
+  JSON.stringify([a.w1, a.w2, a.tile]) === JSON.stringify([b?.w1, b?.w2, b?.tile]);
 
-type LayerName = keyof typeof layerNames;
+type LayerName = keyof SheetTexts['layers'];
 
-/** Content common to all pages of a file. */
-interface Drawing {
-  readonly sheet: CutSheet;
-  readonly layout: PageLayout;
-  readonly resources: PdfResources;
-  readonly layers: Readonly<Record<LayerName, string>>;
+/** The pieces of a size. */
+interface DrawnSize {
+  /** Assigns content to the layer of the size, if there are several. */
+  readonly sized: (...parts: readonly string[]) => string;
   readonly marks: readonly (readonly CutMark[])[];
   readonly cloth: (window: Box) => string;
+}
+
+/** Content common to all pages of a file. */
+interface Drawing extends Writing {
+  readonly sheet: CutSheet;
+  readonly layout: PageLayout;
+  readonly layers: Readonly<Record<LayerName, string>>;
+  readonly sizes: readonly DrawnSize[];
   readonly foot: string;
   readonly mark: string | undefined;
   /** Number of all pages. */
   readonly count: number;
 }
-
-/**
- * Line width for projectors, which lose thin lines. Sewn lines are omitted, since they are not cut.
- */
-const projectedMm = 1.5;
-
-const projected = (marks: readonly CutMark[]): readonly CutMark[] =>
-  marks.flatMap((mark): readonly CutMark[] => {
-    if (mark.layer === 'sew') return [];
-    const isCut = mark.kind === 'line' && mark.layer === 'cut';
-    return [isCut ? {...mark, widthMm: projectedMm, haloMm: projectedMm} : mark];
-  });
 
 const gridSide = 5;
 const gridLine = 0.03;
@@ -134,14 +141,14 @@ function drawnAcross(words: string, {low, high}: Box, resources: PdfResources): 
   return scoped(
     `/${resources.opacity(0.55)} gs`,
     filledWith([0.76, 0.15, 0.11]),
-    textAt(middle(low, high), words, {
+    textAt(resources, middle(low, high), words, {
       ...{size, weight: 'bold', align: 'middle', angle: Math.atan2(height, width)},
     }),
   );
 }
 
 function pageContent(page: SheetPage, number: number, drawing: Drawing): string {
-  const {sheet, layout, resources, layers, marks, cloth, foot, mark, count} = drawing;
+  const {sheet, layout, resources, layers, sizes, foot, mark, count} = drawing;
   const {window, low, name} = page;
   const {isProjector} = layout.paper;
   const toPoints = {
@@ -150,14 +157,16 @@ function pageContent(page: SheetPage, number: number, drawing: Drawing): string 
   };
   const pieces = scoped(
     `${line(cornersOf(window), true)}\nW n`,
-    onLayer(layers.print, cloth(window)),
+    ...sizes.map(({sized, cloth}) => sized(onLayer(layers.print, cloth(window)))),
+    isProjector ? '' : onLayer(layers.frame, drawFrame(page, layout, resources)),
     isProjector ? onLayer(layers.grid, drawnGrid(window)) : '',
-    ...marks.map((some) => drawMarks(some, window, layers, resources)),
+    ...sizes.map(({sized, marks}) =>
+      sized(...marks.map((some) => drawMarks(some, window, layers, resources))),
+    ),
   );
   const about = [
-    isProjector ? '' : drawFrame(page, layout),
-    isProjector ? '' : drawFoot(page, foot, number, count),
-    number === 1 ? drawFirstPage(sheet, layout) : '',
+    isProjector ? '' : drawFoot(page, foot, {number, count}, drawing),
+    number === 1 ? drawFirstPage(sheet, layout, resources) : '',
   ];
   return scoped(
     through(toPoints),
@@ -175,51 +184,14 @@ function guideContent(content: string, number: number, drawing: Drawing): string
   const window = grown(page, -usualMargin);
   return scoped(
     through({xx: pointsPerCm, xy: 0, yx: 0, yy: pointsPerCm, shift: [0, 0]}),
-    onLayer(layers.frame, content, drawFoot({low: page.low, window}, foot, number, count)),
+    onLayer(
+      layers.frame,
+      content,
+      drawFoot({low: page.low, window}, foot, {number, count}, drawing),
+    ),
     mark === undefined ? '' : drawnAcross(mark, window, resources),
   );
 }
-
-/**
- * The document outline: an entry per piece, for the page with its middle, otherwise with a part of
- * it.
- */
-function outlineOf(
-  document: PdfDocument,
-  {pieces}: CutSheet,
-  pages: readonly SheetPage[],
-  refs: readonly Ref[],
-): Ref {
-  const root = document.reserve();
-  const items = pieces.map(() => document.reserve());
-  pieces.forEach(({label, cut}, k) => {
-    const around = boxOf(cut[0] ?? []);
-    const centre: Point = middle(around.low, around.high);
-    const shown = pages.findIndex(({frame}) => isInside(cornersOf(frame), centre));
-    const touched = pages.findIndex(({frame}) => overlap(frame, around));
-    const page = refs[Math.max(0, shown < 0 ? touched : shown)] ?? 0;
-    const [before, next] = [items[k - 1], items[k + 1]];
-    document.set(
-      items[k] ?? 0,
-      [
-        `<</Title ${textString(label)}/Parent ${refTo(root)}/Dest[${refTo(page)}/Fit]`,
-        before === undefined ? '' : `/Prev ${refTo(before)}`,
-        next === undefined ? '' : `/Next ${refTo(next)}`,
-        '>>',
-      ].join(''),
-    );
-  });
-  const [first = 0, last = 0] = [items[0], items.at(-1)];
-  document.set(
-    root,
-    `<</Type/Outlines/First ${refTo(first)}/Last ${refTo(last)}/Count ${items.length}>>`,
-  );
-  return root;
-}
-
-/** Title and size, which are on every page. */
-const headingWords = ({heading, title, size}: CutSheet): readonly string[] =>
-  size === undefined ? [heading] : [title ?? '', `Size ${size}`];
 
 /**
  * Writes the file, and a map of its content. `print.tile` is the image of the print's cell, as SVG
@@ -227,70 +199,82 @@ const headingWords = ({heading, title, size}: CutSheet): readonly string[] =>
  * @throws {FileError} if the image cannot be drawn
  */
 export async function cuttingPdf(
-  sheet: CutSheet,
+  drawnSheet: CutSheet,
   print: PrintWithTile,
-  {paper, ink = 'full', guide, mark, date, pixels}: CuttingPdfOptions,
+  {paper, ink = 'full', guide, mark, date, pixels, letters, otherSizes = []}: CuttingPdfOptions,
 ): Promise<CuttingPdf> {
   const notes: string[] = [];
+  const texts = sheetTextsIn(drawnSheet.locale);
+  const all: readonly SizeSheet[] = [{sheet: drawnSheet, print}, ...otherSizes];
+  const sheets = all.map((one) => one.sheet);
+  const sheet = together(sheets, texts) ?? drawnSheet;
   const layout = pagesOf(sheet, paper);
   const document = new PdfDocument();
   const resources = new PdfResources(document);
   const {isProjector = false} = paper;
-  const hasGuide = guide !== undefined && !isProjector;
+  const hasGuide = guide !== undefined && !isProjector && otherSizes.length === 0;
   const unused = new Set<LayerName>([
     ...(isProjector ? (['sew', 'frame'] as const) : (['grid'] as const)),
     ...(ink === 'outline' ? (['print'] as const) : []),
   ]);
+  const sizeLayers =
+    all.length < 2
+      ? []
+      : sheets.map(({size = ''}, k) => resources.layer(texts.size(size), k === 0));
   const layers = Object.fromEntries(
-    Object.entries(layerNames).map(([key, name]) => [
+    Object.entries(texts.layers).map(([key, name]) => [
       key,
       unused.has(key as LayerName) ? '' : resources.layer(name),
     ]),
   ) as Record<LayerName, string>;
-  const cell =
-    ink === 'outline' && !hasGuide
-      ? undefined
-      : await clothCell(resources, print, pixels, (sentence) => notes.push(sentence));
+  const sizes: DrawnSize[] = [];
+  let cell: Cell | undefined;
+  for (const [k, one] of all.entries()) {
+    const isNew = cell === undefined || !isSamePrint(one.print, all[k - 1]?.print);
+    if (isNew && (ink !== 'outline' || hasGuide)) {
+      cell = await clothCell(resources, one.print, pixels, (sentence) => notes.push(sentence));
+    }
+    const layer = sizeLayers[k] ?? '';
+    const drawn = ink === 'outline' ? undefined : cell;
+    sizes.push({
+      sized: (...parts) => (layer === '' ? parts.join('\n') : onLayer(layer, ...parts)),
+      marks: one.sheet.pieces.map((piece) =>
+        withDashes(isProjector ? projectedMarks(piece) : marksOnPages(piece, layout.pages), k),
+      ),
+      cloth: (window) =>
+        drawn
+          ? one.sheet.pieces
+              .map((piece) => clothUnder(resources, drawn, piece, {window, isPale: ink === 'pale'}))
+              .join('\n')
+          : '',
+    });
+  }
   const day = date?.toISOString().slice(0, 10);
-  const words = [
-    ...headingWords(sheet),
-    print.title ?? `Print ${print.group}`,
-    ...(day ? [day] : []),
-  ];
+  const words = [...headingWords(sheets, texts), printTitle(print, texts), ...(day ? [day] : [])];
   const drawing: Drawing = {
-    ...{sheet, layout, resources, layers, mark},
-    marks: sheet.pieces.map((piece) =>
-      isProjector ? projected(piece.marks) : marksOnPages(piece, layout.pages),
-    ),
-    cloth: (window) =>
-      cell && ink !== 'outline'
-        ? sheet.pieces
-            .map((piece) => clothUnder(resources, cell, piece, {window, isPale: ink === 'pale'}))
-            .join('\n')
-        : '',
+    ...{sheet, layout, resources, texts, layers, sizes, mark},
     foot: words.filter((word) => word !== '').join('  ·  '),
     count: layout.pages.length + (hasGuide ? guideCount(layout, sheet.pieces) : 0),
   };
   const pages = layout.pages.map((page, k) => ({
-    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: page.name ?? 'Overview'},
+    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: page.name ?? texts.overview},
     content: () => pageContent(page, k + 1, drawing),
   }));
   const guided =
     hasGuide && cell
-      ? guidePages(sheet.pieces, layout, {drawing: {resources, cell}, print, options: guide})
+      ? guidePages(sheet.pieces, layout, {drawing: {resources, texts, cell}, print, options: guide})
       : [];
   const guides = guided.map((content, k) => ({
-    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: 'Placing guide'},
+    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: texts.guide},
     content: () => guideContent(content(), layout.pages.length + k + 1, drawing),
   }));
-  const bytes = await pdfFile(document, resources, [...pages, ...guides], {
-    ...{title: sheet.heading, mode: isProjector ? 'UseOC' : 'UseNone'},
+  const {bytes, missing} = await pdfFile(document, resources, [...pages, ...guides], {
+    ...{title: sheet.heading, mode: isProjector || all.length > 1 ? 'UseOC' : 'UseNone'},
     ...(date && {date}),
-    outline: (refs) => outlineOf(document, sheet, layout.pages, refs),
+    ...(letters && {letters}),
+    ...(sheet.locale !== undefined && {locale: sheet.locale}),
+    outline: (refs) => outlineOf(document, drawnSheet, layout.pages, refs),
   });
-  const written = [sheet.heading, ...sheet.pieces.map(({label}) => label)];
-  if (written.some((text) => inFontLetters(text) !== text.normalize('NFC'))) {
-    notes.push('Words with letters that Helvetica has not are written in its own.');
-  }
+  notes.push(...missingNotes(missing));
   return {bytes, layout, map: sheetMap(sheet, layout), notes};
 }

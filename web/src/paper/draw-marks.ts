@@ -108,7 +108,7 @@ function drawnText(mark: CutText, resources: PdfResources): string {
       : '',
     ...lines.map((words, k) => {
       const y = size * (leading * ((lines.length - 1) / 2 - k) - 0.35);
-      return textAt([0, y], words, {size, weight: weightOf(mark, k), align});
+      return textAt(resources, [0, y], words, {size, weight: weightOf(mark, k), align});
     }),
   );
 }

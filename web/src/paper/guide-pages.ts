@@ -8,6 +8,8 @@ import {colourOf} from '../files/base/colours.js';
 import {box, filledWith, line, nums, scoped, strokedWith, through} from '../files/pdf/content.js';
 import type {PdfResources} from '../files/pdf/resources.js';
 import {textAt, widthOf} from '../files/pdf/text.js';
+import type {SheetTexts} from '../texts/sheet-texts.js';
+import type {Writing} from './writing.js';
 import {formatLength, type Units} from '../model/base/length-text.js';
 import {
   distance,
@@ -53,12 +55,6 @@ const paperShare = 0.6;
 const rim = 0.9;
 /** Smaller offsets are not mentioned. */
 const leastOffset = 0.05;
-
-const head = [
-  'Placing guide',
-  'For fabric that is printed already. Lay each paper piece face up on the right side of the fabric, the grain arrow along the grain.',
-  'Find the motif with the ring on the fabric, and move the paper until the numbered points have the stated distances from it.',
-];
 
 /** The arrangement of a guide on pages of one size. */
 interface GuideLayout {
@@ -121,17 +117,18 @@ const haloed = (path: string, millimetres: number, by: readonly [number, number,
     `${strokedWith(by)} ${width(millimetres)}\n${path}\nS`,
   ].join('\n');
 
-const badgeAt = (at: Point, number: number): string =>
+const badgeAt = (resources: PdfResources, at: Point, number: number): string =>
   [
     `${filledWith(ink)} ${strokedWith(white)} ${width(0.4)}`,
     `${line(ring(at, badge), true)}\nB`,
     filledWith(white),
-    textAt(plus(at, [0, -0.11]), String(number), {size: 0.32, weight: 'bold', align: 'middle'}),
+    textAt(resources, plus(at, [0, -0.11]), String(number), {
+      ...{size: 0.32, weight: 'bold', align: 'middle'},
+    }),
     filledWith(ink),
   ].join('\n');
 
-interface Drawing {
-  readonly resources: PdfResources;
+interface Drawing extends Writing {
   readonly cell: Cell;
 }
 
@@ -190,18 +187,22 @@ function drawnOffset(from: Point, to: Point): string {
     .join('\n');
 }
 
-function offsetWords({at, motif}: PlacingPoint, {units, locale = 'en'}: GuideOptions): string {
+function offsetWords(
+  {at, motif}: PlacingPoint,
+  {units, locale = 'en'}: GuideOptions,
+  texts: SheetTexts,
+): string {
   const [dx, dy] = minus(motif, at);
   const length = (cm: number): string => formatLength(Math.abs(cm), units, locale);
   const parts = [
-    ...(Math.abs(dx) < leastOffset ? [] : [`${length(dx)} to the ${dx > 0 ? 'right' : 'left'}`]),
-    ...(Math.abs(dy) < leastOffset ? [] : [`${length(dy)} ${dy > 0 ? 'above' : 'below'}`]),
+    ...(Math.abs(dx) < leastOffset ? [] : [texts[dx > 0 ? 'right' : 'left'](length(dx))]),
+    ...(Math.abs(dy) < leastOffset ? [] : [texts[dy > 0 ? 'above' : 'below'](length(dy))]),
   ];
-  return parts.length === 0 ? 'Motif exactly here' : `Motif ${parts.join(', ')}`;
+  return parts.length === 0 ? texts.here : texts.motif(parts.join(', '));
 }
 
 const scales = [1, 0.5, 0.25] as const;
-const scaleWords = ['true size', 'half size', 'a quarter of true size'] as const;
+const scaleWords = ['trueSize', 'halfSize', 'quarterSize'] as const;
 
 /** The print around a point and its motif, at true size if they fit, with a text below. */
 function drawnPoint(
@@ -211,6 +212,7 @@ function drawnPoint(
   drawing: Drawing,
   options: GuideOptions,
 ): string {
+  const {resources, texts} = drawing;
   const {name, at, motif, radius} = point;
   const {low, high} = boxOf([
     ...[plus(at, [-rim, -rim]), plus(at, [rim, rim])],
@@ -241,12 +243,14 @@ function drawnPoint(
         0.35,
         markColour,
       ),
-      badgeAt(from, number),
+      badgeAt(resources, from, number),
     ),
     `${strokedWith([0.45, 0.45, 0.45])} ${width(0.2)}\n${box(frame.low, side, frame.high[1] - frame.low[1])} S`,
-    textAt([left, top], title, {size: textSize, weight: 'bold'}),
-    textAt([frame.high[0], top], scaleWords[step] ?? '', {size: 0.26, align: 'right'}),
-    textAt([left, top - 0.42], offsetWords(point, options), {size: textSize}),
+    textAt(resources, [left, top], title, {size: textSize, weight: 'bold'}),
+    textAt(resources, [frame.high[0], top], texts[scaleWords[step] ?? 'trueSize'], {
+      ...{size: 0.26, align: 'right'},
+    }),
+    textAt(resources, [left, top - 0.42], offsetWords(point, options, texts), {size: textSize}),
   ].join('\n');
 }
 
@@ -259,7 +263,9 @@ function drawnBlock(
 ): string {
   const {alignment, label, cut} = piece;
   if (!alignment) return '';
-  const points = placingPoints(piece, alignment, motifsOf(print, drawing.cell.leaves), count);
+  const {resources, texts} = drawing;
+  const motifs = motifsOf(print, drawing.cell.leaves);
+  const points = placingPoints(piece, alignment, motifs, {count, texts});
   const around = boxOf(cut[0] ?? []);
   const [w, h] = [around.high[0] - around.low[0], around.high[1] - around.low[1]];
   const pad = badge + 0.1;
@@ -271,9 +277,9 @@ function drawnBlock(
     scale,
   };
   return [
-    textAt([left, top - 0.45], label, {size: titleSize, weight: 'bold'}),
+    textAt(resources, [left, top - 0.45], label, {size: titleSize, weight: 'bold'}),
     drawnFabric(piece, overview, drawing, true),
-    ...points.map(({at}, k) => badgeAt(onPage(overview, at), k + 1)),
+    ...points.map(({at}, k) => badgeAt(resources, onPage(overview, at), k + 1)),
     ...points.map((point, k) => {
       const column = k % across;
       const x = left + overviewWidth + gap + column * (side + gap);
@@ -291,17 +297,18 @@ interface GuideContent {
 }
 
 /** The text at the top, shortened to lines that fit. */
-function drawnHead([left, top]: Point, room: number): string {
-  const [title = '', ...sentences] = head;
+function drawnHead([left, top]: Point, room: number, {resources, texts}: Writing): string {
   const lines: string[] = [];
-  for (const word of sentences.join(' ').split(' ')) {
+  for (const word of texts.guideFacts.join(' ').split(' ')) {
     const longer = `${lines.at(-1) ?? ''} ${word}`.trim();
     if (lines.length > 0 && textSize * widthOf(longer) <= room) lines.splice(-1, 1, longer);
     else lines.push(word);
   }
   return [
-    textAt([left, top - 0.5], title, {size: 0.6, weight: 'bold'}),
-    ...lines.map((words, k) => textAt([left, top - 1.05 - 0.42 * k], words, {size: textSize})),
+    textAt(resources, [left, top - 0.5], texts.guide, {size: 0.6, weight: 'bold'}),
+    ...lines.map((words, k) =>
+      textAt(resources, [left, top - 1.05 - 0.42 * k], words, {size: textSize}),
+    ),
   ].join('\n');
 }
 
@@ -318,7 +325,7 @@ export function guidePages(
   return Array.from({length: guideCount(layout, pieces)}, (_, page) => () => {
     const shown = all.slice(page * columns * rows, (page + 1) * columns * rows);
     return [
-      drawnHead([margin, top], layout.widthCm - 2 * margin),
+      drawnHead([margin, top], layout.widthCm - 2 * margin, content.drawing),
       ...shown.map((piece, k) => {
         const at: Point = [
           margin + (k % columns) * (blockWidth + 2 * gap),

@@ -5,7 +5,9 @@
 import type {Point} from '../model/geometry/vectors.js';
 import type {Box} from '../model/geometry/polyline.js';
 import {box, filledWith, line, nums, scoped, strokedWith} from '../files/pdf/content.js';
+import type {PdfResources} from '../files/pdf/resources.js';
 import {textAt, widthOf} from '../files/pdf/text.js';
+import type {Writing} from './writing.js';
 import type {PageLayout, SheetPage} from './pages.js';
 
 const frameLine = 0.02;
@@ -25,7 +27,12 @@ type Neighbour = (row: number, column: number) => SheetPage | undefined;
  * A diamond on a joint, half of which is on each page, and the names of the joined pages beside its
  * halves.
  */
-function joint([x, y]: Point, before: string, after: string, isUpright: boolean): string {
+function joint(
+  resources: PdfResources,
+  [x, y]: Point,
+  [before, after]: readonly [string, string],
+  isUpright: boolean,
+): string {
   const d = diamond;
   const shape = line(
     [
@@ -48,26 +55,28 @@ function joint([x, y]: Point, before: string, after: string, isUpright: boolean)
   return [
     `${white}\n${shape}\nB`,
     `${ground}\nf\n${black}`,
-    textAt(beside(-1), before, {...style, align: 'right'}),
-    textAt(beside(1), after, {...style, align: 'left'}),
+    textAt(resources, beside(-1), before, {...style, align: 'right'}),
+    textAt(resources, beside(1), after, {...style, align: 'left'}),
   ].join('\n');
 }
 
 /** The page name, large enough to arrange pages on a floor. */
-function drawnName(name: string, {low, high}: Box): string {
+function drawnName(name: string, {low, high}: Box, resources: PdfResources): string {
   const [width, height] = [nameSize * widthOf(name, 'bold') + 0.3, 1.3 * nameSize];
   const at: Point = [low[0], high[1] - height];
   return [
     `${white}\n${box(at, width, height)}\nB\n${black}`,
-    textAt([at[0] + 0.15, at[1] + 0.3 * nameSize], name, {size: nameSize, weight: 'bold'}),
+    textAt(resources, [at[0] + 0.15, at[1] + 0.3 * nameSize], name, {
+      ...{size: nameSize, weight: 'bold'},
+    }),
   ].join('\n');
 }
 
 /**
  * Draws the frame, along which the left and upper edges of a page are cut before it is glued over
- * another.
+ * another. Its white grounds belong beneath the lines of the pieces.
  */
-export function drawFrame(page: SheetPage, layout: PageLayout): string {
+export function drawFrame(page: SheetPage, layout: PageLayout, resources: PdfResources): string {
   const {name, row, column, frame, window} = page;
   if (name === undefined || layout.columns * layout.rows === 1) return '';
   const at: Neighbour = (r, c) =>
@@ -87,11 +96,11 @@ export function drawFrame(page: SheetPage, layout: PageLayout): string {
     `[${nums(0.1, 0.1)}] 0 d`,
     `${box(window.low, window.high[0] - window.low[0], window.high[1] - window.low[1])} S`,
     '[] 0 d',
-    drawnName(name, frame),
+    drawnName(name, frame, resources),
     ...beside.map(({other, on, isFirst, isUpright}) => {
       if (other?.name === undefined) return '';
-      const [before, after] = isFirst ? [name, other.name] : [other.name, name];
-      return joint(on, before, after, isUpright);
+      const names = isFirst ? ([name, other.name] as const) : ([other.name, name] as const);
+      return joint(resources, on, names, isUpright);
     }),
   );
 }
@@ -108,14 +117,14 @@ function fitting(text: string, room: number): string {
 export function drawFoot(
   {low, name, window}: Pick<SheetPage, 'low' | 'name' | 'window'>,
   words: string,
-  number: number,
-  count: number,
+  {number, count}: {readonly number: number; readonly count: number},
+  {resources, texts}: Writing,
 ): string {
   const y = low[1] + footRise;
-  const which = [...(name === undefined ? [] : [name]), `page ${number} of ${count}`].join('  ·  ');
+  const which = [...(name === undefined ? [] : [name]), texts.page(number, count)].join('  ·  ');
   const room = window.high[0] - window.low[0] - footSize * widthOf(which) - 1;
   return [
-    textAt([window.low[0], y], fitting(words, room), {size: footSize}),
-    textAt([window.high[0], y], which, {size: footSize, align: 'right'}),
+    textAt(resources, [window.low[0], y], fitting(words, room), {size: footSize}),
+    textAt(resources, [window.high[0], y], which, {size: footSize, align: 'right'}),
   ].join('\n');
 }

@@ -56,6 +56,7 @@ interface Format {
   readonly height: number;
   readonly margin: number;
   readonly pad: number;
+  readonly keepsBlank?: boolean;
   /** Axis along which pages may grow for content. */
   readonly grows?: 0 | 1;
 }
@@ -102,7 +103,7 @@ function tiling(
       const isEmpty = pieces.every(
         ({cut}, k) => !overlap(boxes[k] ?? frame, frame) || !reachesInto(cut, frame),
       );
-      if (isEmpty) empty.push(frame);
+      if (isEmpty && !format.keepsBlank) empty.push(frame);
       else {
         pages.push({
           ...{name: `${row + 1}${letters(column)}`, row, column, frame},
@@ -122,7 +123,8 @@ function formatsOf({widthCm, heightCm}: CutSheet, paper: Paper): readonly Format
     const [width, height] = [side(widthCm), side(heightCm)];
     return [{width, height, margin: 0, pad: projectorPad, grows: 1}];
   }
-  const margins = {margin: usualMargin, pad};
+  const {keepsBlank = false} = paper;
+  const margins = {margin: usualMargin, pad, keepsBlank};
   if (paper.heightCm !== undefined) {
     const [width, height] = [paper.widthCm, paper.heightCm];
     return [

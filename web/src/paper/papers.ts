@@ -9,6 +9,8 @@ export interface Paper {
   readonly heightCm?: number;
   /** One page as large as its content, for a projector. */
   readonly isProjector?: boolean;
+  /** Keeps blank pages, for programs that join the pages row by row. */
+  readonly keepsBlank?: boolean;
 }
 
 const inch = 2.54;

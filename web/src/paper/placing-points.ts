@@ -14,6 +14,7 @@ import {
 } from '../model/geometry/vectors.js';
 import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 import {seamLetter} from '../model/garment/letters.js';
+import type {SheetTexts} from '../texts/sheet-texts.js';
 import {onSheet} from './cell.js';
 import {nearestMotif, type Motifs} from './guide-motifs.js';
 
@@ -41,19 +42,20 @@ interface Anchor {
 }
 
 /** The part of a box that contains a point, such as `upper left`. */
-function partOf({low, high}: Box, [x, y]: Point): string {
+function partOf({low, high}: Box, [x, y]: Point, {places}: SheetTexts): string {
   const word = (value: number, [least, most]: Point, words: readonly [string, string]): string => {
     const share = (value - least) / (most - least);
     return share < 1 / 3 ? words[0] : share > 2 / 3 ? words[1] : '';
   };
   const parts = [
-    word(y, [low[1], high[1]], ['lower', 'upper']),
-    word(x, [low[0], high[0]], ['left', 'right']),
+    word(y, [low[1], high[1]], [places.lower, places.upper]),
+    word(x, [low[0], high[0]], [places.left, places.right]),
   ].filter((part) => part !== '');
-  return parts.length === 0 ? 'middle' : parts.join(' ');
+  return parts.length === 0 ? places.middle : parts.join(' ');
 }
 
-function anchorsOf({cut, notches, grain}: LaidPiece): readonly Anchor[] {
+function anchorsOf({cut, notches, grain}: LaidPiece, texts: SheetTexts): readonly Anchor[] {
+  const {points} = texts;
   const [outline = []] = cut;
   const around = boxOf(outline);
   const corners = outline.filter((p, k) => {
@@ -62,14 +64,14 @@ function anchorsOf({cut, notches, grain}: LaidPiece): readonly Anchor[] {
   });
   const marked = [
     ...notches.map(({at, angle, allowanceCm, seam}) => ({
-      name: seam === undefined ? 'Notch' : `Notch of seam ${seamLetter(seam)}`,
+      name: seam === undefined ? points.notch : points.seamNotch(seamLetter(seam)),
       at: plus(at, towards(angle), allowanceCm),
     })),
-    ...corners.map((at) => ({name: `Corner, ${partOf(around, at)}`, at})),
+    ...corners.map((at) => ({name: points.corner(partOf(around, at, texts)), at})),
   ];
   return marked.length > 1
     ? marked
-    : [...marked, ...grain.map((at) => ({name: 'Tip of the grain arrow', at}))];
+    : [...marked, ...grain.map((at) => ({name: points.grainTip, at}))];
 }
 
 /**
@@ -80,12 +82,12 @@ export function placingPoints(
   piece: LaidPiece,
   alignment: Alignment,
   motifs: Motifs,
-  count: number,
+  {count, texts}: {readonly count: number; readonly texts: SheetTexts},
 ): readonly PlacingPoint[] {
   const lying = onSheet(piece.place, alignment);
   const [outline = []] = piece.cut;
   const {low, high} = boxOf(outline);
-  const points = anchorsOf(piece).map(({name, at}) => {
+  const points = anchorsOf(piece, texts).map(({name, at}) => {
     const cost = (p: Point): number => distance(p, at) * (isInside(outline, p) ? beneath : 1);
     const {at: motif, radius} = nearestMotif(motifs, lying, at, cost);
     return {point: {name, at, motif, radius}, cost: weight * cost(motif)};

@@ -2,7 +2,7 @@
  * Moves texts of pieces off page joints: the name to where the piece has room for it on one page,
  * others by the shortest way. Lengths in cm.
  */
-import type {CutMark, CutText, LaidPiece} from '../cutting/cut-sheet.js';
+import {leastLetterMm, type CutMark, type CutText, type LaidPiece} from '../cutting/cut-sheet.js';
 import {distance, middle, plus, type Point} from '../model/geometry/vectors.js';
 import {boxOf, isInside, type Box} from '../model/geometry/polyline.js';
 import {boxAt, crossesInto, grown, overlap, shared} from './boxes.js';
@@ -67,7 +67,7 @@ const shorter = (mark: CutText): readonly CutText[] =>
     [1, smaller].map((scale) => ({
       ...mark,
       lines: mark.lines.slice(0, mark.lines.length - k),
-      sizeMm: scale * mark.sizeMm,
+      sizeMm: Math.max(leastLetterMm, scale * mark.sizeMm),
     })),
   );
 

@@ -4,6 +4,12 @@ import type {Texts} from './texts.js';
 
 type SampleTexts = Pick<Texts, 'samples' | 'lists'>;
 
+/** The name of a print, translated if it is a sample. */
+export const printName = (
+  {title, sample}: {readonly title: string; readonly sample?: {readonly name: string} | undefined},
+  {samples}: Pick<Texts, 'samples'>,
+): string => samples.prints[sample?.name ?? ''] ?? title;
+
 /** A name of a sample, such as "Front left" or "Side seam, left", without its side, and the side. */
 const sided = /^(.*?)(?:,? (left|right))?$/;
 

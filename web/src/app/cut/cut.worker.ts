@@ -5,6 +5,7 @@ import {cutFile} from '../../paper/cut-file.js';
 import {guideCount} from '../../paper/guide-pages.js';
 import {pagesOf} from '../../paper/cutting-pdf.js';
 import {paperOf} from '../../paper/papers.js';
+import {drawnLetters} from '../../workbench/cutting/drawn-letters.js';
 import {serve} from '../worker/serve.js';
 import type {CutPlan, Question} from './cut-job.js';
 
@@ -30,7 +31,7 @@ serve(async (asked, request) => {
     (await request({width, height})) as Uint8Array<ArrayBuffer> | undefined;
   const {file, paper, ink, guide, dxfStyle: style, dxfUnit: unit} = choices;
   return cutFile(sheet, print, {
-    ...{file, paper, ink, dxf: {style, unit}, pixels},
+    ...{file, paper, ink, dxf: {style, unit}, pixels, letters: drawnLetters},
     ...(guide && {guide: options}),
   });
 });

@@ -6,6 +6,7 @@ import type {Print} from '../../model/print/repeating-print.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {addressFrom, readAddress, type ReadingLimits} from '../../node/addresses.js';
 import {readGarment} from '../../node/index.js';
+import {lettersFrom} from '../../node/letters.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
 import {fetchTile} from './print-files.js';
@@ -74,6 +75,7 @@ export async function cutFiles(
     paper,
     ink,
     pixels,
+    letters: lettersFrom(),
     ...(guide && {guide: units}),
     ...(mark !== undefined && {mark}),
   };

@@ -87,7 +87,7 @@ export function styleText(
   ];
 }
 
-export const unitText = (unit: DxfUnit | undefined): string =>
+const unitText = (unit: DxfUnit | undefined): string =>
   `Units: ${unit === 'in' ? 'ENGLISH' : 'METRIC'}`;
 
 /** The place of each sheet, one above the other. */

@@ -65,8 +65,8 @@ const styleOf = ({entities}: DxfDocument): SystemText =>
   systemText(entities.filter((entity) => entity.kind === 'text'));
 
 /** The document in a unit that patterns use. */
-function scaledDocument(document: DxfDocument, {units}: DrawingOptions): DxfDocument {
-  const times = timesOf({style: styleOf(document), header: document.header, chosen: units});
+function scaledDocument(document: DxfDocument, {units, scale = 1}: DrawingOptions): DxfDocument {
+  const times = scale * timesOf({style: styleOf(document), header: document.header, chosen: units});
   return times === 1 ? document : scaled(document, times);
 }
 

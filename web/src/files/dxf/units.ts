@@ -55,6 +55,10 @@ export function unitOf(largest: number, {style, header, chosen}: UnitWords): Uni
   if (/english|imperial|inch/i.test(words)) return guessedUnit({largest, stated: ['inch']});
   if (/metric|mm|cm|milli|centi/i.test(words)) {
     const {metric} = vendorOf(style.value('author'));
+    const [only] = metric;
+    if (only && metric.length === 1) {
+      return {unit: only, because: 'stated', isSure: true, others: []};
+    }
     return guessedUnit({largest, stated: metric});
   }
   const inserted = insertUnits[header.get('$INSUNITS') ?? 0];

@@ -8,9 +8,9 @@ export interface Vendor {
   /**
    * The spline through key points, compared with the dense curves of the same files. A Catmull-Rom
    * spline fits Gerber's to 0.27-0.43 mm in nine of ten places. A natural spline fits Richpeace's
-   * and CLO's to 0.57 and 0.00 mm.
+   * and CLO's to 0.57 and 0.00 mm. Undefined for our own files, whose points are dense.
    */
-  readonly rule: SplineRule;
+  readonly rule?: SplineRule;
   /** Units that METRIC means, the most likely first. CLO writes centimetres. */
   readonly metric: readonly FileUnit[];
 }
@@ -20,11 +20,12 @@ export interface Vendor {
  * @param author author in the file's system text
  */
 export function vendorOf(author: string | undefined): Vendor {
+  const isOwn = /^seamwise/i.test(author ?? '');
   const rule = /gerber|accumark/i.test(author ?? '') ? 'catmull-rom' : 'natural';
-  const metric: readonly FileUnit[] = /^seamwise/i.test(author ?? '') ? ['mm'] : ['mm', 'cm'];
+  const metric: readonly FileUnit[] = isOwn ? ['mm'] : ['mm', 'cm'];
   return {
     ...(author !== undefined && {program: author.split(';')[0]?.trim() ?? author}),
-    rule,
+    ...(!isOwn && {rule}),
     metric,
   };
 }

@@ -54,8 +54,16 @@ export class PdfDocument {
    * Adds a stream, compressed on writing.
    * @param entries entries of the stream's dictionary, without its length
    */
-  stream(entries: string, content: string): Ref {
-    return this.#objects.push({head: entries, data: encoder.encode(content)});
+  stream(entries: string, content: string | Uint8Array<ArrayBuffer>): Ref {
+    const ref = this.reserve();
+    this.setStream(ref, entries, content);
+    return ref;
+  }
+
+  /** Sets a stream as an object that was reserved. */
+  setStream(ref: Ref, entries: string, content: string | Uint8Array<ArrayBuffer>): void {
+    const data = typeof content === 'string' ? encoder.encode(content) : content;
+    this.#objects[ref - 1] = {head: entries, data};
   }
 
   /** Adds bytes that are already compressed, as stated in `entries`. */

@@ -1,6 +1,7 @@
 /** Assembles a PDF file from pages: catalog, page labels and initial view. */
 import {packageVersion} from '../../model/base/version.js';
 import {num, pointsPerCm} from './content.js';
+import type {OtherLetters} from './fonts/other-letters.js';
 import {dateString, refTo, textString, type PdfDocument, type Ref} from './document.js';
 import type {PdfResources} from './resources.js';
 
@@ -20,7 +21,25 @@ interface PdfFileOptions {
   readonly mode: 'UseOC' | 'UseNone';
   /** Builds the document outline after the pages. */
   readonly outline?: (pages: readonly Ref[]) => Ref;
+  /** Letters that the embedded font does not have. */
+  readonly letters?: OtherLetters;
+  /** Language of the texts. Default 'en'. */
+  readonly locale?: string;
 }
+
+interface PdfBytes {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Letters that no font has, which are written without accents or as '?'. */
+  readonly missing: readonly string[];
+}
+
+/** A sentence about missing letters, if there are any. */
+export const missingNotes = (letters: readonly string[]): readonly string[] =>
+  letters.length === 0
+    ? []
+    : [
+        `No font has the letters ${letters.join(' ')}, so they are written without accents or as '?'; name a font file that has them.`,
+      ];
 
 /** Yields the thread between pages. */
 const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
@@ -33,8 +52,8 @@ export async function pdfFile(
   document: PdfDocument,
   resources: PdfResources,
   pages: readonly PdfPage[],
-  {title, date, mode, outline: outlineOf}: PdfFileOptions,
-): Promise<Uint8Array<ArrayBuffer>> {
+  {title, date, mode, outline: outlineOf, letters, locale = 'en'}: PdfFileOptions,
+): Promise<PdfBytes> {
   const tree = document.reserve();
   const refs: Ref[] = [];
   for (const {widthCm, heightCm, content: contentOf} of pages) {
@@ -47,13 +66,13 @@ export async function pdfFile(
     );
     await pause();
   }
-  resources.finish();
+  const missing = await resources.finish(letters);
   document.set(tree, `<</Type/Pages/Count ${refs.length}/Kids[${refs.map(refTo).join(' ')}]>>`);
   const labels = pages.map(({label}, k) => `${k}<</P ${textString(label)}>>`);
   const outline = outlineOf?.(refs);
   const catalog = document.add(
     [
-      `<</Type/Catalog/Pages ${refTo(tree)}${outline === undefined ? '' : `/Outlines ${refTo(outline)}`}/Lang(en)`,
+      `<</Type/Catalog/Pages ${refTo(tree)}${outline === undefined ? '' : `/Outlines ${refTo(outline)}`}/Lang${textString(locale)}`,
       `/PageLabels<</Nums[${labels.join('')}]>>/OCProperties ${resources.optionalContent}`,
       // viewers preselect true size for printing
       `/ViewerPreferences<</PrintScaling/None/DisplayDocTitle true>>`,
@@ -63,5 +82,5 @@ export async function pdfFile(
   const info = document.add(
     `<</Title ${textString(title)}/Creator ${textString(`Seamwise ${packageVersion}`)}${date ? `/CreationDate ${dateString(date)}` : ''}>>`,
   );
-  return document.bytes(catalog, info);
+  return {bytes: await document.bytes(catalog, info), missing};
 }

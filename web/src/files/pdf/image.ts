@@ -3,6 +3,7 @@
  * are composited on white.
  */
 import {FileError} from '../../model/base/versioned-file.js';
+import {inflated} from '../base/inflated.js';
 
 /** An image for `PdfDocument.packedStream`. */
 export interface PdfImage {
@@ -23,29 +24,6 @@ const overWhite = (value: number, alpha: number): number =>
 async function deflated(data: Bytes): Promise<Bytes> {
   const through = new Blob([data]).stream().pipeThrough(new CompressionStream('deflate'));
   return new Uint8Array(await new Response(through).arrayBuffer());
-}
-
-/**
- * The inflated data of an image, read no further than its pixels need.
- * @throws {RangeError} if there is less or more
- */
-async function inflated(data: Bytes, size: number): Promise<Bytes> {
-  const through = new Blob([data]).stream().pipeThrough(new DecompressionStream('deflate'));
-  const reader = through.getReader();
-  const out = new Uint8Array(size);
-  let at = 0;
-  for (;;) {
-    const {done, value} = await reader.read();
-    if (done) break;
-    if (at + value.length > size) {
-      await reader.cancel();
-      throw new RangeError('more data than pixels');
-    }
-    out.set(value, at);
-    at += value.length;
-  }
-  if (at < size) throw new RangeError('cut off');
-  return out;
 }
 
 const entriesOf = (width: number, height: number, bits: number, more: string): string =>

@@ -4,31 +4,33 @@
  */
 import {num} from './content.js';
 import {PdfDocument, refTo, textString, type Ref} from './document.js';
-import {fontNames, type Weight} from './text.js';
+import type {OtherLetters} from './fonts/other-letters.js';
+import {TextFonts} from './text-fonts.js';
 import type {PdfImage} from './image.js';
-
-const fonts: Readonly<Record<Weight, string>> = {regular: 'Helvetica', bold: 'Helvetica-Bold'};
 
 export class PdfResources {
   readonly ref: Ref;
+  readonly fonts: TextFonts;
   readonly #document: PdfDocument;
-  readonly #layers: {readonly ref: Ref; readonly name: string}[] = [];
+  readonly #layers: {readonly ref: Ref; readonly isShown: boolean}[] = [];
   readonly #opacities = new Map<string, string>();
   readonly #objects: Ref[] = [];
 
   constructor(document: PdfDocument) {
     this.#document = document;
     this.ref = document.reserve();
+    this.fonts = new TextFonts(document);
   }
 
   /**
    * Adds a layer.
    * @param name layer name in viewers
+   * @param isShown whether viewers show it at first
    * @returns the name in content
    */
-  layer(name: string): string {
+  layer(name: string, isShown = true): string {
     const ref = this.#document.add(`<</Type/OCG/Name ${textString(name)}>>`);
-    return `L${this.#layers.push({ref, name}) - 1}`;
+    return `L${this.#layers.push({ref, isShown}) - 1}`;
   }
 
   /** The graphics state for an opacity of fills and strokes. */
@@ -57,18 +59,24 @@ export class PdfResources {
     return `X${this.#objects.push(ref) - 1}`;
   }
 
-  /** Layers for the catalog, all visible. */
+  /** Layers for the catalog. */
   get optionalContent(): string {
-    const refs = this.#layers.map(({ref}) => refTo(ref)).join(' ');
-    return `<</OCGs[${refs}]/D<</Name(Layers)/Order[${refs}]/ON[${refs}]>>>>`;
+    const refs = (wanted: (isShown: boolean) => boolean): string =>
+      this.#layers
+        .filter(({isShown}) => wanted(isShown))
+        .map(({ref}) => refTo(ref))
+        .join(' ');
+    const [all, on, off] = [refs(() => true), refs((is) => is), refs((is) => !is)];
+    const hidden = off === '' ? '' : `/OFF[${off}]`;
+    return `<</OCGs[${all}]/D<</Name(Layers)/Order[${all}]/ON[${on}]${hidden}>>>>`;
   }
 
-  /** Writes the dictionary after everything is drawn. */
-  finish(): void {
-    const styles = Object.entries(fonts).map(
-      ([weight, font]) =>
-        `/${fontNames[weight as Weight]}<</Type/Font/Subtype/Type1/BaseFont/${font}/Encoding/WinAnsiEncoding>>`,
-    );
+  /**
+   * Writes the dictionary after everything is drawn.
+   * @returns letters that no font has
+   */
+  async finish(others?: OtherLetters): Promise<readonly string[]> {
+    const {fonts, objects: words, missing} = await this.fonts.finish(this.ref, others);
     const layers = this.#layers.map(({ref}, k) => `/L${k} ${refTo(ref)}`);
     const states = Array.from(
       this.#opacities,
@@ -79,12 +87,13 @@ export class PdfResources {
       this.ref,
       [
         '<<',
-        `/Font<<${styles.join('')}>>`,
+        `/Font<<${fonts.join('')}>>`,
         `/Properties<<${layers.join('')}>>`,
         `/ExtGState<<${states.join('')}>>`,
-        `/XObject<<${objects.join('')}>>`,
+        `/XObject<<${[...objects, ...words].join('')}>>`,
         '>>',
       ].join('\n'),
     );
+    return missing;
   }
 }

@@ -100,16 +100,18 @@ const rounding = 0.003;
 function scaled(
   document: XmlDocument,
   file: string,
-  {units, pixelsPerInch}: DrawingOptions = {},
+  {units, pixelsPerInch, scale}: DrawingOptions = {},
 ): Scaled {
   const {millimetres, because, note, stretch = 1} = scaleOf(document, file, pixelsPerInch);
-  const at = (factor: number): Sheet => sheetOf(document, [factor, factor * stretch], file);
+  const times = scale ?? 1;
+  const at = (factor: number): Sheet =>
+    sheetOf(document, [times * factor, times * factor * stretch], file);
   const sure = {isSure: true, others: []};
   if (units !== undefined) {
     const unit: UnitGuess = {unit: units, because: 'stated', ...sure};
     return {sheet: at(10 * cmPer(units)), unit, notes: []};
   }
-  if (pixelsPerInch !== undefined) {
+  if (pixelsPerInch !== undefined || (scale !== undefined && millimetres !== undefined)) {
     const unit: UnitGuess = {unit: 'mm', because: 'stated', ...sure};
     return {sheet: at(millimetres ?? 1), unit, notes: []};
   }

@@ -2,7 +2,7 @@
  * Draws the fabric of a layout and its pieces, between two cuts across. Lengths in cm on the
  * fabric.
  */
-import type {CutMark} from '../../cutting/cut-sheet.js';
+import {leastLetterMm, type CutMark} from '../../cutting/cut-sheet.js';
 import {plus, towards, type Point} from '../../model/geometry/vectors.js';
 import {boxOf, distanceTo, isInside, type Box} from '../../model/geometry/polyline.js';
 import {boxOfMark} from '../../paper/draw-marks.js';
@@ -22,8 +22,8 @@ export interface DrawnFabric {
 }
 
 /** Letter heights of labels, largest first. [mm on paper] */
-const labelSizes = [3.4, 2.8, 2.3, 1.9];
-const numberSize = 1.9;
+const labelSizes = [3.4, 2.8, leastLetterMm];
+const numberSize = leastLetterMm;
 /** Width allowance for fonts with wider letters, as a factor. */
 const fontRoom = 1.25;
 /** Half the size of a cross, and the distance of its number from its centre. [mm on paper] */
@@ -211,10 +211,16 @@ export function ruler(
       ...(hasPlate && {halo: 0.4}),
     });
     if (!isLong) return [tick];
-    const label = textOf(size, place(at, cm(size, axis === 0 ? 4 : 2.8)), String(n * step), 2.1, {
-      align: axis === 0 ? 'middle' : side > 0 ? 'right' : 'left',
-      hasPlate,
-    });
+    const label = textOf(
+      size,
+      place(at, cm(size, axis === 0 ? 4 : 2.8)),
+      String(n * step),
+      leastLetterMm,
+      {
+        align: axis === 0 ? 'middle' : side > 0 ? 'right' : 'left',
+        hasPlate,
+      },
+    );
     return [tick, label];
   });
 }

@@ -3,7 +3,7 @@
  * fabric.
  */
 import {crosses, drawn, layers} from '../../cutting/out/piece-dxf.js';
-import {blockName, namesOf, styleText, unitText} from '../../cutting/out/sheet-dxf.js';
+import {blockName, namesOf, styleText} from '../../cutting/out/sheet-dxf.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {block, dxfFile, insert, line, polyline, text} from '../../files/dxf/records.js';
 import {lineColours} from '../../cutting/line-colours.js';
@@ -51,7 +51,7 @@ export function planDxf(
     [widthCm, y],
   ];
   const edges = [...new Set([0, selvedgeCm, widthCm - selvedgeCm, widthCm])].map(along);
-  const said = style === 'astm' ? styleText({}, format) : [unitText(unit)];
+  const said = styleText({}, format);
   const entities = [
     ...said.flatMap((one, k) => text(layers.cut, [0, -2 - k], one)),
     ...names.flatMap((name) => insert(blockName(name))),

@@ -6,8 +6,9 @@ import {drawMarks} from '../../paper/draw-marks.js';
 import type {Paper} from '../../paper/papers.js';
 import {filledWith, line, onLayer, pointsPerCm, scoped, through} from '../../files/pdf/content.js';
 import {PdfDocument} from '../../files/pdf/document.js';
-import {pdfFile} from '../../files/pdf/file.js';
+import {missingNotes, pdfFile} from '../../files/pdf/file.js';
 import {PdfResources} from '../../files/pdf/resources.js';
+import type {OtherLetters} from '../../files/pdf/fonts/other-letters.js';
 import {textAt} from '../../files/pdf/text.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
@@ -31,6 +32,8 @@ interface PlanPdfOptions extends PlanOptions {
   /** Creation date. Without it, the same layout gives the same bytes. */
   readonly date?: Date;
   readonly pixels?: CellPixels;
+  /** Letters that the embedded font does not have. */
+  readonly letters?: OtherLetters;
 }
 
 export interface PlanPdf {
@@ -121,7 +124,7 @@ function drawnFabric(
  */
 export async function planPdf(
   plan: LayPlan,
-  {print, scale, paper = a4, date, pixels, ...options}: PlanPdfOptions,
+  {print, scale, paper = a4, date, pixels, letters, ...options}: PlanPdfOptions,
 ): Promise<PlanPdf> {
   const notes: string[] = [];
   const format = scale === 1 ? roll(plan) : formatOn(paper, plan, scale);
@@ -140,6 +143,7 @@ export async function planPdf(
   const toPoints = pointsPerCm / format.scale;
   const pages = sheets.map(({widthCm, heightCm, marks, cloth}, k) => {
     const foot = textAt(
+      resources,
       [widthCm - format.marginCm, footRise * format.scale],
       texts.page(k + 1, sheets.length),
       {size: footSize * format.scale, align: 'right'},
@@ -155,9 +159,11 @@ export async function planPdf(
         ),
     };
   });
-  const bytes = await pdfFile(document, resources, pages, {
+  const {bytes, missing} = await pdfFile(document, resources, pages, {
     ...{title: options.title ?? texts.title(format.scale), mode: 'UseNone'},
     ...(date && {date}),
+    ...(letters && {letters}),
+    ...(options.words.locale !== undefined && {locale: options.words.locale}),
   });
-  return {bytes, pages: sheets.length, notes};
+  return {bytes, pages: sheets.length, notes: [...notes, ...missingNotes(missing)]};
 }

@@ -3,7 +3,9 @@
  * SVG and PDF are drawn from these sheets. Lengths in cm at the fabric's scale, y up, from a
  * sheet's lower left corner.
  */
-import type {CutMark} from '../../cutting/cut-sheet.js';
+import {leastLetterMm, type CutMark} from '../../cutting/cut-sheet.js';
+import {printTitle} from '../../cutting/words.js';
+import {sheetTextsIn} from '../../texts/sheet-texts.js';
 import {nameLines} from '../../layout/name-lines.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
@@ -48,16 +50,16 @@ const gapBetween = 5;
 const headingHeight = 10;
 const figureHeight = 17;
 const factHeight = 4.4;
-const factSize = 2.6;
+const factSize = leastLetterMm;
 const leastFabric = 40;
 
 const heightOf = (rows: readonly Row[]): number => rows.reduce((sum, row) => sum + row.height, 0);
 
 /** A figure in its own column. */
 const figureMarks = (size: Size, {caption, value, note}: Figure, [x, y]: Point): CutMark[] => [
-  textOf(size, [x, y - cm(size, 2)], caption, 2.5, {align: 'left'}),
+  textOf(size, [x, y - cm(size, 2)], caption, leastLetterMm, {align: 'left'}),
   textOf(size, [x, y - cm(size, 7.2)], value, 5.2, {align: 'left', weight: 'bold'}),
-  textOf(size, [x, y - cm(size, 12)], note, 2.3, {align: 'left'}),
+  textOf(size, [x, y - cm(size, 12)], note, leastLetterMm, {align: 'left'}),
 ];
 
 function addHeading(
@@ -131,7 +133,9 @@ function addFabric(
       filling.addFabric([from, to], [beside, below], {marks, holes}, [
         ...ruler(size, 1, [from, to], style),
         ...moved(ruler(size, 0, [0, widthCm], style), [0, from]),
-        ...(from === 0 ? [textOf(size, [widthCm / 2, -cm(size, 8)], texts.start, 2.3)] : []),
+        ...(from === 0
+          ? [textOf(size, [widthCm / 2, -cm(size, 8)], texts.start, leastLetterMm)]
+          : []),
       ]);
     }
     from = to;
@@ -153,7 +157,7 @@ export function planSheets(
   const heading = [options.title, texts.title(format.scale)]
     .filter((one) => one !== undefined)
     .join(': ');
-  const printName = print.title ?? `Print ${print.group}`;
+  const printName = printTitle(print, sheetTextsIn(options.words.locale));
   const facts = factsOf(plan, words, {printName, ring, nameOf});
   const {widthCm, lengthCm, selvedgeCm} = plan;
   const tables = [

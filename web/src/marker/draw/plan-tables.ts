@@ -2,7 +2,7 @@
  * Tables of a layout, row by row from the top. Lengths in cm, y up, from the left end of the upper
  * edge.
  */
-import type {CutMark} from '../../cutting/cut-sheet.js';
+import {leastLetterMm, type CutMark} from '../../cutting/cut-sheet.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {PlanPiece} from './plan-pieces.js';
@@ -36,8 +36,8 @@ export interface Table {
 }
 
 const rowHeight = 4.8;
-const rowSize = 2.6;
-const headSize = 2.3;
+const rowSize = leastLetterMm;
+const headSize = leastLetterMm;
 const titleSize = 3;
 const left = 0;
 

@@ -123,6 +123,8 @@ export interface DrawingOptions {
   readonly units?: FileUnit;
   /** Pixels per inch of an SVG file, instead of `units`. */
   readonly pixelsPerInch?: number;
+  /** Denominator of the scale 1 : n of a reduced drawing. Default 1. */
+  readonly scale?: number;
   /** Page numbers of a PDF, from 1. Default: those with a pattern. */
   readonly pages?: readonly number[];
   /** Page numbers of a PDF that keep their place in the grid and show nothing. */

@@ -8,10 +8,11 @@ import type {PrintInk} from '../../cutting/print-ink.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
-import {withSampleNames} from '../../texts/sample-names.js';
+import {printName, withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
 import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
+import {drawnLetters} from './drawn-letters.js';
 
 /** Plain data, which can be posted to a worker. */
 export interface CutMaterial {
@@ -41,7 +42,10 @@ export async function cutMaterial(
   const named = withSampleNames(garment, design.garment.name, texts);
   return {
     result,
-    print: {...printOf(design.print), ...(tile !== undefined && {tile})},
+    print: {
+      ...{...printOf(design.print), title: printName(design.print, texts)},
+      ...(tile !== undefined && {tile}),
+    },
     marks: {
       ...garmentTitle(named, design.garment.name),
       panels: panelMarks(named, decidedOf(design)),
@@ -73,7 +77,7 @@ export async function cutHere(
   const sheet = cutSheet(result, print, marks, options);
   const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
   return cutFile(sheet, print, {
-    ...{file, paper, ink, dxf, pixels},
+    ...{file, paper, ink, dxf, pixels, letters: drawnLetters},
     ...(guide && {guide: options}),
   });
 }

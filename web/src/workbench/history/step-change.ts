@@ -11,6 +11,7 @@ import type {Symmetry} from '../../model/garment/symmetries.js';
 import {solveSettingsOf, type SolveSettings} from '../presets.js';
 import {withQuarterTurn} from '../lists/changed-options.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
+import {printName} from '../../texts/sample-names.js';
 import {seamRows} from '../lists/rows.js';
 import type {Step} from '../state.js';
 import type {Workbench} from '../workbench.js';
@@ -182,7 +183,7 @@ function namesIn(
 ): readonly string[] {
   const {size} = garment.sample ?? {};
   if (kind === 'size' && size !== undefined) return [size.toUpperCase()];
-  if (kind === 'print') return [texts.samples.prints[print.sample?.name ?? ''] ?? print.title];
+  if (kind === 'print') return [printName(print, texts)];
   const labels = new Map(workbench.sheet.scenes?.now.pieces.map(({name, label}) => [name, label]));
   const rows = seams.length > 0 ? seamRows(workbench, texts) : [];
   return [

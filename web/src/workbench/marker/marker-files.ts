@@ -6,9 +6,10 @@ import type {LayPlan} from '../../model/result/marker-plan.js';
 import {readable} from '../../model/garment/piece-names.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import {planTextsIn} from '../../texts/plan-texts.js';
-import {withSampleNames} from '../../texts/sample-names.js';
+import {printName, withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';
+import {drawnLetters} from '../cutting/drawn-letters.js';
 
 interface MarkerFileChoice {
   readonly id: string;
@@ -28,7 +29,10 @@ async function drawnWith({history: {design}, solving, preferences}: Workbench, p
   const marks = design && garment ? panelMarks(garment, decidedOf(design)) : undefined;
   const {title} = (garment && garmentTitle(garment, design.garment.name)) ?? {};
   return {
-    print: {...printOf(print), ...(tile !== undefined && {tile})},
+    print: {
+      ...{...printOf(print), title: printName(print, preferences.texts)},
+      ...(tile !== undefined && {tile}),
+    },
     ...(result && {
       results: [
         {
@@ -46,6 +50,7 @@ async function drawnWith({history: {design}, solving, preferences}: Workbench, p
       texts: planTextsIn(preferences.chosen.language),
     },
     pixels: (width: number, height: number) => pixelsOfTile(tile ?? '', width, height),
+    letters: drawnLetters,
   };
 }
 

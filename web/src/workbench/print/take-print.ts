@@ -9,6 +9,7 @@ import type {Symmetry} from '../../model/garment/symmetries.js';
 import type {GroupName} from '../../model/print/repeating-print.js';
 import {carries} from '../../model/print/repeat.js';
 import {textsOf} from '../../texts/texts.js';
+import {printName} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 
 /** Returns the requested symmetries that prints of a group cannot have. */
@@ -33,7 +34,7 @@ export function takePrint(workbench: Workbench, print: DesignPrint): void {
   workbench.history.change({print, symmetry: askingFor(kept)});
   const {language, messages} = workbench.preferences.chosen;
   const texts = textsOf(language, messages);
-  const name = texts.samples.prints[print.sample?.name ?? ''] ?? print.title;
+  const name = printName(print, texts);
   const kind = lost.some((one) => one.kind === 'pair') ? 'pair' : 'piece';
   workbench.notices.say({tone: 'info', text: texts.print.lost[kind](name), undo: true});
 }

@@ -62,7 +62,7 @@ export function drawingOfPdf(
     ...(options.overlapCm !== undefined && {overlap: 10 * options.overlapCm}),
   });
   const {squares, ratio} = testSquaresIn(whole.lines, whole.texts);
-  const scale = ratio ?? 1;
+  const scale = options.scale ?? ratio ?? 1;
   const isScaled = !isTrueToScale(scale);
   const isOwn = layers.some(({name}) => name === wordsLayer);
   const bare = withoutHatching(whole.lines.filter((line) => !squares.has(line)));
@@ -101,7 +101,7 @@ export function drawingOfPdf(
     ...{sizes: sized.sizes, ...(sized.size !== undefined && {size: sized.size})},
     unit: {
       ...{unit: 'mm', isSure: true, others: []},
-      because: ratio === undefined ? 'stated' : 'measured',
+      because: ratio === undefined || options.scale !== undefined ? 'stated' : 'measured',
     },
     pieces: allowed.pieces,
     seams: [],
@@ -109,7 +109,7 @@ export function drawingOfPdf(
     notes: [
       ...(complaint === undefined ? [] : [`${file} ${complaint}`]),
       ...assemblyNotes(whole, pdf),
-      ...(isScaled && ratio !== undefined ? [scaleNote(ratio)] : []),
+      ...(isScaled && ratio !== undefined && options.scale === undefined ? [scaleNote(ratio)] : []),
       ...[
         ...bare.notes,
         ...gridNotes,
