@@ -23,6 +23,7 @@ import {
   wholeNumber,
   type Read,
 } from '../model/base/read.js';
+import type {CutSheet} from '../cutting/cut-sheet.js';
 import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {printInks} from '../cutting/print-ink.js';
 import type {MarkerSettings} from '../marker/settings.js';
@@ -32,6 +33,7 @@ import type {PhotoHooks} from '../model/print/photo-reading.js';
 import type {DrapeHooks} from '../model/result/draped-garment.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import type {SuggestionSettings} from '../pairing/report.js';
+import {languages} from '../texts/preferences.js';
 import type {
   NamedDrapeHooks,
   NamedPrepareHooks,
@@ -101,6 +103,11 @@ const paper: Read<string> = (value, at) => {
   throw new Malformed(noPaper(name.slice(0, 40)).replace(/\.$/, ''));
 };
 
+const fontBytes: Read<Uint8Array<ArrayBuffer>> = (value, at) =>
+  value instanceof Uint8Array
+    ? (value as Uint8Array<ArrayBuffer>)
+    : fail(at, 'the bytes of a font');
+
 const grainRules = recordOf(either('a grain rule', word, having({})));
 
 export const cutSettings = fields<CutSettings>(
@@ -114,6 +121,10 @@ export const cutSettings = fields<CutSettings>(
       date,
       mark: title,
       pixels: callback,
+      blankPages: flag,
+      language: oneOf(languages),
+      under: having<CutSheet>({pieces: listOf(having({}))}),
+      fonts: listOf(fontBytes),
     },
   },
   'print',
@@ -163,7 +174,10 @@ export const importOptions = fields<ImportOptions>({
   ...{name: word, size: word, pixelsPerInch: number(1, 100_000), pages: listOf(wholeNumber)},
   ...{grid: pairOf(number(1, 1000)), trimCm: number(0, 100), overlapCm: number(0, 100)},
   ...{allowanceCm: allowance, seams: oneOf(['suggest', 'file', 'none'])},
-  units: oneOf(Object.keys(unitsInMetre)),
+  ...{units: oneOf(Object.keys(unitsInMetre)), scale: number(1e-3, 1e3)},
+  measured: fields<NonNullable<ImportOptions['measured']>>({
+    ...{piece: word, longerCm: number(0.1, 10_000)},
+  }),
 });
 
 export const suggestionSettings = fields<SuggestionSettings>({
