@@ -2,6 +2,7 @@
  * Converts the chosen part of a drawing to a garment: in centimetres, with outlines
  * counter-clockwise and no piece mirrored.
  */
+import {mappedFold} from '../model/garment/folds.js';
 import {withLineNames} from '../model/garment/line-names.js';
 import type {Drawing, DrawnPiece, Run} from '../model/garment/imported-drawing.js';
 import type {
@@ -368,7 +369,7 @@ const mirror = ([x, y]: Point): Point => [0 - x, y];
 
 /** The piece with x reversed; its outline is reversed, too, to stay counter-clockwise. */
 function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
-  const {outline, holes, internalLines, cutLine, notches = [], grain, drillHoles} = piece;
+  const {outline, holes, internalLines, cutLine, notches = [], folds, grain, drillHoles} = piece;
   const loop = (edges: readonly DraftedEdge[]): DraftedEdge[] =>
     edges
       .map((edge) => ({...edge, points: edge.points.map(mirror).reverse() as [Point, Point]}))
@@ -382,6 +383,7 @@ function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
     internalLines: internalLines.map((line) => line.map(mirror)),
     ...(cutLine && {cutLine: cutLine.map(mirror)}),
     notches: notches.map(({edge, at}) => ({edge: last - edge, at: 1 - at})),
+    ...(folds && {folds: folds.map((fold) => mappedFold(fold, mirror))}),
     ...(drillHoles && {drillHoles: drillHoles.map(mirror)}),
     ...(grain?.line && {grain: {...grain, line: [mirror(grain.line[0]), mirror(grain.line[1])]}}),
   };

@@ -1,0 +1,16 @@
+/** Pleats, tucks and creases of a piece. Lengths in cm. */
+import type {DraftedFold} from './garment-document.js';
+import type {Point} from '../geometry/vectors.js';
+
+/** The fold under a map that keeps lines straight. */
+export function mappedFold<Fold extends Pick<DraftedFold, 'line' | 'to'>>(
+  fold: Fold,
+  map: (p: Point) => Point,
+): Fold {
+  const mapped = ([from, to]: readonly [Point, Point]) => [map(from), map(to)] as const;
+  return {...fold, line: mapped(fold.line), ...(fold.to && {to: mapped(fold.to)})};
+}
+
+/** Returns whether a fold hides fabric when it is closed: all but creases do. */
+export const hidesFabric = ({kind}: Pick<DraftedFold, 'kind'>): boolean =>
+  kind !== 'roll' && kind !== 'press';
