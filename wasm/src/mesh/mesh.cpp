@@ -55,7 +55,7 @@ std::optional<Error> Meshing::fill(int p) {
   Piece& piece = pattern_.pieces[p];
   std::vector<std::vector<int>> loops{piece.outline};
   loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
-  auto mesh = meshRegion(piece.rest, loops, coarsest_);
+  auto mesh = meshRegion(piece.rest, loops, coarsest_, piece.creases);
   if (!mesh)
     return pieceError(pattern_, p,
                       "cannot be filled with triangles: its outline crosses or touches itself or "

@@ -139,7 +139,7 @@ std::optional<MeanMesh> meshHalves(const Piece& piece, Mirror& mirror, std::vect
                                    double coarsest) {
   const auto half = HalfBuilder(piece, mirror, mean, coarsest).build();
   if (!half) return {};
-  const auto mesh = meshRegion(half->points, half->loops, coarsest);
+  const auto mesh = meshRegion(half->points, half->loops, coarsest, piece.creases);
   if (!mesh) return {};
   MeanMesh full{std::move(mean), {}};
   std::vector<int> vertex = half->vertex;  // piece's vertex per vertex of the half mesh
@@ -166,7 +166,7 @@ std::optional<MeanMesh> meshHalves(const Piece& piece, Mirror& mirror, std::vect
 
 std::optional<MeanMesh> meshPair(const Piece& piece, Mirror& mirror, std::vector<Vec2> mean,
                                  double coarsest) {
-  auto mesh = meshRegion(mean, loopsOf(piece), coarsest);
+  auto mesh = meshRegion(mean, loopsOf(piece), coarsest, piece.creases);
   if (!mesh) return {};
   MeanMesh full{std::move(mean), std::move(mesh->triangles)};
   for (const Vec2& p : mesh->interior) {

@@ -5,6 +5,7 @@
 #include "pattern/garment.h"
 #include "pattern/note.h"
 #include "problem/options.h"
+#include "problem/pleat_fit.h"
 #include "problem/seam_groups.h"
 #include "wallpaper/print.h"
 
@@ -27,6 +28,7 @@ struct Problem {
   SolveOptions options;
   std::vector<Note> notes;        ///< items dropped or assumed by reading
   std::vector<SeamGroup> groups;  ///< the stitches as seams of a sewist
+  PleatFits pleat_fits = {};      ///< panels whose pleats take up more or less than drafted
 };
 
 }  // namespace seamwise

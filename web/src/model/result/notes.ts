@@ -29,6 +29,12 @@ export const noteCodes = [
   'symmetriesStated',
   'ws19',
   'grainAssumed',
+  'pleatsFitted',
+  'pleatsOff',
+  'pleatsOffGrain',
+  'pleatsUndivided',
+  'pleatsSewnFlat',
+  'pleatsUneven',
   'partOfTheWay',
   'leftAsDrafted',
   ...symmetryReasons,
@@ -46,7 +52,8 @@ export interface NoteDetail {
   readonly seams: readonly number[];
   /**
    * For `lengthRatio`: as stated, as drafted. For `symmetryChange` and `symmetryLengths`: the
-   * greatest change that would suffice. [cm]
+   * greatest change that would suffice. [cm] For `pleatsFitted`, `pleatsOff` and `pleatsUndivided`:
+   * the width of the pleats as drafted, and the nearest whole repeat. [cm]
    */
   readonly numbers: readonly number[];
 }
