@@ -16,6 +16,7 @@ import type {Print} from '../model/print/repeating-print.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {carried} from '../model/geometry/triangles.js';
 import {grainLine, innermost, lineAt, pick} from '../scene/marks.js';
+import {cutFold, type CutFold, type LengthStyle} from './fold-marks.js';
 import {matchMarks} from './match-marks.js';
 import type {CutNotch} from './notches.js';
 import {stripeWays, type SeamTick} from './ticks.js';
@@ -55,6 +56,8 @@ export interface CutPiece {
   readonly internalLines: readonly (readonly Point[])[];
   /** Names of internal lines, such as `waist`, by their numbers. */
   readonly lineNames: readonly (string | undefined)[];
+  /** Pleats, tucks and creases. */
+  readonly folds: readonly CutFold[];
   readonly drillHoles: readonly Point[];
   /** Number of copies to cut. */
   readonly quantity: number;
@@ -73,6 +76,7 @@ interface CutOptions {
   readonly letters: readonly SeamLetter[];
   readonly corners: readonly Point[];
   readonly notches: readonly CutNotch[];
+  readonly lengths: LengthStyle;
 }
 
 /** Step at which internal lines follow the deformed shape. */
@@ -114,7 +118,7 @@ export const finer = (line: readonly Point[]): readonly Point[] =>
 export function cutPiece(
   piece: ResultPiece,
   marks: PanelMarks,
-  {print, ...given}: CutOptions,
+  {print, lengths, ...given}: CutOptions,
 ): CutPiece {
   const {name, shape, alignment} = piece;
   const outline = pick(shape, piece.outline);
@@ -130,7 +134,7 @@ export function cutPiece(
   const [stripe, plaid] = [ways?.across, ways?.along].map((way) =>
     first && way ? throughPiece(loops, first, way) : undefined,
   );
-  const {internalLines = [], drillHoles = [], quantity = 1} = marks.drafted ?? {};
+  const {internalLines = [], folds = [], drillHoles = [], quantity = 1} = marks.drafted ?? {};
   return {
     ...{name, alignment, matches, grain, ...given},
     ...(stripe && {stripe}),
@@ -139,6 +143,7 @@ export function cutPiece(
     ticks: [],
     internalLines: internalLines.map((line) => finer(line).map(onShape)),
     lineNames: lineNamesOf(marks.drafted),
+    folds: folds.map((fold) => cutFold(fold, onShape, lengths)),
     drillHoles: drillHoles.map(onShape),
     quantity,
     words: innermost(outline, [

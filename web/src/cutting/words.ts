@@ -132,6 +132,9 @@ export function factsOf(
     ...(cuts.some(({internalLines}) => internalLines.length > 0)
       ? ['Dash-dot: lines that the pattern draws inside.']
       : []),
+    ...(cuts.some(({folds}) => folds.length > 0)
+      ? ['Long dashes: folds; lay their lines on each other as the arrows say, before sewing.']
+      : []),
     'Edges with the same letter are sewn together.',
     'Each piece is cut from a single layer, face up; none lies on a fold.',
     ...(cuts.some(({matches}) => matches.length > 0)
