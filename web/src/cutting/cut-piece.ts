@@ -16,7 +16,7 @@ import type {Print} from '../model/print/repeating-print.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {carried} from '../model/geometry/triangles.js';
 import {grainLine, innermost, lineAt, pick} from '../scene/marks.js';
-import {cutFold, type CutFold, type LengthStyle} from './fold-marks.js';
+import {cutFold, foldLines, type CutFold, type LengthStyle} from './fold-marks.js';
 import {matchMarks} from './match-marks.js';
 import type {CutNotch} from './notches.js';
 import {stripeWays, type SeamTick} from './ticks.js';
@@ -134,7 +134,8 @@ export function cutPiece(
   const [stripe, plaid] = [ways?.across, ways?.along].map((way) =>
     first && way ? throughPiece(loops, first, way) : undefined,
   );
-  const {internalLines = [], folds = [], drillHoles = [], quantity = 1} = marks.drafted ?? {};
+  const {internalLines = [], drillHoles = [], quantity = 1} = marks.drafted ?? {};
+  const folds = (marks.drafted?.folds ?? []).map((fold) => cutFold(fold, onShape, lengths));
   return {
     ...{name, alignment, matches, grain, ...given},
     ...(stripe && {stripe}),
@@ -143,13 +144,14 @@ export function cutPiece(
     ticks: [],
     internalLines: internalLines.map((line) => finer(line).map(onShape)),
     lineNames: lineNamesOf(marks.drafted),
-    folds: folds.map((fold) => cutFold(fold, onShape, lengths)),
+    folds,
     drillHoles: drillHoles.map(onShape),
     quantity,
     words: innermost(outline, [
       ...along(grain),
       ...matches.flatMap(around),
       ...given.letters.map(({at}) => at),
+      ...folds.flatMap((fold) => foldLines(fold).flatMap(along)),
       ...holes.flat(),
     ]),
   };

@@ -2,6 +2,7 @@
 import type {DraftedFold, FoldKind} from '../model/garment/garment-document.js';
 import {hidesFabric, mappedFold} from '../model/garment/folds.js';
 import {distance, middle, minus, plus, unit, type Point} from '../model/geometry/vectors.js';
+import {distanceTo, linesInside} from '../model/geometry/polyline.js';
 import {formatLength, type Units} from '../model/base/length-text.js';
 
 /** A fold of a piece, in coordinates of its shape. */
@@ -9,6 +10,8 @@ export interface CutFold extends Pick<DraftedFold, 'kind' | 'line' | 'to'> {
   /** Such as "Inverted pleat, 20 cm", with the width of the fabric between the lines. */
   readonly name: string;
 }
+
+type Loops = readonly (readonly Point[])[];
 
 /** Units and locale of lengths. */
 export interface LengthStyle {
@@ -72,6 +75,26 @@ export function foldArrows(fold: CutFold): readonly (readonly Point[])[] {
       [plus(foot, side, head / 2), tip, plus(foot, side, -head / 2)],
     ];
   });
+}
+
+/** An end of a fold line at most this far from the sewn line is on it. */
+const onSewn = 0.1;
+/** Width of the widest allowance, with room for slanting lines. */
+const farthest = 40;
+
+/** A fold line with the ends that are on the sewn line moved outwards to the cut line. */
+export function toCutLine(
+  ends: readonly [Point, Point],
+  {sewn, cut}: {readonly sewn: Loops; readonly cut: Loops},
+): readonly [Point, Point] {
+  const [from, to] = ends;
+  const along = unit(minus(to, from));
+  const centre = middleOf(ends);
+  const within = linesInside(cut, plus(from, along, -farthest), plus(to, along, farthest)).find(
+    ([start, end]) => distance(start, centre) + distance(centre, end) < distance(start, end) + 1e-6,
+  );
+  const isSewn = (p: Point): boolean => sewn.some((loop) => distanceTo(loop, p) < onSewn);
+  return [isSewn(from) ? (within?.[0] ?? from) : from, isSewn(to) ? (within?.[1] ?? to) : to];
 }
 
 /** Text beside a line of a fold in a DXF file, such as "inverted fold 1" or "inverted fold 1 to". */
