@@ -1,9 +1,9 @@
 /** Folds on the cutting sheet. */
 import {expect, it} from 'vitest';
 
-import {cutFold, foldArrows, toCutLine} from '@/cutting/fold-marks.js';
+import {cutFold} from '@/cutting/fold-marks.js';
+import {foldArrows} from '@/model/garment/folds.js';
 import type {DraftedFold} from '@/model/garment/garment-document.js';
-import type {Point} from '@/model/geometry/vectors.js';
 
 const fold = (changes: Partial<DraftedFold> = {}): DraftedFold => ({
   kind: 'knife',
@@ -46,23 +46,4 @@ it('lets the lines of an inverted pleat meet in the middle', () => {
 
 it('draws no arrow at a crease', () => {
   expect(foldArrows(drawn({kind: 'roll'}))).toEqual([]);
-});
-
-it('extends a line to the cut line where it ends at the sewn line', () => {
-  const square = (low: number, high: number): Point[] => [
-    [low, low],
-    [high, low],
-    [high, high],
-    [low, high],
-  ];
-  const lines = {sewn: [square(0, 10)], cut: [square(-1, 11)]};
-  const [from, to] = toCutLine(
-    [
-      [4, 10],
-      [4, 3],
-    ],
-    lines,
-  );
-  expect(from).toEqual([4, 11]);
-  expect(to).toEqual([4, 3]);
 });

@@ -1,4 +1,5 @@
 /** One piece of the cutting sheet with all of its marks. Lengths in cm. */
+import {foldLines} from '../model/garment/folds.js';
 import {lineNamesOf} from '../model/garment/line-names.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {
@@ -16,7 +17,7 @@ import type {Print} from '../model/print/repeating-print.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {carried} from '../model/geometry/triangles.js';
 import {grainLine, innermost, lineAt, pick} from '../scene/marks.js';
-import {cutFold, foldLines, type CutFold, type LengthStyle} from './fold-marks.js';
+import {cutFold, type CutFold, type LengthStyle} from './fold-marks.js';
 import {matchMarks} from './match-marks.js';
 import type {CutNotch} from './notches.js';
 import {stripeWays, type SeamTick} from './ticks.js';

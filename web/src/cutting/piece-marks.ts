@@ -14,11 +14,12 @@ import {
   type Point,
 } from '../model/geometry/vectors.js';
 import {atShare, linesInside} from '../model/geometry/polyline.js';
+import {foldArrows, foldLines} from '../model/garment/folds.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {textWidth} from '../layout/name-lines.js';
 import type {CutPiece} from './cut-piece.js';
-import {foldArrows, foldLines, toCutLine, type CutFold} from './fold-marks.js';
+import type {CutFold} from './fold-marks.js';
 import {slitOf} from './notches.js';
 import type {SeamTick} from './ticks.js';
 import type {CutLayer, CutLine, CutMark, CutText} from './cut-sheet.js';
@@ -188,21 +189,14 @@ function nameAlong(points: readonly Point[], name: string, words: CutText): CutT
   return {...plate('words', at, [name], lineNameMm), angle, weight: 'regular'};
 }
 
-/** The lines of a fold up to the cut line, its arrows, and its name along the first line. */
-function foldMarks(
-  fold: CutFold,
-  piece: CutPiece,
-  {onto}: MarkStyle,
-  words: CutText,
-): readonly CutMark[] {
+/** The lines of a fold, its arrows, and its name along both lines. */
+function foldMarks(fold: CutFold, {onto}: MarkStyle, words: CutText): readonly CutMark[] {
   return [
     ...foldLines(fold).map((ends) =>
-      line('marks', toCutLine(ends, piece).map(onto), {
-        ...{widthMm: foldMm, dashMm: foldDashMm, haloMm},
-      }),
+      line('marks', ends.map(onto), {widthMm: foldMm, dashMm: foldDashMm, haloMm}),
     ),
     ...foldArrows(fold).map((points) => line('marks', points.map(onto), {widthMm: foldMm, haloMm})),
-    nameAlong(fold.line.map(onto), fold.name, words),
+    ...foldLines(fold).map((ends) => nameAlong(ends.map(onto), fold.name, words)),
   ];
 }
 
@@ -225,7 +219,7 @@ export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[
       const name = piece.lineNames[k];
       return name === undefined ? [] : [nameAlong(points.map(onto), name, words)];
     }),
-    ...piece.folds.flatMap((fold) => foldMarks(fold, piece, style, words)),
+    ...piece.folds.flatMap((fold) => foldMarks(fold, style, words)),
     ...piece.drillHoles.flatMap((p) => drillHole(onto(p))),
     ...grainArrow([onto(piece.grain[0]), onto(piece.grain[1])]),
     ...piece.matches.flatMap((p, k) => crossAt(onto(p), k + 1)),

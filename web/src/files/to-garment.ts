@@ -4,6 +4,7 @@
  */
 import {mappedFold} from '../model/garment/folds.js';
 import {withLineNames} from '../model/garment/line-names.js';
+import {divideAtFolds} from '../model/garment/pleated-edges.js';
 import type {Drawing, DrawnPiece, Run} from '../model/garment/imported-drawing.js';
 import type {
   DraftedEdge,
@@ -26,6 +27,7 @@ import {atShare, signedArea} from '../model/geometry/polyline.js';
 import type {Symmetry} from '../model/garment/symmetries.js';
 import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
 import {crossing} from './base/crossings.js';
+import {foldsWithin} from './base/fold-lines.js';
 import {nearestOn} from './base/nearest.js';
 import {cmPer} from './base/units.js';
 import {unfolded} from './unfold.js';
@@ -147,11 +149,11 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
     const [[from], [to]] = [end(a), end(b)];
     return from && to ? [{a: from, b: to, sameDirection, weight: 1, matched: true}] : [];
   });
-  return {
+  return divideAtFolds({
     ...{pieces, seams, matches: [], symmetries, questions: []},
     ...(drawing.title !== undefined && {title: drawing.title}),
     ...(drawing.size !== undefined && {size: drawing.size}),
-  };
+  }).document;
 }
 
 /** The piece with some of its holes as lines drawn on it. */
@@ -231,6 +233,7 @@ function pieceOf(drawn: DrawnPiece, name: string, scale: number): Made {
       ...(count > 1 && {quantity: count}),
       ...(whole.size !== undefined && {size: whole.size}),
       ...(whole.material !== undefined && {material: whole.material}),
+      ...(whole.folds && {folds: foldsWithin(whole.folds, tracedLoop(whole.sewn, traceTolerance))}),
       ...(whole.drillHoles.length > 0 && {drillHoles: whole.drillHoles}),
     },
     edges: runs.map((_, k) => (isClockwise ? last - k : k)),
@@ -249,7 +252,7 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
   const at = ([x, y]: Point): Point => [x * scale, y * scale];
   const line = ([from, to]: readonly [Point, Point]) => [at(from), at(to)] as const;
   const loop = (runs: readonly Run[]): Run[] => runs.map((run) => mapped(run, at));
-  const {sewn, cut, holes, notches, grain, fold, internalLines, drillHoles, ...rest} = piece;
+  const {sewn, cut, holes, notches, grain, fold, folds, internalLines, drillHoles, ...rest} = piece;
   return {
     ...rest,
     sewn: loop(sewn),
@@ -262,6 +265,7 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
     })),
     ...(grain && {grain: line(grain)}),
     ...(fold && {fold: line(fold)}),
+    ...(folds && {folds: folds.map((one) => mappedFold(one, at))}),
     internalLines: internalLines.map((points) => points.map(at)),
     drillHoles: drillHoles.map(at),
   };

@@ -245,6 +245,11 @@ export interface ConvertOptions {
   readonly name?: string;
   /** Writes a plain GarmentCode specification; see `convert`. */
   readonly plain?: boolean;
+  /**
+   * Divides edges that run across pleats, so that seams count the length of pleated edges with the
+   * pleats closed. The numbers of edges and stitches change.
+   */
+  readonly dividePleats?: boolean;
 }
 
 /**
@@ -260,11 +265,20 @@ export async function convert(
   garment: Garment | string,
   options: ConvertOptions | string = {},
 ): Promise<string> {
-  const {name = plainNames.garment, plain = false} =
-    typeof options === 'string' ? {name: options} : options;
-  if (!plain) return solver.convert(garment, {name});
-  const {plainGarment} = await import('../model/garment/plain-garment.js');
-  return plainGarment(await solver.garment(garment, {name}));
+  const {
+    name = plainNames.garment,
+    plain = false,
+    dividePleats = false,
+  } = typeof options === 'string' ? {name: options} : options;
+  if (!plain && !dividePleats) return solver.convert(garment, {name});
+  const [{plainGarment}, {divideAtFolds}, {garmentFile}] = await Promise.all([
+    import('../model/garment/plain-garment.js'),
+    import('../model/garment/pleated-edges.js'),
+    import('../model/garment/write-garment.js'),
+  ]);
+  const read = await solver.garment(garment, {name});
+  const document = dividePleats ? divideAtFolds(read).document : read;
+  return plain ? plainGarment(document) : garmentFile(document);
 }
 
 export interface GarmentDxfOptions extends PieceDxfOptions {

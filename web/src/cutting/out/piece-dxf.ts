@@ -14,7 +14,7 @@ import {
 } from '../../model/geometry/vectors.js';
 import {signedArea} from '../../model/geometry/polyline.js';
 import type {LaidPiece} from '../cut-sheet.js';
-import {foldArrows, foldLines, foldText} from '../fold-marks.js';
+import {foldArrows, foldLines, foldText} from '../../model/garment/folds.js';
 import {lineColours} from '../line-colours.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {length, line, point, polyline, text, type Pair} from '../../files/dxf/records.js';
