@@ -13,15 +13,13 @@ constexpr double kShortestFoldCm = 0.1;
 constexpr double kLeastUptakeCm = 0.1;
 constexpr double kFoldOutsideCm = 0.2;  ///< tolerance for lines drawn slightly outside their piece
 
+/// In the order of FoldKind.
+constexpr const char* kKinds[] = {"knife", "box", "inverted", "tuck", "roll", "press"};
+
 FoldKind readKind(const JsonValue& json, const Place& place) {
   const std::string kind = text(json, place, "'kind'");
-  for (const auto& [name, value] : {std::pair("knife", FoldKind::kKnife),
-                                    {"box", FoldKind::kBox},
-                                    {"inverted", FoldKind::kInverted},
-                                    {"tuck", FoldKind::kTuck},
-                                    {"roll", FoldKind::kRoll},
-                                    {"press", FoldKind::kPress}})
-    if (kind == name) return value;
+  for (std::uint8_t k = 0; k < std::size(kKinds); ++k)
+    if (kind == kKinds[k]) return static_cast<FoldKind>(k);
   place.fail(place.shape, "has the unknown kind " + inQuotes(kind) +
                               "; write knife, box, inverted, tuck, roll or press");
   return FoldKind::kPress;

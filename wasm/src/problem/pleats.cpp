@@ -5,12 +5,11 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "base/decimal.h"
 #include "base/in_quotes.h"
+#include "base/sort_by.h"
 #include "problem/placing_rules.h"
 #include "tuning/pleats.h"
 
@@ -34,7 +33,7 @@ struct PleatedPanel {
 struct Choice {
   double angle = 0;
   double off_grain = 0;  ///< rad
-  std::vector<PleatFit::Strip> strips;
+  PleatFit fit;
   double change = 0;  ///< sum of the changes of width
   bool possible = false;
 };
@@ -56,67 +55,62 @@ std::optional<PleatedPanel> pleatedPanel(const Panel& panel) {
     found.pleats.push_back(
         {std::min(line, to), std::max(line, to), fold.kind == FoldKind::kBox ? 2 : 1});
   }
-  std::sort(found.pleats.begin(), found.pleats.end(),
-            [](const Pleat& one, const Pleat& other) { return one.from < other.from; });
+  sortBy(found.pleats, [](const Pleat& pleat) { return pleat.from; });
   for (std::size_t k = 1; k < found.pleats.size(); ++k)
     if (found.pleats[k].from < found.pleats[k - 1].to - PleatTuning::kParallelCm) return {};
   return found;
 }
 
-/// Lattice vectors up to a length that are no multiples of others, one of each opposite pair.
-std::vector<Vec2> primitives(const WallpaperGroup& group, double longest) {
-  const auto& [r1, r2] = group.reducedBasis();
-  const double height = std::abs(cross(r1, r2));
-  const int most1 = static_cast<int>(longest * r2.norm() / height);
-  const int most2 = static_cast<int>(longest * r1.norm() / height);
-  std::vector<Vec2> found;
-  for (int i = 0; i <= most1; ++i)
-    for (int j = i == 0 ? 1 : -most2; j <= most2; ++j) {
-      const Vec2 v = i * r1 + j * r2;
-      if (std::gcd(i, j) == 1 && v.norm() <= longest) found.push_back(v);
-    }
-  return found;
-}
-
 /// The admissible angles of a piece whose pleats hang by its grain, and the greatest deviation.
-std::pair<std::vector<double>, double> anglesOf(const Problem& problem, int piece) {
-  const PieceRule rule = pieceRules(problem)[piece];
-  if (rule.pin) return {{rule.pin->angle}, 0.0};
-  if (grainRule(problem, piece).lock != GrainLock::kFree) return {rule.angles, rule.tolerance};
-  return {{grainLine(problem, piece) - kPi / 2}, PleatTuning::kMostTurn};
+PieceRule anglesOf(const Problem& problem, int piece) {
+  PieceRule rule = pieceRules(problem)[piece];
+  if (rule.pin) {
+    rule.angles = {rule.pin->angle};
+    rule.tolerance = 0;
+  } else if (grainRule(problem, piece).lock == GrainLock::kFree) {
+    rule.angles = {grainLine(problem, piece) - kPi / 2};
+    rule.tolerance = PleatTuning::kMostTurn;
+  }
+  return rule;
 }
 
 class PleatChooser {
  public:
   PleatChooser(const Problem& problem, int piece, const PleatedPanel& panel)
-      : panel_(panel), most_moved_(problem.options.max_change_cm) {
-    std::tie(angles_, tolerance_) = anglesOf(problem, piece);
-    const auto& basis = problem.print.group.reducedBasis();
-    double longest = 2 * basis[1].norm();
+      : piece_(piece), panel_(panel), most_moved_(problem.options.max_change_cm) {
+    const PieceRule rule = anglesOf(problem, piece);
+    const auto& [r1, r2] = problem.print.group.reducedBasis();
+    double longest = 2 * r2.norm();
     for (const Pleat& pleat : panel.pleats)
       longest = std::max(longest, (1 + PleatTuning::kMostGrowth) * pleat.width() / pleat.parts);
-    for (const Vec2& repeat : primitives(problem.print.group, longest)) consider(repeat);
+    // Lattice vectors that are no multiples of others, one of each opposite pair.
+    const double height = std::abs(cross(r1, r2));
+    const int most1 = static_cast<int>(longest * r2.norm() / height);
+    const int most2 = static_cast<int>(longest * r1.norm() / height);
+    for (int i = 0; i <= most1; ++i)
+      for (int j = i == 0 ? 1 : -most2; j <= most2; ++j)
+        if (std::gcd(i, j) == 1) consider(i * r1 + j * r2, rule);
   }
 
   const std::optional<Choice>& best() const { return best_; }
 
  private:
-  void consider(const Vec2& repeat) {
+  void consider(const Vec2& repeat, const PieceRule& rule) {
     // R(angle)^T across is along the repeat, in either direction.
     const double turned = directionOf(panel_.across) - directionOf(repeat);
-    for (const double wanted : angles_) {
-      const double off = std::remainder(turned - wanted, kPi);
-      if (std::abs(off) > tolerance_ + PleatTuning::kSameAngle) continue;
-      Choice choice{wanted + off, std::abs(off), {}, 0, true};
+    for (const double wanted : rule.angles) {
+      const double half_turns = std::nearbyint((turned - wanted) / kPi);
+      const double off = turned - wanted - half_turns * kPi;
+      if (std::abs(off) > rule.tolerance + PleatTuning::kSameAngle) continue;
+      Choice choice{wanted + off, std::abs(off), {piece_, panel_.across, {}}, 0, true};
       for (const Pleat& pleat : panel_.pleats) {
         const double unit = pleat.parts * repeat.norm(), width = pleat.width();
-        const double growth = std::max(1.0, std::round(width / unit)) * unit - width;
-        choice.strips.push_back({pleat.from, pleat.to, growth});
+        const double growth = std::max(1.0, std::nearbyint(width / unit)) * unit - width;
+        choice.fit.strips.push_back({pleat.from, pleat.to, growth});
         choice.change += std::abs(growth);
         choice.possible &= std::abs(growth) <= PleatTuning::kMostGrowth * width;
       }
-      choice.possible &=
-          PleatFit(panel_.across, choice.strips).movement() <= most_moved_ + PleatTuning::kWholeCm;
+      choice.possible &= choice.fit.movement() <= most_moved_ + PleatTuning::kWholeCm;
       if (!best_ || isBetter(choice, *best_)) best_ = std::move(choice);
     }
   }
@@ -128,141 +122,143 @@ class PleatChooser {
     return one.change < other.change - PleatTuning::kWholeCm;
   }
 
+  int piece_;
   const PleatedPanel& panel_;
   double most_moved_;
-  std::vector<double> angles_;
-  double tolerance_ = 0;
   std::optional<Choice> best_;
 };
 
-/// True if a sewn edge runs across a pleat.
-bool isSewnAcross(const Garment& garment, int piece, const PleatFit& fit) {
-  const auto runsAcross = [&](const EdgeRef& edge) {
-    if (edge.piece != piece) return false;
-    const Curve& curve = garment.panels[piece].edges[edge.edge];
-    return !fit.holds(curve) || fit.stripOf(curve) >= 0;
-  };
-  return std::any_of(garment.stitches.begin(), garment.stitches.end(), [&](const Stitch& stitch) {
-    return runsAcross(stitch.a) || runsAcross(stitch.b);
-  });
-}
+/// Sentences by code. $ is the list of pieces; 0 and 1 are the first two numbers, in cm.
+constexpr struct {
+  const char *code, *sentence;
+} kFindings[] = {
+    {"pleatsFitted",
+     "The print runs on across the pleats of $: they take up 1 cm in place of 0 cm, a whole "
+     "repeat."},
+    {"pleatsOff",
+     "The print does not run on across the pleats of $: they take up 0 cm, and a whole repeat is 1 "
+     "cm, which is out of reach; draft them so, or choose another size of the print."},
+    {"pleatsUndivided",
+     "Edges of $ run across pleats and count as if these were open; divide the edges where the "
+     "lines of the pleats meet them."},
+    {"pleatsOffGrain",
+     "No repeat of the print runs across the pleats of $ on this grain; turn the print, or free "
+     "the grain."},
+    {"pleatsUneven",
+     "The print is not matched across the pleats of $, because their lines are not parallel or "
+     "they overlap."}};
 
-bool holdsAll(const Panel& panel, const PleatFit& fit) {
-  const auto holds = [&](const Curve& curve) { return fit.holds(curve); };
-  return std::all_of(panel.edges.begin(), panel.edges.end(), holds) &&
-         std::all_of(panel.holes.begin(), panel.holes.end(), [&](const std::vector<Curve>& hole) {
-           return std::all_of(hole.begin(), hole.end(), holds);
-         });
-}
-
-void apply(const PleatFit& fit, int piece, Problem* problem) {
-  Panel& panel = problem->garment.panels[piece];
-  for (Curve& edge : panel.edges) edge = fit.fitted(edge);
-  for (std::vector<Curve>& hole : panel.holes)
-    for (Curve& edge : hole) edge = fit.fitted(edge);
-  for (Fold& fold : panel.folds)
-    for (Fold::Line* line : {&fold.line, &fold.to})
-      for (Vec2& p : *line) p = fit.fitted(p);
-  for (MatchLine& match : problem->options.matches) {
-    if (match.piece_a == piece)
-      for (Vec2& p : match.a) p = fit.fitted(p);
-    if (match.piece_b == piece)
-      for (Vec2& p : match.b) p = fit.fitted(p);
-  }
-  problem->pleat_fits.emplace(piece, fit);
-}
-
-/// Fixes the angle of the piece and its outline.
-void fix(const Choice& choice, int piece, Problem* problem) {
-  SolveOptions& options = problem->options;
-  if (options.pins.count(piece) == 0)
-    options.piece_grain[piece] = {GrainRule{GrainLock::kOn, 0}, choice.angle + kPi / 2};
-  const auto edges = static_cast<int>(problem->garment.panels[piece].edges.size());
-  for (int edge = 0; edge < edges; ++edge) options.locked.push_back({piece, edge});
-}
-
-/// Pieces about whose pleats the same is to be said.
-struct Finding {
-  const char* code;
-  std::vector<double> numbers;  ///< cm
-  std::vector<int> pieces;
-};
-
-std::string sentence(const Finding& finding, const std::string& names) {
-  const std::string_view code = finding.code;
-  const auto cm = [&](std::size_t k) { return significant(finding.numbers[k], 4) + " cm"; };
-  if (code == "pleatsFitted")
-    return "The print runs on across the pleats of " + names + ": they take up " + cm(1) +
-           " in place of " + cm(0) + ", a whole repeat.";
-  if (code == "pleatsOff")
-    return "The print does not run on across the pleats of " + names + ": they take up " + cm(0) +
-           ", and a whole repeat is " + cm(1) +
-           ", which is out of reach; draft them so, or choose another size of the print.";
-  if (code == "pleatsUndivided")
-    return "The pleats of " + names + " stay " + cm(0) + " wide in place of a whole repeat of " +
-           cm(1) +
-           ", because edges run across them; divide the edges where the lines of the "
-           "pleats meet them.";
-  if (code == "pleatsSewnFlat")
-    return "Edges of " + names +
-           " are sewn across their pleats as if these were open; divide the "
-           "edges where the lines of the pleats meet them.";
-  if (code == "pleatsOffGrain")
-    return "The print does not run on across the pleats of " + names +
-           ": no repeat of it runs across them on this grain; turn the print, or free the grain.";
-  return "The print is not matched across the pleats of " + names +
-         ", because their lines are not parallel or they overlap.";
-}
+enum FindingCode : std::uint8_t { kFitted, kOff, kUndivided, kOffGrain, kUneven };
 
 class PleatFitting {
  public:
-  explicit PleatFitting(Problem* problem) : problem_(problem) {}
+  explicit PleatFitting(Problem* problem) : problem_(*problem) {}
 
   void fitPiece(int piece) {
-    const std::optional<PleatedPanel> pleated = pleatedPanel(problem_->garment.panels[piece]);
-    if (!pleated) return find("pleatsUneven", piece);
-    const PleatChooser chooser(*problem_, piece, *pleated);
-    if (!chooser.best()) return find("pleatsOffGrain", piece);
+    const std::optional<PleatedPanel> pleated = pleatedPanel(problem_.garment.panels[piece]);
+    if (!pleated) return find(kUneven, piece);
+    const PleatChooser chooser(problem_, piece, *pleated);
+    if (!chooser.best()) return find(kOffGrain, piece);
     const Choice& choice = *chooser.best();
-    const PleatFit fit(pleated->across, choice.strips);
-    const bool is_sewn_across = isSewnAcross(problem_->garment, piece, fit);
-    if (is_sewn_across) find("pleatsSewnFlat", piece);
+    const PleatFit& fit = choice.fit;
+    const bool is_divided = isDivided(fit);
+    if (!is_divided) find(kUndivided, piece);
     if (choice.change > PleatTuning::kWholeCm) {
-      const PleatFit::Strip& first = fit.strips().front();
-      const double drafted = first.to - first.from, whole = drafted + first.growth;
-      if (!choice.possible) return find("pleatsOff", piece, {drafted, whole});
-      if (is_sewn_across || !holdsAll(problem_->garment.panels[piece], fit))
-        return find("pleatsUndivided", piece, {drafted, whole});
-      find("pleatsFitted", piece, {drafted, whole});
-      apply(fit, piece, problem_);
+      const PleatFit::Strip& first = fit.strips.front();
+      const double drafted = first.to - first.from;
+      const bool is_fitted = choice.possible && is_divided;
+      find(is_fitted ? kFitted : kOff, piece, {drafted, drafted + first.growth});
+      if (!is_fitted) return;
+      apply(fit);
     }
-    fix(choice, piece, problem_);
+    fix(choice);
   }
 
   void addNotes() {
     for (Finding& finding : findings_) {
-      std::string names;
+      std::string names, text;
       for (const int piece : finding.pieces)
-        names += (names.empty() ? "" : ", ") + inQuotes(problem_->garment.panels[piece].name);
-      problem_->notes.push_back({finding.code,
-                                 sentence(finding, names),
-                                 std::move(finding.pieces),
-                                 {},
-                                 std::move(finding.numbers)});
+        names += (names.empty() ? "" : ", ") + inQuotes(problem_.garment.panels[piece].name);
+      for (const char* c = kFindings[finding.code].sentence; *c; ++c) {
+        if (*c == '$')
+          text += names;
+        else if (*c == '0' || *c == '1')
+          text += significant(finding.numbers[*c - '0'], 4);
+        else
+          text += *c;
+      }
+      problem_.notes.push_back({kFindings[finding.code].code,
+                                std::move(text),
+                                std::move(finding.pieces),
+                                {},
+                                std::move(finding.numbers)});
     }
   }
 
  private:
-  void find(const char* code, int piece, std::vector<double> numbers = {}) {
+  /// Pieces about whose pleats the same is to be reported.
+  struct Finding {
+    FindingCode code;
+    std::vector<double> numbers;
+    std::vector<int> pieces;
+  };
+
+  void find(FindingCode code, int piece, std::vector<double> numbers = {}) {
     for (Finding& finding : findings_)
-      if (std::string_view(finding.code) == code && finding.numbers == numbers) {
+      if (finding.code == code && finding.numbers == numbers) {
         finding.pieces.push_back(piece);
         return;
       }
     findings_.push_back({code, std::move(numbers), {piece}});
   }
 
-  Problem* problem_;
+  /// Calls `use` for every curve of a panel.
+  template <class Use>
+  static void forCurves(Panel& panel, Use use) {
+    for (Curve& edge : panel.edges) use(edge);
+    for (std::vector<Curve>& hole : panel.holes)
+      for (Curve& edge : hole) use(edge);
+  }
+
+  /// False if an edge runs across a line of a pleat, or a sewn edge is inside a pleat.
+  bool isDivided(const PleatFit& fit) {
+    bool is_divided = true;
+    forCurves(problem_.garment.panels[fit.piece],
+              [&](const Curve& edge) { is_divided &= fit.stripOf(edge) >= -1; });
+    for (const Stitch& stitch : problem_.garment.stitches)
+      for (const EdgeRef& edge : {stitch.a, stitch.b})
+        if (edge.piece == fit.piece)
+          is_divided &= fit.stripOf(problem_.garment.panels[edge.piece].edges[edge.edge]) == -1;
+    return is_divided;
+  }
+
+  void apply(const PleatFit& fit) {
+    Panel& panel = problem_.garment.panels[fit.piece];
+    const auto move = [&](Vec2& p) { p = fit.fitted(p); };
+    forCurves(panel, [&](Curve& edge) { edge = fit.fitted(edge); });
+    for (Fold& fold : panel.folds)
+      for (Fold::Line* line : {&fold.line, &fold.to})
+        for (Vec2& p : *line) move(p);
+    for (MatchLine& match : problem_.options.matches) {
+      if (match.piece_a == fit.piece)
+        for (Vec2& p : match.a) move(p);
+      if (match.piece_b == fit.piece)
+        for (Vec2& p : match.b) move(p);
+    }
+    problem_.pleat_fits.push_back(fit);
+  }
+
+  /// Fixes the angle of the piece and its outline.
+  void fix(const Choice& choice) {
+    SolveOptions& options = problem_.options;
+    const int piece = choice.fit.piece;
+    if (options.pins.count(piece) == 0)
+      options.piece_grain[piece] = {GrainRule{GrainLock::kOn, 0}, choice.angle + kPi / 2};
+    const auto edges = static_cast<int>(problem_.garment.panels[piece].edges.size());
+    for (int edge = 0; edge < edges; ++edge) options.locked.push_back({piece, edge});
+  }
+
+  Problem& problem_;
   std::vector<Finding> findings_;
 };
 
@@ -274,9 +270,9 @@ void fitPleats(Problem* problem) {
   PleatFitting fitting(problem);
   for (std::size_t p = 0; p < problem->garment.panels.size(); ++p) {
     const int piece = static_cast<int>(p);
-    const std::vector<Fold>& folds = problem->garment.panels[p].folds;
-    if (std::any_of(folds.begin(), folds.end(), [](const Fold& fold) { return fold.takesUp(); }) &&
-        std::find(plain.begin(), plain.end(), piece) == plain.end())
+    bool takes_up = false;
+    for (const Fold& fold : problem->garment.panels[p].folds) takes_up |= fold.takesUp();
+    if (takes_up && std::find(plain.begin(), plain.end(), piece) == plain.end())
       fitting.fitPiece(piece);
   }
   fitting.addNotes();

@@ -26,9 +26,9 @@ struct Problem {
   Print print;
   GarmentSymmetries symmetries;
   SolveOptions options;
-  std::vector<Note> notes;        ///< items dropped or assumed by reading
-  std::vector<SeamGroup> groups;  ///< the stitches as seams of a sewist
-  PleatFits pleat_fits = {};      ///< panels whose pleats take up more or less than drafted
+  std::vector<Note> notes;                ///< items dropped or assumed by reading
+  std::vector<SeamGroup> groups;          ///< the stitches as seams of a sewist
+  std::vector<PleatFit> pleat_fits = {};  ///< panels whose pleats take up more or less fabric
 };
 
 }  // namespace seamwise

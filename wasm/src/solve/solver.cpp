@@ -142,8 +142,8 @@ PrintedPattern Solver::unsolved() const {
   const WallpaperGroup& group = state_->problem.print.group;
   PrintedPattern printed;
   printed.pattern = state_->pattern;
-  for (const auto& [piece, fit] : state_->problem.pleat_fits)
-    for (Vec2& p : printed.pattern.pieces[piece].rest) p = fit.drafted(p);
+  for (const PleatFit& fit : state_->problem.pleat_fits)
+    for (Vec2& p : printed.pattern.pieces[fit.piece].rest) p = fit.drafted(p);
   printed.shapes = restShapes(printed.pattern);
   printed.garment = state_->problem.garment;
   printed.garment.matches = state_->problem.options.matches;

@@ -33,7 +33,6 @@ export const noteCodes = [
   'pleatsOff',
   'pleatsOffGrain',
   'pleatsUndivided',
-  'pleatsSewnFlat',
   'pleatsUneven',
   'partOfTheWay',
   'leftAsDrafted',
@@ -52,7 +51,7 @@ export interface NoteDetail {
   readonly seams: readonly number[];
   /**
    * For `lengthRatio`: as stated, as drafted. For `symmetryChange` and `symmetryLengths`: the
-   * greatest change that would suffice. [cm] For `pleatsFitted`, `pleatsOff` and `pleatsUndivided`:
+   * greatest change that would suffice. [cm] For `pleatsFitted` and `pleatsOff`:
    * the width of the pleats as drafted, and the nearest whole repeat. [cm]
    */
   readonly numbers: readonly number[];

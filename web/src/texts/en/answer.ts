@@ -123,12 +123,6 @@ export const answer = {
       'No repeat of the print runs across the pleats of these pieces on their grain: {pieces}.',
     ),
     pleatsUndivided: text(
-      'The pleats of these pieces keep {drafted} instead of a whole repeat of {whole}, because edges run across them: {pieces}.',
-      'pieces',
-      'drafted',
-      'whole',
-    ),
-    pleatsSewnFlat: text(
       'Edges of these pieces are sewn across open pleats; divide them at the lines of the pleats: {pieces}.',
     ),
     pleatsUneven: text(

@@ -42,13 +42,12 @@ export function spokenNote(
     case 'grainAssumed':
       return notes.grainAssumed(joined(labels));
     case 'pleatsFitted':
-    case 'pleatsOff':
-    case 'pleatsUndivided': {
+    case 'pleatsOff': {
       const [before = '', whole = ''] = numbers.map((cm) => format.length(cm));
       return notes[code](joined(labels), before, whole);
     }
     case 'pleatsOffGrain':
-    case 'pleatsSewnFlat':
+    case 'pleatsUndivided':
     case 'pleatsUneven':
       return notes[code](joined(labels));
     case 'noSeams':
