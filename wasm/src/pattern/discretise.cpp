@@ -132,10 +132,6 @@ Pattern assembled(const Garment& garment, const Outlines& outlines, const Breakp
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     pattern.pieces[p].name = garment.panels[p].name;
     pattern.pieces[p].mirrored_from_input = garment.panels[p].mirrored_from_input;
-    for (const Fold& fold : garment.panels[p].folds)
-      if (fold.takesUp())
-        for (const Fold::Line& line : {fold.line, fold.to})
-          pattern.pieces[p].creases.push_back(line);
   }
   for (std::size_t s = 0; s < imposed.size(); ++s)
     pattern.mirrors.push_back(

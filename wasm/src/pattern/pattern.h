@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "geometry/rigid_motion.h"
-#include "pattern/fold.h"
 
 namespace seamwise {
 
@@ -19,7 +18,6 @@ struct Piece {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise
   std::vector<int> edge_start;  ///< outline position at which edge k of the panel starts
   bool mirrored_from_input = false;
-  std::vector<Crease> creases;  ///< lines of pleats
 };
 
 /// The outline position k of the edge between neighbouring outline vertices u and v, in either

@@ -133,20 +133,19 @@ constexpr struct {
   const char *code, *sentence;
 } kFindings[] = {
     {"pleatsFitted",
-     "The print runs on across the pleats of $: they take up 1 cm in place of 0 cm, a whole "
-     "repeat."},
+     "The pleats of $ take up 1 cm in place of 0 cm, a whole repeat, so that the print runs on "
+     "across them."},
     {"pleatsOff",
      "The print does not run on across the pleats of $: they take up 0 cm, and a whole repeat is 1 "
-     "cm, which is out of reach; draft them so, or choose another size of the print."},
+     "cm; draft them so, or choose another size of the print."},
     {"pleatsUndivided",
-     "Edges of $ run across pleats and count as if these were open; divide the edges where the "
-     "lines of the pleats meet them."},
+     "Edges of $ run across pleats and count as if these were open; divide them at the lines of "
+     "the pleats."},
     {"pleatsOffGrain",
      "No repeat of the print runs across the pleats of $ on this grain; turn the print, or free "
      "the grain."},
     {"pleatsUneven",
-     "The print is not matched across the pleats of $, because their lines are not parallel or "
-     "they overlap."}};
+     "The print is not matched across the pleats of $, whose lines are not parallel or overlap."}};
 
 enum FindingCode : std::uint8_t { kFitted, kOff, kUndivided, kOffGrain, kUneven };
 
@@ -174,7 +173,10 @@ class PleatFitting {
     fix(choice);
   }
 
-  void addNotes() {
+  /// Stores the fits and adds the notes.
+  void end() {
+    if (!fits_.empty())
+      problem_.pleat_fits = std::make_shared<const std::vector<PleatFit>>(std::move(fits_));
     for (Finding& finding : findings_) {
       std::string names, text;
       for (const int piece : finding.pieces)
@@ -245,7 +247,7 @@ class PleatFitting {
       if (match.piece_b == fit.piece)
         for (Vec2& p : match.b) move(p);
     }
-    problem_.pleat_fits.push_back(fit);
+    fits_.push_back(fit);
   }
 
   /// Fixes the angle of the piece and its outline.
@@ -260,6 +262,7 @@ class PleatFitting {
 
   Problem& problem_;
   std::vector<Finding> findings_;
+  std::vector<PleatFit> fits_;
 };
 
 }  // namespace
@@ -275,7 +278,7 @@ void fitPleats(Problem* problem) {
     if (takes_up && std::find(plain.begin(), plain.end(), piece) == plain.end())
       fitting.fitPiece(piece);
   }
-  fitting.addNotes();
+  fitting.end();
 }
 
 }  // namespace seamwise

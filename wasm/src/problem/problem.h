@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,10 @@ struct Problem {
   Print print;
   GarmentSymmetries symmetries;
   SolveOptions options;
-  std::vector<Note> notes;                ///< items dropped or assumed by reading
-  std::vector<SeamGroup> groups;          ///< the stitches as seams of a sewist
-  std::vector<PleatFit> pleat_fits = {};  ///< panels whose pleats take up more or less fabric
+  std::vector<Note> notes;        ///< items dropped or assumed by reading
+  std::vector<SeamGroup> groups;  ///< the stitches as seams of a sewist
+  /// Panels whose pleats take up more or less fabric than drafted; null without any.
+  std::shared_ptr<const std::vector<PleatFit>> pleat_fits = {};
 };
 
 }  // namespace seamwise
