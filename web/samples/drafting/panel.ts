@@ -39,7 +39,7 @@ export interface Panel {
 }
 
 /** A pleat or tuck that is closed by laying `line` on `to`. */
-export interface Fold {
+interface Fold {
   readonly line: readonly [Point, Point];
   readonly to: readonly [Point, Point];
   readonly kind: 'knife' | 'box' | 'inverted' | 'tuck';

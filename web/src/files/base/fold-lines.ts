@@ -19,7 +19,7 @@ import {
 type Line = readonly Point[];
 
 /** Text, and its place in the coordinates of the lines. */
-export interface Label {
+interface Label {
   readonly at: Point;
   readonly text: string;
 }
