@@ -22,7 +22,7 @@ export function laidRectangle(
   return {
     ...{name: 'front', label: 'Front', copy: 1, place, quantity: 1, words: ['Front']},
     ...{cut: [corners(0)], sewn: [corners(1)], corners: corners(1), notches: [], ticks: []},
-    ...{matchPoints: [], letters: [], internalLines: [], drillHoles: []},
+    ...{matchPoints: [], letters: [], internalLines: [], folds: [], drillHoles: []},
     grain: [onPiece(place, [1, 1]), onPiece(place, [1, 2])],
     marks: [
       outline(corners(0), 'cut'),

@@ -12,7 +12,8 @@ import {readDxf} from '@/files/dxf/read-dxf.js';
 import {nearestOn} from '@/files/base/nearest.js';
 import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import {edgeLine} from '@/model/garment/edge-curve.js';
-import type {GarmentDocument, GarmentPiece} from '@/model/garment/garment-document.js';
+import {foldLines} from '@/model/garment/folds.js';
+import type {DraftedFold, GarmentDocument, GarmentPiece} from '@/model/garment/garment-document.js';
 import {panelMarks} from '@/model/garment/panel-marks.js';
 import {atShare} from '@/model/geometry/polyline.js';
 import {distance, type Point} from '@/model/geometry/vectors.js';
@@ -111,3 +112,24 @@ describe.each(samples)('the DXF of the %s', (name) => {
     expect(tooFar(drafted, imported(sheetDxf(drafted)))).toEqual([]);
   });
 });
+
+it.each(['box-pleated-skirt', 'tucked-blouse'])(
+  'the DXF of the %s contains its folds',
+  async (name) => {
+    const garment = await readGarment(
+      await readFile(`public/garments/${name}-m.json`, 'utf8'),
+      name,
+    );
+    const sheet = draftedSheet(garment, {allowanceCm: 1, units: 'cm'});
+    const {pieces} = imported(sheetDxf(sheet));
+    sheet.pieces.forEach(({name: piece, folds}, k) => {
+      const found = pieces[k]?.folds ?? [];
+      expect(found.map(({kind}) => kind)).toEqual(folds.map(({kind}) => kind));
+      const ends = (all: readonly Pick<DraftedFold, 'line' | 'to'>[]) =>
+        all.flatMap((fold) => foldLines(fold).flat());
+      const off = ends(found).map((p, n) => distance(p, ends(folds)[n] ?? [0, 0]));
+      expect(Math.max(0, ...off), piece).toBeLessThan(0.005);
+      expect(pieces[k]?.internalLines, piece).toEqual([]);
+    });
+  },
+);

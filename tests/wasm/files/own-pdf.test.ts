@@ -10,6 +10,7 @@ import {draftedSheet} from '@/cutting/drafted-sheet.js';
 import {tracedLoop} from '@/files/base/bezier.js';
 import {nearestOn} from '@/files/base/nearest.js';
 import {readAnyDrawing} from '@/files/read-drawing.js';
+import {foldLines} from '@/model/garment/folds.js';
 import type {Drawing, DrawnPiece} from '@/model/garment/imported-drawing.js';
 import {boxOf} from '@/model/geometry/polyline.js';
 import {distance, minus, plus, type Point} from '@/model/geometry/vectors.js';
@@ -85,6 +86,14 @@ function expectSame(laid: LaidPiece, piece: DrawnPiece, shift: Point, isProjecte
   expect(Math.max(...offs), laid.label).toBeLessThan(0.2);
   if (isProjected) return;
   expect(deviation(moved(laid.cut[0] ?? []), tracedLoop(piece.cut ?? [], 0.01))).toBeLessThan(0.2);
+  expect(piece.folds?.length ?? 0, laid.label).toBe(laid.folds.length);
+  for (const fold of piece.folds ?? []) {
+    const lines = laid.folds.flatMap((one) => foldLines(one).map(moved));
+    for (const ends of foldLines(fold)) {
+      const off = lines.map((line) => Math.max(...ends.map((p) => nearestOn(line, p, false).off)));
+      expect(Math.min(...off), laid.label).toBeLessThan(0.2);
+    }
+  }
   const cutInto = laid.notches.filter(({depthCm}) => depthCm > 0);
   expect(piece.notches, laid.label).toHaveLength(cutInto.length);
   for (const at of moved(cutInto.map((notch) => notch.at))) {
@@ -93,10 +102,13 @@ function expectSame(laid: LaidPiece, piece: DrawnPiece, shift: Point, isProjecte
   }
 }
 
+const sheetOf = async (name: string): Promise<CutSheet> =>
+  draftedSheet(await readGarment(readFileSync(join(folder, name), 'utf8')), {
+    ...{allowanceCm: 1, hemCm: 3, units: 'cm'},
+  });
+
 describe.each(garments)('the cutting sheet of %s comes back as the same pieces', (name) => {
-  const sheet = readGarment(readFileSync(join(folder, name), 'utf8')).then((garment) =>
-    draftedSheet(garment, {allowanceCm: 1, hemCm: 3, units: 'cm'}),
-  );
+  const sheet = sheetOf(name);
 
   it.each(['a4', 'letter', 'a0', 'projector'])('from %s', async (paper) => {
     await comesBack(await sheet, paper, 'outline');
@@ -108,3 +120,10 @@ describe.each(garments)('the cutting sheet of %s comes back as the same pieces',
     await comesBack({...rest, pieces: printed}, paper, 'full');
   });
 });
+
+it.each(['box-pleated-skirt', 'tucked-blouse'])(
+  'the %s comes back from A4 with its folds',
+  async (name) => {
+    await comesBack(await sheetOf(`${name}-m.json`), 'a4', 'outline');
+  },
+);

@@ -132,6 +132,27 @@ const everything = {
           [2, 3],
           [4, 3],
         ],
+        folds: [
+          {
+            line: [
+              [1, 18],
+              [1, 12],
+            ],
+            to: [
+              [2, 18],
+              [2, 12],
+            ],
+            kind: 'knife',
+            stitched: 4,
+          },
+          {
+            line: [
+              [6, 18],
+              [6, 12],
+            ],
+            kind: 'press',
+          },
+        ],
         quantity: 2,
         size: '38',
         material: 'silk',

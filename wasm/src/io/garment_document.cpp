@@ -112,6 +112,27 @@ void writeGrain(JsonWriter& out, const JsonValue& grain, const Frame& frame) {
   out.close();
 }
 
+void writeFolds(JsonWriter& out, const JsonValue& json, const std::vector<Fold>& folds) {
+  if (folds.empty()) return;
+  const auto line = [&](const char* name, const Fold::Line& ends) {
+    out.key(name);
+    out.openList();
+    for (const Vec2& end : ends) out.put(end);
+    out.close();
+  };
+  out.key("folds");
+  out.openList();
+  for (std::size_t k = 0; k < folds.size(); ++k) {
+    out.openObject();
+    line("line", folds[k].line);
+    if (json[k].find("to")) line("to", folds[k].to);
+    copyMembers(out, json[k], "kind");
+    copyOthers(out, json[k], "line to kind");
+    out.close();
+  }
+  out.close();
+}
+
 /// Rotation of a panel after its x axis is negated, in degrees: R(rotation) = R(returned value) F
 /// on the panel's plane.
 Vec3 turnedOver(const Vec3& rotation) {
@@ -155,13 +176,14 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
       out.key(name);
       putLine(out, line, frame);
     }
+  writeFolds(out, json.find("folds"), panel.folds);
   writeGrain(out, json.find("grain"), frame);
   writePlacement(out, json, frame);
   copyMembers(out, json, "notches quantity size material");
   copyMembers(out, json, "label", Copied::kTexts);
   copyOthers(out, json,
-             "vertices edges holes internalLines cutLine sewLine drillHoles grain translation "
-             "rotation notches label quantity size material");
+             "vertices edges holes internalLines cutLine sewLine drillHoles folds grain "
+             "translation rotation notches label quantity size material");
   out.close();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/decimal.h"
+#include "io/fold_json.h"
 #include "io/outline_check.h"
 
 namespace seamwise {
@@ -119,6 +120,7 @@ void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const 
     for (const JsonValue& line : array(lines, place, "'internalLines'"))
       polyline(line, numbered(place, "internal line", n++), "its points", units.cm);
   }
+  if (const JsonValue folds = json.find("folds")) readFolds(folds, units, place, panel);
   if (const JsonValue drills = json.find("drillHoles")) checkDrillHoles(drills, units, place);
   if (const JsonValue notches = json.find("notches"))
     checkNotches(notches, place, panel->edges.size());

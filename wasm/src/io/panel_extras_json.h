@@ -5,8 +5,8 @@
 
 namespace seamwise {
 
-/// Reads the additions of seamwise-garment/1 to a panel: grain and holes. Cut and sew lines and
-/// marks are only checked; they stay in the document.
+/// Reads the additions of seamwise-garment/1 to a panel: grain, holes and folds. Cut and sew
+/// lines and marks are only checked; they stay in the document.
 /// @param vertices   those of the file, in cm
 /// @param panel      has its outline already
 /// @param cubics     number of cubics in the paths of the outline

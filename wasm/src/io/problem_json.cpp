@@ -9,6 +9,7 @@
 #include "io/print_json.h"
 #include "io/symmetry_json.h"
 #include "problem/placing_rules.h"
+#include "problem/pleats.h"
 
 namespace seamwise {
 namespace {
@@ -167,7 +168,9 @@ std::optional<Error> ProblemReader::read() {
   problem_.reset(new Problem{
       std::move(file.garment), std::move(print).value(), {}, {}, std::move(file.notes), {}});
   of_garment_ = std::move(file.symmetries);
-  return readOptionsInto(texts_, problem_.get());
+  if (auto error = readOptionsInto(texts_, problem_.get())) return error;
+  fitPleats(problem_.get());
+  return std::nullopt;
 }
 
 Outcome<Problem> ProblemReader::take() {

@@ -18,8 +18,11 @@ Error pieceError(const Pattern& pattern, int piece, const std::string& why) {
 
 }  // namespace
 
-Meshing::Meshing(Pattern pattern, double coarsest)
-    : pattern_(std::move(pattern)), coarsest_(coarsest), done_(pattern_.pieces.size(), false) {
+Meshing::Meshing(Pattern pattern, double coarsest, const std::vector<Panel>* panels)
+    : pattern_(std::move(pattern)),
+      coarsest_(coarsest),
+      panels_(panels),
+      done_(pattern_.pieces.size(), false) {
   if (!(coarsest > 0) || !std::isfinite(coarsest))
     error_ = {Failure::kOptions, "the mesh size must be a positive number of centimetres"};
 }
@@ -44,18 +47,30 @@ double Meshing::fraction() const {
 std::optional<Error> Meshing::fillMirrored(Mirror& mirror) {
   for (const int p : mirror.pieces)
     if (done_[p]) return pieceError(pattern_, p, "takes part in two symmetries; leave one out");
-  const Outcome<bool> moved = meshMirrored(pattern_, mirror, coarsest_);
+  const Outcome<bool> moved =
+      meshMirrored(pattern_, mirror, coarsest_, creasesOf(mirror.pieces[0]));
   if (!moved.ok()) return moved.error();
   moved_ = moved_ || moved.value();
   for (const int p : mirror.pieces) done_[p] = true;
   return {};
 }
 
+std::vector<Crease> Meshing::creasesOf(int piece) const {
+  std::vector<Crease> creases;
+  if (!panels_) return creases;
+  for (const Fold& fold : (*panels_)[piece].folds) {
+    if (!fold.takesUp()) continue;
+    creases.push_back(fold.line);
+    creases.push_back(fold.to);
+  }
+  return creases;
+}
+
 std::optional<Error> Meshing::fill(int p) {
   Piece& piece = pattern_.pieces[p];
   std::vector<std::vector<int>> loops{piece.outline};
   loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
-  auto mesh = meshRegion(piece.rest, loops, coarsest_);
+  auto mesh = meshRegion(piece.rest, loops, coarsest_, creasesOf(p));
   if (!mesh)
     return pieceError(pattern_, p,
                       "cannot be filled with triangles: its outline crosses or touches itself or "

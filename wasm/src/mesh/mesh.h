@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/outcome.h"
+#include "pattern/garment.h"
 #include "pattern/pattern.h"
 #include "tuning/mesh.h"
 
@@ -18,7 +19,9 @@ Outcome<Pattern> meshed(Pattern pattern, double coarsest = MeshTuning::kCoarsest
 /// Runs meshed() in steps of one piece or pair each.
 class Meshing {
  public:
-  explicit Meshing(Pattern pattern, double coarsest = MeshTuning::kCoarsest);
+  /// @param panels   of the pieces, for edges along the lines of their pleats; may be null
+  explicit Meshing(Pattern pattern, double coarsest = MeshTuning::kCoarsest,
+                   const std::vector<Panel>* panels = nullptr);
 
   /// Fills one piece, or the two of a pair. Returns false once all are filled or one cannot be.
   bool advance();
@@ -29,9 +32,12 @@ class Meshing {
  private:
   std::optional<Error> fillMirrored(Mirror& mirror);
   std::optional<Error> fill(int piece);
+  /// Lines of the pleats of a piece.
+  std::vector<Crease> creasesOf(int piece) const;
 
   Pattern pattern_;
   double coarsest_;
+  const std::vector<Panel>* panels_;
   std::vector<char> done_;                ///< per piece
   std::size_t mirrors_ = 0, pieces_ = 0;  ///< numbers of mirrors and pieces already visited
   bool moved_ = false;                    ///< an outline has changed

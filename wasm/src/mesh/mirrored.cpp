@@ -136,10 +136,10 @@ struct MeanMesh {
 };
 
 std::optional<MeanMesh> meshHalves(const Piece& piece, Mirror& mirror, std::vector<Vec2> mean,
-                                   double coarsest) {
+                                   double coarsest, const std::vector<Crease>& creases) {
   const auto half = HalfBuilder(piece, mirror, mean, coarsest).build();
   if (!half) return {};
-  const auto mesh = meshRegion(half->points, half->loops, coarsest);
+  const auto mesh = meshRegion(half->points, half->loops, coarsest, creases);
   if (!mesh) return {};
   MeanMesh full{std::move(mean), {}};
   std::vector<int> vertex = half->vertex;  // piece's vertex per vertex of the half mesh
@@ -165,8 +165,8 @@ std::optional<MeanMesh> meshHalves(const Piece& piece, Mirror& mirror, std::vect
 }
 
 std::optional<MeanMesh> meshPair(const Piece& piece, Mirror& mirror, std::vector<Vec2> mean,
-                                 double coarsest) {
-  auto mesh = meshRegion(mean, loopsOf(piece), coarsest);
+                                 double coarsest, const std::vector<Crease>& creases) {
+  auto mesh = meshRegion(mean, loopsOf(piece), coarsest, creases);
   if (!mesh) return {};
   MeanMesh full{std::move(mean), std::move(mesh->triangles)};
   for (const Vec2& p : mesh->interior) {
@@ -178,12 +178,13 @@ std::optional<MeanMesh> meshPair(const Piece& piece, Mirror& mirror, std::vector
 
 }  // namespace
 
-Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
+Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest,
+                           const std::vector<Crease>& creases) {
   Piece &a = pattern.pieces[mirror.pieces[0]], &b = pattern.pieces[mirror.pieces[1]];
   std::vector<Vec2> mean = meanBoundary(pattern, mirror);
   const std::size_t boundary = mean.size();
-  const auto mesh = mirror.single() ? meshHalves(a, mirror, std::move(mean), coarsest)
-                                    : meshPair(a, mirror, std::move(mean), coarsest);
+  const auto mesh = mirror.single() ? meshHalves(a, mirror, std::move(mean), coarsest, creases)
+                                    : meshPair(a, mirror, std::move(mean), coarsest, creases);
   if (!mesh)
     return Error{Failure::kMesh,
                  "piece " + inQuotes(a.name) +

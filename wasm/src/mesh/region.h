@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesh/grading.h"
+#include "pattern/fold.h"
 
 namespace seamwise {
 
@@ -14,9 +15,11 @@ struct RegionMesh {
 };
 
 /// Meshes the region inside loops (outline counter-clockwise, cut-outs clockwise; indices into
-/// `boundary`, every point in one loop). The boundary stays unchanged. Returns nothing if the loops
-/// are not simple, or so thin that rounding leaves a triangle without area.
+/// `boundary`, every point in one loop). The boundary stays unchanged. Edges of triangles run along
+/// the creases, as far as these are inside. Returns nothing if the loops are not simple, or so thin
+/// that rounding leaves a triangle without area.
 std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
-                                     const std::vector<std::vector<int>>& loops, double coarsest);
+                                     const std::vector<std::vector<int>>& loops, double coarsest,
+                                     const std::vector<Crease>& creases);
 
 }  // namespace seamwise

@@ -212,6 +212,26 @@ bool Triangulation::insert(const Vec2& p) {
   return true;
 }
 
+void Triangulation::addCrease(const std::vector<Vec2>& points) {
+  int before = -1;
+  for (const Vec2& p : points) {
+    int vertex = -1;
+    const Spot spot = locate(p);
+    if (spot.taken) {
+      for (const int v : triangles_[spot.triangle].vertex)
+        if (points_[v] == p) vertex = v;
+    } else if (insert(p)) {
+      vertex = static_cast<int>(points_.size()) - 1;
+    }
+    if (before >= 0 && vertex >= 0) fixEdge(before, vertex);
+    before = vertex;
+  }
+  given_ = static_cast<int>(points_.size());
+  for (int k = 0; k < static_cast<int>(triangles_.size()); ++k)
+    for (int e = 0; e < 3; ++e) stack_.emplace_back(k, e);
+  restore();
+}
+
 double Triangulation::quality(int a, int b, int c) const {
   const Vec2 u = points_[b] - points_[a], v = points_[c] - points_[b], w = points_[a] - points_[c];
   return 2 * std::sqrt(3.0) * cross(u, v) / (u.squaredNorm() + v.squaredNorm() + w.squaredNorm());

@@ -22,6 +22,10 @@ class Triangulation {
   /// Adds an interior vertex. Returns false, without a change, unless p is strictly inside the
   /// loops and not yet a vertex.
   bool insert(const Vec2& p);
+  /// Adds vertices along a line, each joined to the one before by an edge that remains; a point may
+  /// be a given vertex. Points that are not inside the loops interrupt the line. The vertices never
+  /// move. Requires that nothing is inserted yet.
+  void addCrease(const std::vector<Vec2>& points);
   /// Moves free vertices to the middle of their neighbours, `passes` times. A move is undone if the
   /// worst quality around the vertex drops below both its old value and a fair one. Restores the
   /// Delaunay property after each pass.
@@ -71,7 +75,7 @@ class Triangulation {
   std::vector<std::pair<int, int>> stack_;  // edges (triangle, edge) that may need a flip
   int last_ = 0;                            // start of the next walk
   std::uint32_t state_ = 1;                 // random state for the walk's first edge
-  int given_ = 0;  // number of vertices before the inserted ones, frame included
+  int given_ = 0;                           // number of vertices that do not move, frame included
 };
 
 }  // namespace seamwise

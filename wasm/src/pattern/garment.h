@@ -5,6 +5,7 @@
 
 #include "geometry/curve.h"
 #include "geometry/rigid_motion.h"
+#include "pattern/fold.h"
 
 namespace seamwise {
 
@@ -19,13 +20,14 @@ struct Panel {
   std::vector<Curve> edges;
   std::vector<std::vector<Curve>> holes;  ///< cut-outs, each a closed clockwise loop; never sewn
   std::vector<char> hole_reversed;        ///< true for holes that the file lists counter-clockwise
-  bool mirrored_from_input = false;       ///< the file shows the back, so x is negated
-  double grain_angle = kPi / 2;           ///< direction of the grain line in this (face-up) frame
-  bool grain_stated = false;              ///< false: the file has no grain line, so it is upwards
-  std::optional<GrainLock> grain_lock;    ///< set by the file; options may override
-  double grain_tolerance = 0;             ///< rad
-  Vec3 placement_shift = Vec3::Zero();    ///< 3D translation of the input panel, cm
-  Vec3 placement_turn = Vec3::Zero();     ///< XYZ Euler angles, rad
+  std::vector<Fold> folds;
+  bool mirrored_from_input = false;     ///< the file shows the back, so x is negated
+  double grain_angle = kPi / 2;         ///< direction of the grain line in this (face-up) frame
+  bool grain_stated = false;            ///< false: the file has no grain line, so it is upwards
+  std::optional<GrainLock> grain_lock;  ///< set by the file; options may override
+  double grain_tolerance = 0;           ///< rad
+  Vec3 placement_shift = Vec3::Zero();  ///< 3D translation of the input panel, cm
+  Vec3 placement_turn = Vec3::Zero();   ///< XYZ Euler angles, rad
   bool operator==(const Panel&) const = default;
 };
 

@@ -164,7 +164,8 @@ bool Preparation::sample() {
     if (!now.ok()) return judge(now.error());
     sampled_ = std::move(now).value();
   }
-  meshing_.emplace(*std::exchange(sampled_, std::nullopt));
+  meshing_.emplace(*std::exchange(sampled_, std::nullopt), MeshTuning::kCoarsest,
+                   &problem_.garment.panels);
   fraction_ = std::max(fraction_, ProgressTuning::kSampled);
   return true;
 }

@@ -1,10 +1,12 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "pattern/garment.h"
 #include "pattern/note.h"
 #include "problem/options.h"
+#include "problem/pleat_fit.h"
 #include "problem/seam_groups.h"
 #include "wallpaper/print.h"
 
@@ -27,6 +29,8 @@ struct Problem {
   SolveOptions options;
   std::vector<Note> notes;        ///< items dropped or assumed by reading
   std::vector<SeamGroup> groups;  ///< the stitches as seams of a sewist
+  /// Panels whose pleats take up more or less fabric than drafted; null without any.
+  std::shared_ptr<const std::vector<PleatFit>> pleat_fits = {};
 };
 
 }  // namespace seamwise

@@ -142,6 +142,9 @@ PrintedPattern Solver::unsolved() const {
   const WallpaperGroup& group = state_->problem.print.group;
   PrintedPattern printed;
   printed.pattern = state_->pattern;
+  if (const auto& fits = state_->problem.pleat_fits)
+    for (const PleatFit& fit : *fits)
+      for (Vec2& p : printed.pattern.pieces[fit.piece].rest) p = fit.drafted(p);
   printed.shapes = restShapes(printed.pattern);
   printed.garment = state_->problem.garment;
   printed.garment.matches = state_->problem.options.matches;

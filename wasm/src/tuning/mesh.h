@@ -24,6 +24,11 @@ struct MeshTuning {
   /// vertices are taken from that mean.
   static constexpr double kLeastArea = 0.05;
 
+  /// Distance of vertices along a fold line, and the least distance of others from them. [cm]
+  static constexpr double kCreaseStep = 1.5, kCreaseClear = 0.9;
+  /// Distance at which the end of a fold line becomes a vertex of the outline. [cm]
+  static constexpr double kCreaseSnap = 1e-2;
+
   // --- the coarser mesh ("Coarse to fine")
 
   /// Greatest bend caused by omitting a vertex. [rad]

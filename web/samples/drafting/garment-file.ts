@@ -89,6 +89,11 @@ function panelEntry(panel: Panel, garment: Garment): object {
     rotation: placement.rotation.map((v) => rounded(v, 3)),
     grain: {line: grainLine(panel).map(roundedPoint)},
     ...(notches.length > 0 && {notches}),
+    ...(panel.folds && {
+      folds: panel.folds.map(({line, to, kind}) => ({
+        ...{line: line.map(roundedPoint), to: to.map(roundedPoint), kind},
+      })),
+    }),
     vertices: edges.map(({curve}) => roundedPoint(curve.from)),
     edges: edges.map(({name: label, curve}, k) => ({
       endpoints: [k, (k + 1) % edges.length],

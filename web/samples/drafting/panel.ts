@@ -1,5 +1,5 @@
 /** Panels and seams of a drafted garment. */
-import type {Point} from '../../src/model/geometry/vectors.js';
+import {plus, type Point} from '../../src/model/geometry/vectors.js';
 import {length, mirror, mirrored, reversed, type Curve} from './curves.js';
 import type {SeamKind} from './seam-kinds.js';
 
@@ -35,7 +35,22 @@ export interface Panel {
    * that of the piece it is sewn to.
    */
   readonly grain?: Point;
+  readonly folds?: readonly Fold[];
 }
+
+/** A pleat or tuck that is closed by laying `line` on `to`. */
+interface Fold {
+  readonly line: readonly [Point, Point];
+  readonly to: readonly [Point, Point];
+  readonly kind: 'knife' | 'box' | 'inverted' | 'tuck';
+}
+
+/** A pleat whose lines run down by `drop` from two points at one height. */
+export const pleatBetween = (kind: Fold['kind'], from: Point, to: Point, drop: number): Fold => ({
+  line: [from, plus(from, [0, -drop])],
+  to: [to, plus(to, [0, -drop])],
+  kind,
+});
 
 export type EdgeName = readonly [panel: string, edge: string];
 

@@ -12,6 +12,8 @@ import {draftApron} from './apron.js';
 import {draftRaglan} from './raglan.js';
 import {draftHoodie} from './hoodie.js';
 import {draftPatchworkJacket} from './patchwork-jacket.js';
+import {draftBoxPleatedSkirt} from './box-pleated-skirt.js';
+import {draftTuckedBlouse} from './tucked-blouse.js';
 import type {Garment} from './panel.js';
 
 export const wardrobe: readonly ((body: Body) => Garment)[] = [
@@ -27,4 +29,6 @@ export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftRaglan,
   draftHoodie,
   draftPatchworkJacket,
+  draftBoxPleatedSkirt,
+  draftTuckedBlouse,
 ];

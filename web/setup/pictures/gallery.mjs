@@ -28,7 +28,7 @@ const frame = [-0.33, 0.03, 0.66, 0.88];
 
 const introduction = `# Gallery
 
-The twelve sample garments, each in another sample print, as the page shows them after one solve with its usual
+Twelve sample garments, each in another sample print, as the page shows them after one solve with its usual
 settings. A seam matches if the print misses by at most 1 mm on average along it. *Before* is the same garment with the
 pieces as drafted, on grain. [Prints](prints.md) describes the prints, and [methods](methods.md#limits) the limits: for
 example, a print without mirrors cannot match on both sides of a symmetric garment.

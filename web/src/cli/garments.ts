@@ -24,7 +24,7 @@ export async function convertFile(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, {
     ...grammar,
     valued: [...grammar.valued, '--to', '--allowance', ...dxfFlags],
-    switches: ['--plain', '--sew-as-1'],
+    switches: ['--plain', '--divide-pleats', '--sew-as-1'],
   });
   const [file = ''] = args.files;
   const out = args.value('--out');
@@ -43,7 +43,10 @@ export async function convertFile(words: readonly string[]): Promise<void> {
         ...{name: file, sewAsBoundary},
         ...(allowanceCm !== undefined && {allowanceCm}),
       })
-    : convert(text, {name: file, plain: args.has('--plain')});
+    : convert(text, {
+        ...{name: file, plain: args.has('--plain')},
+        dividePleats: args.has('--divide-pleats'),
+      });
   await deliver(await converted, out);
 }
 

@@ -68,7 +68,7 @@ seamwise import FILE [flags]
     --out GARMENT.json          writes it in the project's own format, seamwise-garment/1
     --json                      prints what was found as JSON
 
-seamwise convert GARMENT.json [--plain] [--out FILE.json]
+seamwise convert GARMENT.json [--plain] [--divide-pleats] [--out FILE.json]
 seamwise convert GARMENT.json --to dxf [--allowance CM] [--sew-as-1] [--dxf-style ...] [--dxf-unit ...]
                  --out FILE.dxf
   Rewrites a garment in the project's own format, seamwise-garment/1.
@@ -76,6 +76,7 @@ seamwise convert GARMENT.json --to dxf [--allowance CM] [--sew-as-1] [--dxf-styl
     --allowance CM              in DXF: beyond edges where the garment gives none; default 0
     --plain                     as a GarmentCode specification instead, which other programs read: paths become
                                 single cubics, sewn one by one; cut-outs, grain and marks have no place there
+    --divide-pleats             divides edges that run across pleats; their seams then count the pleated length
 
 seamwise seams GARMENT.json --suggest [flags]
   Lists what every edge that is not sewn may be sewn to, the likeliest first, and which seams are as good as

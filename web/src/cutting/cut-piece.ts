@@ -1,4 +1,5 @@
 /** One piece of the cutting sheet with all of its marks. Lengths in cm. */
+import {foldLines} from '../model/garment/folds.js';
 import {lineNamesOf} from '../model/garment/line-names.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {
@@ -16,6 +17,7 @@ import type {Print} from '../model/print/repeating-print.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {carried} from '../model/geometry/triangles.js';
 import {grainLine, innermost, lineAt, pick} from '../scene/marks.js';
+import {cutFold, type CutFold, type LengthStyle} from './fold-marks.js';
 import {matchMarks} from './match-marks.js';
 import type {CutNotch} from './notches.js';
 import {stripeWays, type SeamTick} from './ticks.js';
@@ -55,6 +57,8 @@ export interface CutPiece {
   readonly internalLines: readonly (readonly Point[])[];
   /** Names of internal lines, such as `waist`, by their numbers. */
   readonly lineNames: readonly (string | undefined)[];
+  /** Pleats, tucks and creases. */
+  readonly folds: readonly CutFold[];
   readonly drillHoles: readonly Point[];
   /** Number of copies to cut. */
   readonly quantity: number;
@@ -73,6 +77,7 @@ interface CutOptions {
   readonly letters: readonly SeamLetter[];
   readonly corners: readonly Point[];
   readonly notches: readonly CutNotch[];
+  readonly lengths: LengthStyle;
 }
 
 /** Step at which internal lines follow the deformed shape. */
@@ -114,7 +119,7 @@ export const finer = (line: readonly Point[]): readonly Point[] =>
 export function cutPiece(
   piece: ResultPiece,
   marks: PanelMarks,
-  {print, ...given}: CutOptions,
+  {print, lengths, ...given}: CutOptions,
 ): CutPiece {
   const {name, shape, alignment} = piece;
   const outline = pick(shape, piece.outline);
@@ -131,6 +136,7 @@ export function cutPiece(
     first && way ? throughPiece(loops, first, way) : undefined,
   );
   const {internalLines = [], drillHoles = [], quantity = 1} = marks.drafted ?? {};
+  const folds = (marks.drafted?.folds ?? []).map((fold) => cutFold(fold, onShape, lengths));
   return {
     ...{name, alignment, matches, grain, ...given},
     ...(stripe && {stripe}),
@@ -139,12 +145,14 @@ export function cutPiece(
     ticks: [],
     internalLines: internalLines.map((line) => finer(line).map(onShape)),
     lineNames: lineNamesOf(marks.drafted),
+    folds,
     drillHoles: drillHoles.map(onShape),
     quantity,
     words: innermost(outline, [
       ...along(grain),
       ...matches.flatMap(around),
       ...given.letters.map(({at}) => at),
+      ...folds.flatMap((fold) => foldLines(fold).flatMap(along)),
       ...holes.flat(),
     ]),
   };

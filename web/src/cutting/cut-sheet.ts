@@ -4,6 +4,7 @@
  */
 import type {Alignment, Point} from '../model/geometry/vectors.js';
 import type {OwnShare} from './allowances.js';
+import type {CutFold} from './fold-marks.js';
 
 /** Least letter size on paper, 7.4 pt. */
 export const leastLetterMm = 2.6;
@@ -87,6 +88,7 @@ export interface LaidPiece {
   /** Seam letters beside edges, inside the piece; edges with the same letter are sewn together. */
   readonly letters: readonly {readonly letter: string; readonly at: Point}[];
   readonly internalLines: readonly (readonly Point[])[];
+  readonly folds: readonly CutFold[];
   readonly drillHoles: readonly Point[];
   /** Number of copies to cut. */
   readonly quantity: number;

@@ -1,4 +1,5 @@
 /** The pieces of a garment as they are cut: in their own coordinates, and laid. Lengths in cm. */
+import {mappedFold} from '../model/garment/folds.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {
   angleOf,
@@ -15,6 +16,7 @@ import type {AllowanceRule} from './allowance-rule.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
 import {cutLinesOf} from './cut-line.js';
 import type {LaidPiece} from './cut-sheet.js';
+import type {LengthStyle} from './fold-marks.js';
 import {garmentNotches} from './notches.js';
 import {pieceMarks} from './piece-marks.js';
 import {matchTicks} from './ticks.js';
@@ -22,7 +24,7 @@ import {matchTicks} from './ticks.js';
 /** The part of a result that its pieces need. */
 export type SolvedPattern = Omit<Pattern, 'print'>;
 
-interface PieceOptions extends AllowanceRule {
+interface PieceOptions extends AllowanceRule, Partial<LengthStyle> {
   /** Names of pieces that are cut from plain fabric. */
   readonly plain?: readonly string[];
 }
@@ -77,6 +79,7 @@ export function laidPiece(
     ...(plaid && {plaid: pair(plaid)}),
     letters: piece.letters.map(({letter, at}) => ({letter, at: onto(at)})),
     internalLines: piece.internalLines.map(line),
+    folds: piece.folds.map((fold) => mappedFold(fold, onto)),
     drillHoles: line(piece.drillHoles),
     marks: pieceMarks(piece, {print, words, onto}),
   };
@@ -91,7 +94,7 @@ export function cutPieces(
   result: SolvedPattern,
   print: Print | undefined,
   panels: ReadonlyMap<string, PanelMarks>,
-  {plain = [], ...rule}: PieceOptions,
+  {plain = [], units = 'cm', locale = 'en', ...rule}: PieceOptions,
 ): readonly CutPiece[] {
   const letters = seamLetters(result, letterRoom);
   const {marks, garment, allowances, loops: all, cut} = cutLinesOf(result, panels, rule);
@@ -101,7 +104,7 @@ export function cutPieces(
     const edges = loops.flat();
     return cutPiece(piece, marks[k] ?? {label: piece.name}, {
       print: plain.includes(piece.name) ? undefined : print,
-      ...{letters: letters[k] ?? [], notches: notches[k] ?? []},
+      ...{letters: letters[k] ?? [], notches: notches[k] ?? [], lengths: {units, locale}},
       sewn: loops.map((loop) => loop.flatMap(({points}) => points.slice(0, -1))),
       cut: cut[k] ?? [],
       corners: edges.flatMap(({points}) => points.slice(0, 1)),

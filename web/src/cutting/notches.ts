@@ -3,6 +3,8 @@ import type {Notch, PanelMarks} from '../model/garment/panel-marks.js';
 import {distance, dot, leftOf, minus, plus, unit, type Point} from '../model/geometry/vectors.js';
 import {nearestOn} from '../files/base/nearest.js';
 import {atShare, lengthOf} from '../model/geometry/polyline.js';
+import type {DraftedFold} from '../model/garment/garment-document.js';
+import {carried} from '../model/geometry/triangles.js';
 import type {ResultPiece} from '../model/result/result.js';
 import {turned} from '../layout/on-body.js';
 import {notchMark} from './follow.js';
@@ -24,6 +26,8 @@ const longSeam = 25;
 /** Least distance of notches from corners, and of new notches from others. */
 const cornerRoom = 2;
 const notchRoom = 3;
+/** Notches closer than this are one. */
+const sameNotch = 0.3;
 /** Distance between the two notches of a back piece. */
 const pairGap = 1;
 /** A seam end with a smaller turn of the outline is a split. [rad] */
@@ -93,6 +97,31 @@ function ownNotches(
   });
 }
 
+/** Notches where the lines of folds end at the outline. */
+function foldNotches(
+  garment: GarmentEdges,
+  {triangles, rest, shape}: ResultPiece,
+  number: number,
+  {
+    folds,
+    widthOf,
+  }: {readonly folds: readonly DraftedFold[]; readonly widthOf: (key: EdgeKey) => number},
+): CutNotch[] {
+  const keys = (garment.loops[number] ?? []).flat();
+  const ends = folds.flatMap(({line, to = line}) => [...new Set([...line, ...to])]);
+  return ends.flatMap((end) => {
+    const at = carried(triangles, rest, shape, end);
+    const [best] = keys
+      .flatMap((key) =>
+        projected({at, outward: [0, 0]}, garment.edges.get(key)?.edge.points ?? [], key),
+      )
+      .sort((a, b) => a.miss - b.miss);
+    if (!best) return [];
+    const width = widthOf(best.key);
+    return [{at: best.at, outward: best.outward, width, depth: slitDepth(width)}];
+  });
+}
+
 /** Greatest distance of a notch on a chord of the mesh from the curve of its edge. [cm] */
 const chordReach = 0.3;
 /** Distance that counts as much as a notch across its edge: at a corner, the direction decides. */
@@ -114,7 +143,7 @@ function projected(
 
 /**
  * The notches of each piece: those of the garment, one at the middle of every long seam, two for a
- * back piece, and one at every split of a seam. Both sides of a seam have them at the same share.
+ * back piece, one at every split of a seam, and one at the end of every fold. Both sides of a seam have them at the same share.
  */
 export function garmentNotches(
   garment: GarmentEdges,
@@ -131,6 +160,11 @@ export function garmentNotches(
     (corners[piece] ?? []).every((corner) => distance(corner, at) >= cornerRoom) &&
     (found[piece] ?? []).every((other) => distance(other.at, at) >= notchRoom);
 
+  pieces.forEach((piece, k) => {
+    const folds = marks[k]?.drafted?.folds ?? [];
+    for (const notch of foldNotches(garment, piece, k, {folds, widthOf}))
+      if (!found[k]?.some(({at}) => distance(at, notch.at) < sameNotch)) found[k]?.push(notch);
+  });
   for (const [a, b] of seamSides(garment)) {
     const sides = [a, b].map((key) => ({
       ...{key, piece: garment.edges.get(key)?.piece ?? 0},

@@ -14,10 +14,12 @@ import {
   type Point,
 } from '../model/geometry/vectors.js';
 import {atShare, linesInside} from '../model/geometry/polyline.js';
+import {foldArrows, foldLines} from '../model/garment/folds.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {textWidth} from '../layout/name-lines.js';
 import type {CutPiece} from './cut-piece.js';
+import type {CutFold} from './fold-marks.js';
 import {slitOf} from './notches.js';
 import type {SeamTick} from './ticks.js';
 import {
@@ -55,6 +57,8 @@ const letterMm = 5.5;
 const numberMm = 3.5;
 const insideMm = 0.25;
 const insideDashMm = [6, 1.5, 0.5, 1.5];
+const foldMm = 0.35;
+const foldDashMm = [8, 3];
 /** Size of the names of internal lines. */
 const lineNameMm = 3;
 /** Lines whose direction has a smaller x are vertical. */
@@ -189,6 +193,17 @@ function nameAlong(points: readonly Point[], name: string, words: CutText): CutT
   return {...plate('words', at, [name], lineNameMm), angle, weight: 'regular'};
 }
 
+/** The lines of a fold, its arrows, and its name along both lines. */
+function foldMarks(fold: CutFold, {onto}: MarkStyle, words: CutText): readonly CutMark[] {
+  return [
+    ...foldLines(fold).map((ends) =>
+      line('marks', ends.map(onto), {widthMm: foldMm, dashMm: foldDashMm, haloMm}),
+    ),
+    ...foldArrows(fold).map((points) => line('marks', points.map(onto), {widthMm: foldMm, haloMm})),
+    ...foldLines(fold).map((ends) => nameAlong(ends.map(onto), fold.name, words)),
+  ];
+}
+
 /** The marks in drawing order. */
 export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[] {
   const {onto} = style;
@@ -208,6 +223,7 @@ export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[
       const name = piece.lineNames[k];
       return name === undefined ? [] : [nameAlong(points.map(onto), name, words)];
     }),
+    ...piece.folds.flatMap((fold) => foldMarks(fold, style, words)),
     ...piece.drillHoles.flatMap((p) => drillHole(onto(p))),
     ...grainArrow([onto(piece.grain[0]), onto(piece.grain[1])]),
     ...piece.matches.flatMap((p, k) => crossAt(onto(p), k + 1)),

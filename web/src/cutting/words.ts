@@ -136,6 +136,7 @@ export function factsOf(
     ...(print ? [texts.repeat(printName(print, options), repeatSize(print, options))] : []),
     linesSentence(cuts, options),
     ...(has(({internalLines}) => internalLines) ? [texts.internal] : []),
+    ...(has(({folds}) => folds) ? [texts.folds] : []),
     texts.letters,
     texts.singleLayer,
     ...(has(({matches}) => matches) ? [texts.crosses, texts.frames] : []),

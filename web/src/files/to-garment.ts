@@ -2,7 +2,9 @@
  * Converts the chosen part of a drawing to a garment: in centimetres, with outlines
  * counter-clockwise and no piece mirrored.
  */
+import {mappedFold} from '../model/garment/folds.js';
 import {withLineNames} from '../model/garment/line-names.js';
+import {divideAtFolds} from '../model/garment/pleated-edges.js';
 import type {Drawing, DrawnPiece, Run} from '../model/garment/imported-drawing.js';
 import type {
   DraftedEdge,
@@ -25,6 +27,7 @@ import {atShare, signedArea} from '../model/geometry/polyline.js';
 import type {Symmetry} from '../model/garment/symmetries.js';
 import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
 import {crossing} from './base/crossings.js';
+import {foldsWithin} from './base/fold-lines.js';
 import {nearestOn} from './base/nearest.js';
 import {cmPer} from './base/units.js';
 import {unfolded} from './unfold.js';
@@ -146,11 +149,11 @@ export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): G
     const [[from], [to]] = [end(a), end(b)];
     return from && to ? [{a: from, b: to, sameDirection, weight: 1, matched: true}] : [];
   });
-  return {
+  return divideAtFolds({
     ...{pieces, seams, matches: [], symmetries, questions: []},
     ...(drawing.title !== undefined && {title: drawing.title}),
     ...(drawing.size !== undefined && {size: drawing.size}),
-  };
+  }).document;
 }
 
 /** The piece with some of its holes as lines drawn on it. */
@@ -230,6 +233,7 @@ function pieceOf(drawn: DrawnPiece, name: string, scale: number): Made {
       ...(count > 1 && {quantity: count}),
       ...(whole.size !== undefined && {size: whole.size}),
       ...(whole.material !== undefined && {material: whole.material}),
+      ...(whole.folds && {folds: foldsWithin(whole.folds, tracedLoop(whole.sewn, traceTolerance))}),
       ...(whole.drillHoles.length > 0 && {drillHoles: whole.drillHoles}),
     },
     edges: runs.map((_, k) => (isClockwise ? last - k : k)),
@@ -248,7 +252,7 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
   const at = ([x, y]: Point): Point => [x * scale, y * scale];
   const line = ([from, to]: readonly [Point, Point]) => [at(from), at(to)] as const;
   const loop = (runs: readonly Run[]): Run[] => runs.map((run) => mapped(run, at));
-  const {sewn, cut, holes, notches, grain, fold, internalLines, drillHoles, ...rest} = piece;
+  const {sewn, cut, holes, notches, grain, fold, folds, internalLines, drillHoles, ...rest} = piece;
   return {
     ...rest,
     sewn: loop(sewn),
@@ -261,6 +265,7 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
     })),
     ...(grain && {grain: line(grain)}),
     ...(fold && {fold: line(fold)}),
+    ...(folds && {folds: folds.map((one) => mappedFold(one, at))}),
     internalLines: internalLines.map((points) => points.map(at)),
     drillHoles: drillHoles.map(at),
   };
@@ -368,7 +373,7 @@ const mirror = ([x, y]: Point): Point => [0 - x, y];
 
 /** The piece with x reversed; its outline is reversed, too, to stay counter-clockwise. */
 function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
-  const {outline, holes, internalLines, cutLine, notches = [], grain, drillHoles} = piece;
+  const {outline, holes, internalLines, cutLine, notches = [], folds, grain, drillHoles} = piece;
   const loop = (edges: readonly DraftedEdge[]): DraftedEdge[] =>
     edges
       .map((edge) => ({...edge, points: edge.points.map(mirror).reverse() as [Point, Point]}))
@@ -382,6 +387,7 @@ function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
     internalLines: internalLines.map((line) => line.map(mirror)),
     ...(cutLine && {cutLine: cutLine.map(mirror)}),
     notches: notches.map(({edge, at}) => ({edge: last - edge, at: 1 - at})),
+    ...(folds && {folds: folds.map((fold) => mappedFold(fold, mirror))}),
     ...(drillHoles && {drillHoles: drillHoles.map(mirror)}),
     ...(grain?.line && {grain: {...grain, line: [mirror(grain.line[0]), mirror(grain.line[1])]}}),
   };

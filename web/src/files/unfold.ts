@@ -1,4 +1,5 @@
 /** Unfolds half pieces along the fold on their outline. */
+import {mappedFold} from '../model/garment/folds.js';
 import type {DrawnPiece, Run} from '../model/garment/imported-drawing.js';
 import {
   cross,
@@ -38,7 +39,8 @@ type Mirror = (point: Point) => Point;
  * @param piece in cm
  */
 export function unfolded(piece: DrawnPiece): Unfolded {
-  const {fold, sewn, cut, holes, notches, internalLines, lineNames, drillHoles, ...rest} = piece;
+  const {fold, sewn, cut, holes, notches, folds, internalLines, lineNames, drillHoles, ...rest} =
+    piece;
   const whole = fold && wholeLoop(sewn, fold);
   if (!fold || !whole) return {piece};
   const mirror = mirrorIn(fold);
@@ -59,6 +61,7 @@ export function unfolded(piece: DrawnPiece): Unfolded {
       ...(wholeCut && {cut: wholeCut}),
       holes: [...holes, ...holes.map((hole) => hole.map((run) => mapped(run, mirror)))],
       notches: doubled(notches),
+      ...(folds && {folds: [...folds, ...folds.map((one) => mappedFold(one, mirror))]}),
       internalLines: [...internalLines, ...internalLines.map((line) => line.map(mirror))],
       ...(lineNames && {lineNames: [...lineNames, ...lineNames]}),
       drillHoles: doubled(drillHoles.map((at) => ({at}))).map(({at}) => at),

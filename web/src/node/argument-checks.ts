@@ -185,9 +185,9 @@ export const suggestionSettings = fields<SuggestionSettings>({
 });
 
 export const convertOptions = either(
-  "an object with 'name' and 'plain', or the name",
+  "an object with 'name', 'plain' and 'dividePleats', or the name",
   word,
-  fields<ConvertOptions>({name: word, plain: flag}),
+  fields<ConvertOptions>({name: word, plain: flag, dividePleats: flag}),
 );
 
 export const garmentDxfOptions = fields<GarmentDxfOptions>({

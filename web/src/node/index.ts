@@ -312,11 +312,20 @@ export async function convert(
   options: ConvertOptions | string = {},
 ): Promise<string> {
   checkArguments('convert', ['options', options, checks.convertOptions]);
-  const {name = plainNames.garment, plain = false} =
-    typeof options === 'string' ? {name: options} : options;
-  if (!plain) return solver.convert(garment, {name});
-  const {plainGarment} = await import('../model/garment/plain-garment.js');
-  return plainGarment(await solver.garment(garment, {name}));
+  const {
+    name = plainNames.garment,
+    plain = false,
+    dividePleats = false,
+  } = typeof options === 'string' ? {name: options} : options;
+  if (!plain && !dividePleats) return solver.convert(garment, {name});
+  const [{plainGarment}, {divideAtFolds}, {garmentFile}] = await Promise.all([
+    import('../model/garment/plain-garment.js'),
+    import('../model/garment/pleated-edges.js'),
+    import('../model/garment/write-garment.js'),
+  ]);
+  const read = await solver.garment(garment, {name});
+  const document = dividePleats ? divideAtFolds(read).document : read;
+  return plain ? plainGarment(document) : garmentFile(document);
 }
 
 /**

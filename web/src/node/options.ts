@@ -13,6 +13,11 @@ export interface ConvertOptions {
   readonly name?: string;
   /** Writes a plain GarmentCode specification; see `convert`. */
   readonly plain?: boolean;
+  /**
+   * Divides edges that run across pleats, so that seams count the length of pleated edges with the
+   * pleats closed. The numbers of edges and stitches change.
+   */
+  readonly dividePleats?: boolean;
 }
 
 export interface GarmentDxfOptions extends PieceDxfOptions {

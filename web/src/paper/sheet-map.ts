@@ -33,6 +33,8 @@ export interface SheetMap {
     readonly notches: CutSheet['pieces'][number]['notches'];
     readonly grain: readonly [Point, Point];
     readonly matchPoints: CutSheet['pieces'][number]['matchPoints'];
+    /** Pleats, tucks and creases; absent without any. */
+    readonly folds?: CutSheet['pieces'][number]['folds'];
   }[];
   /** `at` is the lower left corner of the square, relative to its page's lower left corner. */
   readonly squares: readonly {
@@ -53,9 +55,10 @@ export function sheetMap({widthCm, heightCm, pieces}: CutSheet, layout: PageLayo
     })),
     pieces: pieces.map(({cut, sewn, ...piece}) => {
       const [[outline = [], ...holes], [sew = [], ...sewHoles]] = [cut, sewn];
-      const {name, label, copy, place, notches, grain, matchPoints} = piece;
+      const {name, label, copy, place, notches, grain, matchPoints, folds} = piece;
       return {
         ...{name, label, copy, place, notches, grain, matchPoints},
+        ...(folds.length > 0 && {folds}),
         ...{cut: outline, cutHoles: holes, sew, sewHoles},
       };
     }),

@@ -5,6 +5,7 @@
 import {
   degrees,
   distance,
+  middle,
   minus,
   plus,
   towards,
@@ -13,6 +14,7 @@ import {
 } from '../../model/geometry/vectors.js';
 import {signedArea} from '../../model/geometry/polyline.js';
 import type {LaidPiece} from '../cut-sheet.js';
+import {foldArrows, foldLines, foldText} from '../../model/garment/folds.js';
 import {lineColours} from '../line-colours.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {length, line, point, polyline, text, type Pair} from '../../files/dxf/records.js';
@@ -111,12 +113,19 @@ export const drawn = (piece: LaidPiece, options: PieceDxfOptions = {}): readonly
 ];
 
 function inside(piece: LaidPiece, {style}: PieceDxfOptions): readonly Pair[] {
-  const {grain, internalLines, ticks, stripe, plaid, drillHoles, matchPoints} = piece;
+  const {grain, internalLines, folds, ticks, stripe, plaid, drillHoles, matchPoints} = piece;
   return [
     ...line(layers.grain, grain),
     ...internalLines.flatMap((points) => [
       ...polyline(layers.inner, points, false),
       ...(style === 'astm' ? polyline(copies.inner, points, false) : []),
+    ]),
+    ...folds.flatMap((fold, k) => [
+      ...foldLines(fold).flatMap((ends, part) => [
+        ...line(layers.inner, ends),
+        ...text(layers.words, middle(...ends), foldText(fold.kind, k + 1, part > 0)),
+      ]),
+      ...foldArrows(fold).flatMap((points) => polyline(layers.inner, points, false)),
     ]),
     ...ticks.flatMap(({at, angle, label}) => {
       const reach = towards(angle);

@@ -4,6 +4,7 @@ import {distance, middle, type Point} from '../../model/geometry/vectors.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
 import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
+import {foldsAmong} from '../base/fold-lines.js';
 import {doubtfulHoles, gapNote} from '../base/left-out.js';
 import {reach} from './flat.js';
 import {areaOf, bySize, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
@@ -58,6 +59,16 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
   const material = materialIn(piece);
   const grain = axisOn(piece, layers.grainLine);
   const fold = axisOn(piece, layers.mirrorLine);
+  const drawnInside = [
+    ...linesOn(entities, layers.internalLine).filter(
+      (line) => line.points.length > 1 && !isTick(line, piece, how),
+    ),
+    ...beside.filter((loop) => !holes.includes(loop)).map(({points}) => ({points, isClosed: true})),
+    ...openSewLines(piece, how),
+  ]
+    .filter(({points}) => points[0] !== sewnLoop?.points[0])
+    .map(({points, isClosed}) => [...points, ...(isClosed ? points.slice(0, 1) : [])]);
+  const {folds, lines} = foldsAmong(drawnInside, text.others, cmPerUnit);
   return {
     piece: {
       name: piece.name,
@@ -74,17 +85,8 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
       notches: notchesOf(piece, how),
       ...(grain && {grain}),
       ...(fold && {fold}),
-      internalLines: [
-        ...linesOn(entities, layers.internalLine).filter(
-          (line) => line.points.length > 1 && !isTick(line, piece, how),
-        ),
-        ...beside
-          .filter((loop) => !holes.includes(loop))
-          .map(({points}) => ({points, isClosed: true})),
-        ...openSewLines(piece, how),
-      ]
-        .filter(({points}) => points[0] !== sewnLoop?.points[0])
-        .map(({points, isClosed}) => [...points, ...(isClosed ? points.slice(0, 1) : [])]),
+      ...(folds.length > 0 && {folds}),
+      internalLines: lines,
       drillHoles: pointsOn(entities, layers.drillHole).map(({at}) => at),
       words: text.others.map((entity) => entity.text).filter((words) => words !== ''),
       ...(piece.doubt !== undefined && {doubt: piece.doubt}),

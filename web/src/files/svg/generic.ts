@@ -8,6 +8,7 @@ import {isInside, type Box} from '../../model/geometry/polyline.js';
 import {endOf} from '../base/bezier.js';
 import {longerSide} from '../base/closed-lines.js';
 import {runsOf} from '../base/edges.js';
+import {foldsAmong} from '../base/fold-lines.js';
 import {
   cutOutNote,
   doubtOf,
@@ -210,10 +211,16 @@ function pieceOf(
   const words = written.flatMap(({lines}) => lines);
   const near = marks.filter((mark) => mark.line !== seam?.line && isAround(outer.box, mark.at));
   const within = near.filter(({at}) => isInside(outer.rim, at));
-  const grain = grainOf(within, written);
-  const fold = saysFold(words) ? foldOf(runs, outer, seam, written) : undefined;
   const drills = within.filter(isDrill);
-  const inner = within.filter((mark) => mark !== grain && !drills.includes(mark) && isLong(mark));
+  const long = within.filter((mark) => !drills.includes(mark) && isLong(mark));
+  const {folds, lines} = foldsAmong(
+    long.map(({points}) => points),
+    written.flatMap(({lines: texts, at}) => texts.map((text) => ({at, text}))),
+    0.1,
+  );
+  const unfolded = within.filter((mark) => !long.includes(mark) || lines.includes(mark.points));
+  const grain = grainOf(unfolded, written);
+  const fold = saysFold(words) ? foldOf(runs, outer, seam, written) : undefined;
   return {
     quantity: countOf(words) ?? {asDrawn: 1, mirrored: 0},
     sewn: runs,
@@ -223,7 +230,8 @@ function pieceOf(
     notches: notchesOf(near, sewn, outer),
     ...(grain && {grain: grainEnds(grain)}),
     ...(fold && {fold: [fold.start, endOf(fold)]}),
-    internalLines: inner.map(({points}) => points),
+    ...(folds.length > 0 && {folds}),
+    internalLines: lines.filter((points) => points !== grain?.points),
     drillHoles: drills.map(middleOf),
     words,
   };

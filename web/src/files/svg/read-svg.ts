@@ -8,6 +8,7 @@ import type {
   UnitGuess,
 } from '../../model/garment/imported-drawing.js';
 import type {FileUnit} from '../../model/garment/garment-document.js';
+import {mappedFold} from '../../model/garment/folds.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {boxOf} from '../../model/geometry/polyline.js';
 import {FileError} from '../../model/base/versioned-file.js';
@@ -187,6 +188,7 @@ function inUnit(piece: DrawnPiece, unit: FileUnit): DrawnPiece {
     notches: piece.notches.map((notch) => ({...notch, at: at(notch.at)})),
     ...(piece.grain && {grain: line(piece.grain)}),
     ...(piece.fold && {fold: line(piece.fold)}),
+    ...(piece.folds && {folds: piece.folds.map((one) => mappedFold(one, at))}),
     internalLines: piece.internalLines.map((points) => points.map(at)),
     drillHoles: piece.drillHoles.map(at),
   };

@@ -64,6 +64,21 @@ export interface Placement {
   readonly rotation?: readonly [x: number, y: number, z: number];
 }
 
+/** Kinds of folds; `roll` and `press` are creases, which hide no fabric. */
+export const foldKinds = ['knife', 'box', 'inverted', 'tuck', 'roll', 'press'] as const;
+export type FoldKind = (typeof foldKinds)[number];
+
+/**
+ * A pleat, a tuck or a crease. A pleat is closed by laying `line` on `to`; the fabric between the
+ * lines is hidden then. Both lines run in the same direction.
+ */
+export interface DraftedFold extends Unknown {
+  readonly line: readonly [Point, Point];
+  /** A crease may have no second line. */
+  readonly to?: readonly [Point, Point];
+  readonly kind: FoldKind;
+}
+
 export interface GarmentPiece extends Unknown {
   /** Name in designs, options and results. */
   readonly name: string;
@@ -80,6 +95,7 @@ export interface GarmentPiece extends Unknown {
   readonly cutLine?: readonly Point[];
   readonly sewLine?: readonly Point[];
   readonly notches?: readonly DraftedNotch[];
+  readonly folds?: readonly DraftedFold[];
   /** Points marked by drilling. */
   readonly drillHoles?: readonly Point[];
   readonly grain?: {

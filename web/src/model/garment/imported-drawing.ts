@@ -2,7 +2,7 @@
  * Content of another program's file before any choice: pieces as drawn, right side up, y up, in the
  * unit of the file. `garmentOf` converts it to a garment.
  */
-import type {FileUnit} from './garment-document.js';
+import type {DraftedFold, FileUnit} from './garment-document.js';
 import type {Point} from '../geometry/vectors.js';
 
 /**
@@ -44,6 +44,8 @@ export interface DrawnPiece {
   readonly internalLines: readonly (readonly Point[])[];
   /** Names of internal lines by their numbers, if the file states any. */
   readonly lineNames?: readonly (string | undefined)[];
+  /** Pleats, tucks and creases, if the file names any. */
+  readonly folds?: readonly DraftedFold[];
   readonly drillHoles: readonly Point[];
   readonly words: readonly string[];
   /** The reason why the piece may be none, and is left out unless it is chosen. */

@@ -2,6 +2,7 @@
 import {
   unitsInMetre,
   type DraftedEdge,
+  type DraftedFold,
   type EdgeOfPiece,
   type FileUnit,
   type GarmentDocument,
@@ -108,6 +109,15 @@ export function shapeOf(piece: GarmentPiece): PanelShape {
   };
 }
 
+const foldOf =
+  (frame: Frame) =>
+  ({line, to, kind, more}: DraftedFold): object => ({
+    line: line.map(frame),
+    ...member('to', to?.map(frame)),
+    kind,
+    ...more,
+  });
+
 function panelOf(piece: GarmentPiece): object {
   const {internalLines, cutLine, sewLine, grain} = piece;
   const frame = frameOf(piece);
@@ -122,6 +132,7 @@ function panelOf(piece: GarmentPiece): object {
     ...member('cutLine', cutLine?.map(frame)),
     ...member('sewLine', sewLine?.map(frame)),
     ...member('drillHoles', piece.drillHoles?.map(frame)),
+    ...member('folds', piece.folds?.map(foldOf(frame))),
     ...member('notches', piece.notches),
     ...member('quantity', piece.quantity),
     ...member('size', piece.size),

@@ -15,6 +15,11 @@ export const noteCodes = [
   'symmetriesStated',
   'ws19',
   'grainAssumed',
+  'pleatsFitted',
+  'pleatsOff',
+  'pleatsOffGrain',
+  'pleatsUndivided',
+  'pleatsUneven',
   'partOfTheWay',
   'leftAsDrafted',
   ...symmetryReasons,
@@ -32,7 +37,8 @@ export interface NoteDetail {
   readonly seams: readonly number[];
   /**
    * For `lengthRatio`: as stated, as drafted. For `symmetryChange` and `symmetryLengths`: the
-   * greatest change that would suffice. [cm]
+   * greatest change that would suffice. [cm] For `pleatsFitted` and `pleatsOff`:
+   * the width of the pleats as drafted, and the nearest whole repeat. [cm]
    */
   readonly numbers: readonly number[];
 }

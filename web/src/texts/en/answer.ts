@@ -107,6 +107,27 @@ export const answer = {
     grainAssumed: text(
       'These pieces have no grain line in the file; upwards, as drawn, is assumed: {pieces}.',
     ),
+    pleatsFitted: text(
+      'The pleats of these pieces take up {whole} instead of {drafted}, a whole repeat, so that the print runs on across them: {pieces}.',
+      'pieces',
+      'drafted',
+      'whole',
+    ),
+    pleatsOff: text(
+      'The print does not run on across the pleats of these pieces: {pieces}. They take up {drafted}; a whole repeat is {whole}.',
+      'pieces',
+      'drafted',
+      'whole',
+    ),
+    pleatsOffGrain: text(
+      'No repeat of the print runs across the pleats of these pieces on their grain: {pieces}.',
+    ),
+    pleatsUndivided: text(
+      'Edges of these pieces are sewn across open pleats; divide them at the lines of the pleats: {pieces}.',
+    ),
+    pleatsUneven: text(
+      'The print is not matched across the pleats of these pieces, whose lines are not parallel: {pieces}.',
+    ),
     partOfTheWay:
       'The outlines change only part of the way to a perfect match; otherwise they would cross or change too much.',
     leftAsDrafted: 'No change of shape improves the match, so the pieces keep their outlines.',

@@ -102,7 +102,7 @@ export const page = {
     pattern: 'PDF, DXF, SVG, OBJ or GarmentCode',
     fabric: 'One repeat as an image, or a photo',
     sample: 'A sample',
-    samples: '12 garments, 24 prints',
+    samples: '14 garments, 24 prints',
   },
   progress: {
     label: 'Progress',

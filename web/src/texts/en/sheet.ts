@@ -18,6 +18,7 @@ export const sheet = {
   otherwise: 'elsewhere as in the pattern',
   asPattern: 'Solid: cut. Dashed: sew, as far inside as in the pattern.',
   internal: 'Dash-dot: lines that the pattern draws inside.',
+  folds: 'Long dashes: folds; lay their lines on each other as the arrows say, before sewing.',
   letters: 'Edges with the same letter are sewn together.',
   singleLayer: 'Each piece is cut from a single layer, face up; none is on a fold.',
   crosses: 'Numbered crosses of a piece are at the same point of the print;',

@@ -41,6 +41,15 @@ export function spokenNote(
       return notes.noGlides(joined(pairs), group);
     case 'grainAssumed':
       return notes.grainAssumed(joined(labels));
+    case 'pleatsFitted':
+    case 'pleatsOff': {
+      const [before = '', whole = ''] = numbers.map((cm) => format.length(cm));
+      return notes[code](joined(labels), before, whole);
+    }
+    case 'pleatsOffGrain':
+    case 'pleatsUndivided':
+    case 'pleatsUneven':
+      return notes[code](joined(labels));
     case 'noSeams':
     case 'noMatchedSeams':
     case 'unitsAssumed':
