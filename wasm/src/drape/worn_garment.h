@@ -66,6 +66,7 @@ class WornGarment {
 
   WornGarment(SolvedGarment garment, Form form, Hanging hanging, SewnLevels levels,
               std::vector<int> order);
+  Outcome<Positions> startWith(double fold, double* fullness = nullptr) const;
 
   SolvedGarment garment_;
   Form form_;
