@@ -8,6 +8,7 @@
 #include "drape/closed_bands.h"
 #include "drape/fitting_form.h"
 #include "drape/layers.h"
+#include "drape/missing_girth.h"
 #include "drape/tied_bands.h"
 #include "drape/turn.h"
 #include "drape/wrap.h"
@@ -223,10 +224,17 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   return worn;
 }
 
+Pattern WornGarment::asCut() const {
+  Pattern pattern = garment_.pattern;
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+    pattern.pieces[p].rest = garment_.shapes[p];
+  return pattern;
+}
+
 std::optional<Error> WornGarment::refusal() const {
-  const auto refused = [](const char* reason, const char* what) {
+  const auto refused = [](const char* reason, const std::string& what) {
     return Error{Failure::kNotAGarment,
-                 std::string(what) +
+                 what +
                      ": give the measurements of the body that it is drafted for, or look at how "
                      "its pieces are sewn.",
                  -1, -1, reason};
@@ -235,8 +243,11 @@ std::optional<Error> WornGarment::refusal() const {
     return refused("drapeSlides", "The garment slides off the form");
   if (drape_->stage() != Drape::Stage::kDone) return std::nullopt;
   const DrapeCheck& check = drape_->check();
-  if (check.tension.p99 > kMostTension + drape_->fabric().stiff_from || check.depth > kMostDepth)
-    return refused("drapeTooSmall", "The garment is too small for its form");
+  if (check.worn > kMostTension + drape_->fabric().stiff_from || check.depth > kMostDepth) {
+    const std::optional<MissingGirth> girth = missingGirth(garment_.garment, asCut(), form_);
+    return refused("drapeTooSmall", "The garment is too small for its form" +
+                                        (girth ? spoken(*girth) : std::string()));
+  }
   std::size_t triangles = 0;
   for (const Piece& piece : levels_.fine.pattern.pieces) triangles += piece.triangles.size();
   if (check.crossings > kMostCrossings * static_cast<double>(triangles))
