@@ -244,6 +244,8 @@ val DrapeHandle::report() const {
   check.set("compression", spreadValue(measured.compression));
   check.set("crossings", measured.crossings);
   check.set("moved", drape.moved() / kCentimetre);
+  check.set("fromRest", drape.fromRest() / kCentimetre);
+  check.set("atRest", drape.isAtRest());
   value.set("check", check);
   value.set("fabric", fabricValue(drape.fabric()));
   value.set("stages", listValue(drape.stages(), [](const Drape::StageReport& stage) {

@@ -12,12 +12,27 @@ namespace {
 
 constexpr int kMostMended = 3, kMendingSteps = 12;
 constexpr int kQuasiNewtonSteps = 24;
-constexpr int kSewingSteps = 5, kHangingSteps = 40, kSettlingSteps = 60;  ///< maximum Newton steps
-/// A garment is at rest once kRestSteps steps together move its vertices by less than kRestMoved
-/// (root mean square, m) and lower its energy by less than kRestFall of the energy that lifts it by
-/// a metre. Smaller movements are invisible.
+constexpr int kSewingSteps = 2, kHangingSteps = 80, kSettlingSteps = 60;  ///< maximum Newton steps
+/// Maximum steps of full garments on the fine mesh in a fabric that yields; their folds grow there.
+constexpr int kYieldingSteps = 30;
+/// Steps of each start after sewing. The order of energies then is the order at rest.
+constexpr int kTrialSteps = 10;
+/// A garment is at rest once further steps are predicted to lower its energy by less than this
+/// share of the energy that lifts it by a metre.
+constexpr double kRestFall = 1.5e-4;
 constexpr int kRestSteps = 5;
-constexpr double kRestMoved = 5e-4, kRestFall = 1e-4;
+/// Limits of the share by which the energy falls more slowly from kRestSteps steps to the next.
+constexpr double kFastest = 0.8, kSlowest = 0.9;
+/// Long steps and many iterations; a sheet needs both to fold.
+constexpr double kLongestStep = 1;  ///< s
+constexpr int kMostIterations = 60;
+
+/// Stretch stiffness of the fabric on the coarse mesh over its density: a skirt's own weight
+/// stretches it by 0.5 %. [m2/s2]
+constexpr double kYielding = 1500;
+/// Strain from which that fabric is stiff, so that a band remains tight, and its stiffness there
+/// relative to the real fabric.
+constexpr double kYieldingTo = 0.01, kBeyond = 2;
 
 /// Free edges that start closer than this to the plane x = 0 may meet others there. [m]
 constexpr double kBesidePlane = 0.03;
@@ -33,6 +48,18 @@ std::vector<std::pair<int, int>> freeEdges(const SewnMesh& mesh) {
   return free;
 }
 
+/// Returns a fabric that stretches more easily. Folds move as far in a step as the stretch between
+/// them allows, and conjugate gradients need fewer iterations the closer stretch and bending are. A
+/// coarse mesh also folds too little where it cannot stretch.
+Fabric yielding(Fabric fabric) {
+  const double factor = fabric.warp / (kYielding * fabric.density);
+  if (factor <= 1) return fabric;
+  for (double Fabric::*const stiffness : {&Fabric::warp, &Fabric::weft, &Fabric::coupling})
+    fabric.*stiffness /= factor;
+  fabric.stiff_from = kYieldingTo, fabric.stiffening = kBeyond * factor;
+  return fabric;
+}
+
 double rmsBetween(const Positions& a, const Positions& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -46,6 +73,7 @@ double rmsBetween(const Positions& a, const Positions& b) {
 
 Drape::Drape(DrapeProblem problem)
     : problem_(std::move(problem)),
+      yielding_(yielding(problem_.fabric)),
       coarse_(sewnMesh(problem_.levels.coarse,
                        shapesOf(problem_.levels.coarse, problem_.pattern, problem_.shapes),
                        problem_.warp)),
@@ -69,11 +97,12 @@ int Drape::mostSteps(Stage stage) const {
                           (stage == Stage::kHang ? kHangingSteps : kSettlingSteps));
 }
 
-double Drape::fraction() const {
+/// Returns the larger of the share of the budget and the share of the usual steps.
+double Drape::progress() const {
   if (stage_ == Stage::kDone) return 1;
   constexpr std::array<double, 3> kBefore{0, 0.1, 0.3}, kShare{0.1, 0.2, 0.7};  // work shares
   const auto k = static_cast<std::size_t>(stage_);
-  const double within = static_cast<double>(stages_.back().steps) / mostSteps(stage_);
+  const double within = static_cast<double>(stages_.back().steps) / last_step_;
   // Steps that separate crossings are not included, so `within` may exceed 1.
   return std::min(1.0, std::max(kBefore[k] + kShare[k] * within, work() / problem_.budget));
 }
@@ -112,15 +141,20 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
       layers.laid = problem_.settled;
   }
   ClothOptions options = problem_.options;
+  options.longest_step = kLongestStep;
+  options.most_iterations = kMostIterations;
   options.least_x = besideEachOther(level, mesh, layers.held, from);
-  cloth_ = std::make_unique<LevelCloth>(mesh, level.image, layers, problem_.fabric, *problem_.body,
-                                        from, std::move(options));
+  cloth_ =
+      std::make_unique<LevelCloth>(mesh, level.image, layers, yields_ ? yielding_ : problem_.fabric,
+                                   *problem_.body, from, std::move(options));
 }
 
 void Drape::begin(Stage stage, const Positions& from) {
-  since_ = {}, at_rest_ = false;
+  since_ = {}, last_fall_ = 0;
   stage_ = stage, last_step_ = mostSteps(stage);
   if (stage == Stage::kDone) return;
+  at_rest_ = false;
+  yields_ = stage != Stage::kSettle || (problem_.other_starts > 0 && problem_.settled.empty());
   if (stage == Stage::kSew) {
     put(problem_.levels.coarse, coarse_, from);
     cloth_->setFriction(problem_.options.friction && problem_.by_band);
@@ -142,7 +176,7 @@ void Drape::step() {
   // The garment first settles on the body without weight: a band that fell meanwhile would stay too
   // low.
   cloth_->setWeight(!first);
-  if (since_.steps == 0) since_.from = positions();
+  if (since_.steps == 0) since_.from = cloth_->positions();
   const ClothSolver::Step step = first ? cloth_->quasiNewtonStep() : cloth_->newtonStep();
   ++report.steps;
   report.work = work() - began_;
@@ -151,13 +185,51 @@ void Drape::step() {
   if (!first) watch(step.fall);
 }
 
-/// Updates at_rest_ once in kRestSteps steps.
+/// Updates the distance from rest once in kRestSteps steps. If the energy falls by a constant
+/// factor, the fall ahead is a geometric series. Distances fall by the root of that factor, because
+/// the energy is quadratic near rest.
 void Drape::watch(double fall) {
   since_.fall += fall;
   if (++since_.steps < kRestSteps) return;
-  at_rest_ = rmsBetween(since_.from, positions()) < kRestMoved / problem_.effort &&
-             since_.fall < kRestFall / problem_.effort * cloth_->weight();
+  const double rate = std::clamp(since_.fall / last_fall_, kFastest, kSlowest);
+  const double root = std::sqrt(rate);
+  at_rest_ = last_fall_ > 0 &&
+             since_.fall * rate / (1 - rate) < kRestFall / problem_.effort * cloth_->weight();
+  from_rest_ = rmsBetween(since_.from, cloth_->positions()) * root / (1 - root);
+  last_fall_ = since_.fall;
   since_ = {};
+}
+
+/// Ends the steps in a fabric that yields.
+void Drape::stiffen() {
+  const Positions now = positions();
+  yields_ = false;
+  put(problem_.levels.fine, fine_, now);
+  cloth_->setTouching(true);
+  since_ = {}, last_fall_ = 0, at_rest_ = false;
+  last_step_ = stages_.back().steps + mostSteps(Stage::kSettle);
+}
+
+/// Stores a start that has hung if it is the best one, and begins the next one. After the last one
+/// it continues with the best one.
+void Drape::tryNextStart() {
+  if (!best_.cloth || !(best_.cloth->energy() <= cloth_->energy())) {
+    std::swap(best_.cloth, cloth_);
+    best_.start = problem_.start, best_.stages = stages_;
+  }
+  if (cloth_) spent_ += cloth_->work();
+  cloth_ = nullptr;
+  if (tried_ < problem_.other_starts) {
+    problem_.start = problem_.other_start(tried_++);
+    stages_.clear();
+    begin(Stage::kSew, problem_.start);
+    return;
+  }
+  Trial best = std::move(best_);
+  cloth_ = std::move(best.cloth), best_.cloth = nullptr;
+  problem_.start = std::move(best.start), stages_ = std::move(best.stages);
+  began_ = stages_.front().work;  // the other starts count as hanging
+  since_ = {}, last_fall_ = 0, at_rest_ = false;
 }
 
 void Drape::finish() {
@@ -190,7 +262,7 @@ bool Drape::mend() {
     mended_ = kMostMended;
   else
     return false;
-  since_ = {}, at_rest_ = false;
+  since_ = {}, last_fall_ = 0, at_rest_ = false;
   last_step_ = stages_.back().steps + kMendingSteps;
   cloth_->setTouching(true);
   cloth_->untangle();
@@ -201,14 +273,22 @@ bool Drape::advance(double work_now) {
   const double until = work() + work_now;
   while (stage_ != Stage::kDone && work() < until) {
     step();
+    fraction_ = std::max(fraction_, progress());
+    if (stage_ == Stage::kSettle && yields_ &&
+        (at_rest_ || stages_.back().steps >= kYieldingSteps || work() >= problem_.budget))
+      stiffen();
     const bool over = at_rest_ || stages_.back().steps >= last_step_ || work() >= problem_.budget;
-    if (over && stage_ == Stage::kSettle) {
+    const bool trial = best_.cloth || tried_ < problem_.other_starts;
+    if (trial && stage_ == Stage::kHang) {
+      if (over || stages_.back().steps >= kTrialSteps) tryNextStart();
+    } else if (over && stage_ == Stage::kSettle) {
       if (!mend()) finish();
     } else if (over && stage_ == Stage::kSew)
       begin(Stage::kHang);
     else if (over)
       begin(Stage::kSettle, prolonged(problem_.levels, positions()));
   }
+  if (stage_ == Stage::kDone) fraction_ = 1;
   return stage_ != Stage::kDone;
 }
 

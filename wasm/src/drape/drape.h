@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct DrapeProblem {
   Fabric fabric = kPoplin;
   const DistanceField* body = nullptr;  ///< has to outlive the drape
   Positions start;                      ///< vertices of the coarse level wrapped on the body, m
+  int other_starts = 0;  ///< number of starts with other waves; the drape keeps one of all
+  std::function<Positions(int)> other_start = {};  ///< returns one of these, 0 and above
   Positions settled;  ///< vertices of the fine level from an earlier drape of other shapes, m; if
                       ///< not empty, the drape only settles, starting from these positions alone
   std::vector<MatchLine> matches;  ///< lines that hold pieces together, as drafted
@@ -33,7 +36,8 @@ struct DrapeProblem {
 };
 
 /// Drapes a garment: sews it on the coarse mesh, lets it hang there with friction, settles it on
-/// the fine mesh, and checks the result. The result depends on work only, never on time.
+/// the fine mesh, and checks the result. If there are several starts, each hangs for a few steps,
+/// and the one with the least energy continues. The result depends on work only, never on time.
 class Drape {
  public:
   enum class Stage : std::uint8_t { kSew, kHang, kSettle, kDone };
@@ -52,11 +56,13 @@ class Drape {
   bool advance(double work);
   Stage stage() const { return stage_; }
   /// Progress, 0 to 1: the larger of the share of the budget and the share of the usual steps.
-  double fraction() const;
+  double fraction() const { return fraction_; }
   /// Vertices of the current level, m.
-  const Positions& positions() const { return cloth_->positions(); }
+  const Positions& positions() const { return (best_.cloth ? best_.cloth : cloth_)->positions(); }
   const SewnLevel& level() const;
-  double work() const { return spent_ + cloth_->work(); }
+  double work() const {
+    return spent_ + (cloth_ ? cloth_->work() : 0) + (best_.cloth ? best_.cloth->work() : 0);
+  }
 
   const std::vector<StageReport>& stages() const { return stages_; }
   /// Returns whether the mirrors of the pattern are kept. None are kept in a garment that they do
@@ -64,6 +70,10 @@ class Drape {
   bool isSymmetric() const { return cloth_->isHalf(); }
   const Fabric& fabric() const { return problem_.fabric; }
   double moved() const { return farthest_; }  ///< largest movement of a vertex in the last step, m
+  /// Estimated distance of the vertices from rest, root mean square, m. It extrapolates the last
+  /// steps: each kRestSteps of them lower the energy by a constant share of those before.
+  double fromRest() const { return from_rest_; }
+  bool isAtRest() const { return at_rest_; }
   /// Valid once the drape is done.
   const DrapeCheck& check() const { return check_; }
   /// Notes for the user, a sentence each. "Still moving by 3 mm" gives the movement in the last
@@ -78,7 +88,10 @@ class Drape {
   std::vector<double> besideEachOther(const SewnLevel& level, const SewnMesh& mesh,
                                       const HeldLayers& held, const Positions& x) const;
   int mostSteps(Stage stage) const;
+  double progress() const;
   void watch(double fall);
+  void tryNextStart();
+  void stiffen();
   bool mend();
   void finish();
 
@@ -89,14 +102,28 @@ class Drape {
     double fall = 0;  ///< decrease of energy, J
   };
 
+  /// The best of the starts that have hung so far.
+  struct Trial {
+    std::unique_ptr<LevelCloth> cloth;
+    Positions start;
+    std::vector<StageReport> stages;
+  };
+
   DrapeProblem problem_;
+  Fabric yielding_;     ///< fabric until the cloth has folded
+  bool yields_ = true;  ///< the cloth is of that fabric
   SewnMesh coarse_, fine_;
   std::unique_ptr<LevelCloth> cloth_;
   Stage stage_ = Stage::kSew;
   int mended_ = 0;     ///< number of rounds that separated crossings
   int last_step_ = 0;  ///< maximum step count of the stage
+  int tried_ = 0;      ///< number of starts that have hung
+  Trial best_;         ///< without a cloth unless there are several starts
   Since since_;
+  double last_fall_ = 0;  ///< J, in the kRestSteps steps before
   bool at_rest_ = false;
+  double from_rest_ = 0;
+  double fraction_ = 0;
   double farthest_ = 0;  ///< m, in the last step
   double spent_ = 0;     ///< work of the solvers of earlier levels
   double began_ = 0;     ///< work at the start of the stage

@@ -15,6 +15,24 @@ constexpr double kOverstretched = 0.1;    ///< 99th percentile of tension beyond
 constexpr double kVisiblyInside = 0.005;  ///< m
 constexpr int kFewCrossings = 20;         ///< folds of sound garments have a few as well
 
+/// Number of triangles from gathers, which stretch the band that holds them.
+constexpr int kBesideGathers = 3;
+
+/// Returns per vertex whether it is at most that many triangles from gathers.
+std::vector<char> besideGathers(const SewnMesh& mesh) {
+  std::vector<char> beside(mesh.size, 0);
+  for (int ring = 0; ring <= kBesideGathers; ++ring) {
+    const std::vector<char> before = beside;
+    for (const SewnMesh::Triangle& t : mesh.triangles) {
+      bool reached = t.gathered_weft || t.gathered_warp;
+      for (const int v : t.vertices) reached = reached || before[v];
+      if (reached)
+        for (const int v : t.vertices) beside[v] = 1;
+    }
+  }
+  return beside;
+}
+
 DrapeCheck::Spread spreadOf(std::vector<double> values) {
   if (values.empty()) return {};
   sortNumbers(values);
@@ -62,7 +80,8 @@ std::vector<ClothCrossing> crossingsOf(const SewnMesh& mesh, const Positions& x)
 
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body) {
   DrapeCheck check;
-  std::vector<double> tensions, compressions;
+  std::vector<double> tensions, compressions, worn;
+  const std::vector<char> beside = besideGathers(mesh);
   for (const Vec3& at : x) check.depth = std::max(check.depth, -body.distance(at, nullptr));
   for (const SewnMesh::Triangle& t : mesh.triangles) {
     Vec3 weft = Vec3::Zero(), warp = Vec3::Zero(), middle = Vec3::Zero();
@@ -76,9 +95,12 @@ DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceFi
     const double a = dot(weft, weft), b = dot(weft, warp), c = dot(warp, warp);
     const double mean = (a + c) / 2, spread = std::sqrt((a - c) * (a - c) / 4 + b * b);
     tensions.push_back(std::max(0.0, std::sqrt(mean + spread) - 1));
+    if (!beside[t.vertices[0]] && !beside[t.vertices[1]] && !beside[t.vertices[2]])
+      worn.push_back(tensions.back());
     compressions.push_back(std::max(0.0, 1 - std::sqrt(std::max(0.0, mean - spread))));
   }
   check.tension = spreadOf(std::move(tensions));
+  check.worn = spreadOf(std::move(worn)).p99;
   check.compression = spreadOf(std::move(compressions));
   check.crossings = static_cast<int>(crossingsOf(mesh, x).size());
   return check;
@@ -88,14 +110,14 @@ std::optional<Note> doubtAbout(const DrapeCheck& check, const Fabric& fabric) {
   const auto whole = [](double value) {
     return decimal(static_cast<std::int64_t>(std::nearbyint(value)));
   };
-  if (check.tension.p99 > fabric.stiff_from + kOverstretched)
+  if (check.worn > fabric.stiff_from + kOverstretched)
     return Note{"drapeStretched",
                 "The garment is too small for its form, or sewn wrongly: its fabric would be "
                 "stretched by " +
-                    whole(100 * check.tension.p99) + " %.",
+                    whole(100 * check.worn) + " %.",
                 {},
                 {},
-                {check.tension.p99}};
+                {check.worn}};
   if (check.depth > kVisiblyInside)
     return Note{"drapeForm",
                 "The form comes through the fabric by " + whole(1000 * check.depth) +

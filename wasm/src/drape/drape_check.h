@@ -19,6 +19,7 @@ struct DrapeCheck {
   };
   double depth = 0;    ///< m, greatest penetration of a vertex or triangle centre into the body
   Spread tension;      ///< largest principal stretch minus 1, clamped at 0
+  double worn = 0;     ///< 99th percentile of the tension further than kBesideGathers from gathers
   Spread compression;  ///< 1 minus the smallest principal stretch, clamped at 0
   int crossings = 0;   ///< pairs of an edge and a triangle that it pierces
 };

@@ -224,10 +224,11 @@ std::vector<std::pair<double, double>> Ring::closedWidths(int without) const {
   return closed;
 }
 
-void Ring::draw(Level& level, double at) const {
+void Ring::draw(Level& level, double at) {
   const Section section = tube_.section(at);
   const double hung = hungGirth(at);
   const bool waves = fold_ > 0 && level.width > kWavesFrom * hung;
+  if (waves) fullness_ = std::max(fullness_, level.width / hung);
   const Section base = section.withGirth(waves ? kWaveBase * hung : level.girth);
   const std::vector<Vec2> corners = base.polygon();
   const int fine = 4, count = static_cast<int>(corners.size()) * fine;

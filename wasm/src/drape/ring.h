@@ -26,6 +26,9 @@ class Ring {
   /// Returns the position of a vertex of pieces()[index], moved outwards by `outward`. [cm]
   Vec3 position(int index, int vertex, double outward) const;
   const std::vector<RingPiece>& pieces() const { return pieces_; }
+  /// Returns the largest width of closed pieces relative to the girth that they hang around; 0
+  /// without waves.
+  double fullness() const { return fullness_; }
   /// Returns the levels at which the pieces close the ring, and the ring's width there. The lowest
   /// `without` levels are omitted, and dips of up to three levels are filled. [cm, cm]
   std::vector<std::pair<double, double>> closedWidths(int without) const;
@@ -46,7 +49,7 @@ class Ring {
   Level levelAt(double level) const;
   void levelHem();
   void smooth();
-  void draw(Level& level, double at) const;
+  void draw(Level& level, double at);
   Vec2 onLine(const Level& level, double arc) const;
   double hungGirth(double level) const;
   double levelOf(int index) const { return bottom_ + index; }
@@ -60,6 +63,7 @@ class Ring {
   std::vector<RingPiece> pieces_;
   double fold_;
   double bottom_ = 0;
+  double fullness_ = 0;
   std::vector<Level> levels_;  ///< 1 cm apart
 };
 

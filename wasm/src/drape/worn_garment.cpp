@@ -1,12 +1,14 @@
 #include "drape/worn_garment.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/decimal.h"
 #include "drape/closed_bands.h"
 #include "drape/fitting_form.h"
 #include "drape/layers.h"
+#include "drape/missing_girth.h"
 #include "drape/tied_bands.h"
 #include "drape/turn.h"
 #include "drape/wrap.h"
@@ -18,6 +20,12 @@ constexpr double kUsualBudget = 100;  ///< work, in factorisations of a 90 x 90 
 /// Maximum area of cloth, more than the widest gown has. A larger garment needs much of the budget
 /// for a single step. [m2]
 constexpr double kMostCloth = 20;
+/// Lengths of waves at the start, relative to six bending lengths of the fabric. The drape keeps
+/// the one that hangs with the least energy, if the garment is fuller than the body by kFull. [1]
+constexpr std::array<double, 3> kWaves{1, 0.65, 1.6};
+constexpr double kFull = 1.3;
+/// Length of fold below which the coarse mesh cannot follow the shortest waves. [cm]
+constexpr double kLeastFold = 1.8;
 constexpr double kBelowCrotch = 1;  ///< cm, depth at which trouser legs are separate
 // Limits of a wearable garment. The samples reach at most 0.05 tension in poplin, 0.0005 m depth,
 // and 0.05 crossings per triangle.
@@ -109,6 +117,15 @@ std::optional<Error> tooMuchCloth(const Pattern& pattern) {
                -1, -1, "drapeTooLarge"};
 }
 
+/// Returns the length at which a fabric bends around the body under its own weight. [cm]
+double foldOf(const Fabric& fabric) {
+  const double cubic_metres = fabric.bending_weft / (fabric.density * kGravity);
+  double metres = 0.02;
+  // Newton's method for the cubic root; the library's one depends on the platform.
+  for (int k = 0; k < 20; ++k) metres -= (metres - cubic_metres / (metres * metres)) / 3;
+  return metres / kCentimetre;
+}
+
 double topOf(const Positions& positions) {
   double top = -1e9;
   for (const Vec3& at : positions) top = std::max(top, at.y());
@@ -139,6 +156,16 @@ WornGarment::WornGarment(SolvedGarment garment, Form form, Hanging hanging, Sewn
       order_(std::move(order)),
       body_(form_, hanging_.covered()) {}
 
+/// Wraps the coarse level in waves of six times `fold` cm. [m]
+Outcome<Positions> WornGarment::startWith(double fold, double* fullness) const {
+  WrapSettings settings;
+  settings.fold = fold;
+  const Outcome<PiecePositions> start =
+      wrapped(garment_.garment, levels_.coarse.pattern, form_, settings, fullness);
+  if (!start.ok()) return start.error();
+  return startOf(levels_.coarse, start.value());
+}
+
 Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
                                                         const WearSettings& settings) {
   if (const auto error = tooMuchCloth(garment.pattern)) return *error;
@@ -162,10 +189,19 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
                                                     std::move(hanging).value(),
                                                     std::move(levels).value(), std::move(order)));
   const SewnLevel& coarse = worn->levels_.coarse;
-  const Outcome<PiecePositions> start =
-      wrapped(worn->garment_.garment, coarse.pattern, worn->form_);
-  if (!start.ok()) return start.error();
   DrapeProblem problem;
+  problem.settled = settledOf(worn->levels_.fine, settings.settled, worn->body_);
+  const double fold = std::max(kLeastFold, foldOf(settings.fabric));
+  double fullness = 0;
+  auto start = worn->startWith(kWaves[0] * fold, &fullness);
+  if (!start.ok()) return start.error();
+  problem.start = std::move(start).value();
+  if (fullness > kFull) {
+    problem.other_starts = static_cast<int>(kWaves.size()) - 1;
+    problem.other_start = [own = worn.get(), fold](int k) {
+      return own->startWith(kWaves[k + 1] * fold).value();  // the first one was possible
+    };
+  }
   problem.levels = worn->levels_;
   problem.pattern = worn->garment_.pattern;
   problem.shapes = worn->garment_.shapes;
@@ -181,8 +217,6 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   problem.crotch = kCentimetre * (worn->form_.crotchHeight() - kBelowCrotch);
   problem.fabric = settings.fabric;
   problem.body = &worn->body_;
-  problem.start = startOf(coarse, start.value());
-  problem.settled = settledOf(worn->levels_.fine, settings.settled, worn->body_);
   worn->top_ = topOf(problem.settled.empty() ? problem.start : problem.settled);
   problem.effort = settings.effort;
   problem.budget = kUsualBudget * settings.effort;
@@ -190,10 +224,17 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   return worn;
 }
 
+Pattern WornGarment::asCut() const {
+  Pattern pattern = garment_.pattern;
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+    pattern.pieces[p].rest = garment_.shapes[p];
+  return pattern;
+}
+
 std::optional<Error> WornGarment::refusal() const {
-  const auto refused = [](const char* reason, const char* what) {
+  const auto refused = [](const char* reason, const std::string& what) {
     return Error{Failure::kNotAGarment,
-                 std::string(what) +
+                 what +
                      ": give the measurements of the body that it is drafted for, or look at how "
                      "its pieces are sewn.",
                  -1, -1, reason};
@@ -202,8 +243,11 @@ std::optional<Error> WornGarment::refusal() const {
     return refused("drapeSlides", "The garment slides off the form");
   if (drape_->stage() != Drape::Stage::kDone) return std::nullopt;
   const DrapeCheck& check = drape_->check();
-  if (check.tension.p99 > kMostTension + drape_->fabric().stiff_from || check.depth > kMostDepth)
-    return refused("drapeTooSmall", "The garment is too small for its form");
+  if (check.worn > kMostTension + drape_->fabric().stiff_from || check.depth > kMostDepth) {
+    const std::optional<MissingGirth> girth = missingGirth(garment_.garment, asCut(), form_);
+    return refused("drapeTooSmall", "The garment is too small for its form" +
+                                        (girth ? spoken(*girth) : std::string()));
+  }
   std::size_t triangles = 0;
   for (const Piece& piece : levels_.fine.pattern.pieces) triangles += piece.triangles.size();
   if (check.crossings > kMostCrossings * static_cast<double>(triangles))

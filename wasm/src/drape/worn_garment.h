@@ -66,6 +66,9 @@ class WornGarment {
 
   WornGarment(SolvedGarment garment, Form form, Hanging hanging, SewnLevels levels,
               std::vector<int> order);
+  /// Returns the pattern with the shapes of its pieces as cut.
+  Pattern asCut() const;
+  Outcome<Positions> startWith(double fold, double* fullness = nullptr) const;
 
   SolvedGarment garment_;
   Form form_;

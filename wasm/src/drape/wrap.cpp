@@ -49,6 +49,8 @@ class Wrapper {
     return positions;
   }
 
+  double fullness() const { return fullness_; }
+
   std::vector<WornGirth> girths(BodyPart part) {
     layOut();
     findStraps();
@@ -242,6 +244,7 @@ class Wrapper {
       const auto part = static_cast<BodyPart>(p);
       const std::optional<Ring> ring = ringOf(part);
       if (!ring) continue;
+      fullness_ = std::max(fullness_, ring->fullness());
       for (std::size_t k = 0; k < ring->pieces().size(); ++k) {
         const RingPiece& piece = ring->pieces()[k];
         for (std::size_t v = 0; v < piece.flat.size(); ++v)
@@ -271,18 +274,21 @@ class Wrapper {
   const WrapSettings& settings_;
   std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: (across, level)
   std::vector<char> straps_;             ///< per piece
+  double fullness_ = 0;
 };
 
 }  // namespace
 
 Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
-                                const WrapSettings& settings) {
+                                const WrapSettings& settings, double* fullness) {
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
   if (!hanging.ok()) return hanging.error();
   const std::vector<Overlap> overlaps = overlapsOf(garment, pattern, hanging.value());
   std::vector<char> on_top(pattern.pieces.size(), false);
   for (const Overlap& overlap : overlaps) on_top[overlap.upper] = true;
-  PiecePositions positions = Wrapper(pattern, form, hanging.value(), on_top, settings).run();
+  Wrapper wrapper(pattern, form, hanging.value(), on_top, settings);
+  PiecePositions positions = wrapper.run();
+  if (fullness) *fullness = wrapper.fullness();
   settle(pattern, form, hanging.value(), on_top, settings, &positions);
   layOnOthers(garment, pattern, overlaps, settings.layer, &positions);
   return positions;

@@ -22,12 +22,13 @@ struct WrapSettings {
 };
 
 /// Wraps a meshed garment around the form, as the start of a drape.
-/// Seams are closed, and pieces are side by side in rings around the parts of the body, at least
-/// `clearance` outside it. The result is exactly symmetric if the pattern's mirrors cover it and
-/// agree with its placement. Its bytes do not depend on the order and names of the pieces.
+/// @param fullness   set to the largest girth of a ring relative to the body above; null: not
+/// needed Seams are closed, and pieces are side by side in rings around the parts of the body, at
+/// least `clearance` outside it. The result is exactly symmetric if the pattern's mirrors cover it
+/// and agree with its placement. Its bytes do not depend on the order and names of the pieces.
 /// Errors: those of hang().
 Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
-                                const WrapSettings& settings = {});
+                                const WrapSettings& settings = {}, double* fullness = nullptr);
 
 /// Girth of a closed ring of pieces at a height.
 struct WornGirth {

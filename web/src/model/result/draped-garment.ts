@@ -118,6 +118,13 @@ export interface DrapeCheck {
   readonly crossings: number;
   /** Greatest movement of a vertex in the last step. [cm] */
   readonly moved: number;
+  /**
+   * Estimated distance of the vertices from rest, root mean square, extrapolated from the last
+   * steps; not in files of earlier versions. [cm]
+   */
+  readonly fromRest?: number;
+  /** Whether further steps would hardly lower the energy; not in files of earlier versions. */
+  readonly atRest?: boolean;
 }
 
 /** Body measurements. [cm] */
