@@ -158,8 +158,9 @@ it(
     await found(dialog);
     const broken = () => page.locator('sw-photo-stage .broken').getAttribute('d');
     await expect.poll(broken).toBe('');
-    await dialog.getByRole('radio', {name: /^p4m, has not/}).check();
-    await dialog.getByText('Differences from p4m').waitFor(patient);
+    await dialog.getByText(/^Symmetry: /).click();
+    await dialog.getByRole('radio', {name: 'Mirrors like a square, has not'}).check();
+    await dialog.getByText('Differences from “Mirrors like a square”').waitFor(patient);
     await expect.poll(async () => (await broken())?.split('Z').length ?? 0).toBeGreaterThan(100);
     await dialog.getByLabel('Differences from the symmetry').uncheck();
     await expect.poll(broken).toBe('');

@@ -19,7 +19,7 @@ export class Welcome extends WorkbenchElement {
       }
       .cards {
         display: grid;
-        grid-template-columns: repeat(3, minmax(0, 1fr)) auto;
+        grid-template-columns: repeat(3, minmax(0, 1fr)) 0 auto;
         gap: var(--sw-space-2);
         max-width: 44rem;
         margin: auto;
@@ -30,7 +30,14 @@ export class Welcome extends WorkbenchElement {
         box-shadow: 0 4px 20px light-dark(rgb(38 40 44 / 0.12), rgb(0 0 0 / 0.45));
         pointer-events: auto;
       }
+      p {
+        grid-column: 1 / -2;
+        align-self: center;
+        padding: 0 var(--sw-space-2);
+        font-weight: 600;
+      }
       .card {
+        grid-row: 2;
         display: grid;
         justify-items: start;
         justify-content: start;
@@ -94,6 +101,7 @@ export class Welcome extends WorkbenchElement {
   protected override render(): TemplateResult {
     const {app, introduction, print} = this.texts;
     return html`<div class="cards" role="group" aria-label=${introduction.label}>
+      <p>${app.tagline}</p>
       ${this.#card('pattern', app.openGarment, introduction.pattern)}
       ${this.#card('fabric', print.open, introduction.fabric)}
       ${this.#card('sample', introduction.sample, introduction.samples)}

@@ -67,17 +67,17 @@ export const pageLayout = css`
   }
   ${section}
   .tagline {
+    flex: 0 1 auto;
+    min-width: 0;
+    overflow: hidden;
     color: var(--sw-soft);
+    text-overflow: ellipsis;
+    white-space: nowrap;
   }
   ${labelled}
-  @container (width < 84rem) {
+  @container (width < 78rem) {
     .tagline {
       ${unseen}
-    }
-  }
-  @container (width < 40rem) {
-    .commands {
-      display: none; /* each command is also a button */
     }
   }
 `;
