@@ -233,7 +233,6 @@ export const editorLayout = css`
       padding: var(--sw-space-2);
     }
     .solving sw-progress {
-      align-content: start;
       width: 6.5rem;
       white-space: normal;
     }
@@ -266,6 +265,9 @@ export const editorLayout = css`
   }
   /* below it: the headline, one sheet at a time, and the tabs */
   @container (width < 40rem) {
+    .keys {
+      display: none; /* Commands lists the keys, too */
+    }
     .workbench {
       grid: 'header' auto 'pattern' minmax(0, 1fr) 'side' auto / minmax(0, 1fr);
     }

@@ -93,7 +93,7 @@ export class ProjectList extends WorkbenchElement {
         aria-haspopup="dialog"
         @click=${() => void this.open()}
       >
-        ${icon.recent} <span class="label">${projects.title}</span>
+        ${icon.projects} <span class="label">${projects.title}</span>
       </button>
       <dialog
         aria-labelledby="title"

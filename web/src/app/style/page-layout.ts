@@ -67,12 +67,19 @@ export const pageLayout = css`
   }
   ${section}
   .tagline {
-    flex: 0 1 auto;
-    min-width: 0;
+    display: flex;
+    flex: 1 1 0;
+    flex-wrap: wrap; /* on a hidden second line where there is no room for the whole sentence */
+    height: 1.5em;
     overflow: hidden;
     color: var(--sw-soft);
-    text-overflow: ellipsis;
+    line-height: 1.5;
     white-space: nowrap;
+  }
+  .tagline::before {
+    content: '';
+    width: 1px;
+    height: 1.5em;
   }
   ${labelled}
   @container (width < 78rem) {
