@@ -37,7 +37,7 @@ const markSize = 0.011;
 /** Least distance of a name's middle from the border of the image, in units of `unitOf`. */
 const nameMargin = 2;
 /** Half of the mean width of a letter, in units of `unitOf`. */
-const letterWidth = 0.55;
+const letterWidth = 0.5;
 /** Number of possible places for a name along its arrow. */
 const nameSteps = 20;
 
