@@ -56,7 +56,7 @@ describe('a photograph', () => {
     await dialog.getByText(/One repeat is 8 cm × /).waitFor();
     const centres = dialog.locator('sw-photo-stage .centre');
     await expect.poll(() => centres.count()).toBe(0);
-    await dialog.getByLabel('Mirrors and turns').check();
+    await dialog.getByLabel('Mirrors and turns', {exact: true}).check();
     await expect.poll(() => centres.count()).toBeGreaterThan(20);
     await use(page).click();
     await expect.poll(() => dialogOf(page).count(), patient).toBe(0);

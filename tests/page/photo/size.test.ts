@@ -41,7 +41,7 @@ it(
     const page = await openPage();
     const dialog = await openSheet(page);
     await give(page, photograph);
-    expect(await found(dialog)).toBe('Found: p4.');
+    expect(await found(dialog)).toBe('Found: Quarter turns.');
     await dialog.getByLabel('Coin or card', {exact: true}).check();
     const tap = async (x: number, y: number): Promise<void> => {
       const box = await page.locator('sw-photo-stage .frame').boundingBox();
@@ -118,7 +118,7 @@ it(
     await expect.poll(() => look.isEnabled()).toBe(true);
     // the next search does not wait for it
     await look.click();
-    await dialog.getByText(/^(No outline of that is seen there|Measured by)/).waitFor(patient);
+    await dialog.getByText(/^(The object was not found there|Measured by)/).waitFor(patient);
   },
 );
 
