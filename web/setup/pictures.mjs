@@ -10,8 +10,6 @@ import {gallery} from './pictures/gallery.mjs';
 import {sharp, usePage} from './pictures/samples.mjs';
 import {root} from './shell.mjs';
 
-const dress = {garment: 'princess-dress', print: 'p4m'};
-
 /** Makes each picture; `open` opens a sample in the page. */
 const makers = {
   page: async (open) => {
@@ -20,8 +18,8 @@ const makers = {
     await picture(page, 'page');
   },
   lens: async (open) => {
-    const page = await open({...dress, colorScheme: 'dark'});
-    await select(page, /Side seams/);
+    const page = await open({garment: 'six-gore-skirt', print: 'p4m', colorScheme: 'dark'});
+    await select(page, /Princess seams: Centre front/);
     await page.getByRole('button', {name: 'Enlarge', exact: true}).click();
     await page.locator('sw-lens sw-wipe-handle').locator('input').fill('35');
     await picture(page, 'lens');

@@ -14,6 +14,7 @@ import {designOf} from '../../support/page/design.js';
 import {choose, hand, jsonFile, squares, type HandedFile} from '../../support/page/files.js';
 import {bytesOf} from '../../support/page/browser.js';
 import {button, saved, savedCut, showSample, solved, usePage} from '../../support/page/page.js';
+import {printRadio} from '../../support/page/prints.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -54,7 +55,7 @@ it('opens a saved project to the same design', {tags: ['thorough']}, async () =>
   const page = await quietPage();
   await choose(page, 'My pattern', jsonFile('squares.json', squares(40)));
   await garmentShown(page, 'squares.json');
-  await page.getByRole('radio', {name: /^pgg\b/}).click();
+  await printRadio(page, 'pgg').click();
   const before = await designOf(page);
   expect(before.print.group).toBe('pgg');
   const project = await saved(page, 'Save project');

@@ -24,7 +24,7 @@ it(
       await cancel.click();
       await cancel.waitFor({state: 'detached'});
       await dialog.getByText('Stopped.').waitFor();
-      await dialog.getByRole('button', {name: 'Draw the cell by hand'}).click();
+      await dialog.getByRole('button', {name: 'Draw the repeat by hand'}).click();
       await dialog.locator('sw-photo-work').getByRole('button', {name: 'Cancel'}).click();
       if (k < 2) await dialog.getByRole('button', {name: 'Look again'}).click();
     }

@@ -5,6 +5,7 @@ import {expect, it, vi} from 'vitest';
 import {latticeVectors} from '@/model/print/repeat.js';
 import type {GroupName} from '@/model/print/repeating-print.js';
 import {solved, usePage} from '../../support/page/page.js';
+import {print as english} from '@/texts/en/print.js';
 import {designOf} from '../../support/page/design.js';
 import {
   bring,
@@ -41,7 +42,7 @@ it.each([
       .poll(() => page.locator('sw-photo input[capture=environment][accept="image/*"]').count())
       .toBe(1);
     await bring(page, await jpegOf(pixels, 92), `${group}.jpg`, 'paste');
-    expect(await found(dialog)).toBe(`Found: ${group}.`);
+    expect(await found(dialog)).toBe(`Found: ${english.print.kinds[group]}.`);
     await measure(dialog, 10 * long);
     await dialog.getByText(/One repeat is /).waitFor();
     await use(page).click();

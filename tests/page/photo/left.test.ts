@@ -26,7 +26,7 @@ it('is there again as it was left, until its print is taken', {tags: ['thorough'
   const page = await openPage();
   const dialog = await openSheet(page);
   await give(page, photograph);
-  expect(await found(dialog)).toBe('Found: pmm.');
+  expect(await found(dialog)).toBe('Found: Mirrors both ways.');
   await measure(dialog, 80);
   await dialog.getByText(/One repeat is 8 cm × /).waitFor();
   await lengths(dialog).first().focus();
@@ -35,7 +35,7 @@ it('is there again as it was left, until its print is taken', {tags: ['thorough'
   const before = (await designOf(page)).print.title;
   await openSheet(page);
   // not analysed again: the result is there at once, with its undo steps
-  await expect.poll(() => dialog.getByText('Found: pmm.').count()).toBe(1);
+  await expect.poll(() => dialog.getByText('Found: Mirrors both ways.').count()).toBe(1);
   await expect.poll(() => lengths(dialog).first().inputValue()).toBe('80');
   await dialog.getByRole('button', {name: 'Undo'}).click();
   await dialog.getByText(/^Size unknown/).waitFor();
@@ -72,8 +72,8 @@ it(
     await give(page, photograph);
     await found(dialog);
     await measure(dialog, 80);
-    const said = await dialog.getByText(/w1 is 8 cm and w2 /).innerText();
-    const height = Number(/w2 ([\d.]+) cm long/.exec(said)?.[1]);
+    const said = await dialog.getByText(/^One repeat is 8 cm × /).innerText();
+    const height = Number(/× ([\d.]+) cm/.exec(said)?.[1]);
     const second = lengths(dialog).nth(1);
     await second.fill(String(20 * height));
     await second.press('Enter');
@@ -82,7 +82,7 @@ it(
     await expect
       .poll(() => alert.innerText())
       .toMatch(
-        /^Your measures disagree by (99|10[01]) %: with 8 cm along w1, the photo shows .* not .* Both count until you remove one\.$/,
+        /^Your measures disagree by (99|10[01]) %: with 8 cm one way, the photo shows .* not .* Both count until you remove one\.$/,
       );
     // the measured arrow is marked while its field has the focus
     const marked = page.locator('sw-photo-stage .arrow.measured');
@@ -91,11 +91,11 @@ it(
     await expect.poll(() => marked.getAttribute('class')).toBe('arrow w1 measured');
     await dialog.getByLabel('Name').focus();
     await expect.poll(() => marked.count()).toBe(0);
-    await dialog.getByRole('button', {name: /^Remove this measure: Repeats along w2/}).click();
+    await dialog.getByRole('button', {name: /^Remove this measure: Repeats up/}).click();
     await expect.poll(() => alert.count()).toBe(0);
     await expect.poll(() => second.inputValue()).toBe('');
     await dialog.getByText(said).waitFor();
-    await dialog.getByRole('button', {name: /^Remove this measure: Repeats along w1/}).click();
+    await dialog.getByRole('button', {name: /^Remove this measure: Repeats across/}).click();
     await dialog.getByText(/^Size unknown/).waitFor();
   },
 );

@@ -50,13 +50,13 @@ describe('a photograph', () => {
       return route.continue();
     });
     await bring(page, photograph, 'meadow.jpg');
-    expect(await found(dialog)).toBe('Found: pmm.');
+    expect(await found(dialog)).toBe('Found: Mirrors both ways.');
     await tileMade(dialog);
     await measure(dialog, 80);
     await dialog.getByText(/One repeat is 8 cm × /).waitFor();
     const centres = dialog.locator('sw-photo-stage .centre');
     await expect.poll(() => centres.count()).toBe(0);
-    await dialog.getByLabel('Mirrors and turns').check();
+    await dialog.getByLabel('Mirrors and turns', {exact: true}).check();
     await expect.poll(() => centres.count()).toBeGreaterThan(20);
     await use(page).click();
     await expect.poll(() => dialogOf(page).count(), patient).toBe(0);
@@ -89,7 +89,7 @@ describe('a photograph', () => {
     const dialog = await openSheet(page);
     await give(page, photograph);
     await found(dialog);
-    const corner = dialog.getByRole('button', {name: 'Corner of the cell'});
+    const corner = dialog.getByRole('button', {name: 'Corner of the repeat'});
     const box = await corner.boundingBox();
     if (!box) throw new Error('There is no corner.');
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -99,7 +99,7 @@ describe('a photograph', () => {
     await page.mouse.up();
     const undo = dialog.getByRole('button', {name: 'Undo'});
     await expect.poll(() => undo.isEnabled(), patient).toBe(true);
-    expect(await found(dialog)).toBe('Found: pmm.');
+    expect(await found(dialog)).toBe('Found: Mirrors both ways.');
     // the corner that was dragged, now by keys
     const place = () => corner.evaluate((handle) => handle.style.left);
     await corner.focus();
@@ -129,7 +129,7 @@ describe('a photograph', () => {
     release();
     await expect.poll(() => use(page).isDisabled()).toBe(true);
     await dialog.getByRole('button', {name: 'Look again'}).click();
-    expect(await found(dialog)).toBe('Found: pmm.');
+    expect(await found(dialog)).toBe('Found: Mirrors both ways.');
   });
 
   it(
@@ -144,9 +144,9 @@ describe('a photograph', () => {
       await expect
         .poll(() => dialog.getByRole('img', {name: 'Photo of the fabric'}).isVisible())
         .toBe(true);
-      await dialog.getByRole('button', {name: 'Draw the cell by hand'}).click();
+      await dialog.getByRole('button', {name: 'Draw the repeat by hand'}).click();
       await dialog.getByRole('button', {name: 'Find the repeat from here'}).waitFor();
-      await dialog.getByRole('button', {name: 'End of w1'}).waitFor();
+      await dialog.getByRole('button', {name: 'End of the arrow: across'}).waitFor();
       await give(page, photograph.subarray(0, 90), 'half.jpg');
       await dialog.getByText('half.jpg is a JPEG picture, but damaged').waitFor();
     },

@@ -65,14 +65,14 @@ it(
     const page = await openPage();
     let dialog = await openSheet(page);
     await give(page, photographs[0]);
-    expect(await found(dialog)).toBe('Found: pmm.');
+    expect(await found(dialog)).toBe('Found: Mirrors both ways.');
     await measure(dialog, 80);
     await dialog.getByText(/One repeat is 8 cm × /).waitFor();
     await dialog.getByLabel('Name').fill('river');
     await dialog.getByLabel('Name').blur();
     await expect.poll(() => keptOf(page)).toEqual([1, 1]);
     dialog = await again(page);
-    await expect.poll(() => dialog.getByText('Found: pmm.').count()).toBe(1);
+    await expect.poll(() => dialog.getByText('Found: Mirrors both ways.').count()).toBe(1);
     await expect.poll(() => measured(dialog)).toBe('80');
     await expect.poll(() => dialog.getByLabel('Name').inputValue()).toBe('river');
     await dialog.getByRole('button', {name: 'Undo'}).click();
@@ -85,9 +85,9 @@ it(
     await dialog.getByRole('button', {name: 'Redo'}).click();
     await expect.poll(() => measured(dialog)).toBe('80');
     await give(page, photographs[1], 'other.jpg');
-    await dialog.getByText('Found: p4.').waitFor(patient);
+    await dialog.getByText('Found: Quarter turns.').waitFor(patient);
     dialog = await again(page);
-    await dialog.getByText('Found: p4.').waitFor(patient);
+    await dialog.getByText('Found: Quarter turns.').waitFor(patient);
     await expect.poll(() => dialog.getByLabel('Name').inputValue()).toBe('other');
     await expect.poll(() => keptOf(page)).toEqual([1, 1]);
     await use(page).click();
@@ -105,7 +105,7 @@ it(
     await give(page, photographs[0]);
     await expect.poll(async () => (await keptOf(page))[0]).toBe(1);
     const dialog = await again(page);
-    await dialog.getByText('Found: pmm.').waitFor(patient);
+    await dialog.getByText('Found: Mirrors both ways.').waitFor(patient);
     // a photo without a print is not kept
     await give(page, await jpegOf(plain, 92));
     await dialog.getByRole('alert').waitFor(patient);
@@ -128,7 +128,7 @@ it(
     });
     const dialog = await openSheet(page);
     await give(page, photographs[0]);
-    expect(await found(dialog)).toBe('Found: pmm.');
+    expect(await found(dialog)).toBe('Found: Mirrors both ways.');
     await measure(dialog, 80);
     await dialog.getByText(/One repeat is 8 cm × /).waitFor();
     await expect.poll(() => dialog.getByRole('alert').count()).toBe(0);

@@ -41,7 +41,7 @@ it(
     const page = await openPage();
     const dialog = await openSheet(page);
     await give(page, photograph);
-    expect(await found(dialog)).toBe('Found: p4.');
+    expect(await found(dialog)).toBe('Found: Quarter turns.');
     await dialog.getByLabel('Coin or card', {exact: true}).check();
     const tap = async (x: number, y: number): Promise<void> => {
       const box = await page.locator('sw-photo-stage .frame').boundingBox();
@@ -59,9 +59,9 @@ it(
     await dialog.getByText(/^Size unknown/).waitFor();
     await expect.poll(() => page.locator('sw-photo-stage .outline').count()).toBe(0);
     await tap(120, 640);
-    await dialog.getByText(/^No outline of that is seen there.*\.$/).waitFor(patient);
+    await dialog.getByText(/^The object was not found there/).waitFor(patient);
     await expect.poll(() => undo.isEnabled()).toBe(false);
-    await dialog.getByLabel('Which').selectOption('card');
+    await dialog.locator('sw-photo-measures select').selectOption('card');
     await tap(606, 412);
     await dialog.getByText(/Measured by the red outline/).waitFor(patient);
     expect(Math.abs((await said(dialog)) / repeat - 1)).toBeLessThan(0.02);
@@ -118,7 +118,7 @@ it(
     await expect.poll(() => look.isEnabled()).toBe(true);
     // the next search does not wait for it
     await look.click();
-    await dialog.getByText(/^(No outline of that is seen there|Measured by)/).waitFor(patient);
+    await dialog.getByText(/^(The object was not found there|Measured by)/).waitFor(patient);
   },
 );
 
@@ -158,8 +158,9 @@ it(
     await found(dialog);
     const broken = () => page.locator('sw-photo-stage .broken').getAttribute('d');
     await expect.poll(broken).toBe('');
-    await dialog.getByRole('radio', {name: /^p4m, has not/}).check();
-    await dialog.getByText('Differences from p4m').waitFor(patient);
+    await dialog.getByText(/^Symmetry: /).click();
+    await dialog.getByRole('radio', {name: 'Mirrors like a square, has not'}).check();
+    await dialog.getByText('Differences from “Mirrors like a square”').waitFor(patient);
     await expect.poll(async () => (await broken())?.split('Z').length ?? 0).toBeGreaterThan(100);
     await dialog.getByLabel('Differences from the symmetry').uncheck();
     await expect.poll(broken).toBe('');

@@ -5,6 +5,7 @@ import {expect, it} from 'vitest';
 import type {SeamwisePage} from '@/app/page.js';
 import {button, usePage} from '../../support/page/page.js';
 import {designOf} from '../../support/page/design.js';
+import {printRadio} from '../../support/page/prints.js';
 
 const openPage = usePage();
 
@@ -22,8 +23,7 @@ const quietPage = async (): Promise<Page> => {
   return page;
 };
 
-const group = (page: Page, name: string): Locator =>
-  page.getByRole('radio', {name: new RegExp(`^${name},`)});
+const group = (page: Page, name: string): Locator => printRadio(page, name);
 
 const enter = async (page: Page, label: string, value: string): Promise<void> => {
   await page.getByLabel(label).fill(value);
@@ -46,33 +46,33 @@ const blot = '<rect x="1" y="1" width="3" height="2" fill="#237"/>';
 
 it('offers the 17 groups and stripes, which arrow keys walk through', async () => {
   const page = await quietPage();
-  const gallery = page.getByRole('radiogroup', {name: 'Wallpaper group'});
+  const gallery = page.getByRole('radiogroup', {name: 'Symmetry of the print'});
   await expect.poll(() => gallery.getByRole('radio').count()).toBe(18);
-  await page.getByRole('radio', {name: 'p4m, Majolica', checked: true}).focus();
+  await page.getByRole('radio', {name: 'Majolica', checked: true}).focus();
   await page.keyboard.press('ArrowRight');
-  await page.getByRole('radio', {name: 'p4g, Bay trellis', checked: true}).waitFor();
+  await page.getByRole('radio', {name: 'Bay trellis', checked: true}).waitFor();
   await page.keyboard.press('ArrowDown'); // three further, in the next row
-  await page.getByRole('radio', {name: 'p31m, Trillium', checked: true}).waitFor();
+  await page.getByRole('radio', {name: 'Trillium', checked: true}).waitFor();
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
-  await page.getByRole('radio', {name: 'Stripes, Ticking', checked: true}).waitFor();
+  await page.getByRole('radio', {name: 'Ticking', checked: true}).waitFor();
   await expect.poll(() => gallery.getByRole('radio', {checked: true}).count()).toBe(1);
   expect((await designOf(page)).print).toMatchObject({group: 'pmm', sample: {name: 'ticking'}});
 });
 
 it('names its prints, and shows only those that are looked for', {tags: ['thorough']}, async () => {
   const page = await quietPage();
-  const majolica = page.getByRole('radio', {name: 'p4m, Majolica'});
+  const majolica = page.getByRole('radio', {name: 'Majolica'});
   await expect.poll(() => majolica.innerText()).toBe('Majolica');
-  await expect.poll(() => majolica.getAttribute('title')).toBe('Majolica, p4m');
-  const radios = page.getByRole('radiogroup', {name: 'Wallpaper group'}).getByRole('radio');
-  const tartan = button(page, 'Tartan, p4m');
+  await expect.poll(() => majolica.getAttribute('title')).toMatch(/^Mirrors both ways/);
+  const radios = page.getByRole('radiogroup', {name: 'Symmetry of the print'}).getByRole('radio');
+  const tartan = button(page, 'Tartan');
   await button(page, 'Stripes and checks').click();
   await expect.poll(() => radios.allInnerTexts()).toEqual(['Foulard', 'Ticking']);
   await expect.poll(() => tartan.isVisible()).toBe(true);
   await radios.first().press('ArrowRight');
-  await page.getByRole('radio', {name: 'Stripes, Ticking', checked: true}).waitFor();
+  await page.getByRole('radio', {name: 'Ticking', checked: true}).waitFor();
   await button(page, 'Florals').click();
   await expect.poll(() => radios.count()).toBe(9);
   await expect.poll(() => tartan.count()).toBe(0);
@@ -83,22 +83,16 @@ it('names its prints, and shows only those that are looked for', {tags: ['thorou
   await expect.poll(() => radios.count()).toBe(18);
 });
 
-it('says why a group will not do, and which would', {tags: ['thorough']}, async () => {
+it('takes any print, and tells which symmetry it cannot keep', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await page.locator('seamwise-page').evaluate((element) => {
     (element as SeamwisePage).workbench.history.change({
       symmetry: [{kind: 'piece', piece: 'front'}],
     });
   });
-  const greyed = page.locator('[role=radio][aria-disabled=true]');
-  await expect.poll(() => greyed.count()).toBe(7);
   await group(page, 'p4').press('Space');
-  await page
-    .getByText('A piece that is symmetric in itself needs a print with mirrors, and p4 has none.')
-    .waitFor();
-  expect((await designOf(page)).print.group).toBe('p4m');
-  await button(page, 'cmm').click();
-  await page.getByRole('radio', {name: 'cmm, Foulard', checked: true}).waitFor();
+  await page.getByText(/ has no mirrors, so no piece can be symmetric\./).waitFor();
+  expect((await designOf(page)).print.group).toBe('p4');
 });
 
 it('keeps the repeat when only the colours change', {tags: ['thorough']}, async () => {
@@ -152,7 +146,7 @@ it(
 it('keeps the proportions of a repeat until that is taken back', {tags: ['thorough']}, async () => {
   const page = await quietPage();
   await group(page, 'pmm').click();
-  await page.getByRole('radio', {name: 'pmm, Harlequin', checked: true}).waitFor();
+  await page.getByRole('radio', {name: 'Harlequin', checked: true}).waitFor();
   const {width, height} = (await designOf(page)).print.size;
   await enter(page, 'Repeat width (cm)', '4');
   expect((await designOf(page)).print.size.height).toBeCloseTo((4 * height) / width, 9);
@@ -167,10 +161,10 @@ it('offers the group that still fits cloth that was measured', {tags: ['thorough
   const page = await quietPage();
   await proportions(page).click();
   await enter(page, 'Repeat height (cm)', '12');
-  await page.getByText('Your fabric is not quite p4m; pmm still fits.').waitFor();
+  await page.getByText(/^Your fabric is not quite “Mirrors like a square”/).waitFor();
   expect((await designOf(page)).print.size.height).toBe(11);
-  await button(page, 'Take pmm').click();
-  await page.getByRole('radio', {name: 'pmm, Harlequin', checked: true}).waitFor();
+  await button(page, 'Take “Mirrors both ways”').click();
+  await page.getByRole('radio', {name: 'Harlequin', checked: true}).waitFor();
   const {print} = await designOf(page);
   expect(print.size).toEqual({width: 11, height: 12, angleDeg: 90});
   expect(print.image).toBe('prints/p4m.svg');
@@ -182,13 +176,13 @@ it(
   async () => {
     const page = await quietPage();
     await group(page, 'p3m1').click();
-    await page.getByRole('radio', {name: /^p3m1,/, checked: true}).waitFor();
-    await proportions(page).click();
-    await enter(page, 'Repeat height (cm)', '18');
-    await button(page, 'Take cm').click();
-    await group(page, 'cm')
+    await group(page, 'p3m1')
       .and(page.getByRole('radio', {checked: true}))
       .waitFor();
+    await proportions(page).click();
+    await enter(page, 'Repeat height (cm)', '18');
+    await button(page, 'Take “Mirrors one way, half-drop”').click();
+    await expect.poll(async () => (await designOf(page)).print.group).toBe('cm');
     const {size, turnDeg, image} = (await designOf(page)).print;
     expect([size.width, size.height, turnDeg]).toEqual([18, 10, 90]);
     expect(image).toMatch(/^data:image\/png;base64,/);
@@ -204,6 +198,7 @@ it(
     await page.getByText('Your own: Dots').waitFor();
     const {print} = await designOf(page);
     expect(print).toMatchObject({group: 'p1', oneWay: true, size: {width: 10, height: 5}});
+    await page.getByText('Symmetry of the print: Repeats only').click();
     await group(page, 'pmm').click();
     await page.getByText('This picture looks different from left to right').waitFor();
     const outline = page.getByRole('img', {name: 'Dots, with'}).locator('path').first();
@@ -226,7 +221,7 @@ it('asks for the picture that a print file names, and takes it', {tags: ['thorou
   const page = await quietPage();
   const file = {title: 'Mine', group: 'pmm', w1: [6, 0], w2: [0, 8], image: 'mine.svg'};
   await open(page, 'mine.json', 'application/json', JSON.stringify(file));
-  await page.getByText('The picture of this print is in a file of its own').waitFor();
+  await page.getByText('The picture of this print is in another file').waitFor();
   await open(page, 'mine.svg', 'image/svg+xml', tile());
   await page.getByText('Found in the picture: Mirrors both ways.').waitFor();
   expect((await designOf(page)).print).toMatchObject({
@@ -241,7 +236,7 @@ it(
     const page = await quietPage();
     const before = await designOf(page);
     await open(page, 'notes.txt', 'text/plain', 'hello');
-    await page.getByText('notes.txt is no print: open a picture').waitFor();
+    await page.getByText('notes.txt is not a print: open a picture').waitFor();
     await open(page, 'broken.png', 'image/png', 'hello');
     await page.getByText('broken.png cannot be read as a picture.').waitFor();
     await open(page, 'large.png', 'image/png', ' '.repeat(12 * 2 ** 20 + 1));

@@ -14,6 +14,7 @@ import {
   usePage,
   type PageOptions,
 } from '../../support/page/page.js';
+import {printRadio} from '../../support/page/prints.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -34,11 +35,7 @@ it(
         location.reload();
       });
     });
-    await Promise.all([
-      page.waitForEvent('load'),
-      left,
-      page.getByRole('radio', {name: /^pgg\b/}).press('Space'),
-    ]);
+    await Promise.all([page.waitForEvent('load'), left, printRadio(page, 'pgg').press('Space')]);
     await solved(page);
     const design = await designOf(page);
     expect(design.garment).toEqual(garment);
@@ -152,7 +149,7 @@ it('keeps two tabs apart that began with the same project', {tags: ['thorough']}
       open(location.href); // copies this tab's session
     }),
   ]);
-  await twin.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();
+  await twin.getByRole('radiogroup', {name: 'Symmetry of the print'}).waitFor();
   expect(await groupOf(twin)).toBe('pgg');
   await chooseGroup(twin, 'cmm');
   await chooseGroup(page, 'p6m');

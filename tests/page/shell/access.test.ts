@@ -181,7 +181,7 @@ it('chooses a group by arrow keys', {tags: ['thorough']}, async () => {
   const page = await openPage();
   await solved(page);
   const chosen = page
-    .getByRole('radiogroup', {name: 'Wallpaper group'})
+    .getByRole('radiogroup', {name: 'Symmetry of the print'})
     .getByRole('radio', {checked: true});
   await tabTo(page, chosen);
   await press(page, 'ArrowRight');

@@ -6,6 +6,7 @@ import {sampleOf} from '../../support/level.js';
 import {designOf} from '../../support/page/design.js';
 import {choose, jsonFile, squares} from '../../support/page/files.js';
 import {button, cancelNext, progress, solved, usePage} from '../../support/page/page.js';
+import {printRadio} from '../../support/page/prints.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -14,8 +15,7 @@ const openPage = usePage();
 const says = (page: Page, words: RegExp): Promise<void> =>
   progress(page).filter({hasText: words}).waitFor({timeout: 60_000});
 
-const group = (page: Page, name: string): Promise<void> =>
-  page.getByRole('radio', {name: new RegExp(`^${name},`)}).click();
+const group = (page: Page, name: string): Promise<void> => printRadio(page, name).click();
 
 /**
  * Breaks the solver in the next solve that the page shows; simultaneous searches for remedies are

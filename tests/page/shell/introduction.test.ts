@@ -5,6 +5,7 @@ import {expect, it, vi} from 'vitest';
 import {askedSymmetries} from '@/model/design/design.js';
 import {designOf} from '../../support/page/design.js';
 import {button, solved, usePage} from '../../support/page/page.js';
+import {printRadio} from '../../support/page/prints.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -36,7 +37,7 @@ it('begins with a symmetric garment and three ways, which go with the first acti
   expect(askedSymmetries(design).map(({kind}) => kind)).toEqual(expect.arrayContaining(['pair']));
   for (const name of [/^My pattern:/, /^My fabric:/, /^A sample:/])
     await expect.poll(() => ways(page).getByRole('button', {name}).count()).toBe(1);
-  await page.getByRole('radio', {name: /^pmm,/}).press('Space');
+  await printRadio(page, 'pmm').press('Space');
   await expect.poll(() => ways(page).count()).toBe(0);
   const later = await openPage({beside: page, isFirst: true});
   await solved(later);

@@ -6,6 +6,7 @@ import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import {sampleOf} from '../../support/level.js';
 import {designOf} from '../../support/page/design.js';
 import {button, solved, usePage} from '../../support/page/page.js';
+import {printRadio} from '../../support/page/prints.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -161,7 +162,7 @@ it(
     await button(page, 'Enlarge').click();
     await page.setViewportSize({width: 700, height: 1000});
     await page.setViewportSize({width: 1900, height: 700});
-    await page.getByRole('radio', {name: /^p4m\b/}).click();
+    await printRadio(page, 'p4m').click();
     await solved(page);
     expect(await places(page)).toEqual(before);
   },
@@ -184,7 +185,7 @@ it('moves nothing on the page while another print is fitted', {tags: ['thorough'
     look();
   });
   for (const name of ['pmm', 'p6m']) {
-    await page.getByRole('radio', {name: new RegExp(`^${name}\\b`)}).click();
+    await printRadio(page, name).click();
     await designWith(page, name);
     await solved(page);
   }
@@ -198,7 +199,7 @@ it('leaves no gap below the figures once there is less to say', {tags: ['thoroug
   const part = page.locator('sw-headline');
   await part.getByText(/\d+ of \d+ visible seams match/).waitFor();
   const before = await box(part);
-  await page.getByRole('radio', {name: /^p4m\b/}).click();
+  await printRadio(page, 'p4m').click();
   await solved(page);
   expect((await box(part)).height).toBeGreaterThanOrEqual(before.height - 1);
   await expect

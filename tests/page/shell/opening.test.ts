@@ -2,6 +2,7 @@
 import {expect, it} from 'vitest';
 
 import {button, cancelNext, saved, solved, usePage} from '../../support/page/page.js';
+import {printRadio} from '../../support/page/prints.js';
 
 const openPage = usePage();
 
@@ -44,7 +45,9 @@ it('names all that tests and screen readers rely on', async () => {
     await expect
       .poll(() => page.getByRole('spinbutton', {name, exact: true}).count(), {message: name})
       .toBe(1);
-  await expect.poll(() => page.getByRole('radiogroup', {name: 'Wallpaper group'}).count()).toBe(1);
+  await expect
+    .poll(() => page.getByRole('radiogroup', {name: 'Symmetry of the print'}).count())
+    .toBe(1);
 });
 
 it('cancels in the same task, and aligns again when asked', async () => {
@@ -63,8 +66,7 @@ it(
   async () => {
     const page = await openPage();
     await solved(page);
-    for (const name of ['pgg', 'cm', 'p6m'])
-      await page.getByRole('radio', {name: new RegExp(`^${name}\\b`)}).click();
+    for (const name of ['pgg', 'cm', 'p6m']) await printRadio(page, name).click();
     await solved(page);
     const result = JSON.parse(await saved(page, 'Save result')) as {print: {group: string}};
     expect(result.print.group).toBe('p6m');
@@ -81,7 +83,7 @@ it(
     await button(page, 'Accept all symmetries').click();
     await solved(page);
     results.push(await saved(page, 'Save result'));
-    await page.getByRole('radio', {name: /^cmm\b/}).click();
+    await printRadio(page, 'cmm').click();
     await solved(page);
     results.push(await saved(page, 'Save result'));
     for (const k of [1, 0]) {

@@ -3,6 +3,7 @@ import type {Page} from 'playwright-core';
 
 import {designOf} from './design.js';
 import type {PageOptions} from './page.js';
+import {printRadio} from './prints.js';
 
 /** Opens the page and turns automatic solving off. */
 export async function quiet(
@@ -17,8 +18,10 @@ export async function quiet(
 }
 
 export async function chooseGroup(page: Page, group: string): Promise<void> {
-  await page.getByRole('radio', {name: new RegExp(`^${group},`)}).press('Space');
-  await page.getByRole('radio', {name: new RegExp(`^${group},`), checked: true}).waitFor();
+  await printRadio(page, group).press('Space');
+  await printRadio(page, group)
+    .and(page.getByRole('radio', {checked: true}))
+    .waitFor();
 }
 
 export const groupOf = async (page: Page): Promise<string> => (await designOf(page)).print.group;

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import {choiceOf, choices, groupOf} from '@/print/group-choice.js';
+import {choiceOf, choices, groupOf, meaningOf} from '@/print/group-choice.js';
 import {lostSymmetries} from '@/workbench/print/take-print.js';
 import {turnsOver} from '@/model/print/repeat.js';
 import {noPicture, type Design} from '@/model/design/design.js';
@@ -18,6 +18,13 @@ const square = {width: 8, height: 8, angleDeg: 90};
 describe('the gallery', () => {
   it('offers every group, and stripes as pmm', () => {
     expect(choices.map(groupOf)).toEqual([...groupNames, 'pmm']);
+  });
+
+  it('says of asymmetric stripes that they do not mirror', () => {
+    const size = {...square, height: 0.5};
+    expect(meaningOf({group: 'pm', size})).toBe('stripesOneWay');
+    expect(meaningOf({group: 'pmm', size})).toBe('stripes');
+    expect(meaningOf({group: 'pm', size: square})).toBe('pm');
   });
 
   it('calls a print stripes when its mirrors run across a repeat of half a centimetre', () => {
@@ -40,7 +47,7 @@ describe('the gallery', () => {
   });
 
   it('says of every choice what it means', () => {
-    expect(Object.keys(en.print.meanings)).toEqual(choices);
+    expect(Object.keys(en.print.meanings)).toEqual([...choices, 'stripesOneWay']);
   });
 });
 

@@ -78,11 +78,12 @@ export const editorLayout = css`
   .solving sw-progress {
     display: grid;
     align-content: center;
-    min-width: 9rem;
-    max-width: 9rem;
+    width: 13rem;
+    min-width: 0;
     height: 2.4em; /* of two lines, so that nothing moves when there is one */
     overflow-x: clip; /* its bar lies below it */
     line-height: 1.2;
+    white-space: nowrap;
   }
   .solving [hidden] {
     display: inline-flex;
@@ -232,8 +233,8 @@ export const editorLayout = css`
       padding: var(--sw-space-2);
     }
     .solving sw-progress {
-      min-width: 6.5rem;
-      max-width: 6.5rem;
+      width: 6.5rem;
+      white-space: normal;
     }
     .solving button {
       padding: 0 var(--sw-space-2);
@@ -264,6 +265,9 @@ export const editorLayout = css`
   }
   /* below it: the headline, one sheet at a time, and the tabs */
   @container (width < 40rem) {
+    .keys {
+      display: none; /* Commands lists the keys, too */
+    }
     .workbench {
       grid: 'header' auto 'pattern' minmax(0, 1fr) 'side' auto / minmax(0, 1fr);
     }
@@ -286,8 +290,7 @@ export const editorLayout = css`
       inset: calc(100% + var(--sw-target) + var(--sw-space-1)) var(--sw-space-2) auto auto;
     }
     .solving sw-progress {
-      min-width: 0;
-      max-width: none;
+      width: auto;
       height: auto;
       padding: 0 var(--sw-space-2) var(--sw-space-1);
     }

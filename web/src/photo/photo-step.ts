@@ -226,6 +226,10 @@ export function conflictIn(step: PhotoStep): MeasureConflict | undefined {
   return share > most ? {w1, w2, expected: w1 * aspect, share, isOfGroup} : undefined;
 }
 
+/** Returns whether every place along a line of the print is alike; w1 runs across those lines. */
+export const isStriped = (step: PhotoStep): boolean =>
+  step.reading.stripes && ['pm', 'pmm'].includes(groupOf(step));
+
 /** Returns the print without its image, rounded as in print files. */
 export function measuresOf(
   step: PhotoStep,
@@ -234,10 +238,9 @@ export function measuresOf(
   const {w1, w2, isScaled} = cellOf(step);
   const factor = isScaled ? 1 : assumedWidth;
   const {size, turnDeg} = readableRepeat({group, w1: times(w1, factor), w2: times(w2, factor)});
-  const isStriped = step.reading.stripes && ['pm', 'pmm'].includes(group);
   return {
     group,
-    size: isStriped ? {...size, height: Math.min(size.height, alongStripe)} : size,
+    size: isStriped(step) ? {...size, height: Math.min(size.height, alongStripe)} : size,
     turnDeg: wrappedTurn(turnDeg + 90 * step.quarterTurns),
     oneWay: isOneWay(step),
     cell: isCentred(group) ? 'rectangular' : 'primitive',

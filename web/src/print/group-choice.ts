@@ -13,5 +13,11 @@ export const groupOf = (choice: Choice): GroupName => (choice === 'stripes' ? 'p
 /** Returns the print that represents a choice. */
 export const sampleOf = (choice: Choice): string => (choice === 'stripes' ? 'ticking' : choice);
 
+/** Returns the key of the text that describes a print; asymmetric stripes differ from others. */
+export const meaningOf = (print: Pick<DesignPrint, 'group' | 'size'>): Choice | 'stripesOneWay' => {
+  const choice = choiceOf(print);
+  return choice === 'stripes' && print.group === 'pm' ? 'stripesOneWay' : choice;
+};
+
 export const choiceOf = ({group, size}: Pick<DesignPrint, 'group' | 'size'>): Choice =>
   ['pm', 'pmm'].includes(group) && size.height <= alongStripe ? 'stripes' : group;

@@ -1,6 +1,6 @@
 /** A failure of the core in the user's language; in English where a translation is missing. */
 import {drapeReasons, layReasons, SolverError, type Failure} from '../model/base/failure.js';
-import {carries, groupsThatCarry} from '../model/print/repeat.js';
+import {carries} from '../model/print/repeat.js';
 import {formatFor, type Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';
 import type {Workbench} from './workbench.js';
@@ -45,7 +45,7 @@ export function spokenFailure(
   if (code === 'symmetryGroup' && design) {
     const {group} = design.print;
     const kind = carries(group, 'pair') ? 'piece' : 'pair';
-    return symmetry.lacks[kind](group, groupsThatCarry(kind).join(', '));
+    return symmetry.lacks[kind];
   }
   const {language, units} = preferences.chosen;
   const lay =

@@ -97,6 +97,15 @@ describe('the lines of seams', () => {
     expect(rows([group(0)], {locked: {left_half: [1]}})).toMatchObject([{kept: false}]);
   });
 
+  it('fold away the seams that sewing has gathered, with that reason', () => {
+    const shown = workbench([group(0, {state: 'choice'})], {unmatched: [0]});
+    const [seam] = shown.solving.pattern.seams;
+    if (seam) Object.assign(seam, {lengthRatio: 1.3});
+    const [row] = groupRows(shown, en);
+    expect(row).toMatchObject({isVisible: false, reason: 'gather'});
+    expect(row && reasonOf(shown, row, en, format)).toBe(en.remedies.why.gather);
+  });
+
   it('are walked in their order, round and round', () => {
     const all = rows([group(0), group(1, {place: 'centre front', visibility: 3})]);
     expect([1, 0].map((seam) => nextSeam(all, seam, 1))).toEqual([0, 1]);

@@ -8,6 +8,20 @@ import {controls} from '../../editor/style/controls.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
 
+/** Cards without a sentence above them. */
+const oneRow = css`
+  .cards {
+    grid-template-columns: repeat(3, minmax(0, 1fr)) auto;
+  }
+  .card,
+  .icon {
+    grid-area: auto;
+  }
+  p {
+    display: none;
+  }
+`;
+
 export class Welcome extends WorkbenchElement {
   static override styles = [
     controls,
@@ -19,7 +33,7 @@ export class Welcome extends WorkbenchElement {
       }
       .cards {
         display: grid;
-        grid-template-columns: repeat(3, minmax(0, 1fr)) auto;
+        grid-template-columns: repeat(3, minmax(0, 1fr));
         gap: var(--sw-space-2);
         max-width: 44rem;
         margin: auto;
@@ -30,7 +44,14 @@ export class Welcome extends WorkbenchElement {
         box-shadow: 0 4px 20px light-dark(rgb(38 40 44 / 0.12), rgb(0 0 0 / 0.45));
         pointer-events: auto;
       }
+      p {
+        grid-area: 1 / 1 / 2 / -1;
+        align-self: center;
+        padding: 0 var(--sw-space-2);
+        font-weight: 600;
+      }
       .card {
+        grid-row: 2;
         display: grid;
         justify-items: start;
         justify-content: start;
@@ -46,7 +67,15 @@ export class Welcome extends WorkbenchElement {
         font-weight: 600;
       }
       .icon {
-        align-self: start;
+        grid-area: 1 / 1 / 2 / -1;
+        place-self: start end;
+      }
+      /* the header has the sentence, or there is hardly room for it */
+      @container (width >= 84rem) {
+        ${oneRow}
+      }
+      @media (height < 32rem) {
+        ${oneRow}
       }
       @container (width < 40rem) {
         :host {
@@ -94,6 +123,7 @@ export class Welcome extends WorkbenchElement {
   protected override render(): TemplateResult {
     const {app, introduction, print} = this.texts;
     return html`<div class="cards" role="group" aria-label=${introduction.label}>
+      <p>${app.tagline}</p>
       ${this.#card('pattern', app.openGarment, introduction.pattern)}
       ${this.#card('fabric', print.open, introduction.fabric)}
       ${this.#card('sample', introduction.sample, introduction.samples)}

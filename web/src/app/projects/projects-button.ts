@@ -48,7 +48,7 @@ export class ProjectsButton extends WorkbenchElement {
         aria-haspopup="dialog"
         @click=${() => void this.open()}
       >
-        ${icon.recent} <span class="label">${title}</span>
+        ${icon.projects} <span class="label">${title}</span>
       </button>
       <sw-project-list
         .workbench=${this.workbench}

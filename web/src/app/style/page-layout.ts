@@ -67,17 +67,24 @@ export const pageLayout = css`
   }
   ${section}
   .tagline {
+    display: flex;
+    flex: 1 1 0;
+    flex-wrap: wrap; /* on a hidden second line where there is no room for the whole sentence */
+    height: 1.5em;
+    overflow: hidden;
     color: var(--sw-soft);
+    line-height: 1.5;
+    white-space: nowrap;
+  }
+  .tagline::before {
+    content: '';
+    width: 1px;
+    height: 1.5em;
   }
   ${labelled}
-  @container (width < 84rem) {
+  @container (width < 78rem) {
     .tagline {
       ${unseen}
-    }
-  }
-  @container (width < 40rem) {
-    .commands {
-      display: none; /* each command is also a button */
     }
   }
 `;

@@ -143,9 +143,10 @@ export class SolvePanel extends WorkbenchElement {
         />
         ${this.texts.keep.openEdges}
       </label>
-      <label>
-        ${texts.method}
+      <details>
+        <summary>${texts.method}</summary>
         <select
+          aria-label=${texts.method}
           @change=${(event: Event) => {
             this.#set({method: chosen(event) as Method});
           }}
@@ -157,7 +158,7 @@ export class SolvePanel extends WorkbenchElement {
               </option>`,
           )}
         </select>
-      </label>
+      </details>
       ${this.#solveAsIGo()}
     </section>`;
   }

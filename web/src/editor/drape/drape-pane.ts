@@ -307,6 +307,8 @@ export class DrapePane extends DrapeDrawing {
         return html`<p class="told">${words.stopped} ${again}</p>`;
       case 'failed': {
         const {failure} = state;
+        if (failure.reason === 'drapeTooSmall' && this.#fabric !== usualFabric)
+          return this.#strained(words);
         const why = spokenFailure(failure, this.workbench, this.texts);
         const isPassing = passingFailures.has(failure.code);
         return html`<p class="told bad" role="alert">${why} ${isPassing ? again : nothing}</p>`;
@@ -320,6 +322,26 @@ export class DrapePane extends DrapeDrawing {
           : html`<span class="truth">${words.truth}</span>`;
       }
     }
+  }
+
+  get #fabric(): FabricName {
+    const {design} = this.workbench.history;
+    return design ? fabricOf(design) : usualFabric;
+  }
+
+  /** A garment that is too tight in one fabric may drape in another. */
+  #strained(words: DrapeTexts): TemplateResult {
+    return html`<p class="told">
+      ${words.strained(words.fabrics[this.#fabric])}
+      <button
+        class="outlined"
+        @click=${() => {
+          this.workbench.history.change({fabric: usualFabric});
+        }}
+      >
+        ${words.drapeIn(words.fabrics[usualFabric])}
+      </button>
+    </p>`;
   }
 
   /** "Front view. 9 of 11 visible seams match." */

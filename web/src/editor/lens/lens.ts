@@ -42,6 +42,14 @@ export class SeamLens extends PatientElement {
         flex: 1;
         min-width: 0;
       }
+      @media (pointer: coarse) {
+        header {
+          flex-wrap: wrap; /* large buttons would leave no room for the name */
+        }
+        .name {
+          flex: 1 1 14rem;
+        }
+      }
       h3 {
         overflow: hidden;
         text-overflow: ellipsis;

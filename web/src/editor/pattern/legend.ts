@@ -64,12 +64,6 @@ export class Legend extends WorkbenchElement {
         gap: var(--sw-space-1);
         white-space: nowrap;
       }
-      button {
-        min-height: var(--sw-target);
-        padding: 0 var(--sw-space-2);
-        font-size: var(--sw-text);
-        color: var(--sw-soft);
-      }
     `,
   ];
 
@@ -86,15 +80,6 @@ export class Legend extends WorkbenchElement {
           : nothing
       }
       ${scene?.kept ? html`<span class="kept">${this.texts.keep.kept}</span>` : nothing}
-      <button
-        aria-pressed=${scale === 'paper'}
-        title=${legend.asPaperNote}
-        @click=${() => {
-          this.workbench.prefer({scale: scale === 'paper' ? 'absolute' : 'paper'});
-        }}
-      >
-        ${legend.asPaper}
-      </button>
     `;
   }
 

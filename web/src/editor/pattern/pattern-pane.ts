@@ -272,7 +272,7 @@ export class PatternPane extends PatternDrawing {
               </div>`
         }
         <div class="group view" role="group" aria-label=${pattern.view}>
-          ${places ? nothing : this.#comparing()}
+          ${places || this.tools.active === 'sew' ? nothing : this.#comparing()}
           ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
           ${this.#button(pattern.fit, icon.fit, () => this.view?.fit(), places ? '' : 'zoom')}
           ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}

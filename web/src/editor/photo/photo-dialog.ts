@@ -12,6 +12,7 @@ import type {PhotoOfFabric} from '../../print/openable-files.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {sheetDialog} from '../style/sheet-dialog.js';
+import {adviceStyle, photoAdvice} from './photo-advice.js';
 import {startLattice, type PhotoSize} from '../../photo/lattice-lines.js';
 import type {PhotoKeeper} from '../../photo/photo-keeper.js';
 import {cellPicture, pngOf} from '../../photo/photo-picture.js';
@@ -36,6 +37,9 @@ const dialogStyle = css`
   h2 {
     flex: 1;
     font-size: var(--sw-text-large);
+  }
+  dialog:has(.intake) {
+    width: min(44rem, calc(100vw - 2rem));
   }
   .doubt {
     flex-basis: 100%;
@@ -66,7 +70,8 @@ const dialogStyle = css`
     }
   }
   @media (width < 48rem) {
-    dialog {
+    dialog,
+    dialog:has(.intake) {
       width: 100vw;
       height: 100dvh;
       max-height: none;
@@ -181,6 +186,7 @@ interface Intake {
 function photoIntake({words, trouble, take}: Intake): TemplateResult {
   return html`<div class="intake">
     <p>${words.intake}</p>
+    ${photoAdvice(words)}
     <p class="soft">${words.stays}</p>
     ${trouble ? html`<p class="error" role="alert">${trouble}</p>` : nothing}
     <div class="row">
@@ -200,7 +206,7 @@ export class PhotoDialog extends WorkbenchElement {
     trouble: {state: true},
     isTaking: {state: true},
   };
-  static override styles = [controls, sheetDialog, dialogStyle];
+  static override styles = [controls, sheetDialog, dialogStyle, adviceStyle];
   /** Undefined until there is an image. */
   declare protected session: PhotoSession | undefined;
   /** Size of the image as the browser shows it. */

@@ -2,10 +2,10 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import {norm, type Point} from '../../model/geometry/vectors.js';
-import {vectorsAtMiddle} from '../../model/print/photo-map.js';
 import {knownObjects, type KnownObject} from '../../model/print/photo-reading.js';
-import {directionSign} from '../../texts/direction-sign.js';
 import {lengthUnit} from '../controls/number-field.js';
+import {arrowNames} from '../../photo/arrow-names.js';
+import {isCentred} from '../../model/print/wallpaper.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {panelStyle} from './photo-panel.js';
@@ -17,12 +17,13 @@ import {
   conflictIn,
   groupIn,
   groupOf,
+  isStriped,
   measuresOf,
   unmeasured,
   type PhotoStep,
 } from '../../photo/photo-step.js';
 import {saidFailure} from '../../texts/photo-texts.js';
-import {vectors, type Vector} from './stage-marks.js';
+import type {Vector} from './stage-marks.js';
 
 /** Ways to measure. */
 const ways = ['tape', 'points', 'object'] as const;
@@ -35,13 +36,6 @@ const leastMeasured = 0.1;
 const mostMeasured = 10_000;
 /** Least relative error, caused by thickness and round edges. */
 const leastError = 0.01;
-
-/** Returns the name of a vector with an arrow for its direction on the photo. */
-function named(vector: Vector, step: PhotoStep): string {
-  const {w1Px, w2Px} = vectorsAtMiddle(groupIn(step).map, step.reading);
-  const [x, y] = vector === 'w1' ? w1Px : w2Px;
-  return `${vector}\u00a0${directionSign([x, -y])}`;
-}
 
 /**
  * Fires `measuring` with a `Measuring`, `object` with a `KnownObject`, and `look` to start the
@@ -98,7 +92,7 @@ export class PhotoMeasures extends PhotoElement {
             </label>`,
         )}
       </div>
-      ${way === 'tape' ? vectors.map((vector) => this.#tape(vector, step)) : nothing}
+      ${way === 'tape' ? this.#tapes(step) : nothing}
       ${way === 'points' && this.points ? this.#ruler(this.points, step) : nothing}
       ${way === 'object' ? this.#object(step) : nothing}
     </section>`;
@@ -109,9 +103,11 @@ export class PhotoMeasures extends PhotoElement {
     const {words, format} = this;
     const {w1, w2, isScaled} = cellOf(step);
     if (!isScaled) return words.unknown;
-    const {width, height} = measuresOf(step).size;
     const length = (vector: Point): string => format.length(norm(vector));
-    return `${words.measures(format.length(width), format.length(height))} ${words.vectors(length(w1), length(w2))}`;
+    if (isStriped(step)) return words.oneMeasure(length(w1));
+    const {width, height} = measuresOf(step).size;
+    const size = words.measures(format.length(width), format.length(height));
+    return isCentred(groupOf(step)) ? `${size} ${words.vectors(length(w1), length(w2))}` : size;
   }
 
   #conflict(step: PhotoStep): TemplateResult | typeof nothing {
@@ -123,7 +119,7 @@ export class PhotoMeasures extends PhotoElement {
     return html`<p class="error" role="alert">
       ${
         conflict.isOfGroup
-          ? words.sidesApart(w1, w2, share, groupOf(step))
+          ? words.sidesApart(w1, w2, share)
           : words.photoApart(w1, w2, share, format.length(conflict.expected))
       }
     </p>`;
@@ -182,11 +178,21 @@ export class PhotoMeasures extends PhotoElement {
     );
   }
 
-  #tape(vector: Vector, step: PhotoStep): TemplateResult {
+  /** One tape across stripes, else one in each direction. */
+  #tapes(step: PhotoStep): TemplateResult | readonly TemplateResult[] {
+    const {words} = this;
+    if (isStriped(step)) return this.#tape('w1', words.repeatsAcross, step);
+    const {w1, w2} = arrowNames(groupIn(step).map, step.reading, words.ways);
+    return [
+      this.#tape('w1', words.repeatsAlong(w1), step),
+      this.#tape('w2', words.repeatsAlong(w2), step),
+    ];
+  }
+
+  #tape(vector: Vector, label: string, step: PhotoStep): TemplateResult {
     const {words, session} = this;
     const measured = step[`${vector}Measured`];
     const repeats = measured?.repeats ?? this.repeats[vector];
-    const label = words.repeatsAlong(named(vector, step));
     return html`<div
       class="beside"
       role="group"

@@ -5,6 +5,8 @@ import type {Point} from '../../model/geometry/vectors.js';
 import {rebased} from '../../model/print/photo-map.js';
 import type {GroupName} from '../../model/print/repeating-print.js';
 import {controls} from '../style/controls.js';
+import {arrowNames} from '../../photo/arrow-names.js';
+import {meaningOf} from '../../print/group-choice.js';
 import type {BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import {PhotoElement} from './photo-element.js';
 import {
@@ -12,10 +14,11 @@ import {
   groupOf,
   isDoubtful,
   isOneWay,
+  isStriped,
   measuresOf,
   type PhotoStep,
 } from '../../photo/photo-step.js';
-import {overlayNames, vectors, type Overlays} from './stage-marks.js';
+import {overlayNames, type Overlays} from './stage-marks.js';
 import type {PhotoGroup} from '../../model/print/photo-reading.js';
 import type {PhotoTexts} from '../../texts/photo-texts.js';
 
@@ -26,25 +29,24 @@ const fullBar = {rho: 0.12, worst: 0.8};
 
 interface GroupChoice {
   readonly words: PhotoTexts;
-  readonly meanings: Readonly<Record<GroupName, string>>;
+  readonly kinds: Readonly<Record<GroupName, string>>;
   readonly choose: (name: GroupName) => void;
 }
 
 function photoGroups(step: PhotoStep, choice: GroupChoice): TemplateResult {
-  const {words, meanings} = choice;
-  return html`<section aria-label=${words.group}>
-    <h3 id="groups">${words.group}</h3>
-    <div class="groups" role="radiogroup" aria-labelledby="groups">
+  const {words, kinds} = choice;
+  return html`<details>
+    <summary>${words.group}: ${kinds[groupOf(step)]}</summary>
+    <div class="groups" role="radiogroup" aria-label=${words.group}>
       ${step.reading.groups.map((group) => row(step, group, choice))}
     </div>
-    <p class="soft">${meanings[groupOf(step)]}</p>
-  </section>`;
+  </details>`;
 }
 
 function row(
   step: PhotoStep,
   {name, rho, worst, verdict}: PhotoGroup,
-  {words, choose}: GroupChoice,
+  {words, kinds, choose}: GroupChoice,
 ): TemplateResult {
   const share = verdict === 'cannot' ? 0 : Math.max(rho / fullBar.rho, worst / fullBar.worst);
   const isFound = name === step.reading.group;
@@ -54,18 +56,19 @@ function row(
       name="group"
       .checked=${name === groupOf(step)}
       ?disabled=${verdict === 'cannot'}
-      aria-label="${name}, ${words.verdicts[verdict]}${isFound ? `, ${words.foundOne}` : ''}"
+      aria-label="${kinds[name]}, ${words.verdicts[verdict]}${isFound ? `, ${words.foundOne}` : ''}"
       @change=${() => {
         choose(name);
       }}
     />
-    <span>${name}</span>
+    <span>${kinds[name]}</span>
     ${svg`<svg viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true" data-verdict=${verdict}>
       <rect class="track" width="100" height="8"></rect>
       <rect width=${Math.min(100, Math.max(0, 100 * share)).toFixed(0)} height="8"></rect>
     </svg>`}
     <span class="soft"
-      >${words.verdicts[verdict]}${isFound ? html` · <b>${words.foundOne}</b>` : nothing}</span
+      >${name}:
+      ${words.verdicts[verdict]}${isFound ? html` · <b>${words.foundOne}</b>` : nothing}</span
     >
   </label>`;
 }
@@ -79,6 +82,11 @@ export const panelStyle = css`
   section {
     display: grid;
     gap: var(--sw-space-2);
+  }
+  summary {
+    min-height: var(--sw-target);
+    align-content: center;
+    cursor: pointer;
   }
   .row {
     display: flex;
@@ -108,7 +116,7 @@ export const panelStyle = css`
   }
   .group {
     display: grid;
-    grid-template-columns: auto 3rem 5rem minmax(0, 1fr);
+    grid-template-columns: auto minmax(0, 1fr) 3rem 6.5rem;
     align-items: center;
     gap: var(--sw-space-2);
     min-height: 1.75rem;
@@ -174,7 +182,7 @@ export class PhotoPanel extends PhotoElement {
     const {step} = session.read;
     if (!step) return nothing;
     const groups = {
-      ...{words, meanings: texts.print.meanings},
+      ...{words, kinds: texts.print.kinds},
       choose: (name: GroupName): void => {
         session.change({chosen: name === step.reading.group ? undefined : name});
       },
@@ -187,25 +195,28 @@ export class PhotoPanel extends PhotoElement {
           this.dispatchEvent(new CustomEvent('broken', {detail}));
         }}
       ></sw-photo-swatch>
-      ${this.#looks(step)} <slot></slot> ${photoGroups(step, groups)} ${this.#lattice(step)}
+      <slot></slot> ${photoGroups(step, groups)} ${this.#looks(step)} ${this.#lattice(step)}
       ${this.#cloth(step)}`;
   }
 
   #found(step: PhotoStep): TemplateResult {
-    const {words, session} = this;
+    const {words, session, texts} = this;
     const {w1Measured, w2Measured, reading} = step;
-    const {confidence, others, group} = reading;
+    const {confidence, others} = reading;
+    const {kinds, stripes, meanings} = texts.print;
     const isFully = w1Measured !== undefined && w2Measured !== undefined;
-    const notes = reading.notes.filter((note) => !isFully || note !== 'focalLength');
+    const hasProportions = isFully || isStriped(step);
+    const notes = reading.notes.filter((note) => !hasProportions || note !== 'focalLength');
     return html`<section aria-label=${words.title}>
       ${
         isDoubtful(step)
           ? html`<p class="error" role="alert">${words.confidences.uncertain}</p>`
           : html`<p role="status">
-              <b>${words.found(group)}</b>
+              <b>${words.found(isStriped(step) ? stripes : kinds[groupOf(step)])}</b>
               ${confidence === 'likely' ? words.confidences.likely : nothing}
             </p>`
       }
+      <p class="soft">${meanings[meaningOf(measuresOf(step))]}</p>
       ${notes.map((note) => html`<p class="soft">${words.notes[note]}</p>`)}
       ${
         others.length === 0
@@ -301,9 +312,11 @@ export class PhotoPanel extends PhotoElement {
       ${isWhitening ? html`<p role="status">${words.tapWhite}</p>` : nothing}`;
   }
 
-  #lattice(step: PhotoStep): TemplateResult {
+  #lattice(step: PhotoStep): TemplateResult | typeof nothing {
     const {words, session} = this;
     const {map} = groupIn(step);
+    if (isStriped(step)) return nothing;
+    const names = arrowNames(map, step.reading, words.ways);
     const change = (label: string, basis: readonly [readonly number[], readonly number[]]) =>
       html`<button
         class="outlined"
@@ -315,9 +328,9 @@ export class PhotoPanel extends PhotoElement {
       <h3>${words.lattice}</h3>
       <p class="soft">${words.how}</p>
       <div class="row">
-        ${vectors.map((vector) => [
-          change(words.twice(vector), bases[vector](2)),
-          change(words.half(vector), bases[vector](0.5)),
+        ${(['w1', 'w2'] as const).map((vector) => [
+          change(words.twice(names[vector]), bases[vector](2)),
+          change(words.half(names[vector]), bases[vector](0.5)),
         ])}
         ${change(words.halfDrop, bases.halfDrop)}
       </div>

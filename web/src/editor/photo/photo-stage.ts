@@ -10,6 +10,7 @@ import {arrowSteps} from '../base/arrow-steps.js';
 import {controls} from '../style/controls.js';
 import {dragHandle} from '../style/drag-handle.js';
 import {ringPath, type BrokenPlaces} from '../../photo/breaks-on-photo.js';
+import type {ArrowNames} from '../../photo/arrow-names.js';
 import {middleNode, movedNode, nodesOf, type PhotoSize} from '../../photo/lattice-lines.js';
 import {stageMarks, type Overlays, type Vector} from './stage-marks.js';
 
@@ -160,6 +161,7 @@ export class PhotoStage extends LitElement {
     overlays: {attribute: false},
     points: {attribute: false},
     measured: {},
+    names: {attribute: false},
     aim: {attribute: false},
     aimLabel: {},
     words: {attribute: false},
@@ -182,6 +184,7 @@ export class PhotoStage extends LitElement {
   declare points: TwoPoints | undefined;
   /** Vector that the user measures along at present. */
   declare measured: Vector | undefined;
+  declare names: ArrowNames;
   /** Place that the user has to choose; undefined for none. */
   declare aim: Point | undefined;
   declare aimLabel: string;
@@ -226,10 +229,10 @@ export class PhotoStage extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const {size, words, points, aim, group, differing, broken, overlays, measured} = this;
+    const {size, words, points, aim, group, differing, broken, overlays, measured, names} = this;
     const map = this.#shown;
     const marks = map && {
-      ...{map, size, base: this.#base, group, differing, overlays, measured},
+      ...{map, size, base: this.#base, group, differing, overlays, measured, names},
       broken: this.draft ? undefined : broken,
     };
     return html`<div
@@ -244,10 +247,17 @@ export class PhotoStage extends LitElement {
         ${marks ? stageMarks(marks) : nothing} ${points ? this.#ruler(points) : nothing}
         ${this.outline ? this.#outline(this.outline) : nothing}
       </svg>
-      ${map ? words.nodes.map((label, k) => this.#handle(`node${k}`, label)) : nothing}
+      ${map ? this.#nodes.map((label, k) => this.#handle(`node${k}`, label)) : nothing}
       ${points ? words.ends.map((label, k) => this.#handle(`end${k}`, label)) : nothing}
       ${aim ? this.#handle('aim', this.aimLabel) : nothing}
     </div>`;
+  }
+
+  /** Labels of the handles of the middle repeat. */
+  get #nodes(): readonly string[] {
+    const {names, words} = this;
+    const ends = [names.w1, names.w2].filter((name) => name !== undefined);
+    return [words.corner, ...ends.map((name) => words.end(name))];
   }
 
   #ruler([from, to]: TwoPoints): TemplateResult {

@@ -83,7 +83,7 @@ export class PhotoSwatch extends PhotoElement {
 
   protected override render(): TemplateResult {
     const {words, shown, isStale} = this;
-    const group = shown?.print.group ?? '';
+    const kind = shown ? this.texts.print.kinds[shown.print.group] : '';
     return html`<div
         class="swatch ${isStale ? 'stale' : ''}"
         role="img"
@@ -98,9 +98,9 @@ export class PhotoSwatch extends PhotoElement {
           ? html`<div class="breaks">
               ${markedTile({
                 ...{image: shown.print.image, size: shown.print.size, turnDeg: 0},
-                ...{marks: outlineOf(shown.breaks), label: words.breaks(group)},
+                ...{marks: outlineOf(shown.breaks), label: words.breaks(kind)},
               })}
-              <div><p>${words.breaks(group)}</p></div>
+              <div><p>${words.breaks(kind)}</p></div>
             </div>`
           : nothing
       }`;

@@ -9,7 +9,9 @@ import type {PhotoSize} from '../../photo/lattice-lines.js';
 import {drawnByHand, PhotoElement, photoProgress, progressStyle} from './photo-element.js';
 import type {Measuring} from './photo-measures.js';
 import type {Moved, Placed, TwoPoints} from './photo-stage.js';
-import {groupIn, groupOf, type PhotoStep} from '../../photo/photo-step.js';
+import {arrowNames, type ArrowNames} from '../../photo/arrow-names.js';
+import {groupIn, groupOf, isStriped, type PhotoStep} from '../../photo/photo-step.js';
+import type {PhotoTexts} from '../../texts/photo-texts.js';
 import type {Overlays, Vector} from './stage-marks.js';
 
 const workStyle = css`
@@ -111,10 +113,11 @@ export class PhotoWork extends PhotoElement {
     const {words, hand, way, whiteAt, session} = this;
     const {step, state} = session.read;
     const size = step?.reading ?? this.natural;
+    const map = hand ?? (step && groupIn(step).map);
     return html`<sw-photo-stage
         .picture=${this.picture}
         .size=${size}
-        .map=${hand ?? (step && groupIn(step).map)}
+        .map=${map}
         .group=${step && !hand ? groupOf(step) : undefined}
         .differing=${step?.reading.differing ?? []}
         .broken=${hand ? undefined : this.broken}
@@ -122,6 +125,7 @@ export class PhotoWork extends PhotoElement {
         .overlays=${this.overlays}
         .points=${way === 'points' ? this.points : undefined}
         .measured=${way === 'tape' ? this.along : undefined}
+        .names=${map && namesOf(map, size, words, !hand && step && isStriped(step))}
         .aim=${whiteAt ?? (way === 'object' ? this.objectAt : undefined)}
         .aimLabel=${whiteAt ? words.aimWhite : words.aim}
         .words=${words}
@@ -239,6 +243,16 @@ export class PhotoWork extends PhotoElement {
       this.way = 'tape';
     }
   }
+}
+
+/** Names of the arrows; that of stripes needs none. */
+function namesOf(
+  map: PhotoMap,
+  size: PhotoSize,
+  {ways}: PhotoTexts,
+  isStriped = false,
+): ArrowNames {
+  return isStriped ? {w1: ''} : arrowNames(map, size, ways);
 }
 
 /** Initial points around the middle, to be dragged. */

@@ -5,6 +5,7 @@ import {combined, distance, minus, norm, plus, type Point} from '../../model/geo
 import {pixelOf} from '../../model/print/photo-map.js';
 import type {PhotoMap} from '../../model/print/photo-reading.js';
 import type {GroupName} from '../../model/print/repeating-print.js';
+import type {ArrowNames} from '../../photo/arrow-names.js';
 import {brokenPath, ringPath, type BrokenPlaces} from '../../photo/breaks-on-photo.js';
 import {cellLines, nodesOf, type PhotoSize} from '../../photo/lattice-lines.js';
 import {marksOn} from '../../photo/symmetry-marks.js';
@@ -13,8 +14,7 @@ import {marksOn} from '../../photo/symmetry-marks.js';
 export const overlayNames = ['cells', 'axes', 'differing', 'breaks'] as const;
 export type Overlays = Readonly<Record<(typeof overlayNames)[number], boolean>>;
 
-export const vectors = ['w1', 'w2'] as const;
-export type Vector = (typeof vectors)[number];
+export type Vector = keyof ArrowNames;
 
 interface StageMarks {
   readonly map: PhotoMap;
@@ -28,6 +28,7 @@ interface StageMarks {
   readonly overlays: Overlays;
   /** Vector that the user measures along at present. */
   readonly measured: Vector | undefined;
+  readonly names: ArrowNames;
 }
 
 /** Size of arrow heads and centres, as a share of the image's longer side. */
@@ -35,6 +36,8 @@ const markSize = 0.011;
 
 /** Least distance of a name's middle from the border of the image, in units of `unitOf`. */
 const nameMargin = 2;
+/** Half of the mean width of a letter, in units of `unitOf`. */
+const letterWidth = 0.5;
 /** Number of possible places for a name along its arrow. */
 const nameSteps = 20;
 
@@ -54,7 +57,7 @@ export function stageMarks(marks: StageMarks): TemplateResult {
       return svg`<circle class="dot" cx=${x} cy=${y} r=${0.35 * unitOf(size)}></circle>`;
     })}
     ${overlays.axes && group ? symmetries(group, marks) : ''}
-    ${arrow(marks, [1, 0], 'w1')} ${arrow(marks, [0, 1], 'w2')}`;
+    ${arrow(marks, [1, 0], 'w1')} ${marks.names.w2 === undefined ? '' : arrow(marks, [0, 1], 'w2')}`;
 }
 
 function symmetries(group: GroupName, {map, size}: StageMarks): TemplateResult {
@@ -84,20 +87,22 @@ function symbol(order: 2 | 3 | 4 | 6, [x, y]: Point, unit: number): string {
  * Returns the place of an arrow's name: beyond its end, or else beside it, as near to the end as
  * the image has room.
  */
-export function namePlace(from: Point, to: Point, size: PhotoSize): Point {
+export function namePlace(from: Point, to: Point, size: PhotoSize, letters = 2): Point {
   const unit = unitOf(size);
   const [dx, dy] = minus(to, from);
   const length = norm([dx, dy]);
   const along: Point = [dx / length, dy / length];
   const across: Point = [-along[1], along[0]];
-  const away = 3 * unit;
-  const at = (forth: number, aside: number): Point =>
-    plus(from, combined([along, across], forth, aside));
+  const half = letterWidth * letters * unit; // half of the name's width
+  const away = 2 * unit + Math.max(unit, half * Math.abs(along[0]));
+  const aside = 2 * unit + Math.max(unit, half * Math.abs(along[1]));
+  const at = (forth: number, side: number): Point =>
+    plus(from, combined([along, across], forth, side));
   const beside = Array.from(
     {length: nameSteps + 1},
     (_, k) => length * (1 - k / nameSteps),
-  ).flatMap((forth) => [at(forth, away), at(forth, -away)]);
-  const margin = nameMargin * unit;
+  ).flatMap((forth) => [at(forth, aside), at(forth, -aside)]);
+  const margin = Math.max(nameMargin * unit, half);
   const inside = (value: number, most: number): number =>
     Math.min(Math.max(value, margin), most - margin);
   const moved = ([x, y]: Point): Point => [inside(x, size.width), inside(y, size.height)];
@@ -107,7 +112,7 @@ export function namePlace(from: Point, to: Point, size: PhotoSize): Point {
 }
 
 function arrow(
-  {map, size, base, measured}: StageMarks,
+  {map, size, base, measured, names}: StageMarks,
   [i, j]: Point,
   name: Vector,
 ): TemplateResult | undefined {
@@ -126,9 +131,9 @@ function arrow(
     return `${x.toFixed(1)} ${y.toFixed(1)}`;
   };
   const path = `M${from.join(' ')}L${to.join(' ')}M${side(1)}L${to.join(' ')}L${side(-1)}`;
-  const [x, y] = namePlace(from, to, size);
+  const [x, y] = namePlace(from, to, size, (names[name] ?? '').length);
   const marked = measured === name ? `${name} measured` : name;
   return svg`<path class="arrow casing" d=${path}></path>
     <path class="arrow ${marked}" d=${path}></path>
-    <text class=${marked} x=${x} y=${y} font-size=${2 * unit}>${name}</text>`;
+    <text class=${marked} x=${x} y=${y} font-size=${2 * unit}>${names[name]}</text>`;
 }

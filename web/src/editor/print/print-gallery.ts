@@ -2,12 +2,12 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 
-import type {Design, DesignPrint} from '../../model/design/design.js';
+import {printOf, type Design, type DesignPrint} from '../../model/design/design.js';
 import {carries} from '../../model/print/repeat.js';
 import {PatientElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';
-import {choiceOf, choices, sampleOf, type Choice} from '../../print/group-choice.js';
+import {choiceOf, choices, meaningOf, sampleOf, type Choice} from '../../print/group-choice.js';
 import {takePrint} from '../../workbench/print/take-print.js';
 import {swatch} from './swatch.js';
 
@@ -22,6 +22,11 @@ const swatches = css`
     display: grid;
     grid-template-columns: repeat(3, minmax(0, 7rem));
     gap: var(--sw-space-2);
+  }
+  summary {
+    min-height: var(--sw-target);
+    align-content: center;
+    cursor: pointer;
   }
   .filters {
     display: flex;
@@ -131,8 +136,8 @@ export class PrintGallery extends PatientElement {
     return html`${guard(
       seen,
       () => html`
-        ${print.sample ? this.#filters() : nothing} ${this.#groups(design, samples)}
-        <p class="soft" role="status">${this.texts.print.meanings[choiceOf(print)]}</p>
+        ${print.sample ? [this.#filters(), this.#groups(design, samples)] : this.#own(design, samples)}
+        <p class="soft" role="status">${this.texts.print.meanings[meaningOf(print)]}</p>
         ${this.#more(design, samples)} ${this.#colourways(design, samples)}
       `,
     )}`;
@@ -154,6 +159,28 @@ export class PrintGallery extends PatientElement {
           </button>`,
       )}
     </div>`;
+  }
+
+  /** The user's own print, and its symmetry, which can be changed. */
+  #own(design: Design, samples: Samples): TemplateResult {
+    const {print} = design;
+    const texts = this.texts.print;
+    const choice = choiceOf(print);
+    return html`<div class="more">
+        <button aria-pressed="true">
+          ${swatch('own', printOf(print), print.image)}
+          <span>${print.title}</span>
+        </button>
+      </div>
+      <details>
+        <summary>${texts.group}: ${this.#kindOf(choice)}</summary>
+        ${this.#groups(design, samples)}
+      </details>`;
+  }
+
+  #kindOf(choice: Choice): string {
+    const {stripes, kinds} = this.texts.print;
+    return choice === 'stripes' ? stripes : kinds[choice];
   }
 
   /** The user's own print can have any of the groups. */
@@ -184,14 +211,13 @@ export class PrintGallery extends PatientElement {
       ${shown.map((choice) => {
         const sample = samples.prints.find(({name}) => name === sampleOf(choice));
         if (!sample) return nothing;
-        const label = choice === 'stripes' ? texts.stripes : choice;
-        const what = print.sample ? this.#titleOf(sample) : texts.meanings[choice];
+        const label = print.sample ? this.#titleOf(sample) : this.#kindOf(choice);
         return html`<button
           id=${choice}
           role="radio"
-          aria-label="${label}, ${what}"
+          aria-label=${label}
           aria-checked=${choice === checked}
-          title=${print.sample ? `${what}, ${label}` : what}
+          title=${texts.meanings[choice]}
           tabindex=${choice === first ? 0 : -1}
           @focus=${() => {
             this.focused = choice;
@@ -201,7 +227,7 @@ export class PrintGallery extends PatientElement {
           }}
         >
           ${swatch(`cloth-${choice}`, sample, coloured(sample))}
-          <span>${print.sample ? this.#titleOf(sample) : label}</span>
+          <span>${label}</span>
         </button>`;
       })}
     </div>`;
@@ -218,9 +244,9 @@ export class PrintGallery extends PatientElement {
         ${shown.map(
           (sample) =>
             html`<button
-              aria-label="${this.#titleOf(sample)}, ${sample.group}"
+              aria-label=${this.#titleOf(sample)}
               aria-pressed=${sample.name === print.sample?.name}
-              title="${this.#titleOf(sample)}, ${sample.group}"
+              title=${texts.meanings[meaningOf(samplePrint(sample))]}
               @click=${() => {
                 this.#take(sample);
               }}

@@ -334,17 +334,17 @@ export class RepeatFields extends WorkbenchElement {
     if (!fitting || !drawn) return nothing;
     const texts = this.texts.print;
     return html`<div class="offer" role="status">
-      <p>${texts.notQuite(print.group, fitting.group)}</p>
+      <p>${texts.notQuite(texts.kinds[print.group], texts.kinds[fitting.group])}</p>
       <div>
         <button class="outlined" @click=${() => this.#take(print, fitting)}>
-          ${texts.take(fitting.group)}
+          ${texts.take(texts.kinds[fitting.group])}
         </button>
         <button
           @click=${() => {
             this.measured = undefined;
           }}
         >
-          ${texts.keep(print.group)}
+          ${texts.keep(texts.kinds[print.group])}
         </button>
       </div>
     </div>`;

@@ -11,7 +11,7 @@ import type {TileCheck} from '../../image/tile-check.js';
 import type {OpenEdge} from '../../model/print/photo-reading.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {choiceOf} from '../../print/group-choice.js';
+import {choiceOf, meaningOf} from '../../print/group-choice.js';
 import {takePrint} from '../../workbench/print/take-print.js';
 import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';
 import {
@@ -109,9 +109,7 @@ export class TileReport extends WorkbenchElement {
     ${
       report.check.breaks.length > 0
         ? this.#breaks(report)
-        : html`<p role="status" class="soft">
-            ${texts.keeps} ${texts.meanings[choiceOf(print)]} <small>${print.group}</small>
-          </p>`
+        : html`<p role="status" class="soft">${texts.keeps} ${texts.meanings[meaningOf(print)]}</p>`
     }`;
   }
 
@@ -150,10 +148,7 @@ export class TileReport extends WorkbenchElement {
         ...{label: texts.marked(print.title), turnDeg: print.tile?.turnedDeg ?? 0},
       })}
       <div>
-        <p>
-          ${texts.reads[isStriped ? 'stripes' : 'picture'](how)}
-          <small title=${texts.meanings[print.group]}>(${print.group})</small>
-        </p>
+        <p>${texts.reads[isStriped ? 'stripes' : 'picture'](how)}</p>
         <p>${texts.has}</p>
         <div class="row">${groups.map((found) => this.#found(print, found))}</div>
       </div>
@@ -163,7 +158,6 @@ export class TileReport extends WorkbenchElement {
   #found(print: DesignPrint, found: FoundGroup): TemplateResult {
     return html`<button
       class="outlined"
-      title=${found.group}
       @click=${() => this.#take(print, withFound(this.workbench.solver, print, found))}
     >
       ${this.texts.print.meanings[found.group]}

@@ -1,6 +1,8 @@
 /** Progress of the solve: a bar, and a text for screen readers at every quarter. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
+import {keyed} from 'lit/directives/keyed.js';
+
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {progressLine} from '../style/progress-line.js';
@@ -33,8 +35,12 @@ export class SolveProgress extends WorkbenchElement {
   protected override render(): TemplateResult {
     const {progress} = this.texts;
     const isSolving = this.workbench.solving.state.kind === 'solving';
+    const words = this.#words();
+    // a new element for each text, since a text that changes its width would count as a shift
     return html`
-      <span role="status" aria-label=${progress.label}>${this.#words()}</span>
+      <span role="status" aria-label=${progress.label}
+        >${keyed(words, html`<span>${words}</span>`)}</span
+      >
       <progress
         ?hidden=${!isSolving}
         aria-hidden="true"

@@ -1,7 +1,7 @@
 /** The kept symmetries, and found ones as proposals. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {groupsThatCarry, carries} from '../../model/print/repeat.js';
+import {carries} from '../../model/print/repeat.js';
 import type {Symmetry} from '../../model/garment/symmetries.js';
 import {section} from '../controls/section.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
@@ -97,12 +97,7 @@ export class SymmetryPanel extends WorkbenchElement {
   }
 
   #uncarried(): TemplateResult {
-    const {symmetry} = this.texts;
-    const {group = 'p1'} = this.workbench.history.design?.print ?? {};
-    const kind = carries(group, 'pair') ? 'piece' : 'pair';
-    return html`<p class="soft">
-      ${symmetry.wouldCarry(group, groupsThatCarry(kind).join(', '))}
-    </p>`;
+    return html`<p class="soft">${this.texts.symmetry.wouldCarry}</p>`;
   }
 
   #name(one: Symmetry): string {

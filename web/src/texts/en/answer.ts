@@ -92,16 +92,8 @@ export const answer = {
     lengthRatio: text(
       '{seam}: the lengths of its sides are {stated} to 1 in the file, but {drafted} to 1 as drafted. The drafted lengths are used.',
     ),
-    noMirrors: text(
-      'This print (group {group}) has no mirrors, so these pieces are not kept symmetric: {pieces}.',
-      'pieces',
-      'group',
-    ),
-    noGlides: text(
-      'This print (group {group}) has neither mirrors nor glide reflections, so these pairs are not kept symmetric: {pieces}.',
-      'pieces',
-      'group',
-    ),
+    noMirrors: text('This print has no mirrors, so these pieces are not kept symmetric: {pieces}.'),
+    noGlides: text('This print has no mirrors, so these pairs are not kept symmetric: {pieces}.'),
     symmetriesStated: 'The symmetries are those in the file.',
     ws19: 'This method ignores the symmetry of the garment.',
     grainAssumed: text(

@@ -29,6 +29,8 @@ export const worn = {
   stop: 'Stop',
   stopped: 'Stopped: the garment still moves.',
   again: 'Drape again',
+  strained: text('{fabric} would stretch too far on this form.'),
+  drapeIn: text('Drape it in {fabric}'),
   waiting: 'The drape starts once the print is aligned',
   /** Notes on a drape, by code. */
   notes: {

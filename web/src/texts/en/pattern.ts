@@ -80,9 +80,7 @@ export const pattern = {
       pair: text('The pieces are mirror images to within {residual}. Accept?'),
     },
     noMirror: text('These are not mirror images: they differ by up to {residual}.'),
-    notCarried: text(
-      'This print (group {group}) has no mirror for this; choose a print with mirrors.',
-    ),
+    notCarried: 'This print has no mirror for this; choose a print with mirrors.',
     refusals: {
       otherPiece: 'Both have to be on the same piece.',
       sameLine: 'This is the same line; click another one.',
@@ -112,12 +110,9 @@ export const pattern = {
     dropFor: text('Drop the symmetry: {pieces}'),
     cleanUp: 'Remove missing pieces',
     lacks: {
-      piece: text(
-        'This print (group {group}) has no mirrors, so no piece can be symmetric; choose a print of {groups}.',
-      ),
-      pair: text(
-        'This print (group {group}) has neither mirrors nor glide reflections, so no pieces can be mirror images; choose a print of {groups}.',
-      ),
+      piece:
+        'This print has no mirrors, so no piece can be symmetric; choose a print with mirrors.',
+      pair: 'This print has no mirrors, so no pieces can be mirror images; choose a print with mirrors.',
     },
     onMotif: 'Middle of a motif',
     onMirror: 'Mirror line',
@@ -131,9 +126,7 @@ export const pattern = {
     both: text('{first} and {second}'),
     remove: 'Remove',
     leaveOut: 'Remove what the print cannot keep',
-    wouldCarry: text(
-      'This print (group {group}) cannot keep all of these; a print of {groups} can.',
-    ),
+    wouldCarry: 'This print cannot keep all of these; a print with mirrors can.',
   },
   /** Variants for touch input. */
   touch: {
@@ -254,8 +247,6 @@ export const pattern = {
     upTo: text('to {length}'),
     over: text('over {length}'),
     andMore: text('{length} and more'),
-    asPaper: '0–2 cm',
-    asPaperNote: 'Colours from 0 to 2 cm for every print, as in the paper',
     axis: 'Symmetry axis',
     grain: 'Grain',
   },

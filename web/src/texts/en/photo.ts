@@ -12,18 +12,21 @@ export const photo = {
   title: 'Photo of your fabric',
   intake:
     'Spread the fabric flat and photograph it from above, with at least three repeats in both directions. Choose the picture, drop it here, or paste it.',
+  good: 'Flat and from above, with many repeats and even light.',
+  bad: 'From the side, with folds and a shadow.',
   stays: 'It stays on this device.',
   choose: 'Choose a picture',
   camera: 'Take a photo',
   another: 'Another picture',
   photo: 'Photo of the fabric',
-  nodes: ['Corner of the cell', 'End of w1', 'End of w2'] as readonly string[],
+  corner: 'Corner of the repeat',
+  end: text('End of the arrow: {way}'),
   ends: ['First measured point', 'Second measured point'] as readonly string[],
   stages: {
     repeat: 'Looking for the repeat',
     light: 'Evening out the light',
     symmetry: 'Comparing symmetries',
-    tile: 'Making the cell',
+    tile: 'Making one clean repeat',
     object: 'Looking for the outline',
   } satisfies Record<PhotoStage, string> as Record<PhotoStage, string>,
   faults: {
@@ -40,7 +43,7 @@ export const photo = {
     moire: 'The weave makes wavy lines (moiré) in the picture: go a little closer or farther away.',
     uneven: 'The fabric does not lie flat: smooth it out and photograph it again.',
     misplaced:
-      'The print does not repeat by this cell: put its corners on the same spot of neighbouring motifs, or undo.',
+      'The print does not repeat like this: put the corners on the same spot of neighbouring motifs, or undo.',
     edges: 'The picture’s edges do not meet: use the whole repeat, or a photo of several repeats.',
     small: 'The picture is too small: use one of at least 32 pixels each way.',
     object:
@@ -49,7 +52,7 @@ export const photo = {
   reading: text('{stage}, {percent}'),
   cancelled: 'Stopped.',
   again: 'Look again',
-  byHand: 'Draw the cell by hand',
+  byHand: 'Draw the repeat by hand',
   hand: 'Drag the corner and both arrows onto one repeat of the print, then:',
   alignHand: 'Find the repeat from here',
   found: text('Found: {group}.'),
@@ -63,13 +66,15 @@ export const photo = {
   notes: {
     uneven: 'The fabric does not lie quite flat.',
     differs: 'Red areas differ from all other copies, and are left out.',
-    focalLength: 'Measure along w1 and w2: without both, the proportions are uncertain.',
+    focalLength:
+      'Measure both across and up: with one of them alone, the proportions are uncertain.',
     unequal: 'The measured sides differ: a lower symmetry is used.',
   } satisfies Record<PhotoNote, string> as Record<PhotoNote, string>,
   lattice: 'Repeat',
   how: 'Drag corners, or move them with the arrow keys: the repeat follows the print near them. With Alt it stays as you place it.',
-  twice: text('{vector} twice as long'),
-  half: text('{vector} half as long'),
+  ways: {across: 'across', up: 'up'},
+  twice: text('Twice as long: {way}'),
+  half: text('Half as long: {way}'),
   halfDrop: 'Half-drop',
   group: 'Symmetry',
   verdicts: {
@@ -79,11 +84,11 @@ export const photo = {
     cannot: 'impossible with this repeat',
   } satisfies Record<SymmetryVerdict, string> as Record<SymmetryVerdict, string>,
   foundOne: 'found',
-  breaks: text('Differences from {group}'),
+  breaks: text('Differences from “{group}”'),
   exact: 'Make the symmetries exact',
   show: 'Show',
   overlays: {
-    cells: 'Cells',
+    cells: 'Repeats',
     axes: 'Mirrors and turns',
     differing: 'Copies that differ',
     breaks: 'Differences from the symmetry',
@@ -99,7 +104,8 @@ export const photo = {
   size: 'Size',
   unknown:
     'Size unknown: measure it in one of these ways. Without it you can align the print, but not cut the pattern.',
-  repeatsAlong: text('Repeats along {vector}'),
+  repeatsAlong: text('Repeats {way}'),
+  repeatsAcross: 'Repeats across the stripes',
   measure: text('measure ({unit})'),
   measureBy: 'Measure by',
   measuring: {tape: 'Tape', points: 'Two points', object: 'Coin or card'},
@@ -119,16 +125,16 @@ export const photo = {
   byObject: text('Measured by the red outline, accurate to about {error}.'),
   distance: text('Distance between them ({unit})'),
   measures: text('One repeat is {width} × {height}.'),
-  vectors: text('w1 is {w1} and w2 {w2} long.'),
+  oneMeasure: text('One repeat is {width}, measured across the stripes.'),
+  vectors: text('Its arrows are {w1} and {w2} long.'),
   sidesApart: text(
-    'Your measures disagree by {share}: one repeat is {w1} along w1, but {w2} along w2, and {group} needs equal sides. {w1} counts until you remove one, or choose a symmetry without that.',
+    'Your measures disagree by {share}: one repeat is {w1} one way, but {w2} the other, and its symmetry needs equal sides. {w1} counts until you remove one, or choose another symmetry.',
     'w1',
     'w2',
     'share',
-    'group',
   ),
   photoApart: text(
-    'Your measures disagree by {share}: with {w1} along w1, the photo shows {expected} along w2, not {w2}. Both count until you remove one.',
+    'Your measures disagree by {share}: with {w1} one way, the photo shows {expected} the other, not {w2}. Both count until you remove one.',
     'w1',
     'w2',
     'share',
@@ -142,7 +148,7 @@ export const photo = {
   use: 'Use this print',
   useDoubtful: 'Use it anyway',
   doubt:
-    'It is uncertain that this cell is the print’s repeat: drag its corners into place, or choose another.',
+    'It is uncertain that this is the print’s repeat: drag its corners into place, or choose another.',
 };
 
 export type PhotoTexts = typeof photo;

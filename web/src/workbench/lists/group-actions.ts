@@ -113,7 +113,10 @@ export function reasonOf(
   format: Format,
 ): string | undefined {
   if (state === undefined) return undefined;
-  if (state === 'choice') return importance === 'none' ? lists.yourChoice : undefined;
+  if (state === 'choice') {
+    if (reason === 'gather') return remedies.why.gather;
+    return importance === 'none' ? lists.yourChoice : undefined;
+  }
   if (end) return lists.butFor[end.from](format.length(end.cm));
   if (reason === undefined || state === 'matches') return undefined;
   return reason === 'reach'

@@ -10,6 +10,7 @@ import type {
   SeamState,
 } from '../../model/result/result.js';
 import {isVisible, mismatchAlong, visibilityOf} from '../../model/result/seam-groups.js';
+import {isGathered} from '../../scene/mismatch.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Texts} from '../../texts/texts.js';
 import type {Scenes} from '../scenes.js';
@@ -78,6 +79,7 @@ const rowsOf = lastOf(
       const rows = group.seams.flatMap((seam) => seams.slice(seam, seam + 1));
       const along = ({seams: all}: PatternScene): number =>
         mismatchAlong(rows.flatMap(({seam, counts}) => (counts ? all.slice(seam, seam + 1) : [])));
+      const gathers = areLeftAsGathered(group, now);
       return {
         groups: [group],
         rows,
@@ -86,7 +88,8 @@ const rowsOf = lastOf(
         before: along(before),
         after: along(now),
         visibility: visibilityOf(group, options.weights),
-        isVisible: isVisible(group, options.weights),
+        isVisible: !gathers && isVisible(group, options.weights),
+        reason: gathers ? 'gather' : group.reason,
         importance: importanceOf(options, rows),
         kept: group.seams.every((seam) => {
           const {a, b} = pattern.seams[seam] ?? {};
@@ -153,7 +156,7 @@ export function edgesOf(
 /** One or two groups of one line. */
 interface Line extends Pick<
   GroupRow,
-  'length' | 'before' | 'after' | 'visibility' | 'isVisible' | 'importance' | 'kept'
+  'length' | 'before' | 'after' | 'visibility' | 'isVisible' | 'importance' | 'kept' | 'reason'
 > {
   readonly groups: readonly SeamGroup[];
   readonly rows: readonly SeamRow[];
@@ -213,9 +216,14 @@ function together(one: Line, other: Line): Line {
   };
 }
 
+/** Returns whether seams are left out because sewing gathers them. */
+const areLeftAsGathered = ({seams, state}: SeamGroup, {pattern}: PatternScene): boolean =>
+  state === 'choice' &&
+  pattern.seams.filter((_, seam) => seams.includes(seam)).every((seam) => isGathered(seam));
+
 function rowOf(line: Line, isSolved: boolean, texts: Texts): GroupRow {
   const {groups, rows, side, ...rest} = line;
-  const {place = 'other', state, reason, unmatchedEnd: end} = groups[0] ?? {};
+  const {place = 'other', state, unmatchedEnd: end} = groups[0] ?? {};
   const {lists, places} = texts;
   const between = rows
     .map((row) => row.between ?? row.name)
@@ -228,7 +236,7 @@ function rowOf(line: Line, isSolved: boolean, texts: Texts): GroupRow {
   );
   return {
     ...rest,
-    ...{place, between, reason, end},
+    ...{place, between, end},
     name: side && place !== 'other' ? lists.onSide[side](name) : name,
     seams: rows.map(({seam}) => seam),
     worst: worst.seam,

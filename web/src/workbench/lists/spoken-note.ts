@@ -23,7 +23,6 @@ export function spokenNote(
   const labels = detail.pieces.map((piece) => workbench.sheet.scenes?.now.pieces[piece]?.label);
   const rows = seamRows(workbench, texts);
   const seams = joined(detail.seams.map((seam) => rows[seam]?.name));
-  const group = workbench.history.design?.print.group ?? '';
   const [stated = '', drafted = ''] = numbers.map((number) => format.number(number, 2));
   const pairs = labels.flatMap((label, k) =>
     k % 2 === 0 ? [texts.symmetry.both(label ?? '', labels[k + 1] ?? '')] : [],
@@ -36,9 +35,9 @@ export function spokenNote(
     case 'lengthRatio':
       return notes.lengthRatio(seams, stated, drafted);
     case 'noMirrors':
-      return notes.noMirrors(joined(labels), group);
+      return notes.noMirrors(joined(labels));
     case 'noGlides':
-      return notes.noGlides(joined(pairs), group);
+      return notes.noGlides(joined(pairs));
     case 'grainAssumed':
       return notes.grainAssumed(joined(labels));
     case 'pleatsFitted':

@@ -12,13 +12,16 @@ import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
 import {lastOf} from '../../model/base/last-of.js';
 import type {Workbench} from '../workbench.js';
-import type {PatternTools} from './pattern-tools.js';
+import type {PatternTools, Tool} from './pattern-tools.js';
 
 /** Position of the lens cursor along a seam, from 0 to 1 in sewing order. */
 export interface LensCursor {
   readonly seam: number;
   readonly share: number;
 }
+
+/** Tools that show the symmetries that were found. */
+const symmetryTools: ReadonlySet<Tool> = new Set(['piece', 'pair', 'axis']);
 
 export function overlayOf(
   workbench: Workbench,
@@ -33,7 +36,8 @@ export function overlayOf(
     pointed?.kind === 'seam' ? pointed : selected?.kind === 'seam' ? selected : undefined;
   const marks = tools.marks(scene, texts, format);
   const chosen = marks.ghosts ?? [];
-  const found = ghostsOf(workbench.solving.found, scene.pattern, scene.outline);
+  const isChoosing = tools.active !== undefined && symmetryTools.has(tools.active);
+  const found = isChoosing ? ghostsOf(workbench.solving.found, scene.pattern, scene.outline) : [];
   return {
     ...(seam && {highlight: {seam: seam.seam, side: seam.side}}),
     ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),

@@ -9,7 +9,6 @@ import {
 } from '../../clicks/pick.js';
 import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Alignment, Point} from '../../model/geometry/vectors.js';
-import {groupsThatCarry} from '../../model/print/repeat.js';
 import {wayOnSheet} from '../../model/geometry/sheet-place.js';
 import {notchMark} from '../../cutting/follow.js';
 import type {Overlay} from '../../scene/overlay.js';
@@ -152,8 +151,7 @@ export class PatternTools {
     const symmetries = withAll(kept, group, found);
     if (symmetries.length === kept.length) {
       const {symmetry} = textsOf(preferences.language, preferences.messages);
-      const groups = groupsThatCarry('piece').join(', ');
-      this.#workbench.notices.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
+      this.#workbench.notices.say({tone: 'info', text: symmetry.wouldCarry});
       return;
     }
     this.chooser.leave();

@@ -119,7 +119,7 @@ export class SymmetryChooser {
           : symmetry.refusals[state.reason];
       case 'candidate': {
         if (!state.measured) return symmetry.measuring;
-        if (!this.#isCarried(state.tool)) return symmetry.notCarried(this.#group);
+        if (!this.#isCarried(state.tool)) return symmetry.notCarried;
         return symmetry.found[state.tool](format.fine(state.measured.residual));
       }
     }
