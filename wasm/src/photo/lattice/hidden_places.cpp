@@ -8,9 +8,9 @@
 namespace seamwise {
 namespace {
 
-constexpr int kBlocks = 40;                       // blocks along the longer side
-constexpr int kSamples = 20, kFewestSamples = 8;  // samples along a cell
-constexpr double kMostSamples = 100000;           // samples of all copies; more would not tell more
+constexpr int kBlocks = 40;                     // blocks along the longer side
+constexpr int kSamples = 20, kFewestShown = 8;  // samples along a cell
+constexpr double kMostCopied = 100000;          // samples of all copies; more would not tell more
 constexpr int kRounds = 3;           // of medians without the blocks that differ from them
 constexpr float kLeastCopies = 2.5;  // copies of which one may differ
 // Limits of a block's mean squared difference: shares of the pattern's variance and of the
@@ -155,8 +155,8 @@ HiddenPlaces hiddenPlaces(const ChannelImage& image, const TiltedLattice& view, 
   const std::size_t count = static_cast<std::size_t>(places.columns) * places.rows;
   places.is_hidden.assign(count, 0);
   CellList cells = visibleCells(view, reach);
-  const double room = std::sqrt(kMostSamples / static_cast<double>(cells.size() + 1));
-  const int n = std::clamp(static_cast<int>(room), kFewestSamples, kSamples);
+  const double room = std::sqrt(kMostCopied / static_cast<double>(cells.size() + 1));
+  const int n = std::clamp(static_cast<int>(room), kFewestShown, kSamples);
   const Copies copies = sampleCopies(image, view, std::move(cells), n, false);
   const std::vector<int> blocks = blocksOf(copies, view, places);
   for (int round = 0; round < kRounds; ++round) {
