@@ -68,7 +68,7 @@ export const pageLayout = css`
   ${section}
   .tagline {
     display: flex;
-    flex: 1 1 0;
+    flex: 100 1 0; /* before the gap beside it */
     flex-wrap: wrap; /* on a hidden second line where there is no room for the whole sentence */
     height: 1.5em;
     overflow: hidden;
