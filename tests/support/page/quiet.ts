@@ -29,5 +29,5 @@ export const groupOf = async (page: Page): Promise<string> => (await designOf(pa
 /** Reloads the page and waits until it is ready. */
 export async function reloaded(page: Page): Promise<void> {
   await page.reload();
-  await page.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();
+  await page.getByRole('radiogroup', {name: 'Symmetry of the print'}).waitFor();
 }
