@@ -18,7 +18,7 @@ constexpr const char* kKinds[] = {"knife", "box", "inverted", "tuck", "roll", "p
 
 FoldKind readKind(const JsonValue& json, const Place& place) {
   const std::string kind = text(json, place, "'kind'");
-  for (std::uint8_t k = 0; k < std::size(kKinds); ++k)
+  for (std::size_t k = 0; k < std::size(kKinds); ++k)
     if (kind == kKinds[k]) return static_cast<FoldKind>(k);
   place.fail(place.shape, "has the unknown kind " + inQuotes(kind) +
                               "; write knife, box, inverted, tuck, roll or press");

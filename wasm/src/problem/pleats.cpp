@@ -147,7 +147,7 @@ constexpr struct {
     {"pleatsUneven",
      "The print is not matched across the pleats of $, whose lines are not parallel or overlap."}};
 
-enum FindingCode : std::uint8_t { kFitted, kOff, kUndivided, kOffGrain, kUneven };
+enum FindingCode : std::uint8_t { kFitted, kOutOfReach, kUndivided, kOffGrain, kUneven };
 
 class PleatFitting {
  public:
@@ -166,7 +166,7 @@ class PleatFitting {
       const PleatFit::Strip& first = fit.strips.front();
       const double drafted = first.to - first.from;
       const bool is_fitted = choice.possible && is_divided;
-      find(is_fitted ? kFitted : kOff, piece, {drafted, drafted + first.growth});
+      find(is_fitted ? kFitted : kOutOfReach, piece, {drafted, drafted + first.growth});
       if (!is_fitted) return;
       apply(fit);
     }

@@ -32,7 +32,8 @@ std::vector<TiltedPart> allParts(const Vec2& half) {
   parts.push_back({Vec2::Zero(), 1});
   for (int k = 0; k < 8; ++k) {
     const int place = k < 4 ? k : k + 1;  // of nine, without the middle
-    const Vec2 middle((place % 3 - 1) * (1 - kPartBeside), (place / 3 - 1) * (1 - kPartBeside));
+    const int column = place % 3 - 1, row = place / 3 - 1;
+    const Vec2 middle(column * (1 - kPartBeside), row * (1 - kPartBeside));
     parts.push_back({Vec2::Zero(), kPartBeside, middle.cwiseProduct(half)});
   }
   addRing(0.25, 12, 0.5);
