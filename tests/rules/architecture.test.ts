@@ -108,6 +108,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'marker',
     'pairing',
     'remedies',
+    'texts', // printed sheets are in the user's language
   ],
   cli: [
     ...model,

@@ -41,7 +41,7 @@ describe.each(languages)('in %s', (language) => {
     await loadTexts(language);
     for (const code of ['symmetryPins', 'noMirrors', 'noGlides', 'grainAssumed'])
       expect(note(code, language)).toMatch(/Front.*Back/);
-    expect(note('noMirrors', language)).toContain('p1');
+    expect(note('noMirrors', language)).not.toContain('p1'); // codes are for files
     expect(note('lengthRatio', language)).toMatch(/1[.,]25/);
   });
 
@@ -64,7 +64,7 @@ describe.each(languages)('in %s', (language) => {
     }
     const both = spokenFailure(failure({reason: 'symmetryPins'}), workbench, texts, 'Front, Back');
     expect(both).toContain('Front, Back');
-    expect(spokenFailure(failure({code: 'symmetryGroup'}), workbench, texts)).toMatch(/p1.*pmm/);
+    expect(spokenFailure(failure({code: 'symmetryGroup'}), workbench, texts)).not.toMatch(/p1|pmm/);
   });
 
   it('a file that cannot be read is said to be a garment’s, around the place in it', async () => {
