@@ -35,7 +35,7 @@ function asResult(value: unknown, path: string): ResultFile {
   const complain = (what: string): UsageError => damaged(path, what);
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
   try {
-    return checkedResult(value, '') as ResultFile;
+    return checkedResult(value, '');
   } catch (error) {
     if (error instanceof Malformed) throw complain(`: ${error.message}`);
     throw error;
