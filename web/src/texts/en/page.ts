@@ -57,7 +57,7 @@ export const page = {
   link: {
     copied: 'The link is copied.',
     long: text('The link is copied. It is {size} long; some mail programs cut off such links.'),
-    withoutPattern: 'It leaves out the pattern, which may be somebody’s work.',
+    withoutPattern: 'It leaves out the pattern, which may be someone else’s work.',
     mine: 'It is mine to share',
     leftOut: text(
       'The sender left out the pattern “{name}”. Open its file with My pattern, then open the link again.',

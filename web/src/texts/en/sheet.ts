@@ -18,7 +18,8 @@ export const sheet = {
   otherwise: 'elsewhere as in the pattern',
   asPattern: 'Solid: cut. Dashed: sew, as far inside as in the pattern.',
   internal: 'Dash-dot: lines that the pattern draws inside.',
-  folds: 'Long dashes: folds; lay their lines on each other as the arrows say, before sewing.',
+  folds:
+    'Long dashes: folds; bring their lines together in the direction of the arrows before sewing.',
   letters: 'Edges with the same letter are sewn together.',
   singleLayer: 'Each piece is cut from a single layer, face up; none is on a fold.',
   crosses: 'Numbered crosses of a piece are at the same point of the print;',
@@ -39,7 +40,7 @@ export const sheet = {
   },
   guide: 'Placing guide',
   guideFacts: [
-    'For fabric that is printed already. Lay each paper piece face up on the right side of the fabric, the grain arrow along the grain.',
+    'For fabric that is printed already. Place each paper piece face up on the right side of the fabric, the grain arrow along the grain.',
     'Find the motif with the ring on the fabric, and move the paper until the numbered points have the stated distances from it.',
   ] as readonly string[],
   motif: text('Motif {offsets}'),
