@@ -15,6 +15,7 @@ import {fieldOfView, turned, type Orbit} from './camera.js';
 import {DrapeCamera} from './drape-camera.js';
 import {finest, MovingFineness} from './fineness.js';
 import {DrapePicker, type DrapeTarget} from './drape-picker.js';
+import {followPointer} from './follow-pointer.js';
 import {garmentPicture, type Paper} from './picture.js';
 import {DrapeScene, type Marked} from './drape-scene.js';
 
@@ -361,43 +362,4 @@ export class DrapeView {
       this.#fineness.took(performance.now() - drawn);
     });
   }
-}
-
-// Reports the points that a pointer hovers over or clicks.
-
-/** Points of the element, from its upper left. [CSS px] */
-interface PointerListener {
-  /** Receives undefined once the pointer has left; called at most once per frame. */
-  readonly point: ((at: Point | undefined) => void) | undefined;
-  readonly pick: ((at: Point) => void) | undefined;
-}
-
-/** Listens on `host` until `signal` fires. A finger never hovers, but it clicks. */
-function followPointer(
-  host: HTMLElement,
-  signal: AbortSignal,
-  {point, pick}: PointerListener,
-): void {
-  const place = ({clientX, clientY}: MouseEvent): Point => {
-    const {left, top} = host.getBoundingClientRect();
-    return [clientX - left, clientY - top];
-  };
-  let at: Point | undefined;
-  let frame = 0;
-  const moved = (event: PointerEvent): void => {
-    if (event.buttons > 0 || event.pointerType === 'touch') return;
-    at = event.type === 'pointerleave' ? undefined : place(event);
-    frame ||= requestAnimationFrame(() => {
-      frame = 0;
-      if (!signal.aborted) point?.(at);
-    });
-  };
-  if (point) {
-    host.addEventListener('pointermove', moved, {signal});
-    host.addEventListener('pointerleave', moved, {signal});
-  }
-  const picked = (event: MouseEvent): void => {
-    pick?.(place(event));
-  };
-  if (pick) host.addEventListener('click', picked, {signal});
 }
