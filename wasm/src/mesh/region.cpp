@@ -25,6 +25,7 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
     const Vec2 a = snapped(crease[0], boundary), b = snapped(crease[1], boundary);
     const int steps = 1 + static_cast<int>((b - a).norm() / MeshTuning::kCreaseStep);
     std::vector<Vec2> points;
+    points.reserve(steps + 1);
     for (int k = 0; k < steps; ++k) points.push_back(a + k * (b - a) / steps);
     points.push_back(b);
     triangulation->addCrease(points);
