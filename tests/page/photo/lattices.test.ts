@@ -92,7 +92,7 @@ it('is of another lattice when somebody says so', {tags: ['thorough']}, async ()
   const although = dialog.getByRole('button', {name: 'Use it anyway'});
   await although.waitFor();
   await expect.poll(() => use(page).count()).toBe(0);
-  await dialog.getByText(/^Whether this cell is .* uncertain: drag its corners/).waitFor();
+  await dialog.getByText(/^It is uncertain that this is the print’s repeat/).waitFor();
   await dialog.getByRole('heading', {name: 'Photo of your fabric'}).click();
   await page.keyboard.press('Enter');
   await expect.poll(() => although.isEnabled()).toBe(true);

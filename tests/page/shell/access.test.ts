@@ -29,17 +29,17 @@ describe.each(sampleOf(1, ['light', 'dark'] as const))('in %s colours', (colorSc
 });
 
 it(
-  'shows the keys on a small screen, too, by a button as large as a finger',
+  'shows the commands on a small screen, too, by a button as large as a finger',
   {tags: ['thorough']},
   async () => {
     const page = await openPage({viewport: {width: 390, height: 844}, hasTouch: true});
     await solved(page);
-    const help = button(page, 'Keys');
+    const help = button(page, 'Commands');
     const {x, width, height} = (await help.boundingBox()) ?? {x: 0, width: 0, height: 0};
     expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
     expect(x + width).toBeLessThanOrEqual(390);
     await help.tap();
-    await page.getByRole('region', {name: 'Keys', exact: true}).waitFor();
+    await page.getByRole('listbox', {name: 'Commands'}).waitFor();
   },
 );
 
@@ -124,7 +124,7 @@ it('makes a pair symmetric by keys alone, and takes that back', {tags: ['thoroug
   await press(page, 'p', 'ArrowRight');
   await walkTo(page, /^front.*left/i);
   await press(page, ' ');
-  await hint.filter({hasText: /^Now click the piece/}).waitFor();
+  await hint.filter({hasText: /^Now click the mirrored piece/}).waitFor();
   await walkTo(page, /^front.*right/i);
   await press(page, ' ');
   await hint.filter({hasText: /pieces are mirror images to within/}).waitFor();
