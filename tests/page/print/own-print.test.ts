@@ -209,8 +209,8 @@ it(
       ['g.tif', 'II*\0', `g.tif is a TIFF picture, ${tail}`],
       ['h.png', '\0\0\0\x18ftypheic\0\0\0\0', `h.png is a HEIC photo, ${tail}`],
       ['i.json', '{"pattern": {}}', 'i.json is a sewing pattern: open it with My pattern.'],
-      ['j.svg', svg('<image href="photo.jpg"/>'), 'j.svg takes in pictures from elsewhere'],
-      ['k.svg', svg('<rect fill="url(https://a.b/c.svg#d)"/>'), 'k.svg takes in pictures'],
+      ['j.svg', svg('<image href="photo.jpg"/>'), 'j.svg links to other pictures'],
+      ['k.svg', svg('<rect fill="url(https://a.b/c.svg#d)"/>'), 'k.svg links to other pictures'],
     ] as const) {
       await give(page, name, content);
       await page.getByText(said).waitFor();
