@@ -109,7 +109,7 @@ TEST(LatticeSearch, ReadsStripesByTheirPeriodAcross) {
   EXPECT_NEAR(std::abs(along.dot(truth.basis.col(0).normalized())), 0, 0.003);
 }
 
-/// Whether a tape measure across the image covers a place, and the ink of its ticks there.
+/// Tells if a tape measure across the image covers a place, and gives the ink of its ticks there.
 std::optional<Ink> tapeAt(const Vec2& u) {
   const double across = u.y() - 0.2 * u.x() - 0.3, along = 12 * u.x();
   if (std::abs(across) > 0.14) return std::nullopt;

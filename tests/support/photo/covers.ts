@@ -8,7 +8,7 @@ import {disc, placed, type Outline} from './outlines.js';
  * x to the right and y down as far as the image is not tilted.
  */
 export interface Cover {
-  /** Whether the print is hidden or displaced at a place. */
+  /** True where the print is hidden or displaced. */
   readonly hides: (x: number, y: number) => boolean;
   /** Changes the fabric's colour at a place, in linear light. */
   readonly paint: (x: number, y: number, colour: Float32Array) => void;

@@ -9,7 +9,7 @@ import {cutSheet} from '@/cutting/lay-sheet.js';
 import {draftedSheet} from '@/cutting/drafted-sheet.js';
 import {sheetDxf, type DxfOptions} from '@/cutting/out/sheet-dxf.js';
 import {readDxf} from '@/files/dxf/read-dxf.js';
-import {nearestOn} from '@/files/base/nearest.js';
+import {nearestOn} from '@/model/geometry/nearest.js';
 import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import {edgeLine} from '@/model/garment/edge-curve.js';
 import {foldLines} from '@/model/garment/folds.js';

@@ -8,7 +8,7 @@ import {describe, expect, it} from 'vitest';
 import type {CutSheet, LaidPiece} from '@/cutting/cut-sheet.js';
 import {draftedSheet} from '@/cutting/drafted-sheet.js';
 import {tracedLoop} from '@/files/base/bezier.js';
-import {nearestOn} from '@/files/base/nearest.js';
+import {nearestOn} from '@/model/geometry/nearest.js';
 import {readAnyDrawing} from '@/files/read-drawing.js';
 import {foldLines} from '@/model/garment/folds.js';
 import type {Drawing, DrawnPiece} from '@/model/garment/imported-drawing.js';

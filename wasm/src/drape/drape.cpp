@@ -200,13 +200,16 @@ void Drape::watch(double fall) {
   since_ = {};
 }
 
+/// Forgets the fall of energy, which is of other steps than those that follow.
+void Drape::forgetFall() { since_ = {}, last_fall_ = 0, at_rest_ = false; }
+
 /// Ends the steps in a fabric that yields.
 void Drape::stiffen() {
   const Positions now = positions();
   yields_ = false;
   put(problem_.levels.fine, fine_, now);
   cloth_->setTouching(true);
-  since_ = {}, last_fall_ = 0, at_rest_ = false;
+  forgetFall();
   last_step_ = stages_.back().steps + mostSteps(Stage::kSettle);
 }
 
@@ -229,7 +232,7 @@ void Drape::tryNextStart() {
   cloth_ = std::move(best.cloth), best_.cloth = nullptr;
   problem_.start = std::move(best.start), stages_ = std::move(best.stages);
   began_ = stages_.front().work;  // the other starts count as hanging
-  since_ = {}, last_fall_ = 0, at_rest_ = false;
+  forgetFall();
 }
 
 void Drape::finish() {
@@ -262,7 +265,7 @@ bool Drape::mend() {
     mended_ = kMostMended;
   else
     return false;
-  since_ = {}, last_fall_ = 0, at_rest_ = false;
+  forgetFall();
   last_step_ = stages_.back().steps + kMendingSteps;
   cloth_->setTouching(true);
   cloth_->untangle();

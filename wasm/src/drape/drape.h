@@ -91,6 +91,7 @@ class Drape {
   double progress() const;
   void watch(double fall);
   void tryNextStart();
+  void forgetFall();
   void stiffen();
   bool mend();
   void finish();

@@ -1,7 +1,5 @@
 #include "drape/missing_girth.h"
 
-#include <cmath>
-
 #include "base/decimal.h"
 #include "drape/wrap.h"
 
@@ -65,9 +63,8 @@ std::optional<MissingGirth> missingGirth(const Garment& garment, const Pattern& 
 }
 
 std::string spoken(const MissingGirth& girth) {
-  const auto tenths = static_cast<std::int64_t>(std::nearbyint(10 * girth.missing));
-  std::string text = " by " + decimal(tenths / 10) + "." + decimal(tenths % 10) + " cm at the " +
-                     std::string(girth.measure->spoken);
+  std::string text =
+      " by " + fixed(girth.missing, 1) + " cm at the " + std::string(girth.measure->spoken);
   if (!girth.fits) return text;
   std::string size;
   for (const char letter : girth.fits->name) size += static_cast<char>(letter & ~0x20);

@@ -22,11 +22,11 @@ struct WrapSettings {
 };
 
 /// Wraps a meshed garment around the form, as the start of a drape.
-/// @param fullness   set to the largest girth of a ring relative to the body above; null: not
-/// needed Seams are closed, and pieces are side by side in rings around the parts of the body, at
-/// least `clearance` outside it. The result is exactly symmetric if the pattern's mirrors cover it
-/// and agree with its placement. Its bytes do not depend on the order and names of the pieces.
+/// Seams are closed, and pieces are side by side in rings around the parts of the body, at least
+/// `clearance` outside it. The result is exactly symmetric if the pattern's mirrors cover it and
+/// agree with its placement. Its bytes do not depend on the order and names of the pieces.
 /// Errors: those of hang().
+/// @param fullness   set to the largest girth of a ring relative to the body above, if not null
 Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
                                 const WrapSettings& settings = {}, double* fullness = nullptr);
 

@@ -3,19 +3,11 @@
  * and sides. The pleats open from the waistband down. Origin of each panel: the middle of its
  * waist. Its edges end at the lines of the pleat, whose fabric is sewn to nothing.
  */
-import {plus, radians, type Point} from '../../src/model/geometry/vectors.js';
+import {plus, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
 import {line} from './curves.js';
-import {
-  edge,
-  onBothSides,
-  pleatBetween,
-  type Garment,
-  type Panel,
-  type Placement,
-  type Side,
-} from './panel.js';
-import {strip} from './skirt-lines.js';
+import {edge, onBothSides, pleatBetween, type Garment, type Panel, type Side} from './panel.js';
+import {aroundHip, strip} from './skirt-lines.js';
 
 const waistEase = 2;
 const bandHeight = 4;
@@ -25,19 +17,6 @@ const uptake = 20;
 
 /** Length of half a panel's waist with its pleat closed. */
 const halfWaist = (body: Body): number => (body.waist + waistEase) / 8;
-
-/**
- * Placement around the hip: `angle` (degrees) from the middle of the front towards the wearer's
- * left.
- */
-function around(body: Body, angle: number): Placement {
-  const away = radiusOf(body.hip) + 14;
-  const [x, z] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
-  return {
-    translation: [angle % 180 === 0 ? 0 : away * x, body.waistHeight - bandHeight, away * z],
-    rotation: [0, angle, 0],
-  };
-}
 
 /** @param ends names of the halves at -x and at +x */
 function skirtPanel(
@@ -66,7 +45,7 @@ function skirtPanel(
       ...waist.reverse(),
       edge(`side ${low}`, line([-far, 0], [-far, -drop])),
     ],
-    placement: around(body, angle),
+    placement: aroundHip(body, angle, {away: 14, height: body.waistHeight - bandHeight}),
     folds: [pleatBetween('inverted', [-uptake / 2, 0], [uptake / 2, 0], drop)],
   };
 }

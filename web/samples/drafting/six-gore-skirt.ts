@@ -16,7 +16,7 @@ import {
   type Panel,
   type Placement,
 } from './panel.js';
-import {bandPanel, hipSeam, squareAbove, squareBelow} from './skirt-lines.js';
+import {aroundHip, bandPanel, hipSeam, squareAbove, squareBelow} from './skirt-lines.js';
 
 const waistEase = 2;
 /** Ease for straight waists; the actual curved ones reduce it by up to half a centimetre. */
@@ -66,18 +66,8 @@ function goreSeams(what: string, inner: Curve, outer: Curve, waist: number): [Cu
   return apart(trueTo(what, waist, (width) => waistOf(apart(width)), waist / 2, waist));
 }
 
-/**
- * Placement around the hip: `angle` (degrees) from the middle of the front towards the wearer's
- * left.
- */
-function around(body: Body, angle: number): Placement {
-  const away = radiusOf(body.hip) + 12;
-  const [x, z] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
-  return {
-    translation: [angle % 180 === 0 ? 0 : away * x, body.waistHeight, away * z],
-    rotation: [0, angle, 0],
-  };
-}
+const around = (body: Body, angle: number): Placement =>
+  aroundHip(body, angle, {away: 12, height: body.waistHeight});
 
 function centreGore(body: Body, half: Half): Panel {
   const seam = seamOf(body, half);

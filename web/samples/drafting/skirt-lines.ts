@@ -1,7 +1,26 @@
 /** Lines of skirts: seams over the hip, hems and waists square to them, straight waistbands. */
-import {leftOf, norm, plus, type Point} from '../../src/model/geometry/vectors.js';
+import {leftOf, norm, plus, radians, type Point} from '../../src/model/geometry/vectors.js';
+import {radiusOf, type Body} from './body.js';
 import {curve, leaning, line, mirror, pointAt, trueTo, velocity, type Curve} from './curves.js';
 import {edge, symmetricPanel, type Edge, type Panel, type Placement, type Side} from './panel.js';
+
+/**
+ * Placement around the hip.
+ * @param angle from the middle of the front towards the wearer's left [degrees]
+ * @param place `away`: distance from the hip; `height` of the origin [cm]
+ */
+export function aroundHip(
+  body: Body,
+  angle: number,
+  {away, height}: {readonly away: number; readonly height: number},
+): Placement {
+  const radius = radiusOf(body.hip) + away;
+  const [x, z] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
+  return {
+    translation: [angle % 180 === 0 ? 0 : radius * x, height, radius * z],
+    rotation: [0, angle, 0],
+  };
+}
 
 /** The direction of travel at parameter t, as a unit vector. */
 export function heading(seam: Curve, t: number): Point {

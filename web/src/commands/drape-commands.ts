@@ -12,9 +12,9 @@ import type {Command} from './editor-command.js';
 interface CommandedGarment {
   readonly workbench: Workbench;
   readonly view: DrapeView | undefined;
+  readonly beforeAfter: {toggle: () => void};
   toggleForm(): void;
   toggleSeams(): void;
-  toggleWipe(): void;
 }
 
 /** Zoom step of a key. */
@@ -113,7 +113,7 @@ function showing(garment: CommandedGarment, texts: Texts, words: DrapeTexts): re
     {
       ...{id: 'worn wipe', title: pattern.wipe, key: 'B', words: also},
       run: () => {
-        garment.toggleWipe();
+        garment.beforeAfter.toggle();
       },
     },
     ...fabricNames

@@ -56,12 +56,11 @@ const ways: Readonly<Record<string, Point>> = {
 };
 
 /**
- * The pattern with the focus: index of the parts on its sheet, and share of the width that shows
- * the draft.
+ * The pattern with the focus: index of the parts on its sheet, and its view of before and after.
  */
 interface KeyedPattern extends CommandedPattern {
   readonly index: PickIndex | undefined;
-  isBefore: boolean;
+  readonly beforeAfter: {isHeld: boolean};
 }
 
 export function patternKeys(pane: KeyedPattern, event: KeyboardEvent): void {
@@ -118,7 +117,7 @@ function heldOrStepped(pane: KeyedPattern, key: string): boolean {
   }
   if (tools.isFixed) return false;
   if (key.toLowerCase() === 'w') {
-    pane.isBefore = true;
+    pane.beforeAfter.isHeld = true;
     return true;
   }
   const number = Number(key);

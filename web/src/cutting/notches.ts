@@ -1,7 +1,7 @@
 /** Notches of the garment, and additional notches of seams. Lengths in cm. */
 import type {Notch, PanelMarks} from '../model/garment/panel-marks.js';
 import {distance, dot, leftOf, minus, plus, unit, type Point} from '../model/geometry/vectors.js';
-import {nearestOn} from '../files/base/nearest.js';
+import {nearestOn} from '../model/geometry/nearest.js';
 import {atShare, lengthOf} from '../model/geometry/polyline.js';
 import type {DraftedFold} from '../model/garment/garment-document.js';
 import {carried} from '../model/geometry/triangles.js';

@@ -28,7 +28,7 @@ import type {Symmetry} from '../model/garment/symmetries.js';
 import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
 import {crossing} from './base/crossings.js';
 import {foldsWithin} from './base/fold-lines.js';
-import {nearestOn} from './base/nearest.js';
+import {nearestOn} from '../model/geometry/nearest.js';
 import {cmPer} from './base/units.js';
 import {unfolded} from './unfold.js';
 

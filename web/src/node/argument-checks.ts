@@ -1,5 +1,6 @@
 /** Checks the settings and hooks of the functions of `seamwise/node`: types, ranges and names. */
 import {
+  bytes,
   callback,
   checkedLater,
   date,
@@ -49,10 +50,9 @@ import type {LayPlanSettings} from './lay-plan.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {OrderHooks} from './order.js';
 import type {PrintFromPixelsSettings} from './photo.js';
-import {dxfFormat} from './setting-checks.js';
+import {dxfFormat, title} from './setting-checks.js';
 
 const word = text();
-const title = text(/\S/, 'text that is not blank');
 const names = recordOf(word);
 
 const jsonText: Read<unknown> = (value, at) => {
@@ -103,11 +103,6 @@ const paper: Read<string> = (value, at) => {
   throw new Malformed(noPaper(name.slice(0, 40)).replace(/\.$/, ''));
 };
 
-const fontBytes: Read<Uint8Array<ArrayBuffer>> = (value, at) =>
-  value instanceof Uint8Array
-    ? (value as Uint8Array<ArrayBuffer>)
-    : fail(at, 'the bytes of a font');
-
 const grainRules = recordOf(either('a grain rule', word, having({})));
 
 export const cutSettings = fields<CutSettings>(
@@ -124,7 +119,7 @@ export const cutSettings = fields<CutSettings>(
       blankPages: flag,
       language: oneOf(languages),
       under: having<CutSheet>({pieces: listOf(having({}))}),
-      fonts: listOf(fontBytes),
+      fonts: listOf(bytes),
     },
   },
   'print',

@@ -13,7 +13,7 @@ import type {Print} from '../model/print/repeating-print.js';
 import * as prints from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import * as searches from '../solver/search/asked-search.js';
-import {drapeSettings, glbOptions, json} from './setting-checks.js';
+import {drapeSettings, glbOptions, json, title} from './setting-checks.js';
 import {drape, filedDesign, garmentDocument, layPlan, print} from './document-checks.js';
 
 /** The function with checks of its arguments, in their order and by their names. */
@@ -125,7 +125,7 @@ export const glb = checked(glbFiles.glb, 'glb', {
 /** Reads a stored design, called by its name in messages. @throws {FileError} if it is damaged */
 export const readStoredDesign = checked(designs.readStoredDesign, 'readStoredDesign', {
   content: text(),
-  called: text(/\S/, 'text that is not blank'),
+  called: title,
 });
 
 /** The text of a design's file. @throws {SolverError} for a value that JSON cannot hold */

@@ -17,7 +17,7 @@ import {jsonText} from '../solver/requests/requests.js';
 import {drape} from './document-checks.js';
 
 const word = text();
-const title = text(/\S/, 'text that is not blank');
+export const title = text(/\S/, 'text that is not blank');
 
 /** Accepts an object that JSON can hold. @throws {SolverError} `notJson` or `number` */
 export const json: Read<object> = (value, at) => {

@@ -4,7 +4,7 @@ import {vectorsAtMiddle} from '../model/print/photo-map.js';
 import type {PhotoMap} from '../model/print/photo-reading.js';
 import type {PhotoSize} from './lattice-lines.js';
 
-/** By vector; stripes have no second arrow. */
+/** One name for each vector; stripes have no second arrow. */
 export type ArrowNames = Readonly<{w1: string; w2?: string}>;
 
 /** Share of a vector that runs up or down the photo. */

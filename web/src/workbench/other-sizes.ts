@@ -1,4 +1,4 @@
-/** Whether a design's print can have other sizes. */
+/** Other sizes of a design's print. */
 import type {Design} from '../model/design/design.js';
 
 /** Returns whether the print can be enlarged: its size is known, and the fabric is not printed. */

@@ -108,15 +108,14 @@ int flaggedAround(const HiddenPlaces& places, const std::vector<std::uint8_t>& f
   return count;
 }
 
-/// Flags blocks around which at least `least` of nine are flagged.
-std::vector<std::uint8_t> whereMany(const HiddenPlaces& places,
-                                    const std::vector<std::uint8_t>& flags, int least) {
-  std::vector<std::uint8_t> many(flags.size());
+/// Flags also the blocks beside flagged ones.
+std::vector<std::uint8_t> widened(const HiddenPlaces& places,
+                                  const std::vector<std::uint8_t>& flags) {
+  std::vector<std::uint8_t> wide(flags.size());
   for (int row = 0; row < places.rows; ++row)
     for (int column = 0; column < places.columns; ++column)
-      many[row * places.columns + column] =
-          flaggedAround(places, flags, column, row) >= least ? 1 : 0;
-  return many;
+      wide[row * places.columns + column] = flaggedAround(places, flags, column, row) > 0 ? 1 : 0;
+  return wide;
 }
 
 /// Middle of the free block that is farthest from hidden ones and from the border.
@@ -169,7 +168,7 @@ HiddenPlaces hiddenPlaces(const ChannelImage& image, const TiltedLattice& view, 
                 row = static_cast<int>(k) / places.columns;
       if (flags[k] != 0 && flaggedAround(places, flags, column, row) < 2) places.is_hidden[k] = 0;
     }
-    places.is_hidden = whereMany(places, places.is_hidden, 1);
+    places.is_hidden = widened(places, places.is_hidden);
   }
   std::vector<std::uint8_t> is_compared(count);
   for (const int block : blocks)

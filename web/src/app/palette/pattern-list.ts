@@ -72,7 +72,7 @@ function patternViews({workbench, texts, editor: {pattern}}: PageParts): readonl
   return [
     withKey(texts, 'clothOnly', {words: view, run: () => patternCommands.clothOnly(pattern)}),
     toggle('wipe', words.wipe, () => {
-      pattern.toggleWipe();
+      pattern.beforeAfter.toggle();
     }),
     toggle('movement', words.movement, () => {
       pattern.toggleMovement();

@@ -16,6 +16,7 @@ import {headlineOf} from '../../workbench/lists/verdict.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {drapeCommands} from '../../commands/drape-commands.js';
+import {BeforeAfter} from '../pattern/before-after.js';
 import {DrapeDrawing, drapeStyle} from './drape-drawing.js';
 
 /** Zoom step of a button; a key zooms less. */
@@ -32,10 +33,10 @@ export class DrapePane extends DrapeDrawing {
   declare purpose: 'show' | 'edit';
   /** Seams are coloured by mismatch. */
   declare seams: boolean;
-  /** Share of the width that shows the garment before the solve; undefined for none. */
-  #split: number | undefined;
-  #isBefore = false;
   /** The preset nearest to the camera; a change of it is announced. */
+  readonly beforeAfter = new BeforeAfter(() => {
+    this.requestUpdate();
+  });
   #preset: CameraPreset = 'front';
   /** Last selected target, here or elsewhere. */
   #selected: Target | undefined;
@@ -44,17 +45,6 @@ export class DrapePane extends DrapeDrawing {
     super();
     this.purpose = 'edit';
     this.seams = false;
-  }
-
-  /** Shows the garment before the solve on the whole width, as while a key is held. */
-  set isBefore(isBefore: boolean) {
-    this.#isBefore = isBefore;
-    this.requestUpdate();
-  }
-
-  /** Shows or hides the garment before the solve on one half. */
-  toggleWipe(): void {
-    this.#wipe(this.#split === undefined ? 0.5 : undefined);
   }
 
   toggleSeams(): void {
@@ -121,7 +111,7 @@ export class DrapePane extends DrapeDrawing {
     view.setSeams(this.seams);
     const {selected, pointed} = this.workbench.selection;
     const {scenes} = this.workbench.sheet;
-    const split = this.#isBefore ? 1 : this.#split;
+    const split = this.beforeAfter.shown;
     view.setWipe(split === undefined || !scenes ? undefined : {before: scenes.before, split});
     view.setMarked(this.purpose === 'edit' ? {selected, pointed} : {});
   }
@@ -139,12 +129,12 @@ export class DrapePane extends DrapeDrawing {
         tabindex="0"
         @keydown=${this.#press}
         @keyup=${({key}: KeyboardEvent) => {
-          if (key.toLowerCase() === 'w') this.isBefore = false;
+          if (key.toLowerCase() === 'w') this.beforeAfter.isHeld = false;
         }}
       >
         <div class="stage"></div>
       </div>
-      ${this.#split !== undefined ? this.#wiping(this.#split) : nothing}
+      ${this.beforeAfter.split !== undefined ? this.#wiping(this.beforeAfter.split) : nothing}
       ${edits ? this.#bar(words) : nothing}
       <slot name="notice"></slot>
       <div class="foot">
@@ -198,18 +188,13 @@ export class DrapePane extends DrapeDrawing {
     </div>`;
   }
 
-  #wipe(split: number | undefined): void {
-    this.#split = split;
-    this.requestUpdate();
-  }
-
   #wiping(split: number): TemplateResult {
     return html`<div class="wipe">
       <sw-wipe-handle
         .workbench=${this.workbench}
         .split=${split}
         @input=${({detail}: CustomEvent<number>) => {
-          this.#wipe(detail);
+          this.beforeAfter.split = detail;
         }}
       ></sw-wipe-handle>
     </div>`;
@@ -225,18 +210,18 @@ export class DrapePane extends DrapeDrawing {
         edits
           ? html`<sw-before
                 .workbench=${this.workbench}
-                .isOn=${this.#isBefore}
+                .isOn=${this.beforeAfter.isHeld}
                 @hold=${({detail}: CustomEvent<boolean>) => {
-                  this.isBefore = detail;
+                  this.beforeAfter.isHeld = detail;
                 }}
               ></sw-before>
               <button
                 class="icon"
                 aria-label=${pattern.wipe}
                 title=${pattern.wipe}
-                aria-pressed=${this.#split !== undefined}
+                aria-pressed=${this.beforeAfter.split !== undefined}
                 @click=${() => {
-                  this.toggleWipe();
+                  this.beforeAfter.toggle();
                 }}
               >
                 ${icon.wipe}</button
@@ -366,7 +351,8 @@ export class DrapePane extends DrapeDrawing {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const command = commandFor(this.commands, event.key);
     if (command) command.run();
-    else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.isBefore = true;
+    else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit')
+      this.beforeAfter.isHeld = true;
     else if (event.key === 'Escape' && this.workbench.selection.selected)
       this.workbench.selection.select(undefined);
     else if (!this.view?.camera.key(event.key, event.shiftKey)) return;

@@ -12,6 +12,7 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {lastOf} from '../../model/base/last-of.js';
 import type {Target, Workbench} from '../../workbench/workbench.js';
+import {BeforeAfter} from './before-after.js';
 import {PatternDrawing} from './drawing.js';
 import {overlayOf, type LensCursor} from '../../workbench/tools/pattern-marks.js';
 import {patternKeys} from '../../commands/pattern-keys.js';
@@ -77,13 +78,13 @@ export class PatternPane extends PatternDrawing {
   /** Reflected for the layout, which changes for the sewing tool. */
   declare sews: boolean;
 
+  readonly beforeAfter = new BeforeAfter(() => {
+    this.requestUpdate();
+  });
   readonly #index = new SheetIndex();
   readonly #movementOf = lastOf(movementOf);
   #tools: PatternTools | undefined;
   #pointing: Pointing | undefined;
-  /** Share of the width that shows the garment before the solve; undefined for none. */
-  #split: number | undefined;
-  #isBefore = false;
   #showsMovement = false;
   #isBare = false;
   /** Number of the last work that was checked for seams. */
@@ -116,21 +117,10 @@ export class PatternPane extends PatternDrawing {
     this.requestUpdate();
   }
 
-  /** Shows the garment before the solve on the whole width, as while a key is held. */
-  set isBefore(isBefore: boolean) {
-    this.#isBefore = isBefore;
-    this.requestUpdate();
-  }
-
   /** Shows the fabric alone, or all marks over it again. */
   toggleBare(): void {
     this.#isBare = !this.#isBare;
     this.requestUpdate();
-  }
-
-  /** Shows or hides the garment before the solve on one half. */
-  toggleWipe(): void {
-    this.#wipe(this.#split === undefined ? 0.5 : undefined);
   }
 
   /** Shows or hides the change of each outline. */
@@ -182,7 +172,7 @@ export class PatternPane extends PatternDrawing {
     const {workbench} = this;
     const {scenes} = workbench.sheet;
     if (!scenes) return;
-    const split = this.#isBefore ? 1 : this.#split;
+    const split = this.beforeAfter.shown;
     view.setWipe(split === undefined ? undefined : {before: scenes.before, split});
     view.setBare(this.#isBare);
     view.setMovement(
@@ -237,7 +227,7 @@ export class PatternPane extends PatternDrawing {
           patternKeys(this, event);
         }}
         @keyup=${(event: KeyboardEvent) => {
-          if (event.key.toLowerCase() === 'w') this.isBefore = false;
+          if (event.key.toLowerCase() === 'w') this.beforeAfter.isHeld = false;
         }}
       >
         <div class="stage"></div>
@@ -246,13 +236,13 @@ export class PatternPane extends PatternDrawing {
       <slot name="notice"></slot>
       ${this.#menu()}
       ${
-        this.#split === undefined
+        this.beforeAfter.split === undefined
           ? nothing
           : html`<sw-wipe-handle
               .workbench=${workbench}
-              .split=${this.#split}
+              .split=${this.beforeAfter.split}
               @input=${(event: CustomEvent<number>) => {
-                this.#wipe(event.detail);
+                this.beforeAfter.split = event.detail;
               }}
             ></sw-wipe-handle>`
       }
@@ -290,11 +280,6 @@ export class PatternPane extends PatternDrawing {
   }
 
   /** Pieces and seams as text, or edges while the sewing tool is active. */
-  #wipe(split: number | undefined): void {
-    this.#split = split;
-    this.requestUpdate();
-  }
-
   #options(index: PickIndex): TemplateResult {
     const {pattern} = this.texts;
     const {sewing} = this.tools;
@@ -319,13 +304,13 @@ export class PatternPane extends PatternDrawing {
     const {pattern} = this.texts;
     return html`<sw-before
         .workbench=${this.workbench}
-        .isOn=${this.#isBefore}
+        .isOn=${this.beforeAfter.isHeld}
         @hold=${({detail}: CustomEvent<boolean>) => {
-          this.isBefore = detail;
+          this.beforeAfter.isHeld = detail;
         }}
       ></sw-before>
-      ${this.#toggle(pattern.wipe, icon.wipe, this.#split !== undefined, () => {
-        this.toggleWipe();
+      ${this.#toggle(pattern.wipe, icon.wipe, this.beforeAfter.split !== undefined, () => {
+        this.beforeAfter.toggle();
       })}
       ${this.#toggle(pattern.clothOnly, icon.cloth, this.#isBare, () => {
         this.toggleBare();

@@ -8,7 +8,7 @@ import {
   type Point,
 } from '../../model/geometry/vectors.js';
 import {boxOf, isInside, signedArea, type Box} from '../../model/geometry/polyline.js';
-import {nearestOn} from './nearest.js';
+import {nearestOn} from '../../model/geometry/nearest.js';
 
 /** A closed line with its measures. */
 export interface ClosedLine {

@@ -3,8 +3,9 @@
  * beside them.
  */
 import {countOf, saysFold} from './words.js';
-import {nearestOn} from './nearest.js';
+import {nearestOn} from '../../model/geometry/nearest.js';
 import type {DraftedFold, FoldKind} from '../../model/garment/garment-document.js';
+import {hidesFabric} from '../../model/garment/folds.js';
 import {linesInside} from '../../model/geometry/polyline.js';
 import {
   cross,
@@ -56,7 +57,7 @@ interface Labelled {
   readonly kind: FoldKind;
   /** Distance between the lines that the text states. [cm] */
   readonly widthCm?: number;
-  /** Of files of Seamwise: number of the fold, and whether it is the second line. */
+  /** Number of the fold in a file of Seamwise, and true for its second line. */
   readonly own?: {readonly number: string; readonly isSecond: boolean};
 }
 
@@ -171,8 +172,6 @@ function foldOf({kind, line}: Labelled, second: Line | undefined): DraftedFold {
   return {kind, line: ends, to: isReversed ? [to, from] : [from, to]};
 }
 
-const isCrease = ({kind}: Labelled): boolean => kind === 'roll' || kind === 'press';
-
 /**
  * The folds among lines, and the other lines. Two labelled lines of one kind beside each other are
  * a pleat, laid from the first onto the second; a labelled line alone is a crease, or stays a line.
@@ -198,8 +197,9 @@ export function foldsAmong(
       lines.filter((line) => !isUsed(line)),
       cmPerUnit,
     );
-    const isAlone = isCrease(one) && !one.own;
-    if (!second && !isCrease(one)) return [];
+    const isCrease = !hidesFabric(one);
+    const isAlone = isCrease && !one.own;
+    if (!second && !isCrease) return [];
     used.add(one.line);
     if (second && !isAlone) used.add(second);
     return [foldOf(one, isAlone ? undefined : second)];

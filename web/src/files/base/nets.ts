@@ -6,7 +6,7 @@
 import {angleOf, distance, minus, type Point} from '../../model/geometry/vectors.js';
 import {boxOf} from '../../model/geometry/polyline.js';
 import {startOf, tipOf, turnedStretch, pointsOfChain, type Chain, type Stretch} from './chain.js';
-import {nearestOn} from './nearest.js';
+import {nearestOn} from '../../model/geometry/nearest.js';
 
 interface NetEdge {
   readonly from: number;

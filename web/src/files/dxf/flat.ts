@@ -5,7 +5,7 @@
 import {distance, type Point} from '../../model/geometry/vectors.js';
 import {boxOf, isInside, type Box} from '../../model/geometry/polyline.js';
 import {closedLine, type Words} from '../base/closed-lines.js';
-import {nearestOn} from '../base/nearest.js';
+import {nearestOn} from '../../model/geometry/nearest.js';
 import {cutOutNote, doubtOf, leftOutNotes, mostDoubts} from '../base/left-out.js';
 import {leastPiece, rolesOf, type Candidate, type Roles, type RolesOfPiece} from '../base/roles.js';
 import {isNoName} from '../base/words.js';

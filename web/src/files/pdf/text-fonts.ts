@@ -18,7 +18,7 @@ interface OtherRun {
   readonly ref: Ref;
 }
 
-/** What a viewer needs of the fonts, as entries of resources. */
+/** Entries of resources by which a viewer finds the fonts. */
 interface FontEntries {
   readonly fonts: readonly string[];
   readonly objects: readonly string[];

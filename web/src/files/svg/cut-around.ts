@@ -2,7 +2,7 @@
 import {distance, type Point} from '../../model/geometry/vectors.js';
 import {signedArea} from '../../model/geometry/polyline.js';
 import {endOf, straight} from '../base/bezier.js';
-import {nearestOn, type Near} from '../base/nearest.js';
+import {nearestOn, type Near} from '../../model/geometry/nearest.js';
 import {meeting, type Line} from './lines.js';
 import {areaOf, chained, pointsOf, rimOf} from './outlines.js';
 

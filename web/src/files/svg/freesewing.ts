@@ -5,7 +5,7 @@ import {atShare, isInside, lengthOf} from '../../model/geometry/polyline.js';
 import {endOf} from '../base/bezier.js';
 import {runsOf} from '../base/edges.js';
 import {countOf, type Count} from '../base/words.js';
-import {nearestOn} from '../base/nearest.js';
+import {nearestOn} from '../../model/geometry/nearest.js';
 import {cutAround} from './cut-around.js';
 import type {Found} from './generic.js';
 import type {Line} from './lines.js';

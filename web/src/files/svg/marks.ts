@@ -11,7 +11,7 @@ import {
 } from '../../model/geometry/vectors.js';
 import {atShare, boxOf, crossingsOf, lengthOf} from '../../model/geometry/polyline.js';
 import {endOf, isLine} from '../base/bezier.js';
-import {nearestOn, type Near} from '../base/nearest.js';
+import {nearestOn, type Near} from '../../model/geometry/nearest.js';
 import {saysFold, saysGrain} from '../base/words.js';
 import {longerSide} from '../base/closed-lines.js';
 import type {Loop, Stroke} from './nesting.js';

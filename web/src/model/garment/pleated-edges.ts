@@ -6,7 +6,9 @@ import {after, edgeOf, sameEdge, sew, splitEdge, unchanged, unsew, type Edited} 
 import {edgeLength, edgeLine} from './edge-curve.js';
 import {hidesFabric} from './folds.js';
 import type {DraftedEdge, EdgeOfPiece, GarmentDocument, GarmentSeam} from './garment-document.js';
-import {between, distance, nearestShare, type Point} from '../geometry/vectors.js';
+import {nearestOn} from '../geometry/nearest.js';
+import {lengthOf} from '../geometry/polyline.js';
+import type {Point} from '../geometry/vectors.js';
 
 /** Distance within which the end of a fold line is on the outline, or at a corner of it. */
 const reach = 0.2;
@@ -20,22 +22,12 @@ interface Hidden {
 }
 
 /** The position on an edge that is nearest to a point, as a share of its length, and how far. */
-function nearestOn(
-  edge: DraftedEdge,
-  point: Point,
-): {readonly share: number; readonly off: number} {
+function placeOn(edge: DraftedEdge, point: Point): {readonly share: number; readonly off: number} {
   const line = edgeLine(edge);
-  let best = {along: 0, off: Infinity};
-  let along = 0;
-  line.slice(1).forEach((to, k) => {
-    const from = line[k] ?? to;
-    const share = nearestShare(from, to, point);
-    const off = distance(point, between(from, to, share));
-    const length = distance(from, to);
-    if (off < best.off) best = {along: along + share * length, off};
-    along += length;
-  });
-  return {share: along > 0 ? best.along / along : 0, off: best.off};
+  const {at, off, step} = nearestOn(line, point, false);
+  const whole = lengthOf(line);
+  const along = lengthOf([...line.slice(0, step + 1), at]);
+  return {share: whole > 0 ? along / whole : 0, off};
 }
 
 /** Position along an outline, and the length of its edges; undefined for a point inside. */
@@ -44,7 +36,7 @@ function alongOutline(outline: readonly DraftedEdge[], point: Point): number | u
   let best = {at: 0, off: reach};
   for (const edge of outline) {
     const length = edgeLength(edge);
-    const {share, off} = nearestOn(edge, point);
+    const {share, off} = placeOn(edge, point);
     if (off < best.off) best = {at: before + share * length, off};
     before += length;
   }

@@ -123,7 +123,7 @@ export interface DrapeCheck {
    * steps; not in files of earlier versions. [cm]
    */
   readonly fromRest?: number;
-  /** Whether further steps would hardly lower the energy; not in files of earlier versions. */
+  /** True if further steps would hardly lower the energy; files of earlier versions lack it. */
   readonly atRest?: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** How the fabrics of a drape look. */
+/** Looks of the fabrics of a drape. */
 import type {FabricName} from '../../model/result/draped-garment.js';
 
 /** Patterns of threads. */

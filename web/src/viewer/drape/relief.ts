@@ -1,4 +1,5 @@
 /** Features of a drape's fabric that only its drawing needs: open edges, hems and folds. */
+import {between, distance, nearestShare, type Point} from '../../model/geometry/vectors.js';
 import type {DrapeMesh, DrapedPiece} from '../../model/result/draped-garment.js';
 
 /** An edge that is sewn to nothing, such as a hem: two vertices of a piece. */
@@ -25,7 +26,7 @@ export function openEdges({pieces, seams}: DrapeMesh): readonly OpenEdge[] {
     for (const [k, from] of outline.entries()) {
       const to = outline[(k + 1) % outline.length] ?? 0;
       if (!sewn.has(key(piece, from, to))) open.push({piece, from, to, run});
-      run += span(shape, from, to);
+      run += distance(pointAt(shape, from), pointAt(shape, to));
     }
     return open;
   });
@@ -42,16 +43,15 @@ export function hemPlaces({shape}: DrapedPiece, open: readonly OpenEdge[]): Floa
   const places = new Float32Array(shape.length);
   for (let k = 0; k < shape.length; k += 2) places[k] = hemReach;
   for (const {from, to, run} of open) {
-    const [x0, y0] = [shape[2 * from] ?? 0, shape[2 * from + 1] ?? 0];
-    const [ux, uy] = [(shape[2 * to] ?? 0) - x0, (shape[2 * to + 1] ?? 0) - y0];
-    const length = Math.hypot(ux, uy);
+    const [a, b] = [pointAt(shape, from), pointAt(shape, to)];
+    const length = distance(a, b);
     const reach = length + hemReach;
     for (let k = 0; k < shape.length; k += 2) {
-      const [x, y] = [(shape[k] ?? 0) - x0, (shape[k + 1] ?? 0) - y0];
-      if (Math.abs(x) > reach || Math.abs(y) > reach) continue;
-      const share = Math.min(1, Math.max(0, (x * ux + y * uy) / (length * length || 1)));
-      const distance = Math.hypot(x - share * ux, y - share * uy);
-      if (distance < (places[k] ?? 0)) places.set([distance, run + share * length], k);
+      const p = pointAt(shape, k / 2);
+      if (Math.abs(p[0] - a[0]) > reach || Math.abs(p[1] - a[1]) > reach) continue;
+      const share = nearestShare(a, b, p);
+      const off = distance(p, between(a, b, share));
+      if (off < (places[k] ?? 0)) places.set([off, run + share * length], k);
     }
   }
   return places;
@@ -94,8 +94,7 @@ export function hollows(
   for (let k = 0; k < into.length; k++) into[k] = (into[k] ?? 0) / Math.max(tiny, reach[k] ?? 0);
 }
 
-const span = (points: ArrayLike<number>, a: number, b: number): number =>
-  Math.hypot(
-    (points[2 * b] ?? 0) - (points[2 * a] ?? 0),
-    (points[2 * b + 1] ?? 0) - (points[2 * a + 1] ?? 0),
-  );
+const pointAt = (points: ArrayLike<number>, k: number): Point => [
+  points[2 * k] ?? 0,
+  points[2 * k + 1] ?? 0,
+];

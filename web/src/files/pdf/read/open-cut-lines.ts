@@ -5,7 +5,7 @@
 import type {DrawnPiece} from '../../../model/garment/imported-drawing.js';
 import {boxOf, isInside, lengthOf} from '../../../model/geometry/polyline.js';
 import {tracedLoop} from '../../base/bezier.js';
-import {nearestOn} from '../../base/nearest.js';
+import {nearestOn} from '../../../model/geometry/nearest.js';
 import {runsOf} from '../../base/edges.js';
 import {cutAround} from '../../svg/cut-around.js';
 import type {Line} from '../../svg/lines.js';

@@ -4,7 +4,7 @@
  */
 import {distance, type Point} from '../../../model/geometry/vectors.js';
 import {lengthOf} from '../../../model/geometry/polyline.js';
-import {nearestOn, type Near} from '../../base/nearest.js';
+import {nearestOn, type Near} from '../../../model/geometry/nearest.js';
 import type {InkLine} from './ink.js';
 import {byStyle, joinedLines} from './styles.js';
 

@@ -1,5 +1,5 @@
 /** The point of a line that is nearest to a given point. */
-import {between, distance, nearestShare, type Point} from '../../model/geometry/vectors.js';
+import {between, distance, nearestShare, type Point} from './vectors.js';
 
 export interface Near {
   readonly at: Point;
