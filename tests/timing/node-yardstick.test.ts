@@ -62,7 +62,7 @@ it('of sixty places for a piece among twelve with 200 vertices', () => {
     const angle = (2 * Math.PI * k) / 200;
     return rotated([15 * (1 + 0.2 * Math.cos(3 * angle)), 0], angle);
   });
-  const cloth: Bolt = {
+  const fabric: Bolt = {
     repeat: {group: 'p2', w1: [10, 0], w2: [0, 10]},
     ...{origin: [3, 2], widthCm: 150, selvedgeCm: 1, gapCm: 0.2, flaws: [], isOneWay: false},
   };
@@ -73,11 +73,11 @@ it('of sixty places for a piece among twelve with 200 vertices', () => {
     },
     place: {angle: 0, translation: [16 + 30 * (k % 4), 18 + 32 * Math.floor(k / 4)]},
   }));
-  for (const one of laid) turnsOf(one.piece, cloth);
-  obstaclesTo(laid, 0, {angle: 0, translation: [30, 30]}, cloth); // fills the cache
+  for (const one of laid) turnsOf(one.piece, fabric);
+  obstaclesTo(laid, 0, {angle: 0, translation: [30, 30]}, fabric); // fills the cache
   const move = () => {
     for (let k = 0; k < 60; k++)
-      obstaclesTo(laid, 0, {angle: 0, translation: plus([70, 50], towards(k), 20)}, cloth);
+      obstaclesTo(laid, 0, {angle: 0, translation: plus([70, 50], towards(k), 20)}, fabric);
   };
   expect(yardsticks(move)).toBeLessThan(0.25);
 });

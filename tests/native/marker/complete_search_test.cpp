@@ -166,11 +166,11 @@ TEST(LayoutSearch, FindsShorterAndShorterLayouts) {
   MarkerProblem problem = fewPieces(2);
   PiecesOnBoard pieces(problem, false);
   while (pieces.makeTable()) continue;
-  LayCloth cloth;
-  cloth.left = problem.selvedge;
-  cloth.right = problem.width - problem.selvedge;
-  cloth.origin = {problem.phases[0], 0};
-  LayoutSearch search(pieces, cloth, 1);
+  LayFabric fabric;
+  fabric.left = problem.selvedge;
+  fabric.right = problem.width - problem.selvedge;
+  fabric.origin = {problem.phases[0], 0};
+  LayoutSearch search(pieces, fabric, 1);
   EXPECT_FALSE(search.best());
   double before = kNowhere;
   const auto look = [&] {

@@ -107,7 +107,7 @@ TEST(MarkerErrors, SayThatThereIsNothingToLay) {
   EXPECT_EQ(refusalOf(problem), "There is no piece to lay.");
 }
 
-TEST(MarkerErrors, SayThatPinnedPiecesOverlapOrLeaveTheCloth) {
+TEST(MarkerErrors, SayThatPinnedPiecesOverlapOrLeaveTheFabric) {
   MarkerProblem problem = oneBar("p2", 8, 12);
   problem.width = 30;
   problem.start = 0;

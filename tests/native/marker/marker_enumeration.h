@@ -121,15 +121,15 @@ class Enumeration {
 inline double completely(const MarkerProblem& problem, double longest) {
   PiecesOnBoard pieces(problem, false);
   while (pieces.makeTable()) continue;
-  LayCloth cloth;
-  cloth.left = problem.selvedge;
-  cloth.right = problem.width - problem.selvedge;
-  cloth.is_by_garment = problem.nap == Nap::kGarment;
-  cloth.is_fixed = problem.start.has_value();
-  cloth.origin = {problem.phases[0], problem.start.value_or(0)};
+  LayFabric fabric;
+  fabric.left = problem.selvedge;
+  fabric.right = problem.width - problem.selvedge;
+  fabric.is_by_garment = problem.nap == Nap::kGarment;
+  fabric.is_fixed = problem.start.has_value();
+  fabric.origin = {problem.phases[0], problem.start.value_or(0)};
   double best = kNowhere;
   for (double target = longest; target > 0; target = best - 1e-4) {
-    CompleteSearch search(pieces, cloth, target);
+    CompleteSearch search(pieces, fabric, target);
     EXPECT_TRUE(search.canProve());
     if (!search.canProve()) return kNowhere;
     while (search.step(1e4)) continue;

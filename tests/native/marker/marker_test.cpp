@@ -237,7 +237,7 @@ TEST(Marker, ChoosesTheBestOfSeveralPhases) {
   expectValid(problem, *marker);
 }
 
-TEST(Marker, IsNeverMuchLongerOnWiderCloth) {
+TEST(Marker, IsNeverMuchLongerOnWiderFabric) {
   MarkerProblem problem = someProblem(groupOf("p2", {5, 0}, {0, 5}), 6, 50, 13);
   problem.effort = 0.01;
   problem.also_free = true;

@@ -144,7 +144,7 @@ TEST(PhotoCoin, ASoftShadowIsNoPartOfIt) {
   EXPECT_NEAR(coin.value().scale, 3, 0.03);
 }
 
-TEST(PhotoCoin, PlainClothHasNone) {
+TEST(PhotoCoin, PlainFabricHasNone) {
   const Photo photo = photographed(
       480, 360,
       [](const Vec2&) {

@@ -210,7 +210,7 @@ TEST(GroupReading, SeesThatOneMotifOfManyBreaksAGroup) {
   EXPECT_EQ(bestName(reading), "p1");
 }
 
-TEST(GroupReading, IsUncertainOfPlainCloth) {
+TEST(GroupReading, IsUncertainOfPlainFabric) {
   CellPicture cell = plaid({1}, {1});
   Chance chance(9);
   for (auto& plane : cell.planes) {

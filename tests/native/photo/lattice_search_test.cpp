@@ -65,7 +65,7 @@ TEST(LatticeSearch, FindsTheLatticeOfAPrintFromAboveWithinATenthOfAPercent) {
   EXPECT_LT(TiltedLattice::of(reading.map).basis.determinant(), 0);  // counter-clockwise, y down
 }
 
-TEST(LatticeSearch, FindsItOnTiltedCloth) {
+TEST(LatticeSearch, FindsItOnTiltedFabric) {
   const DiscPrint print(5);
   const TiltedLattice truth = latticeOnPicture(columns(70, -15, 12, 80), Vec2(0.15, -0.1));
   const DrawnPicture picture = photographed(truth, [&](const Vec2& u) { return print.at(u); });

@@ -5,7 +5,7 @@ import {expect, it} from 'vitest';
 import type {LayPlan} from '@/model/result/marker-plan.js';
 import {barriers} from '../../support/page/barriers.js';
 import {button, saved, usePage} from '../../support/page/page.js';
-import {clothOf, laid, pane, panel, status} from '../../support/page/marker.js';
+import {layoutOf, laid, pane, panel, status} from '../../support/page/marker.js';
 
 const openPage = usePage();
 
@@ -33,7 +33,7 @@ it(
   'adds a flaw in the middle of what is seen, moves it and makes it larger by keys, and says so',
   {tags: ['thorough']},
   async () => {
-    const page = await clothOf(await openPage());
+    const page = await layoutOf(await openPage());
     await panel(page).getByRole('button', {name: 'Add a flaw'}).focus();
     await page.keyboard.press('Enter');
     await expect.poll(() => rows(page).count()).toBe(1);
@@ -73,7 +73,7 @@ it(
   'takes the place and size of a flaw by figures, removes it by Delete, and leaves the focus near',
   {tags: ['thorough']},
   async () => {
-    const page = await clothOf(await openPage());
+    const page = await layoutOf(await openPage());
     await pane(page).locator('.application').focus();
     await page.keyboard.press('Shift+X');
     await page.keyboard.press('ArrowRight'); // acts on the new flaw
@@ -123,7 +123,7 @@ it.each([
   'keeps nobody out of the list of flaws in %s, %i pixels wide',
   {tags: ['thorough']},
   async (colorScheme, width) => {
-    const page = await clothOf(await openPage({colorScheme, viewport: {width, height: 800}}));
+    const page = await layoutOf(await openPage({colorScheme, viewport: {width, height: 800}}));
     await panel(page).getByRole('button', {name: 'Add a flaw'}).click();
     await laid(page);
     await expect.poll(() => rows(page).getByRole('group').count()).toBe(1);

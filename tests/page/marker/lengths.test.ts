@@ -6,7 +6,7 @@ import type {LayPlan} from '@/model/result/marker-plan.js';
 import {button, saved, usePage} from '../../support/page/page.js';
 import {
   bought,
-  clothOf,
+  layoutOf,
   facts,
   laid,
   layTwice,
@@ -25,7 +25,7 @@ it(
   'tells the lengths on other widths as those of all pieces packed anew while some are off the fabric or moved',
   {tags: ['thorough']},
   async () => {
-    const page = await clothOf(await openPage());
+    const page = await layoutOf(await openPage());
     await expect.poll(() => panel(page).locator('.widths tbody tr').count()).toBe(6);
     expect((await caption(page)).trim()).toBe('Other widths');
     const present = panel(page).locator('.widths .present .number');
@@ -70,7 +70,7 @@ it(
   'counts the garments that are laid when their number is taken back',
   {tags: ['thorough']},
   async () => {
-    const page = await clothOf(await openPage());
+    const page = await layoutOf(await openPage());
     const before = await bought(page);
     await layTwice(page);
     await button(page, 'Undo').click();

@@ -8,7 +8,7 @@ import {barriers} from '../../support/page/barriers.js';
 import {button, saved, savedCut, solved, usePage} from '../../support/page/page.js';
 import {
   bought,
-  clothOf,
+  layoutOf,
   facts,
   laid,
   layTwice,
@@ -26,14 +26,14 @@ const openPage = usePage();
 const lies = async (page: Page): Promise<string | undefined> =>
   (await status(page))?.replace(/ \(moved .*\)$/, '');
 
-const openCloth = async (options: Parameters<typeof openPage>[0] = {}): Promise<Page> =>
-  clothOf(await openPage(options));
+const openLayout = async (options: Parameters<typeof openPage>[0] = {}): Promise<Page> =>
+  layoutOf(await openPage(options));
 
 it(
   'lays the pieces in their print, says what there is to buy, and marks what is picked everywhere',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
     await expect.poll(() => facts(page)).toMatch(/long, \d+ % used/);
     await expect.poll(() => facts(page)).toMatch(/Proven shortest|At best/);
@@ -67,7 +67,7 @@ it(
   'moves, turns and pins a piece by keys, and takes all of that back',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     await rowOf(page, 'Front').focus();
     await expect.poll(() => status(page)).toMatch(/^Front: /);
     const first = await status(page);
@@ -115,7 +115,7 @@ it(
   'tells how far a piece goes that finds no nearer place, and keeps it in sight',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth({viewport: {width: 1280, height: 600}});
+    const page = await openLayout({viewport: {width: 1280, height: 600}});
     await rowOf(page, 'Front').focus();
     for (let k = 0; k < 4; k++) await page.keyboard.press('+');
     const where = String.raw`repeat from the left, [\d.]+ cm from the start`;
@@ -140,7 +140,7 @@ it(
   'turns what is pinned about where it lies, or leaves it there and says so',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     const start = async (): Promise<number> =>
       Number(/([\d.]+) cm from the start/.exec((await status(page)) ?? '')?.[1]);
     await rowOf(page, 'Front').focus();
@@ -168,7 +168,7 @@ it(
 );
 
 it('tells what pins cost apart from what the print does', {tags: ['thorough']}, async () => {
-  const page = await openCloth();
+  const page = await openLayout();
   const cost = async (): Promise<string | undefined> =>
     /The print costs [\d.]+ cm/.exec(await facts(page))?.[0];
   await expect.poll(cost).toBeDefined();
@@ -188,7 +188,7 @@ it(
   'lists its keys, and none of the pattern, which it takes the place of',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     const keys = page.locator('sw-key-map [popover]');
     await pane(page).locator('.application').focus();
     await page.keyboard.press('?');
@@ -223,7 +223,7 @@ it(
   'leads from a print of unknown size to where that is entered',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
       const print = workbench?.history.design?.print;
@@ -240,7 +240,7 @@ it(
 );
 
 it('leaves what is pinned where it is when it packs the rest', {tags: ['thorough']}, async () => {
-  const page = await openCloth();
+  const page = await openLayout();
   await rowOf(page, 'Back').focus();
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('p');
@@ -261,7 +261,7 @@ it(
   'lets a piece be dragged: to the nearest free place, or with Alt on others, which is said',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     const dragged = async (to: string): Promise<void> => {
       const [from, onto] = await Promise.all(
         ['Front', to].map((name) => pane(page).locator('.piece', {hasText: name}).boundingBox()),
@@ -297,7 +297,7 @@ it(
 );
 
 it('keeps pieces off a flaw that is drawn, until it is removed', {tags: ['thorough']}, async () => {
-  const page = await openCloth();
+  const page = await openLayout();
   const places = () => panel(page).locator('.pieces').innerText();
   const before = await places();
   await pane(page).getByRole('button', {name: 'Mark a flaw'}).click();
@@ -323,7 +323,7 @@ it(
   'cuts as many garments as are asked for, with the allowances of cutting files',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     const allowances = () => panel(page).locator('.allowances').innerText();
     await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 3 cm/);
     const before = await bought(page);
@@ -351,7 +351,7 @@ it(
 );
 
 it('takes a piece off the cloth, until it is packed again', {tags: ['thorough']}, async () => {
-  const page = await openCloth();
+  const page = await openLayout();
   await rowOf(page, 'Sleeve left').focus();
   await page.keyboard.press('Delete');
   await expect.poll(() => pane(page).locator('.piece').count()).toBe(3);
@@ -385,7 +385,7 @@ it(
   'says that the plan is of the design before, and lays the new one',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     await page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
       workbench?.prefer({solveAsIGo: false});
@@ -415,7 +415,7 @@ it(
   'says of fabric that is too narrow which piece is too wide, and remembers what the fabric is like',
   {tags: ['thorough']},
   async () => {
-    const page = await openCloth();
+    const page = await openLayout();
     const width = panel(page).locator('select.width');
     await width.selectOption('150');
     await laid(page);
@@ -438,7 +438,7 @@ it(
 );
 
 it('gives the plan away as it lies, and nothing while pieces lie on each other', async () => {
-  const page = await openCloth();
+  const page = await openLayout();
   const plan = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
   expect(plan).toMatchObject({format: 'seamwise-layplan/1', widthCm: 140});
   expect(plan.placements).toHaveLength(4);
@@ -462,7 +462,7 @@ it.each([
   'keeps nobody out in %s, %i pixels wide',
   {tags: ['thorough']},
   async (colorScheme, width) => {
-    const page = await openCloth({colorScheme, viewport: {width, height: 800}});
+    const page = await openLayout({colorScheme, viewport: {width, height: 800}});
     await rowOf(page, 'Front').focus();
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('p');

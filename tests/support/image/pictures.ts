@@ -2,7 +2,7 @@
 import {deflateSync} from 'node:zlib';
 
 import {crc32} from '@/image/file-kind.js';
-import type {Pixels} from '@/image/tile-cloth.js';
+import type {Pixels} from '@/image/tile-fabric.js';
 
 type Colour = readonly [number, number, number];
 /** Colour at a place from the upper left corner. [px] */

@@ -56,7 +56,7 @@ export function lessRepeats({w1, w2}: Pick<Repeat, 'w1' | 'w2'>, v: Point): Poin
 }
 
 /** The print's points under a piece, relative to those of its alignment. */
-interface OnCloth {
+interface OnFabric {
   /**
    * Distance from a rotation of the group, after moving the first point to its place; mirrored ones
    * are far.
@@ -74,7 +74,7 @@ export function onFabric(
   repeat: Repeat,
   wanted: readonly Point[],
   found: readonly Point[],
-): OnCloth {
+): OnFabric {
   const reach = (points: readonly Point[], k: number): Point => minus(at(points, k), at(points, 0));
   const angle = turnBetween(reach(wanted, 1), reach(found, 1));
   const step = (2 * Math.PI) / turnsOf[repeat.group];

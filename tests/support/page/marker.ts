@@ -36,7 +36,7 @@ export async function layTwice(page: Page): Promise<void> {
 }
 
 /** Opens the layout of a tee in a print that may be upside down. */
-export async function clothOf(page: Page): Promise<Page> {
+export async function layoutOf(page: Page): Promise<Page> {
   await solved(page);
   await showSample(page, 'tee');
   await page.evaluate(() => {

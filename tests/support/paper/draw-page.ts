@@ -7,7 +7,7 @@ import {
   type SKRSContext2D,
 } from '@napi-rs/canvas';
 
-import type {Pixels} from '@/image/tile-cloth.js';
+import type {Pixels} from '@/image/tile-fabric.js';
 import {asPng} from '../image/raw-png.js';
 import {readPdf, type PdfObject, type ReadPdf} from './pdf.js';
 

@@ -8,7 +8,7 @@ import type {Print} from '@/model/print/repeating-print.js';
 import {imageCell} from '@/model/print/wallpaper.js';
 import {cuttingPdf} from '@/paper/cutting-pdf.js';
 import type {Paper} from '@/paper/papers.js';
-import type {PrintWithTile} from '@/picture/cloth.js';
+import type {PrintWithTile} from '@/picture/fabric.js';
 import type {Renderer} from './renderers.js';
 import {comparedPage, type Comparison} from './whole-print.js';
 

@@ -5,7 +5,7 @@
 import {createCanvas} from '@napi-rs/canvas';
 
 import type {LaidPiece} from '@/cutting/cut-sheet.js';
-import type {Pixels} from '@/image/tile-cloth.js';
+import type {Pixels} from '@/image/tile-fabric.js';
 import {apply} from '@/model/geometry/plane-map.js';
 import {cross, norm, onPiece, type Alignment, type Point} from '@/model/geometry/vectors.js';
 import {imageCoordinates} from '@/model/print/image-coordinates.js';

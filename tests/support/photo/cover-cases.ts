@@ -2,7 +2,7 @@
 import {applied, inverse, repeatsAt, type LatticeView} from './camera.js';
 import type {PhotoCase} from './case.js';
 import {Chance} from './chance.js';
-import {printSampler, type Sampler} from './cloth-picture.js';
+import {printSampler, type Sampler} from './fabric-picture.js';
 import {conditionsOf} from './conditions.js';
 import {covers, type Cover} from './covers.js';
 import {floralPrint} from './floral-prints.js';

@@ -3,7 +3,7 @@
 import {applied, inverse, type LatticeView} from './camera.js';
 import type {PhotoCase} from './case.js';
 import {Chance} from './chance.js';
-import {pixelShare, samplerOf, type Sampler} from './cloth-picture.js';
+import {pixelShare, samplerOf, type Sampler} from './fabric-picture.js';
 import {conditionsOf, type Conditions} from './conditions.js';
 import {floralPrint} from './floral-prints.js';
 import {allGroups} from './group-elements.js';

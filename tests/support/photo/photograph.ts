@@ -3,7 +3,7 @@ import type {Point} from '@/model/geometry/vectors.js';
 
 import {applied, homographyOf, inverse, type LatticeView, type Matrix3} from './camera.js';
 import type {Chance} from './chance.js';
-import {clothPicture, printSampler, type Sampler} from './cloth-picture.js';
+import {fabricPicture, printSampler, type Sampler} from './fabric-picture.js';
 import type {Conditions} from './conditions.js';
 import {creases} from './creases.js';
 import type {Print} from './drawn-print.js';
@@ -83,7 +83,7 @@ function picture(
   chance: Chance,
 ) {
   const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1];
-  return clothPicture(sampler, view, [width, height], {
+  return fabricPicture(sampler, view, [width, height], {
     creases:
       conditions.creases > 0
         ? creases(view.homography, width, height, conditions.creases, chance)

@@ -1,5 +1,5 @@
 /** The image of a sample print's cell as fabric for photos. */
-import {pixelGrid, type Pixels} from '@/image/tile-cloth.js';
+import {pixelGrid, type Pixels} from '@/image/tile-fabric.js';
 import {combined} from '@/model/geometry/vectors.js';
 import type {Print as PrintFile} from '@/model/print/repeating-print.js';
 

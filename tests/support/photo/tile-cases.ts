@@ -5,7 +5,7 @@ import type {GroupName} from '@/model/print/repeating-print.js';
 import {inverse, scaled, type LatticeView, type Matrix3} from './camera.js';
 import type {PhotoCase} from './case.js';
 import {Chance} from './chance.js';
-import {clothPicture, printSampler} from './cloth-picture.js';
+import {fabricPicture, printSampler} from './fabric-picture.js';
 import type {Print} from './drawn-print.js';
 import {throughJpeg} from './files.js';
 import {floralPrint} from './floral-prints.js';
@@ -63,7 +63,7 @@ function painted(print: Print, view: LatticeView, width: number, height: number)
   const light = (_x: number, _y: number, out: Float32Array): void => void out.fill(1);
   const look = {creases: undefined, weave: undefined, light};
   return rgba(
-    coded(clothPicture(printSampler(print, view, width, height), view, [width, height], look)),
+    coded(fabricPicture(printSampler(print, view, width, height), view, [width, height], look)),
   );
 }
 

@@ -76,7 +76,7 @@ async function laid(
 }
 
 describe('a garment on its print', () => {
-  it('is laid where the cloth shows what the result asks for, the same bytes each time', async () => {
+  it('is laid where the fabric shows what the result asks for, the same bytes each time', async () => {
     const plan = await laid([tee]);
     expect(plan.placements).toHaveLength(4);
     expect(plan.printOrigin?.[0]).toBe(3);
@@ -85,7 +85,7 @@ describe('a garment on its print', () => {
     expect(layPlanText(again)).toBe(layPlanText(plan));
   });
 
-  it('says what would take less cloth, and that is true', async () => {
+  it('says what would take less fabric, and that is true', async () => {
     const {phaseCm: given, ...anywhere} = usual;
     expect(given).toBeDefined();
     const best = await marker([usualGarment], {...anywhere, widthCm: 120});
@@ -99,7 +99,7 @@ describe('a garment on its print', () => {
     expect(moved.lengthCm).toBeLessThan((offer ?? worst).lengthCm + 0.5);
   });
 
-  it('takes the least cloth of several phases, and tells of all', async () => {
+  it('takes the least fabric of several phases, and tells of all', async () => {
     const {phaseCm, ...anywhere} = usual;
     expect(phaseCm).toBeDefined();
     const plan = await marker([usualGarment], anywhere);
@@ -148,7 +148,7 @@ describe('a garment on its print', () => {
   });
 });
 
-describe('folded cloth', () => {
+describe('folded fabric', () => {
   it('is cut through both plies: each piece with its mirror image in the fold', async () => {
     const onGrain = {grain: {default: 'on'}} as const;
     const result = await solve({garment: sample('tee'), print, options: onGrain});
@@ -288,7 +288,7 @@ describe('says in one sentence', () => {
       (error: unknown) => String(error),
     );
 
-  it('which piece is wider than the cloth, and what it needs', async () => {
+  it('which piece is wider than the fabric, and what it needs', async () => {
     const sentence = await refused(tee, {widthCm: 60});
     expect(sentence).toMatch(/front|back/);
     expect(sentence).toMatch(/at least \d+(\.\d)? cm/);

@@ -199,11 +199,11 @@ function fileOf({mark, ...options}: Partial<SheetOptions> & {mark?: string} = {}
     metrics: plainMetrics,
     notes: [],
   };
-  const cloth = {...print, tile: '<svg xmlns="http://www.w3.org/2000/svg"/>'};
+  const fabric = {...print, tile: '<svg xmlns="http://www.w3.org/2000/svg"/>'};
   const marks = {title: 'Tie', size: 'M', panels: new Map([['left_half', panel]])};
   return drawSheetSvg(
-    cutSheet(result, cloth, marks, {allowanceCm: 1, units: 'cm', ...options}),
-    cloth,
+    cutSheet(result, fabric, marks, {allowanceCm: 1, units: 'cm', ...options}),
+    fabric,
     mark === undefined ? {} : {mark},
   );
 }
@@ -227,7 +227,7 @@ describe('the file to cut by', () => {
     expect(group(svg, 0)).toMatch(/ inkscape:groupmode="layer" inkscape:label="[^"]+"/);
   });
 
-  it('says how large the repeat of the cloth is', () => {
+  it('says how large the repeat of the fabric is', () => {
     expect(svg).toContain('dashes, repeat 10 cm × 8 cm');
     expect(fileOf({units: 'inch'})).toMatch(/repeat 3.15\/16.in × 3.1\/8.in/);
   });
@@ -254,7 +254,7 @@ describe('the file to cut by', () => {
 
   it('lays the print under a piece as the piece lies on it', () => {
     const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbersIn(
-      /id="cloth-1"[^>]*matrix\(([^)]*)\)/.exec(svg)?.[1],
+      /id="fabric-1"[^>]*matrix\(([^)]*)\)/.exec(svg)?.[1],
     );
     const [x0 = 0, y0 = 0] = sewn(svg, 1); // the sheet's point of the corner (0, 0)
     const p: Point = [12, 7];
@@ -286,7 +286,7 @@ describe('the file to cut by', () => {
     expect(svg.match(/>A<\/text>/g)).toHaveLength(2);
   });
 
-  it('draws the grain along the cloth where nobody says how it runs', () => {
+  it('draws the grain along the fabric where nobody says how it runs', () => {
     const arrow = [...group(svg, 1).matchAll(/ d="([^"]*)"[^>]*stroke-width="0.4"/g)];
     expect(arrow).toHaveLength(3); // the shaft, and a head at both ends
     const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = numbersIn(arrow[0]?.[1]);
@@ -312,7 +312,7 @@ describe('the file to cut by', () => {
 
   it('leaves plain pieces white, without matching marks', () => {
     const plain = fileOf({plain: ['left_half']});
-    expect(group(plain, 0)).not.toContain('url(#cloth');
+    expect(group(plain, 0)).not.toContain('url(#fabric');
     expect(group(plain, 0)).not.toMatch(/>1<\/text>/);
     expect(group(plain, 1)).toMatch(/>1<\/text>/);
   });

@@ -4,7 +4,7 @@ import {describe, expect, it} from 'vitest';
 import {withPrintedSize} from '@/image/png-size.js';
 import {resolutionOf} from '@/image/printed-size.js';
 import {pixelsAt, repeatPixels} from '@/image/repeat-pixels.js';
-import type {Pixels} from '@/image/tile-cloth.js';
+import type {Pixels} from '@/image/tile-fabric.js';
 import {asVariant} from '@/model/print/print-variant.js';
 import {rectangularRepeat} from '@/model/print/rectangular-repeat.js';
 import {latticeVectors, type RepeatSize} from '@/model/print/repeat.js';

@@ -7,7 +7,7 @@ import type {GroupName, Print} from '@/model/print/repeating-print.js';
 import {repeatOf} from '@/model/print/repeat.js';
 import {imageCell, latticeType} from '@/model/print/wallpaper.js';
 import {checkTile, visibleDifference, wholeCell} from '@/image/tile-check.js';
-import type {Pixels} from '@/image/tile-cloth.js';
+import type {Pixels} from '@/image/tile-fabric.js';
 
 const folder = new URL('../../../public/prints/', import.meta.url);
 const prints = readdirSync(folder)

@@ -97,7 +97,7 @@ describe('crosses', () => {
     const [sheet] = planSheets(plan, print, options, {
       ...{...format, isAsHighAsNeeded: true, isRoll: false},
     });
-    const drawn = (sheet?.cloth?.marks ?? []).flatMap((mark) =>
+    const drawn = (sheet?.fabric?.marks ?? []).flatMap((mark) =>
       mark.kind === 'line' && mark.layer === 'matches' && !mark.isClosed
         ? [middle(at(mark.points, 0), at(mark.points, 1))]
         : [],
@@ -130,10 +130,10 @@ describe('the plan as SVG', () => {
     expect(Number(width)).toBe(208);
   });
 
-  it('has the print where it lies on the cloth', () => {
+  it('has the print where it lies on the fabric', () => {
     const svg = drawPlanSvg(plan, {...options, print: {...print, tile: '<svg/>'}});
     const [, numbers = ''] =
-      /id="cloth" xlink:href="#tile" patternTransform="matrix\(([^)]*)\)/.exec(svg) ?? [];
+      /id="fabric" xlink:href="#tile" patternTransform="matrix\(([^)]*)\)/.exec(svg) ?? [];
     const [a, b, c, d, x = NaN, y = NaN] = numbers.split(' ').map(Number);
     expect([a, b, c, d]).toEqual([1, 0, 0, 1]);
     // the left edge of the fabric and its start, as in the rest of the drawing
@@ -192,7 +192,7 @@ describe('the plan as SVG', () => {
     expect(wordsIn(svg)).toContain('The print is ignored: pieces may be anywhere.');
   });
 
-  it('has tables of other phases and other cloth', () => {
+  it('has tables of other phases and other fabric', () => {
     const phases = [
       {phaseCm: 8.2, lengthCm: plan.lengthCm},
       {phaseCm: 4.25, lengthCm: null},
@@ -250,7 +250,7 @@ describe('the plan as PDF', () => {
       {printOrigin: origin, widthCm: 90},
     );
 
-  it('is a page of A4, or one as wide as the cloth', async () => {
+  it('is a page of A4, or one as wide as the fabric', async () => {
     expect(await sizes(plan, 10)).toEqual([[21, 29.7]]);
     const [roll, ...others] = await sizes(plan, 1);
     expect(others).toEqual([]);
@@ -258,7 +258,7 @@ describe('the plan as PDF', () => {
     expect(roll?.[1]).toBeGreaterThan(plan.lengthCm);
   });
 
-  it('goes on where it is long, and shows each stretch of cloth once', async () => {
+  it('goes on where it is long, and shows each stretch of fabric once', async () => {
     const long = repeated(25); // 598 cm
     expect(long.lengthCm).toBeCloseTo(24 * 24 + 22, 6);
     expect((await sizes(long, 10)).length).toBeGreaterThan(3);
@@ -268,7 +268,7 @@ describe('the plan as PDF', () => {
     const format = {scale: 10, widthCm: 210, heightCm: 297, marginCm: 10};
     const parts = planSheets(long, print, options, {
       ...{...format, isAsHighAsNeeded: false, isRoll: false},
-    }).flatMap(({cloth}) => (cloth ? [[cloth.from, cloth.to]] : []));
+    }).flatMap(({fabric}) => (fabric ? [[fabric.from, fabric.to]] : []));
     expect(parts.length).toBeGreaterThan(2);
     expect(at(parts, 0)[0]).toBe(0);
     expect(at(parts, -1)[1]).toBeCloseTo(long.lengthCm, 9);
@@ -277,7 +277,7 @@ describe('the plan as PDF', () => {
     });
   });
 
-  it('lies on its side on paper, or is smaller, where the cloth is wide', async () => {
+  it('lies on its side on paper, or is smaller, where the fabric is wide', async () => {
     expect(await sizes({...plan, widthCm: 220}, 10)).toEqual([[29.7, 21]]);
     expect(await sizes({...plan, widthCm: 320}, 10)).toEqual([[21, 29.7]]);
   });

@@ -65,7 +65,7 @@ const bolt = (more: Partial<Bolt> = {}): Bolt => ({
   ...more,
 });
 
-describe('the places of a piece on printed cloth', () => {
+describe('the places of a piece on printed fabric', () => {
   it.each(groupNames)(
     'show it the same print, by one symmetry that mirrors nothing: %s',
     (group) => {
@@ -79,16 +79,16 @@ describe('the places of a piece on printed cloth', () => {
         piece: piece({turns: 'any', alignment: {angle: 0.4, translation: [5, -3]}}),
         place: {angle: 0, translation: [40, 0]},
       };
-      const cloth = bolt({repeat});
-      const turns = turnsOf(laid.piece, cloth);
+      const fabric = bolt({repeat});
+      const turns = turnsOf(laid.piece, fabric);
       const proper = printElements(repeat).filter((element) => determinant(element) > 0);
       expect(turns).toHaveLength(proper.length);
       for (const turn of turns) {
-        const {all} = new Places([laid], 0, turn, cloth);
+        const {all} = new Places([laid], 0, turn, fabric);
         expect(all.length).toBeGreaterThan(10);
         for (const translation of all.slice(0, 20)) {
           const seen = laid.piece.outline.map((p) =>
-            minus(onPiece({angle: turn.angle, translation}, p), cloth.origin),
+            minus(onPiece({angle: turn.angle, translation}, p), fabric.origin),
           );
           const meant = laid.piece.outline.map((p) => onPrint(laid.piece.alignment, p));
           const missed = proper.map((element) =>
@@ -104,20 +104,20 @@ describe('the places of a piece on printed cloth', () => {
     },
   );
 
-  it('are those on the cloth, between its selvedges', () => {
-    const cloth = bolt();
+  it('are those on the fabric, between its selvedges', () => {
+    const fabric = bolt();
     const laid: LaidPiece = {piece: piece(), place: {angle: 0, translation: [3, 2]}};
-    const [turn] = turnsOf(laid.piece, cloth);
+    const [turn] = turnsOf(laid.piece, fabric);
     if (!turn) throw new Error('It has no turn.');
-    const places = new Places([laid], 0, turn, cloth);
+    const places = new Places([laid], 0, turn, fabric);
     const columns = new Set(places.all.map(([x]) => Math.round(x)));
     expect([...columns].sort((a, b) => a - b)).toEqual([3, 13, 23, 33, 43, 53, 63, 73, 83]);
     expect(Math.min(...places.all.map(([, y]) => y))).toBeCloseTo(2);
   });
 
   it('are as many turns as grain and direction allow', () => {
-    const angles = (more: Partial<LayablePiece>, cloth: Partial<Bolt>): number[] =>
-      turnsOf(piece(more), bolt(cloth)).map(({angle}) => Math.round((angle * 180) / Math.PI));
+    const angles = (more: Partial<LayablePiece>, fabric: Partial<Bolt>): number[] =>
+      turnsOf(piece(more), bolt(fabric)).map(({angle}) => Math.round((angle * 180) / Math.PI));
     const square = {group: 'p4', w1: [10, 0], w2: [0, 10]} as const;
     expect(angles({}, {repeat: square})).toEqual([0, 180]);
     expect(angles({turns: 'quarter'}, {repeat: square}).sort((a, b) => a - b)).toEqual([
@@ -129,8 +129,8 @@ describe('the places of a piece on printed cloth', () => {
   });
 
   it('take in shifts of the print that fit as well', () => {
-    const cloth = bolt({repeat: {group: 'p1', w1: [10, 0], w2: [0, 10]}});
-    const [turn] = turnsOf(piece({shifts: [[0, 5]]}), cloth);
+    const fabric = bolt({repeat: {group: 'p1', w1: [10, 0], w2: [0, 10]}});
+    const [turn] = turnsOf(piece({shifts: [[0, 5]]}), fabric);
     expect(turn?.bases).toEqual([
       [3, 2],
       [3, 7],
@@ -139,7 +139,7 @@ describe('the places of a piece on printed cloth', () => {
 });
 
 describe('what is in the way', () => {
-  const cloth = bolt();
+  const fabric = bolt();
   const at = (x: number, y: number): LaidPiece => ({
     piece: piece(),
     place: {angle: 0, translation: [x, y]},
@@ -148,7 +148,7 @@ describe('what is in the way', () => {
   it('is another piece nearer than the gap, a flaw, an edge', () => {
     const laid = [at(3, 2), at(23, 2)];
     const to = (x: number, y: number, more: Partial<Bolt> = {}) =>
-      obstaclesTo(laid, 0, {angle: 0, translation: [x, y]}, {...cloth, ...more});
+      obstaclesTo(laid, 0, {angle: 0, translation: [x, y]}, {...fabric, ...more});
     expect(isFree(to(3, 2))).toBe(true);
     expect(to(13, 2).pieces).toEqual([1]);
     expect(to(4.9, 2).pieces).toEqual([1]); // 0.1 cm apart
@@ -176,11 +176,14 @@ describe('what is in the way', () => {
     });
     const laid = [{piece: small, place: {angle: 0, translation: [15, 10] as const}}, at(3, 2)];
     const to = (k: number) =>
-      obstaclesTo(laid, k, laid[k]?.place ?? {angle: 0, translation: [0, 0]}, {...cloth, gapCm: 0});
+      obstaclesTo(laid, k, laid[k]?.place ?? {angle: 0, translation: [0, 0]}, {
+        ...fabric,
+        gapCm: 0,
+      });
     expect(to(0).pieces).toEqual([1]);
     expect(to(1).pieces).toEqual([0]);
     const twins = [at(3, 2), at(3, 2)];
-    expect(obstaclesTo(twins, 0, at(3, 2).place, {...cloth, gapCm: 0}).pieces).toEqual([1]);
+    expect(obstaclesTo(twins, 0, at(3, 2).place, {...fabric, gapCm: 0}).pieces).toEqual([1]);
   });
 
   it('is told as sampling the outlines finely tells it', () => {
@@ -216,15 +219,15 @@ describe('what is in the way', () => {
 });
 
 describe('a piece that is moved', () => {
-  const cloth = bolt();
+  const fabric = bolt();
   const laid: readonly LaidPiece[] = [
     {piece: piece(), place: {angle: 0, translation: [3, 2]}},
     {piece: piece(), place: {angle: 0, translation: [23, 2]}},
   ];
   const places = (k: number): Places => {
-    const [turn] = turnsOf(piece(), cloth);
+    const [turn] = turnsOf(piece(), fabric);
     if (!turn) throw new Error('It has no turn.');
-    return new Places(laid, k, turn, cloth);
+    return new Places(laid, k, turn, fabric);
   };
 
   it('goes to the nearest free place, or to the nearest', () => {
@@ -264,7 +267,7 @@ describe('a piece that is moved', () => {
     );
   });
 
-  it('uses as much cloth as it reaches', () => {
+  it('uses as much fabric as it reaches', () => {
     expect(usedLength(laid)).toBeCloseTo(30);
     expect(usedLength([])).toBe(0);
   });

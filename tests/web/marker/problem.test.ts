@@ -140,7 +140,7 @@ describe('shifts after which a print fits as well', () => {
 describe('a print repeats', () => {
   const repeat = (w1: Point, w2: Point): Repeat => ({group: 'p1', w1, w2});
 
-  it('across the cloth by its lattice, and by less where the cloth may be cut anywhere', () => {
+  it('across the fabric by its lattice, and by less where the fabric may be cut anywhere', () => {
     expect(acrossRepeat(repeat([10, 0], [0, 14]))).toBeCloseTo(10, 9);
     expect(acrossRepeat(repeat([6, 4], [-6, 4]))).toBeCloseTo(6, 9);
     expect(acrossRepeat(repeat([6, 4], [-6, 4]), true)).toBeCloseTo(12, 9);
@@ -251,7 +251,7 @@ describe('a problem', () => {
     expect(problem.pieces[9]?.name).toBe('right_half of L.json');
   });
 
-  it('leaves pieces of plain cloth out, and says so', () => {
+  it('leaves pieces of plain fabric out, and says so', () => {
     const {pieces, notes} = orderOf({options: {plain: ['left_half']}});
     expect(pieces.map(({piece}) => piece)).toEqual(['right_half']);
     expect(notes.map((note) => saidNote(note))).toEqual([
@@ -449,7 +449,7 @@ describe('a plan', () => {
   };
   const plan = layPlan(order, answer);
 
-  it('lays cut lines on cloth that is cut off where the first begins, and the print with them', () => {
+  it('lays cut lines on fabric that is cut off where the first begins, and the print with them', () => {
     const [one, two] = plan.placements;
     expect(one).toMatchObject({result: 0, copy: 0, piece: 'left_half', angle: 0});
     const all = boxOf(plan.placements.flatMap(({cut}) => cut));
@@ -494,7 +494,7 @@ describe('a plan', () => {
     expect(said(186.97, 199.02)).toMatch(/^187 to 199 cm, depending /); // 187.0 and 199.0
   });
 
-  it('stays where it is on cloth whose start is told, and has no print where that is ignored', () => {
+  it('stays where it is on fabric whose start is told, and has no print where that is ignored', () => {
     const told = layPlan(orderOf({}, {allowanceCm: 1, startCm: 3, phaseCm: 2.5}), answer);
     expect(told.printOrigin).toEqual([2.5, 3]);
     expect(told.placements[0]?.translation).toEqual([3, 1.01]);

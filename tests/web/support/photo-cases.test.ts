@@ -7,7 +7,7 @@ import {bandKinds, bandPrint} from '../../support/photo/band-prints.js';
 import {applied} from '../../support/photo/camera.js';
 import {cellPixels, type CaseHead, type PrintTruth} from '../../support/photo/case.js';
 import {Chance} from '../../support/photo/chance.js';
-import {samplerOf} from '../../support/photo/cloth-picture.js';
+import {samplerOf} from '../../support/photo/fabric-picture.js';
 import {conditionsOf, type Conditions} from '../../support/photo/conditions.js';
 import type {Print} from '../../support/photo/drawn-print.js';
 import {decoded, jpegOf, stored, withExif, type Orientation} from '../../support/photo/files.js';

@@ -5,9 +5,9 @@ import {describe, expect, it, vi} from 'vitest';
 import {formatted, text, type Source} from '@/texts/base/message.js';
 import {answer} from '@/texts/en/answer.js';
 import {cutting} from '@/texts/en/cut.js';
-import {worn} from '@/texts/en/drape.js';
+import {drape} from '@/texts/en/drape.js';
 import {importing} from '@/texts/en/import.js';
-import {cloth} from '@/texts/en/marker.js';
+import {marker} from '@/texts/en/marker.js';
 import {page} from '@/texts/en/page.js';
 import {pattern} from '@/texts/en/pattern.js';
 import {photo} from '@/texts/en/photo.js';
@@ -27,7 +27,7 @@ const translations = languages.filter((language) => language !== 'en');
 /** English texts by the names of their translations' files. */
 const files = {
   ...{page, pattern, answer, print, samples: sampleNames},
-  ...{cut: cutting, drape: worn, import: importing, marker: cloth, photo, plan, sew, sheet},
+  ...{cut: cutting, drape, import: importing, marker, photo, plan, sew, sheet},
 };
 
 /** Texts by their paths; a function is the text that it was made from. */

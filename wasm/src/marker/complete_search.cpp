@@ -53,7 +53,7 @@ void CompleteSearch::setValues(Level* level, int item, unsigned order) const {
 /// @param last   the last placed one of these; null before the first
 bool CompleteSearch::setNext(Level* level, const SlotDot* last) {
   // If the cut is not fixed, the tallest piece is placed before the others side by side.
-  const unsigned laid = cloth_.is_fixed ? 0 : 1;
+  const unsigned laid = fabric_.is_fixed ? 0 : 1;
   const unsigned order = last == nullptr ? 0 : last->order;
   if (tall_->empty() || (order | laid) == tall_->all()) {
     setValues(level, nextItem(*level), tall_->all());
@@ -93,7 +93,7 @@ void CompleteSearch::removeLike(Level* level, const SlotDot& value) const {
 /// True if both ways are compatible with the same direction for all pieces of one garment.
 bool CompleteSearch::mayPoint(const SearchSlot& slot, const SearchSlot& other) const {
   const LayItem &a = pieces_.items()[slot.item], &b = pieces_.items()[other.item];
-  return !cloth_.is_by_garment || a.garment != b.garment ||
+  return !fabric_.is_by_garment || a.garment != b.garment ||
          a.ways[slot.way].is_up == b.ways[other.way].is_up;
 }
 
@@ -129,7 +129,7 @@ void CompleteSearch::place(const SlotDot& value) {
   places_[at.item] = {at.way, value.dot};
   if (depth_ == levels_.size()) {
     LaidPieces layout{places_};
-    measure(pieces_, cloth_, &layout);
+    measure(pieces_, fabric_, &layout);
     found_ = layout;
     return;
   }

@@ -16,7 +16,7 @@ namespace seamwise {
 class CompleteSearch {
  public:
   /// @param length   greatest length of a layout. [cm]
-  CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& cloth, double length);
+  CompleteSearch(const PiecesOnBoard& pieces, const LayFabric& fabric, double length);
 
   /// True if the end of the search is a proof: the board has all dots, rows are level, they repeat
   /// or the cut is fixed, and none has more than 64 dots. Otherwise `step` must not be called.
@@ -61,7 +61,7 @@ class CompleteSearch {
   const BitTable& bitsOf(int first, int second);
 
   const PiecesOnBoard& pieces_;
-  LayCloth cloth_;
+  LayFabric fabric_;
   double length_;
   bool can_prove_ = false;
   SearchSlots slots_;

@@ -14,15 +14,15 @@ constexpr double kSameHeight = 1e-6;  // cm
 
 }  // namespace
 
-CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& cloth, double length)
-    : pieces_(pieces), cloth_(cloth), length_(length) {
+CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayFabric& fabric, double length)
+    : pieces_(pieces), fabric_(fabric), length_(length) {
   const bool is_level = pieces.board().along.y() == 0;
-  if (pieces.isFine() || !pieces.isWhole() || !is_level || !(pieces.period() || cloth.is_fixed))
+  if (pieces.isFine() || !pieces.isWhole() || !is_level || !(pieces.period() || fabric.is_fixed))
     return;
   // The tallest piece starts within one repeat. Its position limits the others through pairs.
-  const double repeat = cloth.is_fixed ? 0 : *pieces.period();
-  const double below = cloth.is_fixed ? 0 : length;
-  can_prove_ = setSlots({cloth.left, cloth.right, -below, repeat + length});
+  const double repeat = fabric.is_fixed ? 0 : *pieces.period();
+  const double below = fabric.is_fixed ? 0 : length;
+  can_prove_ = setSlots({fabric.left, fabric.right, -below, repeat + length});
   if (!can_prove_) return;
   bits_.resize(static_cast<std::size_t>(pieces.placedCount()) * pieces.placedCount());
   places_.resize(slots_.of.size());
@@ -36,7 +36,7 @@ CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& clot
 /// word.
 bool CompleteSearch::setSlots(const Window& window) {
   const double up = pieces_.board().up.y();
-  const auto ways = allowedWays(pieces_, cloth_);
+  const auto ways = allowedWays(pieces_, fabric_);
   slots_.of.resize(ways.size());
   for (std::size_t item = 0; item < ways.size(); ++item) {
     for (const int way : ways[item]) {
@@ -45,13 +45,13 @@ bool CompleteSearch::setSlots(const Window& window) {
       slot.item = static_cast<int>(item);
       slot.way = way;
       slot.placed = placed;
-      slot.low = pieces_.bottomAt(placed, {0, 0}, cloth_.origin);
-      slot.high = pieces_.topAt(placed, {0, 0}, cloth_.origin);
+      slot.low = pieces_.bottomAt(placed, {0, 0}, fabric_.origin);
+      slot.high = pieces_.topAt(placed, {0, 0}, fabric_.origin);
       slot.middle =
-          pieces_.at(placed, {0, 0}, cloth_.origin).x() + pieces_.shape(placed).middle().x();
-      slot.domain = pieces_.domain(placed, window, cloth_.origin);
+          pieces_.at(placed, {0, 0}, fabric_.origin).x() + pieces_.shape(placed).middle().x();
+      slot.domain = pieces_.domain(placed, window, fabric_.origin);
       slot.row0 = static_cast<std::ptrdiff_t>(dots_.size()) - slot.domain.first;
-      const auto flaws = pieces_.flawTables(placed, cloth_.origin);
+      const auto flaws = pieces_.flawTables(placed, fabric_.origin);
       for (int j = slot.domain.first; j <= slot.domain.rows().hi; ++j) {
         const DotRun& run = slot.domain.row(j);
         if (run.size() > kBits) return false;
@@ -98,7 +98,7 @@ void CompleteSearch::begin() {
     const bool is_in = slot.high - slot.low < length_ + kSameHeight;
     level.left.rows.push_back(is_in ? slot.domain.rows() : DotRun{});
     DotRun& rows = level.left.rows.back();
-    if (!cloth_.is_fixed && slot.item == order_.front()) {
+    if (!fabric_.is_fixed && slot.item == order_.front()) {
       const double up = pieces_.board().up.y();
       const auto rowFrom = [&](double height) {
         return static_cast<int>(std::ceil((height - kSameHeight - slot.low) / up));
@@ -111,7 +111,7 @@ void CompleteSearch::begin() {
   if (std::any_of(level.counts.begin(), level.counts.end(), [](int n) { return n == 0; })) return;
   tall_.emplace(pieces_, slots_, order_, length_);
   depth_ = 1;
-  if (!cloth_.is_fixed)
+  if (!fabric_.is_fixed)
     setValues(&level, order_.front(), 0);
   else if (!setNext(&level, nullptr))
     depth_ = 0;

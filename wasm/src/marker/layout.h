@@ -19,7 +19,7 @@ struct LaidPieces {
 };
 
 /// The fabric for a board's pieces, and the position of the print on it.
-struct LayCloth {
+struct LayFabric {
   double left = 0, right = 0;    ///< bounds of the usable part. [cm]
   Vec2 origin = Vec2::Zero();    ///< origin of the print, and so of the board. [cm]
   bool is_fixed = false;         ///< the cut is at 0; false: it is at the start of the layout
@@ -29,14 +29,14 @@ struct LayCloth {
 };
 
 /// Computes the ends of a layout, which starts at 0 if the cut is fixed.
-void measure(const PiecesOnBoard& pieces, const LayCloth& cloth, LaidPieces* layout);
+void measure(const PiecesOnBoard& pieces, const LayFabric& fabric, LaidPieces* layout);
 
 /// Indices of the allowed ways of every item.
-std::vector<std::vector<int>> allowedWays(const PiecesOnBoard& pieces, const LayCloth& cloth);
+std::vector<std::vector<int>> allowedWays(const PiecesOnBoard& pieces, const LayFabric& fabric);
 
 /// Possible start heights of a layout within one repeat: those of a lowest piece, or one height if
 /// the cut is fixed. At most `most` of them, evenly chosen. [cm]
-std::vector<double> beginnings(const PiecesOnBoard& pieces, const LayCloth& cloth,
+std::vector<double> beginnings(const PiecesOnBoard& pieces, const LayFabric& fabric,
                                std::size_t most);
 
 }  // namespace seamwise

@@ -113,8 +113,8 @@ std::optional<LayPlace> LayoutSearch::lowest(int item) {
       const DotRun& run = domain.row(j);
       if (run.empty()) continue;
       const auto cost = [&](int i) {
-        return pieces_.topAt(placed, {i, j}, cloth_.origin) +
-               1e-4 * pieces_.at(placed, {i, j}, cloth_.origin).x();
+        return pieces_.topAt(placed, {i, j}, fabric_.origin) +
+               1e-4 * pieces_.at(placed, {i, j}, fabric_.origin).x();
       };
       if (is_level && cost(run.lo) >= least) break;  // higher rows cost more
       scoreRow(others, j, run);

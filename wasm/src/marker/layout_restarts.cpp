@@ -27,7 +27,7 @@ void LayoutSearch::closeUp(double by) {
   const int down = static_cast<int>(std::ceil(by / pieces_.board().up.y()));
   const auto bottomOf = [&](int item) {
     const int placed = pieces_.items()[item].ways[places_[item].way].placed;
-    return pieces_.bottomAt(placed, places_[item].dot, cloth_.origin);
+    return pieces_.bottomAt(placed, places_[item].dot, fabric_.origin);
   };
   const double cut = bottomOf(random_.below(count_));
   for (int item = 0; item < count_; ++item)
@@ -91,7 +91,7 @@ void LayoutSearch::swapTwo() {
   };
   const auto middleOf = [&](int item, Dot dot) {
     const int placed = placedOf(item);
-    return Vec2(pieces_.at(placed, dot, cloth_.origin) + pieces_.shape(placed).middle());
+    return Vec2(pieces_.at(placed, dot, fabric_.origin) + pieces_.shape(placed).middle());
   };
   constexpr int kTries = 20;
   for (int tried = 0; tried < kTries; ++tried) {

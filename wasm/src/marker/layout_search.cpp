@@ -26,17 +26,17 @@ constexpr double kMuchLess = 0.98;  ///< share of the least overlap so far
 
 }  // namespace
 
-LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uint64_t seed)
+LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayFabric fabric, std::uint64_t seed)
     : pieces_(pieces),
-      cloth_(std::move(cloth)),
+      fabric_(std::move(fabric)),
       random_(seed),
       count_(static_cast<int>(pieces.items().size())),
-      ways_(allowedWays(pieces, cloth_)),
+      ways_(allowedWays(pieces, fabric_)),
       flaws_(pieces.placedCount()),
-      beginnings_(beginnings(pieces, cloth_, kMostBeginnings)),
+      beginnings_(beginnings(pieces, fabric_, kMostBeginnings)),
       shrink_(pieces.isFine() ? kFirstShrink : 0) {
   for (int placed = 0; placed < pieces.placedCount(); ++placed)
-    flaws_[placed] = pieces.flawTables(placed, cloth_.origin);
+    flaws_[placed] = pieces.flawTables(placed, fabric_.origin);
   places_.resize(count_);
   weights_.assign(static_cast<std::size_t>(count_) * count_, 1);
   overlaps_.assign(weights_.size(), 0);
@@ -83,7 +83,7 @@ bool LayoutSearch::construct() {
     places_[item] = *found;
     if (++laid_ < order.size()) return true;
     LaidPieces layout{places_};
-    measure(pieces_, cloth_, &layout);
+    measure(pieces_, fabric_, &layout);
     offer(layout);
   } else {
     laid_ = 0;
@@ -108,14 +108,14 @@ double LayoutSearch::firstHeight() const {
     tallest = std::max(tallest, pieces_.shape(placed).high.y() - pieces_.shape(placed).low.y());
   constexpr double kUnknownRepeat = 100;
   const double repeat = pieces_.period().value_or(kUnknownRepeat);
-  const double width = std::max(cloth_.right - cloth_.left, 1.0);
+  const double width = std::max(fabric_.right - fabric_.left, 1.0);
   return 2 * (pieces_.area() / width + tallest + repeat);
 }
 
 void LayoutSearch::offer(const LaidPieces& layout) {
   if (best_ && layout.length() > best_->length() - kShorter / 2) return;  // tolerates rounding
   best_ = layout;
-  beginning_ = cloth_.is_fixed ? 0 : layout.bottom;
+  beginning_ = fabric_.is_fixed ? 0 : layout.bottom;
   is_under_way_ = false;
 }
 
@@ -126,10 +126,10 @@ bool LayoutSearch::hasPlace(int item) const {
 }
 
 void LayoutSearch::setWindow(double bottom, double length) {
-  window_ = {cloth_.left, cloth_.right, bottom, bottom + length};
+  window_ = {fabric_.left, fabric_.right, bottom, bottom + length};
   domains_ = std::vector<Domain>(pieces_.placedCount());
   for (int placed = 0; placed < pieces_.placedCount(); ++placed)
-    domains_[placed] = pieces_.domain(placed, window_, cloth_.origin);
+    domains_[placed] = pieces_.domain(placed, window_, fabric_.origin);
 }
 
 float LayoutSearch::overlap(int a, int b) const {
@@ -233,7 +233,7 @@ bool LayoutSearch::improve() {
   if (left == 0) {
     if (restarts_ == 0) shrink_ = std::min(kMostShrink, 1.5 * shrink_);
     LaidPieces layout{places_};
-    measure(pieces_, cloth_, &layout);
+    measure(pieces_, fabric_, &layout);
     offer(layout);
     return true;
   }

@@ -14,9 +14,9 @@ namespace seamwise {
 /// grow, as in guided local search [Umetani et al. 2009; Gardeyn and Wauters 2025].
 class LayoutSearch {
  public:
-  LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uint64_t seed);
+  LayoutSearch(const PiecesOnBoard& pieces, LayFabric fabric, std::uint64_t seed);
 
-  const LayCloth& cloth() const { return cloth_; }
+  const LayFabric& fabric() const { return fabric_; }
   /// Places one more piece of a layout, in a sequence of orders and start heights. Returns false if
   /// there are no more orders or a piece does not fit.
   bool construct();
@@ -76,7 +76,7 @@ class LayoutSearch {
   bool hasPlace(int item) const;
 
   const PiecesOnBoard& pieces_;
-  LayCloth cloth_;
+  LayFabric fabric_;
   Random random_;
   int count_;
   std::vector<std::vector<int>> ways_;               ///< allowed ways per item

@@ -27,13 +27,13 @@ double lengthOf(const LayoutSearch& search) {
 Marker::Marker(MarkerProblem problem)
     : problem_(std::move(problem)), pieces_(problem_, problem_.ignores_print) {}
 
-LayCloth Marker::clothOf(double width, double phase) const {
-  LayCloth cloth;
-  cloth.left = problem_.selvedge;
-  cloth.right = width - problem_.selvedge;
-  cloth.is_fixed = problem_.start.has_value();
-  cloth.origin = {problem_.ignores_print ? cloth.left : phase, problem_.start.value_or(0)};
-  return cloth;
+LayFabric Marker::fabricOf(double width, double phase) const {
+  LayFabric fabric;
+  fabric.left = problem_.selvedge;
+  fabric.right = width - problem_.selvedge;
+  fabric.is_fixed = problem_.start.has_value();
+  fabric.origin = {problem_.ignores_print ? fabric.left : phase, problem_.start.value_or(0)};
+  return fabric;
 }
 
 /// Combinations of garments that point down if all pieces of a garment point the same way.
@@ -55,10 +55,10 @@ std::vector<std::vector<int>> Marker::naps() const {
 void Marker::makeVariants() {
   for (std::size_t phase = 0; phase < problem_.phases.size(); ++phase) {
     for (const std::vector<int>& nap : naps()) {
-      LayCloth cloth = clothOf(problem_.width, problem_.phases[phase]);
-      cloth.turned_down = nap;
+      LayFabric fabric = fabricOf(problem_.width, problem_.phases[phase]);
+      fabric.turned_down = nap;
       variants_.push_back(
-          {phase, std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed), false});
+          {phase, std::make_unique<LayoutSearch>(pieces_, fabric, problem_.seed), false});
     }
   }
 }
@@ -82,9 +82,9 @@ void Marker::keepBest() {
     if (!found || (best_ && found->length() > best_->length() - 1e-9)) continue;
     best_ = found;
     best_search_ = variant.search.get();
-    const LayCloth& cloth = best_search_->cloth();
+    const LayFabric& fabric = best_search_->fabric();
     const Vec2 down(0, best_->bottom);
-    origin_ = cloth.origin - down;
+    origin_ = fabric.origin - down;
     places_.clear();
     for (std::size_t k = 0; k < best_->places.size(); ++k) {
       const LayPlace& place = best_->places[k];
@@ -199,15 +199,15 @@ std::vector<double> Marker::phaseLengths() const {
 std::vector<RigidMotion> Marker::freePlaces(int piece) const {
   constexpr std::size_t kMostPlaces = 20000;
   std::vector<RigidMotion> places;
-  const LayCloth& cloth = best_search_->cloth();
+  const LayFabric& fabric = best_search_->fabric();
   const double more = pieces_.period().value_or(50);
-  const Window window{cloth.left, cloth.right, best_->bottom, best_->top + more};
+  const Window window{fabric.left, fabric.right, best_->bottom, best_->top + more};
   const LayItem& item = pieces_.items()[piece];
-  const std::vector<int> ways = allowedWays(pieces_, cloth)[piece];
+  const std::vector<int> ways = allowedWays(pieces_, fabric)[piece];
   for (const int way : ways) {
     const int placed = item.ways[way].placed;
-    const auto flaws = pieces_.flawTables(placed, cloth.origin);
-    const Domain domain = pieces_.domain(placed, window, cloth.origin);
+    const auto flaws = pieces_.flawTables(placed, fabric.origin);
+    const Domain domain = pieces_.domain(placed, window, fabric.origin);
     for (int j = domain.first; j <= domain.rows().hi; ++j) {
       for (int i = domain.row(j).lo; i <= domain.row(j).hi; ++i) {
         const Dot dot{i, j};

@@ -58,7 +58,7 @@ class Marker {
   };
 
   explicit Marker(MarkerProblem problem);
-  LayCloth clothOf(double width, double phase) const;
+  LayFabric fabricOf(double width, double phase) const;
   std::vector<std::vector<int>> naps() const;
   void makeTables();
   void makeVariants();
@@ -67,7 +67,7 @@ class Marker {
   bool goOn(LayoutSearch& search, double most);
   void keepBest();
   void beginProof();
-  LayCloth clothOfProof() const;
+  LayFabric fabricOfProof() const;
   bool beginNextProof();
   void take(const LaidPieces& found);
   void prove();

@@ -70,10 +70,10 @@ void Marker::fail() {
       "On this repeat " + piece.name + " fits nowhere across " + centimetres(problem_.width);
   for (double width = problem_.width; width < problem_.width + kMostWider; width += kWider) {
     for (const double phase : problem_.phases) {
-      const LayCloth cloth = clothOf(width, phase);
-      const Window window{cloth.left, cloth.right, 0, 1000};
+      const LayFabric fabric = fabricOf(width, phase);
+      const Window window{fabric.left, fabric.right, 0, 1000};
       for (const LayWay& way : pieces_.items()[item].ways) {
-        if (pieces_.domain(way.placed, window, cloth.origin).empty()) continue;
+        if (pieces_.domain(way.placed, window, fabric.origin).empty()) continue;
         error_ = about(item, "layNowhere", nowhere, width);
         return;
       }

@@ -25,10 +25,10 @@ void Marker::layFree() {
     const double dots = free_pieces_->makeTable();
     reads_ += MarkerTuning::kReadsOfTable + MarkerTuning::kReadsOfDot * dots;
     if (dots > 0) return;
-    LayCloth cloth = clothOf(problem_.width, 0);
-    cloth.origin = {cloth.left, 0};
-    cloth.turned_down = best_search_->cloth().turned_down;
-    free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, cloth, problem_.seed);
+    LayFabric fabric = fabricOf(problem_.width, 0);
+    fabric.origin = {fabric.left, 0};
+    fabric.turned_down = best_search_->fabric().turned_down;
+    free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, fabric, problem_.seed);
   }
   if (goOn(*free_search_, budget())) return;
   // A layout on the print is also one without it.
@@ -44,9 +44,9 @@ void Marker::layWidths() {
   }
   const double width = problem_.widths[width_];
   if (!width_search_) {
-    LayCloth cloth = best_search_->cloth();
-    cloth.right = width - problem_.selvedge;
-    width_search_ = std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed);
+    LayFabric fabric = best_search_->fabric();
+    fabric.right = width - problem_.selvedge;
+    width_search_ = std::make_unique<LayoutSearch>(pieces_, fabric, problem_.seed);
     // A layout on narrower fabric also fits on this one.
     if (width >= problem_.width) width_search_->offer(*best_);
     if (narrower_ && narrower_->best() && width >= problem_.widths[width_ - 1])

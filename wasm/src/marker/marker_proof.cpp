@@ -18,19 +18,19 @@ constexpr double kLessLength = 0.01;   ///< cm
 }  // namespace
 
 /// The fabric of the best layout, but with free directions of garments.
-LayCloth Marker::clothOfProof() const {
-  LayCloth cloth = best_search_->cloth();
-  cloth.is_by_garment = problem_.nap == Nap::kGarment;
-  cloth.turned_down.clear();
-  return cloth;
+LayFabric Marker::fabricOfProof() const {
+  LayFabric fabric = best_search_->fabric();
+  fabric.is_by_garment = problem_.nap == Nap::kGarment;
+  fabric.turned_down.clear();
+  return fabric;
 }
 
 void Marker::beginProof() {
   stage_ = Stage::kDone;
   if (problem_.effort == 0) return;
-  const LayCloth cloth = clothOfProof();
+  const LayFabric fabric = fabricOfProof();
   double tallest = 0;
-  const auto ways = allowedWays(pieces_, cloth);
+  const auto ways = allowedWays(pieces_, fabric);
   for (std::size_t k = 0; k < ways.size(); ++k) {
     double least = std::numeric_limits<double>::infinity();
     for (const int way : ways[k]) {
@@ -39,7 +39,7 @@ void Marker::beginProof() {
     }
     tallest = std::max(tallest, least);
   }
-  const double area = pieces_.area() / (cloth.right - cloth.left);
+  const double area = pieces_.area() / (fabric.right - fabric.left);
   bound_ = std::min(best_->length(), std::max({bound_, tallest, area}));
   is_proven_ = bound() >= length() - kLessLength;
   stage_ = is_proven_ ? Stage::kFree : Stage::kProve;
@@ -60,30 +60,30 @@ bool Marker::beginNextProof() {
                               : best_->length() - kLessLength;
   proof_target_ = is_first ? shortest : (bound_ + best_->length()) / 2;
   proof_work_ = (is_first ? kProofOfBest : kOtherProof) * all;
-  proof_ = std::make_unique<CompleteSearch>(pieces_, clothOfProof(), proof_target_);
+  proof_ = std::make_unique<CompleteSearch>(pieces_, fabricOfProof(), proof_target_);
   ++proofs_;
   return proof_->canProve();
 }
 
 /// Adopts a shorter layout as the best; the variant with its garment directions continues from it.
 void Marker::take(const LaidPieces& found) {
-  LayCloth cloth = best_search_->cloth();
-  for (std::size_t k = 0; k < found.places.size() && !cloth.turned_down.empty(); ++k) {
+  LayFabric fabric = best_search_->fabric();
+  for (std::size_t k = 0; k < found.places.size() && !fabric.turned_down.empty(); ++k) {
     const LayItem& item = pieces_.items()[k];
-    cloth.turned_down[item.garment] = item.ways[found.places[k].way].is_up ? 0 : 1;
+    fabric.turned_down[item.garment] = item.ways[found.places[k].way].is_up ? 0 : 1;
   }
   const auto variantOf = [&](auto is_it) {
     return std::find_if(variants_.begin(), variants_.end(), is_it);
   };
   auto variant = variantOf([&](const Variant& other) {
-    const LayCloth& its = other.search->cloth();
-    return its.origin == cloth.origin && its.turned_down == cloth.turned_down;
+    const LayFabric& its = other.search->fabric();
+    return its.origin == fabric.origin && its.turned_down == fabric.turned_down;
   });
   if (variant == variants_.end()) {
     const auto best =
         variantOf([&](const Variant& other) { return other.search.get() == best_search_; });
     variants_.push_back(
-        {best->phase, std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed), false});
+        {best->phase, std::make_unique<LayoutSearch>(pieces_, fabric, problem_.seed), false});
     variant = variants_.end() - 1;
   }
   variant->search->offer(found);

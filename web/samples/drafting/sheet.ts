@@ -27,7 +27,7 @@ const numberSize = 9;
 const ink = '#26282c';
 const soft = '#6a6d73';
 const paper = '#fbfaf8';
-const cloth = '#efece4';
+const fabric = '#efece4';
 const line = '#4a4d52';
 
 const dot = ([x, y]: Point): string => `${x.toFixed(1)} ${y.toFixed(1)}`;
@@ -202,7 +202,7 @@ function garmentBlock(
     text([margin + garment.title.length * 11 + 20, top + 28], note, {size: 12, fill: soft}),
     `<path d="M${short(end - 10 * scale)} ${top + 20}v6H${end}v-6" fill="none" stroke="${soft}"/>`,
     text([end - 10 * scale - 8, top + 28], '10 cm', {size: 12, fill: soft, anchor: 'end'}),
-    `<g fill="${cloth}" stroke="${line}" stroke-width="1.1" stroke-linejoin="round">${pieces.map(outline).join('')}</g>`,
+    `<g fill="${fabric}" stroke="${line}" stroke-width="1.1" stroke-linejoin="round">${pieces.map(outline).join('')}</g>`,
     `<path d="${pieces.map(grain).join('')}" fill="none" stroke="#9a9488" stroke-width="0.8"/>`,
     `<path d="${pieces.map((one) => notches(one, garment)).join('')}" fill="none" stroke="${line}"/>`,
     `<path d="${pieces.map(edgeEnds).join('')}" fill="none" stroke="${line}" stroke-width="0.8"/>`,

@@ -1,21 +1,26 @@
 /** Compares a print with its moved copies by their pixels, to find its symmetries. */
 import {after, type PlaneMap} from '../../src/model/geometry/plane-map.js';
-import {clothOf, type Cell, type Cloth, type Pixels} from '../../src/image/tile-cloth.js';
+import {
+  tiledFabric,
+  type Cell,
+  type TiledFabric,
+  type Pixels,
+} from '../../src/image/tile-fabric.js';
 import {combined, cross, dot, type Point} from '../../src/model/geometry/vectors.js';
 import {imageCell, latticeAround, printElements} from '../../src/model/print/wallpaper.js';
 import {imageSize} from './tile.js';
 
 /** The cell, each of its pixels the mean of 2 x 2 of the image's, softened `times` times. */
-export const finerCloth = (cell: Cell, image: Pixels, times: number): Cloth =>
-  clothOf(cell, image, [image.width / 2, image.height / 2], times);
+export const finerFabric = (cell: Cell, image: Pixels, times: number): TiledFabric =>
+  tiledFabric(cell, image, [image.width / 2, image.height / 2], times);
 
 /**
  * Mean absolute difference of two fabrics, the second moved right and up by whole pixels. [0, 255]
  * @param enough  a difference above it need not be exact
  */
 export function difference(
-  one: Cloth,
-  other: Cloth,
+  one: TiledFabric,
+  other: TiledFabric,
   [right, up]: Point = [0, 0],
   enough = Infinity,
 ): number {
@@ -37,8 +42,8 @@ export function difference(
 
 /** The least difference over all shifts by whole pixels for which `counts` holds; shifts in cm. */
 export function leastDifference(
-  one: Cloth,
-  other: Cloth,
+  one: TiledFabric,
+  other: TiledFabric,
   counts: (shift: Point) => boolean = () => true,
 ): number {
   const [a, b] = imageCell(one.cell);

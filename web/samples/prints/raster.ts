@@ -1,7 +1,7 @@
 /** Turns SVG files into pixels. */
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 
-import type {Pixels} from '../../src/image/tile-cloth.js';
+import type {Pixels} from '../../src/image/tile-fabric.js';
 
 export type {Pixels};
 

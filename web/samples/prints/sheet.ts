@@ -2,7 +2,7 @@
  * The contact sheet: every print over three cells and more in its colourways, one cell with its
  * symmetry elements.
  */
-import {pixelGrid} from '../../src/image/tile-cloth.js';
+import {pixelGrid} from '../../src/image/tile-fabric.js';
 import {norm, plus, type Point} from '../../src/model/geometry/vectors.js';
 import {boxOf} from '../../src/model/geometry/polyline.js';
 import {escaped, polyline, short, text} from '../../src/files/svg/written.js';

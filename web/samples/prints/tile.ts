@@ -1,6 +1,6 @@
 /** Builds one seamless cell of a print by applying the group's symmetries to motifs. */
 import {apply, type PlaneMap} from '../../src/model/geometry/plane-map.js';
-import type {Cell} from '../../src/image/tile-cloth.js';
+import type {Cell} from '../../src/image/tile-fabric.js';
 import {cross, norm, plus, type Point} from '../../src/model/geometry/vectors.js';
 import {boxOf} from '../../src/model/geometry/polyline.js';
 import {imageCell, latticeAround, printElements} from '../../src/model/print/wallpaper.js';

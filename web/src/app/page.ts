@@ -57,7 +57,7 @@ export class SeamwisePage extends WorkbenchElement {
   }
 
   readonly #shownView = (): DrapePane | MarkerPane | undefined =>
-    this.#editor?.worn ?? this.#editor?.cloth;
+    this.#editor?.drape ?? this.#editor?.marker;
 
   /** Commands with keyboard shortcuts outside the editor. */
   readonly #keyed = {

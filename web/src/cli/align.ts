@@ -263,12 +263,12 @@ async function openable(
   const {solvedDesign} = await import('../model/design/solved-design.js');
   const {written} = await import('../model/design/read-design.js');
   const file = JSON.parse(textOf(print.bytes)) as Print;
-  const cloth = asVariant(file, variant);
+  const fabric = asVariant(file, variant);
   const design = solvedDesign(
     {
       garment: {name: basename(garment.path), text: textOf(garment.bytes)},
-      print: cloth,
-      picture: await readPicture(cloth, print.path),
+      print: fabric,
+      picture: await readPicture(fabric, print.path),
       options: JSON.parse(options) as SolveOptions,
       seed,
     },

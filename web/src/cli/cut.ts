@@ -202,8 +202,8 @@ async function cutterOf(
 ): Promise<Cutter> {
   const colourway = args.value('--colourway');
   const {result} = await readResult(file);
-  const cloth = await readFabricOf(result, file, {printFile, colourway});
-  const tile = await readTile(cloth, printFile);
+  const fabric = await readFabricOf(result, file, {printFile, colourway});
+  const tile = await readTile(fabric, printFile);
   const garment = await garmentOf(result, args.value('--garment'));
   if (!garment) {
     remark(
@@ -214,10 +214,10 @@ async function cutterOf(
     ...settings,
     ...garment,
     ...(colourway !== undefined && {colourway}),
-    print: {...cloth, ...(tile !== undefined && {tile})},
+    print: {...fabric, ...(tile !== undefined && {tile})},
     names: chosenNames(result.design),
     plain: plainIn(result),
-    pixels: () => readRaster(cloth, printFile),
+    pixels: () => readRaster(fabric, printFile),
     ...(result.reproduced === false && {mark: notAsSold}),
   };
   return (under) => cutResult(result, {...whole, ...(under && {under})});

@@ -44,7 +44,7 @@ export async function drape(words: readonly string[]): Promise<void> {
   checkFlags(args, glbFile);
   const {bytes, result} = await readResult(resultFile);
   const settings = {...fabricIn(result), ...(await settingsOf(args, bodyFile))};
-  const cloth = await readFabricOf(result, resultFile, {
+  const fabric = await readFabricOf(result, resultFile, {
     printFile,
     colourway: args.value('--colourway'),
   });
@@ -53,7 +53,7 @@ export async function drape(words: readonly string[]): Promise<void> {
     if (file !== undefined) await checkWritable(file, inputs);
   }
   const picture =
-    glbFile === undefined ? undefined : await readCell(cloth, pathToFileURL(resolve(printFile)));
+    glbFile === undefined ? undefined : await readCell(fabric, pathToFileURL(resolve(printFile)));
   if (glbFile !== undefined && !picture) {
     remark(`${printFile} has no image, so the fabric in ${glbFile} is white.`);
   }
@@ -65,7 +65,7 @@ export async function drape(words: readonly string[]): Promise<void> {
   const file = drapeFile(result, draped, settings, args.has('--no-times') ? 0 : milliseconds);
   if (outFile !== undefined) await writeWhole(outFile, drapeText(file));
   if (glbFile !== undefined) {
-    const scene = glb(result, draped, cloth, {
+    const scene = glb(result, draped, fabric, {
       ...(picture && {picture}),
       ...{plain: plainIn(result), garment: titleOfFile(resultFile), sha256: sha256Of(bytes)},
       ...{attributes: args.has('--attributes'), form: args.has('--form')},

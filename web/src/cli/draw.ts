@@ -33,13 +33,13 @@ export async function draw(words: readonly string[]): Promise<void> {
     throw new UsageError(`${out ?? ''} would hold SVG; name a file ending in .svg.`);
   }
   const {result} = await readResult(resultFile);
-  const cloth = await readFabricOf(result, resultFile, {printFile, colourway});
+  const fabric = await readFabricOf(result, resultFile, {printFile, colourway});
   if (out !== undefined) await checkWritable(out, [resultFile, printFile]);
   const known = await designIn(result);
-  const tile = await readTile(cloth, printFile);
+  const tile = await readTile(fabric, printFile);
   const picture = drawResult(
     result,
-    {...cloth, ...(tile === undefined ? {} : {tile})},
+    {...fabric, ...(tile === undefined ? {} : {tile})},
     {
       ...known,
       title: title ?? known?.title ?? titleOfFile(resultFile),

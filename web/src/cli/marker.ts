@@ -109,13 +109,13 @@ export async function marker(words: readonly string[]): Promise<void> {
   const laid = await Promise.all(
     args.files.map((file) => readLaid(file, {printFile, garmentFile, isOnly: !args.files[1]})),
   );
-  const [{cloth} = {cloth: undefined}] = laid;
-  if (!cloth) throw new UsageError('The result file is missing.');
+  const [{fabric} = {fabric: undefined}] = laid;
+  if (!fabric) throw new UsageError('The result file is missing.');
   const {plan, milliseconds} = await timed(
     laid.map(({garment}) => garment),
-    {...settings, print: cloth, ...(flaws && {flaws})},
+    {...settings, print: fabric, ...(flaws && {flaws})},
   );
-  const files = await filesOf(plan, laid, {cloth, printFile, resultFiles: args.files});
+  const files = await filesOf(plan, laid, {fabric, printFile, resultFiles: args.files});
   for (const {path, content} of wanted) {
     await writeWhole(path, await content({files, plan, format}));
   }
@@ -126,27 +126,27 @@ async function filesOf(
   plan: LayPlan,
   laid: readonly {readonly garment: MarkerGarment}[],
   {
-    cloth,
+    fabric,
     printFile,
     resultFiles,
   }: {
-    readonly cloth: Print;
+    readonly fabric: Print;
     readonly printFile: string;
     readonly resultFiles: readonly string[];
   },
 ): Promise<LayPlanFiles> {
-  const tile = await readTile(cloth, printFile);
+  const tile = await readTile(fabric, printFile);
   const called = laid.map(
     ({garment: {garment, names}}) =>
       (piece: string): string | undefined =>
         garment && panelMarks(garment, {...(names && {names})}).get(piece)?.label,
   );
   return layPlanFiles(plan, {
-    print: {...cloth, ...(tile !== undefined && {tile})},
+    print: {...fabric, ...(tile !== undefined && {tile})},
     results: laid.map(({garment}) => garment),
     names: (result, piece) => called[result]?.(piece) ?? readable(piece),
     title: resultFiles.map(titleOfFile).join(', '),
-    pixels: () => readRaster(cloth, printFile),
+    pixels: () => readRaster(fabric, printFile),
   });
 }
 
@@ -159,14 +159,14 @@ interface LaidFile {
 /** @throws {UsageError}, {FileError} or {SolverError} with the name of an invalid file */
 async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile) {
   const {result} = await readResult(file);
-  const cloth = await readFabricOf(result, file, {printFile, colourway: undefined});
+  const fabric = await readFabricOf(result, file, {printFile, colourway: undefined});
   const held = await garmentOf(result, garmentFile);
   if (!held) {
     remark(
       `${file} does not hold its design, so all its edges get the same allowance; name the garment with --garment FILE.`,
     );
   }
-  const problem = result.otherAlignments && problemIn(result, file, cloth);
+  const problem = result.otherAlignments && problemIn(result, file, fabric);
   const garment: MarkerGarment = {
     result,
     ...(!isOnly && {name: file}),
@@ -174,7 +174,7 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
     ...{options: optionsIn(result, file), names: chosenNames(result.design)},
     ...(problem && {problem}),
   };
-  return {cloth, garment};
+  return {fabric, garment};
 }
 
 /** @throws {UsageError} for an invalid value */

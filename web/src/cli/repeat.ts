@@ -43,9 +43,9 @@ export async function repeat(words: readonly string[]): Promise<void> {
   const own = readPrintFile(textOf(await readPrint(printFile)), printFile);
   const colourway = args.value('--colourway');
   const shown = colourway === undefined ? own : inColourway(own, colourway, printFile);
-  const cloth = asVariant(shown, {scale, turnDeg});
-  const tile = await readTile(cloth, printFile);
-  const made = await printRepeat({...cloth, ...(tile !== undefined && {tile})});
+  const fabric = asVariant(shown, {scale, turnDeg});
+  const tile = await readTile(fabric, printFile);
+  const made = await printRepeat({...fabric, ...(tile !== undefined && {tile})});
   const size = made.rectangle
     ? `${made.rectangle.width.toFixed(2)} x ${made.rectangle.height.toFixed(2)} cm`
     : 'no upright rectangle tiles this print; its cell is an SVG pattern';
@@ -55,7 +55,7 @@ export async function repeat(words: readonly string[]): Promise<void> {
     return;
   }
   const {bytes, width, height, imageDpi} = await made.png(
-    () => cellOf(cloth, printFile, tile),
+    () => cellOf(fabric, printFile, tile),
     dpi,
   );
   await writeWhole(out, bytes);
@@ -72,7 +72,7 @@ export async function repeat(words: readonly string[]): Promise<void> {
  * @throws {UsageError} for an image that Node cannot draw
  */
 async function cellOf(
-  cloth: Print,
+  fabric: Print,
   printFile: string,
   tile: string | undefined,
 ): Promise<PhotoPixels> {
@@ -80,7 +80,7 @@ async function cellOf(
     const bytes = new Uint8Array(await blobOf(tile).arrayBuffer());
     return (await pictureIn(bytes, printFile)).pixels;
   }
-  const raster = await readRaster(cloth, printFile);
+  const raster = await readRaster(fabric, printFile);
   if (raster) return (await pictureIn(raster, printFile)).pixels;
   throw new UsageError(
     tile === undefined

@@ -133,8 +133,8 @@ export async function readFabricOf(
   {printFile, colourway}: {readonly printFile: string; readonly colourway: string | undefined},
 ): Promise<Print> {
   const own = readPrintFile(textOf(await readPrint(printFile)), printFile);
-  const cloth = colourway === undefined ? own : inColourway(own, colourway, printFile);
-  const inSize = printOfResult(result.print, cloth);
+  const fabric = colourway === undefined ? own : inColourway(own, colourway, printFile);
+  const inSize = printOfResult(result.print, fabric);
   if (inSize) return inSize;
   throw new UsageError(
     `${resultFile} was solved for another group or repeat than ${printFile}'s; name the print it was solved with.`,

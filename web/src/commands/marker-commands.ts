@@ -22,32 +22,32 @@ interface CommandedMarker {
 /** Zoom step of a key. */
 const notch = 1.25;
 
-function looking(cloth: CommandedMarker, {commands, pattern}: Texts): readonly Command[] {
+function looking(fabric: CommandedMarker, {commands, pattern}: Texts): readonly Command[] {
   const {zoom} = commands.also;
   return [
     {
-      ...{id: 'fit cloth', title: pattern.fit, key: '0', words: zoom},
+      ...{id: 'fit fabric', title: pattern.fit, key: '0', words: zoom},
       run: () => {
-        cloth.fit();
+        fabric.fit();
       },
     },
     {
-      ...{id: 'zoom cloth in', title: pattern.zoomIn, key: '+', words: zoom},
+      ...{id: 'zoom fabric in', title: pattern.zoomIn, key: '+', words: zoom},
       run: () => {
-        cloth.zoomBy(notch);
+        fabric.zoomBy(notch);
       },
     },
     {
-      ...{id: 'zoom cloth out', title: pattern.zoomOut, key: '−', words: zoom},
+      ...{id: 'zoom fabric out', title: pattern.zoomOut, key: '−', words: zoom},
       run: () => {
-        cloth.zoomBy(1 / notch);
+        fabric.zoomBy(1 / notch);
       },
     },
   ];
 }
 
 function handling(
-  cloth: CommandedMarker,
+  fabric: CommandedMarker,
   {commands}: Texts,
   words: MarkerTexts,
 ): readonly Command[] {
@@ -56,71 +56,71 @@ function handling(
     {
       ...{id: 'next laid piece', title: words.nextPiece, key: 'N', words: view},
       run: () => {
-        cloth.walk(1);
+        fabric.walk(1);
       },
     },
     {
       ...{id: 'laid piece before', title: words.pieceBefore, key: 'Shift N', words: view},
       run: () => {
-        cloth.walk(-1);
+        fabric.walk(-1);
       },
     },
     {
       ...{id: 'turn laid piece', title: words.turn, key: 'R', words: commands.also.turn},
       run: () => {
-        cloth.turn();
+        fabric.turn();
       },
     },
     {
       ...{id: 'pin laid piece', title: words.pin, key: 'P', words: commands.also.keep},
       run: () => {
-        cloth.togglePin();
+        fabric.togglePin();
       },
     },
     {
       ...{id: 'take laid piece off', title: words.takeOff, key: 'Delete'},
       run: () => {
-        cloth.takeOff();
+        fabric.takeOff();
       },
     },
     {
       ...{id: 'pack', title: words.packRest, key: 'A'},
       run: () => {
-        cloth.pack();
+        fabric.pack();
       },
     },
     {
       ...{id: 'flaw', title: words.flaw, key: 'X'},
       run: () => {
-        cloth.toggleFlawTool();
+        fabric.toggleFlawTool();
       },
     },
     {
       ...{id: 'add flaw', title: words.addFlaw, key: 'Shift X'},
       run: () => {
-        cloth.putFlaw();
+        fabric.putFlaw();
       },
     },
   ];
 }
 
 export const markerCommands = (
-  cloth: CommandedMarker,
+  fabric: CommandedMarker,
   texts: Texts,
   words: MarkerTexts,
 ): readonly Command[] => [
-  ...looking(cloth, texts),
-  ...(cloth.isReady ? handling(cloth, texts, words) : []),
+  ...looking(fabric, texts),
+  ...(fabric.isReady ? handling(fabric, texts, words) : []),
 ];
 
 /** All keys of the view, including those without use at present. */
-export function markerKeys(cloth: CommandedMarker, texts: Texts, words: MarkerTexts): KeyList {
+export function markerKeys(fabric: CommandedMarker, texts: Texts, words: MarkerTexts): KeyList {
   const {move, moveOnto, turnOnto, leave, closeFlaw, sizeFlaw} = words.keys;
   const arrows = '←  →  ↑  ↓';
   const {Shift} = texts.keyNames;
   const shown = (key: string): string =>
     key.replace('Shift', Shift).replace('Delete', words.deleteKey);
-  const commands = keysOf([...handling(cloth, texts, words), ...looking(cloth, texts)]);
+  const commands = keysOf([...handling(fabric, texts, words), ...looking(fabric, texts)]);
   return [
     [arrows, move],
     [`Alt ${arrows}`, moveOnto],

@@ -92,7 +92,7 @@ export function titleOf(id: ShortcutId, texts: Texts): string {
     ...{commands: commands.title, keys: app.keys, undo: app.undo, redo: app.redo},
     views: lists.of(
       views.label,
-      `${views.pattern}, ${views.garment}, ${views.both}, ${views.cloth}`,
+      `${views.pattern}, ${views.garment}, ${views.both}, ${views.marker}`,
     ),
     ...{save: app.saveProject, cut: app.cut, open: app.openGarment},
     ...{

@@ -139,12 +139,12 @@ export function longer(corner: Corner, own: Own, reach: number): readonly Point[
 function squared(
   frame: Frame,
   reach: number,
-  cloth: readonly Point[],
+  fabric: readonly Point[],
 ): readonly (readonly Point[])[] {
   // an acute tip beyond the other allowance is cut off; otherwise the allowance is extended
-  if (frame.other.normal[1] < 0) return [upTo(cloth, [1, 0], reach)];
+  if (frame.other.normal[1] < 0) return [upTo(fabric, [1, 0], reach)];
   return [
-    cloth,
+    fabric,
     [
       [0, 0],
       [0, frame.width],
@@ -162,7 +162,7 @@ export function cornerFabric(
   const frame = frameOf(corner, 'before');
   if (frame.other.normal[0] < least || frame.width + frame.other.width === 0) return [];
   const real = (points: readonly Point[], of: Frame) => points.map((p) => fromFrame(corner, of, p));
-  let cloth = real(mitre(frame), frame);
+  let fabric = real(mitre(frame), frame);
   const more: (readonly Point[])[] = [];
   for (const own of ['before', 'after'] as const) {
     const reach = square[own];
@@ -171,12 +171,12 @@ export function cornerFabric(
     const [kept = [], ...added] = squared(
       of,
       reach,
-      cloth.map((p) => intoFrame(corner, of, p)),
+      fabric.map((p) => intoFrame(corner, of, p)),
     );
-    cloth = real(kept, of);
+    fabric = real(kept, of);
     more.push(...added.map((points) => real(points, of)), longer(corner, own, reach));
   }
-  return [cloth, ...more];
+  return [fabric, ...more];
 }
 
 /**
@@ -239,7 +239,7 @@ export function turnedCorner(
 /** The allowance along an edge, between sewn line and cut line. Lengths in cm. */
 export interface Band {
   /** Counter-clockwise polygons that cover the allowance. */
-  readonly cloth: readonly (readonly Point[])[];
+  readonly fabric: readonly (readonly Point[])[];
   /** The cut line from the edge's start to its end. */
   readonly cut: readonly Point[];
 }
@@ -281,7 +281,7 @@ export function bandOf(points: readonly Point[], width: number): Band {
   });
   const cut = points.map((at, k) => feet(at, width, steps[k - 1], steps[k]));
   const line = cut.flat();
-  if (width === 0) return {cloth: [], cut: line};
+  if (width === 0) return {fabric: [], cut: line};
   const turn = steps.slice(1).reduce((sum, {out}, k) => {
     return sum + Math.abs(turnBetween(steps[k]?.out ?? out, out));
   }, 0);
@@ -290,8 +290,8 @@ export function bandOf(points: readonly Point[], width: number): Band {
     return a && b && dot(minus(b, a), minus(to, from)) > 0;
   });
   if (runsOn && turn < greatestTurn)
-    return {cloth: [[...line, ...[...points].reverse()]], cut: line};
-  const cloth = steps.flatMap(({from, to, out}, k) => {
+    return {fabric: [[...line, ...[...points].reverse()]], cut: line};
+  const fabric = steps.flatMap(({from, to, out}, k) => {
     const [first, last] = [plus(from, out, width), plus(to, out, width)];
     const next = steps[k + 1]?.out;
     const wedge =
@@ -300,5 +300,5 @@ export function bandOf(points: readonly Point[], width: number): Band {
         : [];
     return [[first, last, to, from], ...wedge];
   });
-  return {cloth, cut: line};
+  return {fabric, cut: line};
 }

@@ -63,12 +63,12 @@ function cornerBefore(
 }
 
 /** The whole allowance of one closed line. */
-function clothBeyond(
+function fabricBeyond(
   loop: readonly AllowedEdge[],
   {widths, corners}: Allowances,
 ): readonly Polygon[] {
   const bands = loop.map(({key, points}): Band => bandOf(points, widths.get(key) ?? 0));
-  const cloth = bands.map((band) => [...band.cloth]);
+  const fabric = bands.map((band) => [...band.fabric]);
   const less = bands.map((): Polygon[] => []);
   const fill: Polygon[] = [];
   for (const [k, edge] of loop.entries()) {
@@ -82,13 +82,13 @@ function clothBeyond(
       own && turnedCorner(corner, own, other === k ? otherCut : [...otherCut].reverse());
     if (turned) {
       const beside = own === 'before' ? 'after' : 'before';
-      cloth[hem]?.push(turned.more, longer(corner, beside, square?.[beside] ?? 0));
+      fabric[hem]?.push(turned.more, longer(corner, beside, square?.[beside] ?? 0));
       less[hem]?.push(turned.less);
       fill.push(turned.beside);
     } else fill.push(...cornerFabric(corner, square));
   }
   return [
-    ...cloth.flatMap((polygons, k) => {
+    ...fabric.flatMap((polygons, k) => {
       const all = polygons.filter((polygon) => polygon.length > 2);
       const off = less[k] ?? [];
       return off.length > 0 ? without(all.map(anticlockwise), off) : all;
@@ -116,10 +116,10 @@ export function cutLine(
   allowances: Allowances,
 ): readonly Polygon[] {
   const lines = loops.map((loop) => loop.flatMap(({points}) => points.slice(0, -1)));
-  const cloth = loops.flatMap((loop) => clothBeyond(loop, allowances)).map(anticlockwise);
-  if (cloth.length === 0) return lines;
+  const fabric = loops.flatMap((loop) => fabricBeyond(loop, allowances)).map(anticlockwise);
+  if (fabric.length === 0) return lines;
   const [, ...holes] = lines;
-  return union([...lines, ...cloth]).flatMap((line) => {
+  return union([...lines, ...fabric]).flatMap((line) => {
     const area = signedArea(line);
     const kept =
       polygons([Clipper.simplifyPathD(paths([withoutSpikes(line)])[0] ?? [], straight, true)])[0] ??

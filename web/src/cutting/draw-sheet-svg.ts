@@ -1,7 +1,7 @@
 /** Draws a cutting sheet as SVG in millimetres, with test squares below the pieces. */
 import {markAcross} from '../picture/watermark.js';
 import {onPiece, type Point} from '../model/geometry/vectors.js';
-import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
+import {fabricTile, fabricUnder, type PrintWithTile} from '../picture/fabric.js';
 import {drawingSpaces, escaped, linked, polyline, short, text} from '../files/svg/written.js';
 import {textWidth} from '../layout/name-lines.js';
 import {lineColours} from './line-colours.js';
@@ -99,9 +99,9 @@ function drawnPiece(piece: LaidPiece, k: number, page: Page, ink: PrintInk): str
   const area = (fill: string): string =>
     `<path d="${closed(piece.cut, page)}" ${fill} fill-rule="evenodd"/>`;
   const isPrinted = piece.alignment && ink !== 'outline';
-  const cloth = area(isPrinted ? `fill="url(#cloth-${k})"` : 'fill="#fff"');
+  const fabric = area(isPrinted ? `fill="url(#cloth-${k})"` : 'fill="#fff"');
   const tint = isPrinted && ink === 'pale' ? area(`fill="#fff" fill-opacity="${paleWhite}"`) : '';
-  return `<g id="piece-${k}" inkscape:groupmode="layer" inkscape:label="${escaped(piece.label)}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round">${cloth}${tint}${drawnMarks(piece.marks, page)}</g>`;
+  return `<g id="piece-${k}" inkscape:groupmode="layer" inkscape:label="${escaped(piece.label)}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round">${fabric}${tint}${drawnMarks(piece.marks, page)}</g>`;
 }
 
 /** Squares that verify the print scale with a ruler. */
@@ -128,9 +128,9 @@ export function drawSheetSvg(
   const footHeight = Math.max(foot, belowWords + 18 + leading * facts.length);
   const height = heightCm * unit + 2 * margin + footHeight;
   const page: Page = ([x, y]) => [margin + unit * x, margin + unit * (heightCm - y)];
-  const cloths = pieces.map(({alignment, place}, k) =>
+  const fabrics = pieces.map(({alignment, place}, k) =>
     alignment
-      ? clothUnder(`cloth-${k}`, 'cloth', print, alignment, (p) => page(onPiece(place, p)))
+      ? fabricUnder(`cloth-${k}`, 'cloth', print, alignment, (p) => page(onPiece(place, p)))
       : '',
   );
   const below = height - margin - footHeight + belowWords;
@@ -139,7 +139,7 @@ export function drawSheetSvg(
     `<title>${escaped(heading)}</title>`,
     ink === 'outline'
       ? ''
-      : `<defs>${linked(clothTile('cloth', print, unit) + cloths.join(''))}</defs>`,
+      : `<defs>${linked(fabricTile('cloth', print, unit) + fabrics.join(''))}</defs>`,
     '<rect width="100%" height="100%" fill="#fff"/>',
     ...pieces.map((piece, k) => drawnPiece(piece, k, page, ink)),
     testSquares([margin, below]),

@@ -97,11 +97,11 @@ export function sheetsOf(
       ...(size !== undefined && {size}),
       ...(options.locale !== undefined && {locale: options.locale}),
       pieces: cuts.map((piece, k) => {
-        const cloth = plain.includes(piece.name) ? undefined : print;
+        const fabric = plain.includes(piece.name) ? undefined : print;
         const twin = cuts[twinOf.get(k) ?? -1]?.label;
         return laidPiece(piece, places[k] ?? {angle: 0, translation: [0, 0]}, {
-          print: cloth,
-          words: pieceWords(piece, {print: cloth, twin, heading}, options),
+          print: fabric,
+          words: pieceWords(piece, {print: fabric, twin, heading}, options),
           material: panels.get(piece.name)?.drafted?.material,
         });
       }),

@@ -114,7 +114,7 @@ export const editorLayout = css`
     align-self: end;
     z-index: 2;
   }
-  :is([data-shows='garment'], [data-shows='cloth']) sw-pattern {
+  :is([data-shows='garment'], [data-shows='marker']) sw-pattern {
     display: none;
   }
   /* the garment, and the pieces in a strip below it; their tools come with the view Pattern */
@@ -182,10 +182,10 @@ export const editorLayout = css`
   }
   @container (width >= 64rem) {
     /* the report on seams does not concern the layout, which takes its room */
-    .workbench:has([data-shows='cloth']) .report {
+    .workbench:has([data-shows='marker']) .report {
       display: none;
     }
-    [data-shows='cloth'] {
+    [data-shows='marker'] {
       grid-column: pattern / report;
     }
     sw-headline {

@@ -102,7 +102,7 @@ class KeptHeight {
 }
 
 /** Views of the garment: drape, pattern pieces, both, or fabric layout. */
-export const editorViews = ['garment', 'pattern', 'both', 'cloth'] as const;
+export const editorViews = ['garment', 'pattern', 'both', 'marker'] as const;
 export type EditorView = (typeof editorViews)[number];
 
 /** The first of these interactions loads the later parts, even before the first result. */
@@ -145,10 +145,10 @@ export class Editor extends WorkbenchElement {
 
   readonly #own = {
     undo: () => {
-      if (!this.cloth?.undo()) this.workbench.history.undo();
+      if (!this.marker?.undo()) this.workbench.history.undo();
     },
     redo: () => {
-      if (!this.cloth?.redo()) this.workbench.history.redo();
+      if (!this.marker?.redo()) this.workbench.history.redo();
     },
     keys: () => void this.#toggleKeys(),
     views: () => {
@@ -196,12 +196,12 @@ export class Editor extends WorkbenchElement {
   }
 
   /** The drape; undefined while it is hidden or still loads. */
-  get worn(): DrapePane | undefined {
+  get drape(): DrapePane | undefined {
     return this.renderRoot.querySelector<DrapePane>('sw-drape-pane:defined') ?? undefined;
   }
 
   /** The fabric layout; undefined while it is hidden or still loads. */
-  get cloth(): MarkerPane | undefined {
+  get marker(): MarkerPane | undefined {
     return this.renderRoot.querySelector<MarkerPane>('sw-marker-pane:defined') ?? undefined;
   }
 
@@ -209,7 +209,7 @@ export class Editor extends WorkbenchElement {
   show(view: EditorView): void {
     if (view === this.shows) return;
     this.shows = view;
-    if (view === 'cloth') this.sheet = undefined; // it needs the room
+    if (view === 'marker') this.sheet = undefined; // it needs the room
     this.dispatchEvent(new CustomEvent('sw-view', {detail: view}));
   }
 
@@ -363,17 +363,17 @@ export class Editor extends WorkbenchElement {
   }
 
   #steps(): TemplateResult {
-    const {cloth, workbench, texts} = this;
+    const {marker, workbench, texts} = this;
     const {undo, redo} = this.#own;
     return stepButtons(texts, {
-      undo: {words: cloth?.undoWords ?? undoWords(workbench, texts), run: undo},
-      redo: {words: cloth?.redoWords ?? redoWords(workbench, texts), run: redo},
+      undo: {words: marker?.undoWords ?? undoWords(workbench, texts), run: undo},
+      redo: {words: marker?.redoWords ?? redoWords(workbench, texts), run: redo},
     });
   }
 
   async #load(): Promise<void> {
     try {
-      await (this.shows === 'cloth' ? loadMarker : loadDrape)();
+      await (this.shows === 'marker' ? loadMarker : loadDrape)();
     } catch (error) {
       this.shows = 'pattern';
       this.workbench.notices.say({tone: 'error', text: toFailure(error).message});
@@ -389,7 +389,7 @@ export class Editor extends WorkbenchElement {
     const {workbench, shows} = this;
     if (shows === 'pattern') return nothing;
     const notice = this.#showsPattern ? nothing : this.#notice();
-    return shows === 'cloth'
+    return shows === 'marker'
       ? html`<sw-marker-pane .workbench=${workbench}>${notice}</sw-marker-pane>`
       : html`<sw-drape-pane
           camera=${this.camera}
@@ -404,7 +404,7 @@ export class Editor extends WorkbenchElement {
     return html`<sw-notice slot="notice" .workbench=${this.workbench}></sw-notice>`;
   }
 
-  readonly #keysOfView = (): KeyList => (this.worn ?? this.cloth)?.keys ?? [];
+  readonly #keysOfView = (): KeyList => (this.drape ?? this.marker)?.keys ?? [];
 
   readonly #keysOfSewing = (): KeyList => this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
 

@@ -3,7 +3,7 @@ import {angleOf, degrees} from '../model/geometry/vectors.js';
 import type {GroupName} from '../model/print/repeating-print.js';
 import {determinant, type PlaneMap} from '../model/geometry/plane-map.js';
 import {visibleDifference, type TileCheck} from './tile-check.js';
-import type {Pixels} from './tile-cloth.js';
+import type {Pixels} from './tile-fabric.js';
 
 /** `steps`: a glide reflection, as of footprints. */
 const asymmetries = [

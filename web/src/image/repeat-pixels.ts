@@ -3,7 +3,7 @@ import {norm} from '../model/geometry/vectors.js';
 import type {Rectangle} from '../model/print/rectangular-repeat.js';
 import {imageCell, type CellOf} from '../model/print/wallpaper.js';
 import {dpiOf} from './printed-size.js';
-import {pixelGrid, type Pixels} from './tile-cloth.js';
+import {pixelGrid, type Pixels} from './tile-fabric.js';
 
 /** Greatest number of pixels, which a page and Node can hold. */
 export const mostPixels = 100e6;

@@ -4,7 +4,7 @@ import {norm, type Point} from '../model/geometry/vectors.js';
 import type {GroupName, PrintCell} from '../model/print/repeating-print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/print/repeat.js';
 import {imageCell, isCentred, latticeType, printElements} from '../model/print/wallpaper.js';
-import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
+import {tiledFabric, seenThrough, type TiledFabric, type Pixels} from './tile-fabric.js';
 
 /**
  * A place of the tile that differs from its images under the symmetries; in shares of the cell,
@@ -54,7 +54,7 @@ const movedBy = (shift: Point): PlaneMap => ({xx: 1, xy: 0, yx: 0, yy: 1, shift}
  * Size of the checked tile: at most the image's, and even, so that half the cell is a whole number
  * of pixels.
  */
-function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] {
+function sizeFor(image: Pixels, cell: TiledFabric['cell']): readonly [number, number] {
   const [a, b] = imageCell(cell).map(norm);
   const scale = detail / Math.max(a ?? 1, b ?? 1);
   const pixels = (side: number | undefined, most: number): number =>
@@ -63,15 +63,15 @@ function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] 
 }
 
 /** Number of columns and rows of places in a tile, at most its pixels. */
-const placesIn = ({width, height}: Cloth): readonly [columns: number, rows: number] => [
+const placesIn = ({width, height}: TiledFabric): readonly [columns: number, rows: number] => [
   Math.min(places, width),
   Math.min(places, height),
 ];
 
 /** For each place, the root mean square of a value given per colour and pixel. */
-function byPlace(cloth: Cloth, value: (index: number) => number): readonly number[] {
-  const {width, height} = cloth;
-  const [columns, rows] = placesIn(cloth);
+function byPlace(fabric: TiledFabric, value: (index: number) => number): readonly number[] {
+  const {width, height} = fabric;
+  const [columns, rows] = placesIn(fabric);
   const sums = new Float64Array(columns * rows);
   const counts = new Float64Array(columns * rows);
   for (let y = 0; y < height; y++) {
@@ -86,7 +86,7 @@ function byPlace(cloth: Cloth, value: (index: number) => number): readonly numbe
   return Array.from(sums, (sum, k) => Math.sqrt(sum / Math.max(1, counts[k] ?? 1)));
 }
 
-function rootMeanSquare({colours: one}: Cloth, {colours: other}: Cloth): number {
+function rootMeanSquare({colours: one}: TiledFabric, {colours: other}: TiledFabric): number {
   let sum = 0;
   for (let k = 0; k < one.length; k++) sum += ((one[k] ?? 0) - (other[k] ?? 0)) ** 2;
   return Math.sqrt(sum / one.length);
@@ -105,30 +105,30 @@ export function checkTile(
 ): TileCheck {
   const [w1, w2] = latticeVectors(group, size, 0, cell);
   const repeat = {group, w1, w2, cell};
-  const cloth = clothOf(repeat, pixels, sizeFor(pixels, repeat), 2);
-  const sum = Float32Array.from(cloth.colours);
-  const add = ({colours}: Cloth): void => {
+  const fabric = tiledFabric(repeat, pixels, sizeFor(pixels, repeat), 2);
+  const sum = Float32Array.from(fabric.colours);
+  const add = ({colours}: TiledFabric): void => {
     for (let k = 0; k < sum.length; k++) sum[k] = (sum[k] ?? 0) + (colours[k] ?? 0);
   };
   const holdsTwo = cell === 'centred' || (cell === 'rectangular' && isCentred(group));
   const centring = holdsTwo ? [movedBy(w2)] : [];
-  const own = printElements(cloth.cell).slice(1);
+  const own = printElements(fabric.cell).slice(1);
   const elements = [...own, ...centring].map((map, k) => {
-    const seen = seenThrough(cloth, map);
+    const seen = seenThrough(fabric, map);
     if (k < own.length) add(seen);
-    const apart = byPlace(cloth, (at) => (cloth.colours[at] ?? 0) - (seen.colours[at] ?? 0));
-    return {map, rms: rootMeanSquare(cloth, seen), worst: Math.max(...apart)};
+    const apart = byPlace(fabric, (at) => (fabric.colours[at] ?? 0) - (seen.colours[at] ?? 0));
+    return {map, rms: rootMeanSquare(fabric, seen), worst: Math.max(...apart)};
   });
   if (elements.length === 0) return {worst: 0, elements, breaks: []};
   // a symmetry of the tile also applies to its sum, so the centre of the cell equals its corner
-  for (const map of centring) add(seenThrough({...cloth, colours: Float32Array.from(sum)}, map));
+  for (const map of centring) add(seenThrough({...fabric, colours: Float32Array.from(sum)}, map));
   // a place that differs from all the others by d is d (1 - 1/n) from the mean of all n
   const order = (own.length + 1) * (centring.length + 1);
   const off = byPlace(
-    cloth,
-    (k) => (order * (cloth.colours[k] ?? 0) - (sum[k] ?? 0)) / (order - 1),
+    fabric,
+    (k) => (order * (fabric.colours[k] ?? 0) - (sum[k] ?? 0)) / (order - 1),
   );
-  const [columns, rows] = placesIn(cloth);
+  const [columns, rows] = placesIn(fabric);
   const breaks = off
     .map((difference, k) => ({
       x: (k % columns) / columns,

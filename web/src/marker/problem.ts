@@ -100,17 +100,17 @@ function notesOf(
 
 /**
  * Builds the problem of a layout.
- * @param cloth print properties in addition to the repeat
+ * @param fabric print properties in addition to the repeat
  * @throws {SolverError} if settings, garments or pieces cannot be laid, with their name and a
  *   remedy
  */
 export function markerOrder(
   garments: readonly MarkerGarment[],
   asked: MarkerSettings,
-  cloth: LaidPrint = {},
+  fabric: LaidPrint = {},
 ): MarkerOrder {
-  checkScaled(cloth);
-  const {oneWay = false} = cloth;
+  checkScaled(fabric);
+  const {oneWay = false} = fabric;
   const settings = checkedSettings(asked);
   const {allowanceCm, hemCm} = ruleOf(asked);
   const {copies, phaseCm, plies, ignoresPrint, flaws, nap = oneWay ? 'one-way' : 'none'} = settings;

@@ -13,14 +13,14 @@ import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {garmentTitle, panelMarks, type PanelDecisions} from '../model/garment/panel-marks.js';
 import {printOfResult} from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
-import type {CellPixels} from '../paper/cloth-cell.js';
+import type {CellPixels} from '../paper/fabric-cell.js';
 import {cuttingPdf, pagesOf, sheetFor, type CuttingPdf} from '../paper/cutting-pdf.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {lettersFrom} from './letters.js';
 import type {PageLayout} from '../paper/pages.js';
 import type {SizeSheet} from '../paper/several-sizes.js';
 import {sheetMap, type SheetMap} from '../paper/sheet-map.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 
 export interface CutSettings extends PanelDecisions {
   /** The print of the result, in its size or in that of its file. `tile` is the image of its cell, as SVG text or `data:` URL. */

@@ -25,7 +25,7 @@ import {printCells, type Print} from '../model/print/repeating-print.js';
 import type {Drape} from '../model/result/draped-garment.js';
 import type {LayPlan} from '../model/result/marker-plan.js';
 import type {Problem} from '../model/design/solve-problem.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 
 /** [cm] */
 const finite = number(-1e9, 1e9);

@@ -60,12 +60,12 @@ export type {MarkerSettings} from '../marker/settings.js';
 export type {MarkerProgress, MarkerStage, Nap} from '../model/result/marker-search.js';
 export type {Box} from '../model/geometry/polyline.js';
 export type {PanelDecisions} from '../model/garment/panel-marks.js';
-export type {CellPixels} from '../paper/cloth-cell.js';
+export type {CellPixels} from '../paper/fabric-cell.js';
 export type {CuttingPdf} from '../paper/cutting-pdf.js';
 export type {PageLayout, SheetPage} from '../paper/pages.js';
 export type {Paper} from '../paper/papers.js';
 export type {SheetMap} from '../paper/sheet-map.js';
-export type {PrintWithTile} from '../picture/cloth.js';
+export type {PrintWithTile} from '../picture/fabric.js';
 export type {Cut, CutSettings} from './cut.js';
 export type {
   ImportedGarment,

@@ -13,7 +13,7 @@ import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js'
 import type {StoredDesign} from '../model/documents/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
 import type {SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 import type {Remedy} from '../remedies/remedy.js';
 import {
   plainNames,

@@ -10,8 +10,8 @@ import {planPdf, type PlanPdf} from '../marker/draw/plan-pdf.js';
 import type {KnownPieces} from '../marker/draw/plan-pieces.js';
 import type {LayPlan} from '../model/result/marker-plan.js';
 import type {Units} from '../model/base/length-text.js';
-import type {CellPixels} from '../paper/cloth-cell.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {CellPixels} from '../paper/fabric-cell.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 import {lettersFrom} from './letters.js';
 
 export interface LayPlanSettings extends KnownPieces {

@@ -5,7 +5,7 @@ import type {PhotoPixels} from '../model/print/photo-reading.js';
 import {rectangularRepeat, type Rectangle} from '../model/print/rectangular-repeat.js';
 import {SolverError} from '../model/base/failure.js';
 import {checkScaled} from '../model/result/unscaled-print.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 import {repeatSvg} from '../picture/repeat-svg.js';
 
 export interface RepeatForPrinting {

@@ -150,7 +150,7 @@ const tint = (resources: PdfResources, {low, high}: Box): string =>
   );
 
 /** The print within the cut line of a piece, clipped to a window of the sheet. */
-export function clothUnder(
+export function fabricUnder(
   resources: PdfResources,
   cell: Cell,
   {cut, place, alignment}: Pick<LaidPiece, 'cut' | 'place' | 'alignment'>,

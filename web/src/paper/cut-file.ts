@@ -5,7 +5,7 @@ import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
 import type {DxfFormat} from '../model/base/dxf-format.js';
 import {sheetDxf} from '../cutting/out/sheet-dxf.js';
 import {sheetHpgl} from '../cutting/out/sheet-hpgl.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 import {cuttingPdf, type CuttingPdfOptions} from './cutting-pdf.js';
 import {noPaper, paperOf} from './papers.js';
 

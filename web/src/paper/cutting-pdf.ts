@@ -3,10 +3,10 @@ import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
 import type {PrintInk} from '../cutting/print-ink.js';
 import {middle} from '../model/geometry/vectors.js';
 import type {Box} from '../model/geometry/polyline.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 import {boxAt, cornersOf, grown} from './boxes.js';
-import {clothUnder, type Cell} from './cell.js';
-import {clothCell, type CellPixels} from './cloth-cell.js';
+import {fabricUnder, type Cell} from './cell.js';
+import {fabricCell, type CellPixels} from './fabric-cell.js';
 import {drawMarks} from './draw-marks.js';
 import {drawFirstPage, roomOf} from './first-page.js';
 import {drawFoot, drawFrame} from './page-frame.js';
@@ -94,7 +94,7 @@ interface DrawnSize {
   /** Assigns content to the layer of the size, if there are several. */
   readonly sized: (...parts: readonly string[]) => string;
   readonly marks: readonly (readonly CutMark[])[];
-  readonly cloth: (window: Box) => string;
+  readonly fabric: (window: Box) => string;
 }
 
 /** Content common to all pages of a file. */
@@ -157,7 +157,7 @@ function pageContent(page: SheetPage, number: number, drawing: Drawing): string 
   };
   const pieces = scoped(
     `${line(cornersOf(window), true)}\nW n`,
-    ...sizes.map(({sized, cloth}) => sized(onLayer(layers.print, cloth(window)))),
+    ...sizes.map(({sized, fabric}) => sized(onLayer(layers.print, fabric(window)))),
     isProjector ? '' : onLayer(layers.frame, drawFrame(page, layout, resources)),
     isProjector ? onLayer(layers.grid, drawnGrid(window)) : '',
     ...sizes.map(({sized, marks}) =>
@@ -232,7 +232,7 @@ export async function cuttingPdf(
   for (const [k, one] of all.entries()) {
     const isNew = cell === undefined || !isSamePrint(one.print, all[k - 1]?.print);
     if (isNew && (ink !== 'outline' || hasGuide)) {
-      cell = await clothCell(resources, one.print, pixels, (sentence) => notes.push(sentence));
+      cell = await fabricCell(resources, one.print, pixels, (sentence) => notes.push(sentence));
     }
     const layer = sizeLayers[k] ?? '';
     const drawn = ink === 'outline' ? undefined : cell;
@@ -241,10 +241,12 @@ export async function cuttingPdf(
       marks: one.sheet.pieces.map((piece) =>
         withDashes(isProjector ? projectedMarks(piece) : marksOnPages(piece, layout.pages), k),
       ),
-      cloth: (window) =>
+      fabric: (window) =>
         drawn
           ? one.sheet.pieces
-              .map((piece) => clothUnder(resources, drawn, piece, {window, isPale: ink === 'pale'}))
+              .map((piece) =>
+                fabricUnder(resources, drawn, piece, {window, isPale: ink === 'pale'}),
+              )
               .join('\n')
           : '',
     });

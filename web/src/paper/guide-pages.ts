@@ -23,7 +23,7 @@ import {
 import {boxOf, type Box} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {boxAt} from './boxes.js';
-import {clothUnder, type Cell} from './cell.js';
+import {fabricUnder, type Cell} from './cell.js';
 import type {PageLayout} from './pages.js';
 import {motifsOf} from './guide-motifs.js';
 import {placingPoints, type PlacingPoint} from './placing-points.js';
@@ -160,11 +160,11 @@ function drawnFabric(
   ];
   const shift = onPage(framed, [0, 0]);
   const path = cut.map((loop) => line(loop, true)).join('\n');
-  const cloth = {place, cut: isPieceOnly ? cut : [corners], ...(alignment && {alignment})};
+  const fabric = {place, cut: isPieceOnly ? cut : [corners], ...(alignment && {alignment})};
   return scoped(
     `${box(frame.low, w, h)}\nW n`,
     through({xx: scale, xy: 0, yx: 0, yy: scale, shift}),
-    clothUnder(resources, cell, cloth, {window: seen}),
+    fabricUnder(resources, cell, fabric, {window: seen}),
     isPieceOnly
       ? ''
       : scoped(`/${resources.opacity(paperShare)} gs`, filledWith(white), path, 'f*'),

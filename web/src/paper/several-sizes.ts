@@ -1,6 +1,6 @@
 /** Several sizes of a pattern in one PDF, each on its own layer. */
 import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 import type {SheetTexts} from '../texts/sheet-texts.js';
 
 /** A sheet of one size, with the print in the size of its result. */

@@ -5,7 +5,7 @@ import {boxOf} from '../model/geometry/polyline.js';
 import type {Print} from '../model/print/repeating-print.js';
 import type {Pattern, ResultPiece, SeamSide} from '../model/result/result.js';
 import {ontoSheet} from '../model/geometry/sheet-place.js';
-import {clothUnder} from './cloth.js';
+import {fabricUnder} from './fabric.js';
 import {mismatchLine} from '../scene/colours.js';
 import type {PatternMismatch} from '../scene/mismatch.js';
 import {layOutNamed, type Layout} from '../layout/layout.js';
@@ -27,9 +27,9 @@ export interface Scene {
   readonly corner: Point;
   /** [px per cm] */
   readonly scale: number;
-  /** Prefix of all ids of this scene. `cloth` is the id of the tile's pattern. */
+  /** Prefix of all ids of this scene. `fabric` is the id of the tile's pattern. */
   readonly id: string;
-  readonly cloth: string;
+  readonly fabric: string;
   /** Displayed names of the pieces. */
   readonly names: readonly string[];
   /** Omits seams, axes and names. */
@@ -180,7 +180,7 @@ export function drawPieces(scene: Scene, nameSize: number): string {
   const {pieces} = scene.result;
   const cloths = pieces.map((_, k) => {
     const alignment = scene.alignments[k] ?? {angle: 0, translation: [0, 0]};
-    return clothUnder(`${scene.id}-${k}`, scene.cloth, scene.print, alignment, toPage(scene, k));
+    return fabricUnder(`${scene.id}-${k}`, scene.fabric, scene.print, alignment, toPage(scene, k));
   });
   return [
     `<defs>${cloths.join('')}</defs>`,

@@ -5,7 +5,7 @@ import type {Rectangle} from '../model/print/rectangular-repeat.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {escaped, short} from '../files/svg/written.js';
 import {imageHref} from '../image/svg-picture.js';
-import {clothTile, clothUnder, type PrintWithTile} from './cloth.js';
+import {fabricTile, fabricUnder, type PrintWithTile} from './fabric.js';
 
 /** User units per cm: millimetres. */
 const scale = 10;
@@ -40,7 +40,7 @@ export function repeatSvg(print: PrintWithTile, rectangle: Rectangle | undefined
           `<image href="${escaped(imageHref(print.tile))}" width="${w}" height="${h}" preserveAspectRatio="none"/>`,
         ]
       : [
-          `<defs>${clothTile('tile', print, scale)}${clothUnder('print', 'tile', print, {angle: 0, translation: [0, 0]}, page)}</defs>`,
+          `<defs>${fabricTile('tile', print, scale)}${fabricUnder('print', 'tile', print, {angle: 0, translation: [0, 0]}, page)}</defs>`,
           `<rect width="${w}" height="${h}" fill="url(#print)"/>`,
         ];
   return [

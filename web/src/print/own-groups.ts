@@ -2,7 +2,7 @@
 import {groupNames} from '../model/base/core-tables.js';
 import {blobOf} from '../image/data-url.js';
 import type {WholeCell} from '../image/tile-check.js';
-import type {Pixels} from '../image/tile-cloth.js';
+import type {Pixels} from '../image/tile-fabric.js';
 import {SolverError} from '../model/base/failure.js';
 import {cross, norm} from '../model/geometry/vectors.js';
 import type {

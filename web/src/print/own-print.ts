@@ -13,7 +13,7 @@ import type {PrintTile, TileRepeat} from '../model/print/opened-image.js';
 import {isCentred} from '../model/print/wallpaper.js';
 import {dataUrlOf} from '../image/data-url.js';
 import type {TileCheck, WholeCell} from '../image/tile-check.js';
-import type {Pixels} from '../image/tile-cloth.js';
+import type {Pixels} from '../image/tile-fabric.js';
 import {cellPicture, pngOf} from '../photo/photo-picture.js';
 import {measuresOf, tileSettings} from '../photo/photo-step.js';
 import {groupOf, type Choice} from './group-choice.js';

@@ -1,7 +1,7 @@
 /** The image of a print's cell as pixels, from any source in a design. */
 import {copiesIn} from '../model/design/tile-repeat.js';
 import type {TileRepeat} from '../model/print/opened-image.js';
-import type {Pixels} from '../image/tile-cloth.js';
+import type {Pixels} from '../image/tile-fabric.js';
 
 /** Longest side of a compared image, and of a redrawn one. [px] */
 const compared = 320;

@@ -1,7 +1,7 @@
 /** Texts of the drape in all languages, loaded with its view. */
 import {translated} from './base/message.js';
 import de from './de/drape.json' with {type: 'json'};
-import {worn as en, type DrapeTexts} from './en/drape.js';
+import {drape as en, type DrapeTexts} from './en/drape.js';
 import es from './es/drape.json' with {type: 'json'};
 import fr from './fr/drape.json' with {type: 'json'};
 import it from './it/drape.json' with {type: 'json'};

@@ -1,7 +1,7 @@
 /** Texts of the fabric layout in all languages, loaded with its view. */
 import {translated} from './base/message.js';
 import de from './de/marker.json' with {type: 'json'};
-import {cloth as en, type MarkerTexts} from './en/marker.js';
+import {marker as en, type MarkerTexts} from './en/marker.js';
 import es from './es/marker.json' with {type: 'json'};
 import fr from './fr/marker.json' with {type: 'json'};
 import it from './it/marker.json' with {type: 'json'};

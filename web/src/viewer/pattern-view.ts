@@ -44,10 +44,10 @@ export class PatternView extends Viewport {
   readonly #screen: Screen;
   readonly #words: Words;
   readonly #tile: TileTexture;
-  readonly #cloth = new PrintMaterial();
+  readonly #fabric = new PrintMaterial();
   readonly #line = new LineMaterial();
-  readonly #after = new SceneLayers({cloth: this.#cloth, line: this.#line});
-  readonly #before = new WipeLayers({cloth: this.#cloth, line: this.#line});
+  readonly #after = new SceneLayers({fabric: this.#fabric, line: this.#line});
+  readonly #before = new WipeLayers({fabric: this.#fabric, line: this.#line});
   readonly #over = new OverLayers(this.#line);
   readonly #morph = new Morph();
   readonly #camera = new OrthographicCamera();
@@ -79,7 +79,7 @@ export class PatternView extends Viewport {
       lost: (isLost) => options.onLost?.(isLost),
     });
     this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
-      this.#cloth.uniforms.tile.value = texture;
+      this.#fabric.uniforms.tile.value = texture;
       this.#screen.request();
     });
     this.#words = new Words(host, this.#appearance);
@@ -207,7 +207,7 @@ export class PatternView extends Viewport {
     this.#after.dispose();
     this.#before.dispose();
     this.#tile.dispose();
-    this.#cloth.dispose();
+    this.#fabric.dispose();
     this.#line.dispose();
     this.#screen.dispose();
     this.#words.dispose();

@@ -23,11 +23,11 @@ const bareFabric = new Color().setRGB(0.925, 0.91, 0.87, LinearSRGBColorSpace);
 
 /** Draws a texture's own pixel values: no light, no tone mapping, no colour conversion. */
 export class PrintMaterial extends ShaderMaterial {
-  declare uniforms: {tile: {value: Texture | null}; cloth: {value: Color}};
+  declare uniforms: {tile: {value: Texture | null}; fabric: {value: Color}};
 
   constructor() {
     super({
-      uniforms: {tile: {value: null}, cloth: {value: bareFabric}},
+      uniforms: {tile: {value: null}, fabric: {value: bareFabric}},
       vertexShader: `
       attribute float printed;
       varying vec2 at;
@@ -39,12 +39,12 @@ export class PrintMaterial extends ShaderMaterial {
       }`,
       fragmentShader: `
       uniform sampler2D tile;
-      uniform vec3 cloth;
+      uniform vec3 fabric;
       varying vec2 at;
       varying float isPrinted;
       void main() {
         vec3 ink = texture2D(tile, at).rgb;
-        gl_FragColor = vec4(isPrinted > 0.5 ? ink : cloth, 1.0);
+        gl_FragColor = vec4(isPrinted > 0.5 ? ink : fabric, 1.0);
       }`,
       depthTest: false,
       depthWrite: false,

@@ -9,7 +9,7 @@ import {keptStrokes, markStrokes, outlineStrokes, seamStrokes, type Appearance} 
 
 /** Shared by all scenes of a view. */
 interface Materials {
-  readonly cloth: PrintMaterial;
+  readonly fabric: PrintMaterial;
   readonly line: LineMaterial;
 }
 
@@ -160,11 +160,11 @@ export class SceneLayers {
 
   #build(scene: PatternScene, appearance: Appearance): void {
     this.dispose();
-    const {cloth, line} = this.#materials;
+    const {fabric, line} = this.#materials;
     const lines = (strokes: typeof markStrokes, order: number): LineLayer =>
       new LineLayer(strokes(scene, appearance), line, order);
     this.#layers = {
-      print: new PrintLayer(scene.pieces, scene.print, cloth),
+      print: new PrintLayer(scene.pieces, scene.print, fabric),
       outlines: lines(outlineStrokes, 1),
       kept: lines(keptStrokes, 2),
       seams: lines(seamStrokes, 3),

@@ -6,7 +6,7 @@ import type {Design} from '@samples/prints/design.js';
 import {
   cosets,
   difference,
-  finerCloth,
+  finerFabric,
   leastDifference,
   imageFor,
 } from '@samples/prints/measure.js';
@@ -14,7 +14,7 @@ import {printOf, tilesOf} from '@samples/prints/print-files.js';
 import {palettes} from '@samples/prints/palette.js';
 import {rendered, type Pixels} from '@samples/prints/raster.js';
 import {printDistance, printElements} from '@/model/print/wallpaper.js';
-import {seenThrough, type Cloth} from '@/image/tile-cloth.js';
+import {seenThrough, type TiledFabric} from '@/image/tile-fabric.js';
 import {isThorough} from '../../../support/level.js';
 
 /** A commit checks each third design, each of another group. */
@@ -33,11 +33,15 @@ const coarse = 4;
 
 const halfTurn: PlaneMap = {xx: -1, xy: 0, yx: 0, yy: -1, shift: [0, 0]};
 
-async function clothsOf(design: Design, density: number, softened: number): Promise<Cloth[]> {
+async function fabricsOf(
+  design: Design,
+  density: number,
+  softened: number,
+): Promise<TiledFabric[]> {
   const [width, height] = imageFor(design.cell, density);
   return Promise.all(
     tilesOf(design).map(async ({svg}) =>
-      finerCloth(design.cell, await rendered(svg, width, height), softened),
+      finerFabric(design.cell, await rendered(svg, width, height), softened),
     ),
   );
 }
@@ -60,13 +64,13 @@ describe.each(
   collection.map((design) => [`${design.id}, in ${design.cell.group},`, design] as const),
 )('%s', (_, design) => {
   const {cell} = design;
-  let seenCoarsely: Promise<Cloth[]> | undefined;
-  const coarseCloths = () => (seenCoarsely ??= clothsOf(design, coarse, 1));
+  let seenCoarsely: Promise<TiledFabric[]> | undefined;
+  const coarseFabrics = () => (seenCoarsely ??= fabricsOf(design, coarse, 1));
 
   it('lies on itself after every symmetry of its group, also across the borders of its tile', async () => {
-    for (const cloth of await clothsOf(design, fine, 2)) {
+    for (const fabric of await fabricsOf(design, fine, 2)) {
       for (const element of printElements(cell)) {
-        expect(difference(cloth, seenThrough(cloth, element))).toBeLessThan(still);
+        expect(difference(fabric, seenThrough(fabric, element))).toBeLessThan(still);
       }
     }
   });
@@ -75,9 +79,9 @@ describe.each(
   // finer lattice, or both in steps (Hermann 1929). The tests search for either at every possible
   // place.
   it('has no other symmetry: every further turn or reflection that keeps its lattice shows, wherever it lies', async () => {
-    for (const cloth of await coarseCloths()) {
+    for (const fabric of await coarseFabrics()) {
       for (const map of cosets(cell)) {
-        expect(leastDifference(cloth, seenThrough(cloth, map))).toBeGreaterThan(visible);
+        expect(leastDifference(fabric, seenThrough(fabric, map))).toBeGreaterThan(visible);
       }
     }
   });
@@ -85,14 +89,14 @@ describe.each(
   // The translations of a finer lattice cannot all be within a third of the shortest repeat.
   it('has no finer lattice: every translation far from a repeat shows', async () => {
     const far = farFromRepeats(design);
-    for (const cloth of await coarseCloths()) {
-      expect(leastDifference(cloth, cloth, far)).toBeGreaterThan(visible);
+    for (const fabric of await coarseFabrics()) {
+      expect(leastDifference(fabric, fabric, far)).toBeGreaterThan(visible);
     }
   });
 
-  it('is marked as one-way just when cloth turned upside down looks different', async () => {
-    for (const cloth of await coarseCloths()) {
-      const turned = leastDifference(cloth, seenThrough(cloth, halfTurn));
+  it('is marked as one-way just when fabric turned upside down looks different', async () => {
+    for (const fabric of await coarseFabrics()) {
+      const turned = leastDifference(fabric, seenThrough(fabric, halfTurn));
       expect(printOf(design).oneWay).toBe(turned > visible);
       if (!printOf(design).oneWay) expect(turned).toBeLessThan(2);
     }
@@ -143,9 +147,9 @@ const meanDifference = (one: readonly number[], other: readonly number[]): numbe
 it('would find the mirrors of p4m in a print that claims to be p4', async () => {
   const p4m = all.find(({id}) => id === 'p4m');
   if (!p4m) throw new Error('there is no p4m');
-  const [cloth] = await clothsOf(p4m, coarse, 1);
-  if (!cloth) throw new Error('p4m has no colourway');
+  const [fabric] = await fabricsOf(p4m, coarse, 1);
+  if (!fabric) throw new Error('p4m has no colourway');
   const [mirror] = cosets({...p4m.cell, group: 'p4'});
   if (!mirror) throw new Error('p4 has no larger group');
-  expect(leastDifference(cloth, seenThrough(cloth, mirror))).toBeLessThan(still);
+  expect(leastDifference(fabric, seenThrough(fabric, mirror))).toBeLessThan(still);
 });

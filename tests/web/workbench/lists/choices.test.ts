@@ -57,7 +57,7 @@ describe('what is decided about one piece', () => {
     expect(withGrain(own, 'cuff', 'all').grain).toEqual({default: 'on', pieces: {}});
   });
 
-  it('is plain cloth or print', () => {
+  it('is plain fabric or print', () => {
     const plain = withPrinted({plain: ['yoke']}, 'cuff', false);
     expect(plain.plain).toEqual(['yoke', 'cuff']);
     expect(withPrinted(plain, 'cuff', true).plain).toEqual(['yoke']);

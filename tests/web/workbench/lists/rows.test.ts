@@ -211,7 +211,7 @@ describe('rows of pieces', () => {
     expect(pieces({pattern}).map(({moved}) => moved)).toEqual([expect.closeTo(0.3, 12), 0]);
   });
 
-  it('tell the angle between grain and cloth, either way up unless the print is one-way', () => {
+  it('tell the angle between grain and fabric, either way up unless the print is one-way', () => {
     const turned = (degrees: number): Pattern =>
       squarePair({
         pieces: [

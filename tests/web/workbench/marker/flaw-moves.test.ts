@@ -14,7 +14,7 @@ const pressed = (key: string, shiftKey = false): ReturnType<typeof flawAfter> =>
   flawAfter({key, shiftKey}, triangle, 'cm', bolt);
 
 describe('a flaw', () => {
-  it('is put around a place, on whole steps, and no further than the cloth goes', () => {
+  it('is put around a place, on whole steps, and no further than the fabric goes', () => {
     expect(boxAround(flawAround([60.3, 40.2], 'cm', bolt))).toEqual({
       ...{left: 58, start: 38, width: 5, length: 5},
     });

@@ -31,7 +31,7 @@ const bolt: Bolt = {
   ...{widthCm: 110, selvedgeCm: 1, gapCm: 0.2, isOneWay: false},
 };
 
-describe('the length of cloth', () => {
+describe('the length of fabric', () => {
   it('is what there is to buy, rounded up as it is sold', () => {
     expect(soldLength(141, 'cm', words, cm)).toBe('1.45 m');
     expect(soldLength(145.001, 'cm', words, cm)).toBe('1.45 m');
@@ -81,7 +81,7 @@ describe('what the print costs', () => {
   });
 });
 
-describe('a place on cloth', () => {
+describe('a place on fabric', () => {
   it('is counted in repeats, or measured', () => {
     expect(pointWords([23, 12], bolt, words, cm)).toBe(
       '4th repeat from the left, 3rd from the start',

@@ -89,9 +89,9 @@ ObjectSearch::ObjectSearch(const PixelView& pixels, const LatticeMap& map, const
   const double along = std::sqrt(gram(0, 0)), across = gram(0, 1) / along;
   const double up = std::sqrt(std::max(gram(1, 1) - across * across, 1e-300));
   to_lattice_ << 1 / along, -across / (along * up), 0, 1 / up;
-  to_cloth_ << along, across, 0, up;
+  to_fabric_ << along, across, 0, up;
   const Vec2 u = MapInverse(map)(tapped);
-  tapped_ = to_cloth_ * u;
+  tapped_ = to_fabric_ * u;
   const Mat2 d = derivative(map, u) * to_lattice_;
   const double px = std::sqrt(std::abs(cross(d.col(0), d.col(1))));  // px per unit of length
   size_ = kLeastRadius * difference_.factor() / px;

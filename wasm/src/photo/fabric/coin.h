@@ -79,7 +79,7 @@ class ObjectSearch {
   void finish();
   float clearness(const ObjectPlacing& placing, float least) const;
   float sharpness(const ObjectPlacing& placing, float least) const;
-  Vec2 pictureOf(const Vec2& cloth) const { return map_(to_lattice_ * cloth); }
+  Vec2 pictureOf(const Vec2& fabric) const { return map_(to_lattice_ * fabric); }
   Vec2 onPicture(const Vec2& bit) const;
   double pixel() const;
 
@@ -87,7 +87,7 @@ class ObjectSearch {
   LatticeMap map_;
   KnownObject object_;
   std::array<OutlineBit, kOutlineBits> bits_;
-  Mat2 to_lattice_, to_cloth_;
+  Mat2 to_lattice_, to_fabric_;
   Vec2 tapped_;      ///< the user's point on the fabric
   double most_ = 0;  ///< largest size to try
   Stage stage_ = Stage::kCompare;

@@ -157,7 +157,7 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
     if (!(hints.span->length > 0 && hints.span->length < 1e4 && px > 4 * kPointing))
       return badHint(
           "two points on the photo have to lie more than 4 px apart, and their distance on the "
-          "cloth between 0 cm and 100 m");
+          "fabric between 0 cm and 100 m");
     metric.along = u;
     scaleMetric(hints.span->length / apart,
                 Vec2(std::sqrt(2.0) * kPointing / px, metric.aspect_error / 2).norm(), &metric);

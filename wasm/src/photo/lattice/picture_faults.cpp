@@ -56,7 +56,7 @@ Error noRepeat() {
   return fault(
       "noRepeat",
       "no repeat was found: step back until three repeats are seen each way, and photograph the "
-      "cloth flat and from above");
+      "fabric flat and from above");
 }
 
 }  // namespace
@@ -70,21 +70,21 @@ Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
   if (finePeriod(levels[0]) > kMoire) {
     return fault(
         "moire",
-        "the weave makes a strong moire on the picture: photograph the cloth from a little closer "
+        "the weave makes a strong moire on the picture: photograph the fabric from a little closer "
         "or farther away");
   }
   if (variance < kPlain) {
-    return fault(
-        "plain",
-        "no print was found, the cloth looks plain: photograph it in brighter light from one side, "
-        "or choose a plain colour instead");
+    return fault("plain",
+                 "no print was found, the fabric looks plain: photograph it in brighter light from "
+                 "one side, "
+                 "or choose a plain colour instead");
   }
   if (coarse + 1 < levels.size() &&
       variance - varianceOf(levels[coarse + 1]) < kBlurred * variance) {
     return fault(
         "blurred",
         "no repeat was found, the picture is blurred: hold the camera still and let it focus on "
-        "the cloth");
+        "the fabric");
   }
   if (local > kLocal) {
     return fault(
@@ -125,7 +125,7 @@ std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifference
       std::max(right->mean, below->mean) < kNeighboursDiffer * 2 * agreement.variance) {
     return fault(
         "changes",
-        "the print changes along the cloth: photograph a part in which all repeats are alike");
+        "the print changes along the fabric: photograph a part in which all repeats are alike");
   }
   return std::nullopt;
 }

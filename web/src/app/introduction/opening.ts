@@ -1,7 +1,7 @@
 /** The sample of a first visit, with its drape, which is stored. */
 import {readStoredDrape} from '../../model/documents/stored-drape.js';
 import {askingFor, type Design} from '../../model/design/design.js';
-import {drapingOf} from '../../workbench/drape/draping.js';
+import {drapesOf} from '../../workbench/drape/drapes.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
 /**
@@ -22,5 +22,5 @@ export async function beginOpening(
   const tile = plain.then(({print}) => workbench.tileOf(print.image).catch(() => undefined));
   const [design, {symmetries, drape, alignments}] = await Promise.all([plain, stored, tile]);
   begin({...design, symmetry: askingFor(symmetries)});
-  drapingOf(workbench).know({drape, alignments});
+  drapesOf(workbench).know({drape, alignments});
 }

@@ -23,7 +23,7 @@ export const allCommands = (parts: PageParts): readonly Command[] => [
 
 /** Commands that save files of the view beside the pattern, if there is one. */
 function savesOfView({workbench, texts, editor, saves}: PageParts): readonly Command[] {
-  const view = editor.worn ?? editor.cloth;
+  const view = editor.drape ?? editor.marker;
   if (!view) return [];
   const words = texts.commands.also.save;
   const commands = viewSaves(view, workbench, saves.other);

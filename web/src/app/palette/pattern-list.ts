@@ -56,8 +56,8 @@ export const viewCommands = (parts: PageParts): readonly Command[] => {
           editor.show(view);
         },
       })),
-    ...(editor.shows === 'garment' || editor.shows === 'cloth' ? [] : patternViews(parts)),
-    ...((editor.worn ?? editor.cloth)?.commands ?? []),
+    ...(editor.shows === 'garment' || editor.shows === 'marker' ? [] : patternViews(parts)),
+    ...((editor.drape ?? editor.marker)?.commands ?? []),
   ];
 };
 

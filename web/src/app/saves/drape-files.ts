@@ -7,7 +7,7 @@ import {imageCell} from '../../model/print/wallpaper.js';
 import {drapeTexts} from '../../texts/drape-texts.js';
 import {pngOf} from '../../viewer/read-back.js';
 import {onWhite} from '../../viewer/tile-texture.js';
-import {drapingOf} from '../../workbench/drape/draping.js';
+import {drapesOf} from '../../workbench/drape/drapes.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {DrapePane} from '../../editor/drape/drape-pane.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
@@ -31,7 +31,7 @@ const greatestSide = 2048;
 function drapeFiles({workbench, view}: DrapePane): readonly DrapeFileChoice[] {
   const {language, messages} = workbench.preferences.chosen;
   const words = drapeTexts(language, messages);
-  const {drape} = drapingOf(workbench);
+  const {drape} = drapesOf(workbench);
   if (!view || !drape) return [];
   const type = filmType();
   return [
@@ -56,7 +56,7 @@ function drapeFiles({workbench, view}: DrapePane): readonly DrapeFileChoice[] {
 async function model(workbench: Workbench): Promise<Blob> {
   const {design} = workbench.history;
   const {result} = workbench.solving;
-  const {drape} = drapingOf(workbench);
+  const {drape} = drapesOf(workbench);
   if (!design || !result || !drape) throw new Error('There is no garment to save yet.');
   const picture = await cellOf(workbench);
   const bytes = glb(result, drape, printOf(design.print), {

@@ -8,7 +8,7 @@ import {fabricOf, printOf} from '../../model/design/design.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {standInScene} from '../../scene/stand-in.js';
 import type {CameraPreset} from '../../viewer/drape/camera.js';
-import {drapingOf, type Draping} from '../../workbench/drape/draping.js';
+import {drapesOf, type Drapes} from '../../workbench/drape/drapes.js';
 import {
   drapeEvent,
   drawnEvent,
@@ -133,7 +133,7 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
   declare form: 'shown' | 'hidden';
   /** True for a turntable, which runs until the user touches the drape. */
   declare turntable: boolean;
-  readonly #standIn = lastOf(({drape, alignments, design}: NonNullable<Draping['known']>) =>
+  readonly #standIn = lastOf(({drape, alignments, design}: NonNullable<Drapes['known']>) =>
     standInScene(
       drape.mesh.pieces.map(({name}) => name),
       alignments,
@@ -142,7 +142,7 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
   );
   #observer: IntersectionObserver | undefined;
   #isInView = false;
-  /** Ends the draping. */
+  /** Ends the drapes. */
   #end: (() => void) | undefined;
   #isPrinted = false;
   #isShaped = false;
@@ -173,8 +173,8 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
     this.#isShaped = false;
   }
 
-  protected get draping(): Draping {
-    return drapingOf(this.workbench);
+  protected get drapes(): Drapes {
+    return drapesOf(this.workbench);
   }
 
   /** Additional options of a drape with tools. */
@@ -204,7 +204,7 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
   }
 
   protected override standIn(): PatternScene | undefined {
-    const {known} = this.draping;
+    const {known} = this.drapes;
     return known && this.#standIn(known);
   }
 
@@ -233,11 +233,11 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
     this.#end = undefined;
   }
 
-  /** @returns function that ends the draping */
+  /** @returns function that ends the drapes */
   #begin(view: DrapeView): () => void {
     const quiet = matchMedia('(prefers-reduced-motion: reduce)');
     let shown = false;
-    return this.draping.show({
+    return this.drapes.show({
       form: (form) => {
         view.form = form;
       },
@@ -259,7 +259,7 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
   }
 
   #tellNews(): void {
-    const {state, drape} = this.draping.read;
+    const {state, drape} = this.drapes.read;
     if (state.kind === 'draping') {
       const {stage, fraction} = state.progress;
       // the end is reported with the final positions

@@ -118,7 +118,7 @@ export class DrapePane extends DrapeDrawing {
 
   protected override render(): TemplateResult {
     const words = this.#words;
-    const {state} = this.draping.read;
+    const {state} = this.drapes.read;
     const edits = this.purpose === 'edit';
     return html`
       <div
@@ -262,12 +262,12 @@ export class DrapePane extends DrapeDrawing {
   /** Progress, failure or notes. */
   #told(words: DrapeTexts): TemplateResult | typeof nothing {
     if (this.undrawable !== undefined) return html`<p class="told">${this.undrawable}</p>`;
-    const {draping} = this;
-    const {state, drape} = draping;
+    const {drapes} = this;
+    const {state, drape} = drapes;
     const again = html`<button
       class="outlined"
       @click=${() => {
-        draping.again();
+        drapes.again();
       }}
     >
       ${words.again}
@@ -282,7 +282,7 @@ export class DrapePane extends DrapeDrawing {
           >
           <button
             @click=${() => {
-              draping.cancel();
+              drapes.cancel();
             }}
           >
             ${words.stop}
@@ -331,7 +331,7 @@ export class DrapePane extends DrapeDrawing {
 
   /** "Front view. 9 of 11 visible seams match." */
   #spoken(words: DrapeTexts): string {
-    const {state, drape} = this.draping;
+    const {state, drape} = this.drapes;
     if (!drape && state.kind === 'waiting') return words.waiting;
     if (state.kind === 'draping')
       return words.draping(this.format.percent(Math.floor(state.progress.fraction * 4) / 4));

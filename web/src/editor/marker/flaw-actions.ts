@@ -21,18 +21,18 @@ export abstract class FlawActions extends PieceActions {
   protected abstract readonly middle: Point | undefined;
 
   get flaws(): readonly Flaw[] {
-    return this.laying.step?.flaws ?? [];
+    return this.layouts.step?.flaws ?? [];
   }
 
   /** Flaws can be marked one after the other, even while the solver lays pieces again. */
   get canMark(): boolean {
-    const {bolt, isStale, state} = this.laying;
+    const {bolt, isStale, state} = this.layouts;
     return !isStale && bolt !== undefined && state.kind !== 'failed';
   }
 
   /** Adds a flaw in the middle of the visible part. */
   putFlaw(): void {
-    const {bolt} = this.laying;
+    const {bolt} = this.layouts;
     const {middle} = this;
     if (!bolt || !middle || !this.canMark) return;
     this.addFlaw(flawAround(middle, this.workbench.preferences.chosen.units, bolt));
@@ -44,7 +44,7 @@ export abstract class FlawActions extends PieceActions {
   changeFlaw(number: number, flaw: Flaw | null): void {
     if (!this.canMark || !this.flaws[number]) return;
     const changed = this.flaws.flatMap((one, k) => (k !== number ? [one] : flaw ? [flaw] : []));
-    this.laying.setFlaws(changed);
+    this.layouts.setFlaws(changed);
     this.chooseFlaw(flaw ? number : undefined);
     if (flaw) this.#tell(number);
     else this.told = this.words.flawRemoved(number + 1);
@@ -70,7 +70,7 @@ export abstract class FlawActions extends PieceActions {
 
   /** @returns true if the key changed the selected flaw */
   protected pressForFlaw(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'altKey'>): boolean {
-    const {bolt} = this.laying;
+    const {bolt} = this.layouts;
     const {chosenFlaw: number} = this;
     const flaw = number === undefined ? undefined : this.flaws[number];
     if (number === undefined || !flaw || !bolt || event.altKey) return false;

@@ -50,8 +50,8 @@ const tool = ({label, picture, key, isPossible, isOn, act}: Tool): TemplateResul
     ${picture} <span>${label}</span>
   </button>`;
 
-export function markerBar(cloth: BarredFabric, words: MarkerTexts): TemplateResult {
-  const {isReady, canMark, chosen, hasPins, isMarking} = cloth;
+export function markerBar(fabric: BarredFabric, words: MarkerTexts): TemplateResult {
+  const {isReady, canMark, chosen, hasPins, isMarking} = fabric;
   const isPossible = isReady && chosen !== undefined;
   const isPinned = chosen?.isPinned ?? false;
   const pack = hasPins ? words.packRest : words.packAgain;
@@ -60,44 +60,44 @@ export function markerBar(cloth: BarredFabric, words: MarkerTexts): TemplateResu
       ${tool({
         ...{label: words.turn, picture: icon.quarterTurn, key: 'R', isPossible},
         act: () => {
-          cloth.turn();
+          fabric.turn();
         },
       })}
       ${tool({
         ...{label: isPinned ? words.unpin : words.pin, picture: icon.pin, key: 'P', isPossible},
         isOn: isPinned,
         act: () => {
-          cloth.togglePin();
+          fabric.togglePin();
         },
       })}
       ${tool({
         ...{label: words.flaw, picture: flawIcon, key: 'X', isPossible: canMark, isOn: isMarking},
         act: () => {
-          cloth.toggleFlawTool();
+          fabric.toggleFlawTool();
         },
       })}
       ${tool({
         ...{label: pack, picture: packIcon, key: 'A', isPossible: isReady},
         act: () => {
-          cloth.pack();
+          fabric.pack();
         },
       })}
     </div>
   </div>`;
 }
 
-export function markerZoom(cloth: BarredFabric, {pattern}: Texts): TemplateResult {
+export function markerZoom(fabric: BarredFabric, {pattern}: Texts): TemplateResult {
   const part = (label: string, picture: TemplateResult, act: () => void): TemplateResult =>
     html`<button class="icon" aria-label=${label} title=${label} @click=${act}>${picture}</button>`;
   return html`<div class="group" role="group" aria-label=${pattern.view}>
     ${part(pattern.zoomOut, icon.minus, () => {
-      cloth.zoomBy(1 / zoomFactor);
+      fabric.zoomBy(1 / zoomFactor);
     })}
     ${part(pattern.fit, icon.fit, () => {
-      cloth.fit();
+      fabric.fit();
     })}
     ${part(pattern.zoomIn, icon.plus, () => {
-      cloth.zoomBy(zoomFactor);
+      fabric.zoomBy(zoomFactor);
     })}
   </div>`;
 }

@@ -1,12 +1,12 @@
 /** Base class of the parts of the fabric layout. */
 import {markerTexts, type MarkerTexts} from '../../texts/marker-texts.js';
-import {layingOf, type Laying} from '../../workbench/marker/laying.js';
+import {layoutsOf, type Layouts} from '../../workbench/marker/layouts.js';
 import type {PieceOnFabric} from '../../workbench/marker/marker-work.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 
 export abstract class MarkerElement extends WorkbenchElement {
-  protected get laying(): Laying {
-    return layingOf(this.workbench).read;
+  protected get layouts(): Layouts {
+    return layoutsOf(this.workbench).read;
   }
 
   protected get words(): MarkerTexts {
@@ -24,7 +24,7 @@ export abstract class MarkerElement extends WorkbenchElement {
   /** Returns the label of a piece on the fabric, numbered if the marker contains several of it. */
   protected readonly labelOf = ({name, number}: Pick<PieceOnFabric, 'name' | 'number'>): string => {
     const label = this.nameOf(name);
-    const {names} = this.laying;
+    const {names} = this.layouts;
     const same = names.flatMap((one, k) => (one === name ? [k] : []));
     return same.length > 1 ? `${label} ${same.indexOf(number) + 1}` : label;
   };

@@ -3,7 +3,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 import type {OwnShare} from '../../cutting/allowances.js';
 import {
-  clothLimits,
+  fabricLimits,
   usualWidths,
   type MarkerChoices,
 } from '../../workbench/marker/marker-choices.js';
@@ -37,7 +37,7 @@ const other = 'other';
 
 const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
 
-type Length = Exclude<keyof typeof clothLimits, 'copies'>;
+type Length = Exclude<keyof typeof fabricLimits, 'copies'>;
 
 /** Steps of the arrow keys other than half a unit. */
 const fineSteps: Partial<Record<Length, number>> = {gapCm: 0.1, allowanceCm: 0.1, hemCm: 0.1};
@@ -48,7 +48,7 @@ function lengthField(
   label: (unit: string) => string,
 ): TemplateResult {
   const {name: unit, cm} = lengthUnit[units];
-  const [least, most] = clothLimits[name];
+  const [least, most] = fabricLimits[name];
   return html`<sw-number-field
     .label=${label(unit)}
     .value=${(choices[name] ?? 0) / cm}
@@ -67,7 +67,7 @@ function lengthField(
 function widthFields(fields: Fields): TemplateResult {
   const {choices, format, words, texts, choose, hasOwnWidth, askOwnWidth} = fields;
   const isOwn = hasOwnWidth || !usualWidths.includes(choices.widthCm);
-  const [fewest, most] = clothLimits.copies;
+  const [fewest, most] = fabricLimits.copies;
   return html`<div class="pair">
       <label>
         ${words.width}

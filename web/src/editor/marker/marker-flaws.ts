@@ -73,7 +73,7 @@ export class MarkerFlaws extends MarkerElement {
 
   protected override render(): TemplateResult {
     const {words} = this;
-    const flaws = this.laying.step?.flaws ?? [];
+    const flaws = this.layouts.step?.flaws ?? [];
     const isPossible = this.actions.canMark;
     return html`<section class="flaws" aria-label=${words.flaws}>
       <h3>${words.flaws}</h3>
@@ -129,7 +129,7 @@ export class MarkerFlaws extends MarkerElement {
 
   #figures(flaw: Flaw, number: number, said: string): TemplateResult {
     const {words} = this;
-    const {bolt} = this.laying;
+    const {bolt} = this.layouts;
     const {left, width, ...along} = boxAround(flaw);
     const widthCm = bolt?.widthCm ?? left + width;
     const field = (
@@ -173,7 +173,7 @@ export class MarkerFlaws extends MarkerElement {
   }
 
   #press(event: KeyboardEvent, flaw: Flaw, number: number): void {
-    const {bolt} = this.laying;
+    const {bolt} = this.layouts;
     if (!bolt || event.ctrlKey || event.metaKey || event.altKey) return;
     const changed = flawAfter(event, flaw, this.workbench.preferences.chosen.units, bolt);
     if (changed === undefined) return;
@@ -190,7 +190,7 @@ export class MarkerFlaws extends MarkerElement {
 
   readonly #add = (): void => {
     this.actions.putFlaw();
-    void this.#focusOn((this.laying.step?.flaws.length ?? 0) - 1);
+    void this.#focusOn((this.layouts.step?.flaws.length ?? 0) - 1);
   };
 
   async #focusOn(number: number): Promise<void> {

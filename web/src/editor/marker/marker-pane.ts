@@ -116,19 +116,19 @@ export class MarkerPane extends FlawActions {
   /** Files to save at present; none while a piece has a conflict. */
   get files(): ReturnType<typeof markerFiles> {
     const {words, workbench} = this;
-    const {plan, print} = this.laying;
+    const {plan, print} = this.layouts;
     const isGood = plan?.placements.length && print && this.isReady && this.#conflicts.size === 0;
     return isGood ? markerFiles(plan, {words, workbench, print}) : [];
   }
 
   /** Name of the step that undo reverts here. */
   get undoWords(): string | undefined {
-    const {past = [], present} = this.laying.history ?? {};
+    const {past = [], present} = this.layouts.history ?? {};
     return layStepWords(past.at(-1), present, this.words);
   }
 
   get redoWords(): string | undefined {
-    const {future = [], present} = this.laying.history ?? {};
+    const {future = [], present} = this.layouts.history ?? {};
     return layStepWords(present, future[0], this.words);
   }
 
@@ -136,12 +136,12 @@ export class MarkerPane extends FlawActions {
   undo(): boolean {
     this.#pointing.cancel();
     this.say(''); // the message may no longer be true
-    return this.laying.undo();
+    return this.layouts.undo();
   }
 
   redo(): boolean {
     this.say('');
-    return this.laying.redo();
+    return this.layouts.redo();
   }
 
   override focus(options?: FocusOptions): void {
@@ -164,13 +164,13 @@ export class MarkerPane extends FlawActions {
   }
 
   protected override get middle(): Point | undefined {
-    const {renderRoot, laying} = this;
+    const {renderRoot, layouts} = this;
     const [view, sheet] = [
       renderRoot.querySelector('.application'),
       renderRoot.querySelector<SVGSVGElement>('.sheet'),
     ];
-    return view && sheet && laying.bolt
-      ? middleInSight(view, sheet, laying.bolt.widthCm)
+    return view && sheet && layouts.bolt
+      ? middleInSight(view, sheet, layouts.bolt.widthCm)
       : undefined;
   }
 
@@ -180,13 +180,13 @@ export class MarkerPane extends FlawActions {
 
   /** The displayed state, for pointer events. */
   get shown(): PointedFabric['shown'] {
-    const {pieces, bolt} = this.laying;
+    const {pieces, bolt} = this.layouts;
     return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
   }
 
   /** Starts packing once the pane is visible, and scrolls to the cut edge first. */
   protected override updated(): void {
-    if (this.isConnected) this.#end ??= this.laying.show();
+    if (this.isConnected) this.#end ??= this.layouts.show();
     const application = this.renderRoot.querySelector('.application');
     if (application) this.#observer?.observe(application);
     if (!application || !this.renderRoot.querySelector('.sheet')) return;
@@ -199,8 +199,8 @@ export class MarkerPane extends FlawActions {
   }
 
   protected override render(): TemplateResult {
-    const {laying, words} = this;
-    const {state} = laying;
+    const {layouts, words} = this;
+    const {state} = layouts;
     return html`<div class="pane" data-state=${state.kind}>
       ${markerBar(this, words)}
       <div
@@ -212,7 +212,7 @@ export class MarkerPane extends FlawActions {
         @keydown=${this.#press}
       >
         <div
-          class="stage ${laying.isStale ? 'stale' : ''} ${this.isMarking ? 'marking' : ''}"
+          class="stage ${layouts.isStale ? 'stale' : ''} ${this.isMarking ? 'marking' : ''}"
           @pointerdown=${this.#pointing.press}
           @pointermove=${this.#pointing.move}
           @pointerup=${this.#pointing.release}
@@ -242,7 +242,7 @@ export class MarkerPane extends FlawActions {
         .chosenFlaw=${this.chosenFlaw}
         @sw-piece-chosen=${({detail}: CustomEvent<number>) => {
           this.choose(detail);
-          this.toBeSeen = 'on cloth';
+          this.toBeSeen = 'on fabric';
         }}
         @keydown=${this.#pressInList}
       ></sw-marker-panel>
@@ -251,7 +251,7 @@ export class MarkerPane extends FlawActions {
   }
 
   get #conflicts(): ReadonlyMap<number, string> {
-    const {pieces, bolt, isMoved} = this.laying;
+    const {pieces, bolt, isMoved} = this.layouts;
     // packed pieces have no conflicts
     return bolt && isMoved ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
   }
@@ -267,8 +267,8 @@ export class MarkerPane extends FlawActions {
   }
 
   #sheet(): TemplateResult | typeof nothing {
-    const {laying, words} = this;
-    const {bolt, pieces, step, print} = laying;
+    const {layouts, words} = this;
+    const {bolt, pieces, step, print} = layouts;
     if (!bolt || !step || !print || this.#room[0] === 0) return nothing;
     const usedCm = usedLength(pieces);
     const {units} = this.workbench.preferences.chosen;
@@ -288,12 +288,12 @@ export class MarkerPane extends FlawActions {
   }
 
   #inWay({piece, inWay}: Dragged): string | undefined {
-    return conflictWords(piece, inWay, this.laying.pieces, this.labelOf, this.words);
+    return conflictWords(piece, inWay, this.layouts.pieces, this.labelOf, this.words);
   }
 
   /** Place of the selected piece in words; during a drag, the place that it would take. */
   get #placeOfSelected(): string | undefined {
-    const {bolt} = this.laying;
+    const {bolt} = this.layouts;
     const {dragged} = this.#pointing;
     const piece = dragged ? {...dragged.piece, place: dragged.place} : this.selectedPiece;
     if (!piece || !bolt) return undefined;
@@ -304,15 +304,15 @@ export class MarkerPane extends FlawActions {
   }
 
   get #status(): Parameters<typeof markerStatus>[0] {
-    const {laying, words, format} = this;
-    const {state} = laying;
+    const {layouts, words, format} = this;
+    const {state} = layouts;
     const {dragged} = this.#pointing;
     const conflicts = this.#conflicts;
     const own = this.selected === undefined ? undefined : conflicts.get(this.selected);
     const why =
       state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
     return {
-      ...{laying, words, format, why, said: this.said, told: this.told},
+      ...{layouts, words, format, why, said: this.said, told: this.told},
       unaligned:
         this.workbench.solving.state.kind === 'failed' ? this.texts.progress.failed : undefined,
       isMarking: this.isMarking,

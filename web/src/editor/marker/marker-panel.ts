@@ -117,8 +117,8 @@ export class MarkerPanel extends MarkerElement {
   }
 
   protected override render(): TemplateResult {
-    const {laying, words} = this;
-    const {step, plan, state, isStale, isAwaited} = laying;
+    const {layouts, words} = this;
+    const {step, plan, state, isStale, isAwaited} = layouts;
     const isShown = plan !== undefined && state.kind !== 'failed';
     return html`<section aria-label=${words.panel} class=${isStale || isAwaited ? 'stale' : ''}>
         ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#unaligned()}
@@ -145,7 +145,7 @@ export class MarkerPanel extends MarkerElement {
   }
 
   #result(plan: LayPlan): TemplateResult {
-    const {words, format, laying} = this;
+    const {words, format, layouts} = this;
     const {lengthCm, useShare, phases, placements, unplaced} = plan;
     const used = [format.length(lengthCm), format.percent(useShare)] as const;
     return html`<h2 class="buy">${this.#headline(plan)}</h2>
@@ -157,7 +157,7 @@ export class MarkerPanel extends MarkerElement {
         }
         ${this.#isWhole(plan) ? this.#proof(plan) : nothing}
         ${
-          laying.isMoved
+          layouts.isMoved
             ? html`<li>${words.moved}</li>` // the rest describes the marker before the move
             : html`${this.#costs(plan)} ${this.#range(phases)} ${this.#offers(plan)}`
         }
@@ -181,10 +181,10 @@ export class MarkerPanel extends MarkerElement {
   }
 
   #proof({proven, boundCm, unpinnedLengthCm}: LayPlan): TemplateResult | typeof nothing {
-    const {words, format, laying} = this;
+    const {words, format, layouts} = this;
     const said = unpinnedLengthCm === undefined ? words.proven : words.provenPinned;
     if (proven) return html`<li>${icon.result} ${said}</li>`;
-    return laying.state.kind === 'done' && boundCm > 0
+    return layouts.state.kind === 'done' && boundCm > 0
       ? html`<li>${words.bound(format.length(boundCm))}</li>`
       : nothing;
   }
@@ -248,15 +248,15 @@ export class MarkerPanel extends MarkerElement {
     };
     return html`<li class="offer">
       ${words.lessDesign(saving, mean ?? '', instead ?? '')}
-      <button class="link" ?disabled=${this.laying.isStale} @click=${take}>
+      <button class="link" ?disabled=${this.layouts.isStale} @click=${take}>
         ${words.takeDesign}
       </button>
     </li>`;
   }
 
   #fields(): TemplateResult | typeof nothing {
-    const {laying, workbench} = this;
-    const {choices, plan} = laying;
+    const {layouts, workbench} = this;
+    const {choices, plan} = layouts;
     const {design} = workbench.history;
     const preferences = workbench.preferences.chosen;
     if (!choices || !design) return nothing;
@@ -266,10 +266,10 @@ export class MarkerPanel extends MarkerElement {
       startCm: plan?.printOrigin?.[0],
       isOneWay: design.print.oneWay,
       hasAllowances: this.hasAllowances,
-      ownAllowances: laying.ownAllowances,
+      ownAllowances: layouts.ownAllowances,
       choose: (change) => {
         if (change.widthCm !== undefined) this.hasOwnWidth = false;
-        laying.choose(change);
+        layouts.choose(change);
       },
       askOwnWidth: () => {
         this.hasOwnWidth = true;
@@ -281,8 +281,8 @@ export class MarkerPanel extends MarkerElement {
   }
 
   #pieces({pins}: LayStep): TemplateResult {
-    const {laying, words} = this;
-    const {bolt, names, pieces} = laying;
+    const {layouts, words} = this;
+    const {bolt, names, pieces} = layouts;
     return html`<table class="pieces">
       <caption>
         ${words.pieces}
@@ -322,10 +322,10 @@ export class MarkerPanel extends MarkerElement {
                 aria-label=${words.pinPiece(label)}
                 title=${pins.has(number) ? words.unpin : words.pin}
                 aria-pressed=${pins.has(number)}
-                ?disabled=${!piece || laying.isStale}
+                ?disabled=${!piece || layouts.isStale}
                 @click=${(event: Event) => {
                   event.stopPropagation();
-                  laying.togglePin(number);
+                  layouts.togglePin(number);
                 }}
               >
                 ${icon.pin}
@@ -345,14 +345,14 @@ export class MarkerPanel extends MarkerElement {
    * @param plan the packed marker; its lengths stay valid while pieces are moved or off the fabric
    */
   #widths({pins}: LayStep, plan: LayPlan): TemplateResult | typeof nothing {
-    const {laying, words, format} = this;
+    const {layouts, words, format} = this;
     const {packed, unpinned} = words.widthsOf;
     const isPinned = pins.size > 0 || plan.unpinnedLengthCm !== undefined;
     return markerWidths(plan, {
       ...{units: this.workbench.preferences.chosen.units, words, format},
-      of: isPinned ? unpinned : laying.isMoved ? packed : undefined,
+      of: isPinned ? unpinned : layouts.isMoved ? packed : undefined,
       take: (widthCm) => {
-        laying.choose({widthCm});
+        layouts.choose({widthCm});
       },
     });
   }

@@ -38,7 +38,7 @@ interface Press {
 }
 
 export class MarkerPointing {
-  readonly #cloth: PointedFabric;
+  readonly #fabric: PointedFabric;
   #press: Press | undefined;
   #drag: PieceDrag | undefined;
   #flawTool: FlawTool | undefined;
@@ -46,8 +46,8 @@ export class MarkerPointing {
   #last: {readonly at: Point; readonly takes: boolean} | undefined;
   #drawing: number | undefined;
 
-  constructor(cloth: PointedFabric) {
-    this.#cloth = cloth;
+  constructor(fabric: PointedFabric) {
+    this.#fabric = fabric;
   }
 
   get isMarking(): boolean {
@@ -69,11 +69,11 @@ export class MarkerPointing {
 
   toggleFlawTool(): void {
     this.#flawTool = this.#flawTool ? undefined : new FlawTool();
-    this.#cloth.requestUpdate();
+    this.#fabric.requestUpdate();
   }
 
   readonly press = (event: PointerEvent): void => {
-    const {isReady, shown} = this.#cloth;
+    const {isReady, shown} = this.#fabric;
     const at = pointOf(event);
     if (!isReady || event.button !== 0 || !at) return;
     const stage = event.currentTarget as HTMLElement;
@@ -81,12 +81,12 @@ export class MarkerPointing {
       event.preventDefault();
       stage.setPointerCapture(event.pointerId);
       this.#flawTool.press(at);
-      this.#cloth.requestUpdate();
+      this.#fabric.requestUpdate();
       return;
     }
     const number = numberOf(event);
     const piece = shown.pieces.find((one) => one.number === number);
-    this.#cloth.choose(piece?.number);
+    this.#fabric.choose(piece?.number);
     if (!piece) return;
     stage.setPointerCapture(event.pointerId);
     this.#press = {
@@ -100,12 +100,12 @@ export class MarkerPointing {
     if (!at) return;
     if (this.#flawTool) {
       this.#flawTool.move(at);
-      this.#cloth.requestUpdate();
+      this.#fabric.requestUpdate();
       return;
     }
     const press = this.#press;
     if (!press) {
-      this.#cloth.point(numberOf(event));
+      this.#fabric.point(numberOf(event));
       return;
     }
     if (press.pointer !== event.pointerId) return;
@@ -116,10 +116,10 @@ export class MarkerPointing {
   };
 
   #begin({piece}: Press): void {
-    const {pieces, bolt} = this.#cloth.shown;
+    const {pieces, bolt} = this.#fabric.shown;
     if (!bolt) return;
     if (!this.#drag) {
-      this.#cloth.hold();
+      this.#fabric.hold();
       this.#drag = new PieceDrag(pieces, piece, bolt);
     }
     this.#drawing ??= requestAnimationFrame(this.#draw);
@@ -132,7 +132,7 @@ export class MarkerPointing {
     if (last) drag.moveBy(minus(last.at, press.from), last.takes);
     this.#last = undefined;
     if (drag.look(lookTime)) this.#drawing = requestAnimationFrame(this.#draw);
-    this.#cloth.requestUpdate();
+    this.#fabric.requestUpdate();
   };
 
   readonly release = (event: PointerEvent): void => {
@@ -140,14 +140,14 @@ export class MarkerPointing {
     if (this.#flawTool && at) {
       const flaw = this.#flawTool.release(at);
       if (flaw) this.#add(flaw);
-      this.#cloth.requestUpdate();
+      this.#fabric.requestUpdate();
       return;
     }
     const [drag, press] = [this.#drag, this.#press];
     this.#end();
     if (!drag || !press || !at) return;
     drag.moveBy(minus(at, press.from), event.altKey);
-    if (Math.hypot(...drag.way) > 1e-6) this.#cloth.move(drag.piece, drag.place);
+    if (Math.hypot(...drag.way) > 1e-6) this.#fabric.move(drag.piece, drag.place);
   };
 
   readonly closeFlaw = (): void => {
@@ -156,7 +156,7 @@ export class MarkerPointing {
   };
 
   readonly leave = (): void => {
-    this.#cloth.point(undefined);
+    this.#fabric.point(undefined);
   };
 
   /** Ends a drag or the drawing of a flaw. @returns true if either was active */
@@ -169,7 +169,7 @@ export class MarkerPointing {
 
   #add(flaw: readonly Point[]): void {
     this.#flawTool = undefined;
-    this.#cloth.addFlaw(flaw);
+    this.#fabric.addFlaw(flaw);
   }
 
   #end(): void {
@@ -180,7 +180,7 @@ export class MarkerPointing {
       undefined,
       undefined,
     ];
-    this.#cloth.requestUpdate();
+    this.#fabric.requestUpdate();
   }
 }
 

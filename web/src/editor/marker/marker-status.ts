@@ -4,10 +4,10 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {passingFailures} from '../../model/base/failure.js';
 import type {Format} from '../../texts/format.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
-import type {Laying} from '../../workbench/marker/laying.js';
+import type {Layouts} from '../../workbench/marker/layouts.js';
 
 interface Status {
-  readonly laying: Laying;
+  readonly layouts: Layouts;
   /** Message of a failure. */
   readonly why: string;
   /** Message of the last change to a flaw; displayed even while the solver lays pieces. */
@@ -27,25 +27,25 @@ interface Status {
 }
 
 export function markerStatus(status: Status): TemplateResult {
-  const {laying, words, format, why} = status;
-  const {state} = laying;
+  const {layouts, words, format, why} = status;
+  const {state} = layouts;
   if (status.isMarking) return html`<p class="told">${words.flawHint}</p>`;
   const act = (label: string, run: () => void): TemplateResult =>
     html`<button class="outlined" @click=${run}>${label}</button>`;
   const again = act(words.again, () => {
-    laying.pack();
+    layouts.pack();
   });
   if (status.isDragging) return doneWords(status);
   switch (state.kind) {
     case 'waiting':
       return html`<p class="told">
-        ${status.unaligned ?? (laying.step ? words.stale : words.waiting)}
+        ${status.unaligned ?? (layouts.step ? words.stale : words.waiting)}
       </p>`;
     case 'laying':
       return html`<p class="told">
         <span class="numbers">${words.laying(format.percent(state.fraction))}</span>
         ${act(words.cancel, () => {
-          laying.cancel();
+          layouts.cancel();
         })}
       </p>`;
     case 'cancelled':
@@ -68,8 +68,16 @@ function doneWords({told, said, conflict, place, words}: Status): TemplateResult
 }
 
 /** Status for screen readers. */
-export function spokenStatus({laying, told, said, conflict, place, words, format}: Status): string {
-  const {state} = laying;
+export function spokenStatus({
+  layouts,
+  told,
+  said,
+  conflict,
+  place,
+  words,
+  format,
+}: Status): string {
+  const {state} = layouts;
   if (told !== '') return told;
   if (state.kind === 'laying') {
     return words.laying(format.percent(Math.floor(state.fraction * 4) / 4));

@@ -20,28 +20,28 @@ export abstract class PieceActions extends MarkerElement {
   /** Distance of the last move in words, if nearer places were occupied. */
   protected went = '';
   /** Scrolls the selected piece into view: in the fabric layout, or also in the page. */
-  protected toBeSeen: 'on cloth' | 'on page' | undefined;
+  protected toBeSeen: 'on fabric' | 'on page' | undefined;
   /** Last selected target, here or elsewhere. */
   #target: Target | undefined;
 
   get isReady(): boolean {
-    const {bolt, isStale, isAwaited, state} = this.laying;
+    const {bolt, isStale, isAwaited, state} = this.layouts;
     return !isStale && !isAwaited && bolt !== undefined && state.kind !== 'failed';
   }
 
   walk(step: 1 | -1): void {
-    const {pieces} = this.laying;
+    const {pieces} = this.layouts;
     const from = pieces.findIndex(({number}) => number === this.selected);
     const first = step > 0 ? -1 : 0;
     const next = pieces[((from < 0 ? first : from) + step + pieces.length) % pieces.length];
     if (!next) return;
     this.choose(next.number);
-    this.toBeSeen = 'on cloth';
+    this.toBeSeen = 'on fabric';
   }
 
   /** A pinned piece stays pinned, and near its place. */
   turn(takes = false): void {
-    const {bolt, pieces} = this.laying;
+    const {bolt, pieces} = this.layouts;
     const piece = this.selectedPiece;
     if (!bolt || !piece || !this.isReady) return;
     const reach = this.chosen?.isPinned ? reachOfPinned(bolt) : Infinity;
@@ -65,7 +65,7 @@ export abstract class PieceActions extends MarkerElement {
   takeOff(): void {
     const piece = this.selectedPiece;
     if (!piece || !this.isReady) return;
-    this.laying.remove(piece.number);
+    this.layouts.remove(piece.number);
     this.choose(undefined);
     this.say(this.words.takenOff(this.labelOf(piece)));
   }
@@ -73,12 +73,12 @@ export abstract class PieceActions extends MarkerElement {
   togglePin(): void {
     const piece = this.selectedPiece;
     if (!piece || !this.isReady) return;
-    this.laying.togglePin(piece.number);
+    this.layouts.togglePin(piece.number);
     this.say('');
   }
 
   pack(): void {
-    this.laying.pack();
+    this.layouts.pack();
     this.say('');
   }
 
@@ -91,37 +91,37 @@ export abstract class PieceActions extends MarkerElement {
   }
 
   #targetOf(number: number | undefined): Target | undefined {
-    const name = this.laying.names[number ?? -1];
+    const name = this.layouts.names[number ?? -1];
     const piece =
       this.workbench.solving.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
     return piece < 0 ? undefined : {kind: 'piece', piece};
   }
 
   hold(): void {
-    this.laying.cancel();
+    this.layouts.cancel();
   }
 
   move({number}: PieceOnFabric, place: Alignment): void {
-    this.laying.move(number, place);
+    this.layouts.move(number, place);
     this.say('');
   }
 
   /** @param flaw outline [cm] */
   addFlaw(flaw: readonly Point[]): void {
-    this.laying.setFlaws([...(this.laying.step?.flaws ?? []), flaw]);
+    this.layouts.setFlaws([...(this.layouts.step?.flaws ?? []), flaw]);
   }
 
   get selectedPiece(): PieceOnFabric | undefined {
-    return this.laying.pieces.find(({number}) => number === this.selected);
+    return this.layouts.pieces.find(({number}) => number === this.selected);
   }
 
   get chosen(): {readonly isPinned: boolean} | undefined {
     const piece = this.selectedPiece;
-    return piece && {isPinned: this.laying.step?.pins.has(piece.number) ?? false};
+    return piece && {isPinned: this.layouts.step?.pins.has(piece.number) ?? false};
   }
 
   get hasPins(): boolean {
-    return (this.laying.step?.pins.size ?? 0) > 0;
+    return (this.layouts.step?.pins.size ?? 0) > 0;
   }
 
   /** Highlights the piece under the pointer, here and in all other views. */
@@ -145,7 +145,7 @@ export abstract class PieceActions extends MarkerElement {
       target?.kind === 'piece'
         ? this.workbench.solving.pattern?.pieces[target.piece]?.name
         : undefined;
-    const number = name === undefined ? -1 : this.laying.names.indexOf(name);
+    const number = name === undefined ? -1 : this.layouts.names.indexOf(name);
     return number < 0 ? undefined : number;
   }
 
@@ -163,7 +163,7 @@ export abstract class PieceActions extends MarkerElement {
 
   /** @returns false while pieces cannot be moved */
   protected nudge(way: Point, takes: boolean): boolean {
-    const {bolt, pieces} = this.laying;
+    const {bolt, pieces} = this.layouts;
     const piece = this.selectedPiece;
     if (!bolt || !this.isReady) return false;
     if (!piece) {

@@ -196,7 +196,7 @@ export class PhotoPanel extends PhotoElement {
         }}
       ></sw-photo-swatch>
       <slot></slot> ${photoGroups(step, groups)} ${this.#looks(step)} ${this.#lattice(step)}
-      ${this.#cloth(step)}`;
+      ${this.#object(step)}`;
   }
 
   #found(step: PhotoStep): TemplateResult {
@@ -337,10 +337,10 @@ export class PhotoPanel extends PhotoElement {
     </section>`;
   }
 
-  #cloth(step: PhotoStep): TemplateResult {
+  #object(step: PhotoStep): TemplateResult {
     const {words, session, texts, format} = this;
-    return html`<section aria-label=${words.cloth}>
-      <h3>${words.cloth}</h3>
+    return html`<section aria-label=${words.objectOnFabric}>
+      <h3>${words.objectOnFabric}</h3>
       <p>${words.warp(`${format.number(measuresOf(step).turnDeg)}°`)}</p>
       <div class="row">
         <button

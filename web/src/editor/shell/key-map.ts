@@ -108,12 +108,12 @@ export class KeyMap extends WorkbenchElement {
    * False for the fabric layout, which replaces the pattern and uses some of its keys differently.
    */
   get #hasPattern(): boolean {
-    return this.view !== 'cloth';
+    return this.view !== 'marker';
   }
 
   #ofView(): TemplateResult | typeof nothing {
     const {views} = this.texts.pattern;
-    return this.#others(views[this.#hasPattern ? 'garment' : 'cloth'], this.more());
+    return this.#others(views[this.#hasPattern ? 'garment' : 'marker'], this.more());
   }
 
   #others(heading: string, keys: KeyList): TemplateResult | typeof nothing {

@@ -70,16 +70,16 @@ export function glb(
   const file = new GlbFile();
   const {picture, garment, sha256} = options;
   const isPlain = new Set(options.plain ?? []);
-  const cloth = drapedPieces(result, drape, print);
+  const fabric = drapedPieces(result, drape, print);
   const groups = [
-    {name: 'print', pieces: cloth.filter(({piece}) => !isPlain.has(piece.name))},
-    {name: 'plain', pieces: cloth.filter(({piece}) => isPlain.has(piece.name))},
+    {name: 'print', pieces: fabric.filter(({piece}) => !isPlain.has(piece.name))},
+    {name: 'plain', pieces: fabric.filter(({piece}) => isPlain.has(piece.name))},
   ].filter(({pieces}) => pieces.length > 0);
   const primitives = groups.map(({pieces}, material) => ({
     ...primitiveOf(file, pieces, options.attributes ?? false),
     material,
   }));
-  const materials: object[] = groups.map(({name}) => clothMaterial(name, picture !== undefined));
+  const materials: object[] = groups.map(({name}) => fabricMaterial(name, picture !== undefined));
   const nodes: object[] = [{name: 'garment', mesh: 0}];
   const meshes: object[] = [{name: 'garment', primitives}];
   if (options.form) {
@@ -267,7 +267,7 @@ const matt = (colour: object): object => ({
   roughnessFactor: roughness,
 });
 
-const clothMaterial = (name: string, hasPicture: boolean): object => ({
+const fabricMaterial = (name: string, hasPicture: boolean): object => ({
   name,
   pbrMetallicRoughness: matt(
     name === 'print' && hasPicture

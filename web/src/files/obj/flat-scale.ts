@@ -35,7 +35,7 @@ const usualMiss = {first: 0.01, last: 0.001};
 
 /**
  * The factors a and b for which squared lengths are a^2 du^2 + b^2 dv^2, by least squares of
- * relative errors. Sides that cloth or folds stretch lose weight.
+ * relative errors. Sides that fabric or folds stretch lose weight.
  */
 export function flatScale(mesh: ObjMesh): FlatScale {
   const sides = sidesOf(mesh);

@@ -2,7 +2,7 @@
 import {drawnMarks} from '../../cutting/draw-sheet-svg.js';
 import {plus, type Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
-import {clothTile, clothUnder, type PrintWithTile} from '../../picture/cloth.js';
+import {fabricTile, fabricUnder, type PrintWithTile} from '../../picture/fabric.js';
 import {drawingSpaces, escaped, linked, polyline, short} from '../../files/svg/written.js';
 import {printOnFabric} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
@@ -22,27 +22,27 @@ const closed = (loops: readonly (readonly Point[])[], page: Page): string =>
 function drawnFabric(
   plan: LayPlan,
   print: PrintWithTile,
-  {cloth}: PlanSheet,
+  {fabric}: PlanSheet,
   page: Page,
 ): {readonly defs: string; readonly drawn: string} {
-  if (!cloth) return {defs: '', drawn: ''};
-  const onSheet: Page = (p) => page(plus(cloth.at, p));
+  if (!fabric) return {defs: '', drawn: ''};
+  const onSheet: Page = (p) => page(plus(fabric.at, p));
   const {printOrigin} = plan;
-  const {around, outside, inside} = veils(plan, cloth, cloth.holes);
+  const {around, outside, inside} = veils(plan, fabric, fabric.holes);
   const ground = (fill: string, loops: readonly (readonly Point[])[], opacity = 1): string =>
     `<path d="${closed(loops, onSheet)}" fill="${fill}" fill-opacity="${opacity}" fill-rule="evenodd"/>`;
   return {
     defs: printOrigin
       ? linked(
-          clothTile('tile', print, unit) +
-            clothUnder('cloth', 'tile', print, printOnFabric(printOrigin), onSheet),
+          fabricTile('tile', print, unit) +
+            fabricUnder('cloth', 'tile', print, printOnFabric(printOrigin), onSheet),
         )
       : '',
     drawn: [
       ...(printOrigin ? [ground('url(#cloth)', [around])] : []),
       ground('#fff', outside.loops, outside.opacity),
       ground('#fff', inside.loops, inside.opacity),
-      `<g fill="none" stroke-linejoin="round" stroke-linecap="round">${drawnMarks(cloth.marks, onSheet)}</g>`,
+      `<g fill="none" stroke-linejoin="round" stroke-linecap="round">${drawnMarks(fabric.marks, onSheet)}</g>`,
     ].join('\n'),
   };
 }

@@ -1,7 +1,7 @@
 /** Writes a layout as PDF: reduced on pages of paper, or at true scale for a plotter. */
 import {cornersOf, boxAt} from '../../paper/boxes.js';
-import {clothUnder, type Cell} from '../../paper/cell.js';
-import {clothCell, type CellPixels} from '../../paper/cloth-cell.js';
+import {fabricUnder, type Cell} from '../../paper/cell.js';
+import {fabricCell, type CellPixels} from '../../paper/fabric-cell.js';
 import {drawMarks} from '../../paper/draw-marks.js';
 import type {Paper} from '../../paper/papers.js';
 import {filledWith, line, onLayer, pointsPerCm, scoped, through} from '../../files/pdf/content.js';
@@ -12,7 +12,7 @@ import type {OtherLetters} from '../../files/pdf/fonts/other-letters.js';
 import {textAt} from '../../files/pdf/text.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
-import type {PrintWithTile} from '../../picture/cloth.js';
+import type {PrintWithTile} from '../../picture/fabric.js';
 import type {SheetFormat} from './plan-style.js';
 import {printOnFabric} from './plan-pieces.js';
 import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
@@ -82,7 +82,7 @@ const white = filledWith([1, 1, 1]);
 
 function drawnFabric(
   plan: LayPlan,
-  {from, to, at, marks, holes}: NonNullable<PlanSheet['cloth']>,
+  {from, to, at, marks, holes}: NonNullable<PlanSheet['fabric']>,
   resources: PdfResources,
   {layers, cell}: {readonly layers: Layers; readonly cell: Cell | undefined},
 ): string {
@@ -91,7 +91,7 @@ function drawnFabric(
   const [first, last] = [from > 0 ? from : -1, to < plan.lengthCm ? to : to + 1];
   const clip = boxAt([-1, first], plan.widthCm + 2, last - first);
   const {around, outside, inside} = veils(plan, {from, to}, holes);
-  const cloth = {
+  const fabric = {
     ...{cut: [around], place: printOnFabric([0, 0])},
     ...(plan.printOrigin && {alignment: printOnFabric(plan.printOrigin)}),
   };
@@ -109,7 +109,7 @@ function drawnFabric(
       `${line(around, true)}\nW n`,
       onLayer(
         layers.print,
-        cell ? clothUnder(resources, cell, cloth, {window}) : '',
+        cell ? fabricUnder(resources, cell, fabric, {window}) : '',
         veil(outside.loops, outside.opacity),
         veil(inside.loops, inside.opacity),
       ),
@@ -137,11 +137,11 @@ export async function planPdf(
     ...{matches: layer('matches'), words: layer('words'), sew: layer('sew')},
   };
   const cell = plan.printOrigin
-    ? await clothCell(resources, print, pixels, (sentence) => notes.push(sentence))
+    ? await fabricCell(resources, print, pixels, (sentence) => notes.push(sentence))
     : undefined;
   const {texts = english} = options.words;
   const toPoints = pointsPerCm / format.scale;
-  const pages = sheets.map(({widthCm, heightCm, marks, cloth}, k) => {
+  const pages = sheets.map(({widthCm, heightCm, marks, fabric}, k) => {
     const foot = textAt(
       resources,
       [widthCm - format.marginCm, footRise * format.scale],
@@ -153,7 +153,7 @@ export async function planPdf(
       content: () =>
         scoped(
           through({xx: toPoints, xy: 0, yx: 0, yy: toPoints, shift: [0, 0]}),
-          cloth ? drawnFabric(plan, cloth, resources, {layers, cell}) : '',
+          fabric ? drawnFabric(plan, fabric, resources, {layers, cell}) : '',
           drawMarks(marks, boxAt([0, 0], widthCm, heightCm), layers, resources),
           format.isRoll || sheets.length === 1 ? '' : onLayer(layers.words, foot),
         ),

@@ -19,7 +19,7 @@ import {
   type SheetFormat,
   type Size,
 } from './plan-style.js';
-import {clothMarks, ruler, type DrawnFabric} from './plan-cloth.js';
+import {fabricMarks, ruler, type DrawnFabric} from './plan-fabric.js';
 import {namesIn, planPieces, repeatCorner, type KnownPieces} from './plan-pieces.js';
 import {crossesTable, otherwiseTables, rowMarks, type Row, type Table} from './plan-tables.js';
 import {
@@ -110,21 +110,21 @@ const fineSteps = {cm: {step: 1, long: 10, unitCm: 1}, inch: {step: 1, long: 6, 
 
 function addFabric(
   filling: Filling,
-  cloth: DrawnFabric,
+  fabric: DrawnFabric,
   isRoll: boolean,
   {texts, units}: PlanWords,
 ): void {
   const {size} = filling;
-  const {widthCm, lengthCm} = cloth;
+  const {widthCm, lengthCm} = fabric;
   const steps = (isRoll ? fineSteps : rulerSteps)[units];
   const [beside, below] = isRoll ? [0, 0] : [cm(size, rulerRoom), cm(size, belowFabric)];
   filling.add(cm(size, aboveFabric));
-  const holes = cloth.pieces.flatMap(({laid}) => laid?.cut.slice(1) ?? []);
+  const holes = fabric.pieces.flatMap(({laid}) => laid?.cut.slice(1) ?? []);
   for (let from = 0; from < lengthCm - rounding;) {
     const rest = lengthCm - from;
     if (filling.left - below < Math.min(rest, cm(size, leastFabric))) filling.turn();
     const to = from + Math.min(rest, filling.left - below);
-    const marks = clothMarks(size, cloth, [from, to]);
+    const marks = fabricMarks(size, fabric, [from, to]);
     if (isRoll) {
       const along = ruler(size, 1, [from, to], {...steps, side: -1, hasPlate: true});
       filling.addFabric([from, to], [0, 0], {marks: [...marks, ...along], holes}, []);

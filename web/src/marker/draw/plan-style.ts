@@ -60,7 +60,7 @@ export interface PlanSheet {
   readonly widthCm: number;
   readonly heightCm: number;
   /** The fabric between two cuts across. */
-  readonly cloth?: {
+  readonly fabric?: {
     /** Position of the fabric's start at its left edge, on the sheet. */
     readonly at: Point;
     readonly from: number;
@@ -103,7 +103,7 @@ export class Filling {
   readonly size: Size;
   readonly #format: SheetFormat;
   #marks: CutMark[] = [];
-  #cloth: PlanSheet['cloth'];
+  #fabric: PlanSheet['fabric'];
   /** Height used from the top, margin included. */
   #used: number;
 
@@ -119,20 +119,20 @@ export class Filling {
   }
 
   get isFresh(): boolean {
-    return this.#marks.length === 0 && !this.#cloth;
+    return this.#marks.length === 0 && !this.#fabric;
   }
 
   /** Finishes the current sheet and starts the next one. */
   turn(): void {
     const {marginCm, heightCm: most, widthCm, isAsHighAsNeeded} = this.#format;
     const heightCm = isAsHighAsNeeded ? this.#used + marginCm : most;
-    const cloth = this.#cloth;
+    const fabric = this.#fabric;
     this.done.push({
       ...{widthCm, heightCm, marks: moved(this.#marks, [0, heightCm])},
-      ...(cloth && {cloth: {...cloth, at: [cloth.at[0], cloth.at[1] + heightCm]}}),
+      ...(fabric && {fabric: {...fabric, at: [fabric.at[0], fabric.at[1] + heightCm]}}),
     });
     this.#marks = [];
-    this.#cloth = undefined;
+    this.#fabric = undefined;
     this.#used = marginCm;
   }
 
@@ -153,12 +153,12 @@ export class Filling {
   addFabric(
     [from, to]: Point,
     [beside, below]: Point,
-    drawn: Pick<NonNullable<PlanSheet['cloth']>, 'marks' | 'holes'>,
+    drawn: Pick<NonNullable<PlanSheet['fabric']>, 'marks' | 'holes'>,
     rulers: readonly CutMark[],
   ): void {
     this.#put(to - from + below, ([x, y]) => {
       const at: Point = [x + beside, y - to];
-      this.#cloth = {at, from, to, ...drawn};
+      this.#fabric = {at, from, to, ...drawn};
       return moved(rulers, at);
     });
   }

@@ -79,13 +79,13 @@ export interface Figure {
 export function figuresOf(plan: LayPlan, words: PlanWords): readonly Figure[] {
   const {lengthCm, boundCm, proven, useShare, widthCm, unplaced} = plan;
   const {texts, length, share, bought} = words;
-  const cloth = bought(lengthCm);
+  const fabric = bought(lengthCm);
   const use = {caption: texts.use, value: share(useShare), note: texts.ofWidth(length(widthCm))};
   const used = {caption: texts.length, value: length(lengthCm)};
   if (unplaced.length > 0) return [{...used, note: texts.lying}, use];
   return [
     {...used, note: proven ? texts.proven : texts.atBest(length(boundCm))},
-    {caption: texts.buy, value: cloth.length, note: texts.roundedUp(cloth.step)},
+    {caption: texts.buy, value: fabric.length, note: texts.roundedUp(fabric.step)},
     use,
     ...costOf(plan, words),
   ];
@@ -119,13 +119,13 @@ export function factsOf(
   const {widthCm, selvedgeCm, gapCm, allowanceCm, foldCm, unplaced, noteDetails} = plan;
   const {pinsCm = 0} = layCosts(plan);
   const [width, selvedge, gap, allowance] = [widthCm, selvedgeCm, gapCm, allowanceCm].map(length);
-  const cloth = [width ?? '', selvedge ?? '', gap ?? '', allowance ?? ''] as const;
+  const fabric = [width ?? '', selvedge ?? '', gap ?? '', allowance ?? ''] as const;
   const format: NoteFormat = {
     ...{length, rounded: length, count: String, name: readable},
     range: (least, most) => [length(least), length(most)],
   };
   return [
-    foldCm === undefined ? texts.cloth(...cloth) : texts.folded(...cloth, length(foldCm)),
+    foldCm === undefined ? texts.fabric(...fabric) : texts.folded(...fabric, length(foldCm)),
     ring ? texts.print(printName, length(ring[0]), length(ring[1])) : texts.plain,
     ...(unplaced.length > 0 ? [texts.unplaced(unplaced.map(nameOf).join(', '))] : []),
     ...(pinsCm > rounding ? [texts.pinned(length(pinsCm))] : []),

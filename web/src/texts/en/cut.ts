@@ -1,6 +1,6 @@
 /** English texts of the cutting dialog. */
 import {text} from '../base/message.js';
-import {cloth} from './marker.js';
+import {marker} from './marker.js';
 
 export const cutting = {
   title: 'Cut',
@@ -19,9 +19,9 @@ export const cutting = {
   paper: 'Paper',
   roll: 'Roll, 36 in',
   projector: 'Projector',
-  allowance: cloth.allowance,
-  hem: cloth.hem,
-  toSize: cloth.toSize,
+  allowance: marker.allowance,
+  hem: marker.hem,
+  toSize: marker.toSize,
   ink: 'Print on the pieces',
   inks: {full: 'Full', pale: 'Pale', outline: 'Lines only'},
   guide: 'My fabric is printed already: add a placing guide',
@@ -33,7 +33,7 @@ export const cutting = {
   each: text('{paper}, {size}'),
   sheet: text('Sheet {size}'),
   extent: text('{width} × {height}'),
-  ownAllowances: cloth.ownAllowances,
+  ownAllowances: marker.ownAllowances,
   waiting: 'Waiting for the print to be aligned …',
   unsolved: 'Align the print first; then the pattern can be cut.',
   renewed: 'The match has changed; this is the new one.',

@@ -1,7 +1,7 @@
 /** English texts of the drape. */
 import {text} from '../base/message.js';
 
-export const worn = {
+export const drape = {
   label: 'Garment, worn',
   description:
     'Arrow keys turn the garment, with Shift they move it, plus and minus zoom; 1 to 5 show it from the front, the back, the left, the right and at an angle, 0 all of it.',
@@ -56,4 +56,4 @@ export const worn = {
   filming: 'Recording a turn, 8 seconds …',
 };
 
-export type DrapeTexts = typeof worn;
+export type DrapeTexts = typeof drape;

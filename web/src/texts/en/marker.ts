@@ -1,7 +1,7 @@
 /** English texts of the fabric layout. */
 import {text} from '../base/message.js';
 
-export const cloth = {
+export const marker = {
   label: 'Fabric with the pieces on it',
   description:
     'Arrow keys move the selected piece to the next free place, with Alt even onto other pieces; R turns it, P pins it, Delete removes it, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all. Shift X adds a flaw in the middle, which the arrow keys then move.',
@@ -151,8 +151,8 @@ export const cloth = {
     pin: 'pin on the fabric',
     pack: 'packing',
     flaw: 'flaw',
-    cloth: 'fabric',
+    fabric: 'fabric',
   },
 };
 
-export type MarkerTexts = typeof cloth;
+export type MarkerTexts = typeof marker;

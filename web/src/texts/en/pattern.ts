@@ -11,7 +11,7 @@ export const pattern = {
       pattern: 'Pattern',
       garment: 'Garment',
       both: 'Both',
-      cloth: 'Fabric layout',
+      marker: 'Fabric layout',
     },
     which: 'Several pieces here',
     edge: 'Open edge',

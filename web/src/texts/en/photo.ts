@@ -141,7 +141,7 @@ export const photo = {
     'expected',
   ),
   removeMeasure: 'Remove this measure',
-  cloth: 'Object on the fabric',
+  objectOnFabric: 'Object on the fabric',
   turn: 'Turn by 90°',
   warp: text('The print is turned by {turn}; the length of the fabric runs upwards.'),
   name: 'Name',

@@ -15,7 +15,7 @@ export const plan = {
   cost: 'The print costs',
   without: text('without it {length}'),
   share: text('{share} %'),
-  cloth: text(
+  fabric: text(
     'Fabric {width} wide, selvedges {selvedge}, {gap} between pieces, allowance {allowance}; single layer, face up.',
   ),
   folded: text(

@@ -7,7 +7,7 @@ import type {AllowanceRule} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {cutSheet, type CuttingMarks, type SheetOptions} from '../../cutting/lay-sheet.js';
-import type {PrintWithTile} from '../../picture/cloth.js';
+import type {PrintWithTile} from '../../picture/fabric.js';
 import {printName, withSampleNames} from '../../texts/sample-names.js';
 import type {Workbench} from '../workbench.js';
 import {embeddedTile, pixelsOfTile} from '../../image/embedded-tile.js';

@@ -40,11 +40,11 @@ interface Asked {
 
 function askedFor({design, result, garment, step: {choices}}: ToLay): Asked {
   const {options, names, print} = design;
-  const {isOneWay, phaseCm, ...cloth} = choices;
+  const {isOneWay, phaseCm, ...fabric} = choices;
   return {
     garments: [{result, garment, options, ...(names && {names})}],
     settings: {
-      ...cloth,
+      ...fabric,
       ...(phaseCm !== null && {phaseCm}),
       ...(isOneWay && {nap: 'one-way' as const}),
     },

@@ -46,7 +46,7 @@ export function askedOf(problem: MarkerProblem, step: LayStep): MarkerProblem {
 }
 
 function changeBetween(from: LayStep, to: LayStep): keyof MarkerTexts['steps'] {
-  if (from.choices !== to.choices) return 'cloth';
+  if (from.choices !== to.choices) return 'fabric';
   if (from.flaws !== to.flaws) return 'flaw';
   const count = ({places}: LayStep): number => places.filter((one) => one !== undefined).length;
   if (from.plan === to.plan && count(to) < count(from)) return 'remove';

@@ -31,7 +31,7 @@ export interface MarkerChoices extends KeptChoices, ChosenAllowances {
 export const usualWidths: readonly number[] = [90, 110, 115, 140, 150, 160];
 
 /** Limits of every choice. [cm, garments] */
-export const clothLimits = {
+export const fabricLimits = {
   widthCm: [20, 400],
   selvedgeCm: [0, 10],
   gapCm: [0, 5],
@@ -59,11 +59,11 @@ const isLength = (value: unknown, [least, greatest]: readonly [number, number]):
   typeof value === 'number' && value >= least && value <= greatest;
 
 const isRight: {readonly [Name in keyof KeptChoices]: (value: unknown) => boolean} = {
-  widthCm: (value) => isLength(value, clothLimits.widthCm),
-  selvedgeCm: (value) => isLength(value, clothLimits.selvedgeCm),
-  gapCm: (value) => isLength(value, clothLimits.gapCm),
+  widthCm: (value) => isLength(value, fabricLimits.widthCm),
+  selvedgeCm: (value) => isLength(value, fabricLimits.selvedgeCm),
+  gapCm: (value) => isLength(value, fabricLimits.gapCm),
   isOneWay: (value) => typeof value === 'boolean',
-  phaseCm: (value) => value === null || isLength(value, clothLimits.phaseCm),
+  phaseCm: (value) => value === null || isLength(value, fabricLimits.phaseCm),
 };
 
 /**

@@ -5,10 +5,10 @@ import type {Design} from '@/model/design/design.js';
 import type {Drape, DrapeHooks, DrapeMesh, Form} from '@/model/result/draped-garment.js';
 import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
-import {Draping, type DrapingViewer} from '@/workbench/drape/draping.js';
+import {Drapes, type DrapesViewer} from '@/workbench/drape/drapes.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import {bareFabric, newDesign} from '@/workbench/samples.js';
-import {plainMetrics, square, squarePair} from '../../support/garments/two-squares.js';
+import {plainMetrics, square, squarePair} from '../../../support/garments/two-squares.js';
 
 const garment = {name: 'two.json', text: '{}'};
 const design = newDesign(garment, bareFabric);
@@ -76,16 +76,16 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
       return () => listeners.delete(listener);
     },
   } as unknown as Workbench;
-  const draping = new Draping(source);
+  const drapes = new Drapes(source);
   const seen: string[] = [];
-  const viewer: DrapingViewer = {
+  const viewer: DrapesViewer = {
     form: () => seen.push('form'),
     mesh: ({size}) => seen.push(`mesh ${size}`),
     clear: () => seen.push('clear'),
     positions: ([value], isFinal) => seen.push(`${isFinal ? 'final' : 'on the way'} ${value}`),
   };
   return {
-    ...{draping, viewer, asked, listeners},
+    ...{drapes, viewer, asked, listeners},
     seen: () => seen.splice(0),
     become: (next: Partial<typeof at>) => {
       Object.assign(at, next);
@@ -97,12 +97,12 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
 
 describe('a garment as it is worn', () => {
   it('is draped while somebody looks, and shown as it comes', async () => {
-    const {draping, viewer, asked, seen, become, settle, listeners} = atWork({
+    const {drapes, viewer, asked, seen, become, settle, listeners} = atWork({
       design,
       result: undefined,
     });
-    expect(draping.state.kind).toBe('waiting');
-    const end = draping.show(viewer);
+    expect(drapes.state.kind).toBe('waiting');
+    const end = drapes.show(viewer);
     expect(asked).toHaveLength(0);
     become({result});
     expect(asked[0]).toMatchObject({result, fabric: 'poplin'});
@@ -115,59 +115,59 @@ describe('a garment as it is worn', () => {
     asked[0]?.answer(draped(8));
     await settle();
     expect(seen()).toEqual(['form', 'mesh 2', 'final 8']);
-    expect(draping.state.kind).toBe('done');
+    expect(drapes.state.kind).toBe('done');
     end();
     expect(listeners.size).toBe(0);
     // a later viewer gets it at once, without another drape
-    draping.show(viewer);
+    drapes.show(viewer);
     expect(seen()).toEqual(['form', 'mesh 2', 'final 8']);
     expect(asked).toHaveLength(1);
   });
 
   it('stays while a print changes, and hangs anew where pieces are cut otherwise alone', async () => {
-    const {draping, viewer, asked, seen, become, settle} = atWork({design, result});
-    draping.show(viewer);
+    const {drapes, viewer, asked, seen, become, settle} = atWork({design, result});
+    drapes.show(viewer);
     asked[0]?.answer(draped(1));
     await settle();
     seen();
     become({design: {...design}, result: undefined});
     become({result: moved});
     expect([asked.length, seen()]).toEqual([1, []]);
-    expect(draping.state.kind).toBe('done');
+    expect(drapes.state.kind).toBe('done');
     become({result: cutOtherwise});
     expect([asked.length, seen()]).toEqual([2, []]); // the old drape stays
-    expect(asked[1]?.from).toBe(draping.drape); // the new one starts from it
+    expect(asked[1]?.from).toBe(drapes.drape); // the new one starts from it
     become({result});
     expect(asked[1]?.hooks.signal?.aborted).toBe(true);
     expect(asked).toHaveLength(2); // the known drape is shown
     expect(seen()).toEqual(['form', 'final 1']);
     await settle();
-    expect(draping.state.kind).toBe('done');
+    expect(drapes.state.kind).toBe('done');
   });
 
   it('is not draped any more when nobody looks, another garment comes or somebody stops it', async () => {
-    const {draping, viewer, asked, become, settle} = atWork({design, result});
-    const end = draping.show(viewer);
+    const {drapes, viewer, asked, become, settle} = atWork({design, result});
+    const end = drapes.show(viewer);
     end();
     expect(asked[0]?.hooks.signal?.aborted).toBe(true);
-    expect(draping.state.kind).toBe('waiting');
-    draping.show(viewer);
+    expect(drapes.state.kind).toBe('waiting');
+    drapes.show(viewer);
     become({design: newDesign({...garment}, bareFabric), result: undefined});
     expect(asked[1]?.hooks.signal?.aborted).toBe(true);
     become({result: cutOtherwise});
-    draping.cancel();
+    drapes.cancel();
     expect(asked[2]?.hooks.signal?.aborted).toBe(true);
     await settle();
-    expect(draping.state.kind).toBe('cancelled');
+    expect(drapes.state.kind).toBe('cancelled');
     become({}); // a cancelled drape starts again only on request
     expect(asked).toHaveLength(3);
-    draping.again();
+    drapes.again();
     expect(asked).toHaveLength(4);
   });
 
   it('shows no other garment where there is one that cannot be draped', async () => {
-    const {draping, viewer, asked, seen, become, settle} = atWork({design, result});
-    draping.show(viewer);
+    const {drapes, viewer, asked, seen, become, settle} = atWork({design, result});
+    drapes.show(viewer);
     asked[0]?.answer(draped(1));
     await settle();
     become({result: cutOtherwise});
@@ -179,15 +179,15 @@ describe('a garment as it is worn', () => {
     asked[2]?.fail(new Error('It has no place.'));
     await settle();
     expect(seen()).toEqual(['clear']);
-    expect(draping.drape).toBeUndefined();
+    expect(drapes.drape).toBeUndefined();
   });
 
   it('says what went wrong, once, and is tried again with another fabric', async () => {
-    const {draping, viewer, asked, become, settle} = atWork({design, result});
-    draping.show(viewer);
+    const {drapes, viewer, asked, become, settle} = atWork({design, result});
+    drapes.show(viewer);
     asked[0]?.fail(new Error('The file does not say where the pieces hang.'));
     await settle();
-    expect(draping.state).toMatchObject({
+    expect(drapes.state).toMatchObject({
       kind: 'failed',
       failure: {message: 'The file does not say where the pieces hang.'},
     });
@@ -197,6 +197,6 @@ describe('a garment as it is worn', () => {
     expect(asked[1]?.fabric).toBe('denim');
     asked[1]?.answer(draped(1));
     await settle();
-    expect(draping.state.kind).toBe('done');
+    expect(drapes.state.kind).toBe('done');
   });
 });

@@ -20,13 +20,13 @@ import type {Workbench} from '../workbench.js';
  * `waiting`: there is no result to drape; `draping`: the previous drape stays on display until the
  * first positions arrive.
  */
-type DrapingState =
+type DrapesState =
   | {readonly kind: 'waiting' | 'done' | 'cancelled'}
   | {readonly kind: 'draping'; readonly progress: DrapeProgress}
   | {readonly kind: 'failed'; readonly failure: Failure};
 
 /** A view of the drape, which receives all data of a running drape. */
-export interface DrapingViewer {
+export interface DrapesViewer {
   form(form: Form): void;
   /** Receives the mesh of the next positions. */
   mesh(mesh: DrapeMesh): void;
@@ -58,12 +58,12 @@ const begun: DrapeProgress = {stage: 'sew', fraction: 0};
 
 type Source = Pick<Workbench, 'history' | 'solving' | 'subscribe' | 'solver'>;
 
-export class Draping extends Observable {
+export class Drapes extends Observable {
   readonly #source: Source;
-  readonly #viewers = new Set<DrapingViewer>();
+  readonly #viewers = new Set<DrapesViewer>();
   /** Stored drapes, the oldest first. */
   #kept: readonly (readonly [Question, Drape])[] = [];
-  #state: DrapingState = {kind: 'waiting'};
+  #state: DrapesState = {kind: 'waiting'};
   /** Input of the last or the running drape, even if that failed or was cancelled. */
   #question: Question | undefined;
   #running: AbortController | undefined;
@@ -81,7 +81,7 @@ export class Draping extends Observable {
     this.#source = source;
   }
 
-  get state(): DrapingState {
+  get state(): DrapesState {
     return this.#state;
   }
 
@@ -107,7 +107,7 @@ export class Draping extends Observable {
    * Adds a view and drapes from now on.
    * @returns the function that removes the view; without views nothing is draped
    */
-  show(viewer: DrapingViewer): () => void {
+  show(viewer: DrapesViewer): () => void {
     if (this.#form) viewer.form(this.#form);
     if (this.#mesh && this.#positions) {
       viewer.mesh(this.#mesh);
@@ -145,7 +145,7 @@ export class Draping extends Observable {
     this.#follow();
   }
 
-  #become(state: DrapingState): void {
+  #become(state: DrapesState): void {
     this.#state = state;
     this.changed();
   }
@@ -282,11 +282,11 @@ const samePoints = (one: readonly Point[], other: readonly Point[] = []): boolea
     return x === atX && y === atY;
   });
 
-const known = new WeakMap<Source, Draping>();
+const known = new WeakMap<Source, Drapes>();
 
-/** Draping of a workbench, created at the first call. */
-export function drapingOf(workbench: Workbench): Draping {
-  const draping = known.get(workbench) ?? new Draping(workbench);
-  known.set(workbench, draping);
-  return draping;
+/** Drapes of a workbench, created at the first call. */
+export function drapesOf(workbench: Workbench): Drapes {
+  const drapes = known.get(workbench) ?? new Drapes(workbench);
+  known.set(workbench, drapes);
+  return drapes;
 }

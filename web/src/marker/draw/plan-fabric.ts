@@ -125,7 +125,7 @@ function labelOf(
 }
 
 /** Marks on the fabric from `from` to `to`; the caller clips them. */
-export function clothMarks(
+export function fabricMarks(
   size: Size,
   {widthCm, lengthCm, selvedgeCm, pieces, ring}: DrawnFabric,
   [from, to]: Point,

@@ -15,10 +15,10 @@ import type {SolveResult} from '@/model/result/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {preferencesFor, type Preferences} from '@/texts/preferences.js';
 import {storedFabric, withFabric} from '@/workbench/marker/marker-choices.js';
-import {Laying} from '@/workbench/marker/laying.js';
+import {Layouts} from '@/workbench/marker/layouts.js';
 import {bareFabric, newDesign} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';
-import {plainMetrics, squarePair} from '../../support/garments/two-squares.js';
+import {plainMetrics, squarePair} from '../../../support/garments/two-squares.js';
 
 const garment = {name: 'two.json', text: '{}'};
 const document = {pieces: [], seams: []} as unknown as GarmentDocument;
@@ -100,9 +100,9 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
       return () => listeners.delete(listener);
     },
   } as unknown as Workbench;
-  const laying = new Laying(source);
+  const layouts = new Layouts(source);
   return {
-    ...{laying, asked, listeners, source},
+    ...{layouts, asked, listeners, source},
     become: (next: Partial<typeof at>) => {
       Object.assign(at, next);
       for (const listener of [...listeners]) listener();
@@ -113,167 +113,171 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
 /** Creates a layout and waits until it is settled. */
 async function laidOut() {
   const work = atWork({design, result});
-  const end = work.laying.show();
+  const end = work.layouts.show();
   await settled();
   work.asked[0]?.answer();
   await settled();
   return {...work, end};
 }
 
-describe('pieces on their cloth', () => {
+describe('pieces on their fabric', () => {
   it('are laid while somebody looks, and shown as the layouts come', async () => {
-    const {laying, asked, become, listeners} = atWork({design, result: undefined});
-    const end = laying.show();
+    const {layouts, asked, become, listeners} = atWork({design, result: undefined});
+    const end = layouts.show();
     await settled();
-    expect([laying.state.kind, asked.length]).toEqual(['waiting', 0]);
+    expect([layouts.state.kind, asked.length]).toEqual(['waiting', 0]);
     become({result});
     await settled();
     expect(asked[0]?.problem).toMatchObject({widthCm: 140, selvedgeCm: 1, gapCm: 0.2});
-    expect(laying.pieces).toEqual([]);
+    expect(layouts.pieces).toEqual([]);
     asked[0]?.hooks.onLayout?.(layout);
-    expect(laying.pieces.map(({name}) => name)).toEqual(['left_half', 'right_half']);
-    expect(laying.plan).toMatchObject({proven: false});
+    expect(layouts.pieces.map(({name}) => name)).toEqual(['left_half', 'right_half']);
+    expect(layouts.plan).toMatchObject({proven: false});
     asked[0]?.answer();
     await settled();
-    expect([laying.state.kind, laying.plan?.proven]).toEqual(['done', true]);
+    expect([layouts.state.kind, layouts.plan?.proven]).toEqual(['done', true]);
     end();
     expect(listeners.size).toBe(0);
-    laying.show();
+    layouts.show();
     await settled();
     expect(asked).toHaveLength(1); // the known layout is reused
   });
 
   it('are those of the design before until others are laid, and come back with it', async () => {
-    const {laying, asked, become} = await laidOut();
+    const {layouts, asked, become} = await laidOut();
     become({result: undefined});
-    expect([laying.isStale, laying.state.kind]).toEqual([true, 'waiting']);
-    expect(laying.pieces).toHaveLength(2);
-    laying.move(0, placed(22, 3)); // ignored for a stale layout
-    expect(laying.pieces[0]?.place.translation[0]).toBe(2);
+    expect([layouts.isStale, layouts.state.kind]).toEqual([true, 'waiting']);
+    expect(layouts.pieces).toHaveLength(2);
+    layouts.move(0, placed(22, 3)); // ignored for a stale layout
+    expect(layouts.pieces[0]?.place.translation[0]).toBe(2);
     become({result: other});
     await settled();
-    expect([laying.isStale, laying.state.kind]).toEqual([true, 'laying']);
+    expect([layouts.isStale, layouts.state.kind]).toEqual([true, 'laying']);
     asked[1]?.hooks.onLayout?.(layout);
-    expect(laying.isStale).toBe(false);
+    expect(layouts.isStale).toBe(false);
     become({result});
     await settled();
-    expect([laying.isStale, laying.state.kind, asked.length]).toEqual([false, 'done', 2]);
+    expect([layouts.isStale, layouts.state.kind, asked.length]).toEqual([false, 'done', 2]);
   });
 
   it('are moved, turned and pinned in steps that can be taken back', async () => {
-    const {laying} = await laidOut();
-    expect([laying.undo(), laying.isMoved]).toEqual([false, false]);
-    laying.move(1, placed(12, 13));
-    laying.togglePin(1);
-    expect(laying.plan?.lengthCm).toBeCloseTo(18);
-    expect(laying.plan?.boundCm).toBeCloseTo(8);
-    expect(laying.plan?.proven).toBe(false);
-    expect([laying.isMoved, laying.step?.pins.has(1)]).toEqual([true, true]);
-    expect([laying.undo(), laying.step?.pins.size, laying.isMoved]).toEqual([true, 0, true]);
-    expect([laying.undo(), laying.plan?.proven, laying.isMoved]).toEqual([true, true, false]);
-    expect([laying.redo(), laying.isMoved]).toEqual([true, true]);
-    laying.move(0, placed(32, 3));
-    expect(laying.redo()).toBe(false);
+    const {layouts} = await laidOut();
+    expect([layouts.undo(), layouts.isMoved]).toEqual([false, false]);
+    layouts.move(1, placed(12, 13));
+    layouts.togglePin(1);
+    expect(layouts.plan?.lengthCm).toBeCloseTo(18);
+    expect(layouts.plan?.boundCm).toBeCloseTo(8);
+    expect(layouts.plan?.proven).toBe(false);
+    expect([layouts.isMoved, layouts.step?.pins.has(1)]).toEqual([true, true]);
+    expect([layouts.undo(), layouts.step?.pins.size, layouts.isMoved]).toEqual([true, 0, true]);
+    expect([layouts.undo(), layouts.plan?.proven, layouts.isMoved]).toEqual([true, true, false]);
+    expect([layouts.redo(), layouts.isMoved]).toEqual([true, true]);
+    layouts.move(0, placed(32, 3));
+    expect(layouts.redo()).toBe(false);
   });
 
-  it('stay where they are pinned, on cloth whose print stays, when the rest is packed', async () => {
-    const {laying, asked} = await laidOut();
+  it('stay where they are pinned, on fabric whose print stays, when the rest is packed', async () => {
+    const {layouts, asked} = await laidOut();
     expect(asked[0]?.problem.startCm).toBeUndefined();
-    laying.move(1, placed(12, 13));
-    laying.togglePin(1);
-    laying.pack();
+    layouts.move(1, placed(12, 13));
+    layouts.togglePin(1);
+    layouts.pack();
     await settled();
     const {problem} = asked[1] ?? {};
-    expect(problem).toMatchObject({phasesCm: [2], startCm: laying.plan?.printOrigin?.[1]});
+    expect(problem).toMatchObject({phasesCm: [2], startCm: layouts.plan?.printOrigin?.[1]});
     expect(problem?.pieces.map(({pin}) => pin)).toEqual([undefined, placed(12, 13)]);
     asked[1]?.answer({places: [placed(2, 13), placed(12, 13)]});
     await settled();
-    expect(laying.isMoved).toBe(false);
-    expect(laying.undo()).toBe(true);
-    expect(laying.isMoved).toBe(true);
+    expect(layouts.isMoved).toBe(false);
+    expect(layouts.undo()).toBe(true);
+    expect(layouts.isMoved).toBe(true);
   });
 
-  it('are no plan to buy by while one of them is off the cloth', async () => {
-    const {laying} = await laidOut();
-    laying.remove(1);
-    expect(laying.plan).toMatchObject({proven: false, boundCm: 0, freeLengthCm: 8});
-    expect(laying.plan?.unplaced.map(({piece}) => piece)).toEqual(['right_half']);
-    laying.remove(0);
-    expect(laying.plan).toMatchObject({lengthCm: 0, proven: false});
-    expect([laying.undo(), laying.undo(), laying.plan?.proven]).toEqual([true, true, true]);
+  it('are no plan to buy by while one of them is off the fabric', async () => {
+    const {layouts} = await laidOut();
+    layouts.remove(1);
+    expect(layouts.plan).toMatchObject({proven: false, boundCm: 0, freeLengthCm: 8});
+    expect(layouts.plan?.unplaced.map(({piece}) => piece)).toEqual(['right_half']);
+    layouts.remove(0);
+    expect(layouts.plan).toMatchObject({lengthCm: 0, proven: false});
+    expect([layouts.undo(), layouts.undo(), layouts.plan?.proven]).toEqual([true, true, true]);
   });
 
   it('have lengths on other widths of pieces as they lie, or none', async () => {
-    const {laying, asked} = await laidOut();
-    laying.choose({gapCm: 0.3});
+    const {layouts, asked} = await laidOut();
+    layouts.choose({gapCm: 0.3});
     await settled();
     asked[1]?.answer({
       widthLengthsCm: [9, 9, 9, 8, 8, 7],
       phaseLengthsCm: [8, 9, 9, 9, 9, 9, 9, 9],
     });
     await settled();
-    const lengths = () => laying.plan?.widths.map(({lengthCm}) => lengthCm);
-    expect(lengths()?.[3]).toBe(laying.plan?.lengthCm);
-    expect(laying.plan?.notes.join()).toMatch(/where the print starts/);
-    laying.move(1, placed(12, 13));
-    expect(laying.plan).toMatchObject({widths: [], cheaper: [], notes: [], noteDetails: []});
-    expect(laying.plan?.phases).toEqual([{phaseCm: 2, lengthCm: laying.plan?.lengthCm}]);
-    laying.remove(0);
-    expect(laying.plan?.phases).toEqual([{phaseCm: 2, lengthCm: null}]);
-    expect(laying.step?.plan?.widths).toHaveLength(6);
+    const lengths = () => layouts.plan?.widths.map(({lengthCm}) => lengthCm);
+    expect(lengths()?.[3]).toBe(layouts.plan?.lengthCm);
+    expect(layouts.plan?.notes.join()).toMatch(/where the print starts/);
+    layouts.move(1, placed(12, 13));
+    expect(layouts.plan).toMatchObject({widths: [], cheaper: [], notes: [], noteDetails: []});
+    expect(layouts.plan?.phases).toEqual([{phaseCm: 2, lengthCm: layouts.plan?.lengthCm}]);
+    layouts.remove(0);
+    expect(layouts.plan?.phases).toEqual([{phaseCm: 2, lengthCm: null}]);
+    expect(layouts.step?.plan?.widths).toHaveLength(6);
   });
 
-  it('are those of the cloth that is shown: where a change of it is taken back or given up', async () => {
-    const {laying, asked, source} = await laidOut();
-    laying.choose({copies: 2});
+  it('are those of the fabric that is shown: where a change of it is taken back or given up', async () => {
+    const {layouts, asked, source} = await laidOut();
+    layouts.choose({copies: 2});
     await settled();
     asked[1]?.answer({places: [0, 10, 20, 30].map((x) => placed(x, 3))});
     await settled();
-    expect([laying.undo(), laying.names.length, laying.plan?.unplaced]).toEqual([true, 2, []]);
-    laying.choose({widthCm: 90});
-    expect([laying.isAwaited, source.preferences.chosen.cloths]).toMatchObject([true, {}]);
-    laying.move(0, placed(22, 3)); // ignored before the new layout
-    laying.choose({selvedgeCm: 2});
+    expect([layouts.undo(), layouts.names.length, layouts.plan?.unplaced]).toEqual([true, 2, []]);
+    layouts.choose({widthCm: 90});
+    expect([layouts.isAwaited, source.preferences.chosen.cloths]).toMatchObject([true, {}]);
+    layouts.move(0, placed(22, 3)); // ignored before the new layout
+    layouts.choose({selvedgeCm: 2});
     await settled();
-    expect([laying.isAwaited, laying.state.kind, laying.isMoved]).toEqual([true, 'laying', false]);
-    laying.cancel();
-    expect([laying.isAwaited, laying.state.kind]).toEqual([false, 'done']);
-    expect(laying.choices).toMatchObject({widthCm: 140, selvedgeCm: 1, copies: 1});
-    expect([laying.redo(), laying.plan?.widthCm]).toEqual([false, 140]);
-    laying.choose({widthCm: 90});
+    expect([layouts.isAwaited, layouts.state.kind, layouts.isMoved]).toEqual([
+      true,
+      'laying',
+      false,
+    ]);
+    layouts.cancel();
+    expect([layouts.isAwaited, layouts.state.kind]).toEqual([false, 'done']);
+    expect(layouts.choices).toMatchObject({widthCm: 140, selvedgeCm: 1, copies: 1});
+    expect([layouts.redo(), layouts.plan?.widthCm]).toEqual([false, 140]);
+    layouts.choose({widthCm: 90});
     await settled();
     asked.at(-1)?.hooks.onLayout?.(layout);
-    laying.cancel();
-    expect([laying.state.kind, laying.plan?.widthCm]).toEqual(['cancelled', 90]);
+    layouts.cancel();
+    expect([layouts.state.kind, layouts.plan?.widthCm]).toEqual(['cancelled', 90]);
   });
 
-  it('are laid on the cloth as it was changed last by whoever comes back to them', async () => {
-    const {laying, asked, end} = await laidOut();
-    laying.choose({widthCm: 90});
+  it('are laid on the fabric as it was changed last by whoever comes back to them', async () => {
+    const {layouts, asked, end} = await laidOut();
+    layouts.choose({widthCm: 90});
     await settled();
     end();
-    expect(laying.state.kind).toBe('waiting');
-    laying.show();
+    expect(layouts.state.kind).toBe('waiting');
+    layouts.show();
     await settled();
     expect(asked.at(-1)?.problem.widthCm).toBe(90);
     asked.at(-1)?.answer();
     await settled();
-    expect([laying.state.kind, laying.plan?.widthCm]).toEqual(['done', 90]);
+    expect([layouts.state.kind, layouts.plan?.widthCm]).toEqual(['done', 90]);
   });
 
-  it('keep in mind around pins what they took without, on the same cloth', async () => {
-    const {laying, asked} = await laidOut();
-    expect(laying.plan).not.toHaveProperty('unpinnedLengthCm');
-    laying.togglePin(1);
+  it('keep in mind around pins what they took without, on the same fabric', async () => {
+    const {layouts, asked} = await laidOut();
+    expect(layouts.plan).not.toHaveProperty('unpinnedLengthCm');
+    layouts.togglePin(1);
     for (const k of [1, 2]) {
-      laying.pack();
+      layouts.pack();
       await settled();
       asked[k]?.answer({places: [placed(2, 13), placed(12, 3)], freeLengthCm: 5});
       await settled();
-      expect(laying.plan).toMatchObject({unpinnedLengthCm: 8, freeLengthCm: 8});
-      expect(laying.plan?.lengthCm).toBeCloseTo(18);
+      expect(layouts.plan).toMatchObject({unpinnedLengthCm: 8, freeLengthCm: 8});
+      expect(layouts.plan?.lengthCm).toBeCloseTo(18);
     }
-    laying.setFlaws([
+    layouts.setFlaws([
       [
         [0, 90],
         [1, 90],
@@ -283,66 +287,66 @@ describe('pieces on their cloth', () => {
     await settled();
     asked[3]?.answer({places: [placed(2, 13), placed(12, 3)], freeLengthCm: 5});
     await settled();
-    expect(laying.plan).toMatchObject({unpinnedLengthCm: null, freeLengthCm: 5});
-    laying.togglePin(1);
-    laying.pack();
+    expect(layouts.plan).toMatchObject({unpinnedLengthCm: null, freeLengthCm: 5});
+    layouts.togglePin(1);
+    layouts.pack();
     await settled();
     asked[4]?.answer();
     await settled();
-    expect(laying.plan).not.toHaveProperty('unpinnedLengthCm');
+    expect(layouts.plan).not.toHaveProperty('unpinnedLengthCm');
   });
 
-  it('keep off flaws, on cloth whose print stays', async () => {
-    const {laying, asked} = await laidOut();
+  it('keep off flaws, on fabric whose print stays', async () => {
+    const {layouts, asked} = await laidOut();
     const flaw = [
       [0, 0],
       [3, 0],
       [3, 3],
     ] as const;
-    laying.setFlaws([flaw]);
+    layouts.setFlaws([flaw]);
     await settled();
     expect(asked[1]?.problem).toMatchObject({flaws: [flaw], phasesCm: [2]});
-    expect(laying.bolt?.flaws).toEqual([flaw]);
+    expect(layouts.bolt?.flaws).toEqual([flaw]);
   });
 
-  it('say why they cannot lie on a cloth, and lie again where that is taken back', async () => {
-    const {laying, asked} = await laidOut();
-    laying.choose({widthCm: 30});
+  it('say why they cannot lie on a fabric, and lie again where that is taken back', async () => {
+    const {layouts, asked} = await laidOut();
+    layouts.choose({widthCm: 30});
     await settled();
     const message = 'left_half is too wide.';
     asked[1]?.fail(new SolverError({code: 'options', message}));
     await settled();
-    expect(laying.state).toMatchObject({kind: 'failed', failure: {message}});
-    expect(laying.pieces).toEqual([]);
-    laying.choose({widthCm: 30});
+    expect(layouts.state).toMatchObject({kind: 'failed', failure: {message}});
+    expect(layouts.pieces).toEqual([]);
+    layouts.choose({widthCm: 30});
     await settled();
     expect(asked).toHaveLength(2); // this is the current width
-    expect([laying.undo(), laying.state.kind, laying.pieces.length]).toEqual([true, 'done', 2]);
-    expect([laying.redo(), laying.state.kind]).toEqual([true, 'failed']);
+    expect([layouts.undo(), layouts.state.kind, layouts.pieces.length]).toEqual([true, 'done', 2]);
+    expect([layouts.redo(), layouts.state.kind]).toEqual([true, 'failed']);
   });
 
   it('are the best so far where somebody has heard enough, or takes one in hand', async () => {
-    const {laying, asked, become} = atWork({design, result});
-    laying.show();
+    const {layouts, asked, become} = atWork({design, result});
+    layouts.show();
     await settled();
     asked[0]?.hooks.onLayout?.(layout);
-    laying.cancel();
+    layouts.cancel();
     await settled();
     expect(asked[0]?.hooks.signal?.aborted).toBe(true);
-    expect([laying.state.kind, laying.pieces.length]).toEqual(['cancelled', 2]);
+    expect([layouts.state.kind, layouts.pieces.length]).toEqual(['cancelled', 2]);
     become({});
     expect(asked).toHaveLength(1);
-    laying.pack();
+    layouts.pack();
     await settled();
     asked[1]?.hooks.onLayout?.(layout);
-    laying.move(0, placed(22, 3));
+    layouts.move(0, placed(22, 3));
     expect(asked[1]?.hooks.signal?.aborted).toBe(true);
     asked[1]?.hooks.onLayout?.(layout);
-    expect(laying.pieces[0]?.place).toEqual(placed(22, 3));
+    expect(layouts.pieces[0]?.place).toEqual(placed(22, 3));
   });
 
   it('have the allowances of cutting files, and are laid anew with others', async () => {
-    const {laying, asked, source} = await laidOut();
+    const {layouts, asked, source} = await laidOut();
     const reach = (k: number): number =>
       Math.min(...(asked[k]?.problem.pieces[0]?.outline.map(([, y]) => y) ?? []));
     expect(reach(0)).toBeCloseTo(-3); // a hem
@@ -350,48 +354,48 @@ describe('pieces on their cloth', () => {
     await settled();
     expect(asked).toHaveLength(2);
     expect(reach(1)).toBeCloseTo(-5);
-    expect(laying.choices).toMatchObject({allowanceCm: 1, hemCm: 5});
+    expect(layouts.choices).toMatchObject({allowanceCm: 1, hemCm: 5});
     asked[1]?.answer();
     await settled();
     source.prefer({theme: 'dark'});
-    expect(laying.undo()).toBe(true);
+    expect(layouts.undo()).toBe(true);
     expect(source.preferences.chosen.allowances).toEqual({});
-    laying.choose({allowanceCm: 1.5});
+    layouts.choose({allowanceCm: 1.5});
     expect(source.preferences.chosen.allowances).toEqual({allowanceCm: 1.5});
     await settled();
     expect(asked).toHaveLength(3);
   });
 
   it('are as many as garments are cut, of the next design too', async () => {
-    const {laying, asked, become} = await laidOut();
-    laying.choose({copies: 3});
+    const {layouts, asked, become} = await laidOut();
+    layouts.choose({copies: 3});
     await settled();
     expect(asked[1]?.problem.pieces).toHaveLength(6);
     asked[1]?.answer({places: [...Array(6).keys()].map((k) => placed(10 * k, 3))});
     await settled();
-    expect(laying.names.filter((name) => name === 'left_half')).toHaveLength(3);
+    expect(layouts.names.filter((name) => name === 'left_half')).toHaveLength(3);
     become({result: other});
     await settled();
     expect(asked[2]?.problem.pieces).toHaveLength(6);
   });
 
   it('have offers that stay with the plan while its pieces are moved', async () => {
-    const {laying, asked} = await laidOut();
-    laying.choose({phaseCm: 2});
+    const {layouts, asked} = await laidOut();
+    layouts.choose({phaseCm: 2});
     await settled();
     asked[1]?.answer({phaseLengthsCm: [8]});
     await settled();
-    laying.move(1, placed(12, 13)); // interrupts the search for offers
+    layouts.move(1, placed(12, 13)); // interrupts the search for offers
     for (let k = 2; k < asked.length; k++) {
       asked[k]?.answer({lengthCm: 5});
       await settled();
     }
-    expect(laying.isMoved).toBe(true);
-    expect(laying.step?.plan?.cheaper.map(({kind, lengthCm}) => [kind, lengthCm])).toEqual([
+    expect(layouts.isMoved).toBe(true);
+    expect(layouts.step?.plan?.cheaper.map(({kind, lengthCm}) => [kind, lengthCm])).toEqual([
       ['phase', 5],
       ['shift', 5],
     ]);
-    expect([laying.undo(), laying.step?.plan?.cheaper.length]).toEqual([true, 2]);
+    expect([layouts.undo(), layouts.step?.plan?.cheaper.length]).toEqual([true, 2]);
   });
 
   it('are remembered with their print, the newest last, and no more than can be told apart', () => {
@@ -412,12 +416,12 @@ describe('pieces on their cloth', () => {
   });
 
   it('are not looked for any more when nobody looks', async () => {
-    const {laying, asked} = atWork({design, result});
-    const end = laying.show();
+    const {layouts, asked} = atWork({design, result});
+    const end = layouts.show();
     await settled();
     end();
-    expect([asked[0]?.hooks.signal?.aborted, laying.state.kind]).toEqual([true, 'waiting']);
-    laying.show();
+    expect([asked[0]?.hooks.signal?.aborted, layouts.state.kind]).toEqual([true, 'waiting']);
+    layouts.show();
     await settled();
     expect(asked).toHaveLength(2);
   });

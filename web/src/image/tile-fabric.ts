@@ -13,7 +13,7 @@ export interface Pixels {
 }
 
 /** A periodic print, given by one cell. */
-export interface Cloth {
+export interface TiledFabric {
   readonly cell: Cell;
   readonly width: number;
   readonly height: number;
@@ -56,12 +56,12 @@ function split(
  * mean of the covered area on white. The result is blurred `times` times by the kernel 1 2 1 in
  * both directions, periodically.
  */
-export function clothOf(
+export function tiledFabric(
   cell: Cell,
   image: Pixels,
   [width, height]: readonly [number, number],
   times: number,
-): Cloth {
+): TiledFabric {
   let colours = new Float32Array(3 * width * height);
   const [columns, rows] = [split(image.width, width), split(image.height, height)];
   const mean = (width * height) / (image.width * image.height);
@@ -109,9 +109,9 @@ function softened(from: Float32Array, width: number, height: number, dx: 0 | 1, 
 }
 
 /** The print through a map: the colour at x is that at the image of x. */
-export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
-  const {width, height, colours} = cloth;
-  const {centre, pixel} = pixelGrid(cloth.cell, width, height);
+export function seenThrough(fabric: TiledFabric, map: PlaneMap): TiledFabric {
+  const {width, height, colours} = fabric;
+  const {centre, pixel} = pixelGrid(fabric.cell, width, height);
   const seen = new Float32Array(colours.length);
   const wrap = (value: number, size: number): number => ((value % size) + size) % size;
   // the map between pixels is affine, too
@@ -134,5 +134,5 @@ export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
       }
     }
   }
-  return {...cloth, colours: seen};
+  return {...fabric, colours: seen};
 }

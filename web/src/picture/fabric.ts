@@ -15,7 +15,7 @@ export type PrintWithTile = Print & {readonly tile?: string};
  * The tile as a pattern, which the patterns of all pieces refer to.
  * @param scale [px per cm]
  */
-export function clothTile(id: string, print: PrintWithTile, scale: number): string {
+export function fabricTile(id: string, print: PrintWithTile, scale: number): string {
   const [w, h] = imageCell(print).map((side) => short(scale * norm(side)));
   const content = print.tile
     ? `<image href="${escaped(imageHref(print.tile))}" width="${w}" height="${h}" preserveAspectRatio="none"/>`
@@ -29,7 +29,7 @@ export function clothTile(id: string, print: PrintWithTile, scale: number): stri
  * @param tile id of the tile's pattern
  * @param page map from piece coordinates to the page, upright or upside down
  */
-export function clothUnder(
+export function fabricUnder(
   id: string,
   tile: string,
   print: Print,

@@ -3,7 +3,7 @@ import {blobOf} from '../image/data-url.js';
 import {norm, plus, unit, type Point} from '../model/geometry/vectors.js';
 import {FileError} from '../model/base/versioned-file.js';
 import {imageCell} from '../model/print/wallpaper.js';
-import type {PrintWithTile} from '../picture/cloth.js';
+import type {PrintWithTile} from '../picture/fabric.js';
 import {rasterCell, vectorCell, type Cell} from './cell.js';
 import type {PdfResources} from '../files/pdf/resources.js';
 
@@ -39,7 +39,7 @@ async function contentOf(tile: string): Promise<string | Uint8Array<ArrayBuffer>
  * The cell of a print for a PDF.
  * @throws {FileError} if the image cannot be drawn
  */
-export async function clothCell(
+export async function fabricCell(
   resources: PdfResources,
   print: PrintWithTile,
   pixels: CellPixels | undefined,

@@ -74,7 +74,7 @@ interface Weave {
   readonly waves: Point;
 }
 
-interface ClothLook {
+interface PictureLook {
   readonly creases: Creases | undefined;
   readonly weave: Weave | undefined;
   /** Light at a pixel, per colour. */
@@ -87,12 +87,12 @@ function seenWeave({strength, waves}: Weave, pixel: number): number {
   return perPixel < 0.5 ? strength * (1 - perPixel) : 0;
 }
 
-/** @param cloth  colour at lattice coordinates */
-export function clothPicture(
-  cloth: Sampler,
+/** @param fabric  colour at lattice coordinates */
+export function fabricPicture(
+  fabric: Sampler,
   view: LatticeView,
   [width, height]: readonly [number, number],
-  look: ClothLook,
+  look: PictureLook,
 ): LightPicture {
   const picture = darkPicture(width, height);
   const [red, green, blue] = picture.planes;
@@ -123,7 +123,7 @@ export function clothPicture(
         const w = g * qx + h * qy + i;
         const u = (a * qx + b * qy + c) / w + dx;
         const v = (d * qx + e * qy + f) / w + dy;
-        cloth(u, v, sample);
+        fabric(u, v, sample);
         const thread = weave > 0 ? 1 + weave * Math.sin(2 * Math.PI * (wu * u + wv * v)) : 1;
         r0 += thread * (sample[0] ?? 0);
         g0 += thread * (sample[1] ?? 0);

@@ -29,7 +29,7 @@ import {Observable} from '../observable.js';
 import type {Workbench} from '../workbench.js';
 
 /** `waiting`: there is no result to lay out; `laying`: the best layout so far is shown. */
-type LayingState =
+type LayoutsState =
   | {readonly kind: 'waiting' | 'done' | 'cancelled'}
   | {readonly kind: 'laying'; readonly fraction: number}
   | {readonly kind: 'failed'; readonly failure: Failure};
@@ -39,14 +39,14 @@ type Source = Pick<
   'history' | 'solving' | 'subscribe' | 'solver' | 'preferences' | 'prefer'
 >;
 
-export class Laying extends Observable {
+export class Layouts extends Observable {
   readonly #source: Source;
   /** Layout on display, and the one that replaces it as soon as it has pieces. */
   #work: MarkerWork | undefined;
   #next: MarkerWork | undefined;
   /** Layouts of results that the user may return to. */
   readonly #known = new WeakMap<SolveResult, MarkerWork>();
-  #state: LayingState = {kind: 'waiting'};
+  #state: LayoutsState = {kind: 'waiting'};
   #running: AbortController | undefined;
   /** True if the fabric was changed and has no layout yet: the display shows the fabric before. */
   #isAwaited = false;
@@ -58,7 +58,7 @@ export class Laying extends Observable {
     this.#source = source;
   }
 
-  get state(): LayingState {
+  get state(): LayoutsState {
     return this.#state;
   }
 
@@ -265,7 +265,7 @@ export class Laying extends Observable {
     this.#become(failure ? {kind: 'failed', failure} : {kind: 'done'});
   }
 
-  #become(state: LayingState): void {
+  #become(state: LayoutsState): void {
     this.#state = state;
     this.changed();
   }
@@ -369,11 +369,11 @@ export class Laying extends Observable {
   }
 }
 
-const known = new WeakMap<Source, Laying>();
+const known = new WeakMap<Source, Layouts>();
 
 /** Laying of a workbench, created at the first call. */
-export function layingOf(workbench: Workbench): Laying {
-  const laying = known.get(workbench) ?? new Laying(workbench);
-  known.set(workbench, laying);
-  return laying;
+export function layoutsOf(workbench: Workbench): Layouts {
+  const layouts = known.get(workbench) ?? new Layouts(workbench);
+  known.set(workbench, layouts);
+  return layouts;
 }
