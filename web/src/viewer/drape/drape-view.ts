@@ -60,6 +60,8 @@ export class DrapeView {
   #picture: Tile | undefined;
   /** Pending while the view moves. */
   #pause: ReturnType<typeof setTimeout> | undefined;
+  /** The camera was on its way when the last picture was begun, which may have been its end. */
+  #wasMoving = false;
   readonly #fineness = new MovingFineness();
   /** The last drawing is coarser than one at rest. */
   #isCoarse = false;
@@ -89,8 +91,8 @@ export class DrapeView {
         this.#draw();
       },
       arrange: () => {
-        if (!this.#camera.isMoving) return;
-        this.#screen.request();
+        if (!this.#wasMoving) return;
+        if (this.#camera.isMoving) this.#screen.request();
         this.#stir();
       },
       lost: (isLost) => options.onLost?.(isLost),
@@ -349,6 +351,7 @@ export class DrapeView {
 
   #draw(): void {
     if (this.#worn.settle()) this.#camera.fit();
+    this.#wasMoving = this.#camera.isMoving;
     const orbit = this.#camera.advance();
     if (!orbit) return;
     const {renderer, raster} = this.#screen;
