@@ -39,7 +39,7 @@ it('draws each stage of a solve with meshes, letters and cells', async () => {
   for (const picture of pictures) {
     expect(picture.match(/class="mesh" d="[^"]/g)).toHaveLength(2);
     expect(picture.match(/>A<\/text>/g)).toHaveLength(2);
-    expect(picture).toContain('id="stage-cloth"');
+    expect(picture).toContain('id="stage-fabric"');
   }
   expect(mean(pictures.at(-1) ?? '')).toBeLessThanOrEqual(mean(pictures[0] ?? ''));
   const nowhere = await seamwise(...words);

@@ -138,7 +138,7 @@ describe('the plan as SVG', () => {
     expect([a, b, c, d]).toEqual([1, 0, 0, 1]);
     // the left edge of the fabric and its start, as in the rest of the drawing
     const [, left = '', top = '', right = '', bottom = ''] =
-      /<path d="M([\d.]+) ([\d.]+)L([\d.]+) [\d.]+L[\d.]+ ([\d.]+)L[\d. ]+Z" fill="url\(#cloth\)"/.exec(
+      /<path d="M([\d.]+) ([\d.]+)L([\d.]+) [\d.]+L[\d.]+ ([\d.]+)L[\d. ]+Z" fill="url\(#fabric\)"/.exec(
         svg,
       ) ?? [];
     expect(Math.abs(Number(right) - Number(left))).toBeCloseTo(900, 6);

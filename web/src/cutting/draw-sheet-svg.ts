@@ -99,7 +99,7 @@ function drawnPiece(piece: LaidPiece, k: number, page: Page, ink: PrintInk): str
   const area = (fill: string): string =>
     `<path d="${closed(piece.cut, page)}" ${fill} fill-rule="evenodd"/>`;
   const isPrinted = piece.alignment && ink !== 'outline';
-  const fabric = area(isPrinted ? `fill="url(#cloth-${k})"` : 'fill="#fff"');
+  const fabric = area(isPrinted ? `fill="url(#fabric-${k})"` : 'fill="#fff"');
   const tint = isPrinted && ink === 'pale' ? area(`fill="#fff" fill-opacity="${paleWhite}"`) : '';
   return `<g id="piece-${k}" inkscape:groupmode="layer" inkscape:label="${escaped(piece.label)}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round">${fabric}${tint}${drawnMarks(piece.marks, page)}</g>`;
 }
@@ -130,7 +130,7 @@ export function drawSheetSvg(
   const page: Page = ([x, y]) => [margin + unit * x, margin + unit * (heightCm - y)];
   const fabrics = pieces.map(({alignment, place}, k) =>
     alignment
-      ? fabricUnder(`cloth-${k}`, 'cloth', print, alignment, (p) => page(onPiece(place, p)))
+      ? fabricUnder(`fabric-${k}`, 'fabric', print, alignment, (p) => page(onPiece(place, p)))
       : '',
   );
   const below = height - margin - footHeight + belowWords;
@@ -139,7 +139,7 @@ export function drawSheetSvg(
     `<title>${escaped(heading)}</title>`,
     ink === 'outline'
       ? ''
-      : `<defs>${linked(fabricTile('cloth', print, unit) + fabrics.join(''))}</defs>`,
+      : `<defs>${linked(fabricTile('fabric', print, unit) + fabrics.join(''))}</defs>`,
     '<rect width="100%" height="100%" fill="#fff"/>',
     ...pieces.map((piece, k) => drawnPiece(piece, k, page, ink)),
     testSquares([margin, below]),

@@ -1,6 +1,6 @@
 /**
  * Places on printed fabric where a piece shows the same print as in its alignment. Fabric
- * coordinates: x across from the left edge, y along the warp from the cut; p_cloth = R(angle) p +
+ * coordinates: x across from the left edge, y along the warp from the cut; p_fabric = R(angle) p +
  * translation. Lengths in cm, angles in radians.
  */
 import {determinant} from '../model/geometry/plane-map.js';

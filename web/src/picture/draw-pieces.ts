@@ -178,12 +178,12 @@ function names(scene: Scene, size: number): string {
 /** All pieces of a scene: print, outline, seams by mismatch, symmetries and names. */
 export function drawPieces(scene: Scene, nameSize: number): string {
   const {pieces} = scene.result;
-  const cloths = pieces.map((_, k) => {
+  const fabrics = pieces.map((_, k) => {
     const alignment = scene.alignments[k] ?? {angle: 0, translation: [0, 0]};
     return fabricUnder(`${scene.id}-${k}`, scene.fabric, scene.print, alignment, toPage(scene, k));
   });
   return [
-    `<defs>${cloths.join('')}</defs>`,
+    `<defs>${fabrics.join('')}</defs>`,
     ...pieces.map(
       (piece, k) =>
         `<g aria-label="${escaped(scene.names[k] ?? '')}">${body(scene, piece, k)}${scene.hasMesh ? mesh(scene, piece, k) : ''}</g>`,

@@ -50,14 +50,14 @@ export function drawStage({title, pattern, outline, alignments}: Stage): string 
   const print = {group, w1, w2};
   const scene: Scene = {
     ...{result: pattern, print, outline, alignments, mismatch, layout, names, scale},
-    ...{id: 'stage', fabric: 'stage-cloth', isBare: false, hasMesh: true},
+    ...{id: 'stage', fabric: 'stage-fabric', isBare: false, hasMesh: true},
     corner: [(width - layout.width * scale) / 2, top],
   };
   const note = `${group}; mean mismatch ${(10 * mismatch.mean).toFixed(2)} mm, fit ${mismatch.total.toFixed(3)} cm²`;
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" font-family="sans-serif">`,
     `<title>${escaped(title)}</title>`,
-    `<defs>${fabricTile('stage-cloth', print, scale)}</defs>`,
+    `<defs>${fabricTile('stage-fabric', print, scale)}</defs>`,
     '<rect width="100%" height="100%" fill="#fff"/>',
     text([margin, 34], title, {size: 20, weight: 600}),
     text([margin, 56], note, {size: 13}),
@@ -201,7 +201,7 @@ export function drawResult(
     layout,
     corner,
     scale,
-    fabric: `${id}-cloth`,
+    fabric: `${id}-fabric`,
     names,
     isBare: options.clothOnly ?? false,
     id: `${id}-${name}`,
@@ -215,7 +215,7 @@ export function drawResult(
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" role="img" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif" style="font-variant-numeric: tabular-nums">`,
     `<title>${escaped(title)}</title><desc>${escaped(summary)}</desc>`,
-    `<defs>${fabricTile(`${id}-cloth`, print, scale)}</defs>`,
+    `<defs>${fabricTile(`${id}-fabric`, print, scale)}</defs>`,
     `<rect width="100%" height="100%" fill="#fbfaf8"/>`,
     text([margin, 66], title, {size: 28, weight: 600, fill: ink}),
     text(

@@ -41,7 +41,7 @@ interface Strip {
 
 export class SeamStrip {
   readonly #screen: Screen;
-  readonly #cloth = new PrintMaterial();
+  readonly #fabric = new PrintMaterial();
   readonly #line = new LineMaterial();
   readonly #tile: TileTexture;
   readonly #camera = new OrthographicCamera();
@@ -82,7 +82,7 @@ export class SeamStrip {
     };
     this.#screen = new Screen(host, events, 'aside');
     this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
-      this.#cloth.uniforms.tile.value = texture;
+      this.#fabric.uniforms.tile.value = texture;
       this.#screen.request();
     });
   }
@@ -171,7 +171,7 @@ export class SeamStrip {
     this.#dropped(this.#before);
     this.#lines?.dispose();
     this.#tile.dispose();
-    this.#cloth.dispose();
+    this.#fabric.dispose();
     this.#line.dispose();
     this.#screen.dispose();
   }
@@ -196,7 +196,7 @@ export class SeamStrip {
     if (!strip) {
       const straight = straightSeam(scene, seam);
       if (!straight) return undefined;
-      const [mesh, object] = [new StripMesh(straight, this.#cloth), new Scene()];
+      const [mesh, object] = [new StripMesh(straight, this.#fabric), new Scene()];
       object.add(mesh.object);
       strip = {scene, straight, mesh, object};
     }

@@ -35,11 +35,11 @@ function drawnFabric(
     defs: printOrigin
       ? linked(
           fabricTile('tile', print, unit) +
-            fabricUnder('cloth', 'tile', print, printOnFabric(printOrigin), onSheet),
+            fabricUnder('fabric', 'tile', print, printOnFabric(printOrigin), onSheet),
         )
       : '',
     drawn: [
-      ...(printOrigin ? [ground('url(#cloth)', [around])] : []),
+      ...(printOrigin ? [ground('url(#fabric)', [around])] : []),
       ground('#fff', outside.loops, outside.opacity),
       ground('#fff', inside.loops, inside.opacity),
       `<g fill="none" stroke-linejoin="round" stroke-linecap="round">${drawnMarks(fabric.marks, onSheet)}</g>`,

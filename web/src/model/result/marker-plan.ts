@@ -14,7 +14,7 @@ export interface LaidPlacement {
   readonly piece: string;
   /** Index among several copies of the piece for one garment, from 0; absent for a single one. */
   readonly nth?: number;
-  /** p_cloth = R(angle) p + translation, p a point of the piece's `shape`. [rad, cm] */
+  /** p_fabric = R(angle) p + translation, p a point of the piece's `shape`. [rad, cm] */
   readonly angle: number;
   readonly translation: Point;
   /** Cutting line on the fabric, counter-clockwise. */

@@ -31,7 +31,7 @@ export interface MarkerPiece {
   readonly up: Point;
   /** Shifts of the print under the piece that match as well as no shift. */
   readonly shifts: readonly Point[];
-  /** Required place: p_cloth = R(angle) p + translation. */
+  /** Required place: p_fabric = R(angle) p + translation. */
   readonly pin?: Alignment;
 }
 
@@ -77,7 +77,7 @@ export interface MarkerLayout {
   readonly lengthCm: number;
   /** An origin of the print on the fabric. */
   readonly printOrigin: Point;
-  /** Per piece, p_cloth = R(angle) p + translation; null where it found no place. */
+  /** Per piece, p_fabric = R(angle) p + translation; null where it found no place. */
   readonly places: readonly (Alignment | null)[];
 }
 
