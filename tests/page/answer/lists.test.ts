@@ -157,7 +157,7 @@ it('decides by the menu of a line how much a seam counts, as one step each', asy
   expect((await options(page)).weights ?? {}).toEqual({});
 });
 
-it('cuts a piece from plain cloth, or on a grain of its own', {tags: ['thorough']}, async () => {
+it('cuts a piece from plain fabric, or on a grain of its own', {tags: ['thorough']}, async () => {
   const page = await opened();
   await page.getByRole('checkbox', {name: 'Printed: Front left'}).click();
   await page.getByRole('combobox', {name: 'Grain: Back left'}).selectOption('bias');
@@ -175,7 +175,7 @@ it('frees a piece that was pinned', {tags: ['thorough']}, async () => {
     const pins = {front_left: {angle: 0, translation: [0, 0]}} as const;
     bench.history.change({options: {...bench.history.design.options, pins}});
   });
-  await button(page, 'Free: Front left').click();
+  await button(page, 'Unpin: Front left').click();
   expect((await options(page)).pins).toEqual({});
 });
 
@@ -183,7 +183,7 @@ it('says that a garment without seams has nothing to match', {tags: ['thorough']
   const page = await opened();
   await page.evaluate(async () => {
     const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
-    const cloth = {
+    const scarf = {
       vertices: [
         [0, 0],
         [20, 0],
@@ -192,7 +192,7 @@ it('says that a garment without seams has nothing to match', {tags: ['thorough']
       ],
       edges: [0, 1, 2, 3].map((k) => ({endpoints: [k, (k + 1) % 4]})),
     };
-    const text = JSON.stringify({pattern: {panels: {scarf: cloth}, stitches: []}});
+    const text = JSON.stringify({pattern: {panels: {scarf}, stitches: []}});
     await element?.workbench.open({name: 'scarf.json', text});
   });
   const words = 'No seams yet: sew the edges together, and the print is matched there.';

@@ -44,7 +44,7 @@ it('is as large as its file says, and again when asked', {tags: ['thorough']}, a
   await page.getByText('Size in the file: 100 dpi').waitFor();
   expect((await designOf(page)).print.size.height).toBeCloseTo(5.08, 2);
   await give(page, 'unsaid.png', leafFile());
-  await page.getByText('The file does not say how large it is printed').waitFor();
+  await page.getByText('The file has no printed size').waitFor();
 });
 
 it(

@@ -109,9 +109,9 @@ it(
       if (isSewn) continue; // sewn as a mirror image
       await tab(page, present, orderOf(a));
       await page.keyboard.press('Enter');
-      await says(page, /Now choose what it is sewn to/);
+      await says(page, /Now choose the edge to sew it to/);
       await tab(page, orderOf(a), orderOf(b));
-      await says(page, /Press Enter to sew\.$/);
+      await says(page, /: press Enter\.$/);
       await page.keyboard.press('Enter');
       await says(page, /Sewn to/);
       present = orderOf(a);
@@ -240,17 +240,18 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await page.keyboard.press('q');
   await says(page, /\?/);
   await page.keyboard.press('a');
-  await page.getByText('8 of 24 edges sewn').waitFor();
-  expect(await sides(page)).toEqual([
-    ...['back 1 - front 7', 'back 3 - front 5', 'back 5 - front 3', 'back 7 - front 1'],
-  ]);
+  await expect
+    .poll(() => sides(page))
+    .toEqual([
+      ...['back 1 - front 7', 'back 3 - front 5', 'back 5 - front 3', 'back 7 - front 1'],
+    ]);
   await says(page, /\?/);
   await page.keyboard.press('q');
 
   // a hem has no candidates, and a key for another answer does not sew it
   await pattern(page).focus();
   await page.keyboard.press('Tab');
-  await says(page, /^Bottom of Front.*Nothing is like it/);
+  await says(page, /^Bottom of Front.*No similar edge found/);
   expect(await places(page)).toEqual(before);
   await page.keyboard.press('h');
   await page.getByText('8 of 24 edges sewn, 1 open').waitFor();
@@ -267,7 +268,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
-  await says(page, /To top of Sleeve, .*Press Enter to sew/i);
+  await says(page, /Sew to top of Sleeve, .*press Enter/i);
   await page.keyboard.press('Enter');
   await expect.poll(async () => (await sides(page)).length).toBe(6);
   expect(await sides(page)).toEqual(
@@ -317,6 +318,8 @@ it('tells who has a finger what to tap', {tags: ['thorough']}, async () => {
     isMobile: true,
   });
   await solved(page);
+  const panels = page.getByRole('navigation', {name: 'Panels'});
+  await panels.getByRole('button', {name: 'Pattern', exact: true}).click();
   await choose(page, 'My pattern', jsonFile('tee.json', stripped));
   await byHand(page);
 });

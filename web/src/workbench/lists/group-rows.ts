@@ -52,7 +52,10 @@ export interface GroupRow {
 /** The values of a workbench that are read. */
 type ShownGroups = Shown & {readonly solving: Pick<Solving, 'seamGroups' | 'result'>};
 
-/** An unchanged workbench returns the same rows; it returns none before the first result. */
+/**
+ * An unchanged workbench returns the same rows. Returns none before the first result, and while the
+ * sheet still shows a garment that has fewer seams than the result.
+ */
 export function groupRows(workbench: ShownGroups, texts: Texts): readonly GroupRow[] {
   const {
     history: {design},
@@ -61,6 +64,7 @@ export function groupRows(workbench: ShownGroups, texts: Texts): readonly GroupR
   } = workbench;
   if (!design || !pattern || !scenes || seamGroups.length === 0) return [];
   const seams = seamRows(workbench, texts);
+  if (seamGroups.some((group) => group.seams.some((seam) => seam >= seams.length))) return [];
   return rowsOf(seamGroups, seams, scenes, pattern, design.options, result !== undefined, texts);
 }
 
