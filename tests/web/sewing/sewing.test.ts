@@ -84,3 +84,11 @@ it('joins the next edge to a side that was too short, as one step', () => {
   const ends = joined.document.seams.slice(number).map(({a}) => a);
   expect(ends).toEqual(armholes);
 });
+
+it('closes each sleeve after one is set in, and does not sew it to the other', () => {
+  const {document} = editedBy(shirt, {kind: 'sewAll', seams: sewingOf(shirt, []).sure()});
+  const set = editedBy(document, {kind: 'sew', a: armholes, b: cap, sameDirection: false});
+  const asked = sewingOf(set.document, []).questions();
+  expect(asked.length).toBe(2);
+  for (const {a, b} of asked) expect(a[0]?.piece).toBe(b[0]?.piece);
+});

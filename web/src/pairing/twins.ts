@@ -11,9 +11,17 @@ const areSleeves = ({words: one}: MeasuredPiece, {words: other}: MeasuredPiece):
   one.face === other.face &&
   one.side === (-other.side as typeof one.side);
 
-/** Returns whether two symmetric pieces have the same shape, judged by area and number of edges. */
-const areEqual = (one: MeasuredPiece, other: MeasuredPiece): boolean =>
-  one.count === other.count && Math.abs(Math.log(one.area / other.area)) < 0.01;
+/** Returns the length of a piece's outline. [cm] */
+const outlineLength = ({edges}: MeasuredGarment, {first, count}: MeasuredPiece): number =>
+  edges.slice(first, first + count).reduce((sum, {length}) => sum + length, 0);
+
+/**
+ * Returns whether two symmetric pieces have the same shape, judged by area and outline: an edge may
+ * be split in one of them, as the cap of a sleeve that is set in.
+ */
+const areEqual = (garment: MeasuredGarment, one: MeasuredPiece, other: MeasuredPiece): boolean =>
+  Math.abs(Math.log(one.area / other.area)) < 0.01 &&
+  Math.abs(Math.log(outlineLength(garment, one) / outlineLength(garment, other))) < 0.01;
 
 /**
  * Returns whether a seam would join a piece to its twin although each is closed on its own. Two
@@ -21,18 +29,19 @@ const areEqual = (one: MeasuredPiece, other: MeasuredPiece): boolean =>
  * @param images mirror image of each edge, or -1
  */
 export function isOfTwins(
-  {edges, pieces}: MeasuredGarment,
+  garment: MeasuredGarment,
   images: Int32Array,
   i: number,
   j: number,
 ): boolean {
+  const {edges, pieces} = garment;
   const [a, b] = [edges[i], edges[j]];
   const [p, q] = [pieces[a?.at.piece ?? -1], pieces[b?.at.piece ?? -1]];
   if (!a || !b || !p || !q || p === q) return false;
   const [imageA = -1, imageB = -1] = [images[i], images[j]];
   const [atA, atB] = [edges[imageA]?.at.piece, edges[imageB]?.at.piece];
   if (atA === b.at.piece && atB === a.at.piece) return imageA !== j || areSleeves(p, q);
-  return atA === a.at.piece && atB === b.at.piece && areSleeves(p, q) && areEqual(p, q);
+  return atA === a.at.piece && atB === b.at.piece && areSleeves(p, q) && areEqual(garment, p, q);
 }
 
 /** Greatest difference of log lengths: underarms are eased by less. */
