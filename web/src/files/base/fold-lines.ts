@@ -30,8 +30,8 @@ const ownText = /^(knife|box|inverted|tuck|roll|press) fold (\d+)( to)?$/i;
 
 /** Words for kinds of folds in five languages; the first that matches counts. */
 const kindWords: readonly (readonly [FoldKind, RegExp])[] = [
-  ['roll', /roll(?:ing)? line|umbruch(?:linie|kante)|ligne de (?:roulure|cassure)|l[ií]nea de quiebre/i],
-  ['press', /press(?:ing)? line|crease|bügelfalte|pli (?:marqué|repassé)|raya del pantalón|piega stirata/i],
+  ['roll', /roll(?:ing)? line|umbruch(?:linie|kante)|ligne de (?:roulure|cassure)|l[ií]nea de quiebre|linea di rovescio/i],
+  ['press', /press(?:ing)? line|crease|bügelfalte|pli (?:marqué|repassé)|raya del pantalón|l[ií]nea de planchado|piega stirata/i],
   ['inverted', /inverted pleat|kellerfalte|pli creux|(?:pliegue|tabla) invertid[oa]|piega (?:invertita|a soffietto)|sfondo ?piega/i],
   ['box', /box[- ]?pleat|quetschfalte|pli (?:plat double|rond)|pliegue (?:de )?(?:caja|tabla)|tablón|cannone/i],
   ['tuck', /\btucks?\b|\bbiesen?\b|nervures?|alforzas?|jaretas?|nervatur[ae]/i],
