@@ -13,7 +13,7 @@ import {foldLines, hidesFabric, mappedFold} from '../model/garment/folds.js';
 import type {DraftedFold, EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {goesStraightOn, joinNext, nextEdge} from '../model/garment/join-edges.js';
 import {divideAtFolds, hiddenParts} from '../model/garment/pleated-edges.js';
-import {distance, type MirrorMap, type Point} from '../model/geometry/vectors.js';
+import {distance, minus, type MirrorMap, type Point} from '../model/geometry/vectors.js';
 import {mirrorImage} from '../scene/marks.js';
 
 /** Ends of lines at most this far apart coincide. */
@@ -33,9 +33,21 @@ export function isSameFold(one: DraftedFold, other: DraftedFold): boolean {
   );
 }
 
-/** The mirror image of a fold. @param map of the face-up piece onto its image */
-export const foldImage = (fold: DraftedFold, map: MirrorMap): DraftedFold =>
-  mappedFold(fold, (p) => mirrorImage(map, p));
+/**
+ * The mirror image of a fold.
+ * @param map of the face-up piece onto its image
+ * @param towards `original`: the fold is on the image
+ */
+export const foldImage = (
+  fold: DraftedFold,
+  map: MirrorMap,
+  towards: 'image' | 'original' = 'image',
+): DraftedFold =>
+  mappedFold(fold, (p) =>
+    towards === 'image'
+      ? mirrorImage(map, p)
+      : mirrorImage({...map, translation: [0, 0]}, minus(p, map.translation)),
+  );
 
 const withFolds = (
   document: GarmentDocument,

@@ -107,7 +107,7 @@ export const firstLine = (piece: Shape, {point, line}: FoldPlace): Ends | undefi
   line ?? guideAt(loopsOf(piece), point);
 
 /** The line from its start as far as a length. */
-export function shortened(line: Ends, lengthCm: number | undefined): Ends {
+function shortened(line: Ends, lengthCm: number | undefined): Ends {
   const [from, to] = line;
   const whole = distance(from, to);
   if (lengthCm === undefined || lengthCm >= whole) return line;

@@ -191,11 +191,11 @@ export class PatternPane extends PatternDrawing {
   }
 
   /**
-   * Sends letters and digits to the sewing tool while a button has the focus; Enter and space still
+   * Sends letters and digits to a tool for edges while a button has the focus; Enter and space still
    * press the button.
    */
   sewByKey(event: KeyboardEvent): void {
-    if (this.tools.sewing && /^[^ ]$/.test(event.key)) patternKeys(this, event);
+    if (this.tools.later && /^[^ ]$/.test(event.key)) patternKeys(this, event);
   }
 
   get index(): PickIndex | undefined {

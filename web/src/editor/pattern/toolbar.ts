@@ -48,6 +48,7 @@ export class Toolbar extends WorkbenchElement {
         }}
       >
         ${this.tools.canSew ? this.#tool('sew', this.texts.sewing.tool, icon.sew) : nothing}
+        ${this.tools.canSew ? this.#tool('fold', this.texts.folding.tool, icon.fold) : nothing}
         ${this.#tool('piece', symmetry.piece, icon.piece)}
         ${this.#tool('pair', symmetry.pair, icon.pair)}
         ${this.#tool('move', symmetry.move, icon.move)}
@@ -57,7 +58,7 @@ export class Toolbar extends WorkbenchElement {
   }
 
   #tool(
-    name: 'sew' | 'piece' | 'pair' | 'move' | 'keep',
+    name: 'sew' | 'fold' | 'piece' | 'pair' | 'move' | 'keep',
     label: string,
     picture: TemplateResult,
   ): TemplateResult {

@@ -2,8 +2,8 @@
 import type {DraftedFold, FoldKind} from './garment-document.js';
 import {middle, minus, plus, unit, type Point} from '../geometry/vectors.js';
 
-/** Length of an arrowhead. */
-const head = 0.6;
+/** Length of an arrowhead on paper. */
+const onPaper = 0.6;
 
 /** The fold under a map that keeps lines straight. */
 export function mappedFold<Fold extends Pick<DraftedFold, 'line' | 'to'>>(
@@ -28,9 +28,11 @@ export const foldLines = ({
 /**
  * Arrows between the lines of a pleat, each as a shaft and a head. A knife pleat and a tuck are
  * laid from one line onto the other; the lines of other pleats meet in the middle.
+ * @param head length of an arrowhead
  */
 export function foldArrows(
   fold: Pick<DraftedFold, 'kind' | 'line' | 'to'>,
+  head = onPaper,
 ): readonly (readonly Point[])[] {
   const {kind, line, to} = fold;
   if (!to || !hidesFabric(fold)) return [];

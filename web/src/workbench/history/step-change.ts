@@ -62,7 +62,8 @@ function garmentChange({garment: a}: Design, {garment: b}: Design): Change['kind
   if (a.name === b.name && a.text === b.text) return undefined;
   if (a.sample && a.sample.style === b.sample?.style) return 'size';
   if (a.name !== b.name) return 'garment';
-  return patternText(a) === patternText(b) ? 'unit' : 'seams';
+  if (patternText(a) === patternText(b)) return 'unit';
+  return foldsText(a) === foldsText(b) ? 'seams' : 'folds';
 }
 
 const known = new WeakMap<DesignGarment, string>();
@@ -73,6 +74,14 @@ function patternText(garment: DesignGarment): string {
   known.set(garment, text);
   return text;
 }
+
+/** The folds of all pieces. */
+const foldsText = ({text}: DesignGarment): string =>
+  JSON.stringify(
+    Object.values(fieldOf(fieldOf(JSON.parse(text), 'pattern'), 'panels') ?? {}).map((panel) =>
+      fieldOf(panel, 'folds'),
+    ),
+  );
 
 function printChange({print: p}: Design, {print: q}: Design): Change['kind'] | undefined {
   if (p.title !== q.title || p.group !== q.group || p.sample?.name !== q.sample?.name)

@@ -1,24 +1,19 @@
 /** Sets the grain line of a piece by clicks: along an edge, or through two points. */
 import type {LineTarget, OnPiece, Target} from '../../clicks/pick.js';
-import {inputPoint} from '../../clicks/sheet.js';
+import {draftedPoint} from '../../clicks/sheet.js';
 import {angleOf, degrees, distance, minus, type Point} from '../../model/geometry/vectors.js';
 import type {Overlay} from '../../scene/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {withGrainLines} from '../lists/changed-options.js';
 import type {Texts} from '../../texts/texts.js';
-import {mirrorsOf, withImage} from './grain-proposals.js';
+import {mirrorsOf} from '../mirrors.js';
+import {withImage} from './grain-proposals.js';
 import type {Workbench} from '../workbench.js';
 
 /** Least distance between two points that give a direction. [cm] */
 const shortest = 1;
 
 const directionOf = (from: Point, to: Point): number => degrees(angleOf(minus(to, from)));
-
-/** Returns a point in the drafted piece, face up. [cm] */
-function drafted(scene: PatternScene, {piece, point}: OnPiece): Point {
-  const [x, y] = inputPoint(scene, piece, point);
-  return [scene.pattern.pieces[piece]?.mirroredFromInput ? -x : x, y];
-}
 
 /** Returns the upward direction of an edge as drafted, since an edge has none itself. [degrees] */
 function alongEdge(scene: PatternScene, {piece, edge}: LineTarget): number | undefined {
@@ -75,7 +70,10 @@ export class GrainClicks {
     } else if (first.piece !== piece) {
       this.#refused = 'otherPiece';
     } else {
-      const [from, to] = [drafted(scene, first), drafted(scene, here)];
+      const [from, to] = [first, here].map((one) => draftedPoint(scene, piece, one.point)) as [
+        Point,
+        Point,
+      ];
       if (distance(from, to) < shortest) this.#refused = 'samePoint';
       else this.#keep(scene, piece, directionOf(from, to));
     }

@@ -21,19 +21,25 @@ import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js
 import {GrainClicks} from './grain-clicks.js';
 import {keepMarks, toggleKept} from './keeping.js';
 import {railsOf} from './rails.js';
+import type {FoldTool} from '../folding/fold-tool.js';
 import type {SewingTool} from '../sewing/sewing-tool.js';
+import {OnDemand, type LaterTool, type Pointed} from '../later-tool.js';
 import {toFailure} from '../latest-solve.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 
 /**
  * `axis`: a symmetric piece by two points, even near a line. `keep`: the pressed part stays as
  * drafted, or is released. `grain`: the grain line of a piece. `sew`: edges are sewn together.
+ * `fold`: pleats, tucks and creases.
  */
 export type Tool = 'piece' | 'axis' | 'pair' | OwnTool;
 /** A tool that defines no symmetry. */
-type OwnTool = 'move' | 'keep' | 'grain' | 'sew';
+type OwnTool = 'move' | 'keep' | 'grain' | 'sew' | 'fold';
 
-const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew'];
+const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew', 'fold'];
+/** Returns whether a tool is loaded at its first use; such a tool changes the garment. */
+const isLater = (tool: Tool | undefined): tool is 'sew' | 'fold' =>
+  tool === 'sew' || tool === 'fold';
 const isOwn = (tool: Tool): tool is OwnTool => ownTools.includes(tool);
 
 /** Greatest distance at which a pointer picks a line. [CSS px] */
@@ -42,8 +48,8 @@ export const reachOf = (pointerType: string): number => (pointerType === 'touch'
 /** Lines with a smaller difference in distance are equally likely. [CSS px] */
 const tie = 2;
 
-/** Factor of the reach for the sewing tool, which picks only lines. */
-const sewingReach = 2;
+/** Factor of the reach for tools that pick lines first. */
+const lineReach = 2;
 
 export class PatternTools {
   readonly chooser: SymmetryChooser;
@@ -53,8 +59,8 @@ export class PatternTools {
   readonly #workbench: Workbench;
   readonly #changed: () => void;
   #own: OwnTool | undefined;
-  /** The sewing tool in one language, loaded at first use. */
-  #sewing: {readonly language: string; readonly tool: SewingTool | undefined} | undefined;
+  readonly #sew: OnDemand<SewingTool>;
+  readonly #fold: OnDemand<FoldTool>;
   /** The sewing tool asks its questions as soon as it is loaded. */
   #asks = false;
   #byPoints = false;
@@ -70,6 +76,23 @@ export class PatternTools {
     this.#changed = changed;
     this.chooser = new SymmetryChooser(workbench, changed);
     this.grain = new GrainClicks(workbench);
+    const ready = (): void => {
+      if (this.#asks) this.sewing?.chooser.ask();
+      changed();
+    };
+    const failed = (error: unknown): void => {
+      this.#own = undefined;
+      workbench.notices.say({tone: 'error', text: toFailure(error).message});
+      changed();
+    };
+    this.#sew = new OnDemand(
+      async () => (await import('../sewing/sewing-tool.js')).sewingTool(workbench, changed),
+      {ready, failed},
+    );
+    this.#fold = new OnDemand(
+      async () => (await import('../folding/fold-tool.js')).foldTool(workbench, changed),
+      {ready, failed},
+    );
   }
 
   get active(): Tool | undefined {
@@ -78,7 +101,10 @@ export class PatternTools {
     return tool === 'piece' && this.#byPoints ? 'axis' : tool;
   }
 
-  /** A garment stored by its path stays unchanged, unless it has no seams at all. */
+  /**
+   * Whether the garment can be changed: one stored by its path stays as it is, unless it has no
+   * seams at all.
+   */
   get canSew(): boolean {
     const {design} = this.#workbench.history;
     const {garment} = this.#workbench.solving;
@@ -86,7 +112,7 @@ export class PatternTools {
   }
 
   toggle(tool: Tool): void {
-    if (this.isFixed || (tool === 'sew' && tool !== this.#own && !this.canSew)) return;
+    if (this.isFixed || (isLater(tool) && tool !== this.#own && !this.canSew)) return;
     this.#asks = false;
     if (isOwn(tool)) {
       this.chooser.leave();
@@ -110,31 +136,28 @@ export class PatternTools {
 
   /** The sewing tool, if it is active and loaded. */
   get sewing(): SewingTool | undefined {
-    if (this.#own !== 'sew') return undefined;
-    const {language} = this.#workbench.preferences.chosen;
-    if (this.#sewing?.language !== language) void this.#loadSewing(language);
-    return this.#sewing?.tool;
+    return this.#own === 'sew' ? this.#sew.in(this.#language) : undefined;
   }
 
-  async #loadSewing(language: string): Promise<void> {
-    this.#sewing = {language, tool: this.#sewing?.tool};
-    try {
-      const {sewingTool} = await import('../sewing/sewing-tool.js');
-      const tool = await sewingTool(this.#workbench, this.#changed);
-      this.#sewing = {language, tool};
-      if (this.#asks) tool.chooser.ask();
-    } catch (error) {
-      this.#sewing = this.#own = undefined;
-      this.#workbench.notices.say({tone: 'error', text: toFailure(error).message});
-    }
-    this.#changed();
+  /** The tool for folds, if it is active and loaded. */
+  get folding(): FoldTool | undefined {
+    return this.#own === 'fold' ? this.#fold.in(this.#language) : undefined;
+  }
+
+  /** The active tool among those that are loaded at first use. */
+  get later(): LaterTool | undefined {
+    return this.sewing ?? this.folding;
+  }
+
+  get #language(): string {
+    return this.#workbench.preferences.chosen.language;
   }
 
   /** Undoes one step of the tool. @returns true if there was one */
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
-    if (this.sewing?.chooser.send({type: 'back'})) return true;
+    if (this.later?.back()) return true;
     if (active === 'grain' && this.grain.back()) this.#changed();
     else if (this.#own) this.toggle(this.#own);
     else if (active) this.chooser.send({type: 'back'});
@@ -161,13 +184,13 @@ export class PatternTools {
   words(texts: Texts, format: Format): string {
     if (this.#own === 'move') return texts.symmetry.moving;
     if (this.#own === 'keep') return texts.keep.hint;
-    if (this.#own === 'sew') return this.sewing?.chooser.words(texts, format) ?? '';
+    if (isLater(this.#own)) return this.later?.words(texts, format) ?? '';
     return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
   }
 
   /** Returns the possible targets of a press: one, or several that are equally likely. */
   meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
-    if (this.#own === 'sew') return targetsAt(index, at, (sewingReach * reach) / scale).slice(0, 1);
+    if (isLater(this.#own)) return targetsAt(index, at, (lineReach * reach) / scale).slice(0, 1);
     const targets = targetsAt(index, at, reach / scale);
     if (this.active === 'pair' || this.active === 'move') {
       const piece = targets.find(({kind}) => kind === 'piece') ?? targets[0];
@@ -178,8 +201,8 @@ export class PatternTools {
 
   /** Marks the point that a press would set; no mark if a press would not set a point. */
   hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
-    if (this.#own === 'sew') {
-      this.sewing?.chooser.hover(target);
+    if (isLater(this.#own)) {
+      this.later?.hover(target && this.#pointedBy(index, target, reachCm));
       return;
     }
     this.#pointed = this.#own === 'keep' ? target : undefined;
@@ -207,14 +230,18 @@ export class PatternTools {
     this.#changed();
   }
 
+  #pointedBy(index: PickIndex, target: Picked, reachCm: number): Pointed {
+    return {target, snapped: this.#snapped(index, target, reachCm).point, reachCm};
+  }
+
   #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
     return snap(index, piece, point, reachCm, {notches: this.#notches(piece)});
   }
 
   /** Applies a press whose target is known. @param isMore adds the target to the choice */
   take(index: PickIndex, target: Picked, reachCm: number, isMore = false): void {
-    if (this.#own === 'sew') {
-      this.sewing?.chooser.take(target, isMore);
+    if (isLater(this.#own)) {
+      this.later?.take(this.#pointedBy(index, target, reachCm), isMore);
       return;
     }
     if (this.#own === 'grain') {
@@ -307,7 +334,7 @@ export class PatternTools {
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
     if (this.#own === 'move') return railsOf(scene, this.#workbench.selection.selected, texts);
-    if (this.#own === 'sew') return this.sewing?.chooser.marks(scene) ?? {};
+    if (isLater(this.#own)) return this.later?.marks(scene) ?? {};
     if (this.#own === 'keep') return keepMarks(this.#workbench, scene, this.#pointed, texts);
     const isGrain = this.#own === 'grain';
     const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);
