@@ -83,6 +83,21 @@ it('takes the longer way from a corner', () => {
   ]);
 });
 
+it('is parallel to the grain, or to another pleat, where the edge is nearly square to it', () => {
+  const corners: readonly Point[] = [
+    [0, 0],
+    [50, 5],
+    [50, 40],
+    [0, 40],
+  ];
+  const outline = corners.map((from, k): DraftedEdge => ({
+    points: [from, corners[(k + 1) % 4] ?? from],
+  }));
+  const slanted = {...skirt, outline};
+  const [from, to] = fold(slanted, 'knife', [at(20, 2), at(24, 2.4)]).line;
+  expect(to[0] - from[0]).toBeCloseTo(0);
+});
+
 it('ends a tuck at its length', () => {
   expect(rounded(fold(skirt, 'tuck', [at(20), at(24)], 15)).to?.[1]).toEqual([24, 25]);
 });

@@ -20,7 +20,7 @@ import {
 } from '../model/geometry/vectors.js';
 
 type Ends = readonly [Point, Point];
-type Shape = Pick<GarmentPiece, 'outline' | 'holes'>;
+type Shape = Pick<GarmentPiece, 'outline' | 'holes' | 'folds' | 'grain'>;
 
 /** A place of a fold line: a point, or a line drawn inside the piece. */
 export interface FoldPlace {
@@ -34,13 +34,17 @@ export type FoldRefusal = 'near' | 'outside' | 'crossing';
 /** Least fabric in a pleat, and least length of a line. */
 const narrowest = 0.2;
 const shortest = 0.5;
+/** Steps per curve, so that lines end on it to 0.001 mm. */
+const fineSteps = 512;
 /** Greatest distance of a point on the outline from it. */
 const onOutline = 0.1;
+/** Greatest angle to a direction that a fold takes instead, as a sine. */
+const nearly = 0.2;
 /** Lines drawn inside a piece are straight within this share of their length. */
 const straight = 0.01;
 
 const loopsOf = ({outline, holes}: Shape): readonly (readonly Point[])[] =>
-  [outline, ...holes].map((loop) => loop.flatMap((edge) => edgeLine(edge).slice(1)));
+  [outline, ...holes].map((loop) => loop.flatMap((edge) => edgeLine(edge, fineSteps).slice(1)));
 
 /** The stretch of a line through a point that is inside the piece and nearest to the point. */
 function stretchAt(
@@ -57,8 +61,23 @@ function stretchAt(
   return nearest && off(nearest) < 1 ? nearest : undefined;
 }
 
+/**
+ * Turns a direction to that of another pleat or of the grain, or across the grain, if it is near:
+ * pleats of a piece are parallel, although hems and waists are curved.
+ */
+function straightened({folds = [], grain}: Shape, way: Point): Point {
+  const ways = folds.filter(hidesFabric).map(({line: [from, to]}) => minus(to, from));
+  const up = grain?.line ? minus(grain.line[1], grain.line[0]) : ([0, 1] as const);
+  const near = [...ways, up, leftOf(up)]
+    .map(unit)
+    .find((one) => Math.abs(cross(one, way)) < nearly);
+  if (!near) return way;
+  return dot(near, way) > 0 ? near : [0 - near[0], 0 - near[1]];
+}
+
 /** The line at a right angle to the outline through a point on it or inside the piece. */
-function guideAt(loops: readonly (readonly Point[])[], point: Point): Ends | undefined {
+function guideAt(piece: Shape, point: Point): Ends | undefined {
+  const loops = loopsOf(piece);
   const [outline = []] = loops;
   const foot = nearestOn(outline, point, true);
   const count = outline.length;
@@ -75,7 +94,8 @@ function guideAt(loops: readonly (readonly Point[])[], point: Point): Ends | und
     ...(isAt(foot.step + 1) ? [foot.step + 1] : []),
   ];
   const ways = foot.off > onOutline ? [unit(minus(point, foot.at))] : steps.map(inwards);
-  const lines = ways.flatMap((way): Ends[] => {
+  const lines = ways.flatMap((normal): Ends[] => {
+    const way = straightened(piece, normal);
     const ends = stretchAt(loops, plus(foot.at, way, 2 * onOutline), way);
     return ends && distance(ends[0], foot.at) < 1 ? [[foot.at, ends[1]]] : [];
   });
@@ -104,7 +124,7 @@ function isStraight(line: readonly Point[]): boolean {
 
 /** The first line of a fold at a place; undefined if the place gives none. */
 export const firstLine = (piece: Shape, {point, line}: FoldPlace): Ends | undefined =>
-  line ?? guideAt(loopsOf(piece), point);
+  line ?? guideAt(piece, point);
 
 /** The line from its start as far as a length. */
 function shortened(line: Ends, lengthCm: number | undefined): Ends {
@@ -127,7 +147,7 @@ export function withUptake(piece: Shape, fold: DraftedFold, uptakeCm: number): D
 }
 
 /** Returns whether a fold ends inside its piece. */
-export function isPartial(piece: Shape, {line}: Pick<DraftedFold, 'line'>): boolean {
+function isPartial(piece: Shape, {line}: Pick<DraftedFold, 'line'>): boolean {
   const [outline = []] = loopsOf(piece);
   return nearestOn(outline, line[1], true).off > 2 * narrowest;
 }

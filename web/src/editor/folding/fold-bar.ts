@@ -11,8 +11,6 @@ import type {FoldChooser} from '../../workbench/folding/fold-chooser.js';
 
 /** Limits of the fabric in a pleat and of the length of a tuck. [cm] */
 const limits = {uptake: [0.3, 40], length: [0.5, 300]} as const;
-/** Length that a tuck gets first when it ends inside its piece. [cm] */
-const usualLength = 10;
 
 /** Sections through the fabric of each kind, from left to right, the face upwards. */
 const sections: Readonly<Record<FoldKind, string>> = {
@@ -40,11 +38,15 @@ export class FoldBar extends WorkbenchElement {
       :host {
         display: block;
       }
+      /* one row of the same height, so that the pattern does not move under the next click */
       .bar {
         display: flex;
-        flex-wrap: wrap;
         align-items: end;
-        gap: var(--sw-space-1) var(--sw-space-2);
+        gap: var(--sw-space-2);
+        min-height: calc(var(--sw-target) + 1.6em);
+        padding-bottom: 2px;
+        overflow: auto hidden;
+        white-space: nowrap;
       }
       .bar > * {
         flex: none;
@@ -62,7 +64,7 @@ export class FoldBar extends WorkbenchElement {
         padding: 0 var(--sw-space-2);
       }
       sw-number-field {
-        width: 8.5rem;
+        width: 7rem;
       }
       svg {
         align-self: center;
@@ -122,29 +124,12 @@ export class FoldBar extends WorkbenchElement {
     if (!hidesFabric(fold)) return nothing;
     const {chooser, texts} = this.tool;
     const unit = lengthUnit[this.workbench.preferences.chosen.units].name;
-    const {lengthCm} = chooser;
-    const isTuck = fold.kind === 'tuck';
     return html`${this.#length(texts.fabric(unit), chooser.uptakeCm, limits.uptake, (cm) => {
       chooser.setUptake(cm);
     })}
     ${
-      isTuck
-        ? html`<label class="check">
-            <input
-              type="checkbox"
-              .checked=${lengthCm !== undefined}
-              @change=${({target}: Event) => {
-                const {checked} = target as HTMLInputElement;
-                chooser.setLength(checked ? usualLength : undefined);
-              }}
-            />
-            ${texts.partly}
-          </label>`
-        : nothing
-    }
-    ${
-      isTuck && lengthCm !== undefined
-        ? this.#length(texts.length(unit), lengthCm, limits.length, (cm) => {
+      fold.kind === 'tuck'
+        ? this.#length(texts.length(unit), chooser.lengthCm, limits.length, (cm) => {
             chooser.setLength(cm);
           })
         : nothing
@@ -201,9 +186,6 @@ export class FoldBar extends WorkbenchElement {
     }
     ${this.#button(`${texts.remove} (Del)`, texts.remove, () => {
       chooser.remove();
-    })}
-    ${this.#button(`${texts.done} (Esc)`, texts.done, () => {
-      chooser.select(undefined);
     })}`;
   }
 

@@ -20,9 +20,6 @@ export class ToolHint extends WorkbenchElement {
         align-items: center;
         gap: var(--sw-space-1) var(--sw-space-2);
       }
-      .hint > sw-fold-bar {
-        flex: 1 1 100%;
-      }
       .hint > span {
         flex: 1 1 16rem;
         line-height: 1.3;
@@ -31,7 +28,6 @@ export class ToolHint extends WorkbenchElement {
   ];
 
   protected override render(): TemplateResult {
-    const {folding} = this.tools;
     const {symmetry} = this.texts;
     const {chooser} = this.tools;
     return html`<div class="hint">
@@ -62,18 +58,6 @@ export class ToolHint extends WorkbenchElement {
             >
               ${symmetry.back}
             </button>`
-      }
-      ${
-        folding
-          ? html`<sw-fold-bar
-              .workbench=${this.workbench}
-              .tool=${folding}
-              .state=${folding.chooser.state}
-              @click=${(event: Event) => {
-                event.stopPropagation(); // fields keep the focus
-              }}
-            ></sw-fold-bar>`
-          : nothing
       }
     </div>`;
   }

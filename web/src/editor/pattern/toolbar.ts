@@ -17,9 +17,15 @@ export class Toolbar extends WorkbenchElement {
     css`
       :host {
         display: flex;
+        container-type: inline-size;
       }
-      /* only icons fit on a phone */
-      @container (width < 40rem) {
+      /* words fit without icons, and on a phone icons without words */
+      @container (34rem <= width < 54rem) {
+        .tool svg {
+          display: none;
+        }
+      }
+      @container (width < 34rem) {
         .group .all {
           flex: 0 1 auto;
           line-height: 1.2;

@@ -1,5 +1,6 @@
 /** Pleats, tucks and creases of a piece. Lengths in cm. */
 import type {DraftedFold, FoldKind} from './garment-document.js';
+import {nearestOn} from '../geometry/nearest.js';
 import {middle, minus, plus, unit, type Point} from '../geometry/vectors.js';
 
 /** Length of an arrowhead on paper. */
@@ -36,7 +37,8 @@ export function foldArrows(
 ): readonly (readonly Point[])[] {
   const {kind, line, to} = fold;
   if (!to || !hidesFabric(fold)) return [];
-  const [from, end] = [middle(...line), middle(...to)];
+  const from = middle(...line);
+  const end = nearestOn(to, from, false).at;
   const meeting = middle(from, end);
   const shafts =
     kind === 'knife' || kind === 'tuck'

@@ -38,12 +38,10 @@ export const fold = {
   },
   fabric: text('Fabric in it, {unit}'),
   length: text('Length, {unit}'),
-  partly: 'Sewn part of the way',
-  reverse: 'Fold the other way',
-  mirrored: 'Same on the mirrored side',
+  reverse: 'Reverse',
+  mirrored: 'Mirrored, too',
   nextFold: 'Next fold',
-  remove: 'Remove fold',
-  done: 'New fold',
+  remove: 'Remove',
   count: text('{count, plural, =0 {No folds yet} one {# fold} other {# folds}}'),
   /** Variants for touch input. */
   touch: {

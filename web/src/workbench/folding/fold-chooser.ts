@@ -12,6 +12,7 @@ import type {
   GarmentPiece,
 } from '../../model/garment/garment-document.js';
 import {nearestOn} from '../../model/geometry/nearest.js';
+import {distance} from '../../model/geometry/vectors.js';
 import {editedPattern} from '../../sewing/edited-pattern.js';
 import {
   foldImage,
@@ -26,7 +27,6 @@ import {
   firstLine,
   foldAt,
   innerLineAt,
-  isPartial,
   uptakeOf,
   withLength,
   withUptake,
@@ -106,13 +106,9 @@ export class FoldChooser {
     return selected && this.#piece(selected.piece)?.folds?.[selected.fold];
   }
 
-  /** Length of the selected tuck; undefined if it runs to the other side. */
-  get lengthCm(): number | undefined {
-    const {fold, state} = this;
-    const piece = this.#piece(state.selected?.piece);
-    if (!fold || !piece || !isPartial(piece, fold)) return undefined;
-    const [[fromX, fromY], [toX, toY]] = fold.line;
-    return Math.hypot(toX - fromX, toY - fromY);
+  /** Length of the selected fold. */
+  get lengthCm(): number {
+    return this.fold ? distance(...this.fold.line) : 0;
   }
 
   /** Fabric in the selected pleat. */
@@ -285,8 +281,8 @@ export class FoldChooser {
     this.#change((fold, piece) => withUptake(piece, fold, cm));
   }
 
-  /** @param cm undefined: to the other side of the piece */
-  setLength(cm: number | undefined): void {
+  /** @param cm from the edge; a greater length ends at the other side of the piece */
+  setLength(cm: number): void {
     this.#change((fold, piece) => withLength(piece, fold, cm));
   }
 
