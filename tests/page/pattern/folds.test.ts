@@ -52,6 +52,6 @@ it('folds a piece and its mirrored side, changes the kind, and takes all of it b
   await expect.poll(() => foldsOf(page)).toEqual([['inverted', 'inverted'], divided]);
   await bar.getByRole('button', {name: 'Remove'}).click();
   await expect.poll(() => foldsOf(page)).toEqual([[], edges]);
-  await button(page, 'Undo folds').click();
+  await button(page, 'Undo').click();
   await expect.poll(async () => (await foldsOf(page))[0]).toEqual(['inverted', 'inverted']);
 });

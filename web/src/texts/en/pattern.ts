@@ -233,6 +233,7 @@ export const pattern = {
     other: text('{degrees, number}°'),
     clicks: 'Along an edge, or by two points …',
     line: 'Grain line …',
+    choice: 'Grain line drawn by the maker',
     first: 'Click an edge along the grain, or two points on the grain line.',
     second: 'Now click a second point on the grain line.',
   },
