@@ -11,7 +11,12 @@ export interface PatternPiece {
   readonly notches?: readonly Point[];
   readonly grain?: readonly [Point, Point];
   /** Lines with text beside them, such as those of tucks. */
-  readonly labelled?: readonly {readonly line: readonly [Point, Point]; readonly text: string}[];
+  readonly labelled?: readonly {
+    readonly line: readonly [Point, Point];
+    readonly text: string;
+    /** Default 8, that of internal lines. */
+    readonly layer?: string;
+  }[];
   /** Further entities of the block, as pairs. */
   readonly more?: readonly string[];
   readonly quantity?: string;
@@ -189,8 +194,8 @@ function blockOf(
     ...(isSample ? notches.flatMap((p) => point(place(p), how.notchLayer ?? '4')) : []),
     ...(grain && isSample ? segment([place(grain[0]), place(grain[1])], '7') : []),
     ...(isSample
-      ? labelled.flatMap(({line: [from, to], text: words}) => [
-          ...segment([place(from), place(to)], '8'),
+      ? labelled.flatMap(({line: [from, to], text: words, layer = '8'}) => [
+          ...segment([place(from), place(to)], layer),
           ...text(words, '8', place(middle(from, to))),
         ])
       : []),

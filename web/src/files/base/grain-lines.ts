@@ -14,21 +14,33 @@ interface Label {
 const words =
   /grain|\bbias\b|fadenlauf|querfaden|schräg|droit[- ]fil|biais|\bhilo\b|\bbies\b|sesgo|dritto ?filo|sbieco/i;
 
+/** Names of lines for other layouts than the usual one. */
+const otherLayouts = /bias|cross|quer|schräg|biais|travers|\bbies\b|sesgo|sbieco|trama/i;
+
 /** Greatest distance of text from its line. [cm] */
 const beside = 3;
+/** Longer text is an instruction. */
+const longestName = 60;
 /** Least length of a grain line [cm], and as a share of the longest one: shorter lines are arrowheads. */
 const shortest = 3;
 const leastShare = 0.4;
 /** Least difference of two directions, as a sine. */
 const apart = 0.02;
 
-/** The first line of the text beside a line that names a kind of grain. */
-function nameOf(line: Ends, labels: readonly Label[], cmPerUnit: number): string | undefined {
-  const off = ({at}: Label): number => cmPerUnit * nearestOn(line, at, false).off;
-  const [nearest] = labels
-    .filter((label) => words.test(label.text) && label.text.length < 60 && off(label) < beside)
-    .sort((one, other) => off(one) - off(other));
-  return nearest?.text.trim();
+/** The text that names each line: each text belongs to the line that is nearest to it. */
+function namesOf(
+  lines: readonly Ends[],
+  labels: readonly Label[],
+  cmPerUnit: number,
+): ReadonlyMap<Ends, string> {
+  const names = new Map<Ends, string>();
+  const off = (line: Ends, {at}: Label): number => cmPerUnit * nearestOn(line, at, false).off;
+  for (const label of labels) {
+    if (!words.test(label.text) || label.text.length > longestName) continue;
+    const [line] = [...lines].sort((one, other) => off(one, label) - off(other, label));
+    if (line && off(line, label) < beside && !names.has(line)) names.set(line, label.text.trim());
+  }
+  return names;
 }
 
 /**
@@ -41,11 +53,14 @@ export function grainsAmong(
   {cmPerUnit, isSure}: {readonly cmPerUnit: number; readonly isSure: boolean},
 ): readonly GrainChoice[] {
   const longest = Math.max(0, ...lines.map((line) => distance(...line)));
-  const found: GrainChoice[] = [];
-  for (const line of lines) {
+  const long = lines.filter((line) => {
     const length = distance(...line);
-    if (cmPerUnit * length < shortest || length < leastShare * longest) continue;
-    const name = nameOf(line, labels, cmPerUnit);
+    return cmPerUnit * length >= shortest && length >= leastShare * longest;
+  });
+  const names = namesOf(long, labels, cmPerUnit);
+  const found: GrainChoice[] = [];
+  for (const line of long) {
+    const name = names.get(line);
     const way = unit(minus(line[1], line[0]));
     const isOther = found.every(
       ({line: [from, to]}) => Math.abs(cross(way, unit(minus(to, from)))) > apart,
@@ -55,3 +70,7 @@ export function grainsAmong(
   }
   return found.length > 1 ? found : [];
 }
+
+/** The line of the usual layout: the first one that is not named as across or on the bias. */
+export const usualGrain = (grains: readonly GrainChoice[]): Ends | undefined =>
+  (grains.find(({name}) => name === undefined || !otherLayouts.test(name)) ?? grains[0])?.line;

@@ -5,7 +5,7 @@ import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
 import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
 import {foldsAmong} from '../base/fold-lines.js';
-import {grainsAmong} from '../base/grain-lines.js';
+import {grainsAmong, usualGrain} from '../base/grain-lines.js';
 import {doubtfulHoles, gapNote} from '../base/left-out.js';
 import {reach} from './flat.js';
 import {areaOf, bySize, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
@@ -58,11 +58,11 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
   const inner = holes.map(outline);
   const gaps = [largest, ...(sewnLoop ? [sewnLoop] : [])].map(({gap}) => gap);
   const material = materialIn(piece);
-  const grain = axisOn(piece, layers.grainLine);
   const grains = grainsAmong(axesOn(piece, layers.grainLine), text.others, {
     cmPerUnit,
     isSure: true,
   });
+  const grain = usualGrain(grains) ?? axisOn(piece, layers.grainLine);
   const fold = axisOn(piece, layers.mirrorLine);
   const drawnInside = [
     ...linesOn(entities, layers.internalLine).filter(

@@ -10,7 +10,7 @@ import {endOf} from '../base/bezier.js';
 import {longerSide} from '../base/closed-lines.js';
 import {runsOf} from '../base/edges.js';
 import {foldsAmong} from '../base/fold-lines.js';
-import {grainsAmong} from '../base/grain-lines.js';
+import {grainsAmong, usualGrain} from '../base/grain-lines.js';
 import {
   cutOutNote,
   doubtOf,
@@ -232,6 +232,7 @@ function pieceOf(
     cmPerUnit: 0.1,
     isSure: false,
   });
+  const line = usualGrain(grains) ?? (grain && grainEnds(grain));
   const fold = saysFold(words) ? foldOf(runs, outer, seam, written) : undefined;
   return {
     quantity: countOf(words) ?? {asDrawn: 1, mirrored: 0},
@@ -240,7 +241,7 @@ function pieceOf(
     holes: cutOuts.map(({line}): readonly Run[] => runsOf(line)),
     ...doubtfulHoles(cutOuts, doubtfulCutOuts),
     notches: notchesOf(near, sewn, outer),
-    ...(grain && {grain: grainEnds(grain)}),
+    ...(line && {grain: line}),
     ...(grains.length > 0 && {grains}),
     ...(fold && {fold: [fold.start, endOf(fold)]}),
     ...(folds.length > 0 && {folds}),
