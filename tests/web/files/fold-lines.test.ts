@@ -55,9 +55,9 @@ const across = (from: number, to: number): readonly Point[] => [
   [to, 20],
 ];
 const headAt = (x: number, way: 1 | -1): readonly Point[] => [
-  [x - way, 21],
+  [x - way, 20.4],
   [x, 20],
-  [x - way, 19],
+  [x - way, 19.6],
 ];
 
 it('reads a pleat by one text between its lines', () => {
