@@ -133,8 +133,9 @@ function endWay({points, sweep}: DraftedEdge, at: 'start' | 'end'): Point {
   const last = points.at(-1) ?? points[0];
   if (sweep !== undefined)
     return rotated(unit(minus(last, points[0])), ((at === 'end' ? 1 : -1) * sweep) / 2);
-  const line = at === 'end' ? [...points].reverse() : points;
-  const beside = line.find((p) => distance(p, line[0] ?? p) > straight) ?? last;
-  const way = unit(minus(beside, line[0] ?? beside));
+  const line: readonly Point[] = at === 'end' ? [...points].reverse() : points;
+  const from = at === 'end' ? last : points[0];
+  const beside = line.find((p) => distance(p, from) > straight) ?? from;
+  const way = unit(minus(beside, from));
   return at === 'end' ? [0 - way[0], 0 - way[1]] : way;
 }

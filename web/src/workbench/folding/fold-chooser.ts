@@ -80,15 +80,19 @@ export class FoldChooser {
     this.#changed = changed;
   }
 
-  /** Places on one garment are not valid for another, such as after an undo. */
   get state(): FoldState {
+    this.#forget();
+    return this.#latest;
+  }
+
+  /** Drops the places on another garment, such as after an undo. */
+  #forget(): void {
     const garment = this.#workbench.history.design?.garment;
     if (garment !== this.#garment) {
       this.#latest = {};
       this.#garment = garment;
       this.#hovered = this.#cursor = undefined;
     }
-    return this.#latest;
   }
 
   get garment(): GarmentDocument | undefined {
@@ -136,12 +140,14 @@ export class FoldChooser {
   }
 
   get cursor(): Spot | undefined {
-    return this.state && this.#cursor;
+    this.#forget();
+    return this.#cursor;
   }
 
   /** The place under the pointer, or the one that the keys move. */
   get pointed(): Spot | undefined {
-    return this.state && (this.#cursor ?? this.#hovered);
+    this.#forget();
+    return this.#cursor ?? this.#hovered;
   }
 
   /** The fold that the next press would make, or the first line of it. */
