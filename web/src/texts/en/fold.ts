@@ -17,7 +17,7 @@ export const fold = {
   chosenCrease: text('{kind} on {piece}.'),
   edit: 'Change it below, or click the place of a new fold line.',
   cursor: text(
-    'Place on {piece}: ← → move it, with Shift by 1 mm; ↑ ↓ go to the next corner or notch. Enter sets it.',
+    'Place on {piece}: ← → move it, with Shift by 1 mm; ↑ ↓ go to the next corner or middle of an edge. Enter sets it.',
   ),
   refusals: {
     otherPiece: 'Both lines have to be on the same piece.',
