@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import {cutFold} from '@/cutting/fold-marks.js';
 import {foldsAmong} from '@/files/base/fold-lines.js';
-import {foldArrows} from '@/model/garment/folds.js';
+import {foldArrows} from '@/model/garment/fold-arrows.js';
 import {foldKinds, type DraftedFold} from '@/model/garment/garment-document.js';
 
 const fold = (changes: Partial<DraftedFold> = {}): DraftedFold => ({

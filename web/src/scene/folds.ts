@@ -1,5 +1,5 @@
 /** Folds of the garment on the displayed pieces. Lengths in cm. */
-import {foldArrows, foldLines} from '../model/garment/folds.js';
+import {foldLines} from '../model/garment/folds.js';
 import type {DraftedFold} from '../model/garment/garment-document.js';
 import {carried} from '../model/geometry/triangles.js';
 import type {Point} from '../model/geometry/vectors.js';
@@ -15,7 +15,8 @@ export function onShown({pieces, pattern}: PatternScene, piece: number, point: P
   return points === rest ? point : carried(triangles, rest, points, point);
 }
 
-const linesIn = (
+/** Lines of the drafted piece as marks of the displayed one. */
+export const linesIn = (
   scene: PatternScene,
   piece: number,
   lines: readonly (readonly Point[])[],
@@ -29,11 +30,3 @@ export const shownFold = (
   fold: DraftedFold,
   look: LineLook = 'fold',
 ): Lines => linesIn(scene, piece, foldLines(fold), look);
-
-/** The arrows of a fold. @param head length of an arrowhead */
-export const shownArrows = (
-  scene: PatternScene,
-  piece: number,
-  fold: DraftedFold,
-  {head, look = 'fold'}: {readonly head: number; readonly look?: LineLook},
-): Lines => linesIn(scene, piece, foldArrows(fold, head), look);

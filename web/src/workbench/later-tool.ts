@@ -1,6 +1,6 @@
 /** A tool of the pattern that is loaded at its first use, with its texts. */
 import type {PickIndex} from '../clicks/pick-index.js';
-import type {Target} from '../clicks/pick.js';
+import type {Snapped, Target} from '../clicks/pick.js';
 import type {Point} from '../model/geometry/vectors.js';
 import type {Overlay} from '../scene/overlay.js';
 import type {PatternScene} from '../scene/scene.js';
@@ -11,7 +11,8 @@ import type {Texts} from '../texts/texts.js';
 export interface Pointed {
   readonly target: Target;
   /** The point of the piece, or the mark near it. */
-  readonly snapped: Point;
+  readonly point: Point;
+  readonly snapped: Snapped['snapped'];
   /** Greatest distance at which the pointer picks a line. [cm] */
   readonly reachCm: number;
 }
@@ -24,7 +25,11 @@ export interface LaterTool {
   /** Undoes one step. @returns true if there was one */
   back(): boolean;
   words(texts: Texts, format: Format): string;
-  marks(scene: PatternScene): Overlay;
+  marks(scene: PatternScene, texts: Texts): Overlay;
+}
+
+/** A tool that changes the garment. */
+export interface EditingTool extends LaterTool {
   /** @returns true if the key has an effect */
   press(event: KeyboardEvent, index: PickIndex | undefined): boolean;
 }
@@ -43,6 +48,11 @@ export class OnDemand<Tool> {
   ) {
     this.#load = load;
     this.#then = then;
+  }
+
+  /** The tool, if it has been loaded. */
+  get tool(): Tool | undefined {
+    return this.#tool;
   }
 
   /** The tool; undefined until it is loaded. Another language loads it again. */

@@ -195,7 +195,7 @@ export class PatternPane extends PatternDrawing {
    * press the button.
    */
   sewByKey(event: KeyboardEvent): void {
-    if (this.tools.later && /^[^ ]$/.test(event.key)) patternKeys(this, event);
+    if (this.tools.editing && /^[^ ]$/.test(event.key)) patternKeys(this, event);
   }
 
   get index(): PickIndex | undefined {
@@ -262,7 +262,7 @@ export class PatternPane extends PatternDrawing {
               </div>`
         }
         <div class="group view" role="group" aria-label=${pattern.view}>
-          ${places || this.tools.later ? nothing : this.#comparing()}
+          ${places || this.tools.editing ? nothing : this.#comparing()}
           ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
           ${this.#button(pattern.fit, icon.fit, () => this.view?.fit(), places ? '' : 'zoom')}
           ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}

@@ -181,15 +181,15 @@ export class FoldChooser {
     if (before || this.#hovered) this.#changed();
   }
 
-  #spot({target, snapped, reachCm}: Pointed): Spot | undefined {
+  #spot({target, point, reachCm}: Pointed): Spot | undefined {
     const scene = this.#workbench.sheet.scenes?.now;
     const piece = this.#piece(target.piece);
     if (!scene || !piece) return undefined;
-    const at = (point: OnPiece['point']) => draftedPoint(scene, target.piece, point);
+    const at = (p: OnPiece['point']) => draftedPoint(scene, target.piece, p);
     const line =
       target.kind === 'piece' ? innerLineAt(piece, at(target.point), 2 * reachCm) : undefined;
-    const place = {point: at(snapped), ...(line && {line})};
-    return {piece: target.piece, point: snapped, place};
+    const place = {point: at(point), ...(line && {line})};
+    return {piece: target.piece, point, place};
   }
 
   /** Sets a place, or selects the fold there. */

@@ -5,14 +5,15 @@ import {draftedPoint} from '../../clicks/sheet.js';
 import {foldKinds} from '../../model/garment/garment-document.js';
 import {hidesFabric} from '../../model/garment/folds.js';
 import {middle} from '../../model/geometry/vectors.js';
-import {onShown, shownArrows, shownFold} from '../../scene/folds.js';
+import {shownArrows} from '../../scene/fold-arrows.js';
+import {onShown, shownFold} from '../../scene/folds.js';
 import type {OnPiece, Overlay} from '../../scene/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {uptakeOf} from '../../sewing/fold-places.js';
 import {loadFoldTexts, type FoldTexts} from '../../texts/fold-texts.js';
 import {formatFor, type Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
-import type {LaterTool, Pointed} from '../later-tool.js';
+import type {EditingTool, Pointed} from '../later-tool.js';
 import type {Workbench} from '../workbench.js';
 import {FoldChooser, type Spot} from './fold-chooser.js';
 
@@ -26,7 +27,7 @@ const longestHead = 2.5;
 
 type Lines = NonNullable<Overlay['lines']>;
 
-export class FoldTool implements LaterTool {
+export class FoldTool implements EditingTool {
   readonly chooser: FoldChooser;
   readonly texts: FoldTexts;
   readonly #workbench: Workbench;

@@ -62,9 +62,13 @@ function garmentChange({garment: a}: Design, {garment: b}: Design): Change['kind
   if (a.name === b.name && a.text === b.text) return undefined;
   if (a.sample && a.sample.style === b.sample?.style) return 'size';
   if (a.name !== b.name) return 'garment';
-  if (patternText(a) === patternText(b)) return 'unit';
-  return foldsText(a) === foldsText(b) ? 'seams' : 'folds';
+  const [before, after] = [a, b].map(patternText);
+  if (before === after) return 'unit';
+  return foldsIn(before) === foldsIn(after) ? 'seams' : 'folds';
 }
+
+/** The folds in the text of a pattern. */
+const foldsIn = (text = ''): string => String(text.match(/"folds":\[.*?\}\]/g));
 
 const known = new WeakMap<DesignGarment, string>();
 
@@ -74,14 +78,6 @@ function patternText(garment: DesignGarment): string {
   known.set(garment, text);
   return text;
 }
-
-/** The folds of all pieces. */
-const foldsText = ({text}: DesignGarment): string =>
-  JSON.stringify(
-    Object.values(fieldOf(fieldOf(JSON.parse(text), 'pattern'), 'panels') ?? {}).map((panel) =>
-      fieldOf(panel, 'folds'),
-    ),
-  );
 
 function printChange({print: p}: Design, {print: q}: Design): Change['kind'] | undefined {
   if (p.title !== q.title || p.group !== q.group || p.sample?.name !== q.sample?.name)

@@ -4,12 +4,12 @@ import type {PatternScene} from '../../scene/scene.js';
 import type {Format} from '../../texts/format.js';
 import {loadSewTexts} from '../../texts/sew-texts.js';
 import type {Texts} from '../../texts/texts.js';
-import type {LaterTool, Pointed} from '../later-tool.js';
+import type {EditingTool, Pointed} from '../later-tool.js';
 import type {Workbench} from '../workbench.js';
 import {SeamChooser} from './seam-chooser.js';
 import {undoAndSay} from '../history/step-change.js';
 
-export class SewingTool implements LaterTool {
+export class SewingTool implements EditingTool {
   readonly chooser: SeamChooser;
   readonly #workbench: Workbench;
 

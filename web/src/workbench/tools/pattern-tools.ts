@@ -18,12 +18,12 @@ import {textsOf, type Texts} from '../../texts/texts.js';
 import {withAll} from '../symmetry-steps.js';
 import type {Target, Workbench} from '../workbench.js';
 import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js';
-import {GrainClicks} from './grain-clicks.js';
+import type {GrainClicks} from './grain-clicks.js';
 import {keepMarks, toggleKept} from './keeping.js';
 import {railsOf} from './rails.js';
 import type {FoldTool} from '../folding/fold-tool.js';
 import type {SewingTool} from '../sewing/sewing-tool.js';
-import {OnDemand, type LaterTool, type Pointed} from '../later-tool.js';
+import {OnDemand, type EditingTool, type LaterTool, type Pointed} from '../later-tool.js';
 import {toFailure} from '../latest-solve.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 
@@ -37,9 +37,10 @@ export type Tool = 'piece' | 'axis' | 'pair' | OwnTool;
 type OwnTool = 'move' | 'keep' | 'grain' | 'sew' | 'fold';
 
 const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew', 'fold'];
-/** Returns whether a tool is loaded at its first use; such a tool changes the garment. */
-const isLater = (tool: Tool | undefined): tool is 'sew' | 'fold' =>
-  tool === 'sew' || tool === 'fold';
+/** Returns whether a tool changes the garment. */
+const edits = (tool: Tool | undefined): boolean => tool === 'sew' || tool === 'fold';
+/** Returns whether a tool is loaded at its first use. */
+const isLater = (tool: Tool | undefined): boolean => edits(tool) || tool === 'grain';
 const isOwn = (tool: Tool): tool is OwnTool => ownTools.includes(tool);
 
 /** Greatest distance at which a pointer picks a line. [CSS px] */
@@ -53,7 +54,6 @@ const lineReach = 2;
 
 export class PatternTools {
   readonly chooser: SymmetryChooser;
-  readonly grain: GrainClicks;
   /** True if there is one tool only, which is always active. */
   readonly isFixed: boolean;
   readonly #workbench: Workbench;
@@ -61,6 +61,7 @@ export class PatternTools {
   #own: OwnTool | undefined;
   readonly #sew: OnDemand<SewingTool>;
   readonly #fold: OnDemand<FoldTool>;
+  readonly #grain: OnDemand<GrainClicks>;
   /** The sewing tool asks its questions as soon as it is loaded. */
   #asks = false;
   #byPoints = false;
@@ -75,7 +76,6 @@ export class PatternTools {
     this.#workbench = workbench;
     this.#changed = changed;
     this.chooser = new SymmetryChooser(workbench, changed);
-    this.grain = new GrainClicks(workbench);
     const ready = (): void => {
       if (this.#asks) this.sewing?.chooser.ask();
       changed();
@@ -91,6 +91,10 @@ export class PatternTools {
     );
     this.#fold = new OnDemand(
       async () => (await import('../folding/fold-tool.js')).foldTool(workbench, changed),
+      {ready, failed},
+    );
+    this.#grain = new OnDemand(
+      async () => new (await import('./grain-clicks.js')).GrainClicks(workbench, changed),
       {ready, failed},
     );
   }
@@ -112,11 +116,11 @@ export class PatternTools {
   }
 
   toggle(tool: Tool): void {
-    if (this.isFixed || (isLater(tool) && tool !== this.#own && !this.canSew)) return;
+    if (this.isFixed || (edits(tool) && tool !== this.#own && !this.canSew)) return;
     this.#asks = false;
     if (isOwn(tool)) {
       this.chooser.leave();
-      this.grain.begin();
+      this.#grain.tool?.begin();
       this.#own = this.#own === tool ? undefined : tool;
     } else {
       this.#own = undefined;
@@ -144,9 +148,14 @@ export class PatternTools {
     return this.#own === 'fold' ? this.#fold.in(this.#language) : undefined;
   }
 
-  /** The active tool among those that are loaded at first use. */
-  get later(): LaterTool | undefined {
+  /** The active tool that changes the garment. */
+  get editing(): EditingTool | undefined {
     return this.sewing ?? this.folding;
+  }
+
+  /** The active tool among those that are loaded at first use. */
+  get #later(): LaterTool | undefined {
+    return this.#own === 'grain' ? this.#grain.in(this.#language) : this.editing;
   }
 
   get #language(): string {
@@ -157,9 +166,8 @@ export class PatternTools {
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
-    if (this.later?.back()) return true;
-    if (active === 'grain' && this.grain.back()) this.#changed();
-    else if (this.#own) this.toggle(this.#own);
+    if (this.#later?.back()) return true;
+    if (this.#own) this.toggle(this.#own);
     else if (active) this.chooser.send({type: 'back'});
     return active !== undefined;
   }
@@ -184,13 +192,13 @@ export class PatternTools {
   words(texts: Texts, format: Format): string {
     if (this.#own === 'move') return texts.symmetry.moving;
     if (this.#own === 'keep') return texts.keep.hint;
-    if (isLater(this.#own)) return this.later?.words(texts, format) ?? '';
-    return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
+    if (isLater(this.#own)) return this.#later?.words(texts, format) ?? '';
+    return this.chooser.words(texts, format);
   }
 
   /** Returns the possible targets of a press: one, or several that are equally likely. */
   meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
-    if (isLater(this.#own)) return targetsAt(index, at, (lineReach * reach) / scale).slice(0, 1);
+    if (edits(this.#own)) return targetsAt(index, at, (lineReach * reach) / scale).slice(0, 1);
     const targets = targetsAt(index, at, reach / scale);
     if (this.active === 'pair' || this.active === 'move') {
       const piece = targets.find(({kind}) => kind === 'piece') ?? targets[0];
@@ -202,11 +210,11 @@ export class PatternTools {
   /** Marks the point that a press would set; no mark if a press would not set a point. */
   hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
     if (isLater(this.#own)) {
-      this.later?.hover(target && this.#pointedBy(index, target, reachCm));
+      this.#later?.hover(target && this.#pointedBy(index, target, reachCm));
       return;
     }
     this.#pointed = this.#own === 'keep' ? target : undefined;
-    const isPoint = this.active === 'axis' || this.#isPointInside(target);
+    const isPoint = this.active === 'axis' || (this.active === 'piece' && target?.kind === 'piece');
     const before = this.#hovered;
     this.#hovered =
       target && isPoint
@@ -215,23 +223,8 @@ export class PatternTools {
     if (before || this.#hovered || this.#own === 'keep') this.#changed();
   }
 
-  /**
-   * A press inside a piece sets a point; after the first point of a grain line, a press on a line
-   * does.
-   */
-  #isPointInside(target: Picked | undefined): boolean {
-    const takesPoints = this.active === 'piece' || this.active === 'grain';
-    return takesPoints && (target?.kind === 'piece' || this.grain.hasFirst);
-  }
-
-  #takeForGrain(target: Picked, point: Point): void {
-    const scene = this.#workbench.sheet.scenes?.now;
-    if (scene) this.grain.take(scene, target, point);
-    this.#changed();
-  }
-
   #pointedBy(index: PickIndex, target: Picked, reachCm: number): Pointed {
-    return {target, snapped: this.#snapped(index, target, reachCm).point, reachCm};
+    return {target, ...this.#snapped(index, target, reachCm), reachCm};
   }
 
   #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
@@ -241,12 +234,10 @@ export class PatternTools {
   /** Applies a press whose target is known. @param isMore adds the target to the choice */
   take(index: PickIndex, target: Picked, reachCm: number, isMore = false): void {
     if (isLater(this.#own)) {
-      this.later?.take(this.#pointedBy(index, target, reachCm), isMore);
+      this.#later?.take(this.#pointedBy(index, target, reachCm), isMore);
       return;
     }
-    if (this.#own === 'grain') {
-      this.#takeForGrain(target, this.#snapped(index, target, reachCm).point);
-    } else if (this.chooser.tool) {
+    if (this.chooser.tool) {
       const {point} = this.#snapped(index, target, reachCm);
       const {piece} = target;
       this.chooser.send(
@@ -281,7 +272,7 @@ export class PatternTools {
     const target = selected && this.#targetOf(index, selected);
     if (!target) return;
     if (this.#own === 'keep') toggleKept(this.#workbench, target);
-    else if (this.#own === 'grain') this.#takeForGrain(target, target.point);
+    else if (this.#own === 'grain') this.#later?.take(this.#pointedBy(index, target, 0), false);
     else if (this.chooser.tool) this.chooser.send({type: 'pick', target});
   }
 
@@ -334,11 +325,10 @@ export class PatternTools {
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
     if (this.#own === 'move') return railsOf(scene, this.#workbench.selection.selected, texts);
-    if (isLater(this.#own)) return this.later?.marks(scene) ?? {};
+    if (isLater(this.#own)) return this.#later?.marks(scene, texts) ?? {};
     if (this.#own === 'keep') return keepMarks(this.#workbench, scene, this.#pointed, texts);
-    const isGrain = this.#own === 'grain';
-    const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);
-    if (!this.#hovered || !(isGrain || this.chooser.tool)) return marks;
+    const marks = this.chooser.marks(scene, texts, format);
+    if (!this.#hovered || !this.chooser.tool) return marks;
     const {piece, point, snapped} = this.#hovered;
     const label = texts.symmetry.snaps[snapped];
     return {...marks, points: [...(marks.points ?? []), {piece, point, label}]};
