@@ -30,6 +30,9 @@ export interface LaterTool {
 
 /** A tool that changes the garment. */
 export interface EditingTool extends LaterTool {
+  /** Keys as displayed, and their meaning. */
+  readonly keys: readonly (readonly [key: string, meaning: string])[];
+  title(texts: Texts): string;
   /** @returns true if the key has an effect */
   press(event: KeyboardEvent, index: PickIndex | undefined): boolean;
 }

@@ -43,6 +43,15 @@ export const fold = {
   nextFold: 'Next fold',
   remove: 'Remove',
   count: text('{count, plural, =0 {No folds yet} one {# fold} other {# folds}}'),
+  keys: [
+    ['Enter', 'Shows a place on the selected piece, then sets it'],
+    ['←  →', 'Move the place by 1 cm, with Shift by 1 mm'],
+    ['↑  ↓', 'To the next corner or middle of an edge'],
+    ['1 … 6', 'Knife, box, inverted pleat, tuck, roll line, press line'],
+    ['Tab', 'Next fold, with Shift the one before'],
+    ['R', 'Reverses the selected fold'],
+    ['Delete', 'Removes the selected fold'],
+  ] as readonly (readonly [key: string, meaning: string])[],
   /** Variants for touch input. */
   touch: {
     begin: {

@@ -50,6 +50,14 @@ export class FoldTool implements EditingTool {
     return this.chooser.back();
   }
 
+  get keys() {
+    return this.texts.keys;
+  }
+
+  title({folding}: Texts): string {
+    return folding.tool;
+  }
+
   /** Name of a piece for the user. */
   #label(piece: number | undefined): string {
     return this.#workbench.sheet.scenes?.now.pieces[piece ?? -1]?.label ?? '';

@@ -18,6 +18,14 @@ export class SewingTool implements EditingTool {
     this.chooser = chooser;
   }
 
+  get keys() {
+    return this.chooser.sew.keys;
+  }
+
+  title({sewing}: Texts): string {
+    return sewing.tool;
+  }
+
   hover(at: Pointed | undefined): void {
     this.chooser.hover(at?.target);
   }
