@@ -55,6 +55,10 @@ const rows = (groups: readonly SeamGroup[], options?: Design['options']): readon
   groupRows(workbench(groups, options), en);
 
 describe('the lines of seams', () => {
+  it('leave out seams that an edit has removed', () => {
+    expect(rows([group(0), group(7)]).map(({seams}) => seams)).toEqual([[0]]);
+  });
+
   it('put the most visible first, and hidden ones at the end', () => {
     const all = rows([
       group(0, {place: 'dart', visibility: 0.5}),

@@ -75,7 +75,9 @@ const rowsOf = lastOf(
     texts: Texts,
   ): readonly GroupRow[] => {
     const kept = keptParts(pattern, options.locked);
-    const lines = groups.map((group): Line => {
+    // an edit may leave fewer seams than the last result has
+    const present = groups.filter((group) => group.seams.some((seam) => seam < seams.length));
+    const lines = present.map((group): Line => {
       const rows = group.seams.flatMap((seam) => seams.slice(seam, seam + 1));
       const along = ({seams: all}: PatternScene): number =>
         mismatchAlong(rows.flatMap(({seam, counts}) => (counts ? all.slice(seam, seam + 1) : [])));
