@@ -10,6 +10,13 @@ export interface PatternPiece {
   readonly edges: readonly (readonly Point[])[];
   readonly notches?: readonly Point[];
   readonly grain?: readonly [Point, Point];
+  /** Lines with text beside them, such as those of tucks. */
+  readonly labelled?: readonly {
+    readonly line: readonly [Point, Point];
+    readonly text: string;
+    /** Default 8, that of internal lines. */
+    readonly layer?: string;
+  }[];
   /** Further entities of the block, as pairs. */
   readonly more?: readonly string[];
   readonly quantity?: string;
@@ -130,11 +137,11 @@ const section = (name: string, content: readonly string[]): Pairs => [
   ...pair(0, 'ENDSEC'),
 ];
 
-const text = (words: string, layer = '1'): Pairs => [
+const text = (words: string, layer = '1', [x, y]: Point = [0, 0]): Pairs => [
   ...pair(0, 'TEXT'),
   ...pair(8, layer),
-  ...pair(10, 0),
-  ...pair(20, 0),
+  ...pair(10, x),
+  ...pair(20, y),
   ...pair(40, 1),
   ...pair(1, words),
 ];
@@ -149,7 +156,7 @@ interface Written {
 }
 
 function blockOf(
-  {name, edges, notches = [], grain, more = [], quantity = '1'}: PatternPiece,
+  {name, edges, notches = [], grain, labelled = [], more = [], quantity = '1'}: PatternPiece,
   number: number,
   size: string,
   by: number,
@@ -186,6 +193,12 @@ function blockOf(
       : []),
     ...(isSample ? notches.flatMap((p) => point(place(p), how.notchLayer ?? '4')) : []),
     ...(grain && isSample ? segment([place(grain[0]), place(grain[1])], '7') : []),
+    ...(isSample
+      ? labelled.flatMap(({line: [from, to], text: words, layer = '8'}) => [
+          ...segment([place(from), place(to)], layer),
+          ...text(words, '8', place(middle(from, to))),
+        ])
+      : []),
   ];
   return {
     block: [

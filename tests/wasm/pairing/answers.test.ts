@@ -12,15 +12,13 @@ import {readDrawing} from '@/files/read-drawing.js';
 import {defaultChoices, garmentOf} from '@/files/to-garment.js';
 import {edgeLine} from '@/model/garment/edge-curve.js';
 import {atShare} from '@/model/geometry/polyline.js';
+import {foldLines} from '@/model/garment/folds.js';
 import type {GarmentDocument} from '@/model/garment/garment-document.js';
 import {dxfOf, habits, type PatternPiece} from '../../support/files/dxf-habits.js';
 import {scoreOf, sewnByYes, type Score} from '../../pairing/answers.js';
 
-/**
- * Forty pieces of a patchwork take a minute, the ends of a neck strap are scraps, and a tucked edge
- * is longer than the yoke that it meets.
- */
-const others = /^(patchwork-jacket|apron|tucked-blouse)/;
+/** Forty pieces of a patchwork take a minute, and the ends of a neck strap are scraps. */
+const others = /^(patchwork-jacket|apron)/;
 const samples = readdirSync('public/garments')
   .filter((name) => name.endsWith('-m.json') && !others.test(name))
   .map((name) => `public/garments/${name}`);
@@ -28,11 +26,14 @@ const read = (file: string): Promise<GarmentDocument> =>
   readGarment(readFileSync(file, 'utf8'), file);
 
 const patternOf = ({pieces}: GarmentDocument): readonly PatternPiece[] =>
-  pieces.map(({name, outline, grain, notches = []}) => {
+  pieces.map(({name, outline, grain, notches = [], folds = []}) => {
     const edges = outline.map((edge) => edgeLine(edge, 60));
     return {
       ...{name, edges, ...(grain?.line && {grain: grain.line})},
       notches: notches.map(({edge, at}) => atShare(edges[edge] ?? [], at).at),
+      labelled: folds.flatMap((fold) =>
+        foldLines(fold).map((line) => ({line, text: `${fold.kind} pleat`})),
+      ),
     };
   });
 

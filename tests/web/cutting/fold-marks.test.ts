@@ -2,8 +2,9 @@
 import {expect, it} from 'vitest';
 
 import {cutFold} from '@/cutting/fold-marks.js';
-import {foldArrows} from '@/model/garment/folds.js';
-import type {DraftedFold} from '@/model/garment/garment-document.js';
+import {foldsAmong} from '@/files/base/fold-lines.js';
+import {foldArrows} from '@/model/garment/fold-arrows.js';
+import {foldKinds, type DraftedFold} from '@/model/garment/garment-document.js';
 
 const fold = (changes: Partial<DraftedFold> = {}): DraftedFold => ({
   kind: 'knife',
@@ -17,12 +18,20 @@ const fold = (changes: Partial<DraftedFold> = {}): DraftedFold => ({
   ],
   ...changes,
 });
-const drawn = (changes: Partial<DraftedFold> = {}) =>
-  cutFold(fold(changes), (p) => p, {units: 'cm', locale: 'en'});
+const drawn = (changes: Partial<DraftedFold> = {}, locale = 'en') =>
+  cutFold(fold(changes), (p) => p, {units: 'cm', locale});
 
 it('names the kind and the fabric between the lines', () => {
   expect(drawn().name).toBe('Knife pleat, 4 cm');
   expect(drawn({kind: 'press'}).name).toBe('Press line');
+});
+
+it.each(['en', 'de', 'fr', 'es', 'it'])('names kinds in %s as the reader knows them', (locale) => {
+  const read = foldKinds.map((kind) => {
+    const {line, to = line, name} = drawn({kind}, locale);
+    return foldsAmong([line, to], [{at: line[0], text: name}], 1).folds[0]?.kind;
+  });
+  expect(read).toEqual(foldKinds);
 });
 
 it('lays a knife pleat from one line onto the other', () => {

@@ -49,3 +49,33 @@ it('leaves lines of half pieces, and pleats of one line, as lines', () => {
     expect(lines, text).toEqual([upright(10)]);
   }
 });
+
+const across = (from: number, to: number): readonly Point[] => [
+  [from, 20],
+  [to, 20],
+];
+const headAt = (x: number, way: 1 | -1): readonly Point[] => [
+  [x - way, 20.4],
+  [x, 20],
+  [x - way, 19.6],
+];
+
+it('reads a pleat by one text between its lines', () => {
+  const {folds} = foldsAmong([upright(10), upright(14), hem], [label(11.5, 'Pleat')], 1);
+  expect(folds).toEqual([{kind: 'knife', line: upright(10), to: upright(14)}]);
+});
+
+it('lays a pleat as its arrow points', () => {
+  const lines = [upright(10), upright(14), across(10, 14), headAt(10, -1)];
+  const {folds, lines: others} = foldsAmong(lines, [label(9, 'Pleat')], 1);
+  expect(folds).toEqual([{kind: 'knife', line: upright(14), to: upright(10)}]);
+  expect(others).toEqual([]);
+});
+
+it.each(['Fold here', 'Hier falten', 'Plier ici', 'Doblar aquí', 'Piegare qui'])(
+  'reads "%s" as a crease',
+  (text) => {
+    const {folds} = foldsAmong([upright(10)], [label(10.5, text)], 1);
+    expect(folds).toEqual([{kind: 'press', line: upright(10)}]);
+  },
+);

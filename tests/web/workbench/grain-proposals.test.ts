@@ -1,7 +1,8 @@
 /** Proposed grain lines for pieces of a file without grain. */
 import {describe, expect, it} from 'vitest';
 
-import {grainProposals, wayOf, withImage, type Mirror} from '@/workbench/tools/grain-proposals.js';
+import type {Mirror} from '@/workbench/mirrors.js';
+import {grainProposals, wayOf, withImage} from '@/workbench/tools/grain-proposals.js';
 import type {Placement} from '@/model/garment/garment-document.js';
 import type {PanelMarks} from '@/model/garment/panel-marks.js';
 import {squarePiece} from '../../support/garments/two-squares.js';

@@ -13,6 +13,8 @@
 namespace seamwise {
 namespace {
 
+constexpr double kGrainLineCm = 20;  ///< length of a line for a direction without one
+
 /// Maps points of the file to the frame of the document.
 struct Frame {
   double cm = 1;          ///< centimetres per unit
@@ -100,15 +102,45 @@ void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue&
   out.close();
 }
 
-void writeGrain(JsonWriter& out, const JsonValue& grain, const Frame& frame) {
-  if (!grain) return;
-  out.key("grain");
-  out.openObject();
-  if (const JsonValue line = grain.find("line")) {
-    out.key("line");
-    putLine(out, line, frame);
+/// Writes the line of a grain; one that states only its direction runs through the middle of the
+/// corners of its panel.
+void putGrainLine(JsonWriter& out, const JsonValue& grain, const Panel& panel, const Frame& frame) {
+  out.key("line");
+  if (const JsonValue line = grain.find("line")) return putLine(out, line, frame);
+  const double angle = grain.find("angleDeg").number() * kPi / 180;
+  const Vec2 half = kGrainLineCm / 2 * Vec2(std::cos(angle), std::sin(angle));
+  Vec2 middle = Vec2::Zero();
+  for (const Curve& edge : panel.edges) middle += edge.at(0) / static_cast<double>(panel.edges.size());
+  out.openList();
+  out.put(Vec2(middle - half));
+  out.put(Vec2(middle + half));
+  out.close();
+}
+
+/// Writes the grain in use, by default the first of several, and all grain lines of a panel.
+void writeGrain(JsonWriter& out, const JsonValue& json, const Panel& panel, const Frame& frame) {
+  const JsonValue grain = json.find("grain"), grains = json.find("grains");
+  const std::vector<JsonValue> lines = grains ? grains.items() : std::vector<JsonValue>{};
+  if (grain || !lines.empty()) {
+    out.key("grain");
+    out.openObject();
+    if (grain && grain.find("line"))
+      putGrainLine(out, grain, panel, frame);
+    else if (!lines.empty())
+      putGrainLine(out, lines.front(), panel, frame);
+    if (grain) copyMembers(out, grain, "lock toleranceDeg");
+    out.close();
   }
-  copyMembers(out, grain, "lock toleranceDeg");
+  if (lines.empty()) return;
+  out.key("grains");
+  out.openList();
+  for (const JsonValue& line : lines) {
+    out.openObject();
+    copyMembers(out, line, "name");
+    putGrainLine(out, line, panel, frame);
+    copyOthers(out, line, "name line angleDeg");
+    out.close();
+  }
   out.close();
 }
 
@@ -177,12 +209,12 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
       putLine(out, line, frame);
     }
   writeFolds(out, json.find("folds"), panel.folds);
-  writeGrain(out, json.find("grain"), frame);
+  writeGrain(out, json, panel, frame);
   writePlacement(out, json, frame);
   copyMembers(out, json, "notches quantity size material");
   copyMembers(out, json, "label", Copied::kTexts);
   copyOthers(out, json,
-             "vertices edges holes internalLines cutLine sewLine drillHoles folds grain "
+             "vertices edges holes internalLines cutLine sewLine drillHoles folds grain grains "
              "translation rotation notches label quantity size material");
   out.close();
 }

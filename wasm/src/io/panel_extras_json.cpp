@@ -1,6 +1,7 @@
 #include "io/panel_extras_json.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/decimal.h"
 #include "io/fold_json.h"
@@ -11,23 +12,44 @@ namespace {
 
 constexpr double kWidestAllowanceCm = 20;
 
+/// Returns the direction of a grain line in the frame of the face-up piece. [rad]
+double grainAngle(const JsonValue& line, const PanelUnits& units, const Place& place,
+                  const Panel& panel) {
+  const Polyline ends = polyline(line, place, "'line'", units.cm);
+  if (ends.size() != 2 || !((ends[1] - ends[0]).norm() > 1e-3)) {
+    place.fail(place.shape, "needs a 'line' of two distinct points; correct it");
+    return kPi / 2;
+  }
+  Vec2 d = ends[1] - ends[0];
+  if (panel.mirrored_from_input) d.x() = -d.x();
+  return std::atan2(d.y(), d.x());
+}
+
 void readGrain(const JsonValue& json, const PanelUnits& units, const Place& outer, Panel* panel) {
   const Place place = outer.in("grain");
   object(json, place, "grain");
   if (const JsonValue line = json.find("line")) {
-    const Polyline ends = polyline(line, place, "'line'", units.cm);
-    if (ends.size() != 2 || !((ends[1] - ends[0]).norm() > 1e-3)) {
-      place.fail(place.shape, "needs a 'line' of two distinct points; correct it");
-      return;
-    }
-    Vec2 d = ends[1] - ends[0];
-    if (panel->mirrored_from_input) d.x() = -d.x();
-    panel->grain_angle = std::atan2(d.y(), d.x());
+    panel->grain_angle = grainAngle(line, units, place, *panel);
     panel->grain_stated = true;
   }
   if (const JsonValue lock = json.find("lock")) panel->grain_lock = readGrainLock(lock, place);
   if (const JsonValue degrees = json.find("toleranceDeg"))
     panel->grain_tolerance = readGrainTolerance(degrees, place);
+}
+
+/// The first of several grain lines applies, unless the panel states the one to use.
+void readGrains(const JsonValue& json, const PanelUnits& units, const Place& place, Panel* panel) {
+  std::size_t n = 0;
+  for (const JsonValue& item : array(json, place, "'grains'")) {
+    const Place here = numbered(place, "grain line", n++);
+    object(item, here, "grain line");
+    if (const JsonValue name = item.find("name")) text(name, here, "'name'");
+    const JsonValue line = item.find("line");
+    const double angle = line ? grainAngle(line, units, here, *panel)
+                              : number(need(item, "angleDeg", here), here, "'angleDeg'", 360) * kPi / 180;
+    if (here.failed()) return;
+    if (!std::exchange(panel->grain_stated, true)) panel->grain_angle = angle;
+  }
 }
 
 void readHoles(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
@@ -111,6 +133,7 @@ double readGrainTolerance(const JsonValue& json, const Place& place) {
 void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
                 const Place& place, Panel* panel, std::size_t cubics) {
   if (const JsonValue grain = json.find("grain")) readGrain(grain, units, place, panel);
+  if (const JsonValue grains = json.find("grains")) readGrains(grains, units, place, panel);
   if (const JsonValue holes = json.find("holes"))
     readHoles(holes, vertices, units, place, panel, cubics);
   for (const char* key : {"cutLine", "sewLine"})

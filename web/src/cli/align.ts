@@ -31,6 +31,7 @@ import {
   wholeNumber,
 } from './base/arguments.js';
 import {figuresLine, remedyLine} from './figures.js';
+import {grainChoices, withGrainChoices} from './base/grain-choice.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {readGarmentBytes} from './base/garment-text.js';
 import {readPicture, readPrint} from './base/print-files.js';
@@ -41,8 +42,9 @@ const grammar = {
   files: ['the garment file'],
   valued: [
     ...['--print', '--symmetry', '--method', '--options', '--max-change', '--effort', '--seed'],
-    ...['--print-size', '--print-turn', '--out', '--design'],
+    ...['--print-size', '--print-turn', '--grain-line', '--out', '--design'],
   ],
+  repeated: ['--grain-line'],
   switches: ['--json', '--no-times', '--no-remedies', '--others'],
 };
 
@@ -69,11 +71,16 @@ export async function align(words: readonly string[]): Promise<void> {
   const designFile = args.value('--design');
   const named = symmetryFile === 'auto' || symmetryFile === 'none';
 
+  const bytes = await readGarmentBytes(garmentFile);
+  const lines = args.values('--grain-line');
+  const grains =
+    lines.length > 0 ? grainChoices(await readGarment(textOf(bytes), garmentFile), lines) : {};
+  const options = optionsFile === undefined ? '{}' : await readText(optionsFile);
   const given: Aligned = {
-    garment: {path: garmentFile, bytes: await readGarmentBytes(garmentFile)},
+    garment: {path: garmentFile, bytes},
     print: {path: printFile, bytes: await readPrint(printFile)},
     symmetry: named ? symmetryFile : await readText(symmetryFile),
-    options: withDecided(optionsFile === undefined ? '{}' : await readText(optionsFile), decided),
+    options: withDecided(withGrainChoices(options, grains), decided),
     ...{method, seed},
   };
   const inputs = [garmentFile, printFile];

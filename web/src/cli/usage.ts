@@ -12,6 +12,8 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --print-size 0.9..1.1       compares sizes of the print and takes the best; or a list, such as
                                 0.95,1,1.05, always with 1; one number sets the size
     --print-turn 0,45,90        compares turns of the whole print, in degrees, and takes the best; one number sets it
+    --grain-line PIECE=LINE     the grain line of a piece on which the maker draws several, by name or number;
+                                may be repeated
     --seed N                    same seed, same input, same result; default 1
     --out RESULT.json           writes the solved pattern
     --json                      prints the figures as JSON

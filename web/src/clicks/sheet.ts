@@ -40,3 +40,9 @@ export function inputPoint({pieces, pattern}: Sheet, piece: number, point: Point
   const [x, y] = points === rest ? point : carried(triangles, points, rest, point);
   return [mirroredFromInput ? -x : x, y];
 }
+
+/** Converts a point of a piece to its drafted state, face up. [cm] */
+export function draftedPoint(sheet: Sheet, piece: number, point: Point): Point {
+  const [x, y] = inputPoint(sheet, piece, point);
+  return [sheet.pattern.pieces[piece]?.mirroredFromInput ? -x : x, y];
+}

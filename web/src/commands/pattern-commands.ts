@@ -29,6 +29,7 @@ type Act = (pane: CommandedPattern) => boolean;
 
 export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
   sew: tool('sew'),
+  fold: tool('fold'),
   piece: tool('piece'),
   axis: tool('axis'),
   pair: tool('pair'),

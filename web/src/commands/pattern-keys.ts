@@ -66,7 +66,7 @@ interface KeyedPattern extends CommandedPattern {
 export function patternKeys(pane: KeyedPattern, event: KeyboardEvent): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (!pane.tools.sewing?.press(event) && !handled(pane, key, event)) return;
+  if (!pane.tools.editing?.press(event, pane.index) && !handled(pane, key, event)) return;
   event.preventDefault();
   event.stopPropagation();
 }

@@ -23,6 +23,7 @@ const table = {
   cut: {where: 'page', keys: ['Mod Shift S']},
   open: {where: 'page', keys: ['Mod O']},
   sew: {where: 'pattern', keys: ['J']},
+  fold: {where: 'pattern', keys: ['D']},
   piece: {where: 'pattern', keys: ['S']},
   axis: {where: 'pattern', keys: ['X']},
   pair: {where: 'pattern', keys: ['P']},
@@ -86,7 +87,7 @@ export function keyOf(id: ShortcutId, {keyNames}: Pick<Texts, 'keyNames'>): stri
 
 /** Returns a command's name in the user's language. */
 export function titleOf(id: ShortcutId, texts: Texts): string {
-  const {app, sewing, symmetry, keep, pattern, commands, lists} = texts;
+  const {app, sewing, folding, symmetry, keep, pattern, commands, lists} = texts;
   const {views} = pattern;
   const titles: Readonly<Record<ShortcutId, string>> = {
     ...{commands: commands.title, keys: app.keys, undo: app.undo, redo: app.redo},
@@ -97,6 +98,7 @@ export function titleOf(id: ShortcutId, texts: Texts): string {
     ...{save: app.saveProject, cut: app.cut, open: app.openGarment},
     ...{
       sew: sewing.tool,
+      fold: folding.tool,
       piece: symmetry.piece,
       axis: commands.axis,
       pair: symmetry.pair,

@@ -57,6 +57,8 @@ export interface CutPiece {
   readonly internalLines: readonly (readonly Point[])[];
   /** Names of internal lines, such as `waist`, by their numbers. */
   readonly lineNames: readonly (string | undefined)[];
+  /** Name of the grain line, if the maker draws several. */
+  readonly grainName?: string;
   /** Pleats, tucks and creases. */
   readonly folds: readonly CutFold[];
   readonly drillHoles: readonly Point[];
@@ -142,6 +144,7 @@ export function cutPiece(
     ...(stripe && {stripe}),
     ...(plaid && {plaid}),
     label: marks.label,
+    ...(marks.grainName !== undefined && {grainName: marks.grainName}),
     ticks: [],
     internalLines: internalLines.map((line) => finer(line).map(onShape)),
     lineNames: lineNamesOf(marks.drafted),

@@ -1,8 +1,9 @@
 /** Pleats, tucks and creases on the cutting sheet. Lengths in cm. */
-import type {DraftedFold, FoldKind} from '../model/garment/garment-document.js';
+import type {DraftedFold} from '../model/garment/garment-document.js';
 import {hidesFabric, mappedFold} from '../model/garment/folds.js';
 import {distance, middle, type Point} from '../model/geometry/vectors.js';
 import {formatLength, type Units} from '../model/base/length-text.js';
+import {sheetTextsIn} from '../texts/sheet-texts.js';
 
 /** A fold of a piece, in coordinates of its shape. */
 export interface CutFold extends Pick<DraftedFold, 'kind' | 'line' | 'to'> {
@@ -16,15 +17,6 @@ export interface LengthStyle {
   readonly locale: string;
 }
 
-const kindNames: Readonly<Record<FoldKind, string>> = {
-  knife: 'Knife pleat',
-  box: 'Box pleat',
-  inverted: 'Inverted pleat',
-  tuck: 'Tuck',
-  roll: 'Roll line',
-  press: 'Press line',
-};
-
 const middleOf = ([from, to]: readonly [Point, Point]): Point => middle(from, to);
 
 /** A fold of the garment on a solved piece; its lines stay straight. */
@@ -35,7 +27,7 @@ export function cutFold(
 ): CutFold {
   const {kind, line, to} = mappedFold(drafted, onShape);
   const width = to && hidesFabric(drafted) ? distance(middleOf(line), middleOf(to)) : 0;
-  const name = kindNames[kind];
+  const name = sheetTextsIn(locale).foldKinds[kind];
   return {
     ...{kind, line},
     ...(to && {to}),

@@ -14,7 +14,8 @@ import {
   type Point,
 } from '../model/geometry/vectors.js';
 import {atShare, linesInside} from '../model/geometry/polyline.js';
-import {foldArrows, foldLines} from '../model/garment/folds.js';
+import {foldArrows} from '../model/garment/fold-arrows.js';
+import {foldLines} from '../model/garment/folds.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {imageCell} from '../model/print/wallpaper.js';
 import {textWidth} from '../layout/name-lines.js';

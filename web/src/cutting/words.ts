@@ -67,13 +67,14 @@ export function pieceWords(
   },
   options: WordsOptions,
 ): readonly string[] {
-  const {label, quantity} = piece;
+  const {label, quantity, grainName} = piece;
   const texts = sheetTextsIn(options.locale);
   return [
     label,
     print ? texts.cut(quantity) : texts.cutPlain(quantity),
     ...(twin === undefined ? [] : [texts.mirror(twin)]),
     ...(heading === '' ? [] : [heading]),
+    ...(grainName === undefined ? [] : [grainName]),
     ...(print ? [printName(print, options), repeatWords(piece, print, options)] : []),
   ];
 }

@@ -357,7 +357,7 @@ export class Editor extends WorkbenchElement {
         .known=${this.#known}
         .more=${this.#keysOfView}
         .view=${this.shows}
-        .sewing=${this.#keysOfSewing}
+        .tool=${this.#tool}
       ></sw-key-map>
     </div>`;
   }
@@ -406,7 +406,7 @@ export class Editor extends WorkbenchElement {
 
   readonly #keysOfView = (): KeyList => (this.drape ?? this.marker)?.keys ?? [];
 
-  readonly #keysOfSewing = (): KeyList => this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
+  readonly #tool = () => this.pattern?.tools.editing;
 
   /** Commands whose shortcuts work in this editor. */
   get #known(): readonly ShortcutId[] {

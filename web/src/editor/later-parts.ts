@@ -5,6 +5,7 @@ import {SeamLens} from './lens/lens.js';
 import {PieceTable} from './lists/piece-table.js';
 import {SeamMenu} from './lists/seam-menu.js';
 import {SeamTable} from './lists/seam-table.js';
+import {FoldBar} from './folding/fold-bar.js';
 import {GrainQuestion} from './pattern/grain-question.js';
 import {KeepMenu} from './pattern/keep-menu.js';
 import {TiesMenu} from './pattern/ties-menu.js';
@@ -30,6 +31,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-doubtful-tile': DoubtfulTile,
   'sw-file-size': FileSizeNote,
   'sw-solve-panel': SolvePanel,
+  'sw-fold-bar': FoldBar,
   'sw-grain-question': GrainQuestion,
   'sw-keep-menu': KeepMenu,
   'sw-key-map': KeyMap,

@@ -41,6 +41,7 @@ export type {Units} from '../model/base/length-text.js';
 export type {PrintOffer} from './garment/sources.js';
 export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';
+export type {FoldTexts} from '../texts/en/fold.js';
 export type {SewTexts} from '../texts/en/sew.js';
 export type {DrapeTexts} from '../texts/drape-texts.js';
 

@@ -230,6 +230,9 @@ function pieceOf(drawn: DrawnPiece, name: string, scale: number): Made {
       ...(cut && {cutLine: cut}),
       notches: notchesOf(whole, runs),
       ...(grain && {grain: {line: upwards(grain), lock: 'on'}}),
+      ...(whole.grains && {
+        grains: whole.grains.map((one) => ({...one, line: upwards(one.line)})),
+      }),
       ...(count > 1 && {quantity: count}),
       ...(whole.size !== undefined && {size: whole.size}),
       ...(whole.material !== undefined && {material: whole.material}),
@@ -252,7 +255,19 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
   const at = ([x, y]: Point): Point => [x * scale, y * scale];
   const line = ([from, to]: readonly [Point, Point]) => [at(from), at(to)] as const;
   const loop = (runs: readonly Run[]): Run[] => runs.map((run) => mapped(run, at));
-  const {sewn, cut, holes, notches, grain, fold, folds, internalLines, drillHoles, ...rest} = piece;
+  const {
+    sewn,
+    cut,
+    holes,
+    notches,
+    grain,
+    grains,
+    fold,
+    folds,
+    internalLines,
+    drillHoles,
+    ...rest
+  } = piece;
   return {
     ...rest,
     sewn: loop(sewn),
@@ -264,6 +279,7 @@ function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
       ...(towards && {towards: at(towards)}),
     })),
     ...(grain && {grain: line(grain)}),
+    ...(grains && {grains: grains.map((one) => ({...one, line: line(one.line)}))}),
     ...(fold && {fold: line(fold)}),
     ...(folds && {folds: folds.map((one) => mappedFold(one, at))}),
     internalLines: internalLines.map((points) => points.map(at)),
@@ -370,6 +386,7 @@ function hits(line: Measured, from: Point, to: Point): OnLine[] {
 }
 
 const mirror = ([x, y]: Point): Point => [0 - x, y];
+const mirrored = ([from, to]: readonly [Point, Point]) => [mirror(from), mirror(to)] as const;
 
 /** The piece with x reversed; its outline is reversed, too, to stay counter-clockwise. */
 function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
@@ -389,6 +406,9 @@ function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
     notches: notches.map(({edge, at}) => ({edge: last - edge, at: 1 - at})),
     ...(folds && {folds: folds.map((fold) => mappedFold(fold, mirror))}),
     ...(drillHoles && {drillHoles: drillHoles.map(mirror)}),
-    ...(grain?.line && {grain: {...grain, line: [mirror(grain.line[0]), mirror(grain.line[1])]}}),
+    ...(grain?.line && {grain: {...grain, line: mirrored(grain.line)}}),
+    ...(piece.grains && {
+      grains: piece.grains.map((one) => ({...one, line: mirrored(one.line)})),
+    }),
   };
 }

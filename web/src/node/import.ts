@@ -1,4 +1,5 @@
 /** Imports patterns of other programs as garments, with a report. */
+import {directionDeg} from '../model/garment/grain.js';
 import {drawingLimit, readAnyDrawing} from '../files/read-drawing.js';
 import {
   defaultChoices,
@@ -68,6 +69,8 @@ export interface ImportedPiece {
   readonly notches: number;
   /** Angle of the grain line, counter-clockwise from the x axis; null without one. */
   readonly grainDeg: number | null;
+  /** All grain lines, if the piece has several; `align --grain-line` chooses one. */
+  readonly grains?: readonly {readonly name?: string; readonly angleDeg: number}[];
   /** True if the file draws half of the piece, up to a fold. */
   readonly fold: boolean;
   /** True if the file draws the sewn line and the cut line. */
@@ -315,6 +318,12 @@ function measured(piece: GarmentPiece): Omit<ImportedPiece, 'taken'> {
     quantity: piece.quantity ?? 1,
     notches: piece.notches?.length ?? 0,
     grainDeg: line ? rounded(degrees(angleOf(minus(line[1], line[0])))) : null,
+    ...(piece.grains && {
+      grains: piece.grains.map(({name, line: drawn}) => ({
+        ...(name !== undefined && {name}),
+        angleDeg: rounded(directionDeg(drawn)),
+      })),
+    }),
     fold: false,
     sewLine: piece.sewLine !== undefined,
     cutLine: piece.cutLine !== undefined,

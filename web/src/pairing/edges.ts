@@ -16,6 +16,7 @@ import {
 import type {EdgeOfPiece, GarmentPiece} from '../model/garment/garment-document.js';
 import {edgeLine} from '../model/garment/edge-curve.js';
 import {lengthOf, signedArea, stepAt} from '../model/geometry/polyline.js';
+import {closedEdges} from './closed-pleats.js';
 import {dartsOf} from './darts.js';
 import {wordsOf, type Words} from '../model/garment/piece-words.js';
 
@@ -49,6 +50,7 @@ export interface MeasuredEdge {
   readonly angle: number;
   /** Notches as shares of the length, ascending. */
   readonly notches: readonly number[];
+  /** True if the edge is not sewn: the user marked it, or a pleat hides it. */
   readonly isOpen: boolean;
 }
 
@@ -132,20 +134,30 @@ function placesIn(points: readonly Point[], up: Point): (point: Point) => Point 
   return (point) => [x(point) - 0.5, y(point)];
 }
 
+/** The next number of an edge that is not hidden in a pleat, in steps of `by`. */
+function visibleFrom(hidden: readonly boolean[], k: number, by: 1 | -1): number {
+  const count = hidden.length;
+  let next = (k + by + count) % count;
+  while (hidden[next] && next !== k) next = (next + by + count) % count;
+  return next;
+}
+
 function edgesOfPiece(
   piece: GarmentPiece,
-  lines: readonly (readonly Point[])[],
+  closed: ReturnType<typeof closedEdges>,
   number: number,
   first: number,
 ): OutlineEdge[] {
-  const shapes = lines.map(shapeOf);
-  const perimeter = shapes.reduce((sum, {length}) => sum + length, 0);
+  const hidden = closed.map(({isHidden}) => isHidden);
+  const shapes = closed.map(({line}) => shapeOf(line));
+  const visible = closed.filter(({isHidden}) => !isHidden).map(({line}) => line);
+  const perimeter = shapes.reduce((sum, {length}, k) => sum + (hidden[k] ? 0 : length), 0);
   const up = upOf(piece);
   const turn = Math.PI / 2 - angleOf(up);
-  const placeOf = placesIn(lines.flat(), up);
-  const count = shapes.length;
+  const placeOf = placesIn(visible.flat(), up);
   return shapes.map(({length, profile, turning, chord, middle, ends}, k) => {
-    const previous = shapes[(k + count - 1) % count]?.ends[1] ?? ends[0];
+    const before = visibleFrom(hidden, k, -1);
+    const previous = shapes[before]?.ends[1] ?? ends[0];
     return {
       at: {piece: number, edge: k},
       ...{length, profile, turning},
@@ -153,8 +165,8 @@ function edgesOfPiece(
       chord: rotated(chord, turn),
       place: placeOf(middle),
       share: length / perimeter,
-      before: first + ((k + count - 1) % count),
-      after: first + ((k + 1) % count),
+      before: first + before,
+      after: first + visibleFrom(hidden, k, 1),
       notches: (piece.notches ?? [])
         .filter(({edge}) => edge === k)
         .map(({at}) => at)
@@ -186,14 +198,23 @@ function withClosedDarts(
   return all;
 }
 
+/** Pleats as they are sewn, or as they are cut. */
+export type PleatState = 'closed' | 'open';
+
 /** Measures all edges of a garment, piece by piece. */
-export function measured(pieces: readonly GarmentPiece[]): MeasuredGarment {
+export function measured(
+  pieces: readonly GarmentPiece[],
+  pleats: PleatState = 'closed',
+): MeasuredGarment {
   const edges: OutlineEdge[] = [];
   const seen = pieces.map((piece, number): MeasuredPiece => {
     const first = edges.length;
     const lines = piece.outline.map((edge) => edgeLine(edge));
-    edges.push(...edgesOfPiece(piece, lines, number, first));
-    const area = signedArea(lines.flatMap((line) => line.slice(1)));
+    const closed = closedEdges(piece, lines);
+    const drawn = pleats === 'closed' ? closed : lines.map((line) => ({line, isHidden: false}));
+    const own = edgesOfPiece(piece, drawn, number, first);
+    edges.push(...own.map((edge, k) => (closed[k]?.isHidden ? {...edge, isOpen: true} : edge)));
+    const area = signedArea(drawn.flatMap(({line, isHidden}) => (isHidden ? [] : line.slice(1))));
     return {
       ...{first, count: edges.length - first, area: Math.abs(area)},
       words: wordsOf(piece.name),

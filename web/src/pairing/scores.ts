@@ -1,7 +1,8 @@
 /** Computes the likelihood of every pair of a garment's edges, given its existing seams. */
 import type {EdgeOfPiece, GarmentDocument} from '../model/garment/garment-document.js';
 import {believed, candidatesOf, givenBeliefs, hopeful, type Candidates} from './candidates.js';
-import {measured, type MeasuredGarment} from './edges.js';
+import {measured, type MeasuredGarment, type PleatState} from './edges.js';
+import {hiddenParts} from '../model/garment/pleated-edges.js';
 import {rowOf} from './names.js';
 import {surroundingsOf} from './features.js';
 import type {Table} from './matching.js';
@@ -40,7 +41,7 @@ export function scoresOf(document: GarmentDocument, refused: Refused = []): Scor
   if (last && (last.refused === refused || last.refused.length + refused.length === 0)) {
     return last.scores;
   }
-  const scores = newScores(document, refused);
+  const scores = bestScores(document, refused);
   known.set(document, {refused, scores});
   return scores;
 }
@@ -58,12 +59,15 @@ interface Shapes {
   readonly odds: readonly number[];
 }
 
-const shapes = new WeakMap<GarmentDocument['pieces'], Shapes>();
+const shapes = {
+  closed: new WeakMap<GarmentDocument['pieces'], Shapes>(),
+  open: new WeakMap<GarmentDocument['pieces'], Shapes>(),
+};
 
-function shapesOf(pieces: GarmentDocument['pieces']): Shapes {
-  const before = shapes.get(pieces);
+function shapesOf(pieces: GarmentDocument['pieces'], pleats: PleatState): Shapes {
+  const before = shapes[pleats].get(pieces);
   if (before) return before;
-  const garment = measured(pieces);
+  const garment = measured(pieces, pleats);
   const {edges} = garment;
   const wholes = mirrorEdges(garment); // the networks were trained with these images
   const images = withPartImages(garment, wholes);
@@ -74,13 +78,13 @@ function shapesOf(pieces: GarmentDocument['pieces']): Shapes {
   );
   const odds = weighed(candidates, unpacked(alone), candidates.features);
   const found = {garment, images, candidates, odds};
-  shapes.set(pieces, found);
+  shapes[pleats].set(pieces, found);
   return found;
 }
 
 /** Returns the measured edges of a garment, and the mirror image of each edge, or -1. */
 export const imagesOf = ({pieces}: GarmentDocument): Pick<Shapes, 'garment' | 'images'> =>
-  shapesOf(pieces);
+  shapesOf(pieces, 'closed');
 
 /** Returns the log odds of all candidates. */
 const weighed = (
@@ -95,8 +99,23 @@ const weighed = (
       inRow * rowOf(garment, i, j),
   );
 
-function newScores({pieces, seams}: GarmentDocument, refused: Refused): Scores {
-  const {garment, images, candidates: shaped, odds: shapedOdds} = shapesOf(pieces);
+/** The length of all edges that the scores expect to be sewn. [cm] */
+const explained = ({garment: {edges}, likelihoods: {size, values}}: Scores): number =>
+  edges.reduce(
+    (sum, {length}, k) => sum + length * Math.max(0, ...values.subarray(k * size, (k + 1) * size)),
+    0,
+  );
+
+/** The scores with pleats closed or as cut, whichever explains more of the garment. */
+function bestScores(document: GarmentDocument, refused: Refused): Scores {
+  const closed = newScores(document, refused, 'closed');
+  if (document.pieces.every((piece) => hiddenParts(piece).length === 0)) return closed;
+  const open = newScores(document, refused, 'open');
+  return explained(open) > explained(closed) ? open : closed;
+}
+
+function newScores({pieces, seams}: GarmentDocument, refused: Refused, pleats: PleatState): Scores {
+  const {garment, images, candidates: shaped, odds: shapedOdds} = shapesOf(pieces, pleats);
   const {edges} = garment;
   const pairOf = (a: EdgeOfPiece, b: EdgeOfPiece) =>
     [numberOf(garment, a), numberOf(garment, b)] as const;

@@ -10,6 +10,7 @@ import {
   type MirrorMap,
   type Point,
 } from '../model/geometry/vectors.js';
+import {grainAt} from '../model/garment/grain.js';
 import {boxOf, isInside} from '../model/geometry/polyline.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
 import type {ResultPiece} from '../model/result/result.js';
@@ -98,6 +99,6 @@ export function grainLine(
   piece: Drafted,
   {grain, grainDeg}: Pick<PanelMarks, 'grain' | 'grainDeg'> = {},
 ): readonly [Point, Point] | undefined {
-  if (grainDeg !== undefined) return lineAt(piece, radians(grainDeg));
-  return grain;
+  const isDrawn = grain !== undefined && grainAt([{line: grain}], grainDeg ?? NaN) !== undefined;
+  return grainDeg === undefined || isDrawn ? grain : lineAt(piece, radians(grainDeg));
 }

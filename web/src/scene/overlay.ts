@@ -67,5 +67,5 @@ export interface Overlay {
 
 export type Sign = 'pin' | 'lock';
 
-/** `lit`: may be chosen; `faint`: suggested; `open`: stays as it is. */
-export type LineLook = 'chosen' | 'lit' | 'faint' | 'open';
+/** `lit`: may be chosen; `faint`: suggested; `open`: stays as it is; `fold`: a fold of the garment. */
+export type LineLook = 'chosen' | 'lit' | 'faint' | 'open' | 'fold';

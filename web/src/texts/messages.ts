@@ -1,6 +1,7 @@
 /** Custom messages of pages that embed the element. */
 import type {Texts} from './en.js';
 import type {DrapeTexts} from './en/drape.js';
+import type {FoldTexts} from './en/fold.js';
 import type {MarkerTexts} from './en/marker.js';
 import type {PhotoTexts} from './en/photo.js';
 import type {SewTexts} from './en/sew.js';
@@ -17,7 +18,7 @@ type Some<T> = T extends (...given: never) => string
  * Any of the texts, by their names in `texts/en`. A plain sentence may replace one with figures.
  */
 export type Messages = Some<
-  Texts & {worn: DrapeTexts; sew: SewTexts; cloth: MarkerTexts; photo: PhotoTexts}
+  Texts & {worn: DrapeTexts; sew: SewTexts; fold: FoldTexts; cloth: MarkerTexts; photo: PhotoTexts}
 >;
 
 /** Merges messages into the texts. Messages of another type than their text are ignored. */

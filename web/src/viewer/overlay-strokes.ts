@@ -67,6 +67,7 @@ export function overlayStrokes(
     lit: {colour: accent, width: 2.4, dash: [6, 9]},
     faint: {colour: accent, width: 1.2, dash: [1, 5]},
     open: {colour: quiet, width: 2.4, dash: [0.5, 5]},
+    fold: {colour: mark, width: 1.6, dash: [9, 5]},
   };
   return [
     ...outline(overlay.hoverPiece, {colour: accent, width: 2}),

@@ -55,10 +55,8 @@ const rows = (groups: readonly SeamGroup[], options?: Design['options']): readon
   groupRows(workbench(groups, options), en);
 
 describe('the lines of seams', () => {
-  it('are none while the sheet shows a garment with fewer seams', () => {
-    const bench = workbench([group(0), group(1)]);
-    const solving = {...bench.solving, seamGroups: [group(0), group(2)]};
-    expect(groupRows({...bench, solving}, en)).toEqual([]);
+  it('leave out seams that an edit has removed', () => {
+    expect(rows([group(0), group(7)]).map(({seams}) => seams)).toEqual([[0]]);
   });
 
   it('put the most visible first, and hidden ones at the end', () => {

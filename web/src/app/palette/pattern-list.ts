@@ -8,11 +8,11 @@ import {turnPiece, withoutPin} from '../../workbench/lists/changed-options.js';
 import type {Command} from '../../commands/editor-command.js';
 import {withKey, type PageParts} from './page-parts.js';
 
-const tools = ['sew', 'piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
+const tools = ['sew', 'fold', 'piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
 const zooms = ['fit', 'zoomIn', 'zoomOut', 'zoom'] as const;
 
 const alsoOf = (id: (typeof tools)[number], {also}: PageParts['texts']['commands']): string => {
-  if (id === 'sew') return also.sew;
+  if (id === 'sew' || id === 'fold') return also[id];
   if (id === 'keep') return also.keep;
   return id === 'move' ? '' : also.symmetry;
 };

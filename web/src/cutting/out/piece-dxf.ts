@@ -14,7 +14,8 @@ import {
 } from '../../model/geometry/vectors.js';
 import {signedArea} from '../../model/geometry/polyline.js';
 import type {LaidPiece} from '../cut-sheet.js';
-import {foldArrows, foldLines, foldText} from '../../model/garment/folds.js';
+import {foldArrows} from '../../model/garment/fold-arrows.js';
+import {foldLines, foldText} from '../../model/garment/folds.js';
 import {lineColours} from '../line-colours.js';
 import type {DxfFormat} from '../../model/base/dxf-format.js';
 import {length, line, point, polyline, text, type Pair} from '../../files/dxf/records.js';

@@ -2,7 +2,9 @@
 import {html, nothing, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 
-import type {GrainLock} from '../../model/garment/grain.js';
+import {directionDeg, grainAt, type GrainLock} from '../../model/garment/grain.js';
+import {mirrorsOf} from '../../workbench/mirrors.js';
+import {withImage} from '../../workbench/tools/grain-proposals.js';
 import {togglePart} from '../../workbench/tools/keeping.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -10,6 +12,7 @@ import type {Target} from '../../workbench/workbench.js';
 import {
   turnPiece,
   withGrain,
+  withGrainLines,
   withName,
   withoutPin,
   withPrinted,
@@ -118,7 +121,9 @@ export class PieceTable extends ListTable<PieceRow> {
         ${moved === undefined ? html`<span aria-label=${lists.unknown}>–</span>` : format.fine(moved)}
       </td>
       <td class="number">${format.number(offGrain)}°</td>
-      <td class="grain">${this.#grain(row, tabIndex)}${this.#turn(row, tabIndex)}</td>
+      <td class="grain">
+        ${this.#grain(row, tabIndex)}${this.#grainLine(row, tabIndex)}${this.#turn(row, tabIndex)}
+      </td>
       <td class="middle">
         <input
           type="checkbox"
@@ -227,6 +232,39 @@ export class PieceTable extends ListTable<PieceRow> {
           </option>`,
       )}
       <option value="line">${grainWords.line}</option>
+    </select>`;
+  }
+
+  /** Choice of a grain line where the maker draws several. */
+  #grainLine({name, label}: PieceRow, tabIndex: number): TemplateResult | typeof nothing {
+    const {lists, grain: words} = this.texts;
+    const {drafted, grainDeg} = this.workbench.sheet.scenes?.marks.get(name) ?? {};
+    const {grains = [], grain} = drafted ?? {};
+    if (grains.length < 2) return nothing;
+    const deg = grainDeg ?? (grain?.line && directionDeg(grain.line));
+    const present = deg === undefined ? undefined : grainAt(grains, deg);
+    return html`<select
+      class="choice"
+      tabindex=${tabIndex}
+      aria-label=${lists.of(words.choice, label)}
+      @change=${({target}: Event) => {
+        const chosen = grains[Number((target as HTMLSelectElement).value)];
+        if (!chosen) return;
+        const lines = withImage(name, directionDeg(chosen.line), mirrorsOf(this.workbench.solving));
+        this.#decide((options) => withGrainLines(options, lines));
+      }}
+    >
+      ${
+        present === undefined
+          ? html`<option value="" selected>${words.other(Math.round(deg ?? 90))}</option>`
+          : nothing
+      }
+      ${grains.map(
+        (one, k) =>
+          html`<option value=${k} .selected=${k === present}>
+            ${one.name ?? words.other(Math.round(directionDeg(one.line)))}
+          </option>`,
+      )}
     </select>`;
   }
 

@@ -6,11 +6,11 @@ import {WorkbenchElement} from '../base/workbench-element.js';
 import {withGrainLines} from '../../workbench/lists/changed-options.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
+import {mirrorsOf} from '../../workbench/mirrors.js';
 import {
   angleOfWay,
   grainProposals,
   grainWays,
-  mirrorsOf,
   upwards,
   wayOf,
   withImage,

@@ -46,14 +46,14 @@ export const paneStyle = css`
     flex-wrap: nowrap;
     padding: var(--sw-space-1) var(--sw-space-3) var(--sw-space-2);
   }
-  .foot:has(sw-sew-bar) {
+  .foot:has(.bar) {
     flex-wrap: wrap;
   }
-  .foot:has(sw-sew-bar) sw-tool-hint {
+  .foot:has(.bar) sw-tool-hint {
     block-size: 3.9em; /* for three lines, whatever is said */
     overflow-y: auto;
   }
-  sw-sew-bar {
+  .bar {
     flex: 1 1 100%;
     min-width: 0;
   }
@@ -86,8 +86,8 @@ export const paneStyle = css`
     sw-tool-hint {
       flex-basis: 100%;
     }
-    /* who sews has to see the pieces */
-    .foot:has(sw-sew-bar) .view {
+    /* these tools need all the room for the pieces */
+    .foot:has(.bar) .view {
       display: none;
     }
   }

@@ -75,7 +75,7 @@ export class PatternPane extends PatternDrawing {
   static override styles = [...PatternDrawing.styles, controls, paneStyle, noteStyle];
   /** `place`: the user can only move the print. */
   declare purpose: 'edit' | 'place';
-  /** Reflected for the layout, which changes for the sewing tool. */
+  /** Reflected for the layout, which changes for the tools that edit the garment. */
   declare sews: boolean;
 
   readonly beforeAfter = new BeforeAfter(() => {
@@ -165,7 +165,7 @@ export class PatternPane extends PatternDrawing {
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     this.#welcome();
-    this.sews = this.tools.active === 'sew';
+    this.sews = this.tools.active === 'sew' || this.tools.active === 'fold';
   }
 
   protected override drew(view: PatternView): void {
@@ -191,11 +191,11 @@ export class PatternPane extends PatternDrawing {
   }
 
   /**
-   * Sends letters and digits to the sewing tool while a button has the focus; Enter and space still
+   * Sends letters and digits to a tool for edges while a button has the focus; Enter and space still
    * press the button.
    */
   sewByKey(event: KeyboardEvent): void {
-    if (this.tools.sewing && /^[^ ]$/.test(event.key)) patternKeys(this, event);
+    if (this.tools.editing && /^[^ ]$/.test(event.key)) patternKeys(this, event);
   }
 
   get index(): PickIndex | undefined {
@@ -247,7 +247,7 @@ export class PatternPane extends PatternDrawing {
             ></sw-wipe-handle>`
       }
       <div class="foot" ?hidden=${empty}>
-        ${this.#sewBar()}
+        ${this.#bar()}
         ${
           this.tools.active
             ? html`<sw-tool-hint
@@ -262,7 +262,7 @@ export class PatternPane extends PatternDrawing {
               </div>`
         }
         <div class="group view" role="group" aria-label=${pattern.view}>
-          ${places || this.tools.active === 'sew' ? nothing : this.#comparing()}
+          ${places || this.tools.editing ? nothing : this.#comparing()}
           ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
           ${this.#button(pattern.fit, icon.fit, () => this.view?.fit(), places ? '' : 'zoom')}
           ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}
@@ -288,14 +288,23 @@ export class PatternPane extends PatternDrawing {
       : patternOptions(this.workbench, index, this.texts, this.format);
   }
 
-  #sewBar(): TemplateResult | typeof nothing {
+  /** Actions of the tool for seams, or of the one for folds. */
+  #bar(): TemplateResult | typeof nothing {
     const {workbench} = this;
-    const {chooser} = this.tools.sewing ?? {};
-    return chooser
+    const {sewing, folding} = this.tools;
+    if (folding)
+      return html`<sw-fold-bar
+        class="bar"
+        .workbench=${workbench}
+        .tool=${folding}
+        .state=${folding.chooser.state}
+      ></sw-fold-bar>`;
+    return sewing
       ? html`<sw-sew-bar
+          class="bar"
           .workbench=${workbench}
-          .chooser=${chooser}
-          .state=${chooser.state}
+          .chooser=${sewing.chooser}
+          .state=${sewing.chooser.state}
         ></sw-sew-bar>`
       : nothing;
   }

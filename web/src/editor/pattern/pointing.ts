@@ -146,6 +146,6 @@ export class Pointing {
     const [target] = this.#meant(event, this.#at(event));
     const {index, view, tools, workbench} = this.#pane;
     if (index && view) tools.hover(index, target, reachOf('mouse') / view.scale);
-    workbench.selection.point(tools.sewing ? undefined : pointedAt(target)); // this tool works on edges
+    workbench.selection.point(tools.editing ? undefined : pointedAt(target)); // these tools have own marks
   }
 }

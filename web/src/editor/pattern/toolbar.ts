@@ -17,9 +17,15 @@ export class Toolbar extends WorkbenchElement {
     css`
       :host {
         display: flex;
+        container-type: inline-size;
       }
-      /* only icons fit on a phone */
-      @container (width < 40rem) {
+      /* words fit without icons, and on a phone icons without words */
+      @container (34rem <= width < 54rem) {
+        .tool svg {
+          display: none;
+        }
+      }
+      @container (width < 34rem) {
         .group .all {
           flex: 0 1 auto;
           line-height: 1.2;
@@ -48,6 +54,7 @@ export class Toolbar extends WorkbenchElement {
         }}
       >
         ${this.tools.canSew ? this.#tool('sew', this.texts.sewing.tool, icon.sew) : nothing}
+        ${this.tools.canSew ? this.#tool('fold', this.texts.folding.tool, icon.fold) : nothing}
         ${this.#tool('piece', symmetry.piece, icon.piece)}
         ${this.#tool('pair', symmetry.pair, icon.pair)}
         ${this.#tool('move', symmetry.move, icon.move)}
@@ -57,7 +64,7 @@ export class Toolbar extends WorkbenchElement {
   }
 
   #tool(
-    name: 'sew' | 'piece' | 'pair' | 'move' | 'keep',
+    name: 'sew' | 'fold' | 'piece' | 'pair' | 'move' | 'keep',
     label: string,
     picture: TemplateResult,
   ): TemplateResult {

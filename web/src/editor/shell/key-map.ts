@@ -4,6 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import type {Texts} from '../../texts/texts.js';
 import type {KeyList} from '../../commands/editor-command.js';
 import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../../commands/shortcuts.js';
+import type {EditingTool} from '../../workbench/later-tool.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {focused} from '../base/focused.js';
 import {controls} from '../style/controls.js';
@@ -15,7 +16,7 @@ export class KeyMap extends WorkbenchElement {
     known: {attribute: false},
     more: {attribute: false},
     view: {},
-    sewing: {attribute: false},
+    tool: {attribute: false},
   };
   /** Commands in addition to those of the pattern. */
   declare known: readonly ShortcutId[];
@@ -23,8 +24,8 @@ export class KeyMap extends WorkbenchElement {
   declare more: () => KeyList;
   /** The view of those keys. */
   declare view: keyof Texts['pattern']['views'];
-  /** Returns the keys of the sewing tool, while it is active. */
-  declare sewing: () => KeyList;
+  /** Returns the active tool that has keys. */
+  declare tool: () => EditingTool | undefined;
   /** The element with the focus before the map; browsers do not restore it inside a shadow root. */
   #before: Element | null = null;
 
@@ -76,6 +77,7 @@ export class KeyMap extends WorkbenchElement {
 
   protected override render(): TemplateResult {
     const {app, keys} = this.texts;
+    const tool = this.tool();
     return html`<div
       popover
       id="keys"
@@ -100,7 +102,7 @@ export class KeyMap extends WorkbenchElement {
               <dd>${meaning}</dd>`,
         )}
       </dl>
-      ${this.#others(this.texts.sewing.tool, this.sewing())} ${this.#ofView()}
+      ${tool ? this.#others(tool.title(this.texts), tool.keys) : nothing} ${this.#ofView()}
     </div>`;
   }
 

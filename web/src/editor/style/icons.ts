@@ -22,6 +22,7 @@ export const icon = {
   sew: drawn(
     svg`<path d="M13.5 2.5 5 11M13.5 2.5l-1.2 2.6L10.9 3.7zM5 11l-.8.8"/><path d="M4 12c-2 .5-2-2 0-2.500s3-3 .5-4" stroke-dasharray="2 2"/>`,
   ),
+  fold: drawn(svg`<path d="M2 13V3h4l4 3v7l-4-3H2M10 6l-4 4V3M10 13h4V3H8.500"/>`),
   garment: drawn(svg`<path d="M6 2.5 4 3.5 5 8l-2 5.5h10L11 8l1-4.5-2-1C9.5 4 6.5 4 6 2.5z"/>`),
   both: drawn(svg`<path d="M2 3h12v10H2zM8 3v10"/>`),
   turntable: drawn(

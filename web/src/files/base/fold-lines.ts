@@ -30,8 +30,9 @@ const ownText = /^(knife|box|inverted|tuck|roll|press) fold (\d+)( to)?$/i;
 
 /** Words for kinds of folds in five languages; the first that matches counts. */
 const kindWords: readonly (readonly [FoldKind, RegExp])[] = [
-  ['roll', /roll(?:ing)? line|umbruch(?:linie|kante)|ligne de (?:roulure|cassure)|l[ií]nea de quiebre/i],
-  ['press', /press(?:ing)? line|crease|bügelfalte|pli (?:marqué|repassé)|raya del pantalón|piega stirata/i],
+  ['roll', /roll(?:ing)? line|umbruch(?:linie|kante)|ligne de (?:roulure|cassure)|l[ií]nea de quiebre|linea di rovescio/i],
+  ['press', /fold here|hier falten|plier ici|dobl(?:ar|a|ad) aqu[ií]|piega(?:re)? qui/i],
+  ['press', /press(?:ing)? line|crease|bügelfalte|pli (?:marqué|repassé)|raya del pantalón|l[ií]nea de planchado|piega stirata/i],
   ['inverted', /inverted pleat|kellerfalte|pli creux|(?:pliegue|tabla) invertid[oa]|piega (?:invertita|a soffietto)|sfondo ?piega/i],
   ['box', /box[- ]?pleat|quetschfalte|pli (?:plat double|rond)|pliegue (?:de )?(?:caja|tabla)|tablón|cannone/i],
   ['tuck', /\btucks?\b|\bbiesen?\b|nervures?|alforzas?|jaretas?|nervatur[ae]/i],
@@ -45,6 +46,13 @@ const onLine = 0.1;
 const arrowWidth = 0.5;
 /** Greatest deviation from the distance that a text states. [cm] */
 const statedReach = 0.3;
+/** Greatest distance of two lines between which a text stands, and least ratio of their lengths. [cm] */
+const widestBetween = 15;
+const leastAlike = 0.6;
+/** Greatest distance of the ends of an arrow from the lines that it joins. [cm] */
+const arrowReach = 0.6;
+/** Greatest width of an arrowhead, as a share of the shaft. */
+const headShare = 0.75;
 /** Deviation of a straight line as a share of its length, and of two parallel ones. [rad] */
 const straight = 1e-3;
 const parallel = 0.02;
@@ -53,6 +61,8 @@ const narrowest = 0.2;
 const widest = 40;
 
 interface Labelled {
+  /** Place of the text. */
+  readonly at: Point;
   readonly line: Line;
   readonly kind: FoldKind;
   /** Distance between the lines that the text states. [cm] */
@@ -109,8 +119,7 @@ function labelled(lines: readonly Line[], {at, text}: Label, cmPerUnit: number):
   const widthCm = widthIn(text);
   return [
     {
-      line,
-      kind,
+      ...{at, line, kind},
       ...(widthCm !== undefined && {widthCm}),
       ...(own && {own: {number, isSecond: second !== undefined}}),
     },
@@ -163,6 +172,69 @@ function partnerOf(
   return best;
 }
 
+/**
+ * The other line of a pleat whose text stands between its lines, or whose arrow joins them: the
+ * nearest parallel one on the other side of the text.
+ */
+function acrossText(
+  {at, line}: Labelled,
+  lines: readonly Line[],
+  cmPerUnit: number,
+): Line | undefined {
+  const [from, to] = endsOf(line);
+  const along = unit(minus(to, from));
+  const sideOf = (p: Point): number => cross(along, minus(p, from));
+  const offOf = (one: Line): number => apart(line, one, cmPerUnit) ?? Infinity;
+  const [nearest] = lines
+    .filter((one) => {
+      if (one === line || !isStraight(one) || offOf(one) > widestBetween) return false;
+      const ratio = distance(...endsOf(one)) / distance(from, to);
+      return Math.min(ratio, 1 / ratio) > leastAlike;
+    })
+    .sort((a, b) => offOf(a) - offOf(b));
+  if (!nearest) return undefined;
+  const middleSide = sideOf(middle(...endsOf(nearest)));
+  const isBetween = sideOf(at) / middleSide > 0 && Math.abs(sideOf(at)) < Math.abs(middleSide);
+  const isJoined = lines.some((one) => isShaft(one, [line, nearest], cmPerUnit));
+  return isBetween || isJoined ? nearest : undefined;
+}
+
+/** Returns whether a straight line joins two others, as the shaft of an arrow does. */
+function isShaft(shaft: Line, [one, other]: readonly [Line, Line], cmPerUnit: number): boolean {
+  if (shaft === one || shaft === other || !isStraight(shaft)) return false;
+  const ends = endsOf(shaft);
+  const meets = (p: Point, line: Line): boolean =>
+    cmPerUnit * nearestOn(line, p, false).off < arrowReach;
+  return [ends, [ends[1], ends[0]] as const].some(([p, q]) => meets(p, one) && meets(q, other));
+}
+
+/**
+ * Returns whether the arrow between two lines points at the first one: its head is drawn there, as
+ * short lines that meet at the end of the shaft.
+ */
+function pointsAtFirst(
+  first: Line,
+  second: Line,
+  lines: readonly Line[],
+  cmPerUnit: number,
+): boolean {
+  const shaft = lines.find((one) => isShaft(one, [first, second], cmPerUnit));
+  if (!shaft) return false;
+  const ends = endsOf(shaft);
+  const heads = (p: Point): number =>
+    lines.filter(
+      (one) =>
+        one !== shaft &&
+        one.length <= 4 &&
+        distance(...endsOf(one)) < headShare * distance(...ends) &&
+        one.some((q) => cmPerUnit * distance(p, q) < onLine),
+    ).length;
+  const isNear = (p: Point): boolean =>
+    nearestOn(first, p, false).off < nearestOn(second, p, false).off;
+  const [near, far] = isNear(ends[0]) ? ends : [ends[1], ends[0]];
+  return heads(near) > heads(far);
+}
+
 /** The fold of a line and the one on which it is laid, in the same direction. */
 function foldOf({kind, line}: Labelled, second: Line | undefined): DraftedFold {
   const ends = endsOf(line);
@@ -174,7 +246,8 @@ function foldOf({kind, line}: Labelled, second: Line | undefined): DraftedFold {
 
 /**
  * The folds among lines, and the other lines. Two labelled lines of one kind beside each other are
- * a pleat, laid from the first onto the second; a labelled line alone is a crease, or stays a line.
+ * a pleat, laid from the first onto the second, as are two lines with one text between them or with
+ * an arrow from one to the other. A labelled line alone is a crease, or stays a line.
  * @param cmPerUnit of the lines
  */
 export function foldsAmong(
@@ -191,18 +264,26 @@ export function foldsAmong(
   const isUsed = (line: Line): boolean => [...used].some((one) => isSame(one, line, cmPerUnit));
   const folds = all.flatMap((one): DraftedFold[] => {
     if (isUsed(one.line) || one.own?.isSecond) return [];
-    const second = partnerOf(
-      one,
-      all.filter(({line}) => !used.has(line)),
-      lines.filter((line) => !isUsed(line)),
-      cmPerUnit,
-    );
+    const free = lines.filter((line) => !isUsed(line));
     const isCrease = !hidesFabric(one);
+    const second =
+      partnerOf(
+        one,
+        all.filter(({line}) => !used.has(line)),
+        free,
+        cmPerUnit,
+      ) ?? (isCrease || one.own ? undefined : acrossText(one, free, cmPerUnit));
     const isAlone = isCrease && !one.own;
     if (!second && !isCrease) return [];
     used.add(one.line);
     if (second && !isAlone) used.add(second);
-    return [foldOf(one, isAlone ? undefined : second)];
+    const isTurned =
+      second !== undefined && !one.own && pointsAtFirst(one.line, second, lines, cmPerUnit);
+    return [
+      isTurned
+        ? foldOf({...one, line: second}, one.line)
+        : foldOf(one, isAlone ? undefined : second),
+    ];
   });
   const isArrow = (line: Line): boolean =>
     folds.some(({line: first, to}) => {

@@ -9,7 +9,7 @@ export interface Count {
 const cutWords =
   'cut|cutting|coupe[rz]?|tailler|schneiden|zuschneiden|tagliar?e?|taglia|cort[ae]r?|cortad|knip(?:pen)?';
 const foldWords =
-  /on (?:the )?fold|on ?fold|cut on fold|fold line|(?:stoff)?bruch|(?:au|sur(?: le| la)?|dans le) pli(?:ure)?|(?:in|sul|sulla|su) (?:doppi[ao]|piega)|(?:al|en el|sobre(?: el)?|en) (?:doblez|doble|pliegue|lomo)|aan de vouw/i;
+  /on (?:the )?fold|on ?fold|cut on fold|fold line|(?<!um)(?:stoff)?bruch|(?:au|sur(?: le| la)?|dans le) pli(?:ure)?|(?:in|sul|sulla|su) (?:doppi[ao]|piega)|(?:al|en el|sobre(?: el)?|en) (?:doblez|doble|pliegue|lomo)|aan de vouw/i;
 const pairWords =
   /mirror|\bpairs?\b|\bpaire?\b|\bpaare?\b|gegengleich|gespiegelt|coppi[ae]|specular|sym[eé]tri|sim[eé]tric|espejo|\bl ?(?:\+|&|and) ?r\b|left and right/i;
 

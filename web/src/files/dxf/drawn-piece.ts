@@ -5,6 +5,7 @@ import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
 import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
 import {foldsAmong} from '../base/fold-lines.js';
+import {grainsAmong, usualGrain} from '../base/grain-lines.js';
 import {doubtfulHoles, gapNote} from '../base/left-out.js';
 import {reach} from './flat.js';
 import {areaOf, bySize, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
@@ -57,7 +58,11 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
   const inner = holes.map(outline);
   const gaps = [largest, ...(sewnLoop ? [sewnLoop] : [])].map(({gap}) => gap);
   const material = materialIn(piece);
-  const grain = axisOn(piece, layers.grainLine);
+  const grains = grainsAmong(axesOn(piece, layers.grainLine), text.others, {
+    cmPerUnit,
+    isSure: true,
+  });
+  const grain = usualGrain(grains) ?? axisOn(piece, layers.grainLine);
   const fold = axisOn(piece, layers.mirrorLine);
   const drawnInside = [
     ...linesOn(entities, layers.internalLine).filter(
@@ -84,6 +89,7 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
       ),
       notches: notchesOf(piece, how),
       ...(grain && {grain}),
+      ...(grains.length > 0 && {grains}),
       ...(fold && {fold}),
       ...(folds.length > 0 && {folds}),
       internalLines: lines,
@@ -216,11 +222,13 @@ const materialIn = ({text}: DxfPiece): string | undefined =>
   text.value('category') ??
   text.all('annotation').find((words) => /lining|fusible|fusing|interfacing/i.test(words));
 
-function axisOn({entities}: DxfPiece, layer: string): readonly [Point, Point] | undefined {
-  const [line] = linesOn(entities, layer)
+const axesOn = ({entities}: DxfPiece, layer: string): readonly (readonly [Point, Point])[] =>
+  linesOn(entities, layer)
     .map(({points}) => [points[0] ?? [0, 0], points.at(-1) ?? [0, 0]] as const)
-    .filter(([from, to]) => distance(from, to) > 0)
-    .sort((a, b) => distance(...b) - distance(...a));
+    .filter(([from, to]) => distance(from, to) > 0);
+
+function axisOn(piece: DxfPiece, layer: string): readonly [Point, Point] | undefined {
+  const [line] = [...axesOn(piece, layer)].sort((a, b) => distance(...b) - distance(...a));
   return line;
 }
 

@@ -2,6 +2,7 @@
  * Reads pieces of SVG files from unknown programs: closed lines, with the text and marks inside.
  * [mm]
  */
+import type {GrainChoice} from '../../model/garment/grain.js';
 import type {DrawnPiece, Run} from '../../model/garment/imported-drawing.js';
 import {distance, middle, type Point} from '../../model/geometry/vectors.js';
 import {isInside, type Box} from '../../model/geometry/polyline.js';
@@ -9,6 +10,7 @@ import {endOf} from '../base/bezier.js';
 import {longerSide} from '../base/closed-lines.js';
 import {runsOf} from '../base/edges.js';
 import {foldsAmong} from '../base/fold-lines.js';
+import {grainsAmong, usualGrain} from '../base/grain-lines.js';
 import {
   cutOutNote,
   doubtOf,
@@ -28,6 +30,7 @@ import {
   foldOf,
   grainEnds,
   grainOf,
+  straightOf,
   isDrill,
   isLetter,
   isLong,
@@ -201,6 +204,10 @@ function ownerOf({at}: DrawnText, outer: readonly Loop[]): Loop | undefined {
   return outer.filter(({rim}) => isInside(rim, at)).sort((a, b) => off(a) - off(b))[0];
 }
 
+/** Returns whether a line is one of several grain lines. */
+const isAmong = (points: readonly Point[], grains: readonly GrainChoice[]): boolean =>
+  grains.some(({line}) => line.every((p) => points.includes(p)));
+
 function pieceOf(
   {outline: outer, sewn: seam, cutOuts, doubtfulCutOuts}: RolesOfPiece<LoopCandidate>,
   marks: readonly Mark[],
@@ -213,13 +220,19 @@ function pieceOf(
   const within = near.filter(({at}) => isInside(outer.rim, at));
   const drills = within.filter(isDrill);
   const long = within.filter((mark) => !drills.includes(mark) && isLong(mark));
+  const labels = written.flatMap(({lines: texts, at}) => texts.map((text) => ({at, text})));
   const {folds, lines} = foldsAmong(
     long.map(({points}) => points),
-    written.flatMap(({lines: texts, at}) => texts.map((text) => ({at, text}))),
+    labels,
     0.1,
   );
   const unfolded = within.filter((mark) => !long.includes(mark) || lines.includes(mark.points));
   const grain = grainOf(unfolded, written);
+  const grains = grainsAmong(straightOf(unfolded).map(grainEnds), labels, {
+    cmPerUnit: 0.1,
+    isSure: false,
+  });
+  const line = usualGrain(grains) ?? (grain && grainEnds(grain));
   const fold = saysFold(words) ? foldOf(runs, outer, seam, written) : undefined;
   return {
     quantity: countOf(words) ?? {asDrawn: 1, mirrored: 0},
@@ -228,10 +241,11 @@ function pieceOf(
     holes: cutOuts.map(({line}): readonly Run[] => runsOf(line)),
     ...doubtfulHoles(cutOuts, doubtfulCutOuts),
     notches: notchesOf(near, sewn, outer),
-    ...(grain && {grain: grainEnds(grain)}),
+    ...(line && {grain: line}),
+    ...(grains.length > 0 && {grains}),
     ...(fold && {fold: [fold.start, endOf(fold)]}),
     ...(folds.length > 0 && {folds}),
-    internalLines: lines.filter((points) => points !== grain?.points),
+    internalLines: lines.filter((points) => points !== grain?.points && !isAmong(points, grains)),
     drillHoles: drills.map(middleOf),
     words,
   };

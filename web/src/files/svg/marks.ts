@@ -73,14 +73,19 @@ export function middleOf({points}: Mark): Point {
   return middle(low, high);
 }
 
+/** Straight lines of the length of a grain line. */
+export const straightOf = (within: readonly Mark[]): readonly Mark[] =>
+  straightLines(within).filter(({line}) => distance(line.start, farthest(line)) >= 50);
+
+const straightLines = (within: readonly Mark[]): readonly Mark[] =>
+  within.filter(({line}) => isLine({start: line.start, cubics: line.cubics.slice(0, 1)}, 0.1));
+
 /**
  * The grain line: a straight line with that label, with that text beside it, or with arrowheads.
  */
 export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): Mark | undefined {
-  const lines = within.filter(({line}) =>
-    isLine({start: line.start, cubics: line.cubics.slice(0, 1)}, 0.1),
-  );
-  const straight = lines.filter(({line}) => distance(line.start, farthest(line)) >= 50);
+  const lines = straightLines(within);
+  const straight = straightOf(within);
   const isCalled = ({drawers}: Mark): boolean =>
     drawers.some(({element, groups}) =>
       saysGrain(

@@ -187,6 +187,7 @@ function inUnit(piece: DrawnPiece, unit: FileUnit): DrawnPiece {
     holes: piece.holes.map(runs),
     notches: piece.notches.map((notch) => ({...notch, at: at(notch.at)})),
     ...(piece.grain && {grain: line(piece.grain)}),
+    ...(piece.grains && {grains: piece.grains.map((one) => ({...one, line: line(one.line)}))}),
     ...(piece.fold && {fold: line(piece.fold)}),
     ...(piece.folds && {folds: piece.folds.map((one) => mappedFold(one, at))}),
     internalLines: piece.internalLines.map((points) => points.map(at)),

@@ -1,9 +1,6 @@
 /** Pleats, tucks and creases of a piece. Lengths in cm. */
 import type {DraftedFold, FoldKind} from './garment-document.js';
-import {middle, minus, plus, unit, type Point} from '../geometry/vectors.js';
-
-/** Length of an arrowhead. */
-const head = 0.6;
+import type {Point} from '../geometry/vectors.js';
 
 /** The fold under a map that keeps lines straight. */
 export function mappedFold<Fold extends Pick<DraftedFold, 'line' | 'to'>>(
@@ -24,32 +21,6 @@ export const foldLines = ({
   to,
 }: Pick<DraftedFold, 'line' | 'to'>): readonly (readonly [Point, Point])[] =>
   to ? [line, to] : [line];
-
-/**
- * Arrows between the lines of a pleat, each as a shaft and a head. A knife pleat and a tuck are
- * laid from one line onto the other; the lines of other pleats meet in the middle.
- */
-export function foldArrows(
-  fold: Pick<DraftedFold, 'kind' | 'line' | 'to'>,
-): readonly (readonly Point[])[] {
-  const {kind, line, to} = fold;
-  if (!to || !hidesFabric(fold)) return [];
-  const [from, end] = [middle(...line), middle(...to)];
-  const meeting = middle(from, end);
-  const shafts =
-    kind === 'knife' || kind === 'tuck'
-      ? [[from, end] as const]
-      : [[from, meeting] as const, [end, meeting] as const];
-  return shafts.flatMap(([tail, tip]) => {
-    const [ux, uy] = unit(minus(tip, tail));
-    const side: Point = [-uy, ux];
-    const foot = plus(tip, [ux, uy], -head);
-    return [
-      [tail, tip],
-      [plus(foot, side, head / 2), tip, plus(foot, side, -head / 2)],
-    ];
-  });
-}
 
 /** Text beside a line of a fold in a DXF file, such as "inverted fold 1" or "inverted fold 1 to". */
 export const foldText = (kind: FoldKind, number: number, isSecond: boolean): string =>

@@ -4,7 +4,7 @@
  * outlines run counter-clockwise.
  */
 import type {Point} from '../geometry/vectors.js';
-import type {GrainLock} from './grain.js';
+import type {GrainChoice, GrainLock} from './grain.js';
 import type {Symmetry} from './symmetries.js';
 
 /** Members of the file that this program does not know, unchanged. */
@@ -103,6 +103,8 @@ export interface GarmentPiece extends Unknown {
     readonly lock?: GrainLock;
     readonly toleranceDeg?: number;
   };
+  /** All grain lines that the maker draws, if there are several; the user chooses one. */
+  readonly grains?: readonly GrainChoice[];
   readonly placement?: Placement;
   /** Number of copies to cut. Default 1. */
   readonly quantity?: number;

@@ -1,7 +1,7 @@
 /** Properties of a garment's pieces that a result does not repeat. */
 import type {GarmentDocument, GarmentPiece, Placement} from './garment-document.js';
 import type {Point} from '../geometry/vectors.js';
-import {angleOf, type GrainRule} from './grain.js';
+import {angleOf, directionDeg, grainAt, type GrainRule} from './grain.js';
 import {pieceNames, titleOfFile, type PieceNames} from './piece-names.js';
 import {fieldOf} from '../base/read.js';
 
@@ -22,6 +22,8 @@ export interface PanelMarks {
    * [degrees]
    */
   readonly grainDeg?: number;
+  /** Name of the chosen grain line, if the maker draws several. */
+  readonly grainName?: string;
   /** Placement on the body. */
   readonly placement?: Placement;
   readonly notches?: readonly Notch[];
@@ -60,8 +62,8 @@ export function panelMarks(
   const called = pieceNames(labels, {...chosenNames(document), ...names});
   return new Map(
     pieces.map((piece): [string, PanelMarks] => {
-      const {name, outline, grain, placement, notches = []} = piece;
-      const grainDeg = Object.hasOwn(rules, name) ? angleOf(rules[name]) : undefined;
+      const {name, outline, placement, notches = []} = piece;
+      const chosenDeg = Object.hasOwn(rules, name) ? angleOf(rules[name]) : undefined;
       const marked = notches.flatMap(({edge, at}): Notch[] => {
         const {points} = outline[edge] ?? {};
         const to = points?.at(-1);
@@ -71,8 +73,7 @@ export function panelMarks(
         name,
         {
           label: called.get(name) ?? name,
-          ...(grain?.line && {grain: grain.line}),
-          ...(grainDeg !== undefined && {grainDeg}),
+          ...grainUsed(piece, chosenDeg),
           ...(placement && {placement}),
           ...(marked.length > 0 && {notches: marked}),
           drafted: piece,
@@ -80,6 +81,21 @@ export function panelMarks(
       ];
     }),
   );
+}
+
+/** The grain line in use, and its name if the maker draws several. */
+function grainUsed(
+  {grain, grains = []}: Pick<GarmentPiece, 'grain' | 'grains'>,
+  grainDeg: number | undefined,
+): Pick<PanelMarks, 'grain' | 'grainDeg' | 'grainName'> {
+  const deg = grainDeg ?? (grain?.line && directionDeg(grain.line));
+  const {line = grain?.line, name} =
+    grains[deg === undefined ? -1 : (grainAt(grains, deg) ?? -1)] ?? {};
+  return {
+    ...(line && {grain: line}),
+    ...(grainDeg !== undefined && {grainDeg}),
+    ...(name !== undefined && {grainName: name}),
+  };
 }
 
 /** Title and size of a garment. @param file name of its file, for a garment without a title */

@@ -5,7 +5,13 @@
 import {after, edgeOf, sameEdge, sew, splitEdge, unchanged, unsew, type Edited} from './edits.js';
 import {edgeLength, edgeLine} from './edge-curve.js';
 import {hidesFabric} from './folds.js';
-import type {DraftedEdge, EdgeOfPiece, GarmentDocument, GarmentSeam} from './garment-document.js';
+import type {
+  DraftedEdge,
+  EdgeOfPiece,
+  GarmentDocument,
+  GarmentPiece,
+  GarmentSeam,
+} from './garment-document.js';
 import {nearestOn} from '../geometry/nearest.js';
 import {lengthOf} from '../geometry/polyline.js';
 import type {Point} from '../geometry/vectors.js';
@@ -13,17 +19,25 @@ import type {Point} from '../geometry/vectors.js';
 /** Distance within which the end of a fold line is on the outline, or at a corner of it. */
 const reach = 0.2;
 const atCorner = 0.05;
+/** Steps per curve at which its points and lengths are exact to 0.001 mm. */
+const fineSteps = 512;
 
 /** The fabric of a pleat along an edge, as shares of the edge's length. */
-interface Hidden {
-  readonly edge: EdgeOfPiece;
+interface HiddenPart {
+  /** Number of the edge. */
+  readonly edge: number;
   readonly from: number;
   readonly to: number;
 }
 
+/** The same on an edge of a garment. */
+interface Hidden extends Pick<HiddenPart, 'from' | 'to'> {
+  readonly edge: EdgeOfPiece;
+}
+
 /** The position on an edge that is nearest to a point, as a share of its length, and how far. */
 function placeOn(edge: DraftedEdge, point: Point): {readonly share: number; readonly off: number} {
-  const line = edgeLine(edge);
+  const line = edgeLine(edge, fineSteps);
   const {at, off, step} = nearestOn(line, point, false);
   const whole = lengthOf(line);
   const along = lengthOf([...line.slice(0, step + 1), at]);
@@ -54,11 +68,15 @@ function stretches(one: number, other: number, whole: number): (readonly [number
 }
 
 /** The fabric of all pleats of a piece along its edges. */
-function hiddenOf({pieces}: GarmentDocument, piece: number): Hidden[] {
-  const {outline = [], folds = []} = pieces[piece] ?? {};
+export function hiddenParts({
+  outline,
+  folds = [],
+}: Pick<GarmentPiece, 'outline' | 'folds'>): readonly HiddenPart[] {
+  const pleats = folds.filter(hidesFabric);
+  if (pleats.length === 0) return [];
   const lengths = outline.map(edgeLength);
   const whole = lengths.reduce((sum, length) => sum + length, 0);
-  return folds.filter(hidesFabric).flatMap(({line, to}) =>
+  return pleats.flatMap(({line, to}) =>
     [0, 1].flatMap((end) => {
       const [a, b] = [line[end], to?.[end]].map((p) => p && alongOutline(outline, p));
       if (a === undefined || b === undefined) return [];
@@ -66,10 +84,9 @@ function hiddenOf({pieces}: GarmentDocument, piece: number): Hidden[] {
       return lengths.flatMap((length, edge) => {
         const start = before;
         before += length;
-        return stretches(a, b, whole).flatMap(([low, high]): Hidden[] => {
+        return stretches(a, b, whole).flatMap(([low, high]): HiddenPart[] => {
           const [from, until] = [Math.max(low, start) - start, Math.min(high, before) - start];
-          if (until - from < atCorner) return [];
-          return [{edge: {piece, edge}, from: from / length, to: until / length}];
+          return until - from < atCorner ? [] : [{edge, from: from / length, to: until / length}];
         });
       });
     }),
@@ -104,7 +121,9 @@ function dividedAt(start: Edited, edge: EdgeOfPiece, cuts: readonly number[]): E
  * pleats closed.
  */
 export function divideAtFolds(document: GarmentDocument): Edited {
-  const hidden = document.pieces.flatMap((_, piece) => hiddenOf(document, piece));
+  const hidden = document.pieces.flatMap((panel, piece) =>
+    hiddenParts(panel).map(({edge, ...part}): Hidden => ({edge: {piece, edge}, ...part})),
+  );
   if (hidden.length === 0) return unchanged(document);
   const isHidden = (edge: EdgeOfPiece): boolean => hidden.some((one) => sameEdge(one.edge, edge));
   const isWhole = (edge: EdgeOfPiece): boolean =>

@@ -126,6 +126,14 @@ function panelOf(piece: GarmentPiece): object {
     ...member('label', piece.label),
     ...member('grain', grain && {...grain, ...member('line', grain.line?.map(frame))}),
     ...member(
+      'grains',
+      piece.grains?.map(({name, line, more}) => ({
+        ...member('name', name),
+        line: line.map(frame),
+        ...more,
+      })),
+    ),
+    ...member(
       'internalLines',
       internalLines.map((line) => line.map(frame)),
     ),

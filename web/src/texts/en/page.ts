@@ -76,6 +76,7 @@ export const page = {
   steps: {
     garment: 'garment',
     seams: 'seams',
+    folds: 'folds',
     size: 'size',
     print: 'print',
     colours: 'colours',

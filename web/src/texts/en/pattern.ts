@@ -50,6 +50,7 @@ export const pattern = {
     notCounted: 'not counted',
   },
   sewing: {tool: 'Sew'},
+  folding: {tool: 'Folds'},
   symmetry: {
     tools: 'Tools',
     piece: 'Symmetric piece',
@@ -192,6 +193,7 @@ export const pattern = {
     /** Synonyms for the search of commands. */
     also: {
       sew: 'seam stitch join edges',
+      fold: 'pleat tuck crease box pleat',
       garment: 'sample pattern clothes',
       print: 'fabric cloth motif',
       open: 'file load import',
@@ -231,6 +233,7 @@ export const pattern = {
     other: text('{degrees, number}°'),
     clicks: 'Along an edge, or by two points …',
     line: 'Grain line …',
+    choice: 'Grain line drawn by the maker',
     first: 'Click an edge along the grain, or two points on the grain line.',
     second: 'Now click a second point on the grain line.',
   },

@@ -20,6 +20,15 @@ export const sheet = {
   internal: 'Dash-dot: lines that the pattern draws inside.',
   folds:
     'Long dashes: folds; bring their lines together in the direction of the arrows before sewing.',
+  /** Kinds of folds, as on the pieces. */
+  foldKinds: {
+    knife: 'Knife pleat',
+    box: 'Box pleat',
+    inverted: 'Inverted pleat',
+    tuck: 'Tuck',
+    roll: 'Roll line',
+    press: 'Press line',
+  },
   letters: 'Edges with the same letter are sewn together.',
   singleLayer: 'Each piece is cut from a single layer, face up; none is on a fold.',
   crosses: 'Numbered crosses of a piece are at the same point of the print;',

@@ -62,8 +62,13 @@ function garmentChange({garment: a}: Design, {garment: b}: Design): Change['kind
   if (a.name === b.name && a.text === b.text) return undefined;
   if (a.sample && a.sample.style === b.sample?.style) return 'size';
   if (a.name !== b.name) return 'garment';
-  return patternText(a) === patternText(b) ? 'unit' : 'seams';
+  const [before, after] = [a, b].map(patternText);
+  if (before === after) return 'unit';
+  return foldsIn(before) === foldsIn(after) ? 'seams' : 'folds';
 }
+
+/** The folds in the text of a pattern. */
+const foldsIn = (text = ''): string => String(text.match(/"folds":\[.*?\}\]/g));
 
 const known = new WeakMap<DesignGarment, string>();
 

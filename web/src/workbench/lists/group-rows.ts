@@ -52,10 +52,7 @@ export interface GroupRow {
 /** The values of a workbench that are read. */
 type ShownGroups = Shown & {readonly solving: Pick<Solving, 'seamGroups' | 'result'>};
 
-/**
- * An unchanged workbench returns the same rows. Returns none before the first result, and while the
- * sheet still shows a garment that has fewer seams than the result.
- */
+/** An unchanged workbench returns the same rows; it returns none before the first result. */
 export function groupRows(workbench: ShownGroups, texts: Texts): readonly GroupRow[] {
   const {
     history: {design},
@@ -64,7 +61,6 @@ export function groupRows(workbench: ShownGroups, texts: Texts): readonly GroupR
   } = workbench;
   if (!design || !pattern || !scenes || seamGroups.length === 0) return [];
   const seams = seamRows(workbench, texts);
-  if (seamGroups.some((group) => group.seams.some((seam) => seam >= seams.length))) return [];
   return rowsOf(seamGroups, seams, scenes, pattern, design.options, result !== undefined, texts);
 }
 
@@ -79,7 +75,9 @@ const rowsOf = lastOf(
     texts: Texts,
   ): readonly GroupRow[] => {
     const kept = keptParts(pattern, options.locked);
-    const lines = groups.map((group): Line => {
+    // an edit may leave fewer seams than the last result has
+    const present = groups.filter((group) => group.seams.some((seam) => seam < seams.length));
+    const lines = present.map((group): Line => {
       const rows = group.seams.flatMap((seam) => seams.slice(seam, seam + 1));
       const along = ({seams: all}: PatternScene): number =>
         mismatchAlong(rows.flatMap(({seam, counts}) => (counts ? all.slice(seam, seam + 1) : [])));

@@ -1,10 +1,15 @@
 /** The sewing tool with its texts and keys; loaded on demand. */
+import type {Overlay} from '../../scene/overlay.js';
+import type {PatternScene} from '../../scene/scene.js';
+import type {Format} from '../../texts/format.js';
 import {loadSewTexts} from '../../texts/sew-texts.js';
+import type {Texts} from '../../texts/texts.js';
+import type {EditingTool, Pointed} from '../later-tool.js';
 import type {Workbench} from '../workbench.js';
 import {SeamChooser} from './seam-chooser.js';
 import {undoAndSay} from '../history/step-change.js';
 
-export class SewingTool {
+export class SewingTool implements EditingTool {
   readonly chooser: SeamChooser;
   readonly #workbench: Workbench;
 
@@ -13,7 +18,34 @@ export class SewingTool {
     this.chooser = chooser;
   }
 
-  /** @returns true if the key has an effect */
+  get keys() {
+    return this.chooser.sew.keys;
+  }
+
+  title({sewing}: Texts): string {
+    return sewing.tool;
+  }
+
+  hover(at: Pointed | undefined): void {
+    this.chooser.hover(at?.target);
+  }
+
+  take({target}: Pointed, isMore: boolean): void {
+    this.chooser.take(target, isMore);
+  }
+
+  back(): boolean {
+    return this.chooser.send({type: 'back'});
+  }
+
+  words(texts: Texts, format: Format): string {
+    return this.chooser.words(texts, format);
+  }
+
+  marks(scene: PatternScene): Overlay {
+    return this.chooser.marks(scene);
+  }
+
   press(event: KeyboardEvent): boolean {
     return seamKey(this.chooser, this.#workbench, event);
   }

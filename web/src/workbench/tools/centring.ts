@@ -8,7 +8,7 @@ import {atShare} from '../../model/geometry/polyline.js';
 import {turned} from '../../layout/on-body.js';
 import {pick} from '../../scene/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
-import {mirrorsOf} from './grain-proposals.js';
+import {mirrorsOf} from '../mirrors.js';
 import type {Selection} from '../selection.js';
 import type {ShownSheet} from '../shown-sheet.js';
 import type {Solving} from '../solving.js';

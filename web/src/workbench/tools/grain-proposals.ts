@@ -6,9 +6,8 @@ import type {PanelMarks} from '../../model/garment/panel-marks.js';
 import {degrees, middle, radians, towards, type Point} from '../../model/geometry/vectors.js';
 import {boxOf} from '../../model/geometry/polyline.js';
 import type {ResultPiece} from '../../model/result/result.js';
-import type {Registration, Symmetry} from '../../model/garment/symmetries.js';
 import {turned} from '../../layout/on-body.js';
-import type {Solving} from '../solving.js';
+import type {Mirror} from '../mirrors.js';
 
 type Drafted = Pick<ResultPiece, 'name' | 'rest' | 'outline'>;
 
@@ -62,20 +61,6 @@ function placedUp(piece: Drafted, placement: Placement | undefined): number | un
 function alongAxis(up: number, axis: number): number {
   const ways = [axis, axis + 90, axis + 180, axis + 270].map(whole);
   return ways.find((way) => apart(way, up) < nearAxis) ?? up;
-}
-
-/** A symmetry by names of pieces, with its map: p' = R F p + t of the face-up pieces. */
-export type Mirror = Symmetry & Pick<Registration, 'map'>;
-
-/** The symmetries that the result keeps, and the other detected ones. */
-export function mirrorsOf({pattern, found}: Pick<Solving, 'pattern' | 'found'>): readonly Mirror[] {
-  const nameOf = (piece: number): string => pattern?.pieces[piece]?.name ?? '';
-  const kept = (pattern?.symmetries ?? []).map((one): Mirror =>
-    one.kind === 'piece'
-      ? {kind: 'piece', piece: nameOf(one.piece), map: one.map}
-      : {kind: 'pair', pieces: [nameOf(one.pieces[0]), nameOf(one.pieces[1])], map: one.map},
-  );
-  return [...kept, ...found];
 }
 
 /** Grain line of a piece, and of its mirror image if it has one, by name. [degrees] */

@@ -2,10 +2,12 @@
 import type {SolveOptions} from '../../model/design/options.js';
 import type {Pattern} from '../../model/result/result.js';
 import {wayOnSheet} from '../../model/geometry/sheet-place.js';
+import type {PanelMarks} from '../../model/garment/panel-marks.js';
 import type {DetectedSymmetry} from '../../model/garment/symmetries.js';
 import {atShare} from '../../model/geometry/polyline.js';
 import {innermost, pick} from '../../scene/marks.js';
 import type {OnPiece, Overlay} from '../../scene/overlay.js';
+import {shownFold} from '../../scene/folds.js';
 import {symmetriesOf, type SceneSymmetry} from '../../scene/scene-marks.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Format} from '../../texts/format.js';
@@ -45,9 +47,21 @@ export function overlayOf(
     cursors: cursorsOf(scene, cursor),
     signs: signsOf(scene, workbench.history.design?.options),
     ...marks,
+    lines: [...foldsOf(scene, workbench.sheet.scenes?.marks), ...(marks.lines ?? [])],
     ghosts: [...found.filter((one) => !chosen.some((other) => isSamePair(one, other))), ...chosen],
   };
 }
+
+/** Folds of the garment, which are always displayed. */
+const foldsOf = lastOf(
+  (
+    scene: PatternScene,
+    marks: ReadonlyMap<string, PanelMarks> | undefined,
+  ): NonNullable<Overlay['lines']> =>
+    scene.pieces.flatMap(({name}, piece) =>
+      (marks?.get(name)?.drafted?.folds ?? []).flatMap((fold) => shownFold(scene, piece, fold)),
+    ),
+);
 
 const isSamePair = (one: SceneSymmetry, other: SceneSymmetry): boolean =>
   one.kind === 'pair' && other.kind === 'pair' && one.letter === other.letter;

@@ -18,22 +18,29 @@ import {textsOf, type Texts} from '../../texts/texts.js';
 import {withAll} from '../symmetry-steps.js';
 import type {Target, Workbench} from '../workbench.js';
 import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js';
-import {GrainClicks} from './grain-clicks.js';
+import type {GrainClicks} from './grain-clicks.js';
 import {keepMarks, toggleKept} from './keeping.js';
 import {railsOf} from './rails.js';
+import type {FoldTool} from '../folding/fold-tool.js';
 import type {SewingTool} from '../sewing/sewing-tool.js';
+import {OnDemand, type EditingTool, type LaterTool, type Pointed} from '../later-tool.js';
 import {toFailure} from '../latest-solve.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 
 /**
  * `axis`: a symmetric piece by two points, even near a line. `keep`: the pressed part stays as
  * drafted, or is released. `grain`: the grain line of a piece. `sew`: edges are sewn together.
+ * `fold`: pleats, tucks and creases.
  */
 export type Tool = 'piece' | 'axis' | 'pair' | OwnTool;
 /** A tool that defines no symmetry. */
-type OwnTool = 'move' | 'keep' | 'grain' | 'sew';
+type OwnTool = 'move' | 'keep' | 'grain' | 'sew' | 'fold';
 
-const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew'];
+const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew', 'fold'];
+/** Returns whether a tool changes the garment. */
+const edits = (tool: Tool | undefined): boolean => tool === 'sew' || tool === 'fold';
+/** Returns whether a tool is loaded at its first use. */
+const isLater = (tool: Tool | undefined): boolean => edits(tool) || tool === 'grain';
 const isOwn = (tool: Tool): tool is OwnTool => ownTools.includes(tool);
 
 /** Greatest distance at which a pointer picks a line. [CSS px] */
@@ -42,19 +49,19 @@ export const reachOf = (pointerType: string): number => (pointerType === 'touch'
 /** Lines with a smaller difference in distance are equally likely. [CSS px] */
 const tie = 2;
 
-/** Factor of the reach for the sewing tool, which picks only lines. */
-const sewingReach = 2;
+/** Factor of the reach for tools that pick lines first. */
+const lineReach = 2;
 
 export class PatternTools {
   readonly chooser: SymmetryChooser;
-  readonly grain: GrainClicks;
   /** True if there is one tool only, which is always active. */
   readonly isFixed: boolean;
   readonly #workbench: Workbench;
   readonly #changed: () => void;
   #own: OwnTool | undefined;
-  /** The sewing tool in one language, loaded at first use. */
-  #sewing: {readonly language: string; readonly tool: SewingTool | undefined} | undefined;
+  readonly #sew: OnDemand<SewingTool>;
+  readonly #fold: OnDemand<FoldTool>;
+  readonly #grain: OnDemand<GrainClicks>;
   /** The sewing tool asks its questions as soon as it is loaded. */
   #asks = false;
   #byPoints = false;
@@ -69,7 +76,27 @@ export class PatternTools {
     this.#workbench = workbench;
     this.#changed = changed;
     this.chooser = new SymmetryChooser(workbench, changed);
-    this.grain = new GrainClicks(workbench);
+    const ready = (): void => {
+      if (this.#asks) this.sewing?.chooser.ask();
+      changed();
+    };
+    const failed = (error: unknown): void => {
+      this.#own = undefined;
+      workbench.notices.say({tone: 'error', text: toFailure(error).message});
+      changed();
+    };
+    this.#sew = new OnDemand(
+      async () => (await import('../sewing/sewing-tool.js')).sewingTool(workbench, changed),
+      {ready, failed},
+    );
+    this.#fold = new OnDemand(
+      async () => (await import('../folding/fold-tool.js')).foldTool(workbench, changed),
+      {ready, failed},
+    );
+    this.#grain = new OnDemand(
+      async () => new (await import('./grain-clicks.js')).GrainClicks(workbench, changed),
+      {ready, failed},
+    );
   }
 
   get active(): Tool | undefined {
@@ -78,7 +105,10 @@ export class PatternTools {
     return tool === 'piece' && this.#byPoints ? 'axis' : tool;
   }
 
-  /** A garment stored by its path stays unchanged, unless it has no seams at all. */
+  /**
+   * Whether the garment can be changed: one stored by its path stays as it is, unless it has no
+   * seams at all.
+   */
   get canSew(): boolean {
     const {design} = this.#workbench.history;
     const {garment} = this.#workbench.solving;
@@ -86,11 +116,11 @@ export class PatternTools {
   }
 
   toggle(tool: Tool): void {
-    if (this.isFixed || (tool === 'sew' && tool !== this.#own && !this.canSew)) return;
+    if (this.isFixed || (edits(tool) && tool !== this.#own && !this.canSew)) return;
     this.#asks = false;
     if (isOwn(tool)) {
       this.chooser.leave();
-      this.grain.begin();
+      this.#grain.tool?.begin();
       this.#own = this.#own === tool ? undefined : tool;
     } else {
       this.#own = undefined;
@@ -110,33 +140,34 @@ export class PatternTools {
 
   /** The sewing tool, if it is active and loaded. */
   get sewing(): SewingTool | undefined {
-    if (this.#own !== 'sew') return undefined;
-    const {language} = this.#workbench.preferences.chosen;
-    if (this.#sewing?.language !== language) void this.#loadSewing(language);
-    return this.#sewing?.tool;
+    return this.#own === 'sew' ? this.#sew.in(this.#language) : undefined;
   }
 
-  async #loadSewing(language: string): Promise<void> {
-    this.#sewing = {language, tool: this.#sewing?.tool};
-    try {
-      const {sewingTool} = await import('../sewing/sewing-tool.js');
-      const tool = await sewingTool(this.#workbench, this.#changed);
-      this.#sewing = {language, tool};
-      if (this.#asks) tool.chooser.ask();
-    } catch (error) {
-      this.#sewing = this.#own = undefined;
-      this.#workbench.notices.say({tone: 'error', text: toFailure(error).message});
-    }
-    this.#changed();
+  /** The tool for folds, if it is active and loaded. */
+  get folding(): FoldTool | undefined {
+    return this.#own === 'fold' ? this.#fold.in(this.#language) : undefined;
+  }
+
+  /** The active tool that changes the garment. */
+  get editing(): EditingTool | undefined {
+    return this.sewing ?? this.folding;
+  }
+
+  /** The active tool among those that are loaded at first use. */
+  get #later(): LaterTool | undefined {
+    return this.#own === 'grain' ? this.#grain.in(this.#language) : this.editing;
+  }
+
+  get #language(): string {
+    return this.#workbench.preferences.chosen.language;
   }
 
   /** Undoes one step of the tool. @returns true if there was one */
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
-    if (this.sewing?.chooser.send({type: 'back'})) return true;
-    if (active === 'grain' && this.grain.back()) this.#changed();
-    else if (this.#own) this.toggle(this.#own);
+    if (this.#later?.back()) return true;
+    if (this.#own) this.toggle(this.#own);
     else if (active) this.chooser.send({type: 'back'});
     return active !== undefined;
   }
@@ -161,13 +192,13 @@ export class PatternTools {
   words(texts: Texts, format: Format): string {
     if (this.#own === 'move') return texts.symmetry.moving;
     if (this.#own === 'keep') return texts.keep.hint;
-    if (this.#own === 'sew') return this.sewing?.chooser.words(texts, format) ?? '';
-    return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
+    if (isLater(this.#own)) return this.#later?.words(texts, format) ?? '';
+    return this.chooser.words(texts, format);
   }
 
   /** Returns the possible targets of a press: one, or several that are equally likely. */
   meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
-    if (this.#own === 'sew') return targetsAt(index, at, (sewingReach * reach) / scale).slice(0, 1);
+    if (edits(this.#own)) return targetsAt(index, at, (lineReach * reach) / scale).slice(0, 1);
     const targets = targetsAt(index, at, reach / scale);
     if (this.active === 'pair' || this.active === 'move') {
       const piece = targets.find(({kind}) => kind === 'piece') ?? targets[0];
@@ -178,12 +209,12 @@ export class PatternTools {
 
   /** Marks the point that a press would set; no mark if a press would not set a point. */
   hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
-    if (this.#own === 'sew') {
-      this.sewing?.chooser.hover(target);
+    if (isLater(this.#own)) {
+      this.#later?.hover(target && this.#pointedBy(index, target, reachCm));
       return;
     }
     this.#pointed = this.#own === 'keep' ? target : undefined;
-    const isPoint = this.active === 'axis' || this.#isPointInside(target);
+    const isPoint = this.active === 'axis' || (this.active === 'piece' && target?.kind === 'piece');
     const before = this.#hovered;
     this.#hovered =
       target && isPoint
@@ -192,19 +223,8 @@ export class PatternTools {
     if (before || this.#hovered || this.#own === 'keep') this.#changed();
   }
 
-  /**
-   * A press inside a piece sets a point; after the first point of a grain line, a press on a line
-   * does.
-   */
-  #isPointInside(target: Picked | undefined): boolean {
-    const takesPoints = this.active === 'piece' || this.active === 'grain';
-    return takesPoints && (target?.kind === 'piece' || this.grain.hasFirst);
-  }
-
-  #takeForGrain(target: Picked, point: Point): void {
-    const scene = this.#workbench.sheet.scenes?.now;
-    if (scene) this.grain.take(scene, target, point);
-    this.#changed();
+  #pointedBy(index: PickIndex, target: Picked, reachCm: number): Pointed {
+    return {target, ...this.#snapped(index, target, reachCm), reachCm};
   }
 
   #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
@@ -213,13 +233,11 @@ export class PatternTools {
 
   /** Applies a press whose target is known. @param isMore adds the target to the choice */
   take(index: PickIndex, target: Picked, reachCm: number, isMore = false): void {
-    if (this.#own === 'sew') {
-      this.sewing?.chooser.take(target, isMore);
+    if (isLater(this.#own)) {
+      this.#later?.take(this.#pointedBy(index, target, reachCm), isMore);
       return;
     }
-    if (this.#own === 'grain') {
-      this.#takeForGrain(target, this.#snapped(index, target, reachCm).point);
-    } else if (this.chooser.tool) {
+    if (this.chooser.tool) {
       const {point} = this.#snapped(index, target, reachCm);
       const {piece} = target;
       this.chooser.send(
@@ -254,7 +272,7 @@ export class PatternTools {
     const target = selected && this.#targetOf(index, selected);
     if (!target) return;
     if (this.#own === 'keep') toggleKept(this.#workbench, target);
-    else if (this.#own === 'grain') this.#takeForGrain(target, target.point);
+    else if (this.#own === 'grain') this.#later?.take(this.#pointedBy(index, target, 0), false);
     else if (this.chooser.tool) this.chooser.send({type: 'pick', target});
   }
 
@@ -307,11 +325,10 @@ export class PatternTools {
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
     if (this.#own === 'move') return railsOf(scene, this.#workbench.selection.selected, texts);
-    if (this.#own === 'sew') return this.sewing?.chooser.marks(scene) ?? {};
+    if (isLater(this.#own)) return this.#later?.marks(scene, texts) ?? {};
     if (this.#own === 'keep') return keepMarks(this.#workbench, scene, this.#pointed, texts);
-    const isGrain = this.#own === 'grain';
-    const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);
-    if (!this.#hovered || !(isGrain || this.chooser.tool)) return marks;
+    const marks = this.chooser.marks(scene, texts, format);
+    if (!this.#hovered || !this.chooser.tool) return marks;
     const {piece, point, snapped} = this.#hovered;
     const label = texts.symmetry.snaps[snapped];
     return {...marks, points: [...(marks.points ?? []), {piece, point, label}]};
