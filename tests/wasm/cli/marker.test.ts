@@ -57,6 +57,37 @@ it('lays results as a plan, the same bytes each time, and says one line', async 
   expect(JSON.parse(again.out)).toMatchObject({pieces: 8, lengthCm, boundCm, unplaced: []});
 });
 
+it('lays each result in its own number, with its share of the length', async () => {
+  const words = [file('long.result.json'), '--width', '36', '--effort', '0.1', '--phase', '0'];
+  const {out, err} = await marker(...words, '--copies', '2,1', '--out', file('counts.json'));
+  expect(out).toContain(': 6 pieces on ');
+  expect(err).toMatch(/short\.result\.json: 2 garments, 4 pieces, [\d.]+ cm of the length\./);
+  const {placements, garments = [], lengthCm} = read('counts.json') as LayPlan;
+  expect(placements.map(({result, copy}) => `${result}.${copy}`).sort()).toEqual([
+    ...['0.0', '0.0', '0.1', '0.1', '1.0', '1.0'],
+  ]);
+  expect(garments.map(({copies, pieces}) => [copies, pieces])).toEqual([
+    [2, 4],
+    [1, 2],
+  ]);
+  const shares = garments.reduce((sum, one) => sum + one.lengthCm, 0);
+  expect(shares).toBeCloseTo(lengthCm, 6);
+  const wrong = await marker(...words, '--copies', '2,1,1');
+  expect(wrong.code).toBe(2);
+  expect(wrong.err).toContain('--copies has 3 numbers for 2 results; give one for all');
+});
+
+it('refuses one print in two sizes, naming garments and sizes', async () => {
+  const [cloth, out] = [file('checks.json'), file('small.result.json')];
+  const asked = ['--print', cloth, '--no-remedies', '--print-size', '0.95', '--out', out];
+  expect((await seamwise('align', file('long.json'), ...asked)).code).toBe(0);
+  const {code, err} = await marker(out, '--width', '36');
+  expect(code).toBe(2);
+  expect(err).toMatch(
+    /One fabric has one size of the print, .*short\.result\.json on 4 x 4 cm, .*small\.result\.json on 3\.8 x 3\.8 cm; align all/,
+  );
+});
+
 it('takes what is known of the cloth', async () => {
   writeFileSync(file('flaws.json'), '[[[10, 0], [20, 0], [20, 15]]]');
   const words = [

@@ -4,6 +4,7 @@ import type {Point} from '../model/geometry/vectors.js';
 import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
 import {naps, type MarkerProgress} from '../model/result/marker-search.js';
 import {readable, titleOfFile} from '../model/garment/piece-names.js';
+import {asCut} from '../model/print/as-cut.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {listOf, Malformed, number, pairOf} from '../model/base/read.js';
 import {readText} from '../node/files.js';
@@ -71,7 +72,7 @@ const grammar = {
   files: ['the result file'],
   hasMore: true,
   valued: [
-    ...['--print', '--garment', '--phase', '--nap', '--shift', '--flaws', '--effort'],
+    ...['--print', '--garment', '--copies', '--phase', '--nap', '--shift', '--flaws', '--effort'],
     ...flagsOf(layLengths),
     ...flagsOf(layCounts),
     ...Object.keys(outputs),
@@ -92,7 +93,8 @@ export async function marker(words: readonly string[]): Promise<void> {
       '--garment names one garment, but there are several results; lay results that hold theirs.',
     );
   }
-  const settings = laySettings(wishOf(args));
+  const wish = wishOf(args);
+  const settings = laySettings(wish);
   const others = [garmentFile, flawsFile].filter((file) => file !== undefined);
   const wanted = Object.entries(outputs).flatMap(([flag, content]) => {
     const path = args.value(flag);
@@ -112,7 +114,7 @@ export async function marker(words: readonly string[]): Promise<void> {
   const [{fabric} = {fabric: undefined}] = laid;
   if (!fabric) throw new UsageError('The result file is missing.');
   const {plan, milliseconds} = await timed(
-    laid.map(({garment}) => garment),
+    laid.map(({garment}, k) => ({...garment, ...copiesOf(wish, k)})),
     {...settings, print: fabric, ...(flaws && {flaws})},
   );
   const files = await filesOf(plan, laid, {fabric, printFile, resultFiles: args.files});
@@ -142,7 +144,7 @@ async function filesOf(
         garment && panelMarks(garment, {...(names && {names})}).get(piece)?.label,
   );
   return layPlanFiles(plan, {
-    print: {...fabric, ...(tile !== undefined && {tile})},
+    print: {...asCut(fabric), ...(tile !== undefined && {tile})},
     results: laid.map(({garment}) => garment),
     names: (result, piece) => called[result]?.(piece) ?? readable(piece),
     title: resultFiles.map(titleOfFile).join(', '),
@@ -177,6 +179,34 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
   return {fabric, garment};
 }
 
+/** The number of garments of one result, if each result has its own. */
+function copiesOf({copies}: LayWish, k: number): Pick<MarkerGarment, 'copies'> {
+  const own = typeof copies === 'object' ? copies[k] : undefined;
+  return own === undefined ? {} : {copies: own};
+}
+
+/**
+ * The number of garments of each result: one number for all, or a list.
+ * @throws {UsageError} for other values, or a list of another length
+ */
+function copiesIn(args: Arguments): Pick<LayWish, 'copies'> {
+  const value = args.value('--copies');
+  if (value === undefined) return {};
+  const [least, most] = layRange('copies');
+  const numbers = value.split(',').map((part) => (/^\d{1,4}$/.test(part) ? Number(part) : NaN));
+  if (!numbers.every((count) => count >= least && count <= most)) {
+    throw new UsageError(
+      `--copies is '${value}', but must be a whole number from ${least} to ${most}, or one for each result, such as 2,1.`,
+    );
+  }
+  const [all = 1] = numbers;
+  if (numbers.length === 1) return {copies: all};
+  if (numbers.length === args.files.length) return {copies: numbers};
+  throw new UsageError(
+    `--copies has ${countOf(numbers.length, 'number')} for ${countOf(args.files.length, 'result')}; give one for all, or one for each.`,
+  );
+}
+
 /** @throws {UsageError} for an invalid value */
 function wishOf(args: Arguments): LayWish {
   const width = lengthCm(args, '--width', layRange('width')[1]);
@@ -196,6 +226,7 @@ function wishOf(args: Arguments): LayWish {
     width,
     ...given(layLengths, (name) => lengthCm(args, `--${name}`, layRange(name)[1])),
     ...given(layCounts, (name) => wholeNumber(args, `--${name}`, layRange(name))),
+    ...copiesIn(args),
     ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layRange('phase')[1]))),
     ...(nap && {nap}),
     ...(shift && {shift}),
@@ -264,7 +295,17 @@ function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
   }
   notes.forEach(remark);
   cheaper.map((offer) => cheaperWords(plan, offer)).forEach(remark);
+  sharesOf(args.files, plan).forEach(remark);
   print(line(args.files, plan));
+}
+
+/** One line for each of several garments: its share of the length. */
+function sharesOf(files: readonly string[], {garments = []}: LayPlan): readonly string[] {
+  if (garments.length < 2) return [];
+  return garments.map(
+    ({result, copies, pieces, lengthCm: length}) =>
+      `${files[result] ?? ''}: ${countOf(copies, 'garment')}, ${countOf(pieces, 'piece')}, ${cm(length)} of the length.`,
+  );
 }
 
 function cheaperWords({lengthCm: length}: LayPlan, offer: CheaperLay): string {
