@@ -1,5 +1,5 @@
 /** The one size of the print in which several garments match best together. */
-import {isBetter, type Standing} from '../../model/result/visible-seams.js';
+import {isBetter, together, type Standing} from '../../model/result/visible-seams.js';
 
 /** A compared size, with the sums over all garments. */
 export interface ComparedSize extends Standing {
@@ -20,12 +20,6 @@ interface Comparing {
   readonly signal?: AbortSignal;
 }
 
-const sum = (one: Standing, other: Standing): Standing => ({
-  visible: one.visible + other.visible,
-  matched: one.matched + other.matched,
-  answerCost: one.answerCost + other.answerCost,
-});
-
 /**
  * Compares sizes by the matching seams of all garments. It ends early when all of them match.
  * @param count number of garments
@@ -38,8 +32,9 @@ export async function commonSize(
   let best: ComparedSize | undefined;
   for (const scale of scales) {
     try {
-      let all: Standing = {visible: 0, matched: 0, answerCost: 0};
-      for (let k = 0; k < count; k++) all = sum(all, await standingOf(k, scale));
+      const standings: Standing[] = [];
+      for (let k = 0; k < count; k++) standings.push(await standingOf(k, scale));
+      const all = together(standings);
       const isBest = !best || isBetter(all, best);
       const compared = {...all, scale, isBest};
       onCompared?.(compared);
