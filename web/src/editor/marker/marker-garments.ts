@@ -58,12 +58,13 @@ export class MarkerGarments extends MarkerElement {
       li {
         display: grid;
         grid-template-columns: auto minmax(0, 1fr) 4.5rem 4.5rem var(--sw-target);
-        align-items: center;
+        align-items: end;
         gap: var(--sw-space-1) var(--sw-space-2);
       }
       .swatch {
         display: grid;
         place-items: center;
+        align-self: center;
         width: 1.5rem;
         height: 1.5rem;
         border-radius: var(--sw-radius);
@@ -72,7 +73,8 @@ export class MarkerGarments extends MarkerElement {
         font-weight: 600;
       }
       .name {
-        overflow-wrap: anywhere;
+        align-self: center;
+        overflow-wrap: break-word;
         font-weight: 600;
       }
       .share {
@@ -138,7 +140,7 @@ export class MarkerGarments extends MarkerElement {
     share: GarmentShare | undefined,
   ): TemplateResult {
     const {words, texts} = this;
-    const name = garmentName(garment, texts);
+    const name = garmentName(garment, texts, this.samples);
     const isSingle = count === 1;
     return html`<li class=${isSingle ? 'single' : ''} role="group" aria-label=${name}>
       ${
@@ -223,7 +225,7 @@ export class MarkerGarments extends MarkerElement {
       ${
         own && sizes.length > 0
           ? html`<optgroup label=${words.otherSizes}>
-              ${sizes.map((size) => option(`size:${size}`, garmentName({name: '', text: '', sample: {...own, size}}, texts)))}
+              ${sizes.map((size) => option(`size:${size}`, garmentName({name: '', sample: {...own, size}}, texts, samples)))}
             </optgroup>`
           : nothing
       }

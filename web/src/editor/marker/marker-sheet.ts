@@ -102,7 +102,7 @@ export const sheetStyle = css`
   .several .piece .veil {
     display: inline;
     fill: var(--garment);
-    opacity: 0.24;
+    opacity: 0.16;
   }
   .several .piece .line {
     stroke: var(--garment);

@@ -4,15 +4,25 @@ import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
 import {readable, titleOfFile} from '../../model/garment/piece-names.js';
 import {withSampleNames} from '../../texts/sample-names.js';
 import type {Texts} from '../../texts/texts.js';
+import type {Samples} from '../samples.js';
 import type {SolvedGarment} from './added-results.js';
 
 /** The letter of a garment: A for the design's own, then B and so on. */
 export const letterOf = (which: number): string => String.fromCharCode(65 + (which % 26));
 
-/** "Tee, M"; the name of the file for a garment that is no sample. */
-export function garmentName({name, sample}: DesignGarment, {samples}: Texts): string {
+/**
+ * "Tee, M"; the name of the file for a garment that is no sample.
+ * @param known the samples, once they are loaded
+ */
+export function garmentName(
+  {name, sample}: Pick<DesignGarment, 'name' | 'sample'>,
+  {samples}: Texts,
+  known?: Samples,
+): string {
   if (!sample) return titleOfFile(name);
-  return `${samples.garments[sample.style] ?? readable(sample.style)}, ${sample.size.toUpperCase()}`;
+  const {style, size} = sample;
+  const {title = readable(style)} = known?.garments.find((one) => one.style === style) ?? {};
+  return `${samples.garments[style] ?? title}, ${size.toUpperCase()}`;
 }
 
 /** Title and size of a solved garment, as on its cutting sheet. */

@@ -377,7 +377,7 @@ export class Layouts extends Observable {
           const plan = step.pins.size > 0 ? aroundPins(found, before) : found;
           const isFirst = this.#work !== work;
           const places = placesIn(order, plan);
-          work.history = amended(work.history, {...step, order, plan, places});
+          work.history = amended(work.history, {...withPriceOf(work, step), order, plan, places});
           this.#isAwaited = false;
           this.#work = work;
           this.#next = undefined;
@@ -394,7 +394,7 @@ export class Layouts extends Observable {
       this.#stop();
       const failure = toFailure(error);
       const places = step.order?.pieces.map(() => undefined) ?? [];
-      work.history = amended(work.history, {...step, places, failure});
+      work.history = amended(work.history, {...withPriceOf(work, step), places, failure});
       this.#become({kind: 'failed', failure});
     }
   }
@@ -409,6 +409,12 @@ export class Layouts extends Observable {
     this.changed();
   }
 }
+
+/** A step with the present price, which may change while the pieces are laid out. */
+const withPriceOf = ({step: {choices}}: MarkerWork, step: LayStep): LayStep =>
+  step.choices.price === choices.price
+    ? step
+    : {...step, choices: {...step.choices, price: choices.price}};
 
 const known = new WeakMap<Source, Layouts>();
 
