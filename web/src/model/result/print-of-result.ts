@@ -8,6 +8,14 @@ import type {SolveResult} from './result.js';
 /** Greatest difference of equal repeats, as a share: the solver corrects rounded lattices. */
 const sameRepeat = 1e-5;
 
+/** Returns whether a print states other values of its fabric than those of a result. */
+const contradicts = (
+  {shrinkage, measured}: Delivered = {},
+  {shrinkage: share, measured: repeat}: Delivered = {},
+): boolean =>
+  (share !== undefined && !isSameFabric({shrinkage: share}, {...(shrinkage && {shrinkage})})) ||
+  (repeat !== undefined && !isSameFabric({measured: repeat}, {...(measured && {measured})}));
+
 /**
  * The print of a result in its size and turn, made from the print in those or in its own.
  * Undefined if it has another group or repeat, or other fabric.
@@ -26,7 +34,7 @@ export function printOfResult<P extends Print>(
   return [sewn(print), sewn(asVariant(print, varied))].find(
     (one) =>
       one.group === group &&
-      isSameFabric(delivered, one.delivered ?? deliveredIn(one)) &&
+      !contradicts(delivered, print.delivered ?? deliveredIn(print)) &&
       (['w1', 'w2'] as const).every((w) => distance(own[w], one[w]) < sameRepeat * norm(one[w])),
   );
 }
@@ -40,7 +48,7 @@ export function fabricConflict(
   print: Pick<Print, 'fabric' | 'delivered'>,
 ): string | undefined {
   const stated = print.delivered ?? deliveredIn(print);
-  if (!stated || isSameFabric(delivered, stated)) return undefined;
+  if (!stated || !contradicts(delivered, stated)) return undefined;
   return `The print has ${fabricWords(stated)}, but the result was solved for ${fabricWords(delivered)}; align it again, or correct the print.`;
 }
 
