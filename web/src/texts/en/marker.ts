@@ -85,7 +85,7 @@ export const marker = {
   asStated: 'The fabric does not shrink, and its repeat measures as stated.',
   measuredAs: 'The repeat is as measured.',
   shrinks: text('The fabric shrinks by {warp} % lengthwise and {weft} % across.'),
-  changeDelivered: 'Change',
+  changeDelivered: 'Shrinkage and measured repeat',
   shrinkage: {warp: 'Shrinks lengthwise (%)', weft: 'Shrinks across (%)'},
   measured: {
     across: text('Repeat measured across ({unit})'),
