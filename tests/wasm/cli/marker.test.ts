@@ -8,7 +8,9 @@ import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 import {Shop} from '../../support/cli/batch.js';
 import {planComplaints} from '../../support/marker/check-plan.js';
 import {seamwise} from '../../support/cli/command-line.js';
+import {writeProject} from '@/model/documents/project.js';
 import type {SolveResult} from '@/model/result/result.js';
+import {bareFabric} from '@/workbench/samples.js';
 import {checks, twoStrips} from '../../support/garments/samples.js';
 
 let folder = '';
@@ -75,6 +77,32 @@ it('lays each result in its own number, with its share of the length', async () 
   const wrong = await marker(...words, '--copies', '2,1,1');
   expect(wrong.code).toBe(2);
   expect(wrong.err).toContain('--copies has 3 numbers for 2 results; give one for all');
+});
+
+it('lays the garments of a project, each in its number of copies', async () => {
+  const garment = (name: string) => ({name, text: readFileSync(file(name), 'utf8')});
+  const decided = {symmetry: 'none', method: 'best', options: {}, seed: 1} as const;
+  const project = writeProject({
+    ...decided,
+    garment: garment('short.json'),
+    print: {...bareFabric, group: checks.group, size: {width: 4, height: 4, angleDeg: 90}},
+    added: [{...decided, garment: garment('long.json'), copies: 2}],
+  });
+  writeFileSync(file('family.json'), project);
+  const words = [
+    '--print',
+    file('checks.json'),
+    '--width',
+    '36',
+    '--effort',
+    '0.1',
+    '--phase',
+    '0',
+  ];
+  const {err, code} = await seamwise('marker', file('family.json'), ...words);
+  expect(code).toBe(0);
+  expect(err).toMatch(/family\.json, short\.json: 1 garment, 2 pieces, /);
+  expect(err).toMatch(/family\.json, long\.json: 2 garments, 4 pieces, /);
 });
 
 it('refuses one print in two sizes, naming garments and sizes', async () => {

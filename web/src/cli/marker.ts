@@ -1,5 +1,5 @@
 import type {DxfFormat} from '../model/base/dxf-format.js';
-import {chosenNames, panelMarks} from '../model/garment/panel-marks.js';
+import {panelMarks} from '../model/garment/panel-marks.js';
 import type {Point} from '../model/geometry/vectors.js';
 import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
 import {naps, type MarkerProgress} from '../model/result/marker-search.js';
@@ -38,7 +38,8 @@ import {
 import {readRaster, readTile} from './base/print-files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
 import {countOf} from './base/count-of.js';
-import {garmentOf, optionsIn, parsed, problemIn, readFabricOf, readResult} from './result-file.js';
+import {readLaidFiles} from './laid-files.js';
+import {parsed} from './result-file.js';
 
 type Content = string | Uint8Array;
 
@@ -69,7 +70,7 @@ async function pages({pdf}: LayPlanFiles, scale: 10 | 1): Promise<Uint8Array> {
 const flagsOf = (names: readonly string[]): string[] => names.map((name) => `--${name}`);
 
 const grammar = {
-  files: ['the result file'],
+  files: ['the result or project file'],
   hasMore: true,
   valued: [
     ...['--print', '--garment', '--copies', '--phase', '--nap', '--shift', '--flaws', '--effort'],
@@ -108,20 +109,24 @@ export async function marker(words: readonly string[]): Promise<void> {
   for (const {path} of wanted) await checkWritable(path, [...args.files, printFile, ...others]);
 
   const flaws = flawsFile === undefined ? undefined : await readFlaws(flawsFile);
-  const laid = await Promise.all(
-    args.files.map((file) => readLaid(file, {printFile, garmentFile, isOnly: !args.files[1]})),
-  );
+  const laid = await readLaidFiles(args.files, {printFile, garmentFile});
+  if (typeof wish.copies === 'object' && wish.copies.length !== laid.length) {
+    throw new UsageError(
+      `--copies has ${countOf(wish.copies.length, 'number')}, but there are ${countOf(laid.length, 'garment')}; a project has its own numbers, so leave --copies out.`,
+    );
+  }
   const [{fabric} = {fabric: undefined}] = laid;
   if (!fabric) throw new UsageError('The result file is missing.');
   const {plan, milliseconds} = await timed(
     laid.map(({garment}, k) => ({...garment, ...copiesOf(wish, k)})),
     {...settings, print: fabric, ...(flaws && {flaws})},
   );
-  const files = await filesOf(plan, laid, {fabric, printFile, resultFiles: args.files});
+  const called = laid.map((one) => one.called);
+  const files = await filesOf(plan, laid, {fabric, printFile, resultFiles: called});
   for (const {path, content} of wanted) {
     await writeWhole(path, await content({files, plan, format}));
   }
-  report(args, plan, milliseconds);
+  report(args, plan, milliseconds, called);
 }
 
 async function filesOf(
@@ -150,33 +155,6 @@ async function filesOf(
     title: resultFiles.map(titleOfFile).join(', '),
     pixels: () => readRaster(fabric, printFile),
   });
-}
-
-interface LaidFile {
-  readonly printFile: string;
-  readonly garmentFile: string | undefined;
-  readonly isOnly: boolean;
-}
-
-/** @throws {UsageError}, {FileError} or {SolverError} with the name of an invalid file */
-async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile) {
-  const {result} = await readResult(file);
-  const fabric = await readFabricOf(result, file, {printFile, colourway: undefined});
-  const held = await garmentOf(result, garmentFile);
-  if (!held) {
-    remark(
-      `${file} does not hold its design, so all its edges get the same allowance; name the garment with --garment FILE.`,
-    );
-  }
-  const problem = result.otherAlignments && problemIn(result, file, fabric);
-  const garment: MarkerGarment = {
-    result,
-    ...(!isOnly && {name: file}),
-    ...(held && {garment: held.garment}),
-    ...{options: optionsIn(result, file), names: chosenNames(result.design)},
-    ...(problem && {problem}),
-  };
-  return {fabric, garment};
 }
 
 /** The number of garments of one result, if each result has its own. */
@@ -285,7 +263,12 @@ async function timed(
   }
 }
 
-function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
+function report(
+  args: Arguments,
+  plan: LayPlan,
+  milliseconds: number,
+  called: readonly string[],
+): void {
   const {placements, unplaced, notes, cheaper, ...figures} = plan;
   if (args.has('--json')) {
     const results = args.files;
@@ -295,7 +278,7 @@ function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
   }
   notes.forEach(remark);
   cheaper.map((offer) => cheaperWords(plan, offer)).forEach(remark);
-  sharesOf(args.files, plan).forEach(remark);
+  sharesOf(called, plan).forEach(remark);
   print(line(args.files, plan));
 }
 

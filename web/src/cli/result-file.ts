@@ -31,7 +31,7 @@ const damaged = (path: string, what: string): UsageError =>
  * Checks a parsed result file.
  * @throws {UsageError} with the file and the invalid field
  */
-function asResult(value: unknown, path: string): ResultFile {
+export function asResult(value: unknown, path: string): ResultFile {
   const complain = (what: string): UsageError => damaged(path, what);
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
   try {

@@ -138,7 +138,8 @@ seamwise photo PICTURE.jpg|png|webp [flags]
 
 seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [flags]
   Lays the pieces of one or several results on a bolt of their print, each where the print is what the result asks
-  for, and prints one line: how much fabric that takes, and how little it can take.
+  for, and prints one line: how much fabric that takes, and how little it can take. A project of the page counts as
+  all of its garments, in its numbers of copies; they are solved on its print.
     --copies N[,N ...]          garments of each result: one number for all, or one for each, such as 2,1; default 1
     --selvedge CM               of no use along each edge of the fabric; default 1
     --gap CM                    between pieces; default 0.2

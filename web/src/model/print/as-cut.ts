@@ -3,6 +3,7 @@
  * shrinkage of its fabric, and shows the same part of the print.
  */
 import {rotated, type Alignment, type Point} from '../geometry/vectors.js';
+import {settled} from './print-scale.js';
 import type {Delivered, Print} from './repeating-print.js';
 
 type Stretch = (v: Point) => Point;
@@ -24,7 +25,7 @@ export function asCut<P extends Pick<Print, 'w1' | 'w2' | 'delivered'>>(print: P
   const {delivered = {}} = print;
   if (!shrinks(delivered)) return print;
   const of = unwashed(delivered);
-  return {...print, w1: of(print.w1), w2: of(print.w2)};
+  return {...print, w1: settled(of(print.w1)), w2: settled(of(print.w2))};
 }
 
 /** The map from points of a piece to those of the piece as it is cut. */
