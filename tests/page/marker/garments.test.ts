@@ -21,7 +21,7 @@ it('lays another size and several copies on one fabric, each in its colour, and 
       expect.stringMatching(/^A\s+Tee, M[^]* cm of the length/),
       expect.stringMatching(/^B\s+Tee, S[^]* cm of the length/),
     ]);
-  expect(await pane(page).locator('.piece.of-1').count()).toBe(4);
+  await expect.poll(() => pane(page).locator('.piece.of-1').count()).toBe(4);
   await expect.poll(() => rowOf(page, 'B Front').count()).toBe(1);
 
   const copies = list.nth(1).getByLabel('Copies');
