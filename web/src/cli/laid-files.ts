@@ -39,11 +39,8 @@ export async function readLaidFiles(
       all.push(...(await ofProject(readProject(text, file).design, file, given)));
     else all.push(await ofResult(asResult(content, file), file, given));
   }
-  if (all.length > 1) return all;
-  return all.map((one) => {
-    const {name: _, ...garment} = one.garment; // messages need no file
-    return {...one, garment};
-  });
+  if (all.length < 2) return all;
+  return all.map((one) => ({...one, garment: {...one.garment, name: one.called}}));
 }
 
 async function ofResult(
@@ -60,7 +57,7 @@ async function ofResult(
   }
   const problem = result.otherAlignments && problemIn(result, file, fabric);
   const garment: MarkerGarment = {
-    ...{result, name: file},
+    result,
     ...(held && {garment: held.garment}),
     ...{options: optionsIn(result, file), names: chosenNames(result.design)},
     ...(problem && {problem}),
@@ -76,10 +73,8 @@ async function ofProject(
 ): Promise<readonly LaidFile[]> {
   const {image} = readPrintFile(textOf(await readPrint(printFile)), printFile);
   const own = printOf(design.print);
-  const isEmbedded = own.image?.startsWith('data:') && own.image !== noPicture;
-  const {image: _, ...plain} = own;
-  const shown = isEmbedded ? own.image : image;
-  const fabric: Print = {...plain, ...(shown !== undefined && {image: shown})};
+  const embedded = own.image?.startsWith('data:') ? own.image : noPicture;
+  const fabric: Print = {...own, image: embedded === noPicture ? (image ?? noPicture) : embedded};
   const progress = new ProgressLine();
   const all: LaidFile[] = [];
   try {
@@ -93,7 +88,7 @@ async function ofProject(
       all.push({
         ...{called, fabric},
         garment: {
-          ...{result, name: called, copies, garment, options},
+          ...{result, copies, garment, options},
           ...(names && {names}),
         },
       });

@@ -107,7 +107,7 @@ export class MarkerGarments extends MarkerElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {words, texts} = this;
+    const {words} = this;
     const {design} = this.workbench.history;
     if (!design) return nothing;
     const {copies = 1, added = []} = design;
@@ -117,7 +117,14 @@ export class MarkerGarments extends MarkerElement {
     const shares = isReady ? garmentShares(plan) : [];
     return html`<h3>${words.garments}</h3>
       <ul>
-        ${all.map((one, k) => this.#row(one, k, all.length, shares[k]))}
+        ${all.map((one, k) =>
+          this.#row(
+            one,
+            k,
+            all.length,
+            shares.find(({result}) => result === k),
+          ),
+        )}
       </ul>
       <label class="hidden" for="add">${words.addGarment}</label>
       ${added.length < mostAdded ? this.#adder(design) : nothing}
@@ -129,8 +136,7 @@ export class MarkerGarments extends MarkerElement {
         aria-hidden="true"
         @change=${this.#readFile}
       />
-      ${this.said === '' ? nothing : html`<p class="error" role="alert">${this.said}</p>`}
-      <p class="hidden" role="status">${texts.steps.garments}: ${all.length}</p>`;
+      ${this.said === '' ? nothing : html`<p class="error" role="alert">${this.said}</p>`}`;
   }
 
   #row(

@@ -50,7 +50,7 @@ export const marker = {
   copies: 'Copies',
   garments: 'Garments on the fabric',
   addGarment: 'Add a garment …',
-  fromFile: 'From a file …',
+  fromFile: 'Open a file …',
   otherSizes: 'This garment in another size',
   ofProjects: 'Projects',
   ofSamples: 'Samples',
@@ -93,7 +93,7 @@ export const marker = {
   },
   deliveredNote:
     'Measure before the wash. The print is matched as it is after the wash, and pieces are cut larger by the shrinkage.',
-  takeStated: 'As stated, no shrinkage',
+  takeStated: 'Use the stated repeat without shrinkage',
   phase: 'Print starts at the selvedge',
   phases: {unknown: 'Unknown', known: 'Measured'},
   phaseIn: text('From the left edge to a corner of the repeat ({unit})'),
