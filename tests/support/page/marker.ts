@@ -28,7 +28,7 @@ export async function laid(page: Page): Promise<void> {
 
 /** Sets the number of garments to two and waits; the garment has four pieces. */
 export async function layTwice(page: Page): Promise<void> {
-  const garments = panel(page).getByLabel('Garments');
+  const garments = panel(page).getByLabel('Copies');
   await garments.fill('2');
   await garments.press('Enter');
   await expect.poll(() => pane(page).locator('.piece').count(), {timeout: 60_000}).toBe(8);

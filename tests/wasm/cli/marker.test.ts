@@ -8,7 +8,9 @@ import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 import {Shop} from '../../support/cli/batch.js';
 import {planComplaints} from '../../support/marker/check-plan.js';
 import {seamwise} from '../../support/cli/command-line.js';
+import {writeProject} from '@/model/documents/project.js';
 import type {SolveResult} from '@/model/result/result.js';
+import {bareFabric} from '@/workbench/samples.js';
 import {checks, twoStrips} from '../../support/garments/samples.js';
 
 let folder = '';
@@ -55,6 +57,63 @@ it('lays results as a plan, the same bytes each time, and says one line', async 
   expect(readFileSync(file('again.json'), 'utf8')).toBe(readFileSync(file('plan.json'), 'utf8'));
   const {lengthCm, boundCm} = plan;
   expect(JSON.parse(again.out)).toMatchObject({pieces: 8, lengthCm, boundCm, unplaced: []});
+});
+
+it('lays each result in its own number, with its share of the length', async () => {
+  const words = [file('long.result.json'), '--width', '36', '--effort', '0.1', '--phase', '0'];
+  const {out, err} = await marker(...words, '--copies', '2,1', '--out', file('counts.json'));
+  expect(out).toContain(': 6 pieces on ');
+  expect(err).toMatch(/short\.result\.json: 2 garments, 4 pieces, [\d.]+ cm of the length\./);
+  const {placements, garments = [], lengthCm} = read('counts.json') as LayPlan;
+  expect(placements.map(({result, copy}) => `${result}.${copy}`).sort()).toEqual([
+    ...['0.0', '0.0', '0.1', '0.1', '1.0', '1.0'],
+  ]);
+  expect(garments.map(({copies, pieces}) => [copies, pieces])).toEqual([
+    [2, 4],
+    [1, 2],
+  ]);
+  const shares = garments.reduce((sum, one) => sum + one.lengthCm, 0);
+  expect(shares).toBeCloseTo(lengthCm, 6);
+  const wrong = await marker(...words, '--copies', '2,1,1');
+  expect(wrong.code).toBe(2);
+  expect(wrong.err).toContain('--copies has 3 numbers for 2 results; give one for all');
+});
+
+it('lays the garments of a project, each in its number of copies', async () => {
+  const garment = (name: string) => ({name, text: readFileSync(file(name), 'utf8')});
+  const decided = {symmetry: 'none', method: 'best', options: {}, seed: 1} as const;
+  const project = writeProject({
+    ...decided,
+    garment: garment('short.json'),
+    print: {...bareFabric, group: checks.group, size: {width: 4, height: 4, angleDeg: 90}},
+    added: [{...decided, garment: garment('long.json'), copies: 2}],
+  });
+  writeFileSync(file('family.json'), project);
+  const words = [
+    '--print',
+    file('checks.json'),
+    '--width',
+    '36',
+    '--effort',
+    '0.1',
+    '--phase',
+    '0',
+  ];
+  const {err, code} = await seamwise('marker', file('family.json'), ...words);
+  expect(code).toBe(0);
+  expect(err).toMatch(/family\.json, short\.json: 1 garment, 2 pieces, /);
+  expect(err).toMatch(/family\.json, long\.json: 2 garments, 4 pieces, /);
+});
+
+it('refuses one print in two sizes, naming garments and sizes', async () => {
+  const [cloth, out] = [file('checks.json'), file('small.result.json')];
+  const asked = ['--print', cloth, '--no-remedies', '--print-size', '0.95', '--out', out];
+  expect((await seamwise('align', file('long.json'), ...asked)).code).toBe(0);
+  const {code, err} = await marker(out, '--width', '36');
+  expect(code).toBe(2);
+  expect(err).toMatch(
+    /One fabric has one size of the print, .*short\.result\.json on 4 x 4 cm, .*small\.result\.json on 3\.8 x 3\.8 cm; align all/,
+  );
 });
 
 it('takes what is known of the cloth', async () => {

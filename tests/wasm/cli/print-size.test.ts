@@ -98,3 +98,24 @@ it.each(['3', '0.9..', '1.1..0.9', '0.9..1..1.1', 'large', '1,,1.1'])(
     expect(err).toContain(`--print-size is '${size}', but must be a number from 0.5 to 2, a range`);
   },
 );
+
+it('several garments get one size, in which most of their seams match', async () => {
+  writeFileSync(file('long.json'), JSON.stringify(twoStrips(31)));
+  const given = [file('strips.json'), file('long.json'), '--print', file('print.json')];
+  const flags = ['--no-remedies', '--symmetry', 'none', '--print-size', '0.95,1.05'];
+  const {code, err} = await seamwise(
+    'align',
+    ...given,
+    ...flags,
+    '--out',
+    file('{garment}.r.json'),
+  );
+  expect([code, err]).toEqual([0, expect.stringMatching(/^note: Visible seams of all garments/)]);
+  const scaleOf = (name: string) => (read(name) as SolveResult).print.scale ?? 1;
+  expect(scaleOf('strips.r.json')).toBe(scaleOf('long.r.json'));
+  const one = await seamwise('align', ...given, ...flags, '--out', file('one.json'));
+  expect([one.code, one.err]).toEqual([
+    2,
+    expect.stringContaining('--out names one file for 2 garments; write {garment} in its name'),
+  ]);
+});

@@ -251,6 +251,15 @@ describe('a problem', () => {
     expect(problem.pieces[9]?.name).toBe('right_half of L.json');
   });
 
+  it('lays each result as often as its garment is wanted', () => {
+    const garments = [{result: result(), copies: 3}, {result: result()}];
+    const {problem, pieces} = markerOrder(garments, {widthCm: 140, copies: 2});
+    expect(problem.pieces.map(({garment}) => garment)).toEqual([0, 0, 1, 1, 2, 2, 3, 3, 4, 4]);
+    expect(pieces.map(({result: k, copy}) => 10 * k + copy)).toEqual([
+      0, 0, 1, 1, 2, 2, 10, 10, 11, 11,
+    ]);
+  });
+
   it('leaves pieces of plain fabric out, and says so', () => {
     const {pieces, notes} = orderOf({options: {plain: ['left_half']}});
     expect(pieces.map(({piece}) => piece)).toEqual(['right_half']);
@@ -391,6 +400,28 @@ describe('refuses in one sentence', () => {
     const pieces = ['a', 'b', 'c', 'd', 'e', 'f'].map((name) => squarePiece(name));
     const garment = {result: result({pieces, seams: []})};
     expect(() => orderOf(garment, settings)).toThrow(sentence);
+  });
+
+  it('results of one print in several sizes, naming the garments and the sizes', () => {
+    const sized = (scale: number): SolveResult => {
+      const {w1, w2} = plainPrint;
+      const scaled = ([x, y]: Point): Point => [scale * x, scale * y];
+      return result({print: {...plainPrint, w1: scaled(w1), w2: scaled(w2)}});
+    };
+    const garments = [
+      {result: sized(1), name: 'S.json'},
+      {result: sized(1.04), name: 'M.json'},
+      {result: sized(1), name: 'L.json'},
+    ];
+    expect(() => markerOrder(garments, {widthCm: 140})).toThrow(
+      /^One fabric has one size of the print, .*: S.json and L.json on 10 x 1[0-9.]* cm, M.json on 10.4 x 1[0-9.]* cm; align all of them together/,
+    );
+  });
+
+  it('copies of a garment that are no whole number', () => {
+    expect(() => orderOf({copies: 1.5})).toThrow(
+      'The number of copies of result 1 is 1.5, but must be a whole number from 1 to 100.',
+    );
   });
 
   it('results of several prints, and none', () => {

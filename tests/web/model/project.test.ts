@@ -125,6 +125,22 @@ describe('a project', () => {
     expect(readProject(writeProject(own), 'x').design).toEqual(own);
   });
 
+  it('keeps the garments on its fabric, and the fabric as delivered', () => {
+    const {symmetry, method, options, seed} = design;
+    const other = {name: 'mine.json', text: '{"a": 1}'};
+    const stated = {group: 'p4m', size: design.print.size, turnDeg: 0, cell: 'primitive'} as const;
+    const whole: Design = {
+      ...design,
+      print: {...design.print, delivered: {shrinkage: {warp: 3, weft: 1}, stated}},
+      copies: 2,
+      added: [{garment: other, symmetry, method, options, seed, copies: 3}],
+    };
+    expect(readProject(writeProject(whole), 'x').design).toEqual(whole);
+    expect(
+      complaint(JSON.stringify({...JSON.parse(writeProject({...whole, copies: 21}))})),
+    ).toMatch(/is damaged: 'design.copies' must be a whole number from 1 to 20/);
+  });
+
   it('tells its files from others', () => {
     expect(isProject(JSON.parse(writeProject(design)))).toBe(true);
     expect(isProject({format: 'seamwise-garment/1'})).toBe(false);
@@ -209,6 +225,27 @@ describe('a link', () => {
     expect(link).toMatch(/^#project=[\w-]+$/);
     expect(link.length).toBeLessThan(1000);
     expect(await readLink(link)).toEqual({...samples, garment: {sample: garment.sample}});
+  });
+
+  it('leaves out added patterns that are no samples, unless they are the sender’s to share', async () => {
+    const {symmetry, method, options, seed} = design;
+    const mine = {name: 'mine.json', text: '{"a": 1}'};
+    const other = {symmetry, method, options, seed, copies: 2};
+    const whole: Design = {
+      ...design,
+      added: [
+        {...other, garment: mine},
+        {...other, garment: design.garment},
+      ],
+    };
+    const garmentsIn = async (isMine: boolean) =>
+      (await readLink(await linkOf(whole, undefined, isMine)))?.added?.map(({garment}) => garment);
+    const {sample} = design.garment;
+    expect(await garmentsIn(false)).toEqual([
+      {name: 'mine.json', sha256: sha256Of(mine.text)},
+      {sample},
+    ]);
+    expect(await garmentsIn(true)).toEqual([mine, {sample}]);
   });
 
   it('carries a garment, a print and a name of its own', async () => {

@@ -197,7 +197,6 @@ std::vector<double> Marker::phaseLengths() const {
 }
 
 std::vector<RigidMotion> Marker::freePlaces(int piece) const {
-  constexpr std::size_t kMostPlaces = 20000;
   std::vector<RigidMotion> places;
   const LayFabric& fabric = best_search_->fabric();
   const double more = pieces_.period().value_or(50);
@@ -221,8 +220,7 @@ std::vector<RigidMotion> Marker::freePlaces(int piece) const {
         for (std::size_t other = 0; other < best_->places.size() && is_free; ++other)
           is_free = !overlaps(other);
         for (const DifferenceTable& flaw : flaws) is_free = is_free && flaw.depth(dot) == 0;
-        if (is_free && places.size() < kMostPlaces)
-          places.push_back(pieces_.place(piece, way, dot, origin_));
+        if (is_free) places.push_back(pieces_.place(piece, way, dot, origin_));
       }
     }
   }

@@ -5,6 +5,7 @@ import {loadSamples} from '../workbench/samples.js';
 import {loadTexts, textsOf, type Texts} from '../texts/texts.js';
 import {spokenFailure} from '../workbench/spoken-failure.js';
 import {toFailure} from '../workbench/latest-solve.js';
+import {offerProjects} from '../workbench/marker/project-source.js';
 import {Workbench} from '../workbench/workbench.js';
 import type {Design} from '../model/design/design.js';
 import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
@@ -30,6 +31,10 @@ const workbench: Workbench = new Workbench(lease, preferences);
 keepPreferences(workbench);
 const projects = new Projects(workbench, (trouble) => {
   workbench.notices.say({tone: 'error', text: words().storage[trouble]});
+});
+offerProjects(workbench, {
+  list: async () => (await projects.entries()).filter(({open, isDeleted}) => !open && !isDeleted),
+  designOf: (id) => projects.designOf(id),
 });
 
 defineEditor();

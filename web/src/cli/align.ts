@@ -1,14 +1,17 @@
 import {basename} from 'node:path';
 
 import {optionLimits} from '../model/base/core-tables.js';
-import type {SolveOptions} from '../model/design/options.js';
+import type {PrintSizes, SolveOptions} from '../model/design/options.js';
 import type {ComparedAnswer} from '../model/design/solve-problem.js';
 import {scaleLimits} from '../model/print/print-scale.js';
 import {asVariant, mostTurn, type PrintVariant} from '../model/print/print-variant.js';
+import {repeatOf} from '../model/print/repeat.js';
 import type {Print} from '../model/print/repeating-print.js';
+import {asSewn, withFabric} from '../model/print/as-sewn.js';
 import {methods} from '../model/result/method.js';
 import {resultText, withoutTimes} from '../model/documents/result-text.js';
 import type {SeamGroup, SolveResult} from '../model/result/result.js';
+import {standingOf} from '../model/result/visible-seams.js';
 import {readText, textOf} from '../node/files.js';
 import {
   chosenProblem,
@@ -20,7 +23,9 @@ import {
   type ProblemNames,
   type Remedy,
 } from '../node/index.js';
+import {scalesOf} from '../solver/search/asked-search.js';
 import {
+  type Arguments,
   choice,
   factor,
   lengthCm,
@@ -30,31 +35,126 @@ import {
   UsageError,
   wholeNumber,
 } from './base/arguments.js';
+import {deliveredFor} from './base/delivered-flags.js';
 import {figuresLine, remedyLine} from './figures.js';
 import {grainChoices, withGrainChoices} from './base/grain-choice.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {readGarmentBytes} from './base/garment-text.js';
 import {readPicture, readPrint} from './base/print-files.js';
 import type {Aligned, Chosen} from './stored.js';
-import {advise, print, ProgressLine, remark} from './base/terminal.js';
+import {advise, print as printLine, ProgressLine, remark} from './base/terminal.js';
 
 const grammar = {
   files: ['the garment file'],
+  hasMore: true,
   valued: [
     ...['--print', '--symmetry', '--method', '--options', '--max-change', '--effort', '--seed'],
-    ...['--print-size', '--print-turn', '--grain-line', '--out', '--design'],
+    ...['--print-size', '--print-turn', '--shrinkage', '--measured'],
+    ...['--grain-line', '--out', '--design'],
   ],
   repeated: ['--grain-line'],
   switches: ['--json', '--no-times', '--no-remedies', '--others'],
-};
+} as const;
 
 /** Time for remedies, enough for garments of 60 pieces. [s] */
 const remedySeconds = 60;
 
-/** `align`: solves a garment and prints its figures. */
+/** `align`: solves garments, all in one size of their print, and prints their figures. */
 export async function align(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
-  const [garmentFile = ''] = args.files;
+  const [first = '', ...others] = args.files;
+  if (others.length === 0) {
+    await alignOne(args, first);
+    return;
+  }
+  const outputs = args.files.map((file) => outputsOf(args, file));
+  checkDistinct(Object.fromEntries(outputs.map(({outFile}, k) => [`--out ${k + 1}`, outFile])));
+  if (typeof printTurns(args, '--print-turn', mostTurn) === 'object') {
+    throw new UsageError(
+      '--print-turn is one turn for several garments, since their fabric has one; name one number.',
+    );
+  }
+  const sizes = printSizes(args, '--print-size', scaleLimits);
+  const isSwept = typeof sizes === 'object';
+  const printSize = isSwept ? await sizeForAll(args, sizes) : sizes;
+  for (const file of args.files) {
+    await alignOne(args, file, {...outputsOf(args, file), printSize});
+  }
+}
+
+/** Output files of one garment, and the size of the print. */
+interface OfOne {
+  readonly outFile: string | undefined;
+  readonly designFile: string | undefined;
+  readonly printSize: PrintSizes | undefined;
+}
+
+/** Mark in the names of output files for the name of the garment's file. */
+const mark = '{garment}';
+
+/** @throws {UsageError} if a file has the same name for all garments */
+function outputsOf(args: Arguments, garmentFile: string): Pick<OfOne, 'outFile' | 'designFile'> {
+  const name = basename(garmentFile).replace(/\.json$/i, '');
+  const [outFile, designFile] = ['--out', '--design'].map((flag) => {
+    const path = args.value(flag);
+    if (path !== undefined && !path.includes(mark)) {
+      throw new UsageError(
+        `${flag} names one file for ${args.files.length} garments; write ${mark} in its name, such as out/${mark}.result.json.`,
+      );
+    }
+    return path?.replaceAll(mark, name);
+  });
+  return {outFile, designFile};
+}
+
+/** The size of the print in which most seams of all garments match. */
+async function sizeForAll(args: Arguments, sizes: PrintSizes): Promise<number> {
+  const {commonSize} = await import('../solver/search/common-size.js');
+  const problems = await Promise.all(args.files.map((file) => givenOf(args, file, undefined)));
+  const progress = new ProgressLine();
+  const compared: string[] = [];
+  const weights = problems.map(
+    ({given}) => (JSON.parse(given.options) as SolveOptions).weights ?? {},
+  );
+  try {
+    const scale = await commonSize(problems.length, {
+      scales: scalesOf(sizes),
+      standingOf: async (k, printSize) => {
+        const {given, names} = problems[k] ?? problems[0] ?? unknown();
+        const options = withDecided(given.options, {printSize});
+        progress.write(`Print at ${percent(printSize)}, ${args.files[k] ?? ''}`);
+        return standingOf(await solve({...problemOf(given), options}, {names}), weights[k] ?? {});
+      },
+      onCompared: ({scale: size, matched, visible}) => {
+        compared.push(`${percent(size)}: ${matched} of ${visible}`);
+      },
+      onRefused: (size, reason) => {
+        remark(`The print at ${size} times its size cannot be solved: ${messageOf(reason)}`);
+      },
+    });
+    remark(`Visible seams of all garments that match: ${compared.join('; ')}.`);
+    return scale;
+  } finally {
+    progress.clear();
+  }
+}
+
+const unknown = (): never => {
+  throw new UsageError('The garment file is missing.');
+};
+
+const percent = (scale: number): string => `${String(Number((100 * scale).toFixed(1)))} %`;
+
+/** Reads the input of one garment. */
+async function givenOf(
+  args: Arguments,
+  garmentFile: string,
+  size: PrintSizes | undefined,
+): Promise<{
+  readonly given: Aligned;
+  readonly names: ProblemNames;
+  readonly inputs: readonly string[];
+}> {
   const printFile = args.value('--print');
   if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
   const method = choice(args, '--method', methods) ?? 'best';
@@ -64,11 +164,9 @@ export async function align(words: readonly string[]): Promise<void> {
   const decided = {
     maxChangeCm: lengthCm(args, '--max-change', optionLimits.maxChangeCm[1]),
     effort: factor(args, '--effort', optionLimits.effort, 'auto'),
-    printSize: printSizes(args, '--print-size', scaleLimits),
+    printSize: size,
     printTurn: printTurns(args, '--print-turn', mostTurn),
   };
-  const outFile = args.value('--out');
-  const designFile = args.value('--design');
   const named = symmetryFile === 'auto' || symmetryFile === 'none';
 
   const bytes = await readGarmentBytes(garmentFile);
@@ -76,9 +174,11 @@ export async function align(words: readonly string[]): Promise<void> {
   const grains =
     lines.length > 0 ? grainChoices(await readGarment(textOf(bytes), garmentFile), lines) : {};
   const options = optionsFile === undefined ? '{}' : await readText(optionsFile);
+  const print = {path: printFile, bytes: await readPrint(printFile)};
+  const delivered = deliveredFor(args, print);
   const given: Aligned = {
     garment: {path: garmentFile, bytes},
-    print: {path: printFile, bytes: await readPrint(printFile)},
+    ...{print, ...(delivered && {delivered})},
     symmetry: named ? symmetryFile : await readText(symmetryFile),
     options: withDecided(withGrainChoices(options, grains), decided),
     ...{method, seed},
@@ -86,15 +186,28 @@ export async function align(words: readonly string[]): Promise<void> {
   const inputs = [garmentFile, printFile];
   if (!named) inputs.push(symmetryFile);
   if (optionsFile !== undefined) inputs.push(optionsFile);
-  await checkOutputs(outFile, designFile, inputs);
-
-  const exact = args.has('--no-times');
   const names: ProblemNames = {
     garment: garmentFile,
     print: printFile,
     symmetry: symmetryFile,
     options: optionsFile ?? 'options',
   };
+  return {given, names, inputs};
+}
+
+/** Solves one garment, writes its files and prints its figures. */
+async function alignOne(
+  args: Arguments,
+  garmentFile: string,
+  {outFile, designFile, printSize}: OfOne = {
+    outFile: args.value('--out'),
+    designFile: args.value('--design'),
+    printSize: printSizes(args, '--print-size', scaleLimits),
+  },
+): Promise<void> {
+  const {given, names, inputs} = await givenOf(args, garmentFile, printSize);
+  await checkOutputs(outFile, designFile, inputs);
+  const exact = args.has('--no-times');
   const wants = {
     remedies: !exact && !args.has('--no-remedies'),
     others: args.has('--others'),
@@ -114,7 +227,7 @@ export async function align(words: readonly string[]): Promise<void> {
     await writeWhole(designFile, storedText(designFile, chosen, result));
   }
   if (args.has('--json')) {
-    print(
+    printLine(
       JSON.stringify({
         garment: garmentFile,
         group: result.print.group,
@@ -126,7 +239,7 @@ export async function align(words: readonly string[]): Promise<void> {
     );
   } else {
     result.notes.forEach(remark);
-    print(
+    printLine(
       figuresLine(garmentFile, exact ? withoutTimes(result) : shown, {
         garment: await readGarment(textOf(given.garment.bytes), names.garment),
         options: JSON.parse(chosen.options) as SolveOptions,
@@ -235,10 +348,12 @@ const variantOf = ({print: {scale = 1, turnDeg = 0}}: SolveResult): PrintVariant
   turnDeg,
 });
 
-const problemOf = (given: Aligned) => ({
+const problemOf = ({delivered, ...given}: Aligned) => ({
   ...given,
   garment: textOf(given.garment.bytes),
-  print: textOf(given.print.bytes),
+  print: delivered
+    ? withFabric(JSON.parse(textOf(given.print.bytes)) as Print, delivered)
+    : textOf(given.print.bytes),
 });
 
 const messageOf = (reason: unknown): string =>
@@ -256,7 +371,7 @@ async function checkOutputs(
 
 /** The result with its design, so that a page can open it, and with its remedies. */
 async function openable(
-  {garment, print, options, seed, variant}: Chosen,
+  {garment, print, options, seed, variant, delivered}: Chosen,
   {
     result,
     found,
@@ -270,11 +385,14 @@ async function openable(
   const {solvedDesign} = await import('../model/design/solved-design.js');
   const {written} = await import('../model/design/read-design.js');
   const file = JSON.parse(textOf(print.bytes)) as Print;
-  const fabric = asVariant(file, variant);
+  const varied = asVariant(file, variant);
+  const fabric = asSewn(withFabric(varied, delivered ?? {}));
+  const {group, cell = 'primitive'} = varied;
   const design = solvedDesign(
     {
       garment: {name: basename(garment.path), text: textOf(garment.bytes)},
       print: fabric,
+      stated: {group, cell, ...repeatOf(varied)},
       picture: await readPicture(fabric, print.path),
       options: JSON.parse(options) as SolveOptions,
       seed,

@@ -1,9 +1,10 @@
 import type {DxfFormat} from '../model/base/dxf-format.js';
-import {chosenNames, panelMarks} from '../model/garment/panel-marks.js';
+import {panelMarks} from '../model/garment/panel-marks.js';
 import type {Point} from '../model/geometry/vectors.js';
 import type {CheaperLay, LayPlan} from '../model/result/marker-plan.js';
 import {naps, type MarkerProgress} from '../model/result/marker-search.js';
 import {readable, titleOfFile} from '../model/garment/piece-names.js';
+import {asCut} from '../model/print/as-cut.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {listOf, Malformed, number, pairOf} from '../model/base/read.js';
 import {readText} from '../node/files.js';
@@ -37,7 +38,8 @@ import {
 import {readRaster, readTile} from './base/print-files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
 import {countOf} from './base/count-of.js';
-import {garmentOf, optionsIn, parsed, problemIn, readFabricOf, readResult} from './result-file.js';
+import {readLaidFiles} from './laid-files.js';
+import {parsed} from './result-file.js';
 
 type Content = string | Uint8Array;
 
@@ -68,10 +70,10 @@ async function pages({pdf}: LayPlanFiles, scale: 10 | 1): Promise<Uint8Array> {
 const flagsOf = (names: readonly string[]): string[] => names.map((name) => `--${name}`);
 
 const grammar = {
-  files: ['the result file'],
+  files: ['the result or project file'],
   hasMore: true,
   valued: [
-    ...['--print', '--garment', '--phase', '--nap', '--shift', '--flaws', '--effort'],
+    ...['--print', '--garment', '--copies', '--phase', '--nap', '--shift', '--flaws', '--effort'],
     ...flagsOf(layLengths),
     ...flagsOf(layCounts),
     ...Object.keys(outputs),
@@ -92,7 +94,8 @@ export async function marker(words: readonly string[]): Promise<void> {
       '--garment names one garment, but there are several results; lay results that hold theirs.',
     );
   }
-  const settings = laySettings(wishOf(args));
+  const wish = wishOf(args);
+  const settings = laySettings(wish);
   const others = [garmentFile, flawsFile].filter((file) => file !== undefined);
   const wanted = Object.entries(outputs).flatMap(([flag, content]) => {
     const path = args.value(flag);
@@ -106,20 +109,24 @@ export async function marker(words: readonly string[]): Promise<void> {
   for (const {path} of wanted) await checkWritable(path, [...args.files, printFile, ...others]);
 
   const flaws = flawsFile === undefined ? undefined : await readFlaws(flawsFile);
-  const laid = await Promise.all(
-    args.files.map((file) => readLaid(file, {printFile, garmentFile, isOnly: !args.files[1]})),
-  );
+  const laid = await readLaidFiles(args.files, {printFile, garmentFile});
+  if (typeof wish.copies === 'object' && wish.copies.length !== laid.length) {
+    throw new UsageError(
+      `--copies has ${countOf(wish.copies.length, 'number')}, but there are ${countOf(laid.length, 'garment')}; a project has its own numbers, so leave --copies out.`,
+    );
+  }
   const [{fabric} = {fabric: undefined}] = laid;
   if (!fabric) throw new UsageError('The result file is missing.');
   const {plan, milliseconds} = await timed(
-    laid.map(({garment}) => garment),
+    laid.map(({garment}, k) => ({...garment, ...copiesOf(wish, k)})),
     {...settings, print: fabric, ...(flaws && {flaws})},
   );
-  const files = await filesOf(plan, laid, {fabric, printFile, resultFiles: args.files});
+  const called = laid.map((one) => one.called);
+  const files = await filesOf(plan, laid, {fabric, printFile, resultFiles: called});
   for (const {path, content} of wanted) {
     await writeWhole(path, await content({files, plan, format}));
   }
-  report(args, plan, milliseconds);
+  report(args, plan, milliseconds, called);
 }
 
 async function filesOf(
@@ -142,7 +149,7 @@ async function filesOf(
         garment && panelMarks(garment, {...(names && {names})}).get(piece)?.label,
   );
   return layPlanFiles(plan, {
-    print: {...fabric, ...(tile !== undefined && {tile})},
+    print: {...asCut(fabric), ...(tile !== undefined && {tile})},
     results: laid.map(({garment}) => garment),
     names: (result, piece) => called[result]?.(piece) ?? readable(piece),
     title: resultFiles.map(titleOfFile).join(', '),
@@ -150,31 +157,32 @@ async function filesOf(
   });
 }
 
-interface LaidFile {
-  readonly printFile: string;
-  readonly garmentFile: string | undefined;
-  readonly isOnly: boolean;
+/** The number of garments of one result, if each result has its own. */
+function copiesOf({copies}: LayWish, k: number): Pick<MarkerGarment, 'copies'> {
+  const own = typeof copies === 'object' ? copies[k] : undefined;
+  return own === undefined ? {} : {copies: own};
 }
 
-/** @throws {UsageError}, {FileError} or {SolverError} with the name of an invalid file */
-async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile) {
-  const {result} = await readResult(file);
-  const fabric = await readFabricOf(result, file, {printFile, colourway: undefined});
-  const held = await garmentOf(result, garmentFile);
-  if (!held) {
-    remark(
-      `${file} does not hold its design, so all its edges get the same allowance; name the garment with --garment FILE.`,
+/**
+ * The number of garments of each result: one number for all, or a list.
+ * @throws {UsageError} for other values, or a list of another length
+ */
+function copiesIn(args: Arguments): Pick<LayWish, 'copies'> {
+  const value = args.value('--copies');
+  if (value === undefined) return {};
+  const [least, most] = layRange('copies');
+  const numbers = value.split(',').map((part) => (/^\d{1,4}$/.test(part) ? Number(part) : NaN));
+  if (!numbers.every((count) => count >= least && count <= most)) {
+    throw new UsageError(
+      `--copies is '${value}', but must be a whole number from ${least} to ${most}, or one for each result, such as 2,1.`,
     );
   }
-  const problem = result.otherAlignments && problemIn(result, file, fabric);
-  const garment: MarkerGarment = {
-    result,
-    ...(!isOnly && {name: file}),
-    ...(held && {garment: held.garment}),
-    ...{options: optionsIn(result, file), names: chosenNames(result.design)},
-    ...(problem && {problem}),
-  };
-  return {fabric, garment};
+  const [all = 1] = numbers;
+  if (numbers.length === 1) return {copies: all};
+  if (numbers.length === args.files.length) return {copies: numbers};
+  throw new UsageError(
+    `--copies has ${countOf(numbers.length, 'number')} for ${countOf(args.files.length, 'result')}; give one for all, or one for each.`,
+  );
 }
 
 /** @throws {UsageError} for an invalid value */
@@ -196,6 +204,7 @@ function wishOf(args: Arguments): LayWish {
     width,
     ...given(layLengths, (name) => lengthCm(args, `--${name}`, layRange(name)[1])),
     ...given(layCounts, (name) => wholeNumber(args, `--${name}`, layRange(name))),
+    ...copiesIn(args),
     ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layRange('phase')[1]))),
     ...(nap && {nap}),
     ...(shift && {shift}),
@@ -254,7 +263,12 @@ async function timed(
   }
 }
 
-function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
+function report(
+  args: Arguments,
+  plan: LayPlan,
+  milliseconds: number,
+  called: readonly string[],
+): void {
   const {placements, unplaced, notes, cheaper, ...figures} = plan;
   if (args.has('--json')) {
     const results = args.files;
@@ -264,7 +278,17 @@ function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
   }
   notes.forEach(remark);
   cheaper.map((offer) => cheaperWords(plan, offer)).forEach(remark);
+  sharesOf(called, plan).forEach(remark);
   print(line(args.files, plan));
+}
+
+/** One line for each of several garments: its share of the length. */
+function sharesOf(files: readonly string[], {garments = []}: LayPlan): readonly string[] {
+  if (garments.length < 2) return [];
+  return garments.map(
+    ({result, copies, pieces, lengthCm: length}) =>
+      `${files[result] ?? ''}: ${countOf(copies, 'garment')}, ${countOf(pieces, 'piece')}, ${cm(length)} of the length.`,
+  );
 }
 
 function cheaperWords({lengthCm: length}: LayPlan, offer: CheaperLay): string {

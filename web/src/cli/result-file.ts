@@ -8,7 +8,7 @@ import {readPrintFile} from '../model/print/read-print-file.js';
 import {fieldOf, isTooDeep, Malformed} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
 import type {Problem} from '../model/design/solve-problem.js';
-import {printOfResult} from '../model/result/print-of-result.js';
+import {fabricConflict, printOfResult} from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readBytes, readText, resultLimit, textOf} from '../node/files.js';
 import {readGarment} from '../node/index.js';
@@ -31,7 +31,7 @@ const damaged = (path: string, what: string): UsageError =>
  * Checks a parsed result file.
  * @throws {UsageError} with the file and the invalid field
  */
-function asResult(value: unknown, path: string): ResultFile {
+export function asResult(value: unknown, path: string): ResultFile {
   const complain = (what: string): UsageError => damaged(path, what);
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
   try {
@@ -136,6 +136,8 @@ export async function readFabricOf(
   const fabric = colourway === undefined ? own : inColourway(own, colourway, printFile);
   const inSize = printOfResult(result.print, fabric);
   if (inSize) return inSize;
+  const conflict = fabricConflict(result.print, fabric);
+  if (conflict !== undefined) throw new UsageError(`${resultFile}: ${conflict}`);
   throw new UsageError(
     `${resultFile} was solved for another group or repeat than ${printFile}'s; name the print it was solved with.`,
   );

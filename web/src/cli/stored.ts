@@ -6,9 +6,12 @@ import type {Method} from '../model/result/method.js';
 import {sha256Of} from '../model/documents/result-text.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
-import {variedRepeat, type PrintVariant} from '../model/print/print-variant.js';
+import {asSewn, withFabric} from '../model/print/as-sewn.js';
+import type {Delivered, Print} from '../model/print/repeating-print.js';
+import {asVariant, variedRepeat, type PrintVariant} from '../model/print/print-variant.js';
 import {repeatOf} from '../model/print/repeat.js';
 import {
+  changesOf,
   designOf,
   readStoredDesign,
   writeStoredDesign,
@@ -31,6 +34,8 @@ export interface Aligned {
   readonly method: Method;
   readonly options: string;
   readonly seed: number;
+  /** The fabric by flags, in place of that of the print's file. */
+  readonly delivered?: Delivered;
 }
 
 /** The input with size, turn and seed that were chosen for the result. */
@@ -67,12 +72,20 @@ export function storedText(designFile: string, given: Chosen, result: SolveResul
 }
 
 /** The chosen size and turn of the print, if they are not those of its file. */
-function variedIn({print, variant}: Chosen): Pick<PrintChanges, 'size' | 'turnDeg'> {
+function variedIn({print, variant, delivered}: Chosen): PrintChanges {
+  if (delivered) return sewnIn(readPrintFile(textOf(print.bytes), print.path), variant, delivered);
   const {size, turnDeg} = variedRepeat(
     repeatOf(readPrintFile(textOf(print.bytes), print.path)),
     variant,
   );
   return {...(variant.scale !== 1 && {size}), ...(variant.turnDeg !== 0 && {turnDeg})};
+}
+
+/** The print after the wash, as changes of its file. */
+function sewnIn(file: Print, variant: PrintVariant, delivered: Delivered): PrintChanges {
+  const sewn = asSewn(withFabric(asVariant(file, variant), delivered));
+  const {group, cell = 'primitive', oneWay = false} = sewn;
+  return changesOf({group, cell, oneWay, ...repeatOf(sewn), delivered: {...delivered}}, file);
 }
 
 function relativeUrl(from: string, to: string): string {

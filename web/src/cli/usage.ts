@@ -1,8 +1,8 @@
 export const usage = `seamwise fits a repeating print to a sewing pattern.
 
-seamwise align GARMENT.json --print PRINT.json [flags]
+seamwise align GARMENT.json [GARMENT.json ...] --print PRINT.json [flags]
   Aligns the print with every piece, deforms the pieces so that it matches at the seams,
-  and prints one line of figures.
+  and prints one line of figures. Several garments, for one fabric, get one size of the print.
     --symmetry FILE|auto|none   mirror symmetries to keep; auto, the default, finds them
     --method best|paper|ws19    best, the default; the others are published methods to compare with
     --options FILE              weights, grain, pins and limits, as JSON
@@ -14,8 +14,11 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --print-turn 0,45,90        compares turns of the whole print, in degrees, and takes the best; one number sets it
     --grain-line PIECE=LINE     the grain line of a piece on which the maker draws several, by name or number;
                                 may be repeated
+    --shrinkage WARP,WEFT       of the fabric in the wash, in per cent; pieces are matched as after it, and cut larger
+    --measured WxH              repeat as measured on the fabric, across and up, in cm, if it is not as stated; the
+                                result keeps both, so that cut and marker need not be told again
     --seed N                    same seed, same input, same result; default 1
-    --out RESULT.json           writes the solved pattern
+    --out RESULT.json           writes the solved pattern; of several garments with {garment} in its name
     --json                      prints the figures as JSON
     --no-times                  writes what equal runs give equal bytes of: times are 0, and
                                 design and notes, which name files, are left out
@@ -137,8 +140,9 @@ seamwise photo PICTURE.jpg|png|webp [flags]
 
 seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [flags]
   Lays the pieces of one or several results on a bolt of their print, each where the print is what the result asks
-  for, and prints one line: how much fabric that takes, and how little it can take.
-    --copies N                  so many garments of each result; default 1
+  for, and prints one line: how much fabric that takes, and how little it can take. A project of the page counts as
+  all of its garments, in its numbers of copies; they are solved on its print.
+    --copies N[,N ...]          garments of each result: one number for all, or one for each, such as 2,1; default 1
     --selvedge CM               of no use along each edge of the fabric; default 1
     --gap CM                    between pieces; default 0.2
     --allowance CM, --hem CM    as for cut; --garment GARMENT.json, too

@@ -9,11 +9,12 @@ import {
   type Alignment,
   type Point,
 } from '../model/geometry/vectors.js';
-import type {Print} from '../model/print/repeating-print.js';
+import type {Delivered, Print} from '../model/print/repeating-print.js';
 import type {Pattern} from '../model/result/result.js';
 import {seamLetters} from '../scene/seam-letters.js';
 import type {AllowanceRule} from './allowance-rule.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
+import {largerPiece} from './larger-piece.js';
 import {cutLinesOf} from './cut-line.js';
 import type {LaidPiece} from './cut-sheet.js';
 import type {LengthStyle} from './fold-marks.js';
@@ -27,6 +28,8 @@ export type SolvedPattern = Omit<Pattern, 'print'>;
 interface PieceOptions extends AllowanceRule, Partial<LengthStyle> {
   /** Names of pieces that are cut from plain fabric. */
   readonly plain?: readonly string[];
+  /** The printed fabric before its wash, for which pieces are cut larger. */
+  readonly delivered?: Delivered | undefined;
 }
 
 /** Distance from a sewn line to the centre of its letter. */
@@ -94,7 +97,7 @@ export function cutPieces(
   result: SolvedPattern,
   print: Print | undefined,
   panels: ReadonlyMap<string, PanelMarks>,
-  {plain = [], units = 'cm', locale = 'en', ...rule}: PieceOptions,
+  {plain = [], units = 'cm', locale = 'en', delivered, ...rule}: PieceOptions,
 ): readonly CutPiece[] {
   const letters = seamLetters(result, letterRoom);
   const {marks, garment, allowances, loops: all, cut} = cutLinesOf(result, panels, rule);
@@ -121,5 +124,8 @@ export function cutPieces(
         return alignment && first && onPrint(alignment, first);
       })
     : [];
-  return cuts.map((cut, k) => ({...cut, ticks: ticks[k] ?? []}));
+  return cuts.map((cut, k) => {
+    const whole = {...cut, ticks: ticks[k] ?? []};
+    return plain.includes(cut.name) ? whole : largerPiece(whole, delivered);
+  });
 }

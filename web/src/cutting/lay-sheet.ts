@@ -1,6 +1,7 @@
 /** Lays all pieces of a garment out on one cutting sheet at true scale. Lengths in cm. */
 import type {GarmentTitle, PanelMarks} from '../model/garment/panel-marks.js';
 import type {Alignment} from '../model/geometry/vectors.js';
+import {asCut} from '../model/print/as-cut.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {checkScaled} from '../model/result/unscaled-print.js';
 import type {SheetPlace} from '../model/geometry/sheet-place.js';
@@ -64,7 +65,7 @@ type SheetForm = number | CutSheet;
 
 /**
  * Cutting sheets of a result in a form.
- * @param print undefined for plain fabric only
+ * @param print undefined for plain fabric only; the print after the wash of its fabric
  * @throws {SolverError} for a print of unknown size
  */
 export function sheetsOf(
@@ -76,10 +77,11 @@ export function sheetsOf(
   if (print) checkScaled(print);
   const {plain = []} = options;
   const {title, size, panels} = marks;
-  const cuts = cutPieces(result, print, panels, options);
+  const cuts = cutPieces(result, print, panels, {...options, delivered: print?.delivered});
+  const onFabric = print && asCut(print);
   const twinOf = twins(result);
   const heading = [title, size].filter((word) => word !== undefined).join(', ');
-  const facts = factsOf(cuts, print, options);
+  const facts = factsOf(cuts, onFabric, options);
   const arranged = (form: SheetForm) => {
     if (typeof form !== 'number') {
       const {widthCm, heightCm} = form;
@@ -97,7 +99,7 @@ export function sheetsOf(
       ...(size !== undefined && {size}),
       ...(options.locale !== undefined && {locale: options.locale}),
       pieces: cuts.map((piece, k) => {
-        const fabric = plain.includes(piece.name) ? undefined : print;
+        const fabric = plain.includes(piece.name) ? undefined : onFabric;
         const twin = cuts[twinOf.get(k) ?? -1]?.label;
         return laidPiece(piece, places[k] ?? {angle: 0, translation: [0, 0]}, {
           print: fabric,

@@ -1,5 +1,6 @@
 /** Text of a cutting sheet and of each piece. */
 import {angleOf, degrees, minus} from '../model/geometry/vectors.js';
+import {shrinks} from '../model/print/as-cut.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {repeatOf} from '../model/print/repeat.js';
 import {formatLength, type Units} from '../model/base/length-text.js';
@@ -123,6 +124,19 @@ function linesSentence(cuts: readonly CutPiece[], options: WordsOptions): string
   return isTold ? `${parts.join(', ')}.` : texts.asPattern;
 }
 
+/** The reason why pieces are larger than sewn, if they are. */
+function shrinkageFact(
+  print: Print | undefined,
+  texts: SheetTexts,
+  locale = 'en',
+): readonly string[] {
+  const {shrinkage} = print?.delivered ?? {};
+  if (!shrinkage || !shrinks({shrinkage})) return [];
+  const percent = (share: number): string =>
+    share.toLocaleString(locale, {maximumFractionDigits: 2});
+  return [texts.shrinks(percent(shrinkage.warp), percent(shrinkage.weft))];
+}
+
 /** Facts about the sheet, one sentence each. */
 export function factsOf(
   cuts: readonly CutPiece[],
@@ -135,6 +149,7 @@ export function factsOf(
     cuts.some((piece) => marked(piece).length > 0);
   return [
     ...(print ? [texts.repeat(printName(print, options), repeatSize(print, options))] : []),
+    ...shrinkageFact(print, texts, locale),
     linesSentence(cuts, options),
     ...(has(({internalLines}) => internalLines) ? [texts.internal] : []),
     ...(has(({folds}) => folds) ? [texts.folds] : []),

@@ -1,6 +1,7 @@
 /** Layouts of a result's other designs that match as well, on the same fabric. Lengths in cm. */
 import type {MarkerGarment} from '../model/design/marker-garment.js';
 import type {CheaperDesign, CheaperLay} from '../model/result/marker-plan.js';
+import {cutAlignment} from '../model/print/as-cut.js';
 import type {MarkerHooks} from '../model/result/marker-search.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {Problem} from '../model/design/solve-problem.js';
@@ -42,7 +43,7 @@ const pinsOf = ({pieces}: SolveResult, {pieces: at}: OtherAlignment): Pins =>
 /** The order with one garment's pieces aligned as in another of its designs. */
 function placedAs(
   order: MarkerOrder,
-  {result: {pieces}}: MarkerGarment,
+  {result: {pieces, print}}: MarkerGarment,
   which: number,
   {pieces: at}: OtherAlignment,
 ): MarkerOrder {
@@ -50,7 +51,7 @@ function placedAs(
   const placed = order.problem.pieces.map((piece, k) => {
     const {result, piece: name} = order.pieces[k] ?? {};
     const alignment = result === which && name !== undefined ? byName.get(name) : undefined;
-    return alignment ? {...piece, alignment} : piece;
+    return alignment ? {...piece, alignment: cutAlignment(alignment, print.delivered)} : piece;
   });
   return {...order, problem: {...order.problem, pieces: placed}};
 }

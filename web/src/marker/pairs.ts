@@ -4,6 +4,7 @@
  */
 import {SolverError} from '../model/base/failure.js';
 import {rotated, type MirrorMap, type Point} from '../model/geometry/vectors.js';
+import {cutMap} from '../model/print/as-cut.js';
 import {inverse, mirrors} from '../model/print/mirror-images.js';
 import type {LaidTurns, MarkerPiece} from '../model/result/marker-search.js';
 import {distanceTo} from '../model/geometry/polyline.js';
@@ -27,11 +28,15 @@ const wrong = (message: string): SolverError => new SolverError({code: 'options'
 function twinsIn({
   pieces,
   symmetries,
+  print,
 }: SolveResult): ReadonlyMap<string, {readonly name: string; readonly map: MirrorMap}> {
   const nameOf = (k: number): string => pieces[k]?.name ?? '';
   return new Map(
     symmetries.flatMap((symmetry) => {
-      const {map} = symmetry;
+      const {angle, translation} = symmetry.map;
+      const second = symmetry.kind === 'piece' ? symmetry.piece : symmetry.pieces[1];
+      const {alignment = symmetry.map} = pieces[second] ?? {};
+      const map = {angle, translation: cutMap(alignment, print.delivered)(translation)};
       if (symmetry.kind === 'piece') {
         const name = nameOf(symmetry.piece);
         return [[name, {name, map}] as const];

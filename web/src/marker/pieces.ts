@@ -6,6 +6,7 @@ import type {GarmentPiece} from '../model/garment/garment-document.js';
 import type {PanelMarks} from '../model/garment/panel-marks.js';
 import {dot, radians, towards, type Point} from '../model/geometry/vectors.js';
 import type {LaidTurns, MarkerPiece, Nap} from '../model/result/marker-search.js';
+import {cutAlignment, cutMap} from '../model/print/as-cut.js';
 import type {SolveOptions} from '../model/design/options.js';
 import type {ResultPiece, SolveResult} from '../model/result/result.js';
 import {calledIn, cutRings} from './cut-rings.js';
@@ -81,7 +82,7 @@ function thinned<T>(all: readonly T[], most: number): readonly T[] {
 }
 
 /**
- * The pieces of one garment, each as often as it is cut.
+ * The pieces of one garment, each as often as it is cut, larger by the shrinkage of the fabric.
  * @param result index of the garment
  * @param laying nap, allowances, and shifts of the print under loose pieces
  * @throws {SolverError} if a cut line crosses itself, with the piece's name
@@ -102,12 +103,13 @@ export function laidPieces(
     const lock = lockOf(options, mark.drafted, piece.name) ?? 'on';
     // only a half turn corrects an upside-down piece
     const turns = nap === 'one-way' ? 'half' : turnsBy[lock];
+    const larger = cutMap(piece.alignment, solved.print.delivered);
     const asked = {
       name: calledIn(laid, piece.name),
-      outline,
-      alignment: piece.alignment,
+      outline: outline.map(larger),
+      alignment: cutAlignment(piece.alignment, solved.print.delivered),
       turns,
-      up: upOf(piece, mark, lock),
+      up: larger(upOf(piece, mark, lock)),
       shifts: loose.has(k) ? thinned(shifts, mostShifts / loose.size) : [],
     };
     const component = joined.findIndex((group) => group.includes(k));

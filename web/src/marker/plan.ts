@@ -10,6 +10,7 @@ import type {
 import type {MarkerAnswer, MarkerLayout} from '../model/result/marker-search.js';
 import {boxOf, signedArea} from '../model/geometry/polyline.js';
 import {saidNote} from './draw/note-texts.js';
+import {garmentShares} from './garment-shares.js';
 import type {MarkerOrder} from './problem.js';
 
 /** Phases that differ by less differ only by rounding. [cm] */
@@ -116,4 +117,5 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
 }
 
 /** The text of a layout's file. */
-export const layPlanText = (plan: LayPlan): string => `${JSON.stringify(plan)}\n`;
+export const layPlanText = (plan: LayPlan): string =>
+  `${JSON.stringify({...plan, garments: garmentShares(plan)})}\n`;

@@ -1,7 +1,7 @@
 /** Combines solved garments into one layout problem: pieces, fabric and settings. Lengths in cm. */
 import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {SolverError} from '../model/base/failure.js';
-import {distance, norm, rotated} from '../model/geometry/vectors.js';
+import {rotated} from '../model/geometry/vectors.js';
 import {layNote, type LayNote} from '../model/result/lay-note.js';
 import type {MarkerPiece, MarkerProblem} from '../model/result/marker-search.js';
 import type {Print} from '../model/print/repeating-print.js';
@@ -9,9 +9,10 @@ import {ruleOf} from '../cutting/allowance-rule.js';
 import {checkScaled, type PrintScale} from '../model/result/unscaled-print.js';
 import type {Repeat} from '../model/print/wallpaper.js';
 import {uprightPieces} from './nap.js';
+import {calledBy, commonPrint} from './one-print.js';
 import {laidPieces, type LaidOf, type PieceOfMarker} from './pieces.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from './repeats.js';
-import {checkedSettings, type MarkerSettings} from './settings.js';
+import {checkedSettings, markerLimits, type MarkerSettings} from './settings.js';
 
 /** A problem with the data to interpret its answer. */
 export interface MarkerOrder {
@@ -35,34 +36,18 @@ export type LaidPrint = Pick<Print, 'oneWay'> & PrintScale;
 const mostPieces = 500;
 /** Number of positions tried across the fabric for the print's origin, if it is not given. */
 const phaseCount = 8;
-/** Repeats of two results that differ by less are the same, as a share. */
-const sameRepeat = 1e-5;
-
 const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
 
-const calledBy = ({name}: MarkerGarment, k: number): string => name ?? `result ${k + 1}`;
-
-/**
- * The common print of all results.
- * @throws {SolverError} if results have different prints
- */
-function commonPrint(garments: readonly MarkerGarment[]): Repeat {
-  const [first, ...others] = garments;
-  if (!first) throw wrong('There is no result to lay; name at least one.');
-  const {print} = first.result;
-  const isSame = (other: Repeat): boolean =>
-    other.group === print.group &&
-    (['w1', 'w2'] as const).every(
-      (w) => distance(other[w], print[w]) < sameRepeat * norm(print[w]),
-    );
-  const k = others.findIndex(({result}) => !isSame(result.print));
-  const [differs] = others.slice(k);
-  if (k >= 0 && differs) {
+/** Number of garments of each result. @throws {SolverError} unless it is a whole number in range */
+function copiesOf(garments: readonly MarkerGarment[], all: number): readonly number[] {
+  const [least, most] = markerLimits.copies;
+  return garments.map((garment, k) => {
+    const {copies = all} = garment;
+    if (Number.isInteger(copies) && copies >= least && copies <= most) return copies;
     throw wrong(
-      `${calledBy(differs, k + 1)} was solved for another group or repeat than ${calledBy(first, 0)}; lay results of one print together.`,
+      `The number of copies of ${calledBy(garment, k)} is ${String(copies)}, but must be a whole number from ${least} to ${most}.`,
     );
-  }
-  return {group: print.group, w1: print.w1, w2: print.w2};
+  });
 }
 
 /**
@@ -113,16 +98,19 @@ export function markerOrder(
   const {oneWay = false} = fabric;
   const settings = checkedSettings(asked);
   const {allowanceCm, hemCm} = ruleOf(asked);
-  const {copies, phaseCm, plies, ignoresPrint, flaws, nap = oneWay ? 'one-way' : 'none'} = settings;
+  const {phaseCm, plies, ignoresPrint, flaws, nap = oneWay ? 'one-way' : 'none'} = settings;
+  const copies = copiesOf(garments, settings.copies);
   const print = commonPrint(garments);
   const startCm = settings.startCm ?? (flaws.length > 0 ? 0 : undefined);
   const repeat = warpRepeat(print);
   const shifts = settings.shift === 'component' && !ignoresPrint ? equalShifts(print) : [];
+  let count = 0;
   const laid = garments.flatMap((garment, k) => {
     const pieces = laidPieces(garment, k, {allowanceCm, hemCm, nap, shifts});
-    return Array.from({length: copies}, (_, copy) =>
-      pieces.map((piece) => ({...piece, copy, garment: k * copies + copy})),
-    ).flat();
+    return Array.from({length: copies[k] ?? 1}, (_, copy) => {
+      const number = count++;
+      return pieces.map((piece) => ({...piece, copy, garment: number}));
+    }).flat();
   });
   if (laid.length === 0) throw wrong('All pieces are of plain fabric; there is nothing to lay.');
   if (laid.length > mostPieces) {

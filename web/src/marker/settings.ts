@@ -13,7 +13,7 @@ export interface MarkerSettings {
   readonly selvedgeCm?: number;
   /** Least distance between pieces. Default 0.2. */
   readonly gapCm?: number;
-  /** Number of garments of each result. Default 1. */
+  /** Number of garments of each result that has no number of its own. Default 1. */
   readonly copies?: number;
   /**
    * Distance from the left edge to an origin of the print. By default several are tried and the

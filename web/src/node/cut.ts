@@ -11,7 +11,8 @@ import {sheetDxf, type DxfOptions} from '../cutting/out/sheet-dxf.js';
 import {sheetHpgl} from '../cutting/out/sheet-hpgl.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {garmentTitle, panelMarks, type PanelDecisions} from '../model/garment/panel-marks.js';
-import {printOfResult} from '../model/result/print-of-result.js';
+import {asCut} from '../model/print/as-cut.js';
+import {fabricConflict, printOfResult} from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import type {CellPixels} from '../paper/fabric-cell.js';
 import {cuttingPdf, pagesOf, sheetFor, type CuttingPdf} from '../paper/cutting-pdf.js';
@@ -75,7 +76,7 @@ export interface CutSettings extends PanelDecisions {
 
 export interface Cut {
   readonly sheet: CutSheet;
-  /** The print in the size of the result. */
+  /** The print in the size of the result, as it measures on the fabric before a wash. */
   readonly print: PrintWithTile;
   /** The pages of `pdf`. */
   readonly layout: PageLayout;
@@ -106,12 +107,14 @@ const wrong = (message: string): SolverError => new SolverError({code: 'options'
  */
 export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const {garment, garmentFile, plain = [], mark} = settings;
-  const print = printOfResult(result.print, settings.print);
-  if (!print) {
+  const sewn = printOfResult(result.print, settings.print);
+  if (!sewn) {
     throw wrong(
-      'cut: the print has another group or repeat than that of the result; take the print that was solved.',
+      fabricConflict(result.print, settings.print) ??
+        'cut: the print has another group or repeat than that of the result; take the print that was solved.',
     );
   }
+  const print = asCut(sewn);
   const {
     paper: word = 'a4',
     ink,
@@ -129,7 +132,7 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
     ...(garment && garmentTitle(garment, garmentFile)),
     panels: garment ? panelMarks(garment, settings) : new Map(),
   };
-  const sheetAt = sheetsOf(result, print, marks, {
+  const sheetAt = sheetsOf(result, sewn, marks, {
     ...{...ruleOf(settings), plain, units: 'cm'},
     ...(language !== undefined && {locale: language}),
     ...(colourway !== undefined && {colourway}),

@@ -71,6 +71,7 @@ export const garmentDocument: Read<GarmentDocument> = having<GarmentDocument>({
 const markerGarment: Read<MarkerGarment> = fields<MarkerGarment>(
   {
     ...{result: checkedResult, name: text(), garment: garmentDocument, options: having({})},
+    copies: wholeNumber,
     ...{names: recordOf(text()), problem: having<Problem>({}), others: list},
   },
   'result',

@@ -3,6 +3,7 @@ import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {cheaperLays, withOffers} from '../marker/cheaper.js';
 import type {SolveDesign} from '../marker/designs.js';
 import {foldedOrder} from '../marker/fold.js';
+import {garmentShares} from '../marker/garment-shares.js';
 import {layPlan} from '../marker/plan.js';
 import {markerOrder, type LaidPrint} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
@@ -78,5 +79,5 @@ export async function markerWith(
   const {print, ...rest} = settings;
   const laid = {garments, settings: rest, print, plan};
   const cheaper = await cheaperLays(laid, {lay, solve}, {...(signal && {signal})});
-  return withOffers(plan, cheaper);
+  return {...withOffers(plan, cheaper), garments: garmentShares(plan)};
 }

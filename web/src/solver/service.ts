@@ -32,7 +32,7 @@ import {
   type NamedSolveHooks,
   type Requests,
 } from './requests/requests.js';
-import {askedSearch, described, singleProblem} from './search/asked-search.js';
+import {askedSearch, described, singleProblem, unsewnPrint} from './search/asked-search.js';
 
 /** Hooks for any request. Hooks for events that a request does not report are not called. */
 export type QuestionHooks = SolveHooks & ProofHooks;
@@ -126,6 +126,15 @@ export interface SolverService {
   photoObject(request: PhotoObjectRequest, hooks?: PhotoHooks): Promise<PhotoObject>;
 }
 
+/** The problem on its print after the wash. @throws {SolverError} for contradictory fabric */
+async function withSewnPrint(problem: SingleProblem): Promise<SingleProblem> {
+  const print = unsewnPrint(problem);
+  if (!print) return problem;
+  const {asSewn, checkDelivered} = await import('../model/print/as-sewn.js');
+  checkDelivered(print);
+  return {...problem, print: asSewn(print)};
+}
+
 /** A service that makes the requests; subclasses answer them. */
 export abstract class TextService implements SolverService {
   /** Answers one request. @throws as `solve` does */
@@ -152,24 +161,19 @@ export abstract class TextService implements SolverService {
 
   async #solveOnce(problem: SingleProblem, hooks: NamedSolveHooks): Promise<SolveResult> {
     const {names} = hooks;
-    const result = await this.#ask('solve', () => problemTexts(problem, names), hooks);
-    return described(result, problem);
+    const sewn = await withSewnPrint(problem);
+    const result = await this.#ask('solve', () => problemTexts(sewn, names), hooks);
+    return described(result, sewn);
   }
 
-  prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
-    return this.#ask(
-      'prepare',
-      () => problemTexts(singleProblem(problem, hooks.names?.options), hooks.names),
-      hooks,
-    );
+  async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
+    const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
+    return this.#ask('prepare', () => problemTexts(sewn, hooks.names), hooks);
   }
 
-  prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-    return this.#ask(
-      'prove',
-      () => problemTexts(singleProblem(problem, hooks.names?.options), hooks.names),
-      hooks,
-    );
+  async prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
+    const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
+    return this.#ask('prove', () => problemTexts(sewn, hooks.names), hooks);
   }
 
   mirror(

@@ -1,6 +1,7 @@
 /** A search among variants of a solved design, in idle time. */
 import type {Design} from '../model/design/design.js';
 import type {PrintVariant} from '../model/print/print-variant.js';
+import {together, type Standing} from '../model/result/visible-seams.js';
 import type {AskedSearch} from '../solver/search/asked-search.js';
 import {NewestTask} from './background-task.js';
 import {paused} from './idle.js';
@@ -9,6 +10,8 @@ import type {IdleSolver} from './idle-solver.js';
 /** Variants to compare, and the design of each. */
 export interface VariantSearch extends Pick<AskedSearch, 'seed' | 'scales' | 'turns' | 'isLong'> {
   readonly designOf: (variant: PrintVariant, seed: number) => Design;
+  /** Other garments on the same fabric, whose seams count, too. */
+  readonly besideOf?: (variant: PrintVariant) => readonly Design[];
 }
 
 export abstract class IdleSearch {
@@ -48,15 +51,18 @@ export abstract class IdleSearch {
     try {
       await paused(signal);
       const {bestAnswer} = await import('../solver/search/best-answer.js');
-      for (const {designOf, ...search} of searches) {
+      for (const {designOf, besideOf, ...search} of searches) {
         await bestAnswer(
           {
             search,
             solve: async (variant, seed) => {
               signal.throwIfAborted();
-              const standing = await this.solver.standing(designOf(variant, seed), signal, begun);
+              const standings: Standing[] = [];
+              for (const one of [designOf(variant, seed), ...(besideOf?.(variant) ?? [])]) {
+                standings.push(await this.solver.standing(one, signal, begun));
+              }
               if (this.isRunning(design)) this.#changed();
-              return standing;
+              return together(standings);
             },
             standingOf: (standing) => standing,
           },

@@ -3,7 +3,7 @@ import type {Design} from '../model/design/design.js';
 
 /** Returns whether the print can be enlarged: its size is known, and the fabric is not printed. */
 export const canResize = ({method, print}: Pick<Design, 'method' | 'print'>): boolean =>
-  method === 'best' && !print.unscaled && !print.isPrinted;
+  method === 'best' && !print.unscaled && !print.isPrinted && !print.delivered?.measured;
 
 /**
  * Returns whether there are other sizes or turns of the print.

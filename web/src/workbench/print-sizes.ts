@@ -2,11 +2,12 @@
  * Compares sizes and turns of the print of a solved design in idle time. Fabric that is printed on
  * demand can have any of them.
  */
-import type {Design, DesignPrint} from '../model/design/design.js';
+import {garmentsOnFabric, type Design, type DesignPrint} from '../model/design/design.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
 import {variantBetween, variedRepeat, type PrintVariant} from '../model/print/print-variant.js';
 import {repeatOf, type PrintRepeat} from '../model/print/repeat.js';
 import type {GroupName} from '../model/print/repeating-print.js';
+import {together} from '../model/result/visible-seams.js';
 import {scalesOf} from '../solver/search/asked-search.js';
 import {IdleSearch, type VariantSearch} from './idle-search.js';
 import {betterThan, type IdleSolver} from './idle-solver.js';
@@ -91,6 +92,9 @@ class Variants {
   }
 }
 
+/** The other garments on the fabric of a design. */
+const besideOf = (design: Design): readonly Design[] => garmentsOnFabric(design).slice(1);
+
 export class PrintSizes extends IdleSearch {
   /**
    * Sizes that a shop offers, as multiples of the print's own size; it offers no turns. Undefined
@@ -113,8 +117,11 @@ export class PrintSizes extends IdleSearch {
     const variants = new Variants(design, this.#offered());
     const {scale, turnDeg} = variants.present;
     const answer = (variant: PrintVariant): readonly VariantAnswer[] => {
-      const found = this.solver.known.of(variants.design(variant));
-      return found ? [{...found, variant}] : [];
+      const varied = variants.design(variant);
+      const all = [varied, ...besideOf(varied)].flatMap((one) => this.solver.known.of(one) ?? []);
+      const isWhole = all.length === 1 + (varied.added?.length ?? 0);
+      const standing = together(all.map((one) => one.standing));
+      return isWhole ? [{design: varied, standing, variant}] : [];
     };
     const sizes = ascending(variants.scales).flatMap((one) => answer({scale: one, turnDeg}));
     const all = ascending(variants.turns).flatMap((one) => answer({scale, turnDeg: one}));
@@ -129,7 +136,10 @@ export class PrintSizes extends IdleSearch {
     const variants = new Variants(design, this.#offered());
     const {scale, turnDeg} = variants.present;
     const designOf = (variant: PrintVariant): Design => variants.design(variant);
-    const common = {isLong: false, seed: design.seed, designOf};
+    const common = {
+      ...{isLong: false, seed: design.seed, designOf},
+      besideOf: (variant: PrintVariant) => besideOf(designOf(variant)),
+    };
     return [
       {...common, scales: variants.scales, turns: [turnDeg]},
       {...common, scales: [scale], turns: variants.turns},

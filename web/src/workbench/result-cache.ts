@@ -7,8 +7,8 @@ interface Answer {
   readonly result: SolveResult;
 }
 
-/** Number of stored results; each takes some megabytes. */
-const most = 8;
+/** Usual number of stored results; each takes some megabytes. */
+const usualMost = 8;
 
 /** Fields that a result depends on. A piece may be renamed without a new result. */
 export const askedFields = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'] as const;
@@ -34,16 +34,21 @@ const asksSame = (one: Design, other: Design): boolean =>
     field === 'print' ? samePrint(one.print, other.print) : one[field] === other[field],
   );
 
-export class ResultCache {
+export class ResultCache<T = Answer> {
   /** Stored results, the oldest first. */
-  #answers: readonly (readonly [Design, Answer])[] = [];
+  #answers: readonly (readonly [Design, T])[] = [];
+  readonly #most: number;
 
-  of(design: Design): Answer | undefined {
+  constructor(most = usualMost) {
+    this.#most = most;
+  }
+
+  of(design: Design): T | undefined {
     return this.#answers.find(([known]) => asksSame(known, design))?.[1];
   }
 
-  keep(design: Design, answer: Answer): void {
+  keep(design: Design, answer: T): void {
     const others = this.#answers.filter(([known]) => !asksSame(known, design));
-    this.#answers = [...others, [design, answer] as const].slice(-most);
+    this.#answers = [...others, [design, answer] as const].slice(-this.#most);
   }
 }

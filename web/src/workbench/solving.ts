@@ -58,7 +58,9 @@ export class Solving extends Observable {
     this.#parts = parts;
     this.afterwards = new Afterwards(solver, (design, result) => {
       const {pattern} = this;
-      if (pattern) this.#results.keep(design, {pattern, result});
+      // other garments on the fabric have other patterns
+      const isOwn = design.garment === this.#known.garment;
+      if (pattern && isOwn) this.#results.keep(design, {pattern, result});
     });
     const changed = (): void => {
       this.changed();

@@ -16,6 +16,7 @@ import type {SolverService} from '@/solver/service.js';
 import {preferencesFor, type Preferences} from '@/texts/preferences.js';
 import {storedFabric, withFabric} from '@/workbench/marker/marker-choices.js';
 import {Layouts} from '@/workbench/marker/layouts.js';
+import {addedFrom} from '@/workbench/marker/garment-steps.js';
 import {bareFabric, newDesign} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import {plainMetrics, squarePair} from '../../../support/garments/two-squares.js';
@@ -73,8 +74,30 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
   );
   const listeners = new Set<() => void>();
   let chosen = preferencesFor('en');
+  const solve = {
+    answers: [] as ((result: SolveResult) => void)[],
+    failures: [] as ((error: Error) => void)[],
+    signals: [] as (AbortSignal | undefined)[],
+  };
+  const solver = {
+    marker,
+    /** Offers solve again without names; they find nothing here. */
+    solve: (_: unknown, {signal, names}: Parameters<SolverService['solve']>[1] = {}) =>
+      new Promise<SolveResult>((resolve, reject) => {
+        if (!names) {
+          reject(new Error('no offers'));
+          return;
+        }
+        solve.answers.push(resolve);
+        solve.failures.push(reject);
+        solve.signals.push(signal);
+        signal?.addEventListener('abort', () => {
+          reject(new DOMException('', 'AbortError'));
+        });
+      }),
+  };
   const source = {
-    solver: {marker} as unknown as SolverService,
+    solver: solver as unknown as SolverService,
     preferences: {
       get chosen() {
         return chosen;
@@ -91,6 +114,7 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
     },
     solving: {
       garment: document,
+      documentOf: () => Promise.resolve(document),
       get result() {
         return at.result;
       },
@@ -102,7 +126,7 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
   } as unknown as Workbench;
   const layouts = new Layouts(source);
   return {
-    ...{layouts, asked, listeners, source},
+    ...{layouts, asked, listeners, source, solve},
     become: (next: Partial<typeof at>) => {
       Object.assign(at, next);
       for (const listener of [...listeners]) listener();
@@ -225,11 +249,11 @@ describe('pieces on their fabric', () => {
 
   it('are those of the fabric that is shown: where a change of it is taken back or given up', async () => {
     const {layouts, asked, source} = await laidOut();
-    layouts.choose({copies: 2});
+    layouts.choose({gapCm: 1});
     await settled();
-    asked[1]?.answer({places: [0, 10, 20, 30].map((x) => placed(x, 3))});
+    asked[1]?.answer();
     await settled();
-    expect([layouts.undo(), layouts.names.length, layouts.plan?.unplaced]).toEqual([true, 2, []]);
+    expect([layouts.undo(), layouts.sources.length, layouts.plan?.unplaced]).toEqual([true, 2, []]);
     layouts.choose({widthCm: 90});
     expect([layouts.isAwaited, source.preferences.chosen.cloths]).toMatchObject([true, {}]);
     layouts.move(0, placed(22, 3)); // ignored before the new layout
@@ -242,7 +266,7 @@ describe('pieces on their fabric', () => {
     ]);
     layouts.cancel();
     expect([layouts.isAwaited, layouts.state.kind]).toEqual([false, 'done']);
-    expect(layouts.choices).toMatchObject({widthCm: 140, selvedgeCm: 1, copies: 1});
+    expect(layouts.choices).toMatchObject({widthCm: 140, selvedgeCm: 1, gapCm: 0.2});
     expect([layouts.redo(), layouts.plan?.widthCm]).toEqual([false, 140]);
     layouts.choose({widthCm: 90});
     await settled();
@@ -368,15 +392,60 @@ describe('pieces on their fabric', () => {
 
   it('are as many as garments are cut, of the next design too', async () => {
     const {layouts, asked, become} = await laidOut();
-    layouts.choose({copies: 3});
+    become({design: {...design, copies: 3}});
     await settled();
     expect(asked[1]?.problem.pieces).toHaveLength(6);
     asked[1]?.answer({places: [...Array(6).keys()].map((k) => placed(10 * k, 3))});
     await settled();
-    expect(layouts.names.filter((name) => name === 'left_half')).toHaveLength(3);
-    become({result: other});
+    expect(layouts.sources.filter(({piece}) => piece === 'left_half')).toHaveLength(3);
+    become({design}); // as after an undo: the layout from before returns at once
+    expect([layouts.sources.length, layouts.state.kind]).toEqual([2, 'done']);
+    become({design: {...design, copies: 2}, result: other});
     await settled();
-    expect(asked[2]?.problem.pieces).toHaveLength(6);
+    expect(asked.at(-1)?.problem.pieces).toHaveLength(4);
+  });
+
+  it('are those of added garments too, each solved once for the print of the fabric', async () => {
+    const {layouts, asked, become, solve} = await laidOut();
+    const one = addedFrom(newDesign({name: 'other.json', text: '{"a": 1}'}, bareFabric));
+    const inCopies = (copies: number) => one.map((garment) => ({...garment, copies}));
+    const added = inCopies(2);
+    become({design: {...design, added}});
+    await settled();
+    expect(layouts.state).toMatchObject({
+      kind: 'laying',
+      inWork: {name: 'other.json', number: 2, count: 2},
+    });
+    solve.answers[0]?.(result);
+    await settled();
+    expect(asked.at(-1)?.problem.pieces.map(({garment: k}) => k)).toEqual([0, 0, 1, 1, 2, 2]);
+    asked.at(-1)?.answer({places: [...Array(6).keys()].map((k) => placed(10 * k, 3))});
+    await settled();
+    expect(layouts.pieces.map((piece) => piece.garment)).toEqual([0, 0, 1, 1, 1, 1]);
+    expect(layouts.garments.map(({copies}) => copies)).toEqual([1, 2]);
+    become({design: {...design, added: inCopies(1)}});
+    await settled();
+    expect(asked.at(-1)?.problem.pieces).toHaveLength(4);
+    expect(solve.answers).toHaveLength(1);
+  });
+
+  it('name the added garment that cannot be solved, and end its solve when cancelled', async () => {
+    const {layouts, become, solve} = await laidOut();
+    const added = addedFrom(newDesign({name: 'other.json', text: '{"a": 1}'}, bareFabric));
+    become({design: {...design, added}});
+    await settled();
+    layouts.cancel();
+    await settled();
+    expect([solve.signals[0]?.aborted, layouts.state.kind]).toEqual([true, 'cancelled']);
+    layouts.pack();
+    become({design: {...design, added: [...added]}});
+    await settled();
+    solve.failures.at(-1)?.(new SolverError({code: 'outlineOpen', message: 'It is open.'}));
+    await settled();
+    expect(layouts.state).toMatchObject({
+      kind: 'failed',
+      failure: {message: 'other.json: It is open.', piece: null},
+    });
   });
 
   it('have offers that stay with the plan while its pieces are moved', async () => {
@@ -400,14 +469,14 @@ describe('pieces on their fabric', () => {
 
   it('are remembered with their print, the newest last, and no more than can be told apart', () => {
     const {print} = design;
-    const chosen = {...storedFabric(print, preferencesFor('en')), widthCm: 115, copies: 4};
+    const chosen = {...storedFabric(print, preferencesFor('en')), widthCm: 115, price: 12};
     const named = (k: number) => ({...print, title: `print ${k}`});
     let preferences = preferencesFor('en');
     for (let k = 0; k < 45; k++) {
       preferences = {...preferences, ...withFabric(named(k), chosen, preferences)};
     }
     expect(Object.keys(preferences.cloths ?? {})).toHaveLength(40);
-    expect(storedFabric(named(44), preferences)).toMatchObject({widthCm: 115, copies: 1});
+    expect(storedFabric(named(44), preferences)).toMatchObject({widthCm: 115, price: 12});
     // invalid values are ignored
     const cloths = {[named(1).title]: {widthCm: -3, gapCm: 'x', isOneWay: true}};
     expect(storedFabric(named(1), {...preferences, cloths})).toMatchObject({

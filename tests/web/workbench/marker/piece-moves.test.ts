@@ -15,7 +15,7 @@ const bolt: Bolt = {
 };
 
 const square = (number: number, translation: Point, width = 8): PieceOnFabric => ({
-  ...{number, name: `square ${number}`},
+  ...{number, garment: 0, name: `square ${number}`},
   place: {angle: 0, translation},
   piece: {
     outline: [

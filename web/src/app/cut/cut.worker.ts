@@ -1,6 +1,7 @@
 /** Worker that lays out pieces and writes cutting sheets. */
 import {cutSheet} from '../../cutting/lay-sheet.js';
 import type {CutSheet} from '../../cutting/cut-sheet.js';
+import {asCut} from '../../model/print/as-cut.js';
 import {cutFile} from '../../paper/cut-file.js';
 import {guideCount} from '../../paper/guide-pages.js';
 import {pagesOf} from '../../paper/cutting-pdf.js';
@@ -30,7 +31,7 @@ serve(async (asked, request) => {
   const pixels = async (width: number, height: number) =>
     (await request({width, height})) as Uint8Array<ArrayBuffer> | undefined;
   const {file, paper, ink, guide, dxfStyle: style, dxfUnit: unit} = choices;
-  return cutFile(sheet, print, {
+  return cutFile(sheet, asCut(print), {
     ...{file, paper, ink, dxf: {style, unit}, pixels, letters: drawnLetters},
     ...(guide && {guide: options}),
   });

@@ -29,10 +29,17 @@ export async function openLink(
   try {
     const link = await readLink(fragment);
     if (!link) return false;
-    const {title, garment, print, ...decided} = link;
+    const {title, garment, print, added, ...decided} = link;
+    const known = await samples;
+    const opened = (one: LinkedGarment) => garmentOf(one, known, projects, words);
     const design: Design = {
       ...decided,
-      garment: await garmentOf(garment, await samples, projects, words),
+      garment: await opened(garment),
+      ...(added && {
+        added: await Promise.all(
+          added.map(async (one) => ({...one, garment: await opened(one.garment)})),
+        ),
+      }),
       print: await printOf(print, await samples, words.noSample),
     };
     await workbench.solving.meshed(design);

@@ -65,7 +65,8 @@ export async function copyLink(
     href.length > safeLength ? link.long(size) : link.copied,
     ...(hasSmallerPicture ? [link.smaller] : []),
   ];
-  if (hasPattern || design.garment.sample) {
+  const {garment, added = []} = design;
+  if (hasPattern || [garment, ...added.map((one) => one.garment)].every(({sample}) => sample)) {
     workbench.notices.say({tone: 'info', text: said.join(' ')});
     return;
   }

@@ -159,14 +159,21 @@ export class Projects {
     return [{...entry, ...(thumbnail && {thumbnail})}, ...entries];
   }
 
+  /** Returns the present design of a project; undefined if it no longer exists. */
+  async designOf(id: string): Promise<Design | undefined> {
+    return historyIn((await this.#autosave.load(id))?.state)?.present.design;
+  }
+
   /** Returns the first garment of a project that is as asked; undefined if there is none. */
   async findGarment(
     isIt: (garment: DesignGarment) => Promise<boolean>,
   ): Promise<DesignGarment | undefined> {
     for (const {id} of await this.#autosave.list()) {
       const history = historyIn((await this.#autosave.load(id))?.state);
-      const garment = history?.present.design.garment;
-      if (garment && (await isIt(garment))) return garment;
+      const {garment, added = []} = history?.present.design ?? {};
+      for (const one of [garment, ...added.map((other) => other.garment)]) {
+        if (one && (await isIt(one))) return one;
+      }
     }
     return undefined;
   }

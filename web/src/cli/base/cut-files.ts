@@ -2,6 +2,7 @@
 import {ruleOf} from '../../cutting/allowance-rule.js';
 import {cutSheet, type CuttingMarks} from '../../cutting/lay-sheet.js';
 import {garmentTitle, panelMarks, type PanelDecisions} from '../../model/garment/panel-marks.js';
+import {asCut} from '../../model/print/as-cut.js';
 import type {Print} from '../../model/print/repeating-print.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {addressFrom, readAddress, type ReadingLimits} from '../../node/addresses.js';
@@ -60,8 +61,8 @@ export async function cutFiles(
 ): Promise<readonly (string | Uint8Array)[]> {
   const {result, address, limits = {}, plain = [], mark} = answer;
   const tile = await fetchTile(answer.print, address, limits);
-  const print = {...answer.print, ...(tile !== undefined && {tile})};
-  const sheet = cutSheet(result, print, await marksOf(answer), {
+  const print = asCut({...answer.print, ...(tile !== undefined && {tile})});
+  const sheet = cutSheet(result, answer.print, await marksOf(answer), {
     ...ruleOf({allowanceCm: allowance, hemCm: hem}),
     ...{units: 'cm', plain},
   });

@@ -15,7 +15,8 @@ export interface LayWish {
   readonly gap?: number;
   readonly allowance?: number;
   readonly hem?: number;
-  readonly copies?: number;
+  /** Number of garments of each result; a list has one number for each of them. */
+  readonly copies?: number | readonly number[];
   readonly plies?: number;
   readonly nap?: Nap;
   readonly shift?: (typeof shifts)[number];
@@ -31,7 +32,7 @@ export const shifts = ['kept', 'component'] as const;
 
 /** Names of the settings that are lengths, and of those that are counts. */
 export const layLengths = ['width', 'selvedge', 'start', 'gap', 'allowance', 'hem'] as const;
-export const layCounts = ['copies', 'plies', 'seed'] as const;
+export const layCounts = ['plies', 'seed'] as const;
 
 const limitsOf = {
   ...{width: markerLimits.widthCm, selvedge: markerLimits.selvedgeCm, gap: markerLimits.gapCm},
@@ -68,7 +69,7 @@ const others = ['nap', 'shift', 'effort'] as const;
 
 /** Converts the settings to those of the marker. */
 export function laySettings(wish: LayWish): MarkerSettings {
-  const {width, phase: place, free, fold} = wish;
+  const {width, phase: place, free, fold, copies} = wish;
   const given = <K extends keyof LayWish>(names: readonly K[], named: (name: K) => string) =>
     Object.fromEntries(
       names.flatMap((name) => (wish[name] === undefined ? [] : [[named(name), wish[name]]])),
@@ -78,6 +79,7 @@ export function laySettings(wish: LayWish): MarkerSettings {
     ...given(layLengths, (name) => `${name}Cm`),
     ...given([...layCounts, ...others], (name) => name),
     ...(typeof place === 'number' && {phaseCm: place}),
+    ...(typeof copies === 'number' && {copies}),
     ...(free === true && {ignoresPrint: true}),
     ...(fold === true && {fold}),
   };

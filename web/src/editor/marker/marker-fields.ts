@@ -1,4 +1,4 @@
-/** Fields of the fabric layout: width, edges, copies, allowances, start of the print, nap. */
+/** Fields of the fabric layout: width, price, edges, allowances, start of the print, nap. */
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {OwnShare} from '../../cutting/allowances.js';
@@ -29,6 +29,7 @@ interface Fields {
   readonly texts: Texts;
   readonly words: MarkerTexts;
   readonly choose: (change: Partial<MarkerChoices>) => void;
+  readonly setPrice: (price: number) => void;
   readonly askOwnWidth: () => void;
   readonly askAllowances: () => void;
 }
@@ -37,7 +38,7 @@ const other = 'other';
 
 const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
 
-type Length = Exclude<keyof typeof fabricLimits, 'copies'>;
+type Length = Exclude<keyof typeof fabricLimits, 'price'>;
 
 /** Steps of the arrow keys other than half a unit. */
 const fineSteps: Partial<Record<Length, number>> = {gapCm: 0.1, allowanceCm: 0.1, hemCm: 0.1};
@@ -65,9 +66,9 @@ function lengthField(
 }
 
 function widthFields(fields: Fields): TemplateResult {
-  const {choices, format, words, texts, choose, hasOwnWidth, askOwnWidth} = fields;
+  const {choices, format, words, texts, units, choose, setPrice, hasOwnWidth, askOwnWidth} = fields;
   const isOwn = hasOwnWidth || !usualWidths.includes(choices.widthCm);
-  const [fewest, most] = fabricLimits.copies;
+  const [least, most] = fabricLimits.price;
   return html`<div class="pair">
       <label>
         ${words.width}
@@ -89,15 +90,15 @@ function widthFields(fields: Fields): TemplateResult {
         </select>
       </label>
       <sw-number-field
-        class="copies"
-        .label=${words.copies}
-        .value=${choices.copies}
-        .least=${fewest}
+        class="price"
+        .label=${words.price[units]}
+        .value=${choices.price > 0 ? choices.price : NaN}
+        .least=${least}
         .most=${most}
-        .digits=${0}
-        .wrong=${texts.controls.between(String(fewest), String(most))}
+        .step=${0.5}
+        .wrong=${texts.controls.between(String(least), String(most))}
         @entered=${({detail}: CustomEvent<number>) => {
-          choose({copies: Math.round(detail)});
+          setPrice(detail);
         }}
       ></sw-number-field>
     </div>

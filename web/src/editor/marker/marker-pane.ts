@@ -10,6 +10,7 @@ import {wantSize} from '../print/size-wanted.js';
 import {controls} from '../style/controls.js';
 import {markerBar, markerZoom} from './marker-bar.js';
 import {markerCommands, markerKeys} from '../../commands/marker-commands.js';
+import {emptyStyle, markerEmpty} from './marker-empty.js';
 import {FlawActions} from './flaw-actions.js';
 import {ways} from '../../workbench/marker/marker-moves.js';
 import {markerFiles} from '../../workbench/marker/marker-files.js';
@@ -76,7 +77,7 @@ const leastLength = 50;
 /** Least scale of long fabric, as a share of the scale at which the width fills the view. */
 const leastShare = 0.6;
 export class MarkerPane extends FlawActions {
-  static override styles = [controls, markerStyle, sheetStyle];
+  static override styles = [controls, markerStyle, sheetStyle, emptyStyle];
   readonly #conflictsOf = lastOf(conflicts);
   readonly #pointing = new MarkerPointing(this);
   #observer: ResizeObserver | undefined;
@@ -118,7 +119,8 @@ export class MarkerPane extends FlawActions {
     const {words, workbench} = this;
     const {plan, print} = this.layouts;
     const isGood = plan?.placements.length && print && this.isReady && this.#conflicts.size === 0;
-    return isGood ? markerFiles(plan, {words, workbench, print}) : [];
+    const {garments} = this.layouts;
+    return isGood ? markerFiles(plan, {words, workbench, print, garments}) : [];
   }
 
   /** Name of the step that undo reverts here. */
@@ -269,12 +271,14 @@ export class MarkerPane extends FlawActions {
   #sheet(): TemplateResult | typeof nothing {
     const {layouts, words} = this;
     const {bolt, pieces, step, print} = layouts;
-    if (!bolt || !step || !print || this.#room[0] === 0) return nothing;
+    if (!bolt || !step || !print) return markerEmpty(words.empty);
+    if (this.#room[0] === 0) return nothing;
     const usedCm = usedLength(pieces);
     const {units} = this.workbench.preferences.chosen;
     const frame = this.#pointing.frame ?? this.#frame(bolt.widthCm, usedCm);
     return markerSheet({
       ...{frame, bolt, image: print.image, usedCm, pieces, words, units},
+      isOfSeveral: layouts.garments.length > 1,
       usedWords: roundedLength(usedCm, units, this.format),
       label: this.labelOf,
       pins: step.pins,

@@ -11,9 +11,11 @@ import {planTextsIn} from '../../texts/plan-texts.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
+import {deliveredFields} from './delivered-fields.js';
 import {MarkerElement} from './marker-element.js';
 import {markerFields} from './marker-fields.js';
 import {
+  costOfLength,
   costWords,
   leastCost,
   lengthRange,
@@ -21,6 +23,7 @@ import {
   roundedLength,
   soldLength,
 } from '../../workbench/marker/marker-words.js';
+import {onDelivered} from '../../workbench/marker/delivered-print.js';
 import type {FlawActions} from './flaw-actions.js';
 import {panelStyle} from './panel-style.js';
 import type {Units} from '../../model/base/length-text.js';
@@ -91,6 +94,7 @@ export class MarkerPanel extends MarkerElement {
     chosenFlaw: {attribute: false},
     hasOwnWidth: {state: true},
     hasAllowances: {state: true},
+    hasDelivered: {state: true},
   };
   static override styles = [controls, section, panelStyle];
   /** Number of the selected piece. */
@@ -102,12 +106,14 @@ export class MarkerPanel extends MarkerElement {
   declare chosenFlaw: number | undefined;
   declare protected hasOwnWidth: boolean;
   declare protected hasAllowances: boolean;
+  declare protected hasDelivered: boolean;
 
   constructor() {
     super();
     this.conflicts = new Map();
     this.hasOwnWidth = false;
     this.hasAllowances = false;
+    this.hasDelivered = false;
   }
 
   /** Scrolls to a piece that was selected elsewhere. */
@@ -122,7 +128,8 @@ export class MarkerPanel extends MarkerElement {
     const isShown = plan !== undefined && state.kind !== 'failed';
     return html`<section aria-label=${words.panel} class=${isStale || isAwaited ? 'stale' : ''}>
         ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#unaligned()}
-        ${this.#fields()}
+        <sw-marker-garments class="fields" .workbench=${this.workbench}></sw-marker-garments>
+        ${this.#fields()} ${this.#delivered()}
       </section>
       ${
         isShown && step
@@ -155,7 +162,7 @@ export class MarkerPanel extends MarkerElement {
             ? nothing
             : html`<li>${unplaced.length > 0 ? words.lying(...used) : words.used(...used)}</li>`
         }
-        ${this.#isWhole(plan) ? this.#proof(plan) : nothing}
+        ${this.#isWhole(plan) ? html`${this.#cost(plan)} ${this.#proof(plan)}` : nothing}
         ${
           layouts.isMoved
             ? html`<li>${words.moved}</li>` // the rest describes the marker before the move
@@ -170,6 +177,13 @@ export class MarkerPanel extends MarkerElement {
    */
   #isWhole({unplaced}: LayPlan): boolean {
     return unplaced.length === 0 && this.conflicts.size === 0;
+  }
+
+  #cost({lengthCm}: LayPlan): TemplateResult | typeof nothing {
+    const {words, format, layouts} = this;
+    const {units} = this.workbench.preferences.chosen;
+    const cost = costOfLength(lengthCm, layouts.choices, units, format);
+    return cost === undefined ? nothing : html`<li class="cost">${words.wholeCost(cost)}</li>`;
   }
 
   #headline(plan: LayPlan): string {
@@ -271,6 +285,9 @@ export class MarkerPanel extends MarkerElement {
         if (change.widthCm !== undefined) this.hasOwnWidth = false;
         layouts.choose(change);
       },
+      setPrice: (price) => {
+        layouts.setPrice(price);
+      },
       askOwnWidth: () => {
         this.hasOwnWidth = true;
       },
@@ -280,9 +297,27 @@ export class MarkerPanel extends MarkerElement {
     });
   }
 
+  #delivered(): TemplateResult | typeof nothing {
+    const {history, preferences} = this.workbench;
+    const {print} = history.design ?? {};
+    if (!print) return nothing;
+    return html`<div class="fields">
+      ${deliveredFields({
+        ...{print, units: preferences.chosen.units, format: this.format},
+        ...{texts: this.texts, words: this.words, isOpen: this.hasDelivered},
+        toggle: () => {
+          this.hasDelivered = !this.hasDelivered;
+        },
+        choose: (fabric) => {
+          history.change({print: onDelivered(print, fabric)}, 'delivered fabric');
+        },
+      })}
+    </div>`;
+  }
+
   #pieces({pins}: LayStep): TemplateResult {
     const {layouts, words} = this;
-    const {bolt, names, pieces} = layouts;
+    const {bolt, sources, pieces} = layouts;
     return html`<table class="pieces">
       <caption>
         ${words.pieces}
@@ -295,9 +330,9 @@ export class MarkerPanel extends MarkerElement {
         </tr>
       </thead>
       <tbody>
-        ${names.map((name, number) => {
+        ${sources.map((_, number) => {
           const piece = pieces.find((one) => one.number === number);
-          const label = this.labelOf({name, number});
+          const label = this.labelOf({number});
           const conflict = this.conflicts.get(number);
           const place = piece && bolt ? placeWords(piece, bolt, words, this.format) : words.noPlace;
           return html`<tr

@@ -9,6 +9,7 @@ import {norm, onPiece, plus, type Point} from '../../model/geometry/vectors.js';
 import type {Units} from '../../model/base/length-text.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {PieceOnFabric} from '../../workbench/marker/marker-work.js';
+import {colourClass, garmentColours} from './garment-colours.js';
 import {
   closed,
   frameSize,
@@ -22,6 +23,7 @@ import {
 
 /** Styles of the fabric and of the pieces on it. */
 export const sheetStyle = css`
+  ${garmentColours}
   .sheet {
     display: block;
     user-select: none;
@@ -94,6 +96,18 @@ export const sheetStyle = css`
     stroke-width: 1.25;
     stroke-linejoin: round;
   }
+  .piece .veil {
+    display: none;
+  }
+  .several .piece .veil {
+    display: inline;
+    fill: var(--garment);
+    opacity: 0.16;
+  }
+  .several .piece .line {
+    stroke: var(--garment);
+    stroke-width: 2;
+  }
   .piece.pointed .line {
     stroke-width: 2;
   }
@@ -101,7 +115,12 @@ export const sheetStyle = css`
     stroke: #24507a;
     stroke-width: 3;
   }
-  .piece.bad .line {
+  .several .piece.selected .line {
+    stroke: var(--garment);
+    stroke-width: 4;
+  }
+  .piece.bad .line,
+  .several .piece.bad .line {
     fill: rgb(169 42 34 / 0.28);
     stroke: #a92a22;
     stroke-width: 2.5;
@@ -179,6 +198,8 @@ interface SheetState {
   readonly usedCm: number;
   readonly usedWords: string;
   readonly pieces: readonly PieceOnFabric[];
+  /** True if the pieces are of several garments, which have different colours. */
+  readonly isOfSeveral: boolean;
   readonly label: (piece: PieceOnFabric) => string;
   readonly pins: ReadonlySet<number>;
   readonly selected: number | undefined;
@@ -322,6 +343,7 @@ function pieceDrawing(piece: PieceOnFabric, state: SheetState): TemplateResult {
   const px = (count: number): number => pixels(frame, count);
   const classes = [
     'piece',
+    colourClass(piece.garment),
     ...(selected === number ? ['selected'] : []),
     ...(pointed === number ? ['pointed'] : []),
     ...((isDragged ? !isFree(dragged.inWay) : bad.has(number)) ? ['bad'] : []),
@@ -330,6 +352,7 @@ function pieceDrawing(piece: PieceOnFabric, state: SheetState): TemplateResult {
   const d = outlineOf(piece);
   return svg`<g class=${classes} data-number=${number} transform="translate(${byX} ${byY})">
     <path class="cloth" d=${d} fill="url(#print)" />
+    <path class="veil" d=${d} />
     <path class="line" d=${d} />
     ${pins.has(number) ? pinDrawing([x, y - px(26)], px(1)) : nothing}
     ${nameDrawing(piece, label(piece), frame)}
@@ -363,7 +386,7 @@ export function markerSheet(state: SheetState): TemplateResult {
   const ordered = [...pieces].sort((one, other) => rank(one) - rank(other));
   const below = dragged ? ordered.length - 1 : ordered.length;
   return html`<svg
-    class="sheet"
+    class=${state.isOfSeveral ? 'sheet several' : 'sheet'}
     width=${width}
     height=${height}
     viewBox=${viewBox(frame)}

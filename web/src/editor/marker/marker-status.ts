@@ -4,6 +4,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {passingFailures} from '../../model/base/failure.js';
 import type {Format} from '../../texts/format.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
+import {titleOfFile} from '../../model/garment/piece-names.js';
 import type {Layouts} from '../../workbench/marker/layouts.js';
 
 interface Status {
@@ -26,8 +27,17 @@ interface Status {
   readonly format: Format;
 }
 
+/** Progress of the layout, or of an added garment that is solved for it. */
+function layingWords({layouts: {state}, words, format}: Status, step = 100): string {
+  if (state.kind !== 'laying') return '';
+  const percent = format.percent(Math.floor(state.fraction * step) / step);
+  const {inWork} = state;
+  if (!inWork) return words.laying(percent);
+  return words.matching(titleOfFile(inWork.name), inWork.number, inWork.count, percent);
+}
+
 export function markerStatus(status: Status): TemplateResult {
-  const {layouts, words, format, why} = status;
+  const {layouts, words, why} = status;
   const {state} = layouts;
   if (status.isMarking) return html`<p class="told">${words.flawHint}</p>`;
   const act = (label: string, run: () => void): TemplateResult =>
@@ -43,7 +53,7 @@ export function markerStatus(status: Status): TemplateResult {
       </p>`;
     case 'laying':
       return html`<p class="told">
-        <span class="numbers">${words.laying(format.percent(state.fraction))}</span>
+        <span class="numbers">${layingWords(status)}</span>
         ${act(words.cancel, () => {
           layouts.cancel();
         })}
@@ -68,19 +78,12 @@ function doneWords({told, said, conflict, place, words}: Status): TemplateResult
 }
 
 /** Status for screen readers. */
-export function spokenStatus({
-  layouts,
-  told,
-  said,
-  conflict,
-  place,
-  words,
-  format,
-}: Status): string {
-  const {state} = layouts;
+export function spokenStatus(status: Status): string {
+  const {told, said, conflict, place} = status;
+  const {state} = status.layouts;
   if (told !== '') return told;
   if (state.kind === 'laying') {
-    return words.laying(format.percent(Math.floor(state.fraction * 4) / 4));
+    return layingWords(status, 4);
   }
   if (said !== '') return said;
   return [place, conflict].filter((one) => one !== undefined).join('. ');

@@ -91,7 +91,8 @@ export abstract class PieceActions extends MarkerElement {
   }
 
   #targetOf(number: number | undefined): Target | undefined {
-    const name = this.layouts.names[number ?? -1];
+    const {piece: name, result = 0} = this.layouts.sources[number ?? -1] ?? {};
+    if (result > 0) return undefined; // other views show the design's own garment
     const piece =
       this.workbench.solving.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
     return piece < 0 ? undefined : {kind: 'piece', piece};
@@ -145,7 +146,9 @@ export abstract class PieceActions extends MarkerElement {
       target?.kind === 'piece'
         ? this.workbench.solving.pattern?.pieces[target.piece]?.name
         : undefined;
-    const number = name === undefined ? -1 : this.layouts.names.indexOf(name);
+    const number = this.layouts.sources.findIndex(
+      ({piece, result}) => result === 0 && piece === name,
+    );
     return number < 0 ? undefined : number;
   }
 

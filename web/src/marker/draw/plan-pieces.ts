@@ -76,7 +76,7 @@ function piecesOf(
     ? panelMarks(garment, decidedOf({options, ...(names && {names})}))
     : new Map<string, PanelMarks>();
   const pieces = cutPieces(result, printOrigin ? result.print : undefined, panels, {
-    allowanceCm,
+    ...{allowanceCm, delivered: result.print.delivered},
     ...(hemCm !== undefined && {hemCm}),
     ...(options.plain && {plain: options.plain}),
   });

@@ -6,7 +6,7 @@ import type {FabricName} from '../result/draped-garment.js';
 import type {PanelDecisions} from '../garment/panel-marks.js';
 import type {SolveOptions} from './options.js';
 import type {PieceNames} from '../garment/piece-names.js';
-import type {GroupName, Print, PrintCell} from '../print/repeating-print.js';
+import type {Delivered, GroupName, Print, PrintCell} from '../print/repeating-print.js';
 import type {Method} from '../result/method.js';
 import {latticeVectors, type PrintRepeat, type RepeatSize} from '../print/repeat.js';
 import type {Symmetry} from '../garment/symmetries.js';
@@ -38,6 +38,10 @@ export interface DesignPrintFile {
   readonly colourway?: string;
 }
 
+export interface DeliveredPrint extends Delivered {
+  readonly stated: PrintRepeat & {readonly group: GroupName; readonly cell: PrintCell};
+}
+
 export interface DesignPrint {
   readonly title: string;
   readonly group: GroupName;
@@ -50,6 +54,11 @@ export interface DesignPrint {
   readonly unscaled?: boolean;
   /** Size and turn before the user chose others from a comparison. */
   readonly own?: PrintRepeat | undefined;
+  /**
+   * The fabric for which group, size and turn are those after the wash, and the print as stated,
+   * before fabric was considered.
+   */
+  readonly delivered?: DeliveredPrint | undefined;
   /** The fabric is printed already, so that size and turn cannot be chosen. */
   readonly isPrinted?: boolean | undefined;
   /** Image of one cell: a URL, or a `data:` URL for the user's own image. */
@@ -86,13 +95,41 @@ export interface Decisions {
 }
 
 /**
+ * Another garment that is cut from the same fabric. It is solved by itself on the print of the
+ * design, so it has its own position on the print.
+ */
+export interface AddedGarment<Garment = DesignGarment> extends Decisions {
+  readonly garment: Garment;
+  /** Number of garments. */
+  readonly copies: number;
+}
+
+/** Greatest number of equal garments on a fabric, and of other garments beside the first. */
+export const mostCopies = 20;
+export const mostAdded = 20;
+
+/**
  * A state that undo can return to, so it must never be changed in place. Garment and print are
  * contained in it, or referred to in another way.
  */
 export interface Design<Garment = DesignGarment, Print = DesignPrint> extends Decisions {
   readonly garment: Garment;
   readonly print: Print;
+  /** Number of garments cut from the fabric. Default 1. */
+  readonly copies?: number;
+  /** Other garments on the same fabric. */
+  readonly added?: readonly AddedGarment<Garment>[];
 }
+
+/** The garments of a design that its fabric layout contains, each as a design of its own. */
+export const garmentsOnFabric = ({
+  added = [],
+  copies = 1,
+  ...design
+}: Design): readonly (Design & {readonly copies: number})[] => [
+  {...design, copies},
+  ...added.map((one) => ({...one, print: design.print})),
+];
 
 /** Seed of a solve unless another one is chosen. */
 export const usualSeed = 1;
@@ -135,9 +172,19 @@ export const decidedOf = ({
   ...(options.grain?.pieces && {grain: options.grain.pieces}),
 });
 
+/** The fabric without the stated print. */
+export const fabricOnly = ({shrinkage, measured}: Delivered): Delivered => ({
+  ...(shrinkage && {shrinkage}),
+  ...(measured && {measured}),
+});
+
 /** The print in the form that solver and views take. */
 export function printOf(print: DesignPrint): Print {
-  const {group, size, turnDeg, oneWay, cell, title, image, unscaled} = print;
+  const {group, size, turnDeg, oneWay, cell, title, image, unscaled, delivered} = print;
   const [w1, w2] = latticeVectors(group, size, turnDeg, cell);
-  return {title, group, w1, w2, oneWay, cell, image, ...(unscaled && {unscaled})};
+  return {
+    ...{title, group, w1, w2, oneWay, cell, image},
+    ...(unscaled && {unscaled}),
+    ...(delivered && {delivered: fabricOnly(delivered)}),
+  };
 }

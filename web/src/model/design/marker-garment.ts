@@ -10,6 +10,8 @@ export interface MarkerGarment {
   readonly result: SolveResult;
   /** File name, used in messages. */
   readonly name?: string;
+  /** Number of garments of this result. Default: the number in the settings of the layout. */
+  readonly copies?: number;
   /** Garment file: allowances, grain, and quantity of each piece. */
   readonly garment?: GarmentDocument;
   /** Options of the solve: grain rules, and pieces of plain fabric. */

@@ -1,7 +1,16 @@
 /** Checks every value of a design from outside, so that the rest of the page can trust it. */
 import type {GrainRule} from '../garment/grain.js';
 import {groupNames, optionLimits} from '../base/core-tables.js';
-import {askingFor, usualSeed, type AskedSymmetry, type Decisions, type Design} from './design.js';
+import {
+  askingFor,
+  mostAdded,
+  mostCopies,
+  usualSeed,
+  type AddedGarment,
+  type AskedSymmetry,
+  type Decisions,
+  type Design,
+} from './design.js';
 import type {Alignment, Point} from '../geometry/vectors.js';
 import type {Lock, SolveOptions} from './options.js';
 import {fabricNames} from '../result/draped-garment.js';
@@ -141,8 +150,17 @@ export const repeatFields = {
 
 const {size, turnDeg} = repeatFields;
 
+const percent = number(-50, 50);
+/** Values of fabric as delivered. */
+export const fabricFields = {
+  shrinkage: shape({warp: percent, weft: percent}),
+  measured: shape({}, {across: repeat, up: repeat}),
+};
+const {group, cell} = repeatFields;
+
 /** The repeat of a print, without its image. */
 export const printMeasures = shape(repeatFields, {
+  delivered: shape({stated: shape({group, size, turnDeg, cell})}, fabricFields),
   ...{unscaled: flag, isPrinted: flag},
   own: shape({size, turnDeg}),
 });
@@ -206,10 +224,34 @@ const picturedPrint = shape(
   },
 );
 
+const copies: Read<number> = (value, at) =>
+  Number.isInteger(value) && Number(value) >= 1 && Number(value) <= mostCopies
+    ? Number(value)
+    : fail(at, `a whole number from 1 to ${mostCopies}`);
+
+/** Number of garments of a design, and the other garments on its fabric. */
+export const onFabric = <Garment>(
+  readGarment: Read<Garment>,
+): Read<{
+  readonly copies?: number;
+  readonly added?: readonly AddedGarment<Garment>[];
+}> => {
+  const list: Read<readonly AddedGarment<Garment>[]> = (value, at) => {
+    const all = listOf(
+      shape(
+        {garment: readGarment, symmetry: askedSymmetry, ...decisionFields, seed, copies},
+        optionalFields,
+      ),
+    )(value, at);
+    return all.length <= mostAdded ? all : fail(at, `at most ${mostAdded} garments`);
+  };
+  return shape({}, {copies, added: list});
+};
+
 export const readDesign: Read<Design> = (value, at) => {
   const {garment: own, print} = shape({
     garment,
     print: (entry, place) => ({...printMeasures(entry, place), ...picturedPrint(entry, place)}),
   })(value, at);
-  return {garment: own, print, ...decisions(value, at)};
+  return {garment: own, print, ...decisions(value, at), ...onFabric(garment)(value, at)};
 };

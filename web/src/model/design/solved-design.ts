@@ -1,7 +1,14 @@
 /**
  * The design of a result, from the files of its problem. A page needs it to open a result again.
  */
-import {askingFor, noPicture, type Decisions, type DesignGarment, type Design} from './design.js';
+import {
+  askingFor,
+  noPicture,
+  type Decisions,
+  type DeliveredPrint,
+  type DesignGarment,
+  type Design,
+} from './design.js';
 import type {Point} from '../geometry/vectors.js';
 import type {Print} from '../print/repeating-print.js';
 import {repeatOf} from '../print/repeat.js';
@@ -11,6 +18,8 @@ import type {Symmetry} from '../garment/symmetries.js';
 export interface SolvedFiles {
   readonly garment: DesignGarment;
   readonly print: Print;
+  /** The print before its fabric was considered, if it has `delivered`. */
+  readonly stated?: DeliveredPrint['stated'];
   /** A `data:` URL with the image of one cell; without it the fabric is bare. */
   readonly picture: string | undefined;
   readonly options: Decisions['options'];
@@ -22,13 +31,17 @@ export interface SolvedFiles {
  * ones.
  */
 export function solvedDesign(
-  {garment, print, picture = noPicture, options, seed}: SolvedFiles,
+  {garment, print, stated, picture = noPicture, options, seed}: SolvedFiles,
   {pieces, symmetries, metrics}: SolveResult,
 ): Design {
-  const {group, title = group, oneWay = false, cell = 'primitive'} = print;
+  const {group, title = group, oneWay = false, cell = 'primitive', delivered} = print;
+  const repeat = repeatOf(print);
   return {
     garment,
-    print: {title, group, ...repeatOf(print), oneWay, cell, image: picture},
+    print: {
+      ...{title, group, ...repeat, oneWay, cell, image: picture},
+      ...(delivered && {delivered: {...delivered, stated: stated ?? {group, cell, ...repeat}}}),
+    },
     symmetry: askingFor(symmetries.map((one) => askedFor(one, pieces))),
     method: metrics.method,
     options,

@@ -6,6 +6,7 @@ import {decisionsOf, type Design, type DesignGarment, type DesignPrint} from '..
 import {
   decisions,
   garmentSample,
+  onFabric,
   ownGarment,
   ownPicture,
   ownTile,
@@ -80,7 +81,7 @@ export type LinkedGarment =
  */
 export type LinkedPrint = Pick<
   DesignPrint,
-  'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled' | 'own' | 'isPrinted'
+  'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled' | 'own' | 'isPrinted' | 'delivered'
 > &
   (
     | {readonly sample: NonNullable<DesignPrint['sample']>}
@@ -130,7 +131,7 @@ const linked: Read<LinkedProject> = (value, at) => {
     {garment, print: (entry, place) => ({...printMeasures(entry, place), ...print(entry, place)})},
     {title: projectTitle},
   )(value, at);
-  return {...found, ...decisions(value, at)};
+  return {...found, ...decisions(value, at), ...onFabric(garment)(value, at)};
 };
 
 /**
@@ -153,15 +154,26 @@ async function linkedGarment(
 /**
  * The fragment "#..." of a project, of any length.
  * @param title given by the owner
- * @param hasPattern includes a garment that is no sample
+ * @param hasPattern includes garments that are no samples
  */
 export async function linkOf(
   design: Design,
   title: string | undefined,
   hasPattern: boolean,
 ): Promise<string> {
-  const {garment: own, print: shown} = design;
-  const {group, size, turnDeg, oneWay, cell, tile, unscaled, own: before, isPrinted} = shown;
+  const {garment: own, print: shown, copies, added} = design;
+  const {
+    group,
+    size,
+    turnDeg,
+    oneWay,
+    cell,
+    tile,
+    unscaled,
+    own: before,
+    isPrinted,
+    delivered,
+  } = shown;
   const project: LinkedProject = {
     garment: await linkedGarment(own, hasPattern),
     print: {
@@ -169,11 +181,21 @@ export async function linkOf(
       ...(unscaled && {unscaled}),
       ...(before && {own: before}),
       ...(isPrinted && {isPrinted}),
+      ...(delivered && {delivered}),
       ...(isSample(shown)
         ? {sample: shown.sample}
         : {title: shown.title, ...(tile ? {tile} : {image: shown.image})}),
     },
     ...decisionsOf(design),
+    ...(copies !== undefined && {copies}),
+    ...(added && {
+      added: await Promise.all(
+        added.map(async (one) => ({
+          ...one,
+          garment: await linkedGarment(one.garment, hasPattern),
+        })),
+      ),
+    }),
     ...(title !== undefined && {title}),
   };
   return start + (await deflated(JSON.stringify(written(project))));

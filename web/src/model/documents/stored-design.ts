@@ -1,15 +1,22 @@
 /** A design as shops store it: decisions, their files, and the result. */
-import {decisionsOf, type Design, type DesignPrint, type StoredFile} from '../design/design.js';
+import {
+  decisionsOf,
+  fabricOnly,
+  type Design,
+  type DesignPrint,
+  type StoredFile,
+} from '../design/design.js';
 import {
   askedSymmetry,
   decisionFields,
+  fabricFields,
   optionalFields,
   readAlignment,
   repeatFields,
   seed,
 } from '../design/read-design.js';
 import type {Alignment} from '../geometry/vectors.js';
-import {colourwayOf, type Print} from '../print/repeating-print.js';
+import {colourwayOf, type Delivered, type Print} from '../print/repeating-print.js';
 import {settled} from '../print/print-scale.js';
 import {withRepeat} from '../print/print-variant.js';
 import {readPrintFile} from '../print/read-print-file.js';
@@ -26,6 +33,8 @@ export type PrintChanges = Partial<
 > & {
   /** One of the print file's colourways. */
   readonly colourway?: string;
+  /** The fabric for which the other fields are those after the wash. */
+  readonly delivered?: Delivered;
 };
 
 /** A garment file; `size` is the shop's name for the size. */
@@ -74,7 +83,10 @@ const kind: FileKind<StoredDesign> = {
   read: shape(
     {
       garment: shape({url, sha256: hash}, {size: name}),
-      print: shape({url, sha256: hash}, {colourway: name, ...repeatFields}),
+      print: shape(
+        {url, sha256: hash},
+        {colourway: name, ...repeatFields, delivered: shape({}, fabricFields)},
+      ),
       symmetry: askedSymmetry,
       ...decisionFields,
       seed,
@@ -120,7 +132,16 @@ const near = (one: number, other: number): boolean => Math.abs(one - other) < 1e
 
 /** Differences of a print from its file. */
 export function changesOf(
-  {group, size, turnDeg, oneWay, cell}: Required<Omit<PrintChanges, 'colourway'>>,
+  {
+    group,
+    size,
+    turnDeg,
+    oneWay,
+    cell,
+    delivered,
+  }: Required<Omit<PrintChanges, 'colourway' | 'delivered'>> & {
+    readonly delivered?: Delivered | undefined;
+  },
   file: Print,
 ): PrintChanges {
   const own = repeatOf(file);
@@ -133,6 +154,7 @@ export function changesOf(
     ...(!near(turnDeg, own.turnDeg) && {turnDeg}),
     ...(oneWay !== (file.oneWay ?? false) && {oneWay}),
     ...(cell !== (file.cell ?? 'primitive') && {cell}),
+    ...(delivered && {delivered: fabricOnly(delivered)}),
   };
 }
 
@@ -142,7 +164,7 @@ export function changesOf(
  */
 export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: string): Print {
   const file = readPrintFile(content, print.url);
-  const {colourway, size, oneWay, cell} = print;
+  const {colourway, size, oneWay, cell, delivered} = print;
   const worn = colourway === undefined ? undefined : colourwayOf(file, colourway);
   if (colourway !== undefined && !worn) {
     throw new FileError(print.url, `has no colourway '${colourway}'; choose one that it has.`);
@@ -153,6 +175,7 @@ export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: stri
     ...(oneWay !== undefined && {oneWay}),
     ...(cell !== undefined && {cell}),
     ...(size && {unscaled: false}), // measured by the user
+    ...(delivered && {delivered}),
   };
 }
 
@@ -178,5 +201,6 @@ const hasNewLattice = ({group, size, turnDeg}: PrintChanges): boolean =>
 export function printTextOf(design: Pick<FiledDesign, 'print'>, content: string): Print | string {
   const shown = printOfStored(design, content);
   const {print} = design;
-  return hasNewLattice(print) || print.oneWay !== undefined ? shown : content;
+  const isChanged = hasNewLattice(print) || print.oneWay !== undefined || print.delivered;
+  return isChanged ? shown : content;
 }

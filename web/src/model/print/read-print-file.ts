@@ -19,6 +19,16 @@ import {FileError} from '../base/versioned-file.js';
 /** [cm] */
 const length = number(-10_000, 10_000);
 
+const percent = number(-1000, 1000);
+const deliveredFields = {
+  shrinkage: shape({warp: percent, weft: percent}),
+  measured: shape({}, {across: length, up: length}),
+};
+const fabric: Read<NonNullable<Print['fabric']>> = (value, at) => ({
+  ...(value as object), // other fields of the file
+  ...shape({}, {...deliveredFields, usableWidthCm: length})(value, at),
+});
+
 const fields: Read<Print> = shape(
   {group: oneOf(groupNames), w1: pairOf(length), w2: pairOf(length)},
   {
@@ -29,6 +39,7 @@ const fields: Read<Print> = shape(
     scale: number(...scaleLimits),
     turnDeg: number(-mostTurn, mostTurn),
     cell: oneOf(printCells),
+    ...{fabric, delivered: shape({}, deliveredFields)},
   },
 );
 

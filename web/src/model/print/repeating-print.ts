@@ -20,6 +20,14 @@ export interface Colourway {
   readonly raster?: string;
 }
 
+/** Fabric as it is delivered, before its first wash. */
+export interface Delivered {
+  /** Shrinkage in the wash along warp and weft. [per cent] */
+  readonly shrinkage?: {readonly warp: number; readonly weft: number};
+  /** The repeat as measured straight across the fabric and up; as stated where absent. [cm] */
+  readonly measured?: {readonly across?: number; readonly up?: number};
+}
+
 /**
  * A repeating print. `w1`, `w2` in cm, right-handed; +y of the print is the length of the fabric.
  */
@@ -52,7 +60,12 @@ export interface Print {
    * `print.turnDeg` of a result. [degrees] Default 0.
    */
   readonly turnDeg?: number;
-  readonly fabric?: {readonly usableWidthCm?: number};
+  readonly fabric?: Delivered & {readonly usableWidthCm?: number};
+  /**
+   * The fabric for which `w1` and `w2` are the repeat after the wash, as in `print.delivered` of a
+   * result. Without it, they are the stated repeat, to which `fabric` is yet to be applied.
+   */
+  readonly delivered?: Delivered;
   /** The first one is the one in `image`. */
   readonly colourways?: readonly Colourway[];
 }

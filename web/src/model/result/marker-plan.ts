@@ -64,6 +64,20 @@ export interface CheaperDesign {
   readonly insteadOfCm: number;
 }
 
+/** All garments of one result in a layout. */
+export interface GarmentShare {
+  /** Index of the result, from 0. */
+  readonly result: number;
+  /** Number of garments. */
+  readonly copies: number;
+  /** Number of pieces of all copies, unplaced ones included. */
+  readonly pieces: number;
+  /** Area of the placed pieces within their cut lines. [cm2] */
+  readonly areaCm2: number;
+  /** Part of the length of the layout, by area. [cm] */
+  readonly lengthCm: number;
+}
+
 export interface LayPlan {
   readonly format: 'seamwise-layplan/1';
   readonly print: {readonly group: GroupName; readonly w1: Point; readonly w2: Point};
@@ -90,6 +104,8 @@ export interface LayPlan {
     readonly piece: string;
     readonly nth?: number;
   }[];
+  /** One entry per result. Absent in layouts of earlier versions. */
+  readonly garments?: readonly GarmentShare[];
   /** Area of the pieces / (width x length). */
   readonly useShare: number;
   /** Lower bound: no layout with this start of the print is shorter. */

@@ -1,6 +1,6 @@
 import type {Alignment, MirrorMap, Point} from '../geometry/vectors.js';
 import type {NoteDetail} from './notes.js';
-import type {GroupName} from '../print/repeating-print.js';
+import type {Delivered, GroupName} from '../print/repeating-print.js';
 import type {Method} from './method.js';
 
 /** A piece before and after: `rest` and `shape` share vertices, triangles and outline. [cm] */
@@ -256,6 +256,8 @@ export interface SolveResult {
     readonly w2: Point;
     readonly scale?: number;
     readonly turnDeg?: number;
+    /** The fabric for which the repeat is that after the wash. */
+    readonly delivered?: Delivered;
   };
   /** Mirrored seams were forbidden: seams that would only match as a mirror image do not match. */
   readonly continuousOnly?: boolean;

@@ -24,6 +24,17 @@ export function standingOf(
   return {visible: counted, matched, answerCost};
 }
 
+/** The figures of several garments together. */
+export const together = (standings: readonly Standing[]): Standing =>
+  standings.reduce(
+    (sum, one) => ({
+      visible: sum.visible + one.visible,
+      matched: sum.matched + one.matched,
+      answerCost: sum.answerCost + one.answerCost,
+    }),
+    {visible: 0, matched: 0, answerCost: 0},
+  );
+
 /** Returns whether more visible seams match; of equally many, whether the mismatch is less. */
 export const isBetter = (one: Standing, other: Standing): boolean =>
   one.matched === other.matched ? one.answerCost < other.answerCost : one.matched > other.matched;

@@ -165,6 +165,11 @@ function varied<P extends Pick<Problem, 'print'>>(problem: P, variant: PrintVari
   const isPrint = print && print.group in groupTable && [print.w1, print.w2].every(Array.isArray);
   if (!isPrint) return problem; // the core reports it
   if (scale !== 1) checkScaled(print);
+  if (print.fabric?.measured ?? print.delivered?.measured) {
+    throw wrongOption(
+      'The repeat was measured on fabric that is printed already, so its print has no other size or turn; leave out printSize and printTurn, or the measured repeat.',
+    );
+  }
   return {...problem, print: asVariant(print, variant)};
 }
 
@@ -222,12 +227,24 @@ export function chosenProblem(
   });
 }
 
-/** The result with size, turn and effort of its problem, which the core does not know. */
+/**
+ * The print of a problem if its file states shrinkage or a measured repeat that are yet to be
+ * applied; undefined for any other.
+ */
+export function unsewnPrint({print}: Pick<Problem, 'print'>): Print | undefined {
+  if (typeof print === 'string' && !/"(shrinkage|measured)"/.test(print)) return undefined;
+  const asked = objectOf<Print>(print);
+  const {fabric, delivered} = asked ?? {};
+  return !delivered && (fabric?.shrinkage ?? fabric?.measured) ? asked : undefined;
+}
+
+/** The result with size, turn, fabric and effort of its problem, which the core does not know. */
 export function described(result: SolveResult, problem: SingleProblem): SolveResult {
   const known = <T extends object>(part: T | string | undefined, field: string): T | undefined =>
     typeof part !== 'string' || part.includes(`"${field}"`) ? objectOf(part) : undefined;
   const scale = known<Print>(problem.print, 'scale')?.scale ?? 1;
   const turnDeg = known<Print>(problem.print, 'turnDeg')?.turnDeg ?? 0;
+  const delivered = known<Print>(problem.print, 'delivered')?.delivered;
   const effort = known<SolveOptions>(problem.options, 'effort')?.effort ?? 1;
   return {
     ...result,
@@ -235,6 +252,7 @@ export function described(result: SolveResult, problem: SingleProblem): SolveRes
       ...result.print,
       ...(scale !== 1 && {scale}),
       ...(turnDeg !== 0 && {turnDeg}),
+      ...(delivered && {delivered}),
     },
     ...(effort !== 1 && {metrics: {...result.metrics, effort}}),
   };

@@ -96,6 +96,7 @@ export const page = {
     change: 'greatest change',
     name: 'name',
     fabric: 'fabric',
+    garments: 'garments on the fabric',
     better: 'better match',
   },
   introduction: {

@@ -30,6 +30,9 @@ export const sheet = {
     press: 'Press line',
   },
   letters: 'Edges with the same letter are sewn together.',
+  shrinks: text(
+    'The fabric shrinks by {warp} % lengthwise and {weft} % across: pieces are larger by that much, and measure right after the wash.',
+  ),
   singleLayer: 'Each piece is cut from a single layer, face up; none is on a fold.',
   crosses: 'Numbered crosses of a piece are at the same point of the print;',
   frames: 'the faint frame around each shows one repeat.',

@@ -2,6 +2,7 @@
 import {decidedOf, noPicture, printOf} from '../../model/design/design.js';
 import {SolverError} from '../../model/base/failure.js';
 import {garmentTitle, panelMarks} from '../../model/garment/panel-marks.js';
+import {asCut} from '../../model/print/as-cut.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {AllowanceRule} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
@@ -17,6 +18,7 @@ import {drawnLetters} from './drawn-letters.js';
 /** Plain data, which can be posted to a worker. */
 export interface CutMaterial {
   readonly result: SolveResult;
+  /** The print after the wash of its fabric. */
   readonly print: PrintWithTile;
   readonly marks: CuttingMarks;
   readonly options: SheetOptions;
@@ -76,7 +78,7 @@ export async function cutHere(
   const {result, print, marks, options} = material;
   const sheet = cutSheet(result, print, marks, options);
   const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
-  return cutFile(sheet, print, {
+  return cutFile(sheet, asCut(print), {
     ...{file, paper, ink, dxf, pixels, letters: drawnLetters},
     ...(guide && {guide: options}),
   });

@@ -51,6 +51,7 @@ export function changeBetween(from: Design, to: Design): Change {
   const names = changedIn(from.names, to.names);
   if (names.length > 0) return {kind: 'name', pieces: names};
   if (fabricOf(from) !== fabricOf(to)) return {kind: 'fabric'};
+  if (from.added !== to.added || from.copies !== to.copies) return {kind: 'garments'};
   return (
     pieceGrain(from.options, to.options) ??
     fittingChange(from, to) ??

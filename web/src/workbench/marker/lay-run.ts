@@ -1,4 +1,4 @@
-/** Lays out a result on its fabric while the page stays responsive. */
+/** Lays out garments on their fabric while the page stays responsive. */
 import type {MarkerGarment} from '../../model/design/marker-garment.js';
 import {cheaperLays, type CheaperMeans} from '../../marker/cheaper.js';
 import {cutRings, cutRingSteps} from '../../marker/cut-rings.js';
@@ -9,19 +9,19 @@ import type {MarkerSettings} from '../../marker/settings.js';
 import {unlessFailed} from '../../marker/shifted.js';
 import type {Design} from '../../model/design/design.js';
 import {problemOf} from '../../model/documents/design-problem.js';
-import type {GarmentDocument} from '../../model/garment/garment-document.js';
 import {failureOf, SolverError} from '../../model/base/failure.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
-import type {SolveResult} from '../../model/result/result.js';
 import {besideThePage, runInSlices, stepsFor} from '../../solver/answers/slices.js';
+import type {OwnShare} from '../../cutting/allowances.js';
+import type {SolvedGarment} from './added-results.js';
 import {askedOf, liesThere, type LayStep} from './lay-step.js';
 import type {Workbench} from '../workbench.js';
 
-/** Input of a layout: a result and its fabric. */
+/** Input of a layout: the garments and their fabric. */
 export interface ToLay {
-  readonly design: Design;
-  readonly result: SolveResult;
-  readonly garment: GarmentDocument;
+  /** The design's own garment first, then those that were added. */
+  readonly garments: readonly SolvedGarment[];
+  readonly print: Design['print'];
   readonly step: LayStep;
 }
 
@@ -33,16 +33,26 @@ interface LayHooks {
 }
 
 interface Asked {
-  readonly garments: readonly [MarkerGarment];
+  readonly garments: readonly MarkerGarment[];
   readonly settings: MarkerSettings;
   readonly print: Design['print'];
 }
 
-function askedFor({design, result, garment, step: {choices}}: ToLay): Asked {
-  const {options, names, print} = design;
-  const {isOneWay, phaseCm, ...fabric} = choices;
+/** A garment for the layout. Its file is only named beside others. */
+export const markerGarmentOf = (
+  {design: {garment, options, names}, copies, result, document}: SolvedGarment,
+  isOnly = true,
+): MarkerGarment => ({
+  ...{result, garment: document, options, copies},
+  ...(names && {names}),
+  ...(!isOnly && {name: garment.name}),
+});
+
+function askedFor({garments, print, step: {choices}}: ToLay): Asked {
+  const {isOneWay, phaseCm, widthCm, selvedgeCm, gapCm, allowanceCm, hemCm} = choices;
+  const fabric = {widthCm, selvedgeCm, gapCm, allowanceCm, hemCm};
   return {
-    garments: [{result, garment, options, ...(names && {names})}],
+    garments: garments.map((one) => markerGarmentOf(one, garments.length === 1)),
     settings: {
       ...fabric,
       ...(phaseCm !== null && {phaseCm}),
@@ -52,16 +62,18 @@ function askedFor({design, result, garment, step: {choices}}: ToLay): Asked {
   };
 }
 
-/** Edges of a garment that have an allowance of their own. */
-export function ownAllowancesOf(toLay: ToLay): ReturnType<typeof cutRings>['ownAllowances'] {
+/** Edges of the garments that have an allowance of their own. */
+export function ownAllowancesOf(toLay: ToLay): OwnShare {
   const {garments, settings} = askedFor(toLay);
-  return cutRings(garments[0], ruleOf(settings)).ownAllowances;
+  const shares = garments.map((one) => cutRings(one, ruleOf(settings)).ownAllowances);
+  const [first = 'none'] = shares;
+  return shares.every((share) => share === first) ? first : 'some';
 }
 
 const ruleOf = ({allowanceCm = 0, hemCm = allowanceCm}: MarkerSettings) => ({allowanceCm, hemCm});
 
 /**
- * Lays out a result.
+ * Lays out garments.
  * @throws {SolverError} naming cause and remedy, if no layout is possible; the signal's reason
  */
 export async function laid(
@@ -70,9 +82,11 @@ export async function laid(
   {signal, onProgress, onPlan}: LayHooks,
 ): Promise<void> {
   const {garments, settings, print} = askedFor(toLay);
-  const rings = cutRingSteps(garments[0], ruleOf(settings));
-  const step = (): boolean => rings.next().done !== true;
-  await runInSlices((time) => stepsFor(time, step), besideThePage, signal);
+  for (const garment of garments) {
+    const rings = cutRingSteps(garment, ruleOf(settings));
+    const step = (): boolean => rings.next().done !== true;
+    await runInSlices((time) => stepsFor(time, step), besideThePage, signal);
+  }
   const order = markerOrder(garments, settings, print);
   const problem = askedOf(order.problem, toLay.step);
   const asked = {...order, problem};
@@ -93,10 +107,14 @@ export async function laid(
   onPlan(order, layPlan(asked, answer));
 }
 
-/** A failure with the index of its piece in the garment in place of that among the laid pieces. */
-function ofGarment(failure: SolverError, {pieces}: MarkerOrder, {result}: ToLay): SolverError {
-  const name = pieces[failure.piece ?? -1]?.piece;
-  const piece = result.pieces.findIndex((one) => one.name === name);
+/**
+ * A failure with the index of its piece in the design's garment in place of that among the laid
+ * pieces; null for a piece of another garment, which the message names.
+ */
+function ofGarment(failure: SolverError, {pieces}: MarkerOrder, {garments}: ToLay): SolverError {
+  const {piece: name, result: which} = pieces[failure.piece ?? -1] ?? {};
+  const own = which === 0 ? garments[0]?.result.pieces : undefined;
+  const piece = own?.findIndex((one) => one.name === name) ?? -1;
   return new SolverError({...failureOf(failure), piece: piece < 0 ? null : piece});
 }
 
@@ -116,8 +134,13 @@ export async function offersFor(
     lay: (problem, hooks) => solver.marker(problem, hooks),
     solve: (problem, hooks) => solver.solve(problem, hooks),
   };
-  const garment = await withOthers(asked.garments[0], toLay.design, solver, signal);
-  const offers = await cheaperLays({...asked, garments: [garment], plan}, means, {signal});
+  const [own, ...added] = asked.garments;
+  const [first] = toLay.garments;
+  if (!own || !first) return [];
+  const garment = await withOthers(own, first.design, solver, signal);
+  const offers = await cheaperLays({...asked, garments: [garment, ...added], plan}, means, {
+    signal,
+  });
   signal.throwIfAborted();
   return offers;
 }

@@ -1,10 +1,11 @@
 /**
- * Layout of the present result on fabric, computed while it is on display, including pieces moved
- * by hand.
+ * Layout of the design's garments on fabric, computed while it is on display, including pieces
+ * moved by hand.
  */
 import {withOffers} from '../../marker/cheaper.js';
 import {placesIn} from '../../marker/moved-plan.js';
 import {aroundPins} from '../../model/result/pinned-plan.js';
+import type {PieceOfMarker} from '../../marker/pieces.js';
 import type {Bolt} from '../../marker/places.js';
 import type {DesignPrint} from '../../model/design/design.js';
 import type {Failure} from '../../model/base/failure.js';
@@ -20,6 +21,7 @@ import {
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {SolveResult} from '../../model/result/result.js';
 import {allowancesIn} from '../allowances.js';
+import {AddedResults, type GarmentInWork, type SolvedGarment} from './added-results.js';
 import {storedFabric, withFabric, type MarkerChoices} from './marker-choices.js';
 import {MarkerWork, type PieceOnFabric} from './marker-work.js';
 import {laid, offersFor, ownAllowancesOf, type ToLay} from './lay-run.js';
@@ -28,10 +30,13 @@ import {toFailure} from '../latest-solve.js';
 import {Observable} from '../observable.js';
 import type {Workbench} from '../workbench.js';
 
-/** `waiting`: there is no result to lay out; `laying`: the best layout so far is shown. */
+/**
+ * `waiting`: there is no result to lay out; `laying`: the best layout so far is shown, or with
+ * `inWork` an added garment is being solved.
+ */
 type LayoutsState =
   | {readonly kind: 'waiting' | 'done' | 'cancelled'}
-  | {readonly kind: 'laying'; readonly fraction: number}
+  | {readonly kind: 'laying'; readonly fraction: number; readonly inWork?: GarmentInWork}
   | {readonly kind: 'failed'; readonly failure: Failure};
 
 type Source = Pick<
@@ -39,13 +44,17 @@ type Source = Pick<
   'history' | 'solving' | 'subscribe' | 'solver' | 'preferences' | 'prefer'
 >;
 
+/** Number of stored layouts. */
+const mostKnown = 12;
+
 export class Layouts extends Observable {
   readonly #source: Source;
   /** Layout on display, and the one that replaces it as soon as it has pieces. */
   #work: MarkerWork | undefined;
   #next: MarkerWork | undefined;
-  /** Layouts of results that the user may return to. */
-  readonly #known = new WeakMap<SolveResult, MarkerWork>();
+  /** Layouts that the user may return to, the oldest first. */
+  #known: readonly MarkerWork[] = [];
+  readonly #results = new AddedResults();
   #state: LayoutsState = {kind: 'waiting'};
   #running: AbortController | undefined;
   /** True if the fabric was changed and has no layout yet: the display shows the fabric before. */
@@ -99,9 +108,14 @@ export class Layouts extends Observable {
     return this.#work?.pieces ?? [];
   }
 
-  /** Names of all pieces of the layout, by their numbers. */
-  get names(): readonly string[] {
-    return (this.#work ?? this.#next)?.step.order?.pieces.map(({piece}) => piece) ?? [];
+  /** Sources of all pieces of the layout, by their numbers. */
+  get sources(): readonly PieceOfMarker[] {
+    return (this.#work ?? this.#next)?.step.order?.pieces ?? [];
+  }
+
+  /** The garments of the layout on display, the design's own first. */
+  get garments(): readonly SolvedGarment[] {
+    return this.#work?.garments ?? [];
   }
 
   /** Fabric on display; undefined until there is a layout. */
@@ -124,8 +138,8 @@ export class Layouts extends Observable {
 
   /** Edges of the garment that have allowances of their own; `none` until there is a layout. */
   get ownAllowances(): ReturnType<typeof ownAllowancesOf> {
-    const toLay = this.#work?.step.order && this.#toLay(this.#work);
-    return toLay && !this.isStale ? ownAllowancesOf(toLay) : 'none';
+    const toLay = this.#work?.step.order && !this.isStale ? this.#toLay(this.#work) : undefined;
+    return toLay ? ownAllowancesOf(toLay) : 'none';
   }
 
   /** Shows the layout, and computes it from now on. @returns the function that ends this */
@@ -160,7 +174,7 @@ export class Layouts extends Observable {
 
   /** Stops a layout. If its fabric was changed, it starts again when the user returns to it. */
   #leave(): void {
-    if (this.#isAwaited && this.#work) this.#known.delete(this.#work.result);
+    if (this.#isAwaited) this.#known = this.#known.filter((work) => work !== this.#work);
     this.#stop();
   }
 
@@ -189,6 +203,17 @@ export class Layouts extends Observable {
     if (JSON.stringify(next) === JSON.stringify(choices)) return;
     this.#change({choices: next, pins: noPins}, true);
     this.#remember(next);
+  }
+
+  /** Notes the price of the fabric, on which no layout depends. */
+  setPrice(price: number): void {
+    const work = this.#next ?? this.#work;
+    const {choices} = this;
+    if (!work || !choices) return;
+    const next = {...choices, price};
+    work.history = mapped(work.history, (step) => ({...step, choices: {...step.choices, price}}));
+    this.#remember(next);
+    this.changed();
   }
 
   setFlaws(flaws: readonly Flaw[]): void {
@@ -297,35 +322,51 @@ export class Layouts extends Observable {
     const preferences = this.#source.preferences.chosen;
     if (!design) return;
     this.#leave();
-    const known = this.#known.get(result);
-    if (known?.isOf(result, design) && known.step.plan) {
+    const known = this.#known.find((work) => work.isOf(result, design));
+    if (known?.step.plan) {
       this.#next = undefined;
       this.#work = known;
       this.#settle(known.step);
       return;
     }
     const choices = storedFabric(design.print, preferences);
-    this.#next = MarkerWork.after(before, result, design.print, choices);
-    this.#known.set(result, this.#next);
+    this.#next = MarkerWork.after(before, result, design, choices);
+    const others = this.#known.filter((work) => work !== known);
+    this.#known = [...others, this.#next].slice(-mostKnown);
     void this.#run(this.#next);
   }
 
-  #toLay({result, step}: MarkerWork): ToLay | undefined {
-    const {garment} = this.#source.solving;
+  #toLay({garments, print, step}: MarkerWork): ToLay {
+    return {garments, print, step};
+  }
+
+  /** Solves the added garments. @returns false if there is no design to lay out any more */
+  async #complete(work: MarkerWork, signal: AbortSignal): Promise<boolean> {
+    const {garment: document} = this.#source.solving;
     const {design} = this.#source.history;
-    return garment && design && {design, garment, result, step};
+    if (!document || !design) return false;
+    const own = {result: work.result, document};
+    work.garments = await this.#results.of(design, own, this.#source, {
+      signal,
+      onProgress: (inWork, fraction) => {
+        this.#state = {kind: 'laying', fraction, inWork};
+        this.changedOften();
+      },
+    });
+    return true;
   }
 
   /** @param before a plan of the same pieces on the same fabric */
   async #run(work: MarkerWork, before?: LayPlan): Promise<void> {
-    const toLay = this.#toLay(work);
-    if (!toLay) return;
-    const {step} = toLay;
+    const {step} = work;
     const {solver} = this.#source;
     const running = new AbortController();
     this.#running = running;
     this.#become({kind: 'laying', fraction: 0});
     try {
+      if (!(await this.#complete(work, running.signal))) return;
+      running.signal.throwIfAborted();
+      const toLay = {...this.#toLay(work), step};
       await laid(toLay, solver, {
         signal: running.signal,
         onProgress: (fraction) => {
@@ -336,7 +377,7 @@ export class Layouts extends Observable {
           const plan = step.pins.size > 0 ? aroundPins(found, before) : found;
           const isFirst = this.#work !== work;
           const places = placesIn(order, plan);
-          work.history = amended(work.history, {...step, order, plan, places});
+          work.history = amended(work.history, {...withPriceOf(work, step), order, plan, places});
           this.#isAwaited = false;
           this.#work = work;
           this.#next = undefined;
@@ -353,7 +394,7 @@ export class Layouts extends Observable {
       this.#stop();
       const failure = toFailure(error);
       const places = step.order?.pieces.map(() => undefined) ?? [];
-      work.history = amended(work.history, {...step, places, failure});
+      work.history = amended(work.history, {...withPriceOf(work, step), places, failure});
       this.#become({kind: 'failed', failure});
     }
   }
@@ -368,6 +409,12 @@ export class Layouts extends Observable {
     this.changed();
   }
 }
+
+/** A step with the present price, which may change while the pieces are laid out. */
+const withPriceOf = ({step: {choices}}: MarkerWork, step: LayStep): LayStep =>
+  step.choices.price === choices.price
+    ? step
+    : {...step, choices: {...step.choices, price: choices.price}};
 
 const known = new WeakMap<Source, Layouts>();
 

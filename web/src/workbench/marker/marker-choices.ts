@@ -20,17 +20,16 @@ interface KeptChoices {
   readonly isOneWay: boolean;
   /** Distance of the print's origin from the left edge; null until it is measured. [cm] */
   readonly phaseCm: number | null;
+  /** Price of a metre, or of a yard if lengths are in inches, in any currency; 0 if unknown. */
+  readonly price: number;
 }
 
-export interface MarkerChoices extends KeptChoices, ChosenAllowances {
-  /** Number of garments cut from the fabric. */
-  readonly copies: number;
-}
+export interface MarkerChoices extends KeptChoices, ChosenAllowances {}
 
 /** Widths in which fabric is sold. [cm] */
 export const usualWidths: readonly number[] = [90, 110, 115, 140, 150, 160];
 
-/** Limits of every choice. [cm, garments] */
+/** Limits of every choice. [cm, and currency for the price] */
 export const fabricLimits = {
   widthCm: [20, 400],
   selvedgeCm: [0, 10],
@@ -38,7 +37,7 @@ export const fabricLimits = {
   phaseCm: [0, 400],
   allowanceCm: [0, greatestAllowance],
   hemCm: [0, greatestAllowance],
-  copies: [1, 20],
+  price: [0, 10_000],
 } as const;
 
 const usual: KeptChoices = {
@@ -47,6 +46,7 @@ const usual: KeptChoices = {
   gapCm: 0.2,
   isOneWay: false,
   phaseCm: null,
+  price: 0,
 };
 
 /** Number of stored prints; the oldest one is dropped first. */
@@ -64,6 +64,7 @@ const isRight: {readonly [Name in keyof KeptChoices]: (value: unknown) => boolea
   gapCm: (value) => isLength(value, fabricLimits.gapCm),
   isOneWay: (value) => typeof value === 'boolean',
   phaseCm: (value) => value === null || isLength(value, fabricLimits.phaseCm),
+  price: (value) => isLength(value, fabricLimits.price),
 };
 
 /**
@@ -81,21 +82,21 @@ export function storedFabric(print: DesignPrint, preferences: Preferences): Mark
       }),
     );
   return {
-    ...{...usual, copies: 1, ...allowancesIn(preferences)},
+    ...{...usual, ...allowancesIn(preferences)},
     ...known(['widthCm', 'gapCm'], all.at(-1)?.[1]),
-    ...known(['widthCm', 'selvedgeCm', 'gapCm', 'isOneWay', 'phaseCm'], own),
+    ...known(['widthCm', 'selvedgeCm', 'gapCm', 'isOneWay', 'phaseCm', 'price'], own),
   };
 }
 
 /** Preferences with these choices. */
 export function withFabric(
   print: DesignPrint,
-  {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, ...rest}: MarkerChoices,
+  {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, price, ...rest}: MarkerChoices,
   preferences: Preferences,
 ): Pick<Preferences, 'cloths' | 'allowances'> {
   const name = nameOf(print);
   const others = Object.entries(preferences.cloths ?? {}).filter(([one]) => one !== name);
-  const kept: KeptChoices = {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm};
+  const kept: KeptChoices = {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, price};
   return {
     ...withAllowances(rest, preferences),
     cloths: Object.fromEntries([...others, [name, kept] as const].slice(-most)),

@@ -16,6 +16,7 @@ import {boxOf} from '../../model/geometry/polyline.js';
 import {fractionOrNumber, type Units} from '../../model/base/length-text.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
+import type {MarkerChoices} from './marker-choices.js';
 import type {PieceOnFabric} from './marker-work.js';
 
 /** Steps of the lengths that shops sell: 5 cm, an eighth of a yard. */
@@ -39,6 +40,18 @@ export function soldLength(cm: number, units: Units, words: MarkerTexts, format:
 /** Rounds up to whole centimetres, or to sixteenths of an inch. */
 export const roundedLength = (cm: number, units: Units, format: Format): string =>
   format.length(units === 'inch' ? cm : Math.ceil(cm - slack));
+
+/** Returns the price of a length; undefined without the price of a metre or yard. */
+export function costOfLength(
+  cm: number,
+  choices: Pick<MarkerChoices, 'price'> | undefined,
+  units: Units,
+  format: Format,
+): string | undefined {
+  const {price = 0} = choices ?? {};
+  const unit = units === 'inch' ? yardCm : 100;
+  return price > 0 ? format.number((price * cm) / unit, 2) : undefined;
+}
 
 /**
  * Returns a range such as "120 to 136 cm"; it contains the lengths as `roundedLength` shows them.

@@ -1,11 +1,13 @@
-/** Layout of one result: the steps of the user who works on it, and the data for its view. */
+/** Layout of a design's garments: the steps of the user who works on it, and the data for its view. */
 import {isMoved, movedPlan} from '../../marker/moved-plan.js';
 import type {Bolt, LaidPiece} from '../../marker/places.js';
 import type {MarkerOrder} from '../../marker/problem.js';
 import {printOf, type Design, type DesignPrint} from '../../model/design/design.js';
 import {begun, type History} from '../../model/design/history.js';
+import {asCut} from '../../model/print/as-cut.js';
 import type {LayPlan} from '../../model/result/marker-plan.js';
 import type {SolveResult} from '../../model/result/result.js';
+import type {SolvedGarment} from './added-results.js';
 import {noPins, type LayStep} from './lay-step.js';
 import {lastOf} from '../../model/base/last-of.js';
 
@@ -13,39 +15,49 @@ import {lastOf} from '../../model/base/last-of.js';
 export interface PieceOnFabric extends LaidPiece {
   /** Number among all pieces of the layout. */
   readonly number: number;
+  /** Index of its garment; 0 is the design's own. */
+  readonly garment: number;
   /** Name in the garment file. */
   readonly name: string;
 }
+
+/** The parts of a design on which its fabric layout depends, apart from the results. */
+type LaidDesign = Pick<Design, 'print' | 'copies' | 'added'>;
 
 export class MarkerWork {
   readonly result: SolveResult;
   readonly print: DesignPrint;
   history: History<LayStep>;
+  /** All garments, once the added ones are solved; the design's own is the first. */
+  garments: readonly SolvedGarment[] = [];
+  readonly #copies: Design['copies'];
+  readonly #added: Design['added'];
 
-  constructor(result: SolveResult, print: DesignPrint, history: History<LayStep>) {
+  constructor(result: SolveResult, {print, copies, added}: LaidDesign, history: History<LayStep>) {
     this.result = result;
     this.print = print;
+    this.#copies = copies;
+    this.#added = added;
     this.history = history;
   }
 
   /**
    * A new layout without pieces. It keeps the flaws, which belong to the bolt, if the print is the
-   * same; it also keeps the number of garments.
+   * same.
    */
   static after(
     before: MarkerWork | undefined,
     result: SolveResult,
-    print: DesignPrint,
+    design: LaidDesign,
     choices: LayStep['choices'],
   ): MarkerWork {
-    const {flaws = [], plan} = before?.print === print ? before.step : {};
-    const {copies} = before?.step.choices ?? choices;
+    const {flaws = [], plan} = before?.print === design.print ? before.step : {};
     const step = {
-      ...{choices: {...choices, copies}, flaws, pins: noPins, places: []},
+      ...{choices, flaws, pins: noPins, places: []},
       ...{failure: undefined, order: undefined},
       plan: flaws.length > 0 ? plan : undefined,
     };
-    return new MarkerWork(result, print, begun(step));
+    return new MarkerWork(result, design, begun(step));
   }
 
   get step(): LayStep {
@@ -53,7 +65,12 @@ export class MarkerWork {
   }
 
   isOf(result: SolveResult | undefined, design: Design | undefined): boolean {
-    return this.result === result && this.print === design?.print;
+    return (
+      this.result === result &&
+      this.print === design?.print &&
+      this.#copies === design.copies &&
+      this.#added === design.added
+    );
   }
 
   /** The plan with the present places of the pieces. */
@@ -80,9 +97,9 @@ export class MarkerWork {
 
   readonly #piecesOf = lastOf(
     ({pieces, problem}: MarkerOrder, places: LayStep['places']): readonly PieceOnFabric[] =>
-      pieces.flatMap(({piece: name}, number) => {
+      pieces.flatMap(({piece: name, result: garment}, number) => {
         const [place, piece] = [places[number], problem.pieces[number]];
-        return place && piece ? [{number, name, place, piece}] : [];
+        return place && piece ? [{number, garment, name, place, piece}] : [];
       }),
   );
 
@@ -98,7 +115,7 @@ export class MarkerWork {
       flaws: LayStep['flaws'],
       print: DesignPrint,
     ): Bolt => {
-      const repeat = printOf(print);
+      const repeat = asCut(printOf(print));
       return {
         ...{repeat, origin: printOrigin ?? [0, 0], widthCm, selvedgeCm, gapCm, flaws},
         isOneWay: isOneWay || repeat.oneWay === true,
