@@ -80,22 +80,29 @@ export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): M
   const lines = within.filter(({line}) =>
     isLine({start: line.start, cubics: line.cubics.slice(0, 1)}, 0.1),
   );
-  const straight = lines.filter(({line}) => distance(line.start, farthest(line)) >= 50);
+  const long = lines.filter(({line}) => distance(line.start, farthest(line)) >= 50);
   const isCalled = ({drawers}: Mark): boolean =>
     drawers.some(({element, groups}) =>
       saysGrain(
         [element, ...groups.slice(-1)].map(({attributes}) => [...attributes.values()].join(' ')),
       ),
     );
-  const isArrow = ({drawers}: Mark): boolean =>
-    drawers.some(({element: {attributes}}) =>
-      [...attributes].some(([name, value]) => /marker-(?:start|end)/.test(`${name} ${value}`)),
+  const hasHeads = ({drawers}: Mark): boolean =>
+    drawers.some(
+      ({isArrow, element: {attributes}}) =>
+        isArrow === true ||
+        [...attributes].some(([name, value]) => /marker-(?:start|end)/.test(`${name} ${value}`)),
     );
   const said = texts.filter(({lines}) => saysGrain(lines)).map(({at}) => at);
   const off = ({line}: Mark): number =>
     Math.min(...said.map((at) => nearestOn([line.start, farthest(line)], at, false).off));
-  const beside = straight.filter((chain) => off(chain) <= 60).sort((a, b) => off(a) - off(b));
-  return lines.find(isCalled) ?? beside[0] ?? straight.find(isArrow);
+  const beside = long.filter((chain) => off(chain) <= 60).sort((a, b) => off(a) - off(b));
+  return (
+    lines.find(isCalled) ??
+    beside[0] ??
+    long.find(hasHeads) ??
+    lines.find((mark) => isLong(mark) && hasHeads(mark))
+  );
 }
 
 /**
