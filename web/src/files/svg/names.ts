@@ -55,7 +55,9 @@ function lineBelow(
     const off = minus(one.at, at);
     const down = -cross(along, off) / size;
     const isAlike = Math.abs(one.size / size - 1) < 0.02;
-    return isAlike && Math.abs(dot(along, off)) <= reach && down >= leading.least && down <= leading.most;
+    return (
+      isAlike && Math.abs(dot(along, off)) <= reach && down >= leading.least && down <= leading.most
+    );
   });
   const [next] = below;
   const [line] = next?.lines ?? [];

@@ -32,11 +32,8 @@ import {walked, type Sheet} from './walk.js';
  */
 export function readSvg(text: string, file: string, options: DrawingOptions = {}): Drawing {
   const document = svgOf(text, file);
-  const {sheet, unit, notes} = scaled(document, file, options);
-  const isKnown =
-    options.units !== undefined ||
-    options.pixelsPerInch !== undefined ||
-    unit.because === 'measured';
+  const {sheet, unit, notes, isMeasured = false} = scaled(document, file, options);
+  const isKnown = isMeasured || options.units !== undefined || options.pixelsPerInch !== undefined;
   const {program} = sheet;
   const {pieces, notes: found} = foundIn(sheet);
   if (pieces.length === 0) throw new FileError(file, whyNone(sheet, found));
@@ -97,6 +94,8 @@ interface Scaled {
   /** The unit of the output. */
   readonly unit: UnitGuess;
   readonly notes: readonly string[];
+  /** True if a test square confirms the scale or sets it. */
+  readonly isMeasured?: boolean;
 }
 
 /** Tolerance of a test square for the rounding of files. */
@@ -123,18 +122,16 @@ function scaled(
   const notes = note === undefined ? [] : [note];
   const sheet = at(millimetres ?? 1);
   const ratio = measuredScale(sheet);
-  if (ratio !== undefined) {
+  const isMeasured = ratio !== undefined;
+  if (ratio !== undefined && (Math.abs(ratio - 1) > rounding || millimetres === undefined)) {
     const unit: UnitGuess = {unit: 'mm', because: 'measured', ...sure};
-    const isConfirmed = Math.abs(ratio - 1) <= rounding && millimetres !== undefined;
-    return isConfirmed
-      ? {sheet, unit, notes}
-      : {sheet: at((millimetres ?? 1) * ratio), unit, notes: [measuredNote(ratio)]};
+    return {sheet: at((millimetres ?? 1) * ratio), unit, notes: [measuredNote(ratio)], isMeasured};
   }
   if (millimetres === undefined) {
     const unit = guessedUnit({largest: largestClosed(sheet), because});
     return {sheet: at(10 * cmPer(unit.unit)), unit, notes};
   }
-  return {sheet, unit: {unit: 'mm', because, ...sure}, notes};
+  return {sheet, unit: {unit: 'mm', because, ...sure}, notes, isMeasured};
 }
 
 function sheetOf(document: XmlDocument, [x, y]: Point, file: string): Sheet {

@@ -220,8 +220,10 @@ class Compared {
     if (fixed !== undefined) return {overlap: fixed, gain: sum[Math.round(fixed / step)] ?? 0};
     const atPrior = Math.round(prior / step);
     const best = sum.indexOf(Math.max(...sum));
-    // without clear evidence, pages are cut along their borders
-    const isPrior = (sum[best] ?? 0) < 1.1 * (sum[atPrior] ?? 0) + (prior > 0 ? trust : 0.5);
+    // without clear evidence, pages are cut along their borders, also where no line crosses these
+    const isEmpty = prior > 0 && sum.subarray(0, atPrior + 1).every((gain) => gain === 0);
+    const isPrior =
+      isEmpty || (sum[best] ?? 0) < 1.1 * (sum[atPrior] ?? 0) + (prior > 0 ? trust : 0.5);
     return isPrior
       ? {overlap: prior, gain: sum[atPrior] ?? 0}
       : {overlap: best * step, gain: sum[best] ?? 0};
