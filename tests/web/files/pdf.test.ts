@@ -231,13 +231,13 @@ describe('the pages of a PDF', () => {
       [20, 80, 140, 200].map((y) => ({
         outline: {start: [x, y], steps: [[[x + width, y]], [[x + width, y + 50]], [[x, y + 50]]]},
       }));
-    // the boxes on the right begin 30 mm beside the joint, at the heights of the others
-    const strokes = [...boxes(20, 130), ...boxes(220, 120)];
+    // the boxes on the right begin 20 mm from their page's side, at the heights of the others
+    const strokes = [...boxes(20, 150), ...boxes(200, 140)];
     const sheet = {width: 370, height: 277, strokes, labels: []};
     const {pieces, pages} = await read(pdfOf(tilesOf(sheet, tiled())));
     expect(pages?.overlapCm?.[0]).toBeCloseTo(1);
     expect(pieces.map((piece) => Math.round(extentOf(piece)[0])).sort()).toEqual([
-      ...[120, 120, 120, 120, 130, 130, 130, 130],
+      ...[140, 140, 140, 140, 150, 150, 150, 150],
     ]);
   });
 
