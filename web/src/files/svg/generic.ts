@@ -14,6 +14,7 @@ import {
   doubtOf,
   doubtfulHoles,
   gapNote,
+  isNearlyClosed,
   leftOutNotes,
   mostDoubts,
 } from '../base/left-out.js';
@@ -119,7 +120,8 @@ export function genericPieces(whole: Sheet, {isNamedByGroup = false} = {}): Foun
   const closed = closedStrokes(strokes).map((loop) => candidateOf(loop, squares));
   const large = closed.filter(({area}) => area >= outlineArea);
   if (large.length > mostOutlines) return {pieces: [], notes: [tooMany(large.length)]};
-  const roles = rolesOf(closed, surroundings(sheet));
+  const unclosed = strokes.filter(({line}) => !line.isClosed).map(({line}) => pointsOf(line));
+  const roles = rolesOf(closed, {...surroundings(sheet), open: unclosed});
   const outer = roles.pieces.map(({outline}) => outline);
   const used = new Set(
     roles.pieces.flatMap(({outline, sewn, cutOuts}) => [
@@ -152,7 +154,8 @@ export function genericPieces(whole: Sheet, {isNamedByGroup = false} = {}): Foun
     ...pieceOf(one, marks, written[k] ?? []),
   }));
   const open = marks.filter(
-    ({line, at}) => !line.isClosed && !outer.some(({rim}) => isInside(rim, at)),
+    ({line, at, points}) =>
+      !line.isClosed && (isNearlyClosed(points) || !outer.some(({rim}) => isInside(rim, at))),
   );
   const gaps = new Map(strokes.map(({line, gap}) => [line, gap]));
   return {
