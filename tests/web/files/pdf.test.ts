@@ -241,6 +241,16 @@ describe('the pages of a PDF', () => {
     ]);
   });
 
+  it('are put together by their places', async () => {
+    const places = tiles.map((_, k) => ({
+      number: k + 2,
+      cell: [k % 4, Math.floor(k / 4)] as const,
+    }));
+    const drawing = await read(bytes, {places: places.toReversed()});
+    expectGarment(drawing);
+    expect(drawing.pages).toMatchObject({columns: 4, rows: 4, overlapCm: [1, 1]});
+  });
+
   it('may be left out and keep their place', async () => {
     const {pieces, pages} = await read(bytes, {without: [10]});
     expect(pages).toMatchObject({columns: 4, rows: 4, others: [1, 10]});
