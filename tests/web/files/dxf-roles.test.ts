@@ -86,7 +86,7 @@ describe('closed lines', () => {
     );
     expect(areas(drawing)).toEqual([flapArea, 20]);
     expect(drawing.notes).toEqual([
-      '1 closed line outside of pieces, marks or below 4 cm²: left out; the largest is 1.5 x 1.0 cm at x 60.0 cm, y 0.0 cm on layer 0.',
+      '1 closed line outside of pieces, marks or below 4 cm²: left out; it is 1.5 x 1.0 cm at x 60.0 cm, y 0.0 cm on layer 0.',
     ]);
   });
 
@@ -192,6 +192,24 @@ describe('frames', () => {
       ],
       1,
     ],
+    [
+      'a frame around a piece with a cut-out, but of no size of paper',
+      [
+        closedLine(box(-50, -50, 1000, 500)),
+        closedLine(flap(100, 100)),
+        closedLine(box(250, 200, 80, 80)),
+      ],
+      1,
+    ],
+    [
+      'a frame around a piece with words, beside one that does not close',
+      [
+        closedLine(box(-50, -50, 1000, 500)),
+        ...[closedLine(flap(0, 0)), text('Front', [150, 100])],
+        ...[...segments([...flap(450, 0), [450, 2]]), text('Back', [600, 100])],
+      ],
+      1,
+    ],
   ])('are no pieces: %s', (_, entities, count) => {
     const drawing = drawn(...entities);
     expect(areas(drawing)).toEqual(Array.from({length: count}, () => flapArea));
@@ -225,6 +243,16 @@ describe('gaps', () => {
     const drawing = drawn(closedLine(flap(0, 0)), ...gapped(gap));
     expect(areas(drawing)).toHaveLength(count);
     expect(drawing.notes).toEqual(notes);
+  });
+
+  const unclosed = segments([...flap(0, 0), [0, 0.8]]);
+
+  it.each([
+    ['around the sewn line of a piece', box(110, 20, 200, 200)],
+    ['in a large line', box(-100, -100, 650, 500)],
+  ])('are reported %s', (_, closed) => {
+    const {notes} = drawn(closedLine(closed), ...unclosed);
+    expect(notes.join(' ')).toMatch(/on layer 0 does not close: its ends lie 0\.8 mm apart/);
   });
 
   it('are named if nothing closes', () => {
@@ -326,6 +354,30 @@ describe('quantities', () => {
     );
     expect(garment(drawing)).toMatchObject({pieces: [{quantity: 2}]});
   });
+
+  it('count the insertions of a block without a boundary beside one with it', () => {
+    const drawing = read(
+      drawnDxf({
+        blocks: [
+          block('A', closedLine(flap(0, 0), 1)),
+          block('B', closedLine(box(0, 0, 300, 200))),
+        ],
+        entities: [insertion('A'), insertion('B', [500, 0], [70, 2, 71, 1, 44, 400])],
+      }),
+    );
+    expect(garment(drawing).pieces.map(({quantity = 1}) => quantity)).toEqual([1, 2]);
+  });
+});
+
+it('names a piece by its text where a program made up the name of its block', () => {
+  const named = (name: string): string | undefined =>
+    read(
+      drawnDxf({
+        blocks: [block(name, closedLine(flap(0, 0), 1), text('Side front', [200, 100], 1))],
+        entities: [insertion(name)],
+      }),
+    ).pieces[0]?.name;
+  expect(['P1_0', 'A$C2F', 'SLEEVE'].map(named)).toEqual(['Side front', 'Side front', 'SLEEVE']);
 });
 
 /** Closed lines of random sizes and places, in and beside each other, on random layers. */

@@ -5,7 +5,14 @@ import {readAnyDrawing} from '@/files/read-drawing.js';
 import type {Drawing, DrawingOptions, DrawnPiece} from '@/model/garment/imported-drawing.js';
 import {boxOf} from '@/model/geometry/polyline.js';
 
-import {contentOf, pdfOf, tilesOf, wordsPage, type Tiling} from '../../support/files/drawn-pdf.js';
+import {
+  contentOf,
+  pdfOf,
+  tilesOf,
+  wordsPage,
+  type DrawnStroke,
+  type Tiling,
+} from '../../support/files/drawn-pdf.js';
 import {
   english,
   extents,
@@ -215,6 +222,31 @@ describe('the pages of a PDF', () => {
   it('are put together as stated', async () => {
     const pages = tiles.map((_, k) => k + 2);
     const drawing = await read(bytes, {pages, grid: [4, 4], trimCm: 1, overlapCm: 1});
+    expectGarment(drawing);
+    expect(drawing.pages).toMatchObject({columns: 4, rows: 4, overlapCm: [1, 1]});
+  });
+
+  it('keep the overlap of their borders where no line crosses these', async () => {
+    const boxes = (x: number, width: number): DrawnStroke[] =>
+      [20, 80, 140, 200].map((y) => ({
+        outline: {start: [x, y], steps: [[[x + width, y]], [[x + width, y + 50]], [[x, y + 50]]]},
+      }));
+    // the boxes on the right begin 20 mm from their page's side, at the heights of the others
+    const strokes = [...boxes(20, 150), ...boxes(200, 140)];
+    const sheet = {width: 370, height: 277, strokes, labels: []};
+    const {pieces, pages} = await read(pdfOf(tilesOf(sheet, tiled())));
+    expect(pages?.overlapCm?.[0]).toBeCloseTo(1);
+    expect(pieces.map((piece) => Math.round(extentOf(piece)[0])).sort()).toEqual([
+      ...[140, 140, 140, 140, 150, 150, 150, 150],
+    ]);
+  });
+
+  it('are put together by their places', async () => {
+    const places = tiles.map((_, k) => ({
+      number: k + 2,
+      cell: [k % 4, Math.floor(k / 4)] as const,
+    }));
+    const drawing = await read(bytes, {places: places.toReversed()});
     expectGarment(drawing);
     expect(drawing.pages).toMatchObject({columns: 4, rows: 4, overlapCm: [1, 1]});
   });

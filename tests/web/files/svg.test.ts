@@ -193,6 +193,20 @@ describe('the size of an SVG', () => {
     expectBodice(right);
     expect(right.unit.because).toBe('stated');
   });
+
+  it('is measured by the label in a square, and not by text beside it', () => {
+    const drawing = read(
+      svg(
+        millimetreSheet,
+        stroked(bodice(0.75, [10, 10])),
+        stroked('M 500,400 h 37.5 v 37.5 h -37.5 z'),
+        words(515, 420, '5 cm', 4),
+        words(540, 415, 'Sew 1 cm inside, 3 cm at hems; test the scale.', 4),
+      ),
+    );
+    expectBodice(drawing);
+    expect(drawing.pieces.map(({name}) => name)).toEqual(['piece 1']);
+  });
 });
 
 describe('shapes of an SVG', () => {
@@ -290,6 +304,71 @@ describe('pieces of an SVG that no known program drew', () => {
     expect(piece?.grain?.map(([x]) => x)).toEqual([expect.closeTo(60), expect.closeTo(60)]);
     expect(piece?.fold?.map(([x]) => x)).toEqual([expect.closeTo(20), expect.closeTo(20)]);
     expect(piece?.internalLines).toHaveLength(1);
+  });
+
+  it('have their grain along an arrow with heads of its own', () => {
+    const drawing = read(
+      svg(
+        millimetreSheet,
+        stroked(bodice(1, [20, 20])),
+        stroked('M 60 150 L 60 380'),
+        stroked('M 57 158 L 60 150 L 63 158'),
+        stroked('M 57 372 L 60 380 L 63 372'),
+      ),
+    );
+    const [piece] = drawing.pieces;
+    expect(piece?.grain?.map(([x]) => x)).toEqual([expect.closeTo(60), expect.closeTo(60)]);
+    expect(piece?.internalLines).toEqual([]);
+  });
+
+  it('have names of several lines, which go on in lower case or tell pieces apart', () => {
+    const named = (x: number, ...lines: readonly string[]): readonly string[] => [
+      stroked(rectangle(x, 10, 120, 200)),
+      ...lines.map((line, k) => words(x + 10, 60 + 12 * k, line)),
+    ];
+    const drawing = read(
+      svg(
+        millimetreSheet,
+        ...named(10, 'Pocket', 'lining'),
+        ...named(150, 'Yoke', 'Oben'),
+        ...named(290, 'Yoke', 'Unten'),
+        ...named(430, 'Cuff', 'Brand X'),
+      ),
+    );
+    const names = drawing.pieces.map(({name}) => name);
+    expect(names).toEqual(['Pocket lining', 'Yoke Oben', 'Yoke Unten', 'Cuff']);
+  });
+
+  it('are read from a cutting sheet of Seamwise without marks of the print', () => {
+    const line = (layer: string, d: string): string =>
+      `<path class="${layer}" ${stroked(d).slice(6)}`;
+    const piece = [
+      '<g id="piece-0" aria-label="Left front">',
+      '<path d="M 0 0 h 220 v 320 h -220 z" fill="url(#cloth-0)"/>',
+      line('cut', rectangle(10, 10, 220, 320)),
+      line('sew', rectangle(20, 20, 200, 300)),
+      line('cut', rectangle(80, 80, 80, 80)),
+      line('marks', 'M 230 100 L 222 100'),
+      line('matches', 'M 30 200 L 90 200'),
+      '<circle class="matches" cx="60" cy="250" r="3" stroke="black"/>',
+      '<rect x="90" y="190" width="70" height="60" fill="#fff" stroke="none"/>',
+      words(100, 230, 'Aa', 14),
+      '</g>',
+    ];
+    const {pieces, notes} = read(
+      svg(millimetreSheet, '<rect width="100%" height="100%" fill="#fff"/>', ...piece),
+    );
+    expect(notes).toEqual([]);
+    expect(pieces).toMatchObject([
+      {
+        name: 'Left front',
+        holes: [{}],
+        notches: [{kind: 'slit'}],
+        internalLines: [],
+        drillHoles: [],
+      },
+    ]);
+    expect(pieces[0]?.doubtfulHoles).toBeUndefined();
   });
 
   it('are sewn along the inner of two lines that keep their distance', () => {

@@ -45,6 +45,7 @@ export function readDrawing(
 const ofPdf: ReadonlyMap<string, string> = new Map<keyof DrawingOptions, string>([
   ['pages', 'pages'],
   ['grid', 'grid of pages'],
+  ['places', 'places of pages'],
   ['trimCm', 'trim'],
   ['overlapCm', 'overlap'],
   ['allowanceCm', 'allowance'],

@@ -277,7 +277,9 @@ export class ImportSheet extends WorkbenchElement {
     const {options, words, texts, format} = this;
     const {units} = this.workbench.preferences.chosen;
     const choose = (change: DrawingOptions): void => {
-      this.#readAgain({...options, ...change});
+      const {places, ...others} = options;
+      const isOrdered = change.pages !== undefined || change.grid !== undefined;
+      this.#readAgain({...others, ...(places && !isOrdered && {places}), ...change});
     };
     return {shown, pages, options, units, words, texts, format, choose};
   }

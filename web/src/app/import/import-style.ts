@@ -87,7 +87,21 @@ export const importStyle = css`
     margin-bottom: var(--sw-space-4);
   }
   .page {
-    cursor: pointer;
+    cursor: grab;
+    touch-action: none;
+  }
+  .page.dragged {
+    cursor: grabbing;
+    opacity: 0.7;
+  }
+  .page.dragged rect {
+    stroke: var(--sw-accent);
+    stroke-width: 2;
+  }
+  .back {
+    display: flex;
+    flex-wrap: wrap;
+    gap: var(--sw-space-1);
   }
   .page rect {
     fill: var(--sw-raised);

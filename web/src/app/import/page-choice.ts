@@ -9,6 +9,8 @@ import type {Units} from '../../model/base/length-text.js';
 import type {Format} from '../../texts/format.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import type {Texts} from '../../texts/texts.js';
+import {dragPage} from './page-drag.js';
+import {addedPage, cellAt, movedPage, placesOf} from './page-places.js';
 import type {ShownDrawing} from './reading.js';
 
 /** Greatest trim, overlap and allowance. [cm] */
@@ -27,20 +29,58 @@ export interface ShownPages {
   readonly choose: (change: DrawingOptions) => void;
 }
 
+/** The pages of the file that are not on the sheet. */
+function unused({placed, count}: AssembledPages): readonly number[] {
+  const used = new Set(placed.map(({number}) => number));
+  return Array.from({length: count}, (_, k) => k + 1).filter((number) => !used.has(number));
+}
+
 const usedIn = ({placed}: AssembledPages): readonly number[] => placed.map(({number}) => number);
 
 /** Fields for page numbers, columns, trim and overlap. */
 export function pageChoice(of: ShownPages): TemplateResult {
   const {pages, words} = of;
+  const others = unused(pages);
   return html`<section>
     <h3>${words.pages}</h3>
     ${numbersField(of)} ${pages.placed.length > 1 ? gridFields(of) : nothing}
     ${
-      pages.others.length > 0
-        ? html`<p class="soft">${words.leftOut(rangesOf(pages.others))}</p>`
+      others.length > 0
+        ? html`<p class="soft">${words.leftOut(rangesOf(others))}</p>
+            ${takeBack(of, others)}`
         : nothing
     }
   </section>`;
+}
+
+/** Greatest number of buttons for pages that are left out. */
+const mostButtons = 12;
+
+/** Buttons that put pages onto the sheet again. */
+function takeBack(
+  {pages, options, words, choose}: ShownPages,
+  others: readonly number[],
+): TemplateResult {
+  const add = (number: number): void => {
+    const {without = []} = options;
+    if (without.includes(number)) choose({without: without.filter((one) => one !== number)});
+    else choose({places: addedPage(placesOf(pages), number)});
+  };
+  return html`<div class="back">
+    ${others.slice(0, mostButtons).map(
+      (number) =>
+        html`<button
+          class="outlined"
+          aria-label=${words.takeBack(number)}
+          title=${words.takeBack(number)}
+          @click=${() => {
+            add(number);
+          }}
+        >
+          + ${number}
+        </button>`,
+    )}
+  </div>`;
 }
 
 function numbersField({pages, words, choose}: ShownPages): TemplateResult {
@@ -126,7 +166,7 @@ const short = (value: number): string => String(Number(value.toFixed(1)));
 /** Margin around the sheet, as a share of its longer side. */
 const rim = 0.01;
 
-/** Draws the sheet with its pages; a click on a page leaves it out. */
+/** Draws the sheet with its pages, which are dragged to other places; a click leaves a page out. */
 export function pagePreview({pages, shown, options, words, choose}: ShownPages): TemplateResult {
   const {placed, openJoints} = pages;
   const corners = placed.flatMap(({low, high}) => [low, high]);
@@ -146,8 +186,16 @@ export function pagePreview({pages, shown, options, words, choose}: ShownPages):
   >
     ${placed.map(
       ({number, low: corner, high: top}) =>
-        svg`<g class="page" @click=${() => {
-          leaveOut(number);
+        svg`<g class="page" @pointerdown=${(event: PointerEvent) => {
+          dragPage(event, {
+            onClick: () => {
+              leaveOut(number);
+            },
+            onDrop: (at) => {
+              const places = movedPage(placesOf(pages), number, cellAt(pages, at));
+              choose({places, without: []});
+            },
+          });
         }}>
           <title>${words.leaveOut(number)}</title>
           <rect x=${short(corner[0])} y=${short(-top[1])}

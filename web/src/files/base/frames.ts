@@ -70,6 +70,9 @@ const paperTolerance = 1;
 /** Least size of a frame that contains another frame alone. */
 const largeFrame = 900;
 
+/** Area of a single line in a frame, above that of neck openings. [mm2] */
+const leastFramed = 40_000;
+
 const isLargeFrame = ({box}: ClosedLine): boolean => longerSide(box) >= largeFrame;
 
 const sizeOf = ({box}: ClosedLine): Point => minus(box.high, box.low);
@@ -90,14 +93,15 @@ export function isFrame<T extends ClosedLine>(line: T, around: Surroundings<T>):
   if (!only || others.some((one) => !isLargeFrame(line) && isCutAround(line, one))) {
     return false;
   }
-  if (others.length === 1) {
-    const [innermost] = around.childrenOf(only);
-    const isFramed = innermost !== undefined && isCutAround(only, innermost);
-    return inner.length > 1 || (isLargeFrame(line) && (isFramed || isFrame(only, around)));
-  }
   const isOwn = ({at}: Words): boolean =>
     isInside(line.rim, at) && !inner.some(({rim}) => isInside(rim, at));
-  return !words.some(isOwn);
+  if (others.length > 1) return !words.some(isOwn);
+  const [innermost] = around.childrenOf(only);
+  const isFramed = innermost !== undefined && isCutAround(only, innermost);
+  if (inner.length > 1 || (isLargeFrame(line) && (isFramed || isFrame(only, around)))) return true;
+  // one large line is a piece, and no cut-out, if it alone has words or a cut-out
+  if (only.area < leastFramed || isCutAround(line, only) || words.some(isOwn)) return false;
+  return (innermost && !isFramed) ?? words.some(({at}) => isInside(only.rim, at));
 }
 
 /** Greatest gap between a title box and the sides of its frame. */

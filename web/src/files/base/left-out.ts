@@ -2,7 +2,7 @@
 import type {DrawnPiece} from '../../model/garment/imported-drawing.js';
 import {distance, type Point} from '../../model/geometry/vectors.js';
 import {lengthOf, signedArea} from '../../model/geometry/polyline.js';
-import {placeOf, pointText, type ClosedLine, type YAxis} from './closed-lines.js';
+import {longerSide, placeOf, pointText, type ClosedLine, type YAxis} from './closed-lines.js';
 import type {Candidate, Roles} from './roles.js';
 
 /** An open line outside of all pieces. */
@@ -21,7 +21,17 @@ interface LeftOutLines {
 /** Area from which an open line may be an outline. [mm2] */
 const leastOutline = 2500;
 
-/** Greatest number of open lines with a note each. */
+/** Greatest gap of a line that was meant to close. [mm] */
+const meantToClose = 5;
+
+/** Returns whether the ends of a line nearly meet, so that it is an outline wherever it lies. */
+export const isNearlyClosed = (points: readonly Point[]): boolean =>
+  distance(points[0] ?? [0, 0], points.at(-1) ?? [0, 0]) <= meantToClose;
+
+/** Size of a closed line that is more than the end of another. [mm] */
+const leastNoted = 0.5;
+
+/** Greatest number of lines of a kind with their places. */
 const mostNotes = 5;
 
 /** One sentence for each kind of line that is left out. */
@@ -31,20 +41,26 @@ export function leftOutNotes<T extends Candidate>(
 ): string[] {
   const on = (line: Candidate): string => onLayer(layerOf?.(line));
   const noted = (lines: readonly Candidate[], rest: string): string[] => {
-    const [largest] = [...lines].sort((a, b) => b.area - a.area);
-    if (!largest) return [];
-    return [
-      `${closedLines(lines.length)} ${rest}: left out; the largest is ${placeOf(largest, axis)}${on(largest)}.`,
-    ];
+    if (lines.length === 0) return [];
+    const largest = [...lines].sort((a, b) => b.area - a.area).slice(0, mostNotes);
+    const told = largest.map((line) => `${placeOf(line, axis)}${on(line)}`).join('; ');
+    const subject =
+      lines.length === 1 ? 'it is' : lines.length > mostNotes ? 'the largest are' : 'they are';
+    return [`${closedLines(lines.length)} ${rest}: left out; ${subject} ${told}.`];
   };
   return [
     ...noted(frames, '(frame around pieces)'),
     ...noted(titleBoxes, '(title box)'),
     ...(grids.length > 0 ? [`A grid of ${closedLines(grids.length)} is left out.`] : []),
     ...(copies.length > 0
-      ? [`${closedLines(copies.length)} of the same size as others at the same place are left out.`]
+      ? [
+          `${closedLines(copies.length)} of the same size as others at the same place ${copies.length === 1 ? 'is' : 'are'} left out.`,
+        ]
       : []),
-    ...noted(small, 'outside of pieces, marks or below 4 cm²'),
+    ...noted(
+      small.filter(({box}) => longerSide(box) >= leastNoted),
+      'outside of pieces, marks or below 4 cm²',
+    ),
     ...openNotes(open, axis),
   ];
 }
@@ -55,7 +71,7 @@ const onLayer = (layer: string | undefined): string =>
   layer === undefined ? '' : ` on layer ${layer}`;
 
 /** Notes on open lines that bound the area of a piece. */
-function openNotes(open: readonly OpenOutline[], axis: YAxis): string[] {
+export function openNotes(open: readonly OpenOutline[], axis: YAxis): string[] {
   const outlines = open
     .filter(({points}) => Math.abs(signedArea(points)) >= leastOutline)
     .sort((a, b) => lengthOf(b.points) - lengthOf(a.points));

@@ -67,10 +67,14 @@ const leastCutOut = 2500;
 /** Greatest share of a piece that a cut-out takes. */
 const largestCutOut = 0.5;
 
-export function rolesOf<T extends Candidate>(
-  candidates: readonly T[],
-  around: {readonly words: readonly Words[]; readonly page?: Point},
-): Roles<T> {
+interface Around {
+  readonly words: readonly Words[];
+  readonly page?: Point;
+  /** Lines that do not close. */
+  readonly open?: readonly (readonly Point[])[];
+}
+
+export function rolesOf<T extends Candidate>(candidates: readonly T[], around: Around): Roles<T> {
   const sorted = [...candidates].sort((a, b) => b.area - a.area);
   const copies = sorted.filter((line, k) =>
     sorted.slice(Math.max(0, k - 3), k).some((other) => isTheSame(other, line)),
@@ -78,8 +82,12 @@ export function rolesOf<T extends Candidate>(
   const single = without(sorted, copies);
   const {grids, asides} = asidesOf(single, around.words);
   const active = without(single, [...grids, ...asides]);
+  const {page, words, open = []} = around;
+  const unclosed = open.filter((points) => Math.abs(signedArea(points)) >= leastPiece);
   const surroundings: Surroundings<T> = {
-    ...around,
+    ...(page && {page}),
+    // words in an outline that does not close are none of a frame
+    words: words.filter(({at}) => !unclosed.some((points) => isInside(points, at))),
     childrenOf: (line) => childrenOf(line, active),
     isRectangle: (line) => isRectangle(line.rim),
   };

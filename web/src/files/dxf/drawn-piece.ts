@@ -6,7 +6,7 @@ import * as layers from './layers.js';
 import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
 import {foldsAmong} from '../base/fold-lines.js';
 import {grainsAmong, usualGrain} from '../base/grain-lines.js';
-import {doubtfulHoles, gapNote} from '../base/left-out.js';
+import {doubtfulHoles, gapNote, openNotes} from '../base/left-out.js';
 import {reach} from './flat.js';
 import {areaOf, bySize, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
 import {outlineOf, type Outline} from './outline.js';
@@ -100,6 +100,13 @@ export function drawnPiece(piece: DxfPiece, how: DrawnWith): DrawnDxfPiece {
     isInterpolated: [outer, ...(sewn ? [sewn] : []), ...inner].some((one) => one.isInterpolated),
     notes: [
       ...gaps.flatMap((gap) => gapNote(piece.name, gap && gapInMm(gap, cmPerUnit), 'up') ?? []),
+      ...openNotes(
+        loopsOn(piece, layers.boundary, how).open.map(({points, layer}) => ({
+          points: points.map(([x, y]): Point => [10 * cmPerUnit * x, 10 * cmPerUnit * y]),
+          layer,
+        })),
+        'up',
+      ),
       ...unreadNotes(piece, [...outside, ...unread(piece, how)], how),
     ],
   };
@@ -160,7 +167,7 @@ function unreadNotes(piece: DxfPiece, loops: readonly Loop[], how: DrawnWith): s
   if (!largest) return [];
   const names = [...new Set(loops.map(({layer}) => layer))].join(', ');
   return [
-    `${loops.length} closed ${loops.length === 1 ? 'line' : 'lines'} of '${piece.name}' on layer ${names} ${loops.length === 1 ? 'is' : 'are'} left out; the largest is ${placeOf(lineOf(largest, how), 'up')}.`,
+    `${loops.length} closed ${loops.length === 1 ? 'line' : 'lines'} of '${piece.name}' on layer ${names} ${loops.length === 1 ? 'is' : 'are'} left out; it is ${placeOf(lineOf(largest, how), 'up')}.`,
   ];
 }
 

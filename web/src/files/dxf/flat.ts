@@ -3,13 +3,13 @@
  * Every closed line is a piece and owns everything inside, unless its role is another.
  */
 import {distance, type Point} from '../../model/geometry/vectors.js';
-import {boxOf, isInside, type Box} from '../../model/geometry/polyline.js';
+import {boxOf, isInside, signedArea, type Box} from '../../model/geometry/polyline.js';
 import {closedLine, type Words} from '../base/closed-lines.js';
 import {nearestOn} from '../../model/geometry/nearest.js';
-import {cutOutNote, doubtOf, leftOutNotes, mostDoubts} from '../base/left-out.js';
+import {cutOutNote, doubtOf, isNearlyClosed, leftOutNotes, mostDoubts} from '../base/left-out.js';
 import {leastPiece, rolesOf, type Candidate, type Roles, type RolesOfPiece} from '../base/roles.js';
 import {isNoName} from '../base/words.js';
-import type {Drawn} from './blocks.js';
+import type {Drawn, PlacedBlock} from './blocks.js';
 import {checkCount} from './count.js';
 import type {LineEntity} from './entities.js';
 import * as layers from './layers.js';
@@ -43,9 +43,13 @@ export interface FlatDrawing {
   readonly name?: string;
   /** Other blocks, whose pieces a frame may enclose. */
   readonly others?: readonly (readonly Drawn[])[];
+  /** Numbers of copies as drawn and mirrored. Default one. */
+  readonly inserted?: PlacedBlock['inserted'];
   /** File name for messages. */
   readonly file: string;
 }
+
+const once: PlacedBlock['inserted'] = {asDrawn: 1, mirrored: 0};
 
 /** Greatest number of closed lines of 25 cm2 or more, pieces or not. */
 const mostOutlines = 1000;
@@ -77,7 +81,7 @@ export function largestLine(entities: readonly Drawn[]): number {
  */
 export function flatPieces(
   entities: readonly Drawn[],
-  {cmPerUnit, name, others = [], file}: FlatDrawing,
+  {cmPerUnit, name, others = [], inserted = once, file}: FlatDrawing,
 ): FlatPieces {
   const lines = linesOf(entities);
   const isLayered = lines.some(({layer}) => layer === layers.boundary || layer in layers.roles);
@@ -106,7 +110,10 @@ export function flatPieces(
     const line = closedLine(loop.points.map(toMm));
     return [{...line, stated: 'piece', style: loop.layer, loop, isOther: true}];
   });
-  const roles = rolesOf([...candidates, ...elsewhere], {words});
+  const roles = rolesOf([...candidates, ...elsewhere], {
+    words,
+    open: open.map(({points}) => points.map(toMm)),
+  });
   const own = roles.pieces.filter(({outline}) => outline.isOther !== true);
   const pieces = own.map((one): FlatPiece => ({
     ...one,
@@ -118,13 +125,16 @@ export function flatPieces(
   for (const mark of marks) ownerOf(pieces, mark, markReach / cmPerUnit)?.marked.push(mark);
   for (const chain of open) {
     const mark = inner(chain.points, false, isLayered ? chain.layer : undefined);
-    const owner = ownerOf(pieces, mark, markReach / cmPerUnit);
-    if (owner) owner.marked.push(mark);
-    else outside.push(chain);
+    // an outline that does not close is no mark of the piece beside it
+    const points = chain.points.map(toMm);
+    const isOpenOutline = Math.abs(signedArea(points)) >= outlineArea;
+    const owner = ownerOf(pieces, mark, isOpenOutline ? 0 : markReach / cmPerUnit);
+    owner?.marked.push(mark);
+    if (!owner || (isOpenOutline && isNearlyClosed(points))) outside.push(chain);
   }
   const found = pieces.map((one, k) => {
     const called = name !== undefined && pieces.length === 1 ? name : `piece ${String(k + 1)}`;
-    return asPiece(one, called);
+    return asPiece(one, called, inserted);
   });
   return {
     pieces: [...found, ...doubtsIn(roles)],
@@ -148,7 +158,7 @@ function doubtsIn({asides, nested}: Roles<LoopLine>): DxfPiece[] {
     .slice(0, mostDoubts)
     .map((line): DxfPiece => {
       const {name, reason} = doubtOf(line, nested.includes(line), line.loop.layer, 'up');
-      const block = {name, entities: [], inserted: {asDrawn: 1, mirrored: 0}};
+      const block = {name, entities: [], inserted: once};
       return {
         ...pieceOf(block),
         loops: [{...line.loop, layer: layers.boundary}],
@@ -205,6 +215,7 @@ function ownerOf(
 function asPiece(
   {outline, sewn, cutOuts, doubtfulCutOuts, marks, marked}: FlatPiece,
   name: string,
+  inserted: PlacedBlock['inserted'],
 ): DxfPiece {
   const texts = marked.flatMap((mark) => (mark.kind === 'text' ? [mark.text] : []));
   const named = texts.find((text) => !isNoName(text)) ?? texts.find(isLetter);
@@ -213,7 +224,7 @@ function asPiece(
     ...pieceOf({
       name: named ?? name,
       entities: [...marks.map(({loop}) => inner(loop.points, true)), ...marked],
-      inserted: {asDrawn: 1, mirrored: 0},
+      inserted,
     }),
     loops: [
       onLayer(outline, layers.boundary),

@@ -1,5 +1,6 @@
 /** Reads the pieces of a DXF file in all sizes, one block each, from their system text. */
 import {isInside} from '../../model/geometry/polyline.js';
+import {isNoName} from '../base/words.js';
 import {annotations, boundary, holdsClosedMarks, roles} from './layers.js';
 import type {Drawn, PlacedBlock} from './blocks.js';
 import type {LineEntity, PointEntity, TextEntity} from './entities.js';
@@ -74,7 +75,7 @@ export function pieceOf({
   const said = quantityOf(text.value('quantity'));
   const isExact = said !== undefined && said.mirrored + said.asDrawn > 1;
   return {
-    name: text.value('piece name') ?? annotationIn(text) ?? name,
+    name: text.value('piece name') ?? annotationIn(text) ?? writtenIn(text, name) ?? name,
     ...(size !== undefined && {size}),
     quantity: isExact ? said : inserted,
     ...{text, entities},
@@ -83,3 +84,12 @@ export function pieceOf({
 
 const annotationIn = ({others}: SystemText): string | undefined =>
   others.find(({layer, text}) => annotations.includes(layer) && text !== '')?.text;
+
+/** Names of blocks that programs make up, such as B12, P1_0 or A$C2F. */
+const madeUp = /^(?=.*\d)[a-z*$]{0,7}[-_ ]?[\da-f]+(?:[-_]\d+)*$/i;
+
+/** The text that names a piece whose block has a made-up name. */
+const writtenIn = ({others}: SystemText, block: string): string | undefined =>
+  madeUp.test(block)
+    ? others.find(({text}) => /\p{L}{3}/u.test(text) && !isNoName(text))?.text
+    : undefined;

@@ -71,7 +71,7 @@ function scaledDocument(document: DxfDocument, {units, scale = 1}: DrawingOption
 }
 
 /** Lines that belong together: those of a block, or those outside of blocks. */
-interface FlatGroup extends Pick<FlatDrawing, 'name' | 'others'> {
+interface FlatGroup extends Pick<FlatDrawing, 'name' | 'others' | 'inserted'> {
   readonly entities: readonly Drawn[];
 }
 

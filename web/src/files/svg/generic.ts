@@ -16,16 +16,18 @@ import {
   doubtOf,
   doubtfulHoles,
   gapNote,
+  isNearlyClosed,
   leftOutNotes,
   mostDoubts,
 } from '../base/left-out.js';
 import {leastPiece, rolesOf, type Candidate, type Roles, type RolesOfPiece} from '../base/roles.js';
 import {countOf, saysFold} from '../base/words.js';
 import type {XmlElement} from '../base/xml.js';
+import {withArrows} from './arrows.js';
 import {closedStrokes, loopsOf, type Loop, type Stroke} from './nesting.js';
 import {isFaint, isForHelp, isPainted} from './paint.js';
 import {valentina} from './lengths.js';
-import {labelOf, titled} from './names.js';
+import {distinctNames, labelOf, titled, type WrittenName} from './names.js';
 import {
   foldOf,
   grainEnds,
@@ -112,15 +114,17 @@ function hinted({drawers}: Loop): Pick<Candidate, 'stated'> {
   return stated ? {stated} : {};
 }
 
-export function genericPieces(whole: Sheet): Found {
+/** @param isNamedByGroup if labels of groups name pieces, before any text */
+export function genericPieces(whole: Sheet, {isNamedByGroup = false} = {}): Found {
   const painted = whole.drawn.filter(isPainted);
-  const sheet = {...whole, drawn: painted};
+  const sheet = {...whole, drawn: withArrows(painted)};
   const strokes = strokesOf(sheet);
   const squares = testSquares(sheet);
   const closed = closedStrokes(strokes).map((loop) => candidateOf(loop, squares));
   const large = closed.filter(({area}) => area >= outlineArea);
   if (large.length > mostOutlines) return {pieces: [], notes: [tooMany(large.length)]};
-  const roles = rolesOf(closed, surroundings(sheet));
+  const unclosed = strokes.filter(({line}) => !line.isClosed).map(({line}) => pointsOf(line));
+  const roles = rolesOf(closed, {...surroundings(sheet), open: unclosed});
   const outer = roles.pieces.map(({outline}) => outline);
   const used = new Set(
     roles.pieces.flatMap(({outline, sewn, cutOuts}) => [
@@ -134,19 +138,27 @@ export function genericPieces(whole: Sheet): Found {
     [...roles.asides, ...roles.nested, ...roles.grids, ...roles.frames].map(({line}) => line),
   );
   const marks = marksOf(strokes.filter(({line}) => !lines.has(line) && !unread.has(line)));
-  const pieces = roles.pieces.map((one, k): DrawnPiece => {
-    const {outline, sewn} = one;
-    const written = sheet.texts.filter((text) => ownerOf(text, outer) === outline);
-    const others = outer.filter((other) => other !== outline);
-    const name =
-      titled(written, sheet.program === valentina) ??
-      labelsOf(sewn ?? outline, others) ??
-      labelsOf(outline, others) ??
-      `piece ${k + 1}`;
-    return {name, ...pieceOf(one, marks, written)};
-  });
+  const written = roles.pieces.map(({outline}) =>
+    sheet.texts.filter((text) => ownerOf(text, outer) === outline),
+  );
+  const names = distinctNames(
+    roles.pieces.map(({outline, sewn}, k): WrittenName => {
+      const others = outer.filter((other) => other !== outline);
+      const byGroup = isNamedByGroup ? labelsOf(outline, others) : undefined;
+      if (byGroup !== undefined) return {name: byGroup};
+      const inText = titled(written[k] ?? [], sheet.program === valentina);
+      if (inText) return inText;
+      const label = labelsOf(sewn ?? outline, others) ?? labelsOf(outline, others);
+      return {name: label ?? `piece ${k + 1}`};
+    }),
+  );
+  const pieces = roles.pieces.map((one, k): DrawnPiece => ({
+    name: names[k] ?? '',
+    ...pieceOf(one, marks, written[k] ?? []),
+  }));
   const open = marks.filter(
-    ({line, at}) => !line.isClosed && !outer.some(({rim}) => isInside(rim, at)),
+    ({line, at, points}) =>
+      !line.isClosed && (isNearlyClosed(points) || !outer.some(({rim}) => isInside(rim, at))),
   );
   const gaps = new Map(strokes.map(({line, gap}) => [line, gap]));
   return {

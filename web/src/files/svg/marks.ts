@@ -85,22 +85,29 @@ const straightLines = (within: readonly Mark[]): readonly Mark[] =>
  */
 export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): Mark | undefined {
   const lines = straightLines(within);
-  const straight = straightOf(within);
+  const long = straightOf(within);
   const isCalled = ({drawers}: Mark): boolean =>
     drawers.some(({element, groups}) =>
       saysGrain(
         [element, ...groups.slice(-1)].map(({attributes}) => [...attributes.values()].join(' ')),
       ),
     );
-  const isArrow = ({drawers}: Mark): boolean =>
-    drawers.some(({element: {attributes}}) =>
-      [...attributes].some(([name, value]) => /marker-(?:start|end)/.test(`${name} ${value}`)),
+  const hasHeads = ({drawers}: Mark): boolean =>
+    drawers.some(
+      ({isArrow, element: {attributes}}) =>
+        isArrow === true ||
+        [...attributes].some(([name, value]) => /marker-(?:start|end)/.test(`${name} ${value}`)),
     );
   const said = texts.filter(({lines}) => saysGrain(lines)).map(({at}) => at);
   const off = ({line}: Mark): number =>
     Math.min(...said.map((at) => nearestOn([line.start, farthest(line)], at, false).off));
-  const beside = straight.filter((chain) => off(chain) <= 60).sort((a, b) => off(a) - off(b));
-  return lines.find(isCalled) ?? beside[0] ?? straight.find(isArrow);
+  const beside = long.filter((chain) => off(chain) <= 60).sort((a, b) => off(a) - off(b));
+  return (
+    lines.find(isCalled) ??
+    beside[0] ??
+    long.find(hasHeads) ??
+    lines.find((mark) => isLong(mark) && hasHeads(mark))
+  );
 }
 
 /**

@@ -18,6 +18,7 @@ import {readXml, type XmlDocument} from '../base/xml.js';
 import {freesewingPieces} from './freesewing.js';
 import {genericPieces, largestClosed, type Found} from './generic.js';
 import {programOf, scaleOf} from './lengths.js';
+import {ownSheet} from './own-sheet.js';
 import {numbersOf} from './values.js';
 import {measuredScale} from './scale-box.js';
 import {classesOf} from './styles.js';
@@ -31,8 +32,8 @@ import {walked, type Sheet} from './walk.js';
  */
 export function readSvg(text: string, file: string, options: DrawingOptions = {}): Drawing {
   const document = svgOf(text, file);
-  const {sheet, unit, notes} = scaled(document, file, options);
-  const isStated = options.units !== undefined || options.pixelsPerInch !== undefined;
+  const {sheet, unit, notes, isMeasured = false} = scaled(document, file, options);
+  const isKnown = isMeasured || options.units !== undefined || options.pixelsPerInch !== undefined;
   const {program} = sheet;
   const {pieces, notes: found} = foundIn(sheet);
   if (pieces.length === 0) throw new FileError(file, whyNone(sheet, found));
@@ -42,7 +43,7 @@ export function readSvg(text: string, file: string, options: DrawingOptions = {}
     ...(program !== undefined && {program}),
     ...(title !== undefined && {title}),
     sizes: [],
-    unit: {...unit, isSure: unit.isSure && (isStated || isUsual(pieces))},
+    unit: {...unit, isSure: unit.isSure && (isKnown || isUsual(pieces))},
     pieces: pieces.map((piece) => inUnit(piece, unit.unit)),
     seams: [],
     notes: [...notes, ...found, ...sheet.notes],
@@ -93,6 +94,8 @@ interface Scaled {
   /** The unit of the output. */
   readonly unit: UnitGuess;
   readonly notes: readonly string[];
+  /** True if a test square confirms the scale or sets it. */
+  readonly isMeasured?: boolean;
 }
 
 /** Tolerance of a test square for the rounding of files. */
@@ -119,15 +122,16 @@ function scaled(
   const notes = note === undefined ? [] : [note];
   const sheet = at(millimetres ?? 1);
   const ratio = measuredScale(sheet);
+  const isMeasured = ratio !== undefined;
   if (ratio !== undefined && (Math.abs(ratio - 1) > rounding || millimetres === undefined)) {
     const unit: UnitGuess = {unit: 'mm', because: 'measured', ...sure};
-    return {sheet: at((millimetres ?? 1) * ratio), unit, notes: [measuredNote(ratio)]};
+    return {sheet: at((millimetres ?? 1) * ratio), unit, notes: [measuredNote(ratio)], isMeasured};
   }
   if (millimetres === undefined) {
     const unit = guessedUnit({largest: largestClosed(sheet), because});
     return {sheet: at(10 * cmPer(unit.unit)), unit, notes};
   }
-  return {sheet, unit: {unit: 'mm', because, ...sure}, notes};
+  return {sheet, unit: {unit: 'mm', because, ...sure}, notes, isMeasured};
 }
 
 function sheetOf(document: XmlDocument, [x, y]: Point, file: string): Sheet {
@@ -144,7 +148,9 @@ const measuredNote = (ratio: number): string =>
 
 function foundIn(sheet: Sheet): Found {
   const found = freesewingPieces(sheet);
-  return found.pieces.length > 0 ? found : genericPieces(sheet);
+  if (found.pieces.length > 0) return found;
+  const own = ownSheet(sheet);
+  return own ? genericPieces(own, {isNamedByGroup: true}) : genericPieces(sheet);
 }
 
 /** Returns whether pieces have a wearable size. [mm] */

@@ -58,19 +58,28 @@ const beside = 0.25;
 const isNear = ({low, high}: Box, [x, y]: readonly [number, number], reach: number): boolean =>
   x >= low[0] - reach && x <= high[0] + reach && y >= low[1] - reach && y <= high[1] + reach;
 
+/** A text of nothing but lengths, as in `5 cm` or `2" x 2"`. */
+const onlyLengths = /^(?:[\s\d.,()=:×xX*/\u2033\u201d"'-]|mm|cm|in|inch(?:es)?)+$/;
+
 /** Sizes stated by the text in and beside a rectangle, the longer side first. [mm] */
 function saidOf({sides: [long, short], box, classes}: Rectangle, {texts}: Sheet): number[][] {
   if (classes.includes('scalebox')) return [classes.includes('metric') ? [100, 50] : [101.6, 50.8]];
-  const near = texts.filter(({at}) => isNear(box, at, beside * long)).flatMap(({lines}) => lines);
+  const within = (reach: number): string[] =>
+    texts.filter(({at}) => isNear(box, at, reach)).flatMap(({lines}) => lines);
+  const inside = within(0);
+  const near = within(beside * long);
   const isSaid = near.some((line) => squareWords.test(line));
-  return near.flatMap((line) => {
+  // text beside a rectangle may be about anything else
+  const hasOwn = inside.some((line) => lengthsIn(line).length > 0);
+  return (hasOwn ? inside : near).flatMap((line) => {
     const lengths = lengthsIn(line);
     const pairs = lengths.flatMap((one, k) => {
       const next = lengths[k + 1];
       return next === undefined ? [] : [[Math.max(one, next), Math.min(one, next)]];
     });
     // one side suffices for a square
-    const isSquare = long < 1.01 * short && (isSaid || lengths.length > 1);
+    const isLabel = isSaid || lengths.length > 1 || (hasOwn && onlyLengths.test(line));
+    const isSquare = long < 1.01 * short && isLabel;
     return [...pairs, ...(isSquare ? lengths.map((one) => [one, one]) : [])];
   });
 }

@@ -1,6 +1,6 @@
 /** Walks an SVG, and resolves groups, transforms, uses and styles to final positions and sizes. */
 import {after, apply, scaling, shifting, type PlaneMap} from '../../model/geometry/plane-map.js';
-import type {Point} from '../../model/geometry/vectors.js';
+import {minus, unit, type Point} from '../../model/geometry/vectors.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import type {XmlElement} from '../base/xml.js';
 import {linesOf, type Line} from './lines.js';
@@ -16,14 +16,16 @@ export interface Drawn {
   readonly lines: readonly Line[];
   /** True if it is drawn through a `use`. */
   readonly isUsed: boolean;
+  /** True for the straight line of an arrow. */
+  readonly isArrow?: boolean;
   /** Facts that other formats state. */
   readonly hints?: Hints;
 }
 
 /** Facts of a line that SVG does not state. */
 interface Hints {
-  /** The role by the name of its layer. */
-  readonly stated?: 'sewn line' | 'mark';
+  /** The role by the name of its layer or class. */
+  readonly stated?: 'piece' | 'sewn line' | 'cut-out' | 'mark';
   /** Key of the style: colour, width, dashes and layer. */
   readonly style: string;
 }
@@ -34,6 +36,8 @@ export interface DrawnText {
   /** One entry per line. */
   readonly lines: readonly string[];
   readonly at: Point;
+  /** Direction of the baseline, of length 1. */
+  readonly along: Point;
   /** Letter height. [mm] */
   readonly size: number;
 }
@@ -246,7 +250,9 @@ class Walk {
     );
     if (style.isHidden || lines.length === 0) return;
     const size = style.fontSize * growth(map);
-    this.#texts.push({element, groups, lines, at: apply(map, [x, y]), size});
+    const at = apply(map, [x, y]);
+    const along = unit(minus(apply(map, [x + 1, y]), at));
+    this.#texts.push({element, groups, lines, at, along, size});
   }
 
   #transformOf(element: XmlElement): PlaneMap {

@@ -118,6 +118,14 @@ export interface AssembledPages {
   }[];
 }
 
+/** A page of a PDF in the grid of pages. */
+export interface PagePlace {
+  /** Page number, from 1. */
+  readonly number: number;
+  /** Column and row from 0, from the upper left. */
+  readonly cell: readonly [column: number, row: number];
+}
+
 /** Options for reading a file. */
 export interface DrawingOptions {
   /**
@@ -136,6 +144,8 @@ export interface DrawingOptions {
   readonly without?: readonly number[];
   /** Columns and rows of the pages of a PDF, in reading order. */
   readonly grid?: readonly [columns: number, rows: number];
+  /** Places of the pages of a PDF, instead of `pages` and `grid`. */
+  readonly places?: readonly PagePlace[];
   /** Strip at each side of the pages of a PDF that is cut off. [cm] */
   readonly trimCm?: number;
   /** Overlap of neighbouring pages of a PDF, after trimming. [cm] */

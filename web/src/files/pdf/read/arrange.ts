@@ -29,6 +29,8 @@ export interface StatedGrid {
   readonly without?: readonly number[];
   /** Number of columns and rows. */
   readonly grid?: Point;
+  /** Places of pages by their numbers. */
+  readonly places?: ReadonlyMap<number, Cell>;
   /** Strip that is cut off at each side of a page. [mm] */
   readonly trim?: number;
   /** Overlap of neighbouring pages after trimming. [mm] */
@@ -77,13 +79,12 @@ export function arranged(tiles: readonly Tile[], stated: StatedGrid): Arrangemen
   const window = tileWindow(tiles, stated.trim);
   const compared = new Compared(tiles, window);
   const names = namedGrids(tiles.map(({ink}) => ink));
-  const tried = stated.grid
-    ? [statedGrid(tiles.length, stated.grid)]
-    : [...names, ...orderedGrids(tiles.length)];
+  const own = statedCells(tiles, stated);
+  const tried = own ? [own] : [...names, ...orderedGrids(tiles.length)];
   const prior = priorOverlap(tiles, window, stated);
   const rated = tried.map((cells) => ({cells, ...compared.rate(cells, prior, stated.overlap)}));
   const best = highest(rated);
-  const named = stated.grid ? best : bestNamed(rated.slice(0, names.length));
+  const named = own ? best : bestNamed(rated.slice(0, names.length));
   const isNamed = named !== undefined && named.score + usualNames >= nameTrust * (best?.score ?? 0);
   const chosen = isNamed ? named : best;
   const cells = chosen?.cells ?? [];
@@ -101,6 +102,15 @@ export function arranged(tiles: readonly Tile[], stated: StatedGrid): Arrangemen
   ];
   const joints = compared.joints(cells, overlap, splits);
   return {cells, window, overlap, splits, joints, score: chosen?.score ?? 0, isNamed};
+}
+
+/** The cells of tiles as the user states them. */
+function statedCells(
+  tiles: readonly Tile[],
+  {grid, places}: StatedGrid,
+): readonly Cell[] | undefined {
+  if (places) return tiles.map(({ink}) => places.get(ink.number) ?? {row: 0, column: 0});
+  return grid && statedGrid(tiles.length, grid);
 }
 
 /** Shares of an overlap at which pages are cut, in the order of preference. */
@@ -220,8 +230,10 @@ class Compared {
     if (fixed !== undefined) return {overlap: fixed, gain: sum[Math.round(fixed / step)] ?? 0};
     const atPrior = Math.round(prior / step);
     const best = sum.indexOf(Math.max(...sum));
-    // without clear evidence, pages are cut along their borders
-    const isPrior = (sum[best] ?? 0) < 1.1 * (sum[atPrior] ?? 0) + (prior > 0 ? trust : 0.5);
+    // without clear evidence, pages are cut along their borders, also where no line crosses these
+    const isEmpty = prior > 0 && sum.subarray(0, atPrior + 1).every((gain) => gain === 0);
+    const isPrior =
+      isEmpty || (sum[best] ?? 0) < 1.1 * (sum[atPrior] ?? 0) + (prior > 0 ? trust : 0.5);
     return isPrior
       ? {overlap: prior, gain: sum[atPrior] ?? 0}
       : {overlap: best * step, gain: sum[best] ?? 0};

@@ -57,7 +57,10 @@ export function assembled(pages: readonly PageInk[], stated: StatedGrid): Sheet 
   const others = pages.map(({number}) => number).filter((number) => !isChosen.has(number));
   const isTiled =
     arrangement !== undefined &&
-    (arrangement.score > 0 || arrangement.isNamed || stated.grid !== undefined);
+    (arrangement.score > 0 ||
+      arrangement.isNamed ||
+      stated.grid !== undefined ||
+      stated.places !== undefined);
   const sheet = isTiled
     ? joined(chosen, arrangement, hidden)
     : besideEachOther(chosen.filter(({ink}) => !hidden.has(ink.number)));

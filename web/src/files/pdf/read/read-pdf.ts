@@ -54,8 +54,13 @@ export function drawingOfPdf(
   if (options.units) {
     throw new FileError(file, 'is PDF, whose pages have a size of their own; leave its unit out.');
   }
-  const whole = assembled(chosenPages(pdf.pages, options.pages), {
-    isExact: options.pages !== undefined,
+  const {places} = options;
+  const chosen = places?.map(({number}) => number) ?? options.pages;
+  const whole = assembled(chosenPages(pdf.pages, chosen), {
+    isExact: chosen !== undefined,
+    ...(places && {
+      places: new Map(places.map(({number, cell: [column, row]}) => [number, {row, column}])),
+    }),
     ...(options.without && {without: options.without}),
     ...(options.grid && {grid: options.grid}),
     ...(options.trimCm !== undefined && {trim: 10 * options.trimCm}),

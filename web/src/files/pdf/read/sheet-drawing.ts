@@ -2,13 +2,13 @@
  * Converts an assembled sheet to the drawing from which pieces are read: joined lines with hints of
  * their roles, and texts. Lengths in mm.
  */
-import type {Point} from '../../../model/geometry/vectors.js';
+import {minus, unit, type Point} from '../../../model/geometry/vectors.js';
 import {boxOf} from '../../../model/geometry/polyline.js';
+import {arrowsIn} from '../../base/arrows.js';
 import {straight} from '../../base/bezier.js';
 import type {XmlElement} from '../../base/xml.js';
 import type {Line} from '../../svg/lines.js';
 import type {Drawn, DrawnText, Sheet as DrawnSheet} from '../../svg/walk.js';
-import {arrowsIn} from './arrows.js';
 import type {Sheet} from './assemble.js';
 import {middleOf, type InkStyle, type InkText} from './ink.js';
 import {isHelpLayer, statedRole} from './layer-words.js';
@@ -44,7 +44,7 @@ function drawn(points: readonly Point[], isClosed: boolean, style: InkStyle, nam
 
 const textOf = ({text, size, ...ends}: InkText): DrawnText => ({
   ...{element: elementOf(), groups: [], lines: [text], size},
-  at: middleOf({text, size, ...ends}),
+  ...{at: middleOf({text, size, ...ends}), along: unit(minus(ends.to, ends.from))},
 });
 
 /** Text along a line repeats its words from end to end, and names no piece. */

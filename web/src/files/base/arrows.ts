@@ -1,7 +1,12 @@
 /** Finds arrows: straight lines with a head at one end or both, as grain lines are drawn. [mm] */
-import {cross, distance, dot, minus, unit, type Point} from '../../../model/geometry/vectors.js';
-import {boxOf} from '../../../model/geometry/polyline.js';
-import type {InkLine} from './ink.js';
+import {cross, distance, dot, minus, unit, type Point} from '../../model/geometry/vectors.js';
+import {boxOf} from '../../model/geometry/polyline.js';
+
+interface DrawnLine {
+  readonly points: readonly Point[];
+  readonly isClosed: boolean;
+  readonly style: {readonly isFilled: boolean};
+}
 
 /** Least length of an arrow, and greatest size of its heads. */
 const shortest = 15;
@@ -14,25 +19,25 @@ const touching = 0.8;
 const straightness = 0.2;
 
 /** A line with a head. */
-interface Arrow {
-  readonly line: InkLine;
-  readonly heads: readonly InkLine[];
+interface Arrow<T> {
+  readonly line: T;
+  readonly heads: readonly T[];
 }
 
-function isStraightLine({points, isClosed}: InkLine): boolean {
+function isStraightLine({points, isClosed}: DrawnLine): boolean {
   const [from, to] = [points[0], points.at(-1)];
   if (isClosed || !from || !to || distance(from, to) < shortest) return false;
   const along = unit(minus(to, from));
   return points.every((p) => Math.abs(cross(along, minus(p, from))) <= straightness);
 }
 
-const isSmall = ({points}: InkLine): boolean => {
+const isSmall = ({points}: DrawnLine): boolean => {
   const {low, high} = boxOf(points);
   return Math.max(high[0] - low[0], high[1] - low[1]) <= largestHead;
 };
 
 /** Returns whether a small line is the head of an arrow at its tip: its points lie behind the tip. */
-function isHead({points}: InkLine, tip: Point, along: Point): boolean {
+function isHead({points}: DrawnLine, tip: Point, along: Point): boolean {
   const at = points.map((p) => minus(p, tip));
   const near = at.some((off) => Math.hypot(...off) <= touching);
   const behind = at.every((off) => dot(off, along) <= touching);
@@ -41,11 +46,17 @@ function isHead({points}: InkLine, tip: Point, along: Point): boolean {
   return near && behind && isWide && at.some((off) => dot(off, along) < -touching);
 }
 
+/** Returns whether heads lie on both sides of an arrow; a stroke on one side is a tick or a corner. */
+function isTwoSided(heads: readonly DrawnLine[], tip: Point, along: Point): boolean {
+  const asides = heads.flatMap(({points}) => points.map((p) => cross(along, minus(p, tip))));
+  return Math.max(...asides) > touching && Math.min(...asides) < -touching;
+}
+
 /** Greatest width of an arrow with its heads in one path, and least length in widths. */
 const slender = {width: 10, ratio: 6};
 
 /** The straight line of an arrow that is drawn as one filled path; undefined for other lines. */
-function inOnePath(line: InkLine): InkLine | undefined {
+function inOnePath<T extends DrawnLine>(line: T): T | undefined {
   const {points, style} = line;
   const [first] = points;
   if (!first || !style.isFilled || points.length < 5 || points.length > 16) return undefined;
@@ -59,40 +70,36 @@ function inOnePath(line: InkLine): InkLine | undefined {
   const asides = points.map((p) => cross(along, minus(p, from)));
   const width = Math.max(...asides) - Math.min(...asides);
   const isArrow = width > touching && width <= slender.width && length >= slender.ratio * width;
-  return isArrow ? {points: [from, to], isClosed: false, style} : undefined;
+  return isArrow ? {...line, points: [from, to], isClosed: false} : undefined;
 }
 
 /** Divides lines into arrows and others; heads of arrows are in neither. */
-export function arrowsIn(lines: readonly InkLine[]): {
-  readonly arrows: readonly InkLine[];
-  readonly rest: readonly InkLine[];
-} {
+export function arrowsIn<T extends DrawnLine>(
+  lines: readonly T[],
+): {readonly arrows: readonly T[]; readonly rest: readonly T[]} {
   const small = lines.filter(isSmall);
-  const cells = new Map<string, InkLine[]>();
+  const cells = new Map<string, T[]>();
   const keyOf = (x: number, y: number): string => `${Math.round(x / 10)} ${Math.round(y / 10)}`;
   for (const line of small) {
     for (const key of new Set(line.points.map(([x, y]) => keyOf(x, y)))) {
       cells.set(key, [...(cells.get(key) ?? []), line]);
     }
   }
-  const near = ([x, y]: Point): InkLine[] => [
+  const near = ([x, y]: Point): T[] => [
     ...new Set(
       [-10, 0, 10].flatMap((dx) =>
         [-10, 0, 10].flatMap((dy) => cells.get(keyOf(x + dx, y + dy)) ?? []),
       ),
     ),
   ];
-  const found = lines.filter(isStraightLine).flatMap((line): Arrow[] => {
+  const found = lines.filter(isStraightLine).flatMap((line): Arrow<T>[] => {
     const [from, to]: [Point, Point] = [line.points[0] ?? [0, 0], line.points.at(-1) ?? [0, 0]];
     const along = unit(minus(to, from));
     const back: Point = [-along[0], -along[1]];
     const ahead = near(to).filter((one) => isHead(one, to, along));
     const behind = near(from).filter((one) => isHead(one, from, back));
     const heads = [...ahead, ...behind];
-    // a single stroke at an end is a tick or a corner
-    const isArrow = [ahead, behind].some(
-      (some) => some.length > 1 || some.some(({points}) => points.length > 2),
-    );
+    const isArrow = isTwoSided(ahead, to, along) || isTwoSided(behind, from, along);
     return isArrow ? [{line, heads}] : [];
   });
   const whole = lines.flatMap((line) => {
