@@ -115,9 +115,9 @@ it('takes odd values of properties as the default, or reports them as an error',
     const own = new Map<string, unknown>();
     for (let part: object = element; part !== HTMLElement.prototype;) {
       part = Object.getPrototypeOf(part) as object;
-      for (const [name, {set}] of Object.entries(Object.getOwnPropertyDescriptors(part))) {
-        if (set && part.constructor.name !== 'HTMLElement')
-          own.set(name, Reflect.get(element, name));
+      if (part === HTMLElement.prototype) break;
+      for (const [name, property] of Object.entries(Object.getOwnPropertyDescriptors(part))) {
+        if (property.set) own.set(name, Reflect.get(element, name));
       }
     }
     for (const [name, usual] of own) {
