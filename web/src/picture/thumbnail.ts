@@ -4,7 +4,7 @@ import type {SolveResult} from '../model/result/result.js';
 import {finalMismatch} from '../scene/mismatch.js';
 import type {Placements} from '../layout/on-body.js';
 import {escaped, short} from '../files/svg/written.js';
-import {clothTile, type PrintWithTile} from './cloth.js';
+import {fabricTile, type PrintWithTile} from './fabric.js';
 import {drawPieces, laidOut, nameSize, type Scene} from './draw-pieces.js';
 
 /** Width of the drawing, unless the page scales it. [px] */
@@ -37,7 +37,7 @@ export function thumbnail(
   const [wide, high] = [layout.width, layout.height].map((side) => side * scale + 2 * margin);
   const scene: Scene = {
     ...{result, print, layout, scale, names, plain},
-    ...{corner: [margin, margin], id: 'piece', cloth: 'cloth', isBare: true, outline: 'shape'},
+    ...{corner: [margin, margin], id: 'piece', fabric: 'fabric', isBare: true, outline: 'shape'},
     alignments: result.pieces.map(({alignment}) => alignment),
     mismatch: finalMismatch(result),
   };
@@ -45,7 +45,7 @@ export function thumbnail(
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" ${size} viewBox="0 0 ${short(wide ?? 0)} ${short(high ?? 0)}" role="img">`,
     `<title>${escaped(title)}</title>`,
-    `<defs>${clothTile('cloth', print, scale)}</defs>`,
+    `<defs>${fabricTile('fabric', print, scale)}</defs>`,
     drawPieces(scene, nameSize),
     '</svg>\n',
   ].join('\n');
