@@ -5,6 +5,7 @@ import {fileURLToPath} from 'node:url';
 
 import {defineConfig, type Plugin} from 'vite';
 
+import {leanThree} from './web/setup/lean-three.mjs';
 import {notices, workerNotices} from './web/setup/notices.mjs';
 import {shortTemplates} from './web/setup/short-templates.mjs';
 
@@ -86,7 +87,7 @@ export default defineConfig({
   base: './',
   appType: 'mpa', // a missing file is an error, not the page
   publicDir: at('public'),
-  plugins: [notices(), shortTemplates(), offline()],
+  plugins: [notices(), shortTemplates(), leanThree(), offline()],
   optimizeDeps: {entries: ['index.html']}, // excludes the examples
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},

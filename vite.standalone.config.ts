@@ -8,6 +8,7 @@ import {fileURLToPath} from 'node:url';
 
 import {defineConfig} from 'vite';
 
+import {leanThree} from './web/setup/lean-three.mjs';
 import {notices} from './web/setup/notices.mjs';
 import {shortTemplates} from './web/setup/short-templates.mjs';
 
@@ -24,7 +25,7 @@ export default defineConfig({
   root: at('.'),
   base: './',
   publicDir: false,
-  plugins: [notices(), shortTemplates()],
+  plugins: [notices(), shortTemplates(), leanThree()],
   build: {
     outDir: at('dist/standalone'),
     emptyOutDir: true,

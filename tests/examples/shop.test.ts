@@ -87,7 +87,13 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
   await page.waitForURL(/\/cart\//, patient);
   await page.reload();
   expect(await page.locator('.total').textContent()).toContain(cost);
-  expect(await page.locator('.line').textContent()).toContain('Snow crystal, Mist');
+  const line = page.locator('.line');
+  expect(await line.textContent()).toContain('Snow crystal, Mist');
+  expect(await line.textContent()).toMatch(/The print meets at \d+ of \d+ visible seams\./);
+  const width = await line
+    .getByRole('img', {name: 'Its pieces in the print'})
+    .evaluate((image: HTMLImageElement) => image.naturalWidth);
+  expect(width).toBe(480);
 
   const cart = page.url();
   await page.getByRole('link', {name: 'Tee, L', exact: true}).click();
@@ -366,6 +372,38 @@ it('takes no design but one of its own', {tags: ['thorough']}, async () => {
     expect(answer.headers.get('content-security-policy')).toBe(policy);
     expect(await answer.text()).not.toContain('<script>');
   }
+});
+
+it('solves one order after the other, and refuses more of a customer than one waits for', async () => {
+  const {Workshop, Busy} = (await import(pathToFileURL(join(folder, 'workshop.mjs')).href)) as {
+    Workshop: new () => {run<T>(customer: string, work: () => Promise<T>): Promise<T>};
+    Busy: new () => Error;
+  };
+  const workshop = new Workshop();
+  const log: string[] = [];
+  const order = (name: string) => async (): Promise<string> => {
+    log.push(`begin ${name}`);
+    await Promise.resolve();
+    log.push(`end ${name}`);
+    if (name === '1') throw new Error('broken');
+    return name;
+  };
+  const all = Array.from({length: 6}, (_, k) => workshop.run('a', order(String(k))));
+  const other = workshop.run('b', order('other'));
+  const ends = await Promise.allSettled([...all, other]);
+  expect(ends.map(({status}) => status)).toEqual([
+    'fulfilled',
+    'rejected',
+    'fulfilled',
+    'fulfilled',
+    'fulfilled',
+    'rejected',
+    'fulfilled',
+  ]);
+  expect(ends[5]).toMatchObject({reason: expect.any(Busy) as unknown});
+  const names = ['0', '1', '2', '3', '4', 'other'];
+  expect(log).toEqual(names.flatMap((name) => [`begin ${name}`, `end ${name}`]));
+  expect(await workshop.run('a', order('later'))).toBe('later');
 });
 
 it('keeps a thousand carts in little memory, and forgets the oldest when there are too many', async () => {

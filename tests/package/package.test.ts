@@ -23,7 +23,7 @@ const mostForPackage = 1360 * kilobyte;
  * Most bytes of the scripts for pages without a bundler, with three and Lit, without the solver's
  * module. The fonts of PDF files, 58 kB, are fetched with the first PDF.
  */
-const mostForStandalone = 710 * kilobyte;
+const mostForStandalone = 665 * kilobyte;
 /** Most bytes of the drape's module, which only pages with a draped garment fetch. */
 const mostForDrape = 107 * kilobyte;
 /** Most bytes of the layout's module, which is fetched only for layouts. */

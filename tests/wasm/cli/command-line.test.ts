@@ -12,6 +12,7 @@ import type {AddressInfo} from 'node:net';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
+import type {OrderRecord} from 'seamwise/node';
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
 import {seamwise} from '../../support/cli/command-line.js';
@@ -154,6 +155,7 @@ describe('bad input exits with 2 and one sentence that names it', () => {
       ['order', file('d.json'), '--svg', file('c.svg'), '--allowance', '-1'],
       '--allowance',
     ],
+    'a width without a record': () => [['order', 'd.json', '--width', '140'], '--record FILE.json'],
     'an allowance around nothing': () => [['order', 'd.json', '--allowance', '1'], '--svg'],
     'two files under one name': () => [
       ['order', 'd.json', '--out', file('c.svg'), '--svg', file('c.svg')],
@@ -225,6 +227,20 @@ describe('order', () => {
     expect(text('made.json')).toBe(text('sold.json'));
     expect(text('cut.svg')).toContain('Solid: cut. Dashed: sew, 1 cm inside, 3 cm at hems.');
     expect(text('cut.svg')).not.toContain('NOT AS IT WAS SOLD');
+  });
+
+  it('writes a record for the cart and the workshop', async () => {
+    await store('d.json');
+    const record = ['--record', file('record.json'), '--width', '140', '--selvedge', '2'];
+    expect(await seamwise('order', file('d.json'), ...record)).toMatchObject({code: 0, err: ''});
+    const {visibleSeams, cloth, thumbnail, ...rest} = JSON.parse(
+      text('record.json'),
+    ) as OrderRecord;
+    expect(rest).toMatchObject({format: 'seamwise-order/1', reproduced: true, pieces: 2});
+    expect(visibleSeams).toEqual({matched: 1, of: 1});
+    expect(cloth?.widthCm).toBe(140);
+    expect(cloth?.lengthCm).toBeGreaterThan(10);
+    expect(thumbnail.match(/<g aria-label/g)).toHaveLength(2);
   });
 
   it('counts relative URLs from --base when it is given', async () => {

@@ -7,7 +7,10 @@ import {
   designOf,
   marker,
   mirror,
+  order,
+  orderRecord,
   readStoredDesign,
+  sha256Of,
   solve,
   symmetries,
   writeStoredDesign,
@@ -20,7 +23,7 @@ import {checks, sample, twoStrips} from '../../support/garments/samples.js';
 
 const publicFolder = new URL('../../../public/', import.meta.url);
 
-const kinds = ['design', 'garment', 'layplan', 'options', 'print', 'symmetries'] as const;
+const kinds = ['design', 'garment', 'layplan', 'options', 'order', 'print', 'symmetries'] as const;
 
 /** Validator by the schema of one kind of file. */
 function schema(kind: (typeof kinds)[number]) {
@@ -67,6 +70,25 @@ describe('the schemas accept', () => {
     const solved = await solve({garment: twoStrips(), print: checks});
     const again = writeStoredDesign(designOf(storedDesign, solved));
     expect(schema('design')(JSON.parse(again))).toEqual([]);
+  });
+
+  it('the record of an order', async () => {
+    const files = [twoStrips(), checks].map((file) => JSON.stringify(file));
+    const [garment = '', print = ''] = files;
+    const [garmentFile, printFile] = files.map((text, k) => ({
+      url: `${k}.json`,
+      sha256: sha256Of(text),
+    }));
+    const solved = await solve({garment, print});
+    if (!garmentFile || !printFile) throw new Error('A file is missing.');
+    const choice = {symmetry: 'auto', method: 'best', options: {}, seed: 1} as const;
+    const sold = designOf({...choice, garment: garmentFile, print: printFile}, solved);
+    const read = (url: string) =>
+      Promise.resolve(new TextEncoder().encode(files[Number.parseInt(url)]));
+    for (const cloth of [undefined, {widthCm: 140}]) {
+      const record = await orderRecord(await order(sold, {read, ...(cloth && {cloth})}));
+      expect(schema('order')(JSON.parse(JSON.stringify(record)))).toEqual([]);
+    }
   });
 
   it('plans of pieces on cloth', async () => {

@@ -47,12 +47,20 @@ beforeAll(async () => {
   const result = await node.solve(problem);
   const document = await node.readGarment(garment);
   const design = {garment: {url: 'a', sha256: ''}, print: {url: 'b', sha256: ''}};
+  const solved = {...design, solver: '0.1.0', result: '', options: {}};
+  const text = JSON.stringify(garment);
+  const sold = {design: solved, garment: text, print, result, reproduced: true, differenceCm: 0};
   const plan = await node.marker([result], {widthCm: 140, effort: 0});
-  const bytes = new TextEncoder().encode(JSON.stringify(garment));
+  const bytes = new TextEncoder().encode(text);
   const json = JSON.stringify(print);
   calls = {
     ...{solve: [problem, {}], prepare: [problem, {}], remedies: [problem, result, {}]},
-    ...{withReach: [problem, result, {}], order: ['{}', {}], drape: [result, {}, {}]},
+    ...{
+      withReach: [problem, result, {}],
+      order: ['{}', {}],
+      orderRecord: [sold, {}],
+      drape: [result, {}, {}],
+    },
     ...{cut: [result, {print}], marker: [[result], {widthCm: 140, effort: 0}, {}]},
     ...{layPlanFiles: [plan, {print}], symmetries: [garment, 'name'], prove: [problem, {}]},
     ...{mirror: [garment, {kind: 'piece', piece: 'left'}, 'name'], readGarment: [garment, 'name']},

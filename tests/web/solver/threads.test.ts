@@ -313,3 +313,20 @@ it('leaves everything with its caller where no thread can be had', async () => {
   await expect(withClient(ask, silent, 60)).rejects.toMatchObject({code: 'worker-blocked'});
   expect(asked.values).toEqual(request().values);
 });
+
+it('ignores messages of other scripts, and rejects requests that it does not know', () => {
+  const posted: FromThread[] = [];
+  const receive = serve(table, (message) => {
+    posted.push(message);
+  }) as (message: unknown) => void;
+  posted.length = 0; // the greeting
+  const foreign = [undefined, null, 5, 'ping', [], {}, {kind: 5}, {kind: 'modules', sources: 5}];
+  for (const message of [...foreign, {kind: 'request'}, {kind: 'cancel', job: {}}])
+    receive(message);
+  expect(posted).toEqual([]);
+  const asked = {kind: 'request', name: 'halve', request: {}, hooks: [], helpers: 0};
+  for (const odd of [{name: 'constructor'}, {name: null}, {hooks: 5}]) {
+    receive({...asked, job: 3, ...odd});
+    expect(posted.splice(0)).toMatchObject([{kind: 'failed', job: 3, failure: {code: 'internal'}}]);
+  }
+});

@@ -10,10 +10,13 @@ const newId = () => randomBytes(16).toString('base64url');
  */
 const [mostLines, mostCarts] = [50, 10_000];
 /**
- * Limit for all designs together. They are stored as text, a tenth of the size of the parsed data.
+ * Limit for all designs and drawings together. They are stored as text, a tenth of the size of the
+ * parsed data.
  * [characters]
  */
 const mostText = 50_000_000;
+
+const lengthOf = ({design = '', thumbnail = ''} = {}) => design.length + thumbnail.length;
 
 export class Carts {
   #carts = new Map();
@@ -26,7 +29,7 @@ export class Carts {
 
   /**
    * Puts a line into a cart, or into a new one; replaces the line with that id, if there is one.
-   * The line's `design` is text. @returns the cart's id
+   * The line's `design` and `thumbnail` are text. @returns the cart's id
    */
   put(id, lineId, line) {
     if (!this.#carts.has(id)) {
@@ -36,7 +39,7 @@ export class Carts {
     const lines = this.#carts.get(id);
     const isThere = lines.has(lineId);
     if (isThere || lines.size < mostLines) {
-      this.#length += line.design.length - (lines.get(lineId)?.design.length ?? 0);
+      this.#length += lengthOf(line) - lengthOf(lines.get(lineId));
       lines.set(isThere ? lineId : newId(), line);
     }
     this.#forgetOldest(id);
@@ -45,7 +48,7 @@ export class Carts {
 
   remove(id, lineId) {
     const lines = this.#carts.get(id);
-    this.#length -= lines?.get(lineId)?.design.length ?? 0;
+    this.#length -= lengthOf(lines?.get(lineId));
     lines?.delete(lineId);
   }
 

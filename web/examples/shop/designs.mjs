@@ -4,7 +4,7 @@ import {isDeepStrictEqual} from 'node:util';
 
 import {repeatOf} from 'seamwise';
 import manifest from 'seamwise/package.json' with {type: 'json'};
-import {FileError, order, readStoredDesign} from 'seamwise/node';
+import {FileError, order, orderRecord, readStoredDesign} from 'seamwise/node';
 
 import {garmentPath, printPath, sizes} from './catalogue.mjs';
 import {centsFor, metresFor, money} from './price.mjs';
@@ -108,15 +108,17 @@ function colourwayOf({print: {colourway}}, {colourways}) {
  * Solves the design and lays it out on its fabric, from the shop's own files: the browser does not
  * influence the price.
  * @param shownCents  price shown by the customer's page, if any
- * @returns length of the fabric, and its price
+ * @returns length of the fabric, its price, the number of visible seams that match, and a drawing
+ *   of the pieces
  * @throws {Refused} if the customer's page showed another garment or another price
  */
-export async function priced({design, print}, shownCents, catalogue, signal) {
-  const {reproduced, plan} = await order(design, {
+export async function priced({design, print, colourway}, shownCents, catalogue, signal) {
+  const solved = await order(design, {
     read: (url) => Promise.resolve(catalogue.files.get(url).bytes),
     cloth: clothOf(print),
     signal,
   });
+  const {reproduced, plan} = solved;
   if (!reproduced) throw new Refused('This is not what our pages show; please choose it again.');
   const cents = centsFor(plan.lengthCm);
   if (shownCents !== undefined && shownCents !== cents) {
@@ -124,7 +126,9 @@ export async function priced({design, print}, shownCents, catalogue, signal) {
       `This takes ${metresFor(plan.lengthCm).toFixed(2)} m of cloth and costs ${money(cents)}, which is not what you were shown; please choose it again.`,
     );
   }
-  return {lengthCm: plan.lengthCm, cents};
+  const tile = catalogue.files.get(`/prints/${colourway.image}`).bytes.toString();
+  const {visibleSeams, thumbnail} = await orderRecord(solved, {tile});
+  return {lengthCm: plan.lengthCm, cents, visibleSeams, thumbnail};
 }
 
 /**

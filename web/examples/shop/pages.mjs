@@ -217,15 +217,18 @@ const swatch = (field, value, title, {raster}, isChosen) =>
 export function cartPage(cart) {
   const total = cart.lines.reduce((sum, {cents}) => sum + cents, 0);
   const lines = cart.lines.map((line) => {
-    const {lineId, garment, size, print, colourway, lengthCm, cents} = line;
+    const {lineId, garment, size, print, colourway, lengthCm, cents, visibleSeams} = line;
     const at = `/cart/${cart.id}/${lineId}`;
     const what = `${garment.title}, ${size.toUpperCase()}`;
     return html`<li class="line">
-      <img src="/prints/${colourway.raster}" alt="" width="96" height="96" />
+      <img class="pieces" src="${at}/pieces.svg" alt="Its pieces in the print" />
       <div class="what">
         <h2><a href="${to(`/garment/${garment.name}`, cart, {line: lineId})}">${what}</a></h2>
         <p class="quiet">
           ${print.title}, ${colourway.name}, ${metresFor(lengthCm).toFixed(2)} m of cloth
+        </p>
+        <p class="quiet">
+          The print meets at ${visibleSeams.matched} of ${visibleSeams.of} visible seams.
         </p>
       </div>
       <p class="cost">${money(cents)}</p>

@@ -15,6 +15,7 @@ import {Carts} from './carts.mjs';
 import {openCatalogue, sizes} from './catalogue.mjs';
 import {acceptDesign, priced, Refused} from './designs.mjs';
 import {cartPage, messagePage, productPage, shelfPage} from './pages.mjs';
+import {Busy, Workshop} from './workshop.mjs';
 
 const policy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; " +
@@ -42,6 +43,7 @@ const samples = values.samples ?? here('../../../public'); // default of the rep
 const standalone = fileURLToPath(new URL('.', standaloneUrl()));
 const catalogue = await openCatalogue(samples);
 const carts = new Carts();
+const workshop = new Workshop();
 
 /**
  * Address of the standalone script. Node's own resolution of that entry is another file, without
@@ -70,6 +72,7 @@ const routes = [
   ['POST', /^\/cart$/, addToCart],
   ['GET', /^\/cart\/([\w-]+)$/, cart],
   ['GET', /^\/cart\/([\w-]+)\/([\w-]+)\/design\.json$/, lineDesign],
+  ['GET', /^\/cart\/([\w-]+)\/([\w-]+)\/pieces\.svg$/, linePieces],
   ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/order$/, orderFile],
   ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/remove$/, removeLine],
   [
@@ -131,7 +134,9 @@ async function addToCart({request, host, signal}) {
   const form = new URLSearchParams(await bodyOf(request));
   const line = acceptDesign(form.get('design') ?? '', catalogue, host);
   const shown = form.get('cents') || undefined;
-  const cost = await priced(line, shown && Number(shown), catalogue, within(signal));
+  const cost = await workshop.run(request.socket.remoteAddress, () =>
+    priced(line, shown && Number(shown), catalogue, within(signal)),
+  );
   const design = writeStoredDesign(line.design);
   const id = carts.put(form.get('cart'), form.get('line'), {...line, design, ...cost});
   return seeOther(`/cart/${id}`);
@@ -158,14 +163,20 @@ function lineDesign(_, id, lineId) {
   return json(lineOf(id, lineId).design);
 }
 
+function linePieces(_, id, lineId) {
+  return {status: 200, type: '.svg', body: lineOf(id, lineId).thumbnail};
+}
+
 /** Ends with the customer's request, or at the time limit. */
 const within = (signal) => AbortSignal.any([signal, AbortSignal.timeout(patience)]);
 
 /** The file for the workshop: the design solved again here, from the shop's own files. */
-async function orderFile({signal}, id, lineId) {
+async function orderFile({request, signal}, id, lineId) {
   const {design, garment, size} = lineOf(id, lineId);
   const read = (url) => Promise.resolve(catalogue.files.get(url).bytes);
-  const {text} = await order(design, {read, signal: within(signal)});
+  const {text} = await workshop.run(request.socket.remoteAddress, () =>
+    order(design, {read, signal: within(signal)}),
+  );
   const name = `${garment.name}-${size}-${JSON.parse(design).result.slice(0, 8)}.json`;
   return json(text, {'Content-Disposition': `attachment; filename="${name}"`});
 }
@@ -200,6 +211,7 @@ async function answer(request, signal) {
 
 function refusal(error) {
   if (error instanceof Refused) return page(messagePage('We cannot make this', error.message), 400);
+  if (error instanceof Busy) return page(messagePage('One moment', error.message), 429);
   if (error instanceof HttpError) {
     return page(messagePage('Not here', error.message), error.status);
   }

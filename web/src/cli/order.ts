@@ -2,13 +2,16 @@ import {decidedOf} from '../model/design/design.js';
 import {packageVersion} from '../model/base/version.js';
 import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.js';
 import {textOf} from '../node/files.js';
-import {order as solveOrder, readGarment, type Order} from '../node/index.js';
+import {order as solveOrder, orderRecord, readGarment, type Order} from '../node/index.js';
 import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {noPaper, paperOf} from '../paper/papers.js';
 import {printInks} from '../cutting/print-ink.js';
+import type {MarkerSettings} from '../marker/settings.js';
 import {notAsSold} from '../picture/watermark.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {cutFiles, type CutAnswer, type CutWish} from './base/cut-files.js';
+import {layRange} from './base/lay-wish.js';
+import {fetchTile} from './base/print-files.js';
 import {figuresLine} from './figures.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, ProgressLine, remark} from './base/terminal.js';
@@ -19,7 +22,10 @@ const wishFlags = ['--paper', '--allowance', '--hem', '--ink'];
 
 const grammar = {
   files: ['the design file'],
-  valued: ['--base', '--out', ...Object.keys(cutFlags), ...wishFlags],
+  valued: [
+    ...['--base', '--out', '--record', '--width', '--selvedge'],
+    ...[...Object.keys(cutFlags), ...wishFlags],
+  ],
   switches: ['--json', '--guide'],
 };
 
@@ -33,12 +39,15 @@ const notReproducedCode = 3;
 export async function order(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [designFile = ''] = args.files;
-  const [outFile, baseWord] = ['--out', '--base'].map((flag) => args.value(flag));
+  const [outFile, baseWord, recordFile] = ['--out', '--base', '--record'].map((flag) =>
+    args.value(flag),
+  );
   const cuts = Object.entries(cutFlags).flatMap(([flag, kind]) => {
     const file = args.value(flag);
     return file === undefined ? [] : [{flag, kind, file}];
   });
   const wish = wishOf(args);
+  const cloth = clothOf(args, recordFile);
   const idle = wishFlags.find((flag) => args.value(flag) !== undefined);
   if (cuts.length === 0 && idle !== undefined) {
     throw new UsageError(
@@ -46,10 +55,10 @@ export async function order(words: readonly string[]): Promise<void> {
     );
   }
   checkDistinct({
-    '--out': outFile,
+    ...{'--out': outFile, '--record': recordFile},
     ...Object.fromEntries(cuts.map(({flag, file}) => [flag, file])),
   });
-  for (const file of [outFile, ...cuts.map(({file}) => file)]) {
+  for (const file of [outFile, recordFile, ...cuts.map(({file}) => file)]) {
     if (file !== undefined) await checkWritable(file, [designFile]);
   }
   const address = addressOf(designFile);
@@ -63,7 +72,7 @@ export async function order(words: readonly string[]): Promise<void> {
   let done: Order;
   try {
     done = await solveOrder(stored, {
-      ...{base, within, name: designFile},
+      ...{base, within, name: designFile, ...(cloth && {cloth})},
       onProgress: (step) => {
         progress.show(step);
       },
@@ -77,8 +86,32 @@ export async function order(words: readonly string[]): Promise<void> {
     for (const [k, {file}] of cuts.entries()) await writeWhole(file, contents[k] ?? '');
   }
   if (outFile !== undefined) await writeWhole(outFile, done.text);
+  if (recordFile !== undefined) {
+    const address = addressFrom(base, done.design.print.url);
+    const tile = await fetchTile(done.print, address, {within});
+    const record = await orderRecord(done, {...(tile !== undefined && {tile})});
+    await writeWhole(recordFile, `${JSON.stringify(record, null, 2)}\n`);
+  }
   await report(designFile, done, args.has('--json'));
   if (!done.reproduced) process.exitCode = notReproducedCode;
+}
+
+/**
+ * The fabric of the record.
+ * @throws {UsageError} for an invalid length, and for a width without a record
+ */
+function clothOf(args: Arguments, recordFile: string | undefined): MarkerSettings | undefined {
+  const [widthCm, selvedgeCm] = ['--width', '--selvedge'].map((flag) =>
+    lengthCm(args, flag, layRange('width')[1]),
+  );
+  if (widthCm === undefined) {
+    if (selvedgeCm === undefined) return undefined;
+    throw new UsageError('--selvedge belongs to --width CM, which is missing.');
+  }
+  if (recordFile === undefined) {
+    throw new UsageError('--width belongs to --record FILE.json, which is missing.');
+  }
+  return {widthCm, ...(selvedgeCm !== undefined && {selvedgeCm})};
 }
 
 /** @throws {UsageError} for an invalid value */

@@ -32,6 +32,8 @@ seamwise order DESIGN.json [flags]
     --base URL|FOLDER           what its relative URLs count from, and where its files have to be;
                                 default its own folder, with files of the folder where you stand, too
     --out RESULT.json           writes the result, without times
+    --record FILE.json          writes visible seams that match, length of fabric and a thumbnail
+    --width CM                  fabric width of the record, with --selvedge CM at each edge, default 1
     --pdf FILE.pdf              writes the pieces to cut, at true scale; as one sheet with --svg FILE.svg,
                                 for CAD programs with --dxf FILE.dxf, for plotters with --plt FILE.plt
     --paper a4|letter|...|WxH   of the PDF, as for cut; default a4

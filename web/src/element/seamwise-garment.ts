@@ -8,7 +8,6 @@ import {SolverError} from '../model/base/failure.js';
 import type {LayPlan} from '../model/result/marker-plan.js';
 import type {SolveResult} from '../model/result/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/documents/stored-design.js';
-import {FileError} from '../model/base/versioned-file.js';
 import {asError, keepInside, type Emit} from './garment/emitted-events.js';
 import {RequestScheduler} from './garment/request-scheduler.js';
 import {AttributeElement, upgrade} from './garment/attribute-element.js';
@@ -24,10 +23,12 @@ import {Marker, Modes} from './garment/later-parts.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf, garmentStyle} from './garment/face.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/sources.js';
+import {checkDesign, checkRequest, checkWaiting} from './garment/method-checks.js';
 import {blobOf, type BlobRequest} from './garment/picture.js';
 import {GarmentSession} from './garment/session.js';
 import {ElementLanguage} from './garment/language.js';
 import {PatternDrawing} from '../editor/pattern/drawing.js';
+import {jsonText} from '../solver/requests/requests.js';
 import {register} from '../editor/base/register.js';
 import {controls} from '../editor/style/controls.js';
 import {tokens} from '../editor/style/tokens.js';
@@ -179,10 +180,12 @@ export class SeamwiseGarment extends AttributeElement {
       this.#session.reset();
       return;
     }
-    this.setDesign(value).catch((error: unknown) => {
-      // the session has reported all other errors
-      if (error instanceof FileError) this.#session.report(asError(error));
-    });
+    try {
+      // the session reports errors of the solve
+      this.#restore(storedIn(value)).catch(() => undefined);
+    } catch (error) {
+      this.#session.report(asError(error));
+    }
   }
 
   /**
@@ -191,7 +194,9 @@ export class SeamwiseGarment extends AttributeElement {
    * @throws {SolverError} if the request fails; the signal's reason, an `AbortError` by default,
    * when it fires; an `AbortError` after `cancel`
    */
-  async solve({signal}: {readonly signal?: AbortSignal} = {}): Promise<SolveResult> {
+  async solve(options: {readonly signal?: AbortSignal} = {}): Promise<SolveResult> {
+    checkWaiting('solve', options);
+    const {signal} = options;
     signal?.throwIfAborted();
     return this.#needed(() => this.#requests.answer(signal));
   }
@@ -202,7 +207,9 @@ export class SeamwiseGarment extends AttributeElement {
    * @throws {SolverError} if the width is missing, or the fabric is too narrow for a piece; as
    * `solve`
    */
-  async layPlan({signal}: {readonly signal?: AbortSignal} = {}): Promise<LayPlan> {
+  async layPlan(options: {readonly signal?: AbortSignal} = {}): Promise<LayPlan> {
+    checkWaiting('layPlan', options);
+    const {signal} = options;
     signal?.throwIfAborted();
     return this.#needed(async () => {
       if (this.clothWidth === null) {
@@ -235,8 +242,10 @@ export class SeamwiseGarment extends AttributeElement {
    * print differs from the file used for the design, and as `solve`
    */
   async setDesign(design: StoredDesign | string): Promise<void> {
-    const text = typeof design === 'string' ? design : JSON.stringify(design);
-    const stored = readStoredDesign(text, 'design');
+    await this.#restore(storedIn(design));
+  }
+
+  async #restore(stored: StoredDesign): Promise<void> {
     this.writeDesign(stored);
     this.#requests.ask({stored});
     await this.solve();
@@ -247,7 +256,8 @@ export class SeamwiseGarment extends AttributeElement {
    * @throws {SolverError} for a picture: if nothing is drawn, or the width is out of range; for a
    * cutting sheet: if there is no answer, or the paper or an allowance is invalid
    */
-  toBlob(request: BlobRequest = {}): Promise<Blob> {
+  async toBlob(request: BlobRequest = {}): Promise<Blob> {
+    checkRequest(request);
     const isDrawn = (): boolean => {
       if (!this.#isDrawn && this.#undrawable) throw this.#undrawable;
       return this.#isDrawn;
@@ -390,6 +400,13 @@ export class SeamwiseGarment extends AttributeElement {
   protected override ask(): void {
     this.#requests.ask();
   }
+}
+
+/** @throws {FileError} if it is no design; {SolverError} if it is neither object nor text */
+function storedIn(design: unknown): StoredDesign {
+  checkDesign(design);
+  const text = typeof design === 'string' ? design : jsonText(design, 'design');
+  return readStoredDesign(text, 'design');
 }
 
 declare global {

@@ -29,6 +29,7 @@ import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {printInks} from '../cutting/print-ink.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import type {Problem, ProofHooks, SolveHooks} from '../model/design/solve-problem.js';
+import {checkedResult} from '../model/documents/checked-result.js';
 import {unitsInMetre} from '../model/garment/garment-document.js';
 import type {PhotoHooks} from '../model/print/photo-reading.js';
 import type {DrapeHooks} from '../model/result/draped-garment.js';
@@ -43,12 +44,13 @@ import type {
   ProblemNames,
 } from '../solver/requests/requests.js';
 import type {CutSettings} from './cut.js';
-import {garmentDocument, laidGarment, print} from './document-checks.js';
+import {filedDesign, garmentDocument, laidGarment, layPlan, print} from './document-checks.js';
 import type {ImportOptions} from './import.js';
 import type {ConvertOptions, GarmentDxfOptions, RemedyHooks} from './options.js';
 import type {LayPlanSettings} from './lay-plan.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
-import type {OrderHooks} from './order.js';
+import type {Order, OrderHooks} from './order.js';
+import type {OrderRecordSettings} from './order-record.js';
 import type {PrintFromPixelsSettings} from './photo.js';
 import {dxfFormat, title} from './setting-checks.js';
 
@@ -164,6 +166,21 @@ export const orderHooks = fields<OrderHooks>({
   ...{...solve, read: callback, base: folder, name: title, cloth: markerSettings},
   ...{within: listOf(folder), timeoutMs: number(1, 1e9)},
 });
+
+const nothing: Read<null> = (value, at) => (value === null ? value : fail(at, 'null'));
+
+/** A design that was solved; its options were read with it. */
+const soldDesign: Read<unknown> = (value, at) => {
+  filedDesign(value, at);
+  return having({solver: word, result: word, options: having({})})(value, at);
+};
+
+export const solvedOrder = having<Order>({
+  ...{design: soldDesign, garment: word, print, result: checkedResult, reproduced: flag},
+  ...{differenceCm: either('a number or null', finite, nothing), plan: optional(layPlan)},
+});
+
+export const orderRecordSettings = fields<OrderRecordSettings>({tile: word});
 
 export const importOptions = fields<ImportOptions>({
   ...{name: word, size: word, pixelsPerInch: number(1, 100_000), pages: listOf(wholeNumber)},

@@ -79,6 +79,7 @@ export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 export type {PlanPdf} from '../marker/draw/plan-pdf.js';
 export type {Order, OrderHooks} from './order.js';
+export type {OrderRecord, OrderRecordSettings} from './order-record.js';
 export type {RepeatForPrinting} from './repeat.js';
 export type {Rectangle} from '../model/print/rectangular-repeat.js';
 export type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';

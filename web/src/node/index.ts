@@ -35,6 +35,7 @@ import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 import type {ConvertOptions, GarmentDxfOptions, RemedyHooks} from './options.js';
 import type {Order, OrderHooks} from './order.js';
+import type {OrderRecord, OrderRecordSettings} from './order-record.js';
 import {drapeSettings, json} from './setting-checks.js';
 import type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
 import type {RepeatForPrinting} from './repeat.js';
@@ -125,6 +126,24 @@ export async function order(design: StoredDesign | string, hooks: OrderHooks = {
   checkArguments('order', ['hooks', hooks, checks.orderHooks], ['design', design, asked]);
   const {orderWith} = await import('./order.js');
   return orderWith(solver, design, hooks);
+}
+
+/**
+ * The record of a solved order for the cart and the workshop, as an object for JSON: how many visible
+ * seams match, the length of fabric, and the pieces in their print as SVG text.
+ * @throws {SolverError} if the order is not one of `order`
+ */
+export async function orderRecord(
+  solved: Order,
+  settings: OrderRecordSettings = {},
+): Promise<OrderRecord> {
+  checkArguments(
+    'orderRecord',
+    ['solved', solved, checks.solvedOrder],
+    ['settings', settings, checks.orderRecordSettings],
+  );
+  const {recordOf} = await import('./order-record.js');
+  return recordOf(solver, solved, settings);
 }
 
 /**

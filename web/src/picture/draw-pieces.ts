@@ -36,10 +36,13 @@ export interface Scene {
   readonly isBare: boolean;
   /** Draws the triangles of the pieces. */
   readonly hasMesh?: boolean;
+  /** Names of pieces of plain fabric. */
+  readonly plain?: readonly string[];
 }
 
 const outlineColour = '#4a4d52';
 const quiet = '#8d9096';
+const plainFabric = '#ece8dd';
 
 /** The map from piece coordinates to the page. */
 function toPage(scene: Scene, piece: number): (p: Point) => Point {
@@ -56,7 +59,8 @@ function body(scene: Scene, piece: ResultPiece, index: number): string {
   const path = [piece.outline, ...piece.holes]
     .map((loop) => `${polyline(pick(piece[scene.outline], loop).map(page))}Z`)
     .join('');
-  return `<path d="${path}" fill="url(#${scene.id}-${index})" fill-rule="evenodd" stroke="${outlineColour}" stroke-width="1" stroke-linejoin="round"/>`;
+  const fill = scene.plain?.includes(piece.name) ? plainFabric : `url(#${scene.id}-${index})`;
+  return `<path d="${path}" fill="${fill}" fill-rule="evenodd" stroke="${outlineColour}" stroke-width="1" stroke-linejoin="round"/>`;
 }
 
 function mesh(scene: Scene, piece: ResultPiece, index: number): string {

@@ -106,7 +106,9 @@ export abstract class AttributeElement extends FormElement {
   }
 
   set printSizes(sizes: readonly number[] | null | undefined) {
-    this.write('print-sizes', sizes?.join(' '));
+    const list: unknown = sizes;
+    const isList = Array.isArray(list);
+    this.write('print-sizes', isList ? list.filter(Number.isFinite).join(' ') : list);
   }
 
   /** Greatest movement of an outline. [mm] */
@@ -115,7 +117,7 @@ export abstract class AttributeElement extends FormElement {
   }
 
   set maxChangeMm(most: number) {
-    this.write('max-change-mm', String(most));
+    this.write('max-change-mm', most);
   }
 
   get view(): GarmentView {
@@ -168,7 +170,7 @@ export abstract class AttributeElement extends FormElement {
   }
 
   set clothWidth(width: number | null | undefined) {
-    this.write('cloth-width', width?.toString());
+    this.write('cloth-width', width);
   }
 
   /** Unusable strip along each edge of the fabric. [cm] */
@@ -177,7 +179,7 @@ export abstract class AttributeElement extends FormElement {
   }
 
   set selvedge(selvedge: number | null | undefined) {
-    this.write('selvedge', selvedge?.toString());
+    this.write('selvedge', selvedge);
   }
 
   get mode(): GarmentMode {
@@ -279,14 +281,6 @@ export abstract class AttributeElement extends FormElement {
   /** Reads an attribute in either spelling. */
   #read(name: string): string | null {
     return this.getAttribute(name) ?? this.getAttribute(name.replaceAll('-', ''));
-  }
-
-  /** Writes an attribute; null or undefined removes it. */
-  protected write(name: string, value: string | null | undefined): void {
-    const spelling = name.replaceAll('-', '');
-    if (spelling !== name) this.removeAttribute(spelling);
-    if (value === null || value === undefined) this.removeAttribute(name);
-    else this.setAttribute(name, value);
   }
 
   protected get isAskable(): boolean {

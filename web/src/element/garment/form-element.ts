@@ -37,7 +37,7 @@ export abstract class FormElement extends LitElement {
   }
 
   set name(name: string) {
-    this.setAttribute('name', name);
+    this.write('name', name);
   }
 
   get required(): boolean {
@@ -112,6 +112,18 @@ export abstract class FormElement extends LitElement {
       this.#missing,
       anchor ?? undefined,
     );
+  }
+
+  /**
+   * Writes a property to its attribute, in the spelling with hyphens. Values that are no text, number
+   * or truth value remove it, so that the default applies.
+   */
+  protected write(name: string, value: unknown): void {
+    const spelling = name.replaceAll('-', '');
+    if (spelling !== name) this.removeAttribute(spelling);
+    const isPlain = ['string', 'number', 'bigint', 'boolean'].includes(typeof value);
+    if (isPlain) this.setAttribute(name, String(value));
+    else this.removeAttribute(name);
   }
 
   /** Describes the element to assistive technology. */

@@ -193,7 +193,11 @@ function absolute(url: string, words: FileWords): string {
   throw new SolverError({code: 'not-found', message: words.noAddress(url)});
 }
 
-const nameOf = (url: string): string => new URL(url).pathname.split('/').at(-1) ?? url;
+/** The last part of the path; the whole URL for one that ends with a slash. */
+function nameOf(url: string): string {
+  const name = new URL(url).pathname.split('/').at(-1) ?? '';
+  return name === '' ? url : name;
+}
 
 function parsed(text: string, called: string, words: FileWords): unknown {
   try {

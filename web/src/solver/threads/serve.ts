@@ -29,6 +29,11 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
 
   const answer = async (message: RequestMessage<R>): Promise<void> => {
     const {job, name, request} = message;
+    const hooksGiven: unknown = message.hooks;
+    if (!Object.hasOwn(table.requests, name) || !Array.isArray(hooksGiven)) {
+      post({kind: 'failed', job, failure: failureOf(unknownRequest(name))}, []);
+      return;
+    }
     const transfers: readonly PropertyKey[] = table.requests[name].transfers ?? [];
     const send = (part: string, told: FromThread, value: unknown) => {
       post(told, transfers.includes(part) ? [...buffersOf(value)] : []);
@@ -54,6 +59,7 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
 
   post({kind: 'ready', version: protocolVersion}, []);
   return (message) => {
+    if (!isMessage(message)) return;
     switch (message.kind) {
       case 'modules':
         answerer = new Answerer(table, {sources: sourcesOf<Ms>(message.sources)});
@@ -72,6 +78,20 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
     }
   };
 }
+
+/** Returns false for what other scripts post to the same worker. */
+function isMessage(value: unknown): boolean {
+  if (typeof value !== 'object' || value === null) return false;
+  const {kind, sources, job} = value as Readonly<Record<string, unknown>>;
+  if (kind === 'modules') return typeof sources === 'object' && sources !== null;
+  return kind !== 'request' || Number.isFinite(job);
+}
+
+const unknownRequest = (name: unknown): SolverError =>
+  new SolverError({
+    code: 'internal',
+    message: `The solver has no request '${String(name)}'; load page and worker from one version.`,
+  });
 
 /** Sources of modules, typed by the requesting thread. */
 function sourcesOf<Ms extends Modules>(
