@@ -228,7 +228,7 @@ export class PrintGallery extends PatientElement {
           }}
         >
           ${swatch(`cloth-${choice}`, sample, coloured(sample))}
-          <span>${label}</span>
+          <span>${print.sample ? printCaption(sample, this.texts) : label}</span>
         </button>`;
       })}
     </div>`;
