@@ -147,11 +147,11 @@ describe('a garment as it is worn', () => {
   });
 
   it('hangs on another form on request, until another garment comes', async () => {
-    const {draping, viewer, asked, become, settle} = atWork({design, result});
-    draping.show(viewer);
+    const {drapes, viewer, asked, become, settle} = atWork({design, result});
+    drapes.show(viewer);
     asked[0]?.fail(new Error('It is too small.'));
     await settle();
-    draping.drapeOn('L');
+    drapes.drapeOn('L');
     expect(asked.map(({size}) => size)).toEqual([undefined, 'L']);
     become({design: newDesign({...garment}, bareFabric), result: cutOtherwise});
     expect(asked[2]?.size).toBeUndefined();

@@ -334,7 +334,7 @@ export class DrapePane extends DrapeDrawing {
           : html`<button
               class="outlined"
               @click=${() => {
-                this.draping.drapeOn(fits);
+                this.drapes.drapeOn(fits);
               }}
             >
               ${words.drapeOn(fits)}
