@@ -44,7 +44,7 @@ export const drape = {
   },
   drapeIn: text('Drape it in {fabric}'),
   drapeOn: text('Drape it on a form of size {size}'),
-  waiting: 'The drape starts once the print is aligned',
+  waiting: 'The drape starts once the print is matched',
   /** Notes on a drape, by code. */
   notes: {
     drapeNoStart: 'The garment cannot be draped: its pieces have no position to start from.',

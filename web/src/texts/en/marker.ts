@@ -129,7 +129,7 @@ export const marker = {
   cancel: 'Cancel',
   cancelled: 'Cancelled: a shorter layout may exist.',
   again: 'New layout',
-  waiting: 'The layout starts once the print is aligned',
+  waiting: 'The layout starts once the print is matched',
   stale: 'The design has changed: this is the layout from before.',
   toSize: 'Enter its size',
   hint: 'Drag a piece to another place in the print',
