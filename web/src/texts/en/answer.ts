@@ -87,7 +87,7 @@ export const answer = {
       'One side is more than a tenth longer (gathers, pleats), so the print cannot match all along: {seams}.',
     ),
     unitsAssumed: 'The file has no unit; centimetres are assumed.',
-    curvesAssumed: 'The file does not say how its curves are stored; the usual way is assumed.',
+    curvesAssumed: 'The file does not define how its curves are stored; the usual way is assumed.',
     lengthRatio: text(
       '{seam}: the lengths of its sides are {stated} to 1 in the file, but {drafted} to 1 as drafted. The drafted lengths are used.',
     ),
