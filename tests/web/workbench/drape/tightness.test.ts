@@ -3,6 +3,7 @@ import {describe, expect, it} from 'vitest';
 import {formatFor} from '@/texts/format.js';
 import {drapeTexts} from '@/texts/drape-texts.js';
 import {languages} from '@/texts/preferences.js';
+import {loadTexts} from '@/texts/texts.js';
 import {tightnessOf} from '@/workbench/drape/spoken-tightness.js';
 
 const tooSmall = (girth: string) => ({
@@ -14,7 +15,8 @@ const tooSmall = (girth: string) => ({
 });
 
 describe('a garment that is too tight to drape', () => {
-  it.each(languages)('says in %s where, by how much, and which form it fits', (language) => {
+  it.each(languages)('says in %s where, by how much, and which form it fits', async (language) => {
+    await loadTexts(language);
     const words = drapeTexts(language);
     const format = formatFor(language, 'cm');
     const failure = tooSmall(' by 3.4 cm at the upper arm (it fits size XS)');
