@@ -228,7 +228,7 @@ export const answer = {
     printed: 'Printed',
     seam: 'Seam',
     state: 'State',
-    asAll: 'Same as all pieces',
+    asAll: 'Same as all',
     pinned: 'Pinned',
     free: 'Unpin',
     states: {
