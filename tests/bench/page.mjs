@@ -88,7 +88,7 @@ async function coldOpening(browser, url) {
     const started = performance.now();
     await page.goto(url);
     const progress = page.getByRole('status', {name: 'Progress'});
-    await progress.filter({hasText: /^Aligned in/}).waitFor({timeout: 120_000});
+    await progress.filter({hasText: /^Matched in/}).waitFor({timeout: 120_000});
     return {milliseconds: performance.now() - started, files: [...files]};
   } finally {
     await context.close();

@@ -80,9 +80,9 @@ export const LiveGarment = defineComponent({
           mode: props.mode,
           alt: 'A sample garment in a sample print',
           ...(props.prints && {'.prints': props.prints.map(printUrl)}),
-          onProgress: () => (status.value = 'Aligning …'),
+          onProgress: () => (status.value = 'Matching the print …'),
           onSolve: ({detail}: CustomEvent<{readonly milliseconds: number}>) =>
-            (status.value = `Aligned in ${(detail.milliseconds / 1000).toFixed(1)} s`),
+            (status.value = `Matched in ${(detail.milliseconds / 1000).toFixed(1)} s`),
           onError: ({detail}: CustomEvent<{readonly message: string}>) =>
             (status.value = detail.message),
         }),

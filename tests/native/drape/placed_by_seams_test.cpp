@@ -60,11 +60,36 @@ TEST_P(PlacedBySeams, HangOnThePartsAndSidesThatTheirFilesSay) {
   }
 }
 
+TEST_P(PlacedBySeams, FaceTheFrontByTheirNamesWithoutSymmetries) {
+  Worn worn = wornSample(std::string(GetParam()) + "-m");
+  const Hanging drafted = hang(worn.garment, worn.pattern, formM()).value();
+  unplace(&worn.garment);
+  worn.pattern.mirrors.clear();
+  const Hanging found = hang(worn.garment, worn.pattern, formM()).value();
+  for (std::size_t p = 0; p < found.parts.size(); ++p) {
+    if (drafted.parts[p] != BodyPart::kTorso || std::abs(drafted.middles[p].z()) < 16) continue;
+    EXPECT_GT(found.middles[p].z() * drafted.middles[p].z(), 0) << worn.pattern.pieces[p].name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, PlacedBySeams,
                          ::testing::Values("tee", "shift-dress", "raglan", "princess-dress",
                                            "asymmetric-dress", "trousers", "gathered-skirt",
                                            "six-gore-skirt", "shirt", "hoodie", "apron",
                                            "patchwork-jacket"));
+
+TEST(PlacedPieces, HaveShouldersAtTheSidesWithoutSymmetriesAndNames) {
+  Worn worn = wornSample("tee-m");
+  const Hanging drafted = hang(worn.garment, worn.pattern, formM()).value();
+  unplace(&worn.garment);
+  worn.pattern.mirrors.clear();
+  for (Piece& piece : worn.pattern.pieces) piece.name = "piece";
+  const Hanging found = hang(worn.garment, worn.pattern, formM()).value();
+  for (std::size_t p = 0; p < found.parts.size(); ++p)
+    if (drafted.parts[p] == BodyPart::kTorso) {
+      EXPECT_LT(std::abs(found.middles[p].x()), 3) << "piece " << p;
+    }
+}
 
 TEST(PlacedPieces, HangAlikeHoweverTheirPanelsAreDrawn) {
   Worn worn = wornSample("shirt-m");

@@ -6,7 +6,7 @@ import {button, drawn, showSample, usePage} from '../../support/page/page.js';
 
 const openPage = usePage();
 
-const lens = (page: Page): Locator => page.getByRole('group', {name: 'Seam lens'});
+const lens = (page: Page): Locator => page.getByRole('group', {name: 'Close-up of a seam'});
 async function name(page: Page): Promise<string | null> {
   await drawn(lens(page));
   return lens(page).getByRole('heading').textContent();
@@ -69,7 +69,7 @@ it('wipes between before and after', {tags: ['thorough']}, async () => {
   const page = await opened();
   await page
     .getByRole('status', {name: 'Progress'})
-    .filter({hasText: /^Aligned in/})
+    .filter({hasText: /^Matched in/})
     .waitFor({timeout: 60_000});
   await seam(page, 'Centre back').click();
   await slider(page).fill('0');

@@ -94,7 +94,7 @@ it(
       );
     await open(60);
     await caption
-      .filter({hasText: 'Align the print first; then the pattern can be cut.'})
+      .filter({hasText: 'Match the print first; then the pattern can be cut.'})
       .waitFor();
     await expect
       .poll(async () => [await save.isDisabled(), await drawn.count()])

@@ -23,7 +23,7 @@ const openPage = usePage();
 /** A small page that does not solve; these tests need no answer. */
 const quietPage = async (): Promise<Page> => {
   const page = await openPage({viewport: {width: 640, height: 480}});
-  await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+  await page.getByRole('switch', {name: 'Match after each change'}).press('Space');
   return page;
 };
 

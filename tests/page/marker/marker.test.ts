@@ -402,7 +402,7 @@ it(
     await expect
       .poll(() => pane(page).getByRole('button', {name: 'Pack again'}).isDisabled())
       .toBe(true);
-    await button(page, 'Align').click();
+    await button(page, 'Match print').click();
     await laid(page);
     await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(0);
     // results for the earlier design are reused
@@ -484,7 +484,7 @@ it(
     await page.locator('sw-editor .views').getByRole('button', {name: 'Fabric layout'}).click();
     const why = panel(page).getByRole('alert');
     await why.filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
-    await expect.poll(() => said(page)).toBe('Not aligned');
+    await expect.poll(() => said(page)).toBe('Not matched');
     await button(page, 'Remove what the print cannot keep').click();
     await laid(page);
     await expect.poll(() => why.count()).toBe(0);

@@ -75,7 +75,7 @@ it(
     await field.fill('Rear');
     await field.press('Enter');
     expect((await designOf(page)).names).toEqual({left_btorso: 'Rear'});
-    await page.getByText(/^Aligned in/).waitFor(); // the answer is still valid
+    await page.getByText(/^Matched in/).waitFor(); // the answer is still valid
     expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({
       design: {names: {left_btorso: 'Rear'}},
     });

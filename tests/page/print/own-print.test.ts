@@ -19,7 +19,7 @@ const quietPage = async (width = 640): Promise<Page> => {
     .getByRole('button', {name: 'Pattern', exact: true});
   const isPhone = width < 640; // panels are bottom sheets there, one at a time
   if (isPhone) await cutting.click();
-  await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+  await page.getByRole('switch', {name: 'Match after each change'}).press('Space');
   if (isPhone) await page.getByRole('button', {name: 'Fabric', exact: true}).click();
   return page;
 };

@@ -15,7 +15,7 @@ const openPage = usePage();
  */
 const quietPage = async (): Promise<Page> => {
   const page = await openPage({viewport: {width: 640, height: 480}});
-  await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+  await page.getByRole('switch', {name: 'Match after each change'}).press('Space');
   await group(page, 'p4m').click();
   await group(page, 'p4m')
     .and(page.getByRole('radio', {checked: true}))

@@ -108,7 +108,7 @@ it(
     const plain = await groupOf(page);
     await chooseGroup(page, 'pgg');
     const before = await designOf(page);
-    await button(page, 'Align').click(); // unsolved projects have an image, too
+    await button(page, 'Match print').click(); // unsolved projects have an image, too
     const list = await listOf(page);
     await card(list, 'Apron, M').locator('img').waitFor({timeout: 60_000});
     expect(await barriers(page)).toEqual([]);

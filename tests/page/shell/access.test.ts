@@ -17,7 +17,7 @@ describe.each(sampleOf(1, ['light', 'dark'] as const))('in %s colours', (colorSc
     await showSample(page, 'raglan');
     expect(await barriers(page)).toEqual([]);
     await clickSeam(page, 0, 'a');
-    await page.getByRole('group', {name: 'Seam lens'}).waitFor();
+    await page.getByRole('group', {name: 'Close-up of a seam'}).waitFor();
     expect(await barriers(page)).toEqual([]);
     await button(page, 'Symmetric pair').click();
     await clickPiece(page, 'front_left');

@@ -63,11 +63,11 @@ it('says so when the solver cannot be loaded, and solves once it can be', async 
   await solved(page);
   await page.route('**/*.wasm', (route) => route.fulfill({status: 404, body: 'gone'}));
   await page.reload();
-  await says(page, /^Not aligned$/);
+  await says(page, /^Not matched$/);
   const said = (await page.getByRole('alert').textContent())?.trim() ?? '';
   expect(said).toMatch(/^The solver could not be loaded.*\.$/);
   await page.unroute('**/*.wasm');
-  await button(page, 'Align').click();
+  await button(page, 'Match print').click();
   await solved(page);
 });
 
@@ -125,19 +125,19 @@ it(
     await says(page, /^Cancelled/);
     await page.getByText('The picture is out of date').waitFor();
     await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
-    await button(page, 'Align').click();
+    await button(page, 'Match print').click();
     await solved(page);
     await expect.poll(() => page.getByText('The picture is out of date').count()).toBe(0);
   },
 );
 
 it(
-  'waits for Align where nobody wants to solve with every change',
+  'waits for Match print where nobody wants to match with every change',
   {tags: ['thorough']},
   async () => {
     const page = await openPage();
     await solved(page);
-    await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+    await page.getByRole('switch', {name: 'Match after each change'}).press('Space');
     await group(page, 'cmm');
     await says(page, /^Out of date/);
     await page.getByText('The picture is out of date').waitFor();
@@ -145,9 +145,9 @@ it(
     await expect.poll(() => button(page, 'Save result').isDisabled()).toBe(true);
     await page.keyboard.press('Escape');
     await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
-    await button(page, 'Align').click();
+    await button(page, 'Match print').click();
     await solved(page);
-    await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+    await page.getByRole('switch', {name: 'Match after each change'}).press('Space');
     await group(page, 'pgg');
     await solved(page);
   },

@@ -34,8 +34,8 @@ it(
     const stage = page.locator('sw-pattern .stage');
     const sheets = page.getByRole('navigation', {name: 'Panels'});
     for (const [name, what] of [
-      ['Pattern', page.getByLabel('Greatest change (mm)')],
-      ['Seams', page.getByRole('group', {name: 'Seam lens'})],
+      ['Pattern', page.getByLabel('Outlines may change by (mm)')],
+      ['Seams', page.getByRole('group', {name: 'Close-up of a seam'})],
       ['Seams', page.getByRole('table', {name: 'Seams', exact: true})],
       ['Seams', page.getByRole('table', {name: 'Pieces', exact: true})],
       ['Fabric', button(page, 'My fabric')],

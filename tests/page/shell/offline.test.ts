@@ -39,7 +39,7 @@ it(
     await page.context().setOffline(true);
     await reloaded(page);
     expect(await designOf(page)).toEqual(before);
-    await button(page, 'Align').click();
+    await button(page, 'Match print').click();
     await solved(page);
     await button(page, 'Undo').click();
     expect(await groupOf(page)).toBe('cm');

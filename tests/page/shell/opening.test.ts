@@ -31,7 +31,7 @@ it('names all that tests and screen readers rely on', async () => {
     await expect.poll(() => button(page, name).count(), {message: name}).toBe(1);
   }
   // no buttons for actions that are automatic or already over
-  for (const name of ['Align', 'Cancel'])
+  for (const name of ['Match print', 'Cancel'])
     await expect.poll(() => button(page, name).count(), {message: name}).toBe(0);
   await button(page, 'Save …').click();
   for (const name of ['Save project', 'Save result', 'Save picture', 'Copy link'])
@@ -41,7 +41,7 @@ it('names all that tests and screen readers rely on', async () => {
     await expect
       .poll(() => page.getByRole('table', {name, exact: true}).count(), {message: name})
       .toBe(1);
-  for (const name of ['Repeat width (cm)', 'Repeat height (cm)', 'Greatest change (mm)'])
+  for (const name of ['Repeat width (cm)', 'Repeat height (cm)', 'Outlines may change by (mm)'])
     await expect
       .poll(() => page.getByRole('spinbutton', {name, exact: true}).count(), {message: name})
       .toBe(1);
@@ -56,7 +56,7 @@ it('cancels in the same task, and aligns again when asked', async () => {
   const cancelled = await cancelNext(page);
   await page.getByLabel('Garment', {exact: true}).selectOption('princess-dress');
   expect(await cancelled()).toMatch(/^Cancelled/);
-  await button(page, 'Align').click();
+  await button(page, 'Match print').click();
   await solved(page);
 });
 

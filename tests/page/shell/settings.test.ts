@@ -7,7 +7,7 @@ import {designOf} from '../../support/page/design.js';
 
 const openPage = usePage();
 
-const change = 'Greatest change (mm)';
+const change = 'Outlines may change by (mm)';
 
 it('takes several decisions at once for who starts', {tags: ['thorough']}, async () => {
   const page = await openPage({viewport: {width: 640, height: 480}});
@@ -43,13 +43,13 @@ it.each(sampleOf(1, ['-1', '21', '']))(
 
 it('solves only when asked once that is switched off', {tags: ['thorough']}, async () => {
   const page = await openPage({viewport: {width: 640, height: 480}});
-  const live = page.getByRole('switch', {name: 'Solve as I go'});
+  const live = page.getByRole('switch', {name: 'Match after each change'});
   await expect.poll(() => live.getAttribute('aria-checked')).toBe('true');
   await live.press('Space');
   await expect.poll(() => live.getAttribute('aria-checked')).toBe('false');
   await page.getByLabel('Continuous print only').check();
   expect((await designOf(page)).options.continuousOnly).toBe(true);
-  await page.getByText('Out of date. Choose Align to update it.').waitFor();
+  await page.getByText('Out of date. Choose Match print to update it.').waitFor();
 });
 
 it('speaks German, counts in inches and is dark, and is so again the next time', async () => {

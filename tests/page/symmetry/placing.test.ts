@@ -235,5 +235,5 @@ it('offers to leave out what the print cannot keep', {tags: ['thorough']}, async
   await button(page, 'Remove what the print cannot keep').click();
   await solved(page);
   expect((await designOf(page)).symmetry).toBe('none');
-  await expect.poll(() => progress(page).innerText()).toMatch(/^Aligned in/);
+  await expect.poll(() => progress(page).innerText()).toMatch(/^Matched in/);
 });

@@ -117,7 +117,7 @@ export async function begun(page: Page): Promise<void> {
 /** Waits for the final answer to the current problem. */
 export const solved = (page: Page): Promise<void> =>
   progress(page)
-    .filter({hasText: /^Aligned in/})
+    .filter({hasText: /^Matched in/})
     .waitFor({timeout: 60_000});
 
 /** Shows one of the samples, by its name in public/samples.json. */

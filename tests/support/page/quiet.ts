@@ -11,8 +11,8 @@ export async function quiet(
   options: PageOptions = {},
 ): Promise<Page> {
   const page = await open({viewport: {width: 640, height: 480}, ...options});
-  const live = page.getByRole('switch', {name: 'Solve as I go', checked: true});
-  await page.getByRole('switch', {name: 'Solve as I go'}).waitFor();
+  const live = page.getByRole('switch', {name: 'Match after each change', checked: true});
+  await page.getByRole('switch', {name: 'Match after each change'}).waitFor();
   if ((await live.count()) > 0) await live.press('Space');
   return page;
 }

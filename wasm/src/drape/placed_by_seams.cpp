@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "base/in_quotes.h"
@@ -22,6 +23,8 @@ constexpr double kOverNape = 2.5;
 // Height over the waist of a waistband's top edge, and of a top edge without waistband, as in the
 // sample patterns. [cm]
 constexpr double kBandOverWaist = 3.5, kTopOverWaist = 2.2;
+// Minimum sum of the unit vectors to front pieces, or away from shoulders, that gives a direction.
+constexpr double kLeastFacing = 0.5;
 
 class SeamPlacer {
  public:
@@ -73,6 +76,23 @@ class SeamPlacer {
   // Returns the middle of the front in the layout. It is on an axis of the garment or opposite one.
   // Piece names decide between the two, otherwise the top edge, which is lowest or open in front.
   double frontAxis(double otherwise) const {
+    const std::vector<Vec2> axes = axesOfMirrors();
+    if (axes.empty()) return axisByNames().value_or(axisByShoulders().value_or(otherwise));
+    double best = axes.front().x(), most = -1e9;
+    for (const Vec2& axis : axes)
+      for (const double far : {0.0, girth_ / 2}) {
+        double score = 0;
+        for (int i = 0; i < layout_.count(); ++i)
+          if (layout_.isTorso(i) && facing(i) != 0)
+            score += facing(i) * turnFrom(axis.x() + far, layout_.middle(i).x()).cosine;
+        // The top edge counts less than any name.
+        score -= 1e-6 * (far == 0 ? axis.y() - axes.front().y() : -1);
+        if (score > most + 1e-9) most = score, best = axis.x() + far;
+      }
+    return best;
+  }
+
+  std::vector<Vec2> axesOfMirrors() const {
     std::vector<Vec2> axes;
     for (const Mirror& mirror : pattern_.mirrors) {
       const int a = mirror.pieces[0], b = mirror.pieces[1];
@@ -82,26 +102,47 @@ class SeamPlacer {
             std::minmax(join.a.piece, join.b.piece) == std::minmax(a, b) && a != b)
           axes.push_back(layout_.at(join.a.piece) + Vec2(join.a.middle.x(), join.a.top));
     }
-    if (axes.empty()) axes.push_back({otherwise, 0});
-    double best = axes.front().x(), most = -1e9;
-    for (const Vec2& axis : axes)
-      for (const double far : {0.0, girth_ / 2}) {
-        double score = 0;
-        for (int i = 0; i < layout_.count(); ++i) {
-          const double facing = isCalled(layout_.name(i), kFrontWords)  ? 1
-                                : isCalled(layout_.name(i), kBackWords) ? -1
-                                                                        : 0;
-          if (layout_.isTorso(i) && facing != 0) score += facing * facingAt(i, axis.x() + far);
-        }
-        // The top edge counts less than any name.
-        score -= 1e-6 * (far == 0 ? axis.y() - axes.front().y() : -1);
-        if (score > most + 1e-9) most = score, best = axis.x() + far;
-      }
-    return best;
+    return axes;
   }
 
-  double facingAt(int i, double axis) const {
-    return turnOfDegrees(360 * (layout_.middle(i).x() - axis) / girth_).cosine;
+  // Returns the direction of the pieces with names of the front, away from those of the back.
+  std::optional<double> axisByNames() const {
+    Vec2 sum(0, 0);
+    for (int i = 0; i < layout_.count(); ++i) {
+      if (!layout_.isTorso(i)) continue;
+      const Turn turn = turnFrom(0, layout_.middle(i).x());
+      sum += facing(i) * Vec2(turn.cosine, turn.sine);
+    }
+    if (sum.norm() < kLeastFacing) return std::nullopt;
+    return degreesBetween(sum.x(), sum.y()) / 360 * girth_;
+  }
+
+  // Returns the direction at right angles to both shoulders: the front or the back.
+  std::optional<double> axisByShoulders() const {
+    Vec2 sum(0, 0);
+    for (const UprightJoin& join : joins()) {
+      if (!join.isShoulder()) continue;
+      for (const UprightSide* side : {&join.a, &join.b}) {
+        if (!layout_.isTorso(side->piece)) continue;
+        // Twice the angle is equal for both shoulders.
+        const Turn turn = turnFrom(0, 2 * (layout_.at(side->piece).x() + side->middle.x()));
+        sum -= Vec2(turn.cosine, turn.sine);
+      }
+    }
+    if (sum.norm() < kLeastFacing) return std::nullopt;
+    return degreesBetween(sum.x(), sum.y()) / 720 * girth_;
+  }
+
+  // Returns 1 for names of the front, -1 for names of the back, and 0 for others.
+  double facing(int i) const {
+    return isCalled(layout_.name(i), kFrontWords)  ? 1
+           : isCalled(layout_.name(i), kBackWords) ? -1
+                                                   : 0;
+  }
+
+  // Returns the turn around the body between two positions across the layout.
+  Turn turnFrom(double axis, double across) const {
+    return turnOfDegrees(360 * (across - axis) / girth_);
   }
 
   // Returns the upper end of a piece's own axis, in layout coordinates.

@@ -59,7 +59,7 @@ export async function usePage(outDir) {
   return {open, close};
 }
 
-const aligned = (page) => page.getByText(/^Aligned in/).waitFor({timeout: 120_000});
+const aligned = (page) => page.getByText(/^Matched in/).waitFor({timeout: 120_000});
 
 /** Waits until prints have been drawn at full resolution. */
 export const sharp = (page) => page.waitForTimeout(3000);

@@ -1,25 +1,27 @@
-/** Texts of the drape in all languages, loaded with its view. */
+/** Texts of the drape, loaded with its view; translations come with those of the page. */
 import {translated} from './base/message.js';
-import de from './de/drape.json' with {type: 'json'};
 import {drape as en, type DrapeTexts} from './en/drape.js';
-import es from './es/drape.json' with {type: 'json'};
-import fr from './fr/drape.json' with {type: 'json'};
-import it from './it/drape.json' with {type: 'json'};
 import {withMessages, type Messages} from './messages.js';
 import type {Language} from './preferences.js';
+import {drapeTranslationOf} from './texts.js';
 
 export type {DrapeTexts} from './en/drape.js';
 
-const drapeTables: Readonly<Record<Language, DrapeTexts>> = {
-  en,
-  de: translated(en, de, 'de'),
-  fr: translated(en, fr, 'fr'),
-  es: translated(en, es, 'es'),
-  it: translated(en, it, 'it'),
-};
+const tables = new Map<Language, DrapeTexts>();
 
-/** The texts of a language, with custom messages in their place. */
+function tableOf(language: Language): DrapeTexts {
+  const source = drapeTranslationOf(language);
+  if (!source) return en;
+  const table = tables.get(language) ?? translated(en, source, language);
+  tables.set(language, table);
+  return table;
+}
+
+/**
+ * The texts of a language, with custom messages in their place; English until the language is
+ * loaded.
+ */
 export function drapeTexts(language: Language, messages?: Messages): DrapeTexts {
-  const own = drapeTables[language];
+  const own = tableOf(language);
   return messages?.worn ? withMessages({worn: own}, {worn: messages.worn}).worn : own;
 }

@@ -1,6 +1,7 @@
 /** All texts of the page in Spanish. */
 import {translated} from './base/message.js';
 import answer from './es/answer.json' with {type: 'json'};
+import drape from './es/drape.json' with {type: 'json'};
 import page from './es/page.json' with {type: 'json'};
 import pattern from './es/pattern.json' with {type: 'json'};
 import print from './es/print.json' with {type: 'json'};
@@ -12,3 +13,6 @@ export const es: Texts = translated(
   {...page, ...pattern, ...answer, ...print, ...samples},
   'es',
 );
+
+/** Texts of the drape, which loads its own English ones. */
+export {drape};

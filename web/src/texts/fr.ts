@@ -1,6 +1,7 @@
 /** All texts of the page in French. */
 import {translated} from './base/message.js';
 import answer from './fr/answer.json' with {type: 'json'};
+import drape from './fr/drape.json' with {type: 'json'};
 import page from './fr/page.json' with {type: 'json'};
 import pattern from './fr/pattern.json' with {type: 'json'};
 import print from './fr/print.json' with {type: 'json'};
@@ -12,3 +13,6 @@ export const fr: Texts = translated(
   {...page, ...pattern, ...answer, ...print, ...samples},
   'fr',
 );
+
+/** Texts of the drape, which loads its own English ones. */
+export {drape};

@@ -1,6 +1,7 @@
 /** All texts of the page in Italian. */
 import {translated} from './base/message.js';
 import answer from './it/answer.json' with {type: 'json'};
+import drape from './it/drape.json' with {type: 'json'};
 import page from './it/page.json' with {type: 'json'};
 import pattern from './it/pattern.json' with {type: 'json'};
 import print from './it/print.json' with {type: 'json'};
@@ -12,3 +13,6 @@ export const it: Texts = translated(
   {...page, ...pattern, ...answer, ...print, ...samples},
   'it',
 );
+
+/** Texts of the drape, which loads its own English ones. */
+export {drape};

@@ -8,7 +8,16 @@ type SampleTexts = Pick<Texts, 'samples' | 'lists'>;
 export const printName = (
   {title, sample}: {readonly title: string; readonly sample?: {readonly name: string} | undefined},
   {samples}: Pick<Texts, 'samples'>,
-): string => samples.prints[sample?.name ?? ''] ?? title;
+): string => samples.prints[sample?.name ?? '']?.replaceAll(softHyphen, '') ?? title;
+
+/** Place in a name of a print where a narrow gallery may break it; it is not part of the name. */
+const softHyphen = '\u00ad';
+
+/** The name of a sample print with soft hyphens, for a gallery. */
+export const printCaption = (
+  {name, title}: {readonly name: string; readonly title: string},
+  {samples}: Pick<Texts, 'samples'>,
+): string => samples.prints[name] ?? title;
 
 /** A name of a sample, such as "Front left" or "Side seam, left", without its side, and the side. */
 const sided = /^(.*?)(?:,? (left|right))?$/;

@@ -1,4 +1,6 @@
 import type {Language} from './preferences.js';
+import type {Translation} from './base/message.js';
+import type {DrapeTexts} from './en/drape.js';
 import {en, type Texts} from './en.js';
 import {withMessages, type Messages} from './messages.js';
 import {isTouched} from './pointer.js';
@@ -6,14 +8,34 @@ import {isTouched} from './pointer.js';
 export type {Texts} from './en.js';
 export type {Messages} from './messages.js';
 
+type DrapeTranslation = Translation<DrapeTexts>;
+
+interface LoadedTexts {
+  readonly texts: Texts;
+  readonly drape: DrapeTranslation;
+}
+
 /** English is included; other languages are loaded when they are chosen. */
-const loaders: Readonly<Record<Exclude<Language, 'en'>, () => Promise<Texts>>> = {
-  de: async () => (await import('./de.js')).de,
-  fr: async () => (await import('./fr.js')).fr,
-  es: async () => (await import('./es.js')).es,
-  it: async () => (await import('./it.js')).it,
+const loaders: Readonly<Record<Exclude<Language, 'en'>, () => Promise<LoadedTexts>>> = {
+  de: async () => {
+    const {de: texts, drape} = await import('./de.js');
+    return {texts, drape};
+  },
+  fr: async () => {
+    const {fr: texts, drape} = await import('./fr.js');
+    return {texts, drape};
+  },
+  es: async () => {
+    const {es: texts, drape} = await import('./es.js');
+    return {texts, drape};
+  },
+  it: async () => {
+    const {it: texts, drape} = await import('./it.js');
+    return {texts, drape};
+  },
 };
 const tables = new Map<Language, Texts>([['en', en]]);
+const drapes = new Map<Language, DrapeTranslation>();
 const changed = new WeakMap<Messages, Map<Texts, Texts>>();
 
 /** The texts merged with messages, cached. */
@@ -35,6 +57,10 @@ export function textsOf(language: Language, messages?: Messages): Texts {
   return withThese(isTouched() ? withThese(own, own.touch) : own, messages);
 }
 
+/** Translation of the drape's texts; undefined for English, and until the language is loaded. */
+export const drapeTranslationOf = (language: Language): DrapeTranslation | undefined =>
+  drapes.get(language);
+
 /**
  * Loads the texts of a language for `textsOf`. Without network, English stays.
  * @returns whether the texts of `textsOf` changed
@@ -42,7 +68,9 @@ export function textsOf(language: Language, messages?: Messages): Texts {
 export async function loadTexts(language: Language): Promise<boolean> {
   if (language === 'en' || tables.has(language)) return false;
   try {
-    tables.set(language, await loaders[language]());
+    const {texts, drape} = await loaders[language]();
+    tables.set(language, texts);
+    drapes.set(language, drape);
     return true;
   } catch {
     return false;

@@ -116,7 +116,8 @@ function named(
   const canvas = document.createElement('canvas');
   canvas.width = shot.width;
   canvas.height = shot.height;
-  const context = canvas.getContext('2d');
+  // its pixels are read for a file, which would block until a graphics card returns them
+  const context = canvas.getContext('2d', {willReadFrequently: true});
   if (!context) return undefined;
   context.putImageData(pixels, 0, 0);
   drawNames(context, scene, shot, appearance);

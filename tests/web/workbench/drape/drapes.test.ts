@@ -40,6 +40,7 @@ const draped = (value: number): Drape =>
 interface Asked {
   readonly result: unknown;
   readonly fabric: unknown;
+  readonly size: unknown;
   readonly from: unknown;
   readonly hooks: DrapeHooks;
   readonly answer: (drape: Drape) => void;
@@ -50,9 +51,9 @@ interface Asked {
 function atWork(at: {design: Design | undefined; result: SolveResult | undefined}) {
   const asked: Asked[] = [];
   const drape = vi.fn<SolverService['drape']>(
-    (given, {fabric, from} = {}, hooks = {}) =>
+    (given, {fabric, size, from} = {}, hooks = {}) =>
       new Promise((resolve, reject) => {
-        asked.push({result: given, fabric, from, hooks, answer: resolve, fail: reject});
+        asked.push({result: given, fabric, size, from, hooks, answer: resolve, fail: reject});
         hooks.signal?.addEventListener('abort', () => {
           reject(new DOMException('', 'AbortError'));
         });
@@ -143,6 +144,17 @@ describe('a garment as it is worn', () => {
     expect(seen()).toEqual(['form', 'final 1']);
     await settle();
     expect(drapes.state.kind).toBe('done');
+  });
+
+  it('hangs on another form on request, until another garment comes', async () => {
+    const {drapes, viewer, asked, become, settle} = atWork({design, result});
+    drapes.show(viewer);
+    asked[0]?.fail(new Error('It is too small.'));
+    await settle();
+    drapes.drapeOn('L');
+    expect(asked.map(({size}) => size)).toEqual([undefined, 'L']);
+    become({design: newDesign({...garment}, bareFabric), result: cutOtherwise});
+    expect(asked[2]?.size).toBeUndefined();
   });
 
   it('is not draped any more when nobody looks, another garment comes or somebody stops it', async () => {

@@ -9,6 +9,7 @@ import {importTexts} from '../../texts/import-texts.js';
 import {WorkerComplaint} from '../worker/ask.js';
 import {ImportSheet, type FileUse} from './import-sheet.js';
 import {drawingIn, type ShownDrawing} from './reading.js';
+import {spokenComplaint} from './spoken-complaint.js';
 
 /** Target of an opened drawing. */
 export interface DrawingPlace {
@@ -98,7 +99,9 @@ export async function openDrawing(
     );
   } catch (error) {
     if (life.signal.aborted) return;
-    throw error instanceof WorkerComplaint ? new Error(words.failed(error.message)) : error;
+    throw error instanceof WorkerComplaint
+      ? new Error(spokenComplaint(error.message, file.name, words))
+      : error;
   } finally {
     said.remove();
   }

@@ -7,6 +7,7 @@ import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
 import type {Design} from '../../model/design/design.js';
 import {longestName} from '../../model/documents/project-name.js';
+import {noProjects, noProjectsStyle} from './no-projects.js';
 import {projectListStyle} from './project-list-style.js';
 import type {ProjectEntry, Projects} from './projects.js';
 
@@ -17,7 +18,7 @@ export class ProjectList extends WorkbenchElement {
     blank: {attribute: false},
     entries: {state: true},
   };
-  static override styles = [controls, projectListStyle];
+  static override styles = [controls, projectListStyle, noProjectsStyle];
   declare projects: Projects;
   /** Returns the design shown after the last project is deleted. */
   declare blank: () => Promise<Design>;
@@ -88,7 +89,12 @@ export class ProjectList extends WorkbenchElement {
     const {trouble} = this.projects;
     if (trouble) return html`<p class="note error">${this.texts.storage[trouble]}</p>`;
     const others = this.entries.some(({open}) => open !== 'here');
-    return others ? nothing : html`<p class="note soft">${this.texts.projects.none}</p>`;
+    return others
+      ? nothing
+      : html`<div class="empty">
+          ${noProjects}
+          <p class="note soft">${this.texts.projects.none}</p>
+        </div>`;
   }
 
   #cards(): TemplateResult {

@@ -21,6 +21,10 @@ export class ProjectsButton extends WorkbenchElement {
     labelled,
     css`
       @container (width < 72rem) {
+        .outlined {
+          border-color: transparent;
+          background: none;
+        }
         .label {
           ${unseen}
         }

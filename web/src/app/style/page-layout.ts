@@ -17,6 +17,8 @@ export const labelled = css`
     .outlined:has(> .label) {
       min-width: var(--sw-target);
       padding: 0;
+      border-color: transparent; /* like the icons beside it */
+      background: none;
     }
     .label {
       ${unseen}

@@ -3,10 +3,11 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {fabricOf, usualFabric} from '../../model/design/design.js';
 import {fabricNames, type FabricName} from '../../model/result/draped-garment.js';
-import {passingFailures} from '../../model/base/failure.js';
+import {passingFailures, type Failure} from '../../model/base/failure.js';
 import {presetNames, type CameraPreset} from '../../viewer/drape/camera.js';
 import type {DrapeView} from '../../viewer/drape/drape-view.js';
 import {drapeTexts, type DrapeTexts} from '../../texts/drape-texts.js';
+import {tightnessOf} from '../../workbench/drape/spoken-tightness.js';
 import {spokenDrapeNotes} from '../../workbench/drape/spoken-drape-notes.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
 import {commandFor, keysOf, type KeyList, type Command} from '../../commands/editor-command.js';
@@ -292,8 +293,7 @@ export class DrapePane extends DrapeDrawing {
         return html`<p class="told">${words.stopped} ${again}</p>`;
       case 'failed': {
         const {failure} = state;
-        if (failure.reason === 'drapeTooSmall' && this.#fabric !== usualFabric)
-          return this.#strained(words);
+        if (failure.reason === 'drapeTooSmall') return this.#tooSmall(failure, words);
         const why = spokenFailure(failure, this.workbench, this.texts);
         const isPassing = passingFailures.has(failure.code);
         return html`<p class="told bad" role="alert">${why} ${isPassing ? again : nothing}</p>`;
@@ -314,18 +314,44 @@ export class DrapePane extends DrapeDrawing {
     return design ? fabricOf(design) : usualFabric;
   }
 
-  /** A garment that is too tight in one fabric may drape in another. */
-  #strained(words: DrapeTexts): TemplateResult {
-    return html`<p class="told">
-      ${words.strained(words.fabrics[this.#fabric])}
-      <button
-        class="outlined"
-        @click=${() => {
-          this.workbench.history.change({fabric: usualFabric});
-        }}
-      >
-        ${words.drapeIn(words.fabrics[usualFabric])}
-      </button>
+  /** A garment that is too tight may drape on another form or in another fabric. */
+  #tooSmall(failure: Failure, words: DrapeTexts): TemplateResult {
+    const tightness = tightnessOf(failure, words, this.format);
+    const fits = tightness?.fits;
+    const strained = this.#fabric === usualFabric ? undefined : words.fabrics[this.#fabric];
+    const why =
+      tightness?.sentence ??
+      (strained === undefined
+        ? spokenFailure(failure, this.workbench, this.texts)
+        : words.strained(strained));
+    if (fits === undefined && strained === undefined)
+      return html`<p class="told bad" role="alert">${why}</p>`;
+    return html`<p class="told" role="status">
+      ${why}
+      ${
+        fits === undefined
+          ? nothing
+          : html`<button
+              class="outlined"
+              @click=${() => {
+                this.drapes.drapeOn(fits);
+              }}
+            >
+              ${words.drapeOn(fits)}
+            </button>`
+      }
+      ${
+        strained === undefined
+          ? nothing
+          : html`<button
+              class="outlined"
+              @click=${() => {
+                this.workbench.history.change({fabric: usualFabric});
+              }}
+            >
+              ${words.drapeIn(words.fabrics[usualFabric])}
+            </button>`
+      }
     </p>`;
   }
 

@@ -47,7 +47,7 @@ export class SeamLens extends PatientElement {
           flex-wrap: wrap; /* large buttons would leave no room for the name */
         }
         .name {
-          flex: 1 1 14rem;
+          flex: 1 0 100%;
         }
       }
       h3 {

@@ -9,6 +9,7 @@ import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';
 import {choiceOf, choices, meaningOf, sampleOf, type Choice} from '../../print/group-choice.js';
 import {takePrint} from '../../workbench/print/take-print.js';
+import {printCaption, printName} from '../../texts/sample-names.js';
 import {swatch} from './swatch.js';
 
 /** Styles of swatches to choose from. */
@@ -227,7 +228,7 @@ export class PrintGallery extends PatientElement {
           }}
         >
           ${swatch(`cloth-${choice}`, sample, coloured(sample))}
-          <span>${label}</span>
+          <span>${print.sample ? printCaption(sample, this.texts) : label}</span>
         </button>`;
       })}
     </div>`;
@@ -252,14 +253,14 @@ export class PrintGallery extends PatientElement {
               }}
             >
               ${swatch(`more-${sample.name}`, sample, coloured(sample))}
-              <span>${this.#titleOf(sample)}</span>
+              <span>${printCaption(sample, this.texts)}</span>
             </button>`,
         )}
       </div>`;
   }
 
   #titleOf({name, title}: SamplePrint): string {
-    return this.texts.samples.prints[name] ?? title;
+    return printName({title, sample: {name}}, this.texts);
   }
 
   #colourways({print}: Design, {prints}: Samples): TemplateResult | typeof nothing {

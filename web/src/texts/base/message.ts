@@ -76,7 +76,7 @@ export function text(english: string, ...order: readonly string[]) {
 }
 
 /** A translation of texts: strings in place of functions. */
-type Translation<Texts> = Texts extends string | ((...given: never) => string)
+export type Translation<Texts> = Texts extends string | ((...given: never) => string)
   ? string
   : Texts extends readonly unknown[]
     ? readonly unknown[]

@@ -87,8 +87,7 @@ export const answer = {
       'One side is more than a tenth longer (gathers, pleats), so the print cannot match all along: {seams}.',
     ),
     unitsAssumed: 'The file has no unit; centimetres are assumed.',
-    curvesAssumed:
-      'The file does not define its kind of curves; control points relative to the edges are assumed.',
+    curvesAssumed: 'The file does not define how its curves are stored; the usual way is assumed.',
     lengthRatio: text(
       '{seam}: the lengths of its sides are {stated} to 1 in the file, but {drafted} to 1 as drafted. The drafted lengths are used.',
     ),
@@ -229,7 +228,7 @@ export const answer = {
     printed: 'Printed',
     seam: 'Seam',
     state: 'State',
-    asAll: 'Same as all pieces',
+    asAll: 'Same as all',
     pinned: 'Pinned',
     free: 'Unpin',
     states: {
@@ -279,7 +278,7 @@ export const answer = {
     turned: text('{piece} turned by 90 degrees.'),
   },
   lens: {
-    label: 'Seam lens',
+    label: 'Close-up of a seam',
     description: 'The up and down arrow keys show the other seams of the list, Escape unpins.',
     none: 'No seam to show yet.',
     next: 'Next seam',

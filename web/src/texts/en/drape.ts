@@ -30,8 +30,21 @@ export const drape = {
   stopped: 'Stopped: the garment still moves.',
   again: 'Drape again',
   strained: text('{fabric} would stretch too far on this form.'),
+  tooTight: text('The garment is {length} too tight {place} for this form.'),
+  /** Places of the body, by the core's names. */
+  at: {
+    bust: 'at the bust',
+    waist: 'at the waist',
+    hip: 'at the hip',
+    'upper arm': 'at the upper arm',
+    wrist: 'at the wrist',
+    thigh: 'at the thigh',
+    knee: 'at the knee',
+    ankle: 'at the ankle',
+  },
   drapeIn: text('Drape it in {fabric}'),
-  waiting: 'The drape starts once the print is aligned',
+  drapeOn: text('Drape it on a form of size {size}'),
+  waiting: 'The drape starts once the print is matched',
   /** Notes on a drape, by code. */
   notes: {
     drapeNoStart: 'The garment cannot be draped: its pieces have no position to start from.',

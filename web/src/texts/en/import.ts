@@ -6,6 +6,32 @@ export const importing = {
   reading: text('Reading {file} …'),
   readingPage: text('Reading {file}: page {page, number} of {count, number} …'),
   failed: text('{message}'),
+  /** Reasons why a file is no pattern. */
+  complaints: {
+    unreadable: text(
+      '{file} is not a pattern that Seamwise can read, or it is damaged; export it again as PDF, DXF (AAMA or ASTM), SVG or OBJ.',
+    ),
+    empty: text('{file} is empty; export it again.'),
+    outline: text(
+      '{file} has no closed outline; join the ends of its lines, or export the pieces as DXF (AAMA or ASTM).',
+    ),
+    damaged: text('{file} is damaged or incomplete; export it again.'),
+    archive: text(
+      '{file} is an archive, such as a CLO or Marvelous Designer project; unpack it, or export the pattern as DXF (AAMA or ASTM).',
+    ),
+    binary: text('{file} is a DWG or binary DXF file; save it as ASCII DXF (R12).'),
+    illustrator: text(
+      '{file} is in Adobe Illustrator’s own format; choose File > Save a Copy there, and save it as SVG.',
+    ),
+    model: text(
+      '{file} is a 3D model without flat pieces; export it as OBJ with UVs, or export its pattern as DXF (AAMA or ASTM).',
+    ),
+    plotter: text('{file} is a plotter file (HP-GL); export the pattern as DXF (AAMA or ASTM).'),
+    webPage: text('{file} is a web page; save the pattern itself.'),
+    valentina: text(
+      '{file} is a Valentina or Seamly2D pattern, whose outlines are formulas; export its layout there as DXF or SVG.',
+    ),
+  },
   program: text('Drawn with {program}.'),
   which: text('What is {file}?'),
   asPattern: 'A sewing pattern',

@@ -166,7 +166,7 @@ export const marker = {
   again: 'New layout',
   /** Beside a picture, while nothing is laid yet. */
   empty: 'The pieces will lie here on the fabric, each where the print matches.',
-  waiting: 'The layout starts once the print is aligned',
+  waiting: 'The layout starts once the print is matched',
   stale: 'The design has changed: this is the layout from before.',
   toSize: 'Enter its size',
   hint: 'Drag a piece to another place in the print',

@@ -24,7 +24,7 @@ export const pattern = {
     howToOpen:
       'Choose My pattern, or drop or paste a sewing pattern here: PDF, DXF, SVG, OBJ, GarmentCode, or a project or result of Seamwise.',
     stale: 'The picture is out of date',
-    failed: 'Not aligned: the pieces keep their places',
+    failed: 'Not matched: the pieces keep their places',
     noSeams: 'No seams yet: sew the edges together, and the print is matched there.',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
@@ -186,10 +186,10 @@ export const pattern = {
     axis: 'Symmetric piece, by two points on its axis',
     grain: 'Grain line of a piece, by an edge or two points',
     turnSelected: 'Turn the selected piece by 90 degrees',
-    lens: 'Lens on the selected seam',
+    lens: 'Close-up of the selected seam',
     worst: 'Most visible seam that does not match',
     paper: 'Print the pattern on paper',
-    needs: {answer: 'after aligning', piece: 'select a piece first'},
+    needs: {answer: 'after matching the print', piece: 'select a piece first'},
     /** Synonyms for the search of commands. */
     also: {
       sew: 'seam stitch join edges',

@@ -103,7 +103,7 @@ export const photo = {
   making: 'Making the swatch …',
   size: 'Size',
   unknown:
-    'Size unknown: measure it in one of these ways. Without it you can align the print, but not cut the pattern.',
+    'Size unknown: measure it in one of these ways. Without it you can match the print, but not cut the pattern.',
   repeatsAlong: text('Repeats {way}'),
   repeatsAcross: 'Repeats across the stripes',
   measure: text('measure ({unit})'),

@@ -6,6 +6,7 @@ import type {
   DrapeSettings,
   FabricName,
   Form,
+  FormSize,
 } from '../../model/result/draped-garment.js';
 import {fabricOf, type Design, type DesignGarment} from '../../model/design/design.js';
 import type {Failure} from '../../model/base/failure.js';
@@ -44,6 +45,8 @@ interface Question {
   readonly garment: DesignGarment;
   readonly result: SolveResult;
   readonly fabric: FabricName;
+  /** Undefined for the size in the garment's file, or the one that fits. */
+  readonly size: FormSize | undefined;
 }
 
 /** A drape that is known before its design is solved. */
@@ -75,6 +78,8 @@ export class Drapes extends Observable {
   #shown: DesignGarment | undefined;
   #end: (() => void) | undefined;
   #known: KnownDrape | undefined;
+  /** Size of the form that the user has chosen for a garment. */
+  #chosen: {readonly garment: DesignGarment; readonly size: FormSize} | undefined;
 
   constructor(source: Source) {
     super();
@@ -145,6 +150,14 @@ export class Drapes extends Observable {
     this.#follow();
   }
 
+  /** Drapes the present garment on a form of this size. */
+  drapeOn(size: FormSize): void {
+    const {design} = this.#source.history;
+    if (!design) return;
+    this.#chosen = {garment: design.garment, size};
+    this.#follow();
+  }
+
   #become(state: DrapesState): void {
     this.#state = state;
     this.changed();
@@ -162,15 +175,17 @@ export class Drapes extends Observable {
       this.#wait(design);
       return;
     }
-    const question = {garment: design.garment, result, fabric: fabricOf(design)};
+    const {garment} = design;
+    const size = this.#chosen?.garment === garment ? this.#chosen.size : undefined;
+    const question = {garment, result, fabric: fabricOf(design), size};
     if (this.#question && isSame(question, this.#question)) return;
     this.#stop();
     this.#question = question;
     const known =
-      design === this.#known?.design
+      design === this.#known?.design && size === undefined
         ? this.#known.drape
         : this.#kept.find(([one]) => isSame(one, question))?.[1];
-    if (known) this.#show(known, design.garment);
+    if (known) this.#show(known, garment);
     else void this.#run(question);
   }
 
@@ -199,10 +214,10 @@ export class Drapes extends Observable {
     const running = new AbortController();
     this.#running = running;
     this.#become({kind: 'draping', progress: begun});
-    const {garment, result, fabric} = question;
+    const {garment, result, fabric, size} = question;
     // the mesh continues from its present positions
     const from = this.#drape === this.#known?.drape ? undefined : this.#drape;
-    const settings: DrapeSettings = {fabric, ...(from && {from})};
+    const settings: DrapeSettings = {fabric, ...(size && {size}), ...(from && {from})};
     let mesh: DrapeMesh | undefined;
     try {
       const drape = await this.#source.solver.drape(result, settings, {
@@ -266,6 +281,7 @@ export class Drapes extends Observable {
 const isSame = (one: Question, other: Question): boolean =>
   one.garment === other.garment &&
   one.fabric === other.fabric &&
+  one.size === other.size &&
   (one.result === other.result || sameShapes(one.result, other.result));
 
 const sameShapes = (one: SolveResult, other: SolveResult): boolean =>
