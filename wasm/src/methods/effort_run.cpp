@@ -46,17 +46,12 @@ void EffortRun::begin() {
     // it.
     if (!round.symmetric && best_symmetric_) starts.push_back(best_symmetric_->alignment);
     const Mesh& mesh = round.symmetric ? *symmetric_ : requested_;
-    SolveOptions options = problem_.options;
-    options.effort = 1, options.other_alignments = false;
     const bool guided = known_.size() > mesh.pattern.mirrors.size();
-    inputs_ = {problem_.garment,
-               std::move(options),
-               mesh.pattern,
-               makeMatchProblem(mesh.pattern, restShapes(mesh.pattern), mesh.pattern.mirrors,
-                                rules_, problem_.print.group),
-               guided ? known_ : std::vector<Mirror>(),
-               offered,
-               starts};
+    const Pattern& pattern = mesh.pattern;
+    inputs_.emplace(problem_, pattern,
+                    makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules_,
+                                     problem_.print.group),
+                    guided ? known_.size() : 0, offered, starts);
     if (const RunOutcome* known = runs_.find(*inputs_)) {
       end(*known);
       continue;

@@ -4,7 +4,7 @@
 
 #include "alignment/model/matching.h"
 #include "pattern/pattern.h"
-#include "problem/options.h"
+#include "problem/problem.h"
 
 namespace seamwise {
 
@@ -23,13 +23,17 @@ struct RunOutcome {
 class RunMemo {
  public:
   struct Inputs {
-    Garment garment;
-    SolveOptions options;  ///< those of the run
-    Pattern pattern;
-    MatchProblem match;
-    std::vector<Mirror> known;
-    std::vector<Alignments> offered, starts;
+    /// @param guided   number of symmetries that guide the search
+    Inputs(const Problem& problem, const Pattern& pattern, MatchProblem match_problem,
+           std::size_t guided, const std::vector<Alignments>& offered,
+           const std::vector<Alignments>& starts);
     bool operator==(const Inputs&) const = default;
+
+    Garment garment;
+    std::vector<double> settings;  ///< options that the other members do not contain
+    Shapes rest;
+    MatchProblem match;
+    std::vector<Alignments> alignments;  ///< those offered to the search, then starts
   };
 
   /// Returns null if there was no such run lately.

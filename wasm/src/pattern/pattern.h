@@ -18,7 +18,6 @@ struct Piece {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise
   std::vector<int> edge_start;  ///< outline position at which edge k of the panel starts
   bool mirrored_from_input = false;
-  bool operator==(const Piece&) const = default;
 };
 
 /// The outline position k of the edge between neighbouring outline vertices u and v, in either
@@ -38,7 +37,6 @@ inline std::vector<std::vector<int>> loopsOf(const Piece& piece) {
 struct SeamSide {
   int piece = -1;
   std::vector<int> vertices;
-  bool operator==(const SeamSide&) const = default;
 };
 
 /// Vertex i of side a is sewn to vertex i of side b.
@@ -50,7 +48,6 @@ struct Seam {
   bool twin = false;      ///< joins a piece to its own mirror image along corresponding points: any
                           ///< symmetric alignment matches it, so it never counts
   double visibility = 0;  ///< as of its stitch
-  bool operator==(const Seam&) const = default;
 };
 
 /// True if the sides differ too much in length for the print to match along all of the seam at any
@@ -66,7 +63,6 @@ struct Mirror {
   std::vector<int>
       image;  ///< vertex of pieces[0] -> vertex of pieces[1], every vertex (interior too)
   bool single() const { return pieces[0] == pieces[1]; }
-  bool operator==(const Mirror&) const = default;
 };
 
 /// A garment sampled and, once meshed, ready to solve.
@@ -74,7 +70,6 @@ struct Pattern {
   std::vector<Piece> pieces;
   std::vector<Seam> seams;  ///< one per stitch, in the order of the file
   std::vector<Mirror> mirrors;
-  bool operator==(const Pattern&) const = default;
 };
 
 /// Calls use(piece, k, other) for each sewn edge. The edge starts at outline position k of `piece`

@@ -27,14 +27,12 @@ enum class Visibility : std::uint8_t {
 struct GrainRule {
   GrainLock lock = GrainLock::kFree;
   double tolerance = 0;  ///< rad
-  bool operator==(const GrainRule&) const = default;
 };
 
 /// Grain options of one piece; unset members use the rule for all pieces and the file's line.
 struct PieceGrain {
   std::optional<GrainRule> rule;
   std::optional<double> line;  ///< direction of the grain line of the face-up piece. [rad]
-  bool operator==(const PieceGrain&) const = default;
 };
 
 /// All settings of a solve apart from garment and print. Names follow the options file.
@@ -70,7 +68,6 @@ struct SolveOptions {
 
   /// Returns one sentence that names an invalid field; empty if all are valid.
   std::string problem() const;
-  bool operator==(const SolveOptions&) const = default;
 };
 
 }  // namespace seamwise
