@@ -42,6 +42,29 @@ std::vector<std::string> placesOf(const Garment& garment) {
   return places;
 }
 
+struct Rectangle {
+  const char* name;
+  double x, y, z, width, height;  ///< x, y of its lower corner in front, z ahead. [cm]
+};
+/// Rectangles hung in front of and behind a body, without seams. Edges: 0 hem, 1 and 3 sides, 2
+/// top.
+Json hung(const std::vector<Rectangle>& pieces) {
+  Json text = twoRectangles();
+  text["pattern"]["panels"] = Json::object();
+  text["pattern"]["stitches"] = Json::array();
+  for (const Rectangle& r : pieces) {
+    Json panel = twoRectangles()["pattern"]["panels"]["front"];
+    panel["translation"] = {r.x, r.y, r.z};
+    panel["vertices"] = {{0, 0}, {r.width, 0}, {r.width, r.height}, {0, r.height}};
+    text["pattern"]["panels"][r.name] = panel;
+  }
+  return text;
+}
+void sew(Json& text, const char* a, int edge_a, const char* b, int edge_b) {
+  text["pattern"]["stitches"].push_back(
+      {{{"panel", a}, {"edge", edge_a}}, {{"panel", b}, {"edge", edge_b}}});
+}
+
 struct Expected {
   const char* garment;
   std::map<int, std::string> places;  ///< by stitch
@@ -130,6 +153,53 @@ TEST(SeamGroups, AreSeparateAtCorners) {
   text["pattern"]["stitches"].push_back(
       {{{"panel", "front"}, {"edge", 2}}, {{"panel", "back"}, {"edge", 2}}});
   EXPECT_EQ(groupsOf(mustRead(text).garment).size(), 3u);
+}
+
+TEST(SeamGroups, CallAWaistbandBetweenBodiceAndSkirtABand) {
+  Json text = hung({{"a1", -20, 100, 20, 40, 35},
+                    {"a2", -20, 100, -20, 40, 35},
+                    {"b1", -20, 90, 20, 40, 10},
+                    {"b2", -20, 90, -20, 40, 10},
+                    {"c1", -20, 40, 20, 40, 50},
+                    {"c2", -20, 40, -20, 40, 50}});
+  for (const auto& [front, back] : {std::pair("a1", "a2"), {"b1", "b2"}, {"c1", "c2"}})
+    sew(text, front, 1, back, 1), sew(text, front, 3, back, 3);
+  for (const auto& [upper, lower] :
+       {std::pair("a1", "b1"), {"a2", "b2"}, {"b1", "c1"}, {"b2", "c2"}})
+    sew(text, upper, 0, lower, 2);
+  const std::vector<std::string> places = placesOf(mustRead(text).garment);
+  EXPECT_EQ(places[0], "side");
+  for (const int stitch : {2, 3, 6, 7, 8, 9}) EXPECT_EQ(places[stitch], "band") << stitch;
+}
+
+TEST(SeamGroups, CallAPointedInsertNoBand) {
+  Json text = hung({{"skirt", -20, 40, 20, 40, 60}, {"insert", -20, 30, 20, 40, 10}});
+  Json& insert = text["pattern"]["panels"]["insert"];
+  insert["vertices"] = {{0, 0}, {40, 0}, {20, 9}};
+  insert["edges"].erase(3);
+  insert["edges"][2]["endpoints"] = {2, 0};
+  sew(text, "insert", 1, "skirt", 0);
+  EXPECT_EQ(placesOf(mustRead(text).garment)[0], "waist");
+}
+
+TEST(SeamGroups, TellCuffsOfLegsFromThoseOfSleeves) {
+  Json text = hung({{"l1", 2, 40, 15, 24, 60},
+                    {"l2", 2, 40, -15, 24, 60},
+                    {"r1", -26, 40, 15, 24, 60},
+                    {"r2", -26, 40, -15, 24, 60},
+                    {"m1", 4, 28, 15, 20, 12},
+                    {"m2", 4, 28, -15, 20, 12},
+                    {"n1", -24, 28, 15, 20, 12},
+                    {"n2", -24, 28, -15, 20, 12}});
+  for (const auto& [front, back] :
+       {std::pair("l1", "l2"), {"r1", "r2"}, {"m1", "m2"}, {"n1", "n2"}})
+    sew(text, front, 1, back, 1), sew(text, front, 3, back, 3);
+  for (const auto& [leg, cuff] : {std::pair("l1", "m1"), {"l2", "m2"}, {"r1", "n1"}, {"r2", "n2"}})
+    sew(text, leg, 0, cuff, 2);
+  const std::vector<std::string> places = placesOf(mustRead(text).garment);
+  EXPECT_EQ(places[0], "outseam");
+  EXPECT_EQ(places[1], "inseam");
+  EXPECT_EQ(places[4], "outseam");
 }
 
 TEST(Visibility, SetsWeightsThatTheFileLeavesOpen) {

@@ -274,6 +274,11 @@ void BestRun::finish() {
   progress_ = 1;
 }
 
+RunOutcome BestRun::outcome() const {
+  return {alignment(), search(),     compared(),      searchBound(),
+          shapes(),    iterations(), factorisations()};
+}
+
 Phase BestRun::phase() const {
   if (stage_ == Stage::kDone) return Phase::kDone;
   return stage_ < Stage::kStartFitting ? Phase::kAlignment : Phase::kDeformation;

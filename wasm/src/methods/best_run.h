@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "methods/fitting_stage.h"
+#include "methods/run_memo.h"
 #include "methods/search_stage.h"
 #include "problem/problem.h"
 
@@ -40,6 +41,8 @@ class BestRun : public Run {
   double costAtRest(const Alignments& at) const { return match_.cost(match_.ofLeaders(at)); }
   AlignmentSearch* searching() override { return searching_.searching(); }
   const Shapes& shapes() const override;
+  /// The outcome, once the run has ended.
+  RunOutcome outcome() const;
   int iterations() const override { return settling_ + (fitting_ ? fitting_->iterations() : 0); }
   int factorisations() const override { return fitting_ ? fitting_->factorisations() : 0; }
 

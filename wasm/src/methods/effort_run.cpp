@@ -12,13 +12,15 @@
 
 namespace seamwise {
 EffortRun::EffortRun(const Problem& problem, Mesh requested, std::optional<Mesh> symmetric,
-                     std::vector<Mirror> known, const MatchRules& rules, SearchMemo& searches)
+                     std::vector<Mirror> known, const MatchRules& rules, SearchMemo& searches,
+                     RunMemo& runs)
     : problem_(problem),
       requested_(requested),
       symmetric_(symmetric),
       known_(std::move(known)),
       rules_(rules),
       searches_(searches),
+      runs_(runs),
       requested_change_(BestRun::reachOf(problem.options)) {
   const SolveOptions& options = problem.options;
   const auto plan = [&](bool is_symmetric) {
@@ -32,44 +34,70 @@ EffortRun::EffortRun(const Problem& problem, Mesh requested, std::optional<Mesh>
   begin();
 }
 
+/// Begins the next round that has to be run; known ones end at once.
 void EffortRun::begin() {
-  const Round& round = rounds_[ended_];
-  problem_.options.max_change_cm = round.change;
-  problem_.options.seed = round.seed;
-  std::vector<Alignments> offered, starts;
-  if (const BestRun* before = (round.symmetric ? best_symmetric_ : best_requested_).get())
-    offered.push_back(before->search());
-  // SearchStage starts from the answer for the symmetric pattern anyway; fitting may start from it.
-  if (!round.symmetric && best_symmetric_) starts.push_back(best_symmetric_->alignment());
-  const Mesh& mesh = round.symmetric ? *symmetric_ : requested_;
-  run_ = std::make_unique<BestRun>(problem_, mesh.pattern, known_, rules_, std::move(offered),
-                                   std::move(starts), searches_, mesh.plans);
+  while (!isDone()) {
+    const Round& round = rounds_[ended_];
+    problem_.options.max_change_cm = round.change;
+    problem_.options.seed = round.seed;
+    std::vector<Alignments> offered, starts;
+    if (const auto& before = bestOf(round)) offered.push_back(before->search);
+    // SearchStage starts from the answer for the symmetric pattern anyway; fitting may start from
+    // it.
+    if (!round.symmetric && best_symmetric_) starts.push_back(best_symmetric_->alignment);
+    const Mesh& mesh = round.symmetric ? *symmetric_ : requested_;
+    const bool guided = known_.size() > mesh.pattern.mirrors.size();
+    const Pattern& pattern = mesh.pattern;
+    inputs_.emplace(problem_, pattern,
+                    makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules_,
+                                     problem_.print.group),
+                    guided ? known_.size() : 0, offered, starts);
+    if (const RunOutcome* known = runs_.find(*inputs_)) {
+      end(*known);
+      continue;
+    }
+    run_ = std::make_unique<BestRun>(problem_, mesh.pattern, known_, rules_, std::move(offered),
+                                     std::move(starts), searches_, mesh.plans);
+    return;
+  }
 }
 
-double EffortRun::mismatchOf(const BestRun& run) const {
+void EffortRun::end(RunOutcome outcome) {
+  std::optional<RunOutcome>& best = bestOf(rounds_[ended_]);
+  if (!best || mismatchOf(outcome) < mismatchOf(*best)) best = std::move(outcome);
+  if (++ended_ == rounds_.size()) tryLessChange();
+  symmetric_stands_ = isDone() && best_symmetric_ &&
+                      mismatchOf(*best_symmetric_) < mismatchOf(*best_requested_) &&
+                      isSewable(requested_.pattern, best_symmetric_->shapes);
+}
+
+double EffortRun::mismatchOf(const RunOutcome& run) const {
   return answerCost(problem_.print.group.joining(rules_.continuous_only), requested_.pattern,
-                    run.shapes(), run.alignment());
+                    run.shapes, run.alignment);
+}
+
+/// Cost of the drafted pieces at these alignments, by the seams' weights. [cm2]
+double EffortRun::costAtRest(const Alignments& at) const {
+  const Pattern& pattern = requested_.pattern;
+  const MatchProblem match =
+      makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules_, problem_.print.group);
+  return match.cost(match.ofLeaders(at));
 }
 
 /// No alignment costs less than this share of search(), which may be that of the symmetric pattern.
 double EffortRun::searchBound() const {
-  if (!symmetric_stands_) return best().searchBound();
-  const double bound = best_requested_->searchBound() * best_requested_->searchCost();
+  if (!symmetric_stands_) return best().search_bound;
+  const double bound = best_requested_->search_bound * costAtRest(best_requested_->search);
   const double cost = searchCost();
   const bool is_proven =
       bound >= (1 - ProofTuning::kProven) * cost || cost <= SearchTuning::kPerfectCost;
   return is_proven ? 1 : bound / cost;
 }
 
-const BestRun& EffortRun::best() const {
-  if (!isDone()) return *run_;
-  return symmetric_stands_ ? *best_symmetric_ : *best_requested_;
-}
-
 /// Returns whether the print misses somewhere, and yet every piece has its drafted lines.
-bool EffortRun::keptLines(const BestRun& run) const {
+bool EffortRun::keptLines(const RunOutcome& run) const {
   return mismatchOf(run) > SearchTuning::kPerfectCost &&
-         hasDraftedLines(requested_.pattern, run.shapes());
+         hasDraftedLines(requested_.pattern, run.shapes);
 }
 
 /// Plans rounds of half the greatest change if no shape was found in the rounds so far. Shapes that
@@ -89,17 +117,12 @@ bool EffortRun::advance() {
   const double now = static_cast<double>(ended_) + run_->fraction();
   fraction_ = std::max(fraction_, now / static_cast<double>(rounds_.size()));
   if (more) return true;
-  auto& best = rounds_[ended_].symmetric ? best_symmetric_ : best_requested_;
-  if (!best || mismatchOf(*run_) < mismatchOf(*best)) best = std::move(run_);
-  if (++ended_ == rounds_.size()) tryLessChange();
-  if (!isDone()) {
-    begin();
-    return true;
-  }
-  symmetric_stands_ = best_symmetric_ &&
-                      mismatchOf(*best_symmetric_) < mismatchOf(*best_requested_) &&
-                      isSewable(requested_.pattern, best_symmetric_->shapes());
-  return false;
+  RunOutcome outcome = run_->outcome();
+  runs_.add(*std::move(inputs_), outcome);
+  end(std::move(outcome));
+  begin();
+  if (isDone()) run_.reset();
+  return !isDone();
 }
 
 }  // namespace seamwise

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "methods/fitting_stage.h"
 #include "methods/metrics.h"
@@ -21,6 +22,23 @@ bool FittingStage::dropNeighbours(std::size_t seam) {
             shaped[t] = 0, any = true;
   }
   return any;
+}
+
+/// Increases the weight of seams that nearly match in the last steps, and reduces that of lost
+/// ones, so that more of them match.
+void FittingStage::favourNearMatches() {
+  std::vector<double> favours(fitted().seams.size(), 1);
+  for (std::size_t s = 0; s < favours.size(); ++s) {
+    if (!canMatch(fitted().seams[s])) continue;
+    const double off =
+        offShare(match_.joining(), fitted().seams[s], fitting_->shapes(), alignment_);
+    if (off > ShapingTuning::kLostShare)
+      favours[s] = 1 / ShapingTuning::kFavour;
+    else if (off > 0 && off < ShapingTuning::kNearShare)
+      favours[s] = ShapingTuning::kFavour;
+  }
+  starts_[current_].favours = std::move(favours);
+  pull();
 }
 
 /// Removes the pull of seams that are bent in vain, and increases that of seams that are worse off

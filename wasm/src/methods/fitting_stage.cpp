@@ -134,14 +134,21 @@ void FittingStage::again() {
   start.steps = 0;
   start.ended = false;
   start.states = fitting_->restStates();
+  start.favours.clear();
   resume(current_);
+}
+
+/// Multiple of a seam's weight in the current start.
+double FittingStage::factorOf(std::size_t seam) const {
+  const Start& start = starts_[current_];
+  return start.pull_factors[seam] * (start.favours.empty() ? 1 : start.favours[seam]);
 }
 
 void FittingStage::pull() {
   const Start& start = starts_[current_];
   std::vector<double> pulls(start.shaped.size(), 1);
   for (std::size_t s = 0; s < pulls.size(); ++s)
-    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? start.pull_factors[s] : 0;
+    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? factorOf(s) : 0;
   fitting_->setPulls(pulls);
 }
 
@@ -153,8 +160,8 @@ void FittingStage::realign() {
   const Start& start = starts_[current_];
   if (start.stays) return fitting_->chooseJoins(alignment_);
   Pattern reweighted = fitted();
-  for (std::size_t s = 0; s < start.pull_factors.size(); ++s)
-    reweighted.seams[s].weight *= start.pull_factors[s];
+  for (std::size_t s = 0; s < reweighted.seams.size(); ++s)
+    reweighted.seams[s].weight *= factorOf(s);
   MatchProblem now =
       makeMatchProblem(reweighted, fitting_->shapes(), reweighted.mirrors, rules_, match_.group);
   const std::vector<double> placed = placedMismatches();
@@ -190,6 +197,7 @@ bool FittingStage::advance() {
   done_ += 1;
   Start& start = starts_[current_];
   ++start.steps;
+  if (steps_ - start.steps == ShapingTuning::kFavouredSteps) favourNearMatches();
   if (start.steps % ShapingTuning::kRealignEvery == 0 && start.steps < steps_) realign();
   if (start.steps == trial_steps_ && !start.mismatch) return leave();
   return start.steps < steps_ || endSteps();

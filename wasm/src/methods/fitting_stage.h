@@ -62,7 +62,9 @@ class FittingStage {
     std::vector<PartDeformation::State> states;
     std::vector<char> shaped;          ///< per seam: 1 if it pulls
     std::vector<double> pull_factors;  ///< per seam: multiple of its weight
-    std::vector<double> margins;       ///< per seam: reduction of its limit. [cm]
+    /// Per seam: multiple of its weight in the last steps, by how nearly it matches; empty before.
+    std::vector<double> favours;
+    std::vector<double> margins;  ///< per seam: reduction of its limit. [cm]
     /// Total mismatch after its last steps, plain and under the rules. [cm2]
     std::optional<double> mismatch, mismatch_under_rules;
     int steps = 0, rounds = 0, reviews = 0;
@@ -87,7 +89,9 @@ class FittingStage {
   void place(const Alignments& leaders);
   void realign();
   std::vector<double> placedMismatches() const;
+  double factorOf(std::size_t seam) const;
   void pull();
+  void favourNearMatches();
   Judgement judge();
   void giveUp();
   bool dropNeighbours(std::size_t seam);

@@ -63,16 +63,12 @@ double totalMismatch(const WallpaperGroup& group, const Pattern& pattern, const 
 double unmatchedCost(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                      const std::vector<Alignment>& at) {
   double total = 0;
-  for (const Seam& seam : pattern.seams) {
-    if (!counts(seam) || seam.visibility <= 0 || isGathered(seam)) continue;
-    const SeamMidpoints m = seamMidpoints(seam, shapes, at);
-    double length = 0, off = 0;
-    for (std::size_t i = 0; i < m.x.size(); ++i) {
-      length += m.length[i];
-      if (group.distance(m.x[i], m.y[i]) > ShapingTuning::kSeen) off += m.length[i];
-    }
-    if (length > 0)
-      total += ShapingTuning::kUnmatchedCost * seam.visibility * length * unmatched(off / length);
+  const std::vector<double> lengths = seamLengths(pattern, shapes);
+  for (std::size_t s = 0; s < lengths.size(); ++s) {
+    const Seam& seam = pattern.seams[s];
+    if (canMatch(seam))
+      total += ShapingTuning::kUnmatchedCost * seam.visibility * lengths[s] *
+               unmatched(offShare(group, seam, shapes, at));
   }
   return total;
 }

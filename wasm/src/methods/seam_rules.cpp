@@ -18,6 +18,17 @@ double localMismatch(const WallpaperGroup& group, const Seam& seam, const Shapes
   return length > 0 ? total / length : 0;
 }
 
+double offShare(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
+                const std::vector<Alignment>& at) {
+  const SeamMidpoints m = seamMidpoints(seam, shapes, at);
+  double length = 0, off = 0;
+  for (std::size_t i = 0; i < m.x.size(); ++i) {
+    length += m.length[i];
+    if (group.distance(m.x[i], m.y[i]) > ShapingTuning::kSeen) off += m.length[i];
+  }
+  return length > 0 ? off / length : 0;
+}
+
 std::vector<double> localMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                     const Shapes& shapes, const std::vector<Alignment>& at) {
   std::vector<double> means(pattern.seams.size(), 0);

@@ -16,6 +16,10 @@ double localMismatch(const WallpaperGroup& group, const Seam& seam, const Shapes
 std::vector<double> localMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                     const Shapes& shapes, const std::vector<Alignment>& at);
 
+/// Share of a seam's length with a mismatch that is seen.
+double offShare(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
+                const std::vector<Alignment>& at);
+
 /// Length of every seam, mean of its sides; 0 for seams that do not count. [cm]
 std::vector<double> seamLengths(const Pattern& pattern, const Shapes& shapes);
 
@@ -24,6 +28,11 @@ double meanMismatch(const std::vector<double>& mismatches, const std::vector<dou
 
 /// Returns whether a seam counts: it is matched, and does not join a piece to its own mirror twin.
 inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
+
+/// Returns whether a seam may match as a whole, if seams count by their visibility.
+inline bool canMatch(const Seam& seam) {
+  return counts(seam) && seam.visibility > 0 && !isGathered(seam);
+}
 
 /// Weight of a seam's mismatch where answers are compared: its visibility, little if it is
 /// gathered, and 1 if all seams count equally.

@@ -20,8 +20,13 @@ constexpr double kAcross = 0.7;
 constexpr double kAtSide = 0.3;
 /// Distance from the middle up to which a seam is in the middle. [cm]
 constexpr double kMiddle = 3;
-/// Greatest breadth of a band, and least length as a multiple of it. [cm, 1]
-constexpr double kBandBreadth = 9, kBandLength = 3;
+/// Greatest breadth of a band, of one between bodice and skirt, and least lengths as multiples of
+/// them. [cm, cm, 1]
+constexpr double kBandBreadth = 9, kWaistBreadth = 16, kBandLength = 3, kWaistLength = 2.5;
+/// Least length of the ends of a band, over its breadth; a gusset or godet is pointed. [1]
+constexpr double kBluntEnds = 0.7;
+/// Greatest rise of a piece's length that runs across the body. [1]
+constexpr double kLevel = 0.5;
 /// Number of outline points that are enough to measure a piece.
 constexpr std::size_t kMostPoints = 200;
 /// Least height of a hood. [cm]
@@ -92,12 +97,12 @@ class Grouping {
  public:
   Grouping(const Garment& garment, const std::vector<BodySymmetry>& known)
       : garment_(garment), worn_(wornLayout(garment, known)) {
-    for (std::size_t i = 0; i < garment.panels.size(); ++i)
-      band_.push_back(isBand(static_cast<int>(i)));
     for (std::size_t i = 0; i < worn_.at.size(); ++i)
       for (const Vec3& p : worn_.at[i])
         if (!worn_.arm[i] && !worn_.neck[i])
           lowest_ = std::min(lowest_, p.y()), highest_ = std::max(highest_, p.y());
+    for (std::size_t i = 0; i < garment.panels.size(); ++i)
+      band_.push_back(isBand(static_cast<int>(i)));
     for (const Seam& seam : worn_.sketch.seams)
       legs_ = legs_ || isInseam(sidesOf({static_cast<int>(&seam - worn_.sketch.seams.data())}));
   }
@@ -132,6 +137,9 @@ class Grouping {
     const double x = sides.at.x() + worn_.middle[sides.a].x() + worn_.middle[sides.b].x();
     return x > kMiddle ? BodySide::kLeft : x < -kMiddle ? BodySide::kRight : BodySide::kMiddle;
   }
+
+  /// Height as a share of the torso's.
+  double heightOf(double y) const { return (y - lowest_) / std::max(1.0, highest_ - lowest_); }
 
   Vec3 sideMiddle(const SeamSide& side) const {
     Vec3 sum = Vec3::Zero();
@@ -189,7 +197,9 @@ class Grouping {
     return facing(sides.at.z());
   }
 
-  /// Returns whether a piece is long and narrow, and sewn along one of its long sides only.
+  /// Returns whether a piece is long and narrow with blunt ends, and sewn along one of its long
+  /// sides only. Both may be sewn below the yoke if the piece runs across the body, as a waistband
+  /// between bodice and skirt does.
   bool isBand(int i) const {
     const Piece& piece = worn_.sketch.pieces[i];
     double area = 0, length = 0;
@@ -203,7 +213,13 @@ class Grouping {
           length = way.norm(), along = way / length;
     }
     const double breadth = area / length;
-    if (breadth > kBandBreadth || length < kBandLength * breadth) return false;
+    if (breadth > kWaistBreadth || length < kWaistLength * breadth) return false;
+    double ends = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vec2 edge = piece.rest[(k + 1) % count] - piece.rest[k];
+      if (std::abs(cross(along, edge)) > kAcross * edge.norm()) ends += edge.norm();
+    }
+    if (ends < kBluntEnds * breadth) return false;
     bool sewn[2] = {false, false};
     for (const Seam& seam : worn_.sketch.seams)
       for (const auto& [side, other] : {std::pair(&seam.a, &seam.b), {&seam.b, &seam.a}}) {
@@ -213,7 +229,8 @@ class Grouping {
         const double aside = cross(along, out);
         if (std::abs(aside) > kAcross * out.norm()) sewn[aside > 0] = true;
       }
-    return !(sewn[0] && sewn[1]);
+    if (!(sewn[0] && sewn[1])) return breadth <= kBandBreadth && length >= kBandLength * breadth;
+    return std::abs(worn_.up[i].dot(along)) < kLevel && heightOf(worn_.middle[i].y()) < kYokeHeight;
   }
 
   /// Returns whether a seam of front and back is nearer to the middle than both of its pieces.
@@ -261,8 +278,7 @@ class Grouping {
     if (legs_ && most < -kAcross) return SeamPlace::kCrotch;
     const int facing_seam = facingOf(sides);
     if (most > kAcross && least < -kAcross && sides.a != sides.b) {
-      const double height = (sides.at.y() - lowest_) / std::max(1.0, highest_ - lowest_);
-      return height > kYokeHeight ? SeamPlace::kYoke : SeamPlace::kWaist;
+      return heightOf(sides.at.y()) > kYokeHeight ? SeamPlace::kYoke : SeamPlace::kWaist;
     }
     // A seam that closes one piece around the body is opposite its middle.
     if (sides.a == sides.b)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/disjoint_sets.h"
 #include "drape/flat_layout.h"
 #include "drape/piece_words.h"
 #include "drape/seam_arms.h"
@@ -20,6 +21,10 @@ constexpr double kLowerTop = 1;
 constexpr double kOneSided = 8;
 /// Breadth around an axis at which the top edges of front and back are compared. [cm]
 constexpr double kNearAxis = 4;
+/// Share of a direction that points down where a piece ends below. [1]
+constexpr double kBelow = 0.7;
+/// Greatest area of a part of an arm, over that of the largest other part. [1]
+constexpr double kSmallPart = 0.3;
 
 Pattern sketchOf(const Garment& garment) {
   Pattern sketch;
@@ -107,6 +112,37 @@ class WoundPieces {
   double girth_ = 0, axis_ = 0;
 };
 
+/// Pieces of arms: those that the seams imply, but not tubes at the lower edges of other pieces, as
+/// cuffs of trousers are. Small parts that are sewn to arms alone belong to them.
+std::vector<char> armPieces(const Pattern& sketch, const UprightPieces& upright) {
+  const int count = static_cast<int>(sketch.pieces.size());
+  const std::vector<int> tubes = armsBySeams(sketch, upright);
+  std::vector<Vec2> out(count, Vec2::Zero());
+  for (const UprightJoin& join : upright.joins())
+    for (const auto& [arm, other] : {std::pair(&join.a, &join.b), {&join.b, &join.a}})
+      if (const int tube = tubes[arm->piece]; tube >= 0 && tubes[other->piece] < 0)
+        out[tube] += join.length * other->out;
+  std::vector<char> arms(count, 0);
+  for (int i = 0; i < count; ++i)
+    if (tubes[i] >= 0) arms[i] = out[tubes[i]].y() >= -kBelow * out[tubes[i]].norm();
+  DisjointSets parts(count);
+  for (const UprightJoin& join : upright.joins())
+    if (!arms[join.a.piece] && !arms[join.b.piece]) parts.join(join.a.piece, join.b.piece);
+  std::vector<double> area(count, 0);
+  for (int i = 0; i < count; ++i)
+    if (!arms[i]) area[parts.find(i)] += upright.area(i);
+  const double largest = *std::max_element(area.begin(), area.end());
+  std::vector<char> follows(count, 0);
+  for (const UprightJoin& join : upright.joins())
+    for (const auto& [arm, other] :
+         {std::pair(join.a.piece, join.b.piece), {join.b.piece, join.a.piece}})
+      if (arms[arm] && !arms[other]) follows[parts.find(other)] = 1;
+  for (int i = 0; i < count; ++i)
+    if (const int part = parts.find(i); !arms[i] && follows[part])
+      arms[i] = area[part] < kSmallPart * largest;
+  return arms;
+}
+
 /// Finds pieces over the shoulders: over seams that join the upper edges of pieces, and over the
 /// tops of sleeves.
 void findNeck(const UprightPieces& upright, WornLayout* worn) {
@@ -128,10 +164,9 @@ WornLayout wornLayout(const Garment& garment, const std::vector<BodySymmetry>& k
   const std::size_t count = garment.panels.size();
   WornLayout worn;
   worn.sketch = sketchOf(garment);
-  worn.at.resize(count), worn.arm.assign(count, 0), worn.neck.assign(count, 0);
+  worn.at.resize(count), worn.neck.assign(count, 0);
   const UprightPieces upright(garment, worn.sketch);
-  const std::vector<int> arms = armsBySeams(worn.sketch, upright);
-  for (std::size_t i = 0; i < count; ++i) worn.arm[i] = arms[i] >= 0;
+  if (count > 0) worn.arm = armPieces(worn.sketch, upright);
   const Placement placement(garment);
   if (placement.known()) {
     for (std::size_t i = 0; i < count; ++i) {

@@ -65,7 +65,7 @@ struct Solver::State {
     if (symmetric) more.emplace(EffortRun::Mesh{*symmetric, plans->plans});
     return std::make_unique<EffortRun>(
         problem, EffortRun::Mesh{pattern, symmetric ? plans->freed : plans->plans}, more, known,
-        rules, memo->searches);
+        rules, memo->searches, memo->runs);
   }
 };
 

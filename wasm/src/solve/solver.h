@@ -5,6 +5,7 @@
 
 #include "alignment/search/search_memo.h"
 #include "methods/run.h"
+#include "methods/run_memo.h"
 #include "problem/prepare_symmetric.h"
 #include "problem/problem.h"
 #include "solve/result.h"
@@ -16,6 +17,7 @@ namespace seamwise {
 struct SolveMemo {
   MeshMemo mesh;
   SearchMemo searches;
+  RunMemo runs;
 };
 
 /// Proven bound on the cost of alignments of the pieces as drafted.

@@ -78,6 +78,14 @@ struct ShapingTuning {
   /// has improved them as far as it can. Chosen.
   static constexpr int kLimitedFrom = 6;
 
+  /// Last steps, in which seams that nearly match pull more and lost ones less; factor and its
+  /// inverse. Measured: "Near matches" (6, 4 and 3 steps; 3, 6).
+  static constexpr int kFavouredSteps = 4;
+  static constexpr double kFavour = 3;
+  /// Share of a seam's length that is off, below which it nearly matches, and above which it is
+  /// lost. Measured: "Near matches" (0.4, 0.55; 0.5, 0.6).
+  static constexpr double kNearShare = 0.4, kLostShare = 0.6;
+
   // --- starts and rounds
 
   /// Number of answers under slack to start fitting from. Measured: "Slack and starts" (1 to 4).

@@ -1,0 +1,50 @@
+#include "methods/run_memo.h"
+
+#include <algorithm>
+
+namespace seamwise {
+namespace {
+
+constexpr std::size_t kKept = 4;  ///< two greatest changes, with and without symmetry
+
+}  // namespace
+
+RunMemo::Inputs::Inputs(const Problem& problem, const Pattern& pattern, MatchProblem match_problem,
+                        std::size_t guided, const std::vector<Alignments>& offered,
+                        const std::vector<Alignments>& starts)
+    : garment(problem.garment),
+      rest(restShapes(pattern)),
+      match(std::move(match_problem)),
+      alignments(offered) {
+  alignments.insert(alignments.end(), starts.begin(), starts.end());
+  const SolveOptions& options = problem.options;
+  const double average = options.average_seam_shapes ? *options.average_seam_shapes : -1;
+  settings = {double(options.seed),
+              options.max_change_cm,
+              options.alpha.value_or(-1),
+              average,
+              double(options.open_edges),
+              double(options.visibility),
+              options.proof.value_or(-1),
+              double(options.pins.size()),
+              double(guided),
+              double(offered.size()),
+              double(options.weights.size())};
+  for (const auto& [seam, weight] : options.weights)
+    settings.insert(settings.end(), {double(seam), weight});
+  for (const EdgeRef& edge : options.locked)
+    settings.insert(settings.end(), {double(edge.piece), double(edge.edge)});
+}
+
+const RunOutcome* RunMemo::find(const Inputs& inputs) const {
+  const auto known = std::find_if(kept_.begin(), kept_.end(),
+                                  [&](const auto& entry) { return entry.first == inputs; });
+  return known == kept_.end() ? nullptr : &known->second;
+}
+
+void RunMemo::add(Inputs inputs, RunOutcome outcome) {
+  if (kept_.size() == kKept) kept_.erase(kept_.begin());
+  kept_.emplace_back(std::move(inputs), std::move(outcome));
+}
+
+}  // namespace seamwise
