@@ -6,6 +6,7 @@
 
 #include "base/decimal.h"
 #include "base/sort_by.h"
+#include "drape/pleat_ties.h"
 
 namespace seamwise {
 namespace {
@@ -33,6 +34,11 @@ constexpr double kYielding = 1500;
 /// Strain from which that fabric is stiff, so that a band remains tight, and its stiffness there
 /// relative to the real fabric.
 constexpr double kYieldingTo = 0.01, kBeyond = 2;
+
+/// Distance of pleats' layers on the coarse mesh relative to the fine one. [1]
+constexpr double kCoarsePleats = 2;
+/// Maximum movement of a pleated garment in a step, about the distance between its layers. [m]
+constexpr double kPleatStep = 0.005;
 
 /// Free edges that start closer than this to the plane x = 0 may meet others there. [m]
 constexpr double kBesidePlane = 0.03;
@@ -129,10 +135,16 @@ std::vector<double> Drape::besideEachOther(const SewnLevel& level, const SewnMes
 
 void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from) {
   if (cloth_) spent_ += cloth_->work();
+  const bool pleated = std::any_of(level.pleats.begin(), level.pleats.end(),
+                                   [](const auto& pleats) { return !pleats.empty(); });
   LevelCloth::Layers layers{problem_.overlaps, {}, {}, problem_.fabric.offset};
+  // Large triangles of pleats cut the curves of the body short.
+  if (pleated && &level == &problem_.levels.coarse) layers.gap *= kCoarsePleats;
   layers.held = heldLayers(level, problem_.matches, problem_.overlaps, layers.gap);
-  // A garment without overlapping pieces has no layers; waves of its cloth only resemble them.
-  if (!problem_.overlaps.empty()) {
+  for (const ClothTie& tie : pleatTies(level, layers.gap)) layers.held.ties.push_back(tie);
+  // A garment without pleats or overlapping pieces has no layers; waves of its cloth only resemble
+  // them.
+  if (pleated || !problem_.overlaps.empty()) {
     if (stage_ == Stage::kSew)
       layers.laid = problem_.start;
     else if (problem_.settled.empty())
@@ -143,6 +155,7 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
   ClothOptions options = problem_.options;
   options.longest_step = kLongestStep;
   options.most_iterations = kMostIterations;
+  if (pleated && stage_ == Stage::kSew) options.farthest = options.farthest_near = kPleatStep;
   options.least_x = besideEachOther(level, mesh, layers.held, from);
   cloth_ =
       std::make_unique<LevelCloth>(mesh, level.image, layers, yields_ ? yielding_ : problem_.fabric,
