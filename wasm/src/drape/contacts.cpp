@@ -9,10 +9,10 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSeen = 0.008;        ///< m, range in which positions decide a vertex's side
-constexpr double kLaid = 0.016;        ///< m, range in which layers decide it
-constexpr double kParallel = 0.7;      ///< minimum cosine between the normals of parallel layers
-constexpr double kStiffness = 5e5;     ///< N/m3, repulsion between layers
+constexpr double kSeen = 0.008;     ///< m, range in which positions decide a vertex's side
+constexpr double kLaid = 0.016;     ///< m, range in which layers decide it
+constexpr double kParallel = 0.7;   ///< minimum cosine between the normals of parallel layers
+constexpr double kStiffness = 5e5;  ///< N/m3, repulsion between layers
 /// The same inside pleats, on which a tight waist presses. [N/m3]
 constexpr double kPleatStiffness = 4e6;
 constexpr double kTieStiffness = 400;  ///< N/m, of a tie
@@ -159,8 +159,8 @@ void ClothContacts::findNormals(const Positions& x) {
   }
 }
 
-/// Returns the side of a triangle on which a vertex belongs by the layers of pleats, or 0. Fabric of
-/// odd layers is turned over, so the other fabric gives the direction outwards.
+/// Returns the side of a triangle on which a vertex belongs by the layers of pleats, or 0. Fabric
+/// of odd layers is turned over, so the other fabric gives the direction outwards.
 double ClothContacts::sideInPleats(int vertex, int triangle) const {
   const SewnMesh::Triangle& t = mesh_->triangles[triangle];
   const Strips& own = strips_[vertex];

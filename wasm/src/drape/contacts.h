@@ -68,7 +68,7 @@ class ClothContacts {
   static constexpr int kSearchEach = 3;
   struct Pair {
     int vertex, triangle;
-    double side;        ///< 1: the vertex belongs on the face of the triangle, -1: behind it
+    double side;            ///< 1: the vertex belongs on the face of the triangle, -1: behind it
     bool seen = false;      ///< the side comes from positions, not from layers
     bool in_pleat = false;  ///< the side comes from the layers of a pleat
     bool operator<(const Pair& o) const {
@@ -124,8 +124,8 @@ class ClothContacts {
   std::vector<std::vector<int>> ring_;  ///< per vertex: neighbours along edges, sorted
   std::vector<Strips> strips_;          ///< per vertex
   bool pleated_ = false;
-  std::vector<Vec3> normals_;           ///< per vertex of a pleated cloth, in the last look()
-  const Positions* looked_ = nullptr;   ///< positions during look()
+  std::vector<Vec3> normals_;          ///< per vertex of a pleated cloth, in the last look()
+  const Positions* looked_ = nullptr;  ///< positions during look()
   bool touching_ = false;
   int looks_ = 0;
   double search_cost_ = 0;

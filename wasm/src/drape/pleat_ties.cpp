@@ -46,7 +46,8 @@ class PleatHolder {
     for (const int step : {1, count - 1}) {
       const int next = (from + step) % count;
       const double s = across(piece.outline[next]);
-      if (next == to || !(s > kOnFoldLine && s < upright_.widthAt(upright_.left[end].y()) - kOnFoldLine))
+      if (next == to ||
+          !(s > kOnFoldLine && s < upright_.widthAt(upright_.left[end].y()) - kOnFoldLine))
         continue;
       for (int k = next; k != to; k = (k + step) % count) tieLayer(piece.outline[k]);
       return;

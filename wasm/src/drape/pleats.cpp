@@ -8,9 +8,9 @@
 namespace seamwise {
 namespace {
 
-constexpr double kAtOutline = 0.8;   ///< cm, distance at which a fold line ends at a vertex
-constexpr double kJoin = 0.2;      ///< cm, between the edges of the fabric on both sides of a pleat
-constexpr double kAtFold = 0.5;      ///< cm, width over which the layer changes at a fold
+constexpr double kAtOutline = 0.8;  ///< cm, distance at which a fold line ends at a vertex
+constexpr double kJoin = 0.2;    ///< cm, between the edges of the fabric on both sides of a pleat
+constexpr double kAtFold = 0.5;  ///< cm, width over which the layer changes at a fold
 
 Crease atOutline(Crease line, const Piece& piece) {
   for (Vec2& end : line) {
@@ -103,7 +103,8 @@ std::vector<Pleat> pleatsOf(const Panel& panel, const Piece& piece) {
   for (std::size_t k = 1; k < upright.size(); ++k)
     for (const Crease* line : {&upright[k].left, &upright[k - 1].right})
       for (const Vec2& end : *line)
-        if (upright[k].leftAt(end.y()) < UprightPleat::acrossAt(upright[k - 1].right, end.y()) - kOnFoldLine)
+        if (upright[k].leftAt(end.y()) <
+            UprightPleat::acrossAt(upright[k - 1].right, end.y()) - kOnFoldLine)
           return {};
   return pleats;
 }
@@ -137,7 +138,8 @@ PleatStrip stripAt(const std::vector<Pleat>& pleats, const Vec2& p) {
 }
 
 double UprightPleat::acrossAt(const Crease& line, double y) {
-  return line[0].x() + (y - line[0].y()) / (line[1].y() - line[0].y()) * (line[1].x() - line[0].x());
+  return line[0].x() +
+         (y - line[0].y()) / (line[1].y() - line[0].y()) * (line[1].x() - line[0].x());
 }
 
 double UprightPleat::gapAt(double y, double open) const {

@@ -166,7 +166,8 @@ class Settling {
 
 void settle(const Pattern& pattern, const Form& form, const Hanging& hanging,
             const std::vector<char>& on_top, const std::vector<std::vector<double>>& outward,
-            const std::vector<std::vector<char>>& covered, const WrapSettings& settings, PiecePositions* positions) {
+            const std::vector<std::vector<char>>& covered, const WrapSettings& settings,
+            PiecePositions* positions) {
   Settling(pattern, form, hanging, on_top, outward, covered, settings).run(positions);
 }
 

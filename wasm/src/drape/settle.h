@@ -12,6 +12,7 @@ namespace seamwise {
 /// @param covered   per piece, per vertex: inside a closed pleat, without pull on its neighbours
 void settle(const Pattern& pattern, const Form& form, const Hanging& hanging,
             const std::vector<char>& on_top, const std::vector<std::vector<double>>& outward,
-            const std::vector<std::vector<char>>& covered, const WrapSettings& settings, PiecePositions* positions);
+            const std::vector<std::vector<char>>& covered, const WrapSettings& settings,
+            PiecePositions* positions);
 
 }  // namespace seamwise

@@ -101,7 +101,8 @@ double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
     const double stiffness = bendingOf(h, fabric), far = h.folded > 0 ? length(bend) : 0;
     // Share of the force that remains beside a fold's rest; a flat fold has no direction to close.
     const double share = far > 0 ? 1 - h.folded / far : h.folded > 0 ? 0 : 1;
-    energy += stiffness * (h.folded > 0 ? (far - h.folded) * (far - h.folded) : dot(bend, bend)) / 2;
+    energy +=
+        stiffness * (h.folded > 0 ? (far - h.folded) * (far - h.folded) : dot(bend, bend)) / 2;
     if (gradient)
       for (int k = 0; k < 4; ++k)
         for (int c = 0; c < 3; ++c)

@@ -69,8 +69,7 @@ class Wrapper {
   PleatLayers pleatLayers() const {
     PleatLayers layers(pattern_);
     for (std::size_t i = 0; i < upright_.size(); ++i)
-      if (!upright_[i].empty())
-        layers.add(static_cast<int>(i), flat_[i], upright_[i], opened_[i]);
+      if (!upright_[i].empty()) layers.add(static_cast<int>(i), flat_[i], upright_[i], opened_[i]);
     return layers;
   }
 
@@ -339,7 +338,8 @@ class Wrapper {
           if (hanging_.parts[piece.piece] == part && !upright_[piece.piece].empty()) {
             const Vec2& flat = flat_[piece.piece][v];
             opened_[piece.piece].push_back(opening.at(flat.y()));
-            outward += kPleatLayer * closedAt(upright_[piece.piece], flat, opening.at(flat.y())).layer;
+            outward +=
+                kPleatLayer * closedAt(upright_[piece.piece], flat, opening.at(flat.y())).layer;
           }
           blend(&(*positions)[piece.piece][v], part, piece, static_cast<int>(v),
                 ring->position(static_cast<int>(k), static_cast<int>(v), outward));
@@ -365,8 +365,8 @@ class Wrapper {
   const Hanging& hanging_;
   const std::vector<char>& on_top_;  ///< per piece: covers another one
   const WrapSettings& settings_;
-  std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: (across, level)
-  std::vector<char> straps_;             ///< per piece
+  std::vector<std::vector<Vec2>> flat_;             ///< per piece, per vertex: (across, level)
+  std::vector<char> straps_;                        ///< per piece
   const std::vector<std::vector<Pleat>> pleats_;    ///< per piece; or empty
   std::vector<std::vector<UprightPleat>> upright_;  ///< per piece: pleats in the frame of `flat_`
   std::vector<std::vector<double>> outward_;        ///< per piece, per vertex, cm

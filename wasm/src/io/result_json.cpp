@@ -34,9 +34,9 @@ const char* methodName(Method method) {
 
 /// Writes the folds of a piece that take up fabric.
 void writePleats(JsonWriter& out, std::vector<Fold> folds) {
-  folds.erase(std::remove_if(folds.begin(), folds.end(),
-                             [](const Fold& fold) { return !fold.takesUp(); }),
-              folds.end());
+  folds.erase(
+      std::remove_if(folds.begin(), folds.end(), [](const Fold& fold) { return !fold.takesUp(); }),
+      folds.end());
   if (folds.empty()) return;
   out.list("folds", folds, [&](const Fold& fold) {
     out.openObject();
