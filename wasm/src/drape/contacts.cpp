@@ -18,7 +18,7 @@ constexpr double kPleatStiffness = 4e6;
 constexpr double kTieStiffness = 400;  ///< N/m, of a tie
 constexpr double kBeside = 0.05;       ///< tolerated negative weight of a foot beside the triangle
 constexpr double kCell = 0.02;         ///< m, cell size of the search grid
-constexpr double kPerItem = 200, kPerPair = 60;  ///< multiplications, of a search
+constexpr double kPerItem = 1500, kPerPair = 150;  ///< multiplications in the time of a search
 
 void insertOnce(std::vector<int>& ascending, int item) {
   const auto at = std::lower_bound(ascending.begin(), ascending.end(), item);

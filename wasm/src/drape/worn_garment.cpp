@@ -16,7 +16,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kUsualBudget = 100;  ///< work, in factorisations of a 90 x 90 grid
+constexpr double kUsualBudget = 170;  ///< work, in factorisations of a 90 x 90 grid
 /// Maximum area of cloth, more than the widest gown has. A larger garment needs much of the budget
 /// for a single step. [m2]
 constexpr double kMostCloth = 20;
