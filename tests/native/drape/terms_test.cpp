@@ -135,6 +135,13 @@ TEST(DrapeTerms, BendingIsQuadratic) {
   EXPECT_LT(hessianError(bendingOf(cloth, kPoplin), cloth, 1e-3), 1e-8);
 }
 
+TEST(DrapeTerms, APressedFoldHasTheGradientOfItsEnergyAndNoNegativeHessian) {
+  Cloth cloth(1.5);
+  for (SewnMesh::Hinge& hinge : cloth.mesh.hinges) hinge.folded = 0.03;
+  EXPECT_LT(gradientError(bendingOf(cloth, kPoplin), cloth.x, 1e-6), 1e-5);
+  EXPECT_GE(leastCurvature(bendingOf(cloth, kPoplin), cloth), -1e-9);
+}
+
 TEST(DrapeTerms, RigidMotionsLeaveMembraneAndBending) {
   const Cloth cloth(1.5);
   Mat3 turn;

@@ -9,14 +9,16 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSeen = 0.008;        ///< m, range in which positions decide a vertex's side
-constexpr double kLaid = 0.016;        ///< m, range in which layers decide it
-constexpr double kParallel = 0.7;      ///< minimum cosine between the normals of parallel layers
-constexpr double kStiffness = 5e5;     ///< N/m3, repulsion between layers
+constexpr double kSeen = 0.008;     ///< m, range in which positions decide a vertex's side
+constexpr double kLaid = 0.016;     ///< m, range in which layers decide it
+constexpr double kParallel = 0.7;   ///< minimum cosine between the normals of parallel layers
+constexpr double kStiffness = 5e5;  ///< N/m3, repulsion between layers
+/// The same inside pleats, on which a tight waist presses. [N/m3]
+constexpr double kPleatStiffness = 4e6;
 constexpr double kTieStiffness = 400;  ///< N/m, of a tie
 constexpr double kBeside = 0.05;       ///< tolerated negative weight of a foot beside the triangle
 constexpr double kCell = 0.02;         ///< m, cell size of the search grid
-constexpr double kPerItem = 200, kPerPair = 60;  ///< multiplications, of a search
+constexpr double kPerItem = 1500, kPerPair = 150;  ///< multiplications in the time of a search
 
 void insertOnce(std::vector<int>& ascending, int item) {
   const auto at = std::lower_bound(ascending.begin(), ascending.end(), item);
@@ -39,14 +41,18 @@ ClothContacts::ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps
       ties_(std::move(ties)),
       laps_(std::move(laps)),
       gap_(gap),
-      ring_(mesh.size) {
+      ring_(mesh.size),
+      strips_(mesh.size) {
   sortOverlaps(overlaps_);
   for (const SewnMesh::Triangle& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
+      strips_[t.vertices[k]].add(t);
       insertOnce(pieces_[t.vertices[k]], t.piece);
       insertOnce(ring_[t.vertices[k]], t.vertices[(k + 1) % 3]);
       insertOnce(ring_[t.vertices[k]], t.vertices[(k + 2) % 3]);
     }
+  pleated_ = std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                         [](const SewnMesh::Triangle& t) { return t.strip > 0; });
   if (!laid.empty()) lay(laid);
 }
 
@@ -124,11 +130,47 @@ double ClothContacts::sideAmong(const std::vector<Pair>& pairs, const SewnMesh& 
   double beside = 0;
   for (; pair != pairs.end() && pair->vertex == vertex; ++pair) {
     if (pair->triangle == triangle) return pair->side;
+    // Both sides of a fold share corners.
+    if (mesh.triangles[pair->triangle].strip != mesh.triangles[triangle].strip) continue;
     const auto& other = mesh.triangles[pair->triangle].vertices;
     for (const int v : corners)
       if (v == other[0] || v == other[1] || v == other[2]) beside = pair->side;
   }
   return beside;
+}
+
+void ClothContacts::Strips::add(const SewnMesh::Triangle& t) {
+  if (t.strip == 0 || t.strip == low || t.strip == high) return;
+  more = more || low != high;
+  layers = high == 0 ? 2 * t.layer : layers / 2 + t.layer;
+  if (std::abs(layers) == 1) layers = 0;  // the visible edge of the fabric beside the pleat
+  low = high == 0 ? t.strip : std::min(low, t.strip);
+  high = std::max(high, t.strip);
+}
+
+/// Updates the normals of vertices if the cloth has pleats.
+void ClothContacts::findNormals(const Positions& x) {
+  if (!pleated_) return;
+  looked_ = &x;
+  normals_.assign(x.size(), Vec3::Zero());
+  for (const SewnMesh::Triangle& t : mesh_->triangles) {
+    const Vec3 normal = normalOf(t.vertices, x);
+    for (const int v : t.vertices) normals_[v] += t.area * normal;
+  }
+}
+
+/// Returns the side of a triangle on which a vertex belongs by the layers of pleats, or 0. Fabric
+/// of odd layers is turned over, so the other fabric gives the direction outwards.
+double ClothContacts::sideInPleats(int vertex, int triangle) const {
+  const SewnMesh::Triangle& t = mesh_->triangles[triangle];
+  const Strips& own = strips_[vertex];
+  if (own.more || own.low == t.strip || own.high == t.strip || own.layers == 2 * t.layer) return 0;
+  const double above = own.layers > 2 * t.layer ? 1 : -1;
+  if (t.layer % 2 == 0) return above;
+  if (own.layers % 4 != 0) return 0;
+  const double along = dot(normalOf(t.vertices, *looked_), normals_[vertex]);
+  if (std::abs(along) < kParallel * length(normals_[vertex])) return 0;
+  return along < 0 ? -above : above;
 }
 
 /// Layers slide on each other by about one edge length, so the search includes neighbours of the
@@ -143,6 +185,8 @@ double ClothContacts::sideAsLaid(int vertex, int triangle) const {
 /// Returns 0 for cloth that is not layered and for neighbours, which meet in sharp folds such as
 /// under the arms.
 double ClothContacts::sideByLayers(int vertex, int triangle) const {
+  if (strips_[vertex].high > 0 && mesh_->triangles[triangle].strip > 0)
+    return sideInPleats(vertex, triangle);
   if (neighbours(vertex, mesh_->triangles[triangle].vertices)) return 0;
   double side = sideByOverlaps(vertex, triangle);
   if (side == 0) side = sideByLaps(vertex, triangle);
@@ -166,6 +210,7 @@ void ClothContacts::search(const Positions& x) {
     if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) return;
     Pair pair{vertex, triangle, sideByLayers(vertex, triangle)};
     pair.seen = pair.side == 0;
+    pair.in_pleat = !pair.seen && strips_[vertex].high > 0 && mesh_->triangles[triangle].strip > 0;
     if (pair.seen && (dot(off, off) > kSeen * kSeen || isCrossed(pair))) return;
     if (pair.seen) pair.side = sideBySight(vertex, triangle, x);
     found.push_back(pair);
@@ -185,7 +230,8 @@ void ClothContacts::findCrossed(const Positions& x) {
   const auto in_layers = [&](const CrossingPull& pull) {
     const auto& [edge, triangle] = pull.crossing;
     const int piece = mesh_->triangles[triangle].piece;
-    if (isOf(piece, edge[0]) && isOf(piece, edge[1])) return false;
+    if (mesh_->triangles[triangle].strip == 0 && isOf(piece, edge[0]) && isOf(piece, edge[1]))
+      return false;
     return sideByLayers(edge[0], triangle) != 0 || sideByLayers(edge[1], triangle) != 0;
   };
   pulls_.erase(std::remove_if(pulls_.begin(), pulls_.end(), in_layers), pulls_.end());
@@ -209,8 +255,9 @@ bool ClothContacts::isCrossed(const Pair& pair) const {
 
 void ClothContacts::look(const Positions& x) {
   search_cost_ = 0;
+  findNormals(x);
   if (touching_ && untangling_) findCrossed(x);
-  if (touching_ && looks_++ % kSearchEach == 0) search(x);
+  if (touching_ && looks_++ % (pleated_ ? 1 : kSearchEach) == 0) search(x);
   touches_.clear();
   for (const Pair& pair : pairs_) {
     const auto& corners = mesh_->triangles[pair.triangle].vertices;
@@ -219,7 +266,8 @@ void ClothContacts::look(const Positions& x) {
     if (*std::min_element(foot.weights.begin(), foot.weights.end()) < -kBeside) continue;
     const double area =
         std::min(mesh_->area[pair.vertex], mesh_->triangles[pair.triangle].area / 2);
-    touches_.push_back({pair.vertex, foot, pair.side * normalOf(corners, x), kStiffness * area});
+    touches_.push_back({pair.vertex, foot, pair.side * normalOf(corners, x),
+                        (pair.in_pleat ? kPleatStiffness : kStiffness) * area});
   }
   tied_.clear();
   for (const ClothTie& tie : ties_)

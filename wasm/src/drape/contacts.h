@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -67,8 +68,9 @@ class ClothContacts {
   static constexpr int kSearchEach = 3;
   struct Pair {
     int vertex, triangle;
-    double side;        ///< 1: the vertex belongs on the face of the triangle, -1: behind it
-    bool seen = false;  ///< the side comes from positions, not from layers
+    double side;            ///< 1: the vertex belongs on the face of the triangle, -1: behind it
+    bool seen = false;      ///< the side comes from positions, not from layers
+    bool in_pleat = false;  ///< the side comes from the layers of a pleat
     bool operator<(const Pair& o) const {
       return std::pair(vertex, triangle) < std::pair(o.vertex, o.triangle);
     }
@@ -85,9 +87,19 @@ class ClothContacts {
     double stiffness;
   };
 
+  /// Strips of a vertex's triangles in pleated pieces: one, two of which the second is larger, or
+  /// more.
+  struct Strips {
+    int low = 0, high = 0;
+    int layers = 0;  ///< twice the mean layer of both
+    bool more = false;
+    void add(const SewnMesh::Triangle& t);
+  };
+
   template <class Meet>
   void forNear(const Positions& x, double near, const Meet& meet) const;
   void lay(const Positions& x);
+  void findNormals(const Positions& x);
   void search(const Positions& x);
   void findCrossed(const Positions& x);
   bool isOf(int piece, int vertex) const;
@@ -96,6 +108,7 @@ class ClothContacts {
   double sideByOverlaps(int vertex, int triangle) const;
   static double sideAmong(const std::vector<Pair>& pairs, const SewnMesh& mesh, int vertex,
                           int triangle);
+  double sideInPleats(int vertex, int triangle) const;
   double sideAsLaid(int vertex, int triangle) const;
   double sideByLayers(int vertex, int triangle) const;
   double sideBySight(int vertex, int triangle, const Positions& x) const;
@@ -109,6 +122,10 @@ class ClothContacts {
   std::vector<signed char> laps_;
   double gap_;
   std::vector<std::vector<int>> ring_;  ///< per vertex: neighbours along edges, sorted
+  std::vector<Strips> strips_;          ///< per vertex
+  bool pleated_ = false;
+  std::vector<Vec3> normals_;          ///< per vertex of a pleated cloth, in the last look()
+  const Positions* looked_ = nullptr;  ///< positions during look()
   bool touching_ = false;
   int looks_ = 0;
   double search_cost_ = 0;

@@ -6,6 +6,7 @@
 
 #include "base/decimal.h"
 #include "base/sort_by.h"
+#include "drape/pleat_ties.h"
 
 namespace seamwise {
 namespace {
@@ -17,12 +18,15 @@ constexpr int kSewingSteps = 2, kHangingSteps = 80, kSettlingSteps = 60;  ///< m
 constexpr int kYieldingSteps = 30;
 /// Steps of each start after sewing. The order of energies then is the order at rest.
 constexpr int kTrialSteps = 10;
-/// A garment is at rest once further steps are predicted to lower its energy by less than this
+/// Steps end once further steps are predicted to lower its energy by less than this
 /// share of the energy that lifts it by a metre.
 constexpr double kRestFall = 1.5e-4;
 constexpr int kRestSteps = 5;
 /// Limits of the share by which the energy falls more slowly from kRestSteps steps to the next.
 constexpr double kFastest = 0.8, kSlowest = 0.9;
+/// Largest ratio of the distance from rest to the extrapolated one: 0.2 to 3.2 in eight samples,
+/// after steps with more iterations until nothing moved (docs/experiments.md).
+constexpr double kFurther = 3.2;
 /// Long steps and many iterations; a sheet needs both to fold.
 constexpr double kLongestStep = 1;  ///< s
 constexpr int kMostIterations = 60;
@@ -33,6 +37,11 @@ constexpr double kYielding = 1500;
 /// Strain from which that fabric is stiff, so that a band remains tight, and its stiffness there
 /// relative to the real fabric.
 constexpr double kYieldingTo = 0.01, kBeyond = 2;
+
+/// Distance of pleats' layers on the coarse mesh relative to the fine one. [1]
+constexpr double kCoarsePleats = 2;
+/// Maximum movement of a pleated garment in a step, about the distance between its layers. [m]
+constexpr double kPleatStep = 0.005;
 
 /// Free edges that start closer than this to the plane x = 0 may meet others there. [m]
 constexpr double kBesidePlane = 0.03;
@@ -129,10 +138,16 @@ std::vector<double> Drape::besideEachOther(const SewnLevel& level, const SewnMes
 
 void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from) {
   if (cloth_) spent_ += cloth_->work();
+  const bool pleated = std::any_of(level.pleats.begin(), level.pleats.end(),
+                                   [](const auto& pleats) { return !pleats.empty(); });
   LevelCloth::Layers layers{problem_.overlaps, {}, {}, problem_.fabric.offset};
+  // Large triangles of pleats cut the curves of the body short.
+  if (pleated && &level == &problem_.levels.coarse) layers.gap *= kCoarsePleats;
   layers.held = heldLayers(level, problem_.matches, problem_.overlaps, layers.gap);
-  // A garment without overlapping pieces has no layers; waves of its cloth only resemble them.
-  if (!problem_.overlaps.empty()) {
+  for (const ClothTie& tie : pleatTies(level, layers.gap)) layers.held.ties.push_back(tie);
+  // A garment without pleats or overlapping pieces has no layers; waves of its cloth only resemble
+  // them.
+  if (pleated || !problem_.overlaps.empty()) {
     if (stage_ == Stage::kSew)
       layers.laid = problem_.start;
     else if (problem_.settled.empty())
@@ -143,6 +158,7 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
   ClothOptions options = problem_.options;
   options.longest_step = kLongestStep;
   options.most_iterations = kMostIterations;
+  if (pleated && stage_ == Stage::kSew) options.farthest = options.farthest_near = kPleatStep;
   options.least_x = besideEachOther(level, mesh, layers.held, from);
   cloth_ =
       std::make_unique<LevelCloth>(mesh, level.image, layers, yields_ ? yielding_ : problem_.fabric,
@@ -153,7 +169,7 @@ void Drape::begin(Stage stage, const Positions& from) {
   since_ = {}, last_fall_ = 0;
   stage_ = stage, last_step_ = mostSteps(stage);
   if (stage == Stage::kDone) return;
-  at_rest_ = false;
+  settled_ = false;
   yields_ = stage != Stage::kSettle || (problem_.other_starts > 0 && problem_.settled.empty());
   if (stage == Stage::kSew) {
     put(problem_.levels.coarse, coarse_, from);
@@ -193,15 +209,15 @@ void Drape::watch(double fall) {
   if (++since_.steps < kRestSteps) return;
   const double rate = std::clamp(since_.fall / last_fall_, kFastest, kSlowest);
   const double root = std::sqrt(rate);
-  at_rest_ = last_fall_ > 0 &&
+  settled_ = last_fall_ > 0 &&
              since_.fall * rate / (1 - rate) < kRestFall / problem_.effort * cloth_->weight();
-  from_rest_ = rmsBetween(since_.from, cloth_->positions()) * root / (1 - root);
+  from_rest_ = kFurther * rmsBetween(since_.from, cloth_->positions()) * root / (1 - root);
   last_fall_ = since_.fall;
   since_ = {};
 }
 
 /// Forgets the fall of energy, which is of other steps than those that follow.
-void Drape::forgetFall() { since_ = {}, last_fall_ = 0, at_rest_ = false; }
+void Drape::forgetFall() { since_ = {}, last_fall_ = 0, settled_ = false; }
 
 /// Ends the steps in a fabric that yields.
 void Drape::stiffen() {
@@ -239,7 +255,7 @@ void Drape::finish() {
   if (!std::isfinite(cloth_->energy())) {
     notes_.push_back(
         {"drapeNoStart", "The garment cannot be draped: it has no position to start from."});
-  } else if (!at_rest_) {
+  } else if (!settled_) {
     const int millimetres = static_cast<int>(std::nearbyint(1000 * farthest_));
     notes_.push_back({"drapeMoving",
                       "The garment is still moving by " +
@@ -250,8 +266,7 @@ void Drape::finish() {
                       {100 * farthest_}});
   }
   check_ = checkDrape(fine_, positions(), *problem_.body);
-  if (std::optional<Note> doubt = doubtAbout(check_, problem_.fabric))
-    notes_.push_back(*std::move(doubt));
+  if (std::optional<Note> doubt = doubtAbout(check_)) notes_.push_back(*std::move(doubt));
   begin(Stage::kDone);
 }
 
@@ -261,7 +276,7 @@ bool Drape::mend() {
   if (mended_ >= kMostMended || work() >= problem_.budget) return false;
   if (cloth_->crossings() > 0)
     ++mended_;
-  else if (mended_ > 0 && !at_rest_)
+  else if (mended_ > 0 && !settled_)
     mended_ = kMostMended;
   else
     return false;
@@ -278,9 +293,9 @@ bool Drape::advance(double work_now) {
     step();
     fraction_ = std::max(fraction_, progress());
     if (stage_ == Stage::kSettle && yields_ &&
-        (at_rest_ || stages_.back().steps >= kYieldingSteps || work() >= problem_.budget))
+        (settled_ || stages_.back().steps >= kYieldingSteps || work() >= problem_.budget))
       stiffen();
-    const bool over = at_rest_ || stages_.back().steps >= last_step_ || work() >= problem_.budget;
+    const bool over = settled_ || stages_.back().steps >= last_step_ || work() >= problem_.budget;
     const bool trial = best_.cloth || tried_ < problem_.other_starts;
     if (trial && stage_ == Stage::kHang) {
       if (over || stages_.back().steps >= kTrialSteps) tryNextStart();

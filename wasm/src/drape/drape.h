@@ -70,10 +70,12 @@ class Drape {
   bool isSymmetric() const { return cloth_->isHalf(); }
   const Fabric& fabric() const { return problem_.fabric; }
   double moved() const { return farthest_; }  ///< largest movement of a vertex in the last step, m
-  /// Estimated distance of the vertices from rest, root mean square, m. It extrapolates the last
-  /// steps: each kRestSteps of them lower the energy by a constant share of those before.
+  /// Upper estimate of the distance of the vertices from rest, root mean square, m. It extrapolates
+  /// the last steps: each kRestSteps of them lower the energy by a constant share of those before.
   double fromRest() const { return from_rest_; }
-  bool isAtRest() const { return at_rest_; }
+  /// Returns whether the vertices are at most kAtRest from rest.
+  bool isAtRest() const { return from_rest_ <= kAtRest; }
+  static constexpr double kAtRest = 0.005;  ///< m
   /// Valid once the drape is done.
   const DrapeCheck& check() const { return check_; }
   /// Notes for the user, a sentence each. "Still moving by 3 mm" gives the movement in the last
@@ -122,8 +124,8 @@ class Drape {
   Trial best_;         ///< without a cloth unless there are several starts
   Since since_;
   double last_fall_ = 0;  ///< J, in the kRestSteps steps before
-  bool at_rest_ = false;
-  double from_rest_ = 0;
+  bool settled_ = false;  ///< further steps would hardly lower the energy
+  double from_rest_ = 1;
   double fraction_ = 0;
   double farthest_ = 0;  ///< m, in the last step
   double spent_ = 0;     ///< work of the solvers of earlier levels

@@ -11,10 +11,6 @@
 namespace seamwise {
 namespace {
 
-constexpr double kOverstretched = 0.1;    ///< 99th percentile of tension beyond Fabric::stiff_from
-constexpr double kVisiblyInside = 0.005;  ///< m
-constexpr int kFewCrossings = 20;         ///< folds of sound garments have a few as well
-
 /// Number of triangles from gathers, which stretch the band that holds them.
 constexpr int kBesideGathers = 3;
 
@@ -106,28 +102,11 @@ DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceFi
   return check;
 }
 
-std::optional<Note> doubtAbout(const DrapeCheck& check, const Fabric& fabric) {
-  const auto whole = [](double value) {
-    return decimal(static_cast<std::int64_t>(std::nearbyint(value)));
-  };
-  if (check.worn > fabric.stiff_from + kOverstretched)
-    return Note{"drapeStretched",
-                "The garment is too small for its form, or sewn wrongly: its fabric would be "
-                "stretched by " +
-                    whole(100 * check.worn) + " %.",
-                {},
-                {},
-                {check.worn}};
-  if (check.depth > kVisiblyInside)
-    return Note{"drapeForm",
-                "The form comes through the fabric by " + whole(1000 * check.depth) +
-                    " mm: look at how the pieces are sewn and where they hang.",
-                {},
-                {},
-                {100 * check.depth}};
-  if (check.crossings > kFewCrossings)
+std::optional<Note> doubtAbout(const DrapeCheck& check) {
+  if (check.crossings > 0)
     return Note{"drapeCrossings",
-                "The fabric passes through itself at " + decimal(check.crossings) + " places.",
+                "The fabric passes through itself at " + decimal(check.crossings) +
+                    (check.crossings == 1 ? " place." : " places."),
                 {},
                 {},
                 {static_cast<double>(check.crossings)}};

@@ -27,7 +27,7 @@ struct DrapeCheck {
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body);
 
 /// Returns a note for the user about a drape that no real cloth could have.
-std::optional<Note> doubtAbout(const DrapeCheck& check, const Fabric& fabric);
+std::optional<Note> doubtAbout(const DrapeCheck& check);
 
 /// Edge that pierces a triangle without sharing a vertex with it.
 struct ClothCrossing {

@@ -21,11 +21,13 @@ constexpr double kLegsApart = 0.2;
 class Settling {
  public:
   Settling(const Pattern& pattern, const Form& form, const Hanging& hanging,
-           const std::vector<char>& on_top, const WrapSettings& settings)
+           const std::vector<char>& on_top, const std::vector<std::vector<double>>& outward,
+           const std::vector<std::vector<char>>& covered, const WrapSettings& settings)
       : pattern_(pattern),
         form_(form),
         order_(hanging.order),
         settings_(settings),
+        in_pleats_(covered),
         covered_(hanging.covered()),
         weld_(welded(pattern, hanging.order)) {
     for (const Mirror& mirror : pattern.mirrors)
@@ -33,10 +35,12 @@ class Settling {
     const std::size_t count = weld_.members.size();
     parts_.assign(count, 0), legs_.assign(count, 0), clearance_.assign(count, settings.clearance);
     for (int p : order_)
-      for (int knot : weld_.knot[p]) {
+      for (std::size_t v = 0; v < weld_.knot[p].size(); ++v) {
+        const int knot = weld_.knot[p][v];
         parts_[knot] |= touching(hanging.parts[p]);
         if (only(hanging.parts[p]) & kLegs) legs_[knot] |= only(hanging.parts[p]);
-        if (on_top[p]) clearance_[knot] = settings.clearance + settings.layer;
+        if (outward[p][v] > 0 || weld_.members[knot].size() == 1)
+          clearance_[knot] = settings.clearance + outward[p][v];
       }
     sewn_to_ = parts_;
     for (int p : order_)
@@ -108,6 +112,7 @@ class Settling {
       for (const std::array<int, 3>& triangle : pattern_.pieces[p].triangles)
         for (int e = 0; e < 3; ++e) {
           const int u = triangle[e], v = triangle[(e + 1) % 3];
+          if (in_pleats_[p][u] || in_pleats_[p][v]) continue;
           const int a = weld_.knot[p][u], b = weld_.knot[p][v];
           const double rest =
               planarLength(Vec2(pattern_.pieces[p].rest[v] - pattern_.pieces[p].rest[u]));
@@ -145,6 +150,7 @@ class Settling {
   const Form& form_;
   const std::vector<int>& order_;
   const WrapSettings& settings_;
+  const std::vector<std::vector<char>>& in_pleats_;
   BodyParts covered_;
   const Weld weld_;
   std::vector<BodyParts> parts_;    ///< per sewn vertex: parts that push it out
@@ -159,9 +165,10 @@ class Settling {
 }  // namespace
 
 void settle(const Pattern& pattern, const Form& form, const Hanging& hanging,
-            const std::vector<char>& on_top, const WrapSettings& settings,
+            const std::vector<char>& on_top, const std::vector<std::vector<double>>& outward,
+            const std::vector<std::vector<char>>& covered, const WrapSettings& settings,
             PiecePositions* positions) {
-  Settling(pattern, form, hanging, on_top, settings).run(positions);
+  Settling(pattern, form, hanging, on_top, outward, covered, settings).run(positions);
 }
 
 }  // namespace seamwise

@@ -1,6 +1,7 @@
 #include "drape/sewn_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/sort_by.h"
@@ -27,7 +28,23 @@ std::size_t boundaryOf(const Piece& piece) {
   return count;
 }
 
-Outlines outlinesOf(const Pattern& pattern, double longest) {
+/// Panels with fold lines for the mesh.
+std::vector<Panel> creased(const std::vector<std::vector<Pleat>>& pleats) {
+  std::vector<Panel> panels(pleats.size());
+  for (std::size_t p = 0; p < pleats.size(); ++p)
+    for (const Pleat& pleat : pleats[p])
+      for (const Crease& line : pleat.lines()) panels[p].folds.push_back({line, line});
+  return panels;
+}
+
+Outlines outlinesOf(Pattern pattern, double longest,
+                    const std::vector<std::vector<Pleat>>& pleats) {
+  // The ends of edges remain.
+  for (std::size_t p = 0; p < pleats.size(); ++p)
+    for (const Pleat& pleat : pleats[p])
+      for (const Crease& line : pleat.lines())
+        for (const Vec2& end : line)
+          pattern.pieces[p].edge_start.push_back(nearestOutline(pattern.pieces[p], end));
   auto coarser = coarsened(pattern, longest);
   Outlines outlines{coarser ? coarser->pattern : pattern, {}};
   for (std::size_t p = 0; p < outlines.pattern.pieces.size(); ++p) {
@@ -81,11 +98,17 @@ Vec2 at(const MeshPlace& place, const Piece& piece, const std::vector<Vec2>& poi
 
 }  // namespace
 
-Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge) {
-  Outlines outlines = outlinesOf(pattern, edge);
-  Outcome<Pattern> mesh = meshed(std::move(outlines.pattern), edge);
+Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge,
+                             const std::vector<std::vector<Pleat>>& pleats) {
+  Outlines outlines = outlinesOf(pattern, edge, pleats);
+  const std::vector<Panel> panels = creased(pleats);
+  Meshing meshing(std::move(outlines.pattern), edge, panels.empty() ? nullptr : &panels);
+  while (meshing.advance()) {
+  }
+  Outcome<Pattern> mesh = meshing.take();
   if (!mesh.ok()) return mesh.error();
   SewnLevel level;
+  level.pleats = pleats;
   level.pattern = std::move(mesh).value();
   level.places = placesIn(pattern, level.pattern);
   for (std::size_t p = 0; p < level.places.size(); ++p)
@@ -99,8 +122,10 @@ Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge) {
   return level;
 }
 
-Outcome<SewnLevels> sewnLevels(const Pattern& pattern, double coarse, double fine) {
-  Outcome<SewnLevel> larger = sewnLevel(pattern, coarse), smaller = sewnLevel(pattern, fine);
+Outcome<SewnLevels> sewnLevels(const Pattern& pattern, double coarse, double fine,
+                               const std::vector<std::vector<Pleat>>& pleats) {
+  Outcome<SewnLevel> larger = sewnLevel(pattern, coarse, pleats),
+                     smaller = sewnLevel(pattern, fine, pleats);
   if (!larger.ok()) return larger.error();
   if (!smaller.ok()) return smaller.error();
   SewnLevels levels{std::move(larger).value(), std::move(smaller).value(), {}};
@@ -150,6 +175,10 @@ std::vector<std::pair<int, int>> SewnMesh::pairs() const {
 
 namespace {
 
+/// Bend of a pressed fold: |u + v| of the unit vectors from the fold into both sides, which are 20
+/// degrees apart.
+constexpr double kPressed = 1.97;
+
 /// Triangle at one side of an edge.
 struct EdgeSide {
   int from, to;  ///< cloth vertices, from < to
@@ -157,11 +186,13 @@ struct EdgeSide {
   double area;
   double cot_from, cot_to;  ///< cotangents of the triangle's angles at the ends
   double warp;              ///< squared cosine of the angle between the edge's normal and the warp
+  double folded;            ///< m, SewnMesh::Hinge::folded
 };
 
 /// Returns the side of the edge opposite corner k.
 /// @param p   corners in the grain's frame, m
-EdgeSide sideOf(const SewnMesh::Triangle& t, const std::array<Vec2, 3>& p, int k) {
+/// @param pressed   the edge is on a pressed fold
+EdgeSide sideOf(const SewnMesh::Triangle& t, const std::array<Vec2, 3>& p, int k, bool pressed) {
   int a = (k + 1) % 3, b = (k + 2) % 3;
   if (t.vertices[a] > t.vertices[b]) std::swap(a, b);
   const Vec2 edge = p[b] - p[a], ka = p[k] - p[a], kb = p[k] - p[b];
@@ -174,7 +205,8 @@ EdgeSide sideOf(const SewnMesh::Triangle& t, const std::array<Vec2, 3>& p, int k
           t.area,
           cot_a,
           cot_b,
-          edge.x() * edge.x() / squared};
+          edge.x() * edge.x() / squared,
+          pressed ? kPressed * std::sqrt(squared) : 0};
 }
 
 SewnMesh::Hinge hingeOf(const EdgeSide& s, const EdgeSide& t) {
@@ -182,7 +214,25 @@ SewnMesh::Hinge hingeOf(const EdgeSide& s, const EdgeSide& t) {
           {s.cot_to + t.cot_to, s.cot_from + t.cot_from, -(s.cot_from + s.cot_to),
            -(t.cot_from + t.cot_to)},
           s.area + t.area,
-          (s.warp + t.warp) / 2};
+          (s.warp + t.warp) / 2,
+          false,
+          std::max(s.folded, t.folded)};
+}
+
+bool isOnLine(const Vec2& p, const Crease& line) {
+  const Vec2 along = line[1] - line[0], to = p - line[0];
+  const double far = planarLength(along);
+  const double aside = (along.x() * to.y() - along.y() * to.x()) / far,
+               ahead = (along.x() * to.x() + along.y() * to.y()) / far;
+  return std::abs(aside) < kOnFoldLine && ahead > -kOnFoldLine && ahead < far + kOnFoldLine;
+}
+
+/// Returns whether an edge of a piece is on a pressed fold.
+bool isPressed(const std::vector<Pleat>& pleats, const Vec2& a, const Vec2& b) {
+  for (const Pleat& pleat : pleats)
+    for (const Crease& line : pleat.pressed())
+      if (isOnLine(a, line) && isOnLine(b, line)) return true;
+  return false;
 }
 
 /// Returns whether a seam's side runs along the warp rather than across it.
@@ -224,7 +274,10 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
   mesh.area.assign(level.size, 0);
   std::vector<EdgeSide> sides;
   const std::vector<std::vector<char>> gathered = gatheredVertices(level.pattern, warp);
+  int strips = 0;
   for (std::size_t p = 0; p < shapes.size(); ++p) {
+    const std::vector<Vec2>& rest = level.pattern.pieces[p].rest;
+    const bool pleated = !level.pleats.empty() && !level.pleats[p].empty();
     const Vec2& along = warp[p];
     const Vec2 across(along.y(), -along.x());
     for (const auto& corners : level.pattern.pieces[p].triangles) {
@@ -248,10 +301,18 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
         const Vec2 gradient = perp(q[(k + 2) % 3] - q[(k + 1) % 3]) / (2 * t.area);
         t.weft[k] = gradient.x(), t.warp[k] = gradient.y();
         mesh.area[t.vertices[k]] += t.area / 3;
-        sides.push_back(sideOf(t, q, k));
+        const bool pressed = pleated && isPressed(level.pleats[p], rest[corners[(k + 1) % 3]],
+                                                  rest[corners[(k + 2) % 3]]);
+        sides.push_back(sideOf(t, q, k, pressed));
+      }
+      if (pleated) {
+        const PleatStrip strip =
+            stripAt(level.pleats[p], (rest[corners[0]] + rest[corners[1]] + rest[corners[2]]) / 3);
+        t.strip = strips + 1 + strip.index, t.layer = strip.layer;
       }
       mesh.triangles.push_back(t);
     }
+    for (const SewnMesh::Triangle& t : mesh.triangles) strips = std::max(strips, t.strip);
   }
   sortBy(sides, [&](const EdgeSide& side) { return double(side.from) * mesh.size + side.to; });
   for (std::size_t k = 0; k < sides.size();) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/outcome.h"
+#include "drape/pleats.h"
 #include "drape/vectors.h"
 #include "pattern/pattern.h"
 
@@ -28,6 +29,7 @@ struct SewnLevel {
   int size = 0;                        ///< number of vertices of the cloth
   /// Per vertex of the cloth: its mirror image; empty unless the pattern's mirrors cover the cloth.
   std::vector<int> image;
+  std::vector<std::vector<Pleat>> pleats;  ///< per piece; or empty
 };
 
 /// Two meshes of one garment. A change of its shapes leaves both unchanged.
@@ -42,10 +44,13 @@ inline constexpr double kCoarseCloth = 3.0, kFineCloth = 1.5;
 /// Meshes a pattern anew on its outline vertices, or on a subset of them, and sews it.
 /// @param pattern   meshed pattern of a solve's result
 /// @param edge      edge length of the triangles, cm
+/// @param pleats    per piece: pleats, along whose lines edges of triangles run; or empty
 /// Errors: kMesh, naming the piece.
-Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge);
+Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge,
+                             const std::vector<std::vector<Pleat>>& pleats = {});
 Outcome<SewnLevels> sewnLevels(const Pattern& pattern, double coarse = kCoarseCloth,
-                               double fine = kFineCloth);
+                               double fine = kFineCloth,
+                               const std::vector<std::vector<Pleat>>& pleats = {});
 
 /// Interpolates positions of the coarse mesh to the fine one, linearly in each triangle. Both sides
 /// of a seam are averaged.
@@ -61,6 +66,8 @@ struct SewnMesh {
     /// Flags of a triangle beside the longer side of a gathered seam that runs across or along the
     /// warp.
     bool gathered_weft, gathered_warp;
+    int strip = 0;  ///< equal between the same fold lines of a pleated piece; 0 in other pieces
+    int layer = 0;  ///< in a closed pleat: layers outwards of the fabric beside pleats
   };
   /// Two triangles at a common edge. |sum of weights x| is the edge's length times its bend (Bergou
   /// et al., "A Quadratic Bending Model for Inextensible Surfaces", 2006), 0 when flat.
@@ -70,6 +77,7 @@ struct SewnMesh {
     double area;                ///< area of both triangles, m2
     double warp;                ///< share of the bend that bends the warp, 0 to 1
     bool across_plane = false;  ///< triangles are images in x = 0; only y, z of the bend count
+    double folded = 0;          ///< m, |sum of weights x| at rest on a pressed fold
   };
   int size = 0;
   std::vector<Triangle> triangles;

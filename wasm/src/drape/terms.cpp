@@ -98,15 +98,20 @@ double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
     for (int k = 0; k < 4; ++k)
       for (int c = h.across_plane ? 1 : 0; c < 3; ++c)
         bend[c] += h.weights[k] * x[h.vertices[k]][c];
-    const double stiffness = bendingOf(h, fabric);
-    energy += stiffness * dot(bend, bend) / 2;
+    const double stiffness = bendingOf(h, fabric), far = h.folded > 0 ? length(bend) : 0;
+    // Share of the force that remains beside a fold's rest; a flat fold has no direction to close.
+    const double share = far > 0 ? 1 - h.folded / far : h.folded > 0 ? 0 : 1;
+    energy +=
+        stiffness * (h.folded > 0 ? (far - h.folded) * (far - h.folded) : dot(bend, bend)) / 2;
     if (gradient)
       for (int k = 0; k < 4; ++k)
         for (int c = 0; c < 3; ++c)
-          (*gradient)[h.vertices[k]][c] += stiffness * h.weights[k] * bend[c];
+          (*gradient)[h.vertices[k]][c] += share * stiffness * h.weights[k] * bend[c];
     if (!hessian) continue;
-    Mat3 directions = scalar(stiffness);
-    if (h.across_plane) directions(0, 0) = 0;
+    Mat3 directions = scalar(std::max(0.0, share) * stiffness);
+    if (far > 0)
+      directions += outer((1 - std::max(0.0, share)) * stiffness / (far * far), bend, bend);
+    if (h.across_plane && h.folded == 0) directions(0, 0) = 0;
     for (int k = 0; k < 4; ++k)
       for (int l = k; l < 4; ++l)
         hessian->add(h.vertices[k], h.vertices[l], (h.weights[k] * h.weights[l]) * directions);

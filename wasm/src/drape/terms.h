@@ -30,7 +30,8 @@ double membraneEnergy(const SewnMesh& mesh, const Fabric& fabric, const Position
 /// factor 3.
 inline constexpr double kHinge = 1.25;
 
-/// Bending energy: kHinge B/2 |sum of weights x|^2 / (A0 + A1) per hinge, quadratic.
+/// Bending energy: kHinge B/2 |sum of weights x|^2 / (A0 + A1) per hinge, quadratic. On a pressed
+/// fold, |sum of weights x| - Hinge::folded takes the place of |sum of weights x|.
 double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions& x,
                      Positions* gradient, BlockMatrix* hessian);
 

@@ -16,7 +16,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kUsualBudget = 100;  ///< work, in factorisations of a 90 x 90 grid
+constexpr double kUsualBudget = 170;  ///< work, in factorisations of a 90 x 90 grid
 /// Maximum area of cloth, more than the widest gown has. A larger garment needs much of the budget
 /// for a single step. [m2]
 constexpr double kMostCloth = 20;
@@ -183,7 +183,8 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   if (!hanging.ok()) return hanging.error();
   tieBands(hanging.value(), form.value(), &garment.pattern);
   Outcome<SewnLevels> levels =
-      sewnLevels(garment.pattern, kCoarseCloth / kFineCloth * settings.edge, settings.edge);
+      sewnLevels(garment.pattern, kCoarseCloth / kFineCloth * settings.edge, settings.edge,
+                 pleatsOf(garment.garment, garment.pattern));
   if (!levels.ok()) return levels.error();
   std::unique_ptr<WornGarment> worn(new WornGarment(std::move(garment), std::move(form).value(),
                                                     std::move(hanging).value(),

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "base/sort_by.h"
 #include "drape/layers.h"
+#include "drape/pleat_layers.h"
+#include "drape/pleats.h"
 #include "drape/ring.h"
 #include "drape/settle.h"
 #include "drape/turn.h"
@@ -24,6 +27,8 @@ constexpr double kBandEase = 2.5, kMostLift = 8;
 constexpr double kStrapEase = 1.06;
 // Minimum cosine to the vertical of trouser legs drawn for legs apart.
 constexpr double kNearlyUpright = 0.9;
+// Girth of a ring with pleats relative to the body, and the largest share to which pleats open. [1]
+constexpr double kPleatEase = 1.04, kMostOpen = 0.8;
 // Height of uneven hems at the ends of pieces. [cm]
 constexpr int kHem = 6, kCuff = 1;
 
@@ -33,8 +38,14 @@ bool isArm(BodyPart part) { return only(part) & kArms; }
 class Wrapper {
  public:
   Wrapper(const Pattern& pattern, const Form& form, const Hanging& hanging,
-          const std::vector<char>& on_top, const WrapSettings& settings)
-      : pattern_(pattern), form_(form), hanging_(hanging), on_top_(on_top), settings_(settings) {}
+          const std::vector<char>& on_top, const WrapSettings& settings,
+          const std::vector<std::vector<Pleat>>& pleats = {})
+      : pattern_(pattern),
+        form_(form),
+        hanging_(hanging),
+        on_top_(on_top),
+        settings_(settings),
+        pleats_(pleats) {}
 
   PiecePositions run() {
     layOut();
@@ -42,14 +53,25 @@ class Wrapper {
     agreeOnHeights();
     liftToWaist();
     PiecePositions positions(pattern_.pieces.size());
-    for (std::size_t i = 0; i < positions.size(); ++i)
+    outward_.resize(positions.size()), opened_.resize(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
       positions[i].resize(pattern_.pieces[i].rest.size());
+      outward_[i].assign(pattern_.pieces[i].rest.size(), on_top_[i] ? settings_.layer : 0);
+    }
     windAll(&positions);
     hangStraps(&positions);
     return positions;
   }
 
   double fullness() const { return fullness_; }
+  /// Returns per piece and vertex the distance outwards of the ring. [cm]
+  const std::vector<std::vector<double>>& outward() const { return outward_; }
+  PleatLayers pleatLayers() const {
+    PleatLayers layers(pattern_);
+    for (std::size_t i = 0; i < upright_.size(); ++i)
+      if (!upright_[i].empty()) layers.add(static_cast<int>(i), flat_[i], upright_[i], opened_[i]);
+    return layers;
+  }
 
   std::vector<WornGirth> girths(BodyPart part) {
     layOut();
@@ -107,12 +129,19 @@ class Wrapper {
       if (isLeg(hanging_.parts[i]) && up.y() > kNearlyUpright) up = {0, 1};
       const double length_up = planarLength(up);
       up = length_up > 0.5 ? Vec2(up / length_up) : Vec2(0, 1);
-      std::vector<Vec2> flat;
-      for (const Vec2& p : piece.rest) {
+      const auto upright = [&](const Vec2& p) -> Vec2 {
         const Vec2 q = p - middle;
-        flat.push_back({up.y() * q.x() - up.x() * q.y(), level + up.x() * q.x() + up.y() * q.y()});
-      }
+        return {up.y() * q.x() - up.x() * q.y(), level + up.x() * q.x() + up.y() * q.y()};
+      };
+      std::vector<Vec2> flat;
+      for (const Vec2& p : piece.rest) flat.push_back(upright(p));
       flat_.push_back(std::move(flat));
+      upright_.emplace_back();
+      if (pleats_.empty()) continue;
+      for (const Pleat& pleat : pleats_[i])
+        if (const auto one = uprightPleat(pleat, upright)) upright_[i].push_back(*one);
+      sortBy(upright_[i],
+             [](const UprightPleat& pleat) { return pleat.left[0].x() + pleat.left[1].x(); });
     }
   }
 
@@ -189,8 +218,14 @@ class Wrapper {
         }
         shift[i] = pull / weight;
       }
-    for (std::size_t i = 0; i < flat_.size(); ++i)
-      for (Vec2& p : flat_[i]) p.y() += shift[i];
+    for (std::size_t i = 0; i < flat_.size(); ++i) lift(static_cast<int>(i), shift[i]);
+  }
+
+  void lift(int piece, double by) {
+    for (Vec2& p : flat_[piece]) p.y() += by;
+    for (UprightPleat& pleat : upright_[piece])
+      for (Crease* line : {&pleat.left, &pleat.right})
+        for (Vec2& end : *line) end.y() += by;
   }
 
   // Lifts a garment that hangs from the waist, by at most kMostLift, to where its band fits.
@@ -201,21 +236,35 @@ class Wrapper {
     const std::optional<Ring> ring = ringOf(BodyPart::kTorso);
     if (!ring) return;
     const std::vector<std::pair<double, double>> widths = ring->closedWidths(kHem);
-    const auto missing = [&](double lift) {
+    const auto missing = [&](double more) {
       double most = 0;
       for (const auto& [level, width] : widths)
-        most = std::max(most, torso.section(level + lift).girth() + kBandEase - width);
+        most = std::max(most, torso.section(level + more).girth() + kBandEase - width);
       return most;
     };
-    double lift = 0, least = missing(0);
+    double most = 0, least = missing(0);
     for (double more = 0.5; more <= kMostLift && least > 0; more += 0.5)
-      if (const double now = missing(more); now < least) least = now, lift = more;
-    for (int i : hanging_.order)
-      for (Vec2& p : flat_[i]) p.y() += lift;
+      if (const double now = missing(more); now < least) least = now, most = more;
+    for (int i : hanging_.order) lift(i, most);
   }
 
-  // Returns the ring around one part; the torso's ring includes the legs' pieces.
-  std::optional<Ring> ringOf(BodyPart part) const {
+  // Share of their width to which the pleats of a ring are open, at levels 1 cm apart.
+  struct Opening {
+    double bottom = 0;
+    std::vector<double> shares;
+    double at(double level) const {
+      if (shares.empty()) return 0;
+      const double k = std::clamp(level - bottom, 0.0, static_cast<double>(shares.size() - 1));
+      const auto below = static_cast<std::size_t>(k);
+      const double share = k - static_cast<double>(below);
+      const std::size_t above = std::min(below + 1, shares.size() - 1);
+      return shares[below] * (1 - share) + shares[above] * share;
+    }
+  };
+
+  // Returns the pieces of a part, the legs' ones with the torso's, in the frame of its ring. Pleats
+  // are flat without an opening.
+  std::vector<RingPiece> ringPieces(BodyPart part, const Opening* opening) const {
     const Tube& tube = form_.tube(part);
     std::vector<RingPiece> pieces;
     for (int i : hanging_.order) {
@@ -226,6 +275,7 @@ class Wrapper {
       piece.outline = &pattern_.pieces[i];
       piece.flat = flat_[i];
       for (Vec2& p : piece.flat) {
+        if (opening) p.x() = closedAt(upright_[i], p, opening->at(p.y())).across;
         p.y() += base(own) - base(part);
         if (straps_[i]) p.x() = std::clamp(p.x(), -strapOver(), strapOver());
       }
@@ -233,24 +283,67 @@ class Wrapper {
       piece.angle = degreesBetween(middle.y() - tube.section(middle.z()).middle, middle.x());
       pieces.push_back(std::move(piece));
     }
+    return pieces;
+  }
+
+  // Returns the ring around one part with flat pleats.
+  std::optional<Ring> ringOf(BodyPart part) const { return ringWith(part, nullptr); }
+
+  std::optional<Ring> ringWith(BodyPart part, const Opening* opening) const {
+    std::vector<RingPiece> pieces = ringPieces(part, opening);
     if (pieces.empty()) return std::nullopt;
     // Sleeves and trouser legs are too narrow, and therefore too stiff, for waves.
     const double fold = part == BodyPart::kTorso ? settings_.fold : 0;
-    return Ring(tube, pattern_, std::move(pieces), fold);
+    return Ring(form_.tube(part), pattern_, std::move(pieces), fold);
+  }
+
+  // Returns how far pleats open so that a ring has room for the body. Below the widest part of the
+  // body they remain as open as there.
+  Opening openingOf(BodyPart part) const {
+    Opening opening;
+    const Opening closed;
+    const std::optional<Ring> ring = ringWith(part, &closed);
+    if (!ring) return opening;
+    const auto widths = ring->closedWidths(0);
+    if (widths.empty()) return opening;
+    const Tube& tube = form_.tube(part);
+    opening.bottom = widths.front().first;
+    opening.shares.assign(static_cast<std::size_t>(widths.back().first - opening.bottom) + 1, 0);
+    double missing = 0;
+    for (std::size_t k = widths.size(); k-- > 0;) {
+      const auto& [level, width] = widths[k];
+      missing = std::max(missing, kPleatEase * tube.section(level).girth() - width);
+      double room = 0;
+      for (const RingPiece& piece : ring->pieces())
+        for (const UprightPleat& pleat : upright_[piece.piece])
+          if (pleat.opens() && piece.reaches(level)) room += pleat.widthAt(level);
+      if (room > 0)
+        opening.shares[static_cast<std::size_t>(level - opening.bottom)] =
+            std::min(kMostOpen, missing / room);
+    }
+    return opening;
   }
 
   void windAll(PiecePositions* positions) {
     for (int p = 0; p < kBodyParts; ++p) {
       const auto part = static_cast<BodyPart>(p);
-      const std::optional<Ring> ring = ringOf(part);
+      const Opening opening = pleats_.empty() ? Opening() : openingOf(part);
+      const std::optional<Ring> ring = ringWith(part, pleats_.empty() ? nullptr : &opening);
       if (!ring) continue;
       fullness_ = std::max(fullness_, ring->fullness());
       for (std::size_t k = 0; k < ring->pieces().size(); ++k) {
         const RingPiece& piece = ring->pieces()[k];
-        for (std::size_t v = 0; v < piece.flat.size(); ++v)
+        for (std::size_t v = 0; v < piece.flat.size(); ++v) {
+          double& outward = outward_[piece.piece][v];
+          if (hanging_.parts[piece.piece] == part && !upright_[piece.piece].empty()) {
+            const Vec2& flat = flat_[piece.piece][v];
+            opened_[piece.piece].push_back(opening.at(flat.y()));
+            outward +=
+                kPleatLayer * closedAt(upright_[piece.piece], flat, opening.at(flat.y())).layer;
+          }
           blend(&(*positions)[piece.piece][v], part, piece, static_cast<int>(v),
-                ring->position(static_cast<int>(k), static_cast<int>(v),
-                               on_top_[piece.piece] ? settings_.layer : 0));
+                ring->position(static_cast<int>(k), static_cast<int>(v), outward));
+        }
       }
     }
   }
@@ -272,8 +365,12 @@ class Wrapper {
   const Hanging& hanging_;
   const std::vector<char>& on_top_;  ///< per piece: covers another one
   const WrapSettings& settings_;
-  std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: (across, level)
-  std::vector<char> straps_;             ///< per piece
+  std::vector<std::vector<Vec2>> flat_;             ///< per piece, per vertex: (across, level)
+  std::vector<char> straps_;                        ///< per piece
+  const std::vector<std::vector<Pleat>> pleats_;    ///< per piece; or empty
+  std::vector<std::vector<UprightPleat>> upright_;  ///< per piece: pleats in the frame of `flat_`
+  std::vector<std::vector<double>> outward_;        ///< per piece, per vertex, cm
+  std::vector<std::vector<double>> opened_;         ///< per piece with pleats, per vertex
   double fullness_ = 0;
 };
 
@@ -286,10 +383,13 @@ Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, 
   const std::vector<Overlap> overlaps = overlapsOf(garment, pattern, hanging.value());
   std::vector<char> on_top(pattern.pieces.size(), false);
   for (const Overlap& overlap : overlaps) on_top[overlap.upper] = true;
-  Wrapper wrapper(pattern, form, hanging.value(), on_top, settings);
+  Wrapper wrapper(pattern, form, hanging.value(), on_top, settings, pleatsOf(garment, pattern));
   PiecePositions positions = wrapper.run();
   if (fullness) *fullness = wrapper.fullness();
-  settle(pattern, form, hanging.value(), on_top, settings, &positions);
+  const PleatLayers layers = wrapper.pleatLayers();
+  settle(pattern, form, hanging.value(), on_top, wrapper.outward(), layers.covered(), settings,
+         &positions);
+  layers.lay(&positions);
   layOnOthers(garment, pattern, overlaps, settings.layer, &positions);
   return positions;
 }

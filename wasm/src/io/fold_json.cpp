@@ -95,4 +95,26 @@ void readFolds(const JsonValue& json, const PanelUnits& units, const Place& plac
   }
 }
 
+const char* foldKindName(FoldKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+
+std::vector<Fold> readPleats(const JsonValue& json, const Place& place) {
+  std::vector<Fold> folds;
+  for (const JsonValue& item : array(json, place, "'folds'")) {
+    const Place here = numbered(place, "fold", folds.size());
+    object(item, here, "fold");
+    Fold fold;
+    fold.kind = readKind(need(item, "kind", here), here);
+    for (const auto& [name, line] : {std::pair("line", &fold.line), {"to", &fold.to}}) {
+      const Polyline points = polyline(need(item, name, here), here, inQuotes(name));
+      if (points.size() != 2 || !((points[1] - points[0]).norm() >= kShortestFoldCm))
+        here.fail(here.shape, "is no pleat of a result; align the garment again");
+      else
+        *line = {points[0], points[1]};
+    }
+    if (here.failed()) return {};
+    folds.push_back(fold);
+  }
+  return folds;
+}
+
 }  // namespace seamwise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/fold_json.h"
 #include "io/json_ends.h"
 #include "io/json_writer.h"
 
@@ -31,6 +32,21 @@ const char* methodName(Method method) {
   return "best";
 }
 
+/// Writes the folds of a piece that take up fabric.
+void writePleats(JsonWriter& out, std::vector<Fold> folds) {
+  folds.erase(
+      std::remove_if(folds.begin(), folds.end(), [](const Fold& fold) { return !fold.takesUp(); }),
+      folds.end());
+  if (folds.empty()) return;
+  out.list("folds", folds, [&](const Fold& fold) {
+    out.openObject();
+    out.field("line", Polyline(fold.line.begin(), fold.line.end()));
+    out.field("to", Polyline(fold.to.begin(), fold.to.end()));
+    out.field("kind", foldKindName(fold.kind));
+    out.close();
+  });
+}
+
 void writePiece(JsonWriter& out, const PrintedPattern& printed, std::size_t p) {
   const Piece& piece = printed.pattern.pieces[p];
   out.field("name", piece.name);
@@ -48,6 +64,7 @@ void writePiece(JsonWriter& out, const PrintedPattern& printed, std::size_t p) {
   out.field("translation", panel.placement_shift);
   out.field("rotation", panel.placement_turn);
   out.close();
+  writePleats(out, panel.folds);
 }
 
 /// Writes the size, the body measurements and the matched lines of unsewn pieces.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "io/fold_json.h"
 #include "io/json_input.h"
 
 namespace seamwise {
@@ -102,6 +103,7 @@ void readPiece(const JsonValue& json, const Place& place, SolvedGarment* solved)
   panel.placement_shift =
       readTriple(placement.find("translation"), place, "'translation'", kMaxCoordinateCm);
   panel.placement_turn = readTriple(placement.find("rotation"), place, "'rotation'", kMaxAngle);
+  if (const JsonValue folds = json.find("folds")) panel.folds = readPleats(folds, place);
   solved->garment.panels.push_back(std::move(panel));
   solved->pattern.pieces.push_back(std::move(piece));
   solved->shapes.push_back(std::move(shape));

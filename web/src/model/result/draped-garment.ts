@@ -119,11 +119,11 @@ export interface DrapeCheck {
   /** Greatest movement of a vertex in the last step. [cm] */
   readonly moved: number;
   /**
-   * Estimated distance of the vertices from rest, root mean square, extrapolated from the last
-   * steps; not in files of earlier versions. [cm]
+   * Upper estimate of the distance of the vertices from rest, root mean square, extrapolated from
+   * the last steps; not in files of earlier versions. [cm]
    */
   readonly fromRest?: number;
-  /** True if further steps would hardly lower the energy; files of earlier versions lack it. */
+  /** True if `fromRest` is at most 0.5 cm; files of earlier versions lack it. */
   readonly atRest?: boolean;
 }
 
@@ -244,9 +244,9 @@ export type DrapeNoteCode =
   | 'drapeNoStart'
   /** The garment still moves by `number` in a step. [cm] */
   | 'drapeMoving'
-  /** The fabric would be stretched by the share `number`. */
+  /** Of earlier versions: the fabric would be stretched by the share `number`. */
   | 'drapeStretched'
-  /** The form comes through the fabric by `number`. [cm] */
+  /** Of earlier versions: the form comes through the fabric by `number`. [cm] */
   | 'drapeForm'
   /** The fabric passes through itself at `number` places. */
   | 'drapeCrossings'

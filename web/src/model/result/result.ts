@@ -1,6 +1,7 @@
 import type {Alignment, MirrorMap, Point} from '../geometry/vectors.js';
 import type {NoteDetail} from './notes.js';
 import type {Delivered, GroupName} from '../print/repeating-print.js';
+import type {FoldKind} from '../garment/garment-document.js';
 import type {Method} from './method.js';
 
 /** A piece before and after: `rest` and `shape` share vertices, triangles and outline. [cm] */
@@ -26,6 +27,15 @@ export interface ResultPiece {
     readonly translation: readonly [number, number, number];
     readonly rotation: readonly [number, number, number];
   };
+  /** Pleats and tucks, on the piece as drafted. */
+  readonly folds?: readonly ResultFold[];
+}
+
+/** A pleat or tuck: `line` is laid on `to`. [cm] */
+export interface ResultFold {
+  readonly line: readonly [Point, Point];
+  readonly to: readonly [Point, Point];
+  readonly kind: FoldKind;
 }
 
 /** A line on a piece that coincides with one on another piece without being sewn. [cm] */

@@ -49,12 +49,6 @@ export const drape = {
   notes: {
     drapeNoStart: 'The garment cannot be draped: its pieces have no position to start from.',
     drapeMoving: text('The garment still moves by {length} in a step.'),
-    drapeStretched: text(
-      'The garment is too small for the form, or sewn wrongly: the fabric would stretch by {share}.',
-    ),
-    drapeForm: text(
-      'The form shows through the fabric by {length}; check how the pieces are sewn.',
-    ),
     drapeCrossings: text(
       '{count, plural, one {The fabric passes through itself at # place.} other {The fabric passes through itself at # places.}}',
     ),

@@ -94,7 +94,7 @@ export class Ribbons {
           // round caps are part of a dash: each extends its line by half its width
           if (dash)
             dashes.set(
-              [dashScale * (dash[0] + width), dashScale * (dash[1] - width / 2)],
+              [dashScale * (dash[0] + width), dashScale * (dash[1] - width)],
               2 * (vertex + k),
             );
           inks.set(ink, 3 * (vertex + k));

@@ -21,10 +21,7 @@ function spoken(
 ): string | undefined {
   switch (code) {
     case 'drapeMoving':
-    case 'drapeForm':
       return notes[code](format.fine(number));
-    case 'drapeStretched':
-      return notes[code](format.percent(number));
     case 'drapeCrossings':
       return notes[code](number);
     case 'drapeNoStart':
