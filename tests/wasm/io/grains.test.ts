@@ -2,7 +2,8 @@
 import {readGarment, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {directionDeg} from '@/model/garment/grain.js';
+import {grainDeg} from '@/model/garment/grain.js';
+import {panelMarks} from '@/model/garment/panel-marks.js';
 import {garmentFile} from '@/model/garment/write-garment.js';
 
 const straight = [
@@ -27,10 +28,12 @@ function garment(changes: object, isBack = false): string {
 }
 
 const directions = async (text: string) => {
-  const [front] = (await readGarment(text, 'front.json')).pieces;
+  const document = await readGarment(text, 'front.json');
+  const [front] = document.pieces;
+  const {grain, grainName} = panelMarks(document).get('front') ?? {};
   return {
-    used: front?.grain?.line && Math.round(directionDeg(front.grain.line)),
-    all: front?.grains?.map(({name, line}) => [name, Math.round(directionDeg(line))]),
+    used: grainName ?? Math.round(grainDeg(grain ? {line: grain} : {})),
+    all: front?.grains?.map((one) => [one.name, Math.round(grainDeg(one))]),
   };
 };
 
@@ -44,7 +47,7 @@ it('uses the first line unless the panel states another one', async () => {
     ['On grain', 90],
     ['Bias', 30],
   ];
-  expect(await directions(garment({grains}))).toEqual({used: 90, all});
+  expect(await directions(garment({grains}))).toEqual({used: 'On grain', all});
   const grain = {
     line: [
       [0, 0],

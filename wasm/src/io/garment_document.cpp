@@ -13,8 +13,6 @@
 namespace seamwise {
 namespace {
 
-constexpr double kGrainLineCm = 20;  ///< length of a line for a direction without one
-
 /// Maps points of the file to the frame of the document.
 struct Frame {
   double cm = 1;          ///< centimetres per unit
@@ -102,46 +100,33 @@ void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue&
   out.close();
 }
 
-/// Writes the line of a grain; one that states only its direction runs through the middle of the
-/// corners of its panel.
-void putGrainLine(JsonWriter& out, const JsonValue& grain, const Panel& panel, const Frame& frame) {
-  out.key("line");
-  if (const JsonValue line = grain.find("line")) return putLine(out, line, frame);
-  const double angle = grain.find("angleDeg").number() * kPi / 180;
-  const Vec2 half = kGrainLineCm / 2 * Vec2(std::cos(angle), std::sin(angle));
-  Vec2 middle = Vec2::Zero();
-  for (const Curve& edge : panel.edges) middle += edge.at(0) / static_cast<double>(panel.edges.size());
-  out.openList();
-  out.put(Vec2(middle - half));
-  out.put(Vec2(middle + half));
-  out.close();
+/// Writes the members of an object with its line, if any, in the frame of the face-up piece.
+void writeLined(JsonWriter& out, const JsonValue& object, std::string_view listed,
+                const Frame& frame) {
+  out.openObject();
+  if (const JsonValue line = object.find("line")) {
+    out.key("line");
+    putLine(out, line, frame);
+  }
+  copyMembers(out, object, listed);
 }
 
-/// Writes the grain in use, by default the first of several, and all grain lines of a panel.
-void writeGrain(JsonWriter& out, const JsonValue& json, const Panel& panel, const Frame& frame) {
-  const JsonValue grain = json.find("grain"), grains = json.find("grains");
-  const std::vector<JsonValue> lines = grains ? grains.items() : std::vector<JsonValue>{};
-  if (grain || !lines.empty()) {
+void writeGrain(JsonWriter& out, const JsonValue& json, const Frame& frame) {
+  if (const JsonValue grain = json.find("grain")) {
     out.key("grain");
-    out.openObject();
-    if (grain && grain.find("line"))
-      putGrainLine(out, grain, panel, frame);
-    else if (!lines.empty())
-      putGrainLine(out, lines.front(), panel, frame);
-    if (grain) copyMembers(out, grain, "lock toleranceDeg");
+    writeLined(out, grain, "lock toleranceDeg", frame);
     out.close();
   }
-  if (lines.empty()) return;
-  out.key("grains");
-  out.openList();
-  for (const JsonValue& line : lines) {
-    out.openObject();
-    copyMembers(out, line, "name");
-    putGrainLine(out, line, panel, frame);
-    copyOthers(out, line, "name line angleDeg");
+  if (const JsonValue grains = json.find("grains")) {
+    out.key("grains");
+    out.openList();
+    for (const JsonValue& grain : grains.items()) {
+      writeLined(out, grain, "name angleDeg", frame);
+      copyOthers(out, grain, "line name angleDeg");
+      out.close();
+    }
     out.close();
   }
-  out.close();
 }
 
 void writeFolds(JsonWriter& out, const JsonValue& json, const std::vector<Fold>& folds) {
@@ -209,7 +194,7 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
       putLine(out, line, frame);
     }
   writeFolds(out, json.find("folds"), panel.folds);
-  writeGrain(out, json, panel, frame);
+  writeGrain(out, json, frame);
   writePlacement(out, json, frame);
   copyMembers(out, json, "notches quantity size material");
   copyMembers(out, json, "label", Copied::kTexts);

@@ -2,6 +2,7 @@
  * Converts the chosen part of a drawing to a garment: in centimetres, with outlines
  * counter-clockwise and no piece mirrored.
  */
+import type {GrainChoice} from '../model/garment/grain.js';
 import {mappedFold} from '../model/garment/folds.js';
 import {withLineNames} from '../model/garment/line-names.js';
 import {divideAtFolds} from '../model/garment/pleated-edges.js';
@@ -388,6 +389,12 @@ function hits(line: Measured, from: Point, to: Point): OnLine[] {
 const mirror = ([x, y]: Point): Point => [0 - x, y];
 const mirrored = ([from, to]: readonly [Point, Point]) => [mirror(from), mirror(to)] as const;
 
+const mirroredGrain = ({line, angleDeg, ...rest}: GrainChoice): GrainChoice => ({
+  ...rest,
+  ...(line && {line: mirrored(line)}),
+  ...(angleDeg !== undefined && {angleDeg: 180 - angleDeg}),
+});
+
 /** The piece with x reversed; its outline is reversed, too, to stay counter-clockwise. */
 function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
   const {outline, holes, internalLines, cutLine, notches = [], folds, grain, drillHoles} = piece;
@@ -408,7 +415,7 @@ function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
     ...(drillHoles && {drillHoles: drillHoles.map(mirror)}),
     ...(grain?.line && {grain: {...grain, line: mirrored(grain.line)}}),
     ...(piece.grains && {
-      grains: piece.grains.map((one) => ({...one, line: mirrored(one.line)})),
+      grains: piece.grains.map(mirroredGrain),
     }),
   };
 }

@@ -1,5 +1,5 @@
 /** Imports patterns of other programs as garments, with a report. */
-import {directionDeg} from '../model/garment/grain.js';
+import {grainDeg} from '../model/garment/grain.js';
 import {drawingLimit, readAnyDrawing} from '../files/read-drawing.js';
 import {
   defaultChoices,
@@ -319,9 +319,9 @@ function measured(piece: GarmentPiece): Omit<ImportedPiece, 'taken'> {
     notches: piece.notches?.length ?? 0,
     grainDeg: line ? rounded(degrees(angleOf(minus(line[1], line[0])))) : null,
     ...(piece.grains && {
-      grains: piece.grains.map(({name, line: drawn}) => ({
-        ...(name !== undefined && {name}),
-        angleDeg: rounded(directionDeg(drawn)),
+      grains: piece.grains.map((one) => ({
+        ...(one.name !== undefined && {name: one.name}),
+        angleDeg: rounded(grainDeg(one)),
       })),
     }),
     fold: false,

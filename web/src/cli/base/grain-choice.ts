@@ -1,6 +1,6 @@
 /** The choice of a grain line for pieces on which the maker draws several. */
 import type {GarmentDocument} from '../../model/garment/garment-document.js';
-import {directionDeg, type GrainRule} from '../../model/garment/grain.js';
+import {grainDeg, type GrainRule} from '../../model/garment/grain.js';
 import {UsageError} from './arguments.js';
 
 /**
@@ -35,7 +35,7 @@ export function grainChoices(
             : `--grain-line: piece '${name}' has no line '${wanted}'; there are ${known}.`,
         );
       }
-      return [name, {angleDeg: directionDeg(line.line)}];
+      return [name, {angleDeg: grainDeg(line)}];
     }),
   );
 }

@@ -2,7 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 
-import {directionDeg, grainAt, type GrainLock} from '../../model/garment/grain.js';
+import {grainDeg, grainInUse, type GrainLock} from '../../model/garment/grain.js';
 import {mirrorsOf} from '../../workbench/mirrors.js';
 import {withImage} from '../../workbench/tools/grain-proposals.js';
 import {togglePart} from '../../workbench/tools/keeping.js';
@@ -238,11 +238,10 @@ export class PieceTable extends ListTable<PieceRow> {
   /** Choice of a grain line where the maker draws several. */
   #grainLine({name, label}: PieceRow, tabIndex: number): TemplateResult | typeof nothing {
     const {lists, grain: words} = this.texts;
-    const {drafted, grainDeg} = this.workbench.sheet.scenes?.marks.get(name) ?? {};
-    const {grains = [], grain} = drafted ?? {};
-    if (grains.length < 2) return nothing;
-    const deg = grainDeg ?? (grain?.line && directionDeg(grain.line));
-    const present = deg === undefined ? undefined : grainAt(grains, deg);
+    const {drafted, grainDeg: chosenDeg} = this.workbench.sheet.scenes?.marks.get(name) ?? {};
+    const {grains = []} = drafted ?? {};
+    if (!drafted || grains.length < 2) return nothing;
+    const present = grainInUse(drafted, chosenDeg);
     return html`<select
       class="choice"
       tabindex=${tabIndex}
@@ -250,19 +249,19 @@ export class PieceTable extends ListTable<PieceRow> {
       @change=${({target}: Event) => {
         const chosen = grains[Number((target as HTMLSelectElement).value)];
         if (!chosen) return;
-        const lines = withImage(name, directionDeg(chosen.line), mirrorsOf(this.workbench.solving));
+        const lines = withImage(name, grainDeg(chosen), mirrorsOf(this.workbench.solving));
         this.#decide((options) => withGrainLines(options, lines));
       }}
     >
       ${
         present === undefined
-          ? html`<option value="" selected>${words.other(Math.round(deg ?? 90))}</option>`
+          ? html`<option value="" selected>${words.other(Math.round(chosenDeg ?? 90))}</option>`
           : nothing
       }
       ${grains.map(
         (one, k) =>
-          html`<option value=${k} .selected=${k === present}>
-            ${one.name ?? words.other(Math.round(directionDeg(one.line)))}
+          html`<option value=${k} .selected=${one === present}>
+            ${one.name ?? words.other(Math.round(grainDeg(one)))}
           </option>`,
       )}
     </select>`;

@@ -1,5 +1,5 @@
 /** Several grain lines of a piece, such as those of layouts on grain, across and on the bias. */
-import type {GrainChoice} from '../../model/garment/grain.js';
+import type {DrawnGrain} from '../../model/garment/grain.js';
 import {nearestOn} from '../../model/geometry/nearest.js';
 import {cross, distance, minus, unit, type Point} from '../../model/geometry/vectors.js';
 
@@ -51,14 +51,14 @@ export function grainsAmong(
   lines: readonly Ends[],
   labels: readonly Label[],
   {cmPerUnit, isSure}: {readonly cmPerUnit: number; readonly isSure: boolean},
-): readonly GrainChoice[] {
+): readonly DrawnGrain[] {
   const longest = Math.max(0, ...lines.map((line) => distance(...line)));
   const long = lines.filter((line) => {
     const length = distance(...line);
     return cmPerUnit * length >= shortest && length >= leastShare * longest;
   });
   const names = namesOf(long, labels, cmPerUnit);
-  const found: GrainChoice[] = [];
+  const found: DrawnGrain[] = [];
   for (const line of long) {
     const name = names.get(line);
     const way = unit(minus(line[1], line[0]));
@@ -72,5 +72,5 @@ export function grainsAmong(
 }
 
 /** The line of the usual layout: the first one that is not named as across or on the bias. */
-export const usualGrain = (grains: readonly GrainChoice[]): Ends | undefined =>
+export const usualGrain = (grains: readonly DrawnGrain[]): Ends | undefined =>
   (grains.find(({name}) => name === undefined || !otherLayouts.test(name)) ?? grains[0])?.line;

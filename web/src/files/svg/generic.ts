@@ -2,7 +2,7 @@
  * Reads pieces of SVG files from unknown programs: closed lines, with the text and marks inside.
  * [mm]
  */
-import type {GrainChoice} from '../../model/garment/grain.js';
+import type {DrawnGrain} from '../../model/garment/grain.js';
 import type {DrawnPiece, Run} from '../../model/garment/imported-drawing.js';
 import {distance, middle, type Point} from '../../model/geometry/vectors.js';
 import {isInside, type Box} from '../../model/geometry/polyline.js';
@@ -217,7 +217,7 @@ function ownerOf({at}: DrawnText, outer: readonly Loop[]): Loop | undefined {
 }
 
 /** Returns whether a line is one of several grain lines. */
-const isAmong = (points: readonly Point[], grains: readonly GrainChoice[]): boolean =>
+const isAmong = (points: readonly Point[], grains: readonly DrawnGrain[]): boolean =>
   grains.some(({line}) => line.every((p) => points.includes(p)));
 
 function pieceOf(

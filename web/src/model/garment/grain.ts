@@ -11,9 +11,16 @@ export type GrainLock = 'free' | 'on' | 'across' | 'bias';
 export interface GrainChoice {
   readonly name?: string;
   /** In coordinates of the face-up piece. [cm] */
-  readonly line: readonly [Point, Point];
+  readonly line?: readonly [Point, Point];
+  /** In place of a line: counter-clockwise from the x axis of the face-up piece. [degrees] */
+  readonly angleDeg?: number;
   /** Members of the file that this program does not know, unchanged. */
   readonly more?: Readonly<Record<string, unknown>>;
+}
+
+/** A grain line that is drawn. */
+export interface DrawnGrain extends GrainChoice {
+  readonly line: readonly [Point, Point];
 }
 
 /** A lock, or several settings of one piece. */
@@ -34,23 +41,29 @@ export type GrainRule =
 const sameDirection = 0.05;
 
 /**
- * Number of the grain line with a direction, among those that the maker draws; undefined without
- * one. @param angleDeg counter-clockwise from the x axis of the face-up piece
+ * The grain line with a direction, among those that the maker draws; undefined without one.
+ * @param angleDeg counter-clockwise from the x axis of the face-up piece
  */
-export function grainAt(
-  grains: readonly Pick<GrainChoice, 'line'>[],
+export const grainAt = (
+  grains: readonly GrainChoice[],
   angleDeg: number,
-): number | undefined {
-  const found = grains.findIndex(({line}) => {
-    const turn = (((directionDeg(line) - angleDeg) % 360) + 360) % 360;
+): GrainChoice | undefined =>
+  grains.find((one) => {
+    const turn = (((grainDeg(one) - angleDeg) % 360) + 360) % 360;
     return Math.min(turn, 360 - turn) < sameDirection;
   });
-  return found < 0 ? undefined : found;
-}
 
-/** Direction of a line, from 0 to 360. [degrees] */
-export function directionDeg([from, to]: readonly [Point, Point]): number {
-  return (degrees(angleOfVector(minus(to, from))) + 360) % 360;
+/** Direction of a grain line; upwards without one. [degrees] */
+export const grainDeg = ({line, angleDeg = 90}: GrainChoice): number =>
+  line ? degrees(angleOfVector(minus(line[1], line[0]))) : angleDeg;
+
+/** The grain line in use; undefined if it is none of those that the maker draws. */
+export function grainInUse(
+  {grain, grains = []}: {readonly grain?: GrainChoice; readonly grains?: readonly GrainChoice[]},
+  chosenDeg: number | undefined,
+): GrainChoice | undefined {
+  if (chosenDeg === undefined && !grain?.line) return grains[0];
+  return grainAt(grains, chosenDeg ?? grainDeg(grain ?? {}));
 }
 
 /** Direction of the grain line in a rule; undefined without one. [degrees] */

@@ -2,7 +2,7 @@
  * Content of another program's file before any choice: pieces as drawn, right side up, y up, in the
  * unit of the file. `garmentOf` converts it to a garment.
  */
-import type {GrainChoice} from './grain.js';
+import type {DrawnGrain} from './grain.js';
 import type {DraftedFold, FileUnit} from './garment-document.js';
 import type {Point} from '../geometry/vectors.js';
 
@@ -41,7 +41,7 @@ export interface DrawnPiece {
   readonly notches: readonly DrawnNotch[];
   readonly grain?: readonly [Point, Point];
   /** All grain lines, if the file draws several. */
-  readonly grains?: readonly GrainChoice[];
+  readonly grains?: readonly DrawnGrain[];
   /** Axis of a half piece, along which the fabric is folded. */
   readonly fold?: readonly [Point, Point];
   readonly internalLines: readonly (readonly Point[])[];

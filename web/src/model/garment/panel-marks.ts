@@ -1,7 +1,7 @@
 /** Properties of a garment's pieces that a result does not repeat. */
 import type {GarmentDocument, GarmentPiece, Placement} from './garment-document.js';
 import type {Point} from '../geometry/vectors.js';
-import {angleOf, directionDeg, grainAt, type GrainRule} from './grain.js';
+import {angleOf, grainInUse, type GrainRule} from './grain.js';
 import {pieceNames, titleOfFile, type PieceNames} from './piece-names.js';
 import {fieldOf} from '../base/read.js';
 
@@ -85,16 +85,16 @@ export function panelMarks(
 
 /** The grain line in use, and its name if the maker draws several. */
 function grainUsed(
-  {grain, grains = []}: Pick<GarmentPiece, 'grain' | 'grains'>,
-  grainDeg: number | undefined,
+  piece: Pick<GarmentPiece, 'grain' | 'grains'>,
+  chosenDeg: number | undefined,
 ): Pick<PanelMarks, 'grain' | 'grainDeg' | 'grainName'> {
-  const deg = grainDeg ?? (grain?.line && directionDeg(grain.line));
-  const {line = grain?.line, name} =
-    grains[deg === undefined ? -1 : (grainAt(grains, deg) ?? -1)] ?? {};
+  const used = grainInUse(piece, chosenDeg);
+  const line = used?.line ?? piece.grain?.line;
+  const deg = chosenDeg ?? (line ? undefined : used?.angleDeg);
   return {
     ...(line && {grain: line}),
-    ...(grainDeg !== undefined && {grainDeg}),
-    ...(name !== undefined && {grainName: name}),
+    ...(deg !== undefined && {grainDeg: deg}),
+    ...(used?.name !== undefined && {grainName: used.name}),
   };
 }
 

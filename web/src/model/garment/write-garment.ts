@@ -127,9 +127,10 @@ function panelOf(piece: GarmentPiece): object {
     ...member('grain', grain && {...grain, ...member('line', grain.line?.map(frame))}),
     ...member(
       'grains',
-      piece.grains?.map(({name, line, more}) => ({
+      piece.grains?.map(({name, line, angleDeg, more}) => ({
         ...member('name', name),
-        line: line.map(frame),
+        ...member('line', line?.map(frame)),
+        ...member('angleDeg', angleDeg),
         ...more,
       })),
     ),
