@@ -106,7 +106,7 @@ it(
     await clickPiece(page, 'sleeve_front_left');
     await hint(page, /These are not mirror images: they differ by up to [\d.]+ mm/);
     await page.keyboard.press('Escape');
-    await hint(page, /Now click the piece/);
+    await hint(page, /Now click the mirrored piece/);
   },
 );
 
@@ -118,7 +118,7 @@ it(
     await showSample(page, 'raglan');
     await button(page, 'Symmetric pair').click();
     await clickPiece(page, 'front_left');
-    await hint(page, /Now click the piece/);
+    await hint(page, /Now click the mirrored piece/);
     await page.keyboard.press('Escape');
     await hint(page, /^Click the first/);
     await page.keyboard.press('Escape');
@@ -135,7 +135,7 @@ it('makes a pair by keyboard alone', {tags: ['thorough']}, async () => {
   await page.keyboard.press('p');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press(' ');
-  await hint(page, /Now click the piece/);
+  await hint(page, /Now click the mirrored piece/);
 });
 
 it(

@@ -67,6 +67,21 @@ it('tells how lines inside are drawn, thinner than those to cut and to sew, and 
   expect(dotted[0]?.widthMm).toBeLessThan(Math.min(...widths('cut'), ...widths('sew')));
 });
 
+it('names the grain line in use, where the maker draws several', () => {
+  const bias: readonly [Point, Point] = [
+    [1, 1],
+    [3, 3],
+  ];
+  const garment = documentOf([
+    draftedSquare('front', {
+      grain: {line: bias},
+      grains: [{angleDeg: 90}, {name: 'On the bias', line: bias}],
+    }),
+  ]);
+  const {pieces} = draftedSheet(garment, {allowanceCm: 1, units: 'cm'});
+  expect(JSON.stringify(pieces[0])).toContain('On the bias');
+});
+
 it('writes the sheet in the language of its locale', () => {
   const garment = documentOf([draftedSquare('front')]);
   const {facts, pieces, locale} = draftedSheet(garment, {
