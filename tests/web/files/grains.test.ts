@@ -2,6 +2,7 @@
 import {expect, it} from 'vitest';
 
 import {grainChoices, withGrainChoices} from '@/cli/base/grain-choice.js';
+import {grainIn} from '@/cli/result-file.js';
 import {grainsAmong} from '@/files/base/grain-lines.js';
 import {readDrawing} from '@/files/read-drawing.js';
 import {defaultChoices, garmentOf} from '@/files/to-garment.js';
@@ -103,4 +104,10 @@ it('chooses a line on the command line, by name or number', () => {
   expect(() => grainChoices(garment, ['back=1'])).toThrow("no piece 'back'; there are front.");
   const options = withGrainChoices('{"grain":{"pieces":{"front":"on"}}}', {front: {angleDeg: 45}});
   expect(JSON.parse(options)).toEqual({grain: {pieces: {front: {lock: 'on', angleDeg: 45}}}});
+});
+
+it('takes the chosen lines from the design in a result', () => {
+  const pieces = {front: {lock: 'on', angleDeg: 45}, back: 'on', sleeve: {angleDeg: 'up'}};
+  const result = {design: {options: {grain: {pieces}}}} as Parameters<typeof grainIn>[0];
+  expect(grainIn(result)).toEqual({front: {angleDeg: 45}});
 });

@@ -15,7 +15,7 @@ import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
 import {readBytes} from '../node/files.js';
 import {readRaster, readTile} from './base/print-files.js';
-import {garmentOf, plainIn, readFabricOf, readResult} from './result-file.js';
+import {garmentOf, grainIn, plainIn, readFabricOf, readResult} from './result-file.js';
 
 const sewAs1 = '--sew-as-1';
 const dxfFlag = '--dxf';
@@ -216,6 +216,7 @@ async function cutterOf(
     ...(colourway !== undefined && {colourway}),
     print: {...fabric, ...(tile !== undefined && {tile})},
     names: chosenNames(result.design),
+    grain: grainIn(result),
     plain: plainIn(result),
     pixels: () => readRaster(fabric, printFile),
     ...(result.reproduced === false && {mark: notAsSold}),

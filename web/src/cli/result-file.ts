@@ -1,4 +1,5 @@
 /** Reads and checks result files, which may have been changed by others. */
+import type {GrainRule} from '../model/garment/grain.js';
 import {problemFor} from '../model/documents/design-problem.js';
 import {decisionFields, decisions} from '../model/design/read-design.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
@@ -96,6 +97,18 @@ export async function garmentOf(
 export function plainIn({design}: ResultFile): readonly string[] {
   const plain = fieldOf(fieldOf(design, 'options'), 'plain');
   return Array.isArray(plain) ? plain.filter((name) => typeof name === 'string') : [];
+}
+
+/** Chosen grain lines of pieces, from the result's design. */
+export function grainIn({design}: ResultFile): Readonly<Record<string, GrainRule>> {
+  const pieces = fieldOf(fieldOf(fieldOf(design, 'options'), 'grain'), 'pieces');
+  const rules = typeof pieces === 'object' && pieces !== null ? Object.entries(pieces) : [];
+  return Object.fromEntries(
+    rules.flatMap(([name, rule]): [string, GrainRule][] => {
+      const angleDeg = fieldOf(rule, 'angleDeg');
+      return typeof angleDeg === 'number' && Number.isFinite(angleDeg) ? [[name, {angleDeg}]] : [];
+    }),
+  );
 }
 
 /**
