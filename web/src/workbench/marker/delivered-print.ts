@@ -6,7 +6,7 @@ import {latticeVectors, repeatOf} from '../../model/print/repeat.js';
 import type {Delivered} from '../../model/print/repeating-print.js';
 
 /** The print before its fabric was considered. */
-export const statedOf = ({
+const statedOf = ({
   group,
   size,
   turnDeg,
