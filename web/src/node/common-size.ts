@@ -8,8 +8,6 @@ import type {NamedSolveHooks, ProblemNames} from '../solver/requests/requests.js
 import {scalesOf} from '../solver/search/asked-search.js';
 import {commonSize, type ComparedSize} from '../solver/search/common-size.js';
 
-export type {ComparedSize} from '../solver/search/common-size.js';
-
 /** Hooks to follow a comparison of sizes, and to end it early. */
 export interface CommonSizeHooks {
   readonly signal?: AbortSignal;
