@@ -54,6 +54,7 @@ beforeAll(async () => {
   const bytes = new TextEncoder().encode(text);
   const json = JSON.stringify(print);
   calls = {
+    commonPrintSize: [[problem], 1, {}],
     ...{solve: [problem, {}], prepare: [problem, {}], remedies: [problem, result, {}]},
     ...{
       withReach: [problem, result, {}],

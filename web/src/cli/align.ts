@@ -11,10 +11,10 @@ import {asSewn, withFabric} from '../model/print/as-sewn.js';
 import {methods} from '../model/result/method.js';
 import {resultText, withoutTimes} from '../model/documents/result-text.js';
 import type {SeamGroup, SolveResult} from '../model/result/result.js';
-import {standingOf} from '../model/result/visible-seams.js';
 import {readText, textOf} from '../node/files.js';
 import {
   chosenProblem,
+  commonPrintSize,
   readGarment,
   remedies,
   solve,
@@ -23,7 +23,6 @@ import {
   type ProblemNames,
   type Remedy,
 } from '../node/index.js';
-import {scalesOf} from '../solver/search/asked-search.js';
 import {
   type Arguments,
   choice,
@@ -109,39 +108,32 @@ function outputsOf(args: Arguments, garmentFile: string): Pick<OfOne, 'outFile' 
 
 /** The size of the print in which most seams of all garments match. */
 async function sizeForAll(args: Arguments, sizes: PrintSizes): Promise<number> {
-  const {commonSize} = await import('../solver/search/common-size.js');
   const problems = await Promise.all(args.files.map((file) => givenOf(args, file, undefined)));
   const progress = new ProgressLine();
   const compared: string[] = [];
-  const weights = problems.map(
-    ({given}) => (JSON.parse(given.options) as SolveOptions).weights ?? {},
-  );
   try {
-    const scale = await commonSize(problems.length, {
-      scales: scalesOf(sizes),
-      standingOf: async (k, printSize) => {
-        const {given, names} = problems[k] ?? problems[0] ?? unknown();
-        const options = withDecided(given.options, {printSize});
-        progress.write(`Print at ${percent(printSize)}, ${args.files[k] ?? ''}`);
-        return standingOf(await solve({...problemOf(given), options}, {names}), weights[k] ?? {});
+    const scale = await commonPrintSize(
+      problems.map(({given}) => problemOf(given)),
+      sizes,
+      {
+        names: problems.map(({names}) => names),
+        onSolve: (size, k) => {
+          progress.write(`Print at ${percent(size)}, ${args.files[k] ?? ''}`);
+        },
+        onCompared: ({scale: size, matched, visible}) => {
+          compared.push(`${percent(size)}: ${matched} of ${visible}`);
+        },
+        onRefused: (size, reason) => {
+          remark(`The print at ${size} times its size cannot be solved: ${messageOf(reason)}`);
+        },
       },
-      onCompared: ({scale: size, matched, visible}) => {
-        compared.push(`${percent(size)}: ${matched} of ${visible}`);
-      },
-      onRefused: (size, reason) => {
-        remark(`The print at ${size} times its size cannot be solved: ${messageOf(reason)}`);
-      },
-    });
+    );
     remark(`Visible seams of all garments that match: ${compared.join('; ')}.`);
     return scale;
   } finally {
     progress.clear();
   }
 }
-
-const unknown = (): never => {
-  throw new UsageError('The garment file is missing.');
-};
 
 const percent = (scale: number): string => `${String(Number((100 * scale).toFixed(1)))} %`;
 

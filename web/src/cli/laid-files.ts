@@ -17,7 +17,7 @@ interface FilesToLay {
 }
 
 /** A garment to be laid, its name in the report, and its print. */
-export interface LaidFile {
+interface LaidFile {
   readonly called: string;
   readonly fabric: Print;
   readonly garment: MarkerGarment;

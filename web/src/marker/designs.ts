@@ -3,7 +3,7 @@ import type {MarkerGarment} from '../model/design/marker-garment.js';
 import type {CheaperDesign, CheaperLay} from '../model/result/marker-plan.js';
 import {cutAlignment} from '../model/print/as-cut.js';
 import type {MarkerHooks} from '../model/result/marker-search.js';
-import type {SolveOptions} from '../model/design/options.js';
+import type {ProblemOptions} from '../model/design/options.js';
 import type {Problem} from '../model/design/solve-problem.js';
 import type {OtherAlignment, SolveResult} from '../model/result/result.js';
 import type {MarkerOrder} from './problem.js';
@@ -59,9 +59,9 @@ function placedAs(
 const meanOf = ({metrics}: SolveResult): number => metrics.localCm?.final ?? Infinity;
 
 /** The problem with changed options. */
-export function withOptions(problem: Problem, changed: SolveOptions): Problem {
+export function withOptions(problem: Problem, changed: ProblemOptions): Problem {
   const {options = {}} = problem;
-  const given = typeof options === 'string' ? (JSON.parse(options) as SolveOptions) : options;
+  const given = typeof options === 'string' ? (JSON.parse(options) as ProblemOptions) : options;
   return {...problem, options: {...given, ...changed}};
 }
 

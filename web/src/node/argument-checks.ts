@@ -43,6 +43,7 @@ import type {
   NamedSolveHooks,
   ProblemNames,
 } from '../solver/requests/requests.js';
+import type {CommonSizeHooks} from './common-size.js';
 import type {CutSettings} from './cut.js';
 import {filedDesign, garmentDocument, laidGarment, layPlan, print} from './document-checks.js';
 import type {ImportOptions} from './import.js';
@@ -71,6 +72,8 @@ export const solvedProblem = having<Problem>({
   ...{garment: document, print: document, options: optional(document)},
 });
 
+export const solvedProblems = listOf(solvedProblem);
+
 const finite = number(-1e9, 1e9);
 const allowance = number(0, greatestAllowance);
 
@@ -88,6 +91,10 @@ const draping: Checks<DrapeHooks> = {
 };
 
 export const solveHooks = fields<NamedSolveHooks>({...solve, names: problemNames});
+export const commonSizeHooks = fields<CommonSizeHooks>({
+  ...{signal, names: listOf(problemNames), onSolve: callback},
+  ...{onCompared: callback, onRefused: callback},
+});
 export const prepareHooks = fields<NamedPrepareHooks>(prepare);
 export const remedyHooks = fields<RemedyHooks>({...prepare, onRemedy: callback});
 export const proofHooks = fields<NamedProofHooks>({...proof, names: problemNames});

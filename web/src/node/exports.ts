@@ -75,6 +75,8 @@ export type {
   ImportOptions,
   ImportReport,
 } from './import.js';
+export type {ComparedSize} from '../solver/search/common-size.js';
+export type {CommonSizeHooks} from './common-size.js';
 export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 export type {PlanPdf} from '../marker/draw/plan-pdf.js';

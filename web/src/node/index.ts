@@ -1,6 +1,7 @@
 import {bytes as bytesCheck, checkArguments} from '../model/base/arguments.js';
 import {text} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
+import type {PrintSizes} from '../model/design/options.js';
 import type {MarkerGarment} from '../model/design/marker-garment.js';
 import type {Drape, DrapeSettings} from '../model/result/draped-garment.js';
 import type {Garment} from '../model/garment/specification.js';
@@ -24,6 +25,7 @@ import {
 } from '../solver/requests/requests.js';
 import {chosenProblem} from '../solver/search/asked-search.js';
 import * as checks from './argument-checks.js';
+import type {CommonSizeHooks} from './common-size.js';
 import type {Cut, CutSettings} from './cut.js';
 import {
   layPlan as planCheck,
@@ -57,6 +59,26 @@ const solver = new ThreadSolver();
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
   checkArguments('solve', ['hooks', hooks, checks.solveHooks]);
   return solver.solve(problem, hooks);
+}
+
+/**
+ * The size of the print in which most visible seams of several garments match, for garments that are
+ * cut from one fabric. Use it as `printSize` of each problem.
+ * @param sizes as in the option `printSize`; the print's own size is always compared
+ * @throws {SolverError} for invalid input; the signal's reason when it aborts
+ */
+export async function commonPrintSize(
+  problems: readonly Problem[],
+  sizes: PrintSizes,
+  hooks: CommonSizeHooks = {},
+): Promise<number> {
+  checkArguments(
+    'commonPrintSize',
+    ['hooks', hooks, checks.commonSizeHooks],
+    ['problems', problems, checks.solvedProblems],
+  );
+  const {commonSizeOf} = await import('./common-size.js');
+  return commonSizeOf(problems, sizes, (problem, its) => solve(problem, its), hooks);
 }
 
 /**

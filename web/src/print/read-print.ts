@@ -51,7 +51,28 @@ export async function readPrint(
   if (await looksLikePicture(file))
     return printOfPicture(solver, await readOwnPicture(file, words));
   if (file.size > mostBytes) throw new Error(words.tooLarge(file.name));
-  return printFrom(await file.text(), file.name, words);
+  const text = await file.text();
+  return onItsFabric(printFrom(text, file.name, words), text, file.name);
+}
+
+/**
+ * The print after the wash of the fabric that its file states.
+ * @throws {SolverError} for contradictory values
+ */
+async function onItsFabric(print: DesignPrint, text: string, name: string): Promise<DesignPrint> {
+  if (!/"(shrinkage|measured)"/.test(text)) return print;
+  const {asSewn, checkDelivered, deliveredIn} = await import('../model/print/as-sewn.js');
+  const file = readPrintFile(text, name);
+  checkDelivered(file);
+  const delivered = file.delivered ? undefined : deliveredIn(file);
+  if (!delivered) return print;
+  const sewn = asSewn(file);
+  const {group, size, turnDeg, cell} = print;
+  return {
+    ...print,
+    ...{group: sewn.group, ...repeatOf(sewn), cell: sewn.cell ?? cell},
+    delivered: {...delivered, stated: {group, size, turnDeg, cell}},
+  };
 }
 
 /** Reads the text of a print file. @throws {Error} one sentence about the problem */
