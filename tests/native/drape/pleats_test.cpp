@@ -85,7 +85,7 @@ TEST(Pleats, ThePressedFoldsOfASkirtStartFoldedWithoutCrossings) {
   const auto worn = WornGarment::make(std::move(solved), {});
   ASSERT_TRUE(worn.ok()) << worn.error().message;
   const SewnLevel& level = worn.value()->levels().coarse;
-  const SewnMesh mesh = testing::uncut(level, level.pattern);
+  const SewnMesh mesh = testing::uncut(level, worn.value()->garment().pattern);
   const Positions& x = worn.value()->drape().positions();
   EXPECT_TRUE(crossingsOf(mesh, x).empty());
   EXPECT_GT(pleatTies(level, 0.001).size(), 8U);  // the waist holds all layers

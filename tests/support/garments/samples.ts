@@ -36,6 +36,7 @@ export function sample(
   name:
     | 'tee'
     | 'apron'
+    | 'box-pleated-skirt'
     | 'asymmetric-dress'
     | 'gathered-skirt'
     | 'hoodie'

@@ -146,7 +146,7 @@ it('does not take the band of gathers for a garment that is too small', async ()
   const skirt = await solve({garment: sample('gathered-skirt'), print: checks});
   const {check} = await drape(skirt, {fabric: 'denim'});
   expect(check.tension.p99).toBeGreaterThan(0.08); // beyond the limit for other fabric
-  expect(check.fromRest).toBeLessThan(1);
+  expect(check.fromRest).toBeLessThan(3);
   expect(check.atRest).toBe((check.fromRest ?? 1) <= 0.5);
 });
 

@@ -19,7 +19,7 @@ const native = fileURLToPath(
 const bytesOf = (positions: Float64Array) =>
   Buffer.from(positions.buffer, positions.byteOffset, positions.byteLength);
 
-const compared = ['tee', 'six-gore-skirt', 'patchwork-jacket'] as const;
+const compared = ['tee', 'six-gore-skirt', 'patchwork-jacket', 'box-pleated-skirt'] as const;
 
 it.skipIf(!existsSync(native)).each(sampleOf(1, compared))(
   'of %s are those of a native program',

@@ -15,6 +15,8 @@ constexpr double kParallel = 0.7;   ///< minimum cosine between the normals of p
 constexpr double kStiffness = 5e5;  ///< N/m3, repulsion between layers
 /// The same inside pleats, on which a tight waist presses. [N/m3]
 constexpr double kPleatStiffness = 4e6;
+/// Depth beyond which layers of a pleat no longer separate, and their minimum cosine. [m, 1]
+constexpr double kPleatDepth = 0.004, kPleatParallel = 0.5;
 constexpr double kTieStiffness = 400;  ///< N/m, of a tie
 constexpr double kBeside = 0.05;       ///< tolerated negative weight of a foot beside the triangle
 constexpr double kCell = 0.02;         ///< m, cell size of the search grid
@@ -173,6 +175,14 @@ double ClothContacts::sideInPleats(int vertex, int triangle) const {
   return along < 0 ? -above : above;
 }
 
+/// Returns whether layers of a pleat still lie on each other: they are parallel, and the vertex is
+/// on its side or nearly so. Otherwise the fabric has moved away and come back elsewhere.
+bool ClothContacts::holdsInPleat(const Pair& pair, const Vec3& normal, const Vec3& off) const {
+  const Vec3& own = normals_[pair.vertex];
+  return pair.side * dot(normal, off) > -kPleatDepth &&
+         std::abs(dot(normal, own)) > kPleatParallel * length(own);
+}
+
 /// Layers slide on each other by about one edge length, so the search includes neighbours of the
 /// vertex.
 double ClothContacts::sideAsLaid(int vertex, int triangle) const {
@@ -264,9 +274,11 @@ void ClothContacts::look(const Positions& x) {
     if (isCrossed(pair)) continue;
     const ClothPoint foot = footOf(x[pair.vertex], corners, x);
     if (*std::min_element(foot.weights.begin(), foot.weights.end()) < -kBeside) continue;
+    const Vec3 normal = normalOf(corners, x);
+    if (pair.in_pleat && !holdsInPleat(pair, normal, x[pair.vertex] - foot.at(x))) continue;
     const double area =
         std::min(mesh_->area[pair.vertex], mesh_->triangles[pair.triangle].area / 2);
-    touches_.push_back({pair.vertex, foot, pair.side * normalOf(corners, x),
+    touches_.push_back({pair.vertex, foot, pair.side * normal,
                         (pair.in_pleat ? kPleatStiffness : kStiffness) * area});
   }
   tied_.clear();

@@ -108,6 +108,7 @@ class ClothContacts {
   double sideByOverlaps(int vertex, int triangle) const;
   static double sideAmong(const std::vector<Pair>& pairs, const SewnMesh& mesh, int vertex,
                           int triangle);
+  bool holdsInPleat(const Pair& pair, const Vec3& normal, const Vec3& off) const;
   double sideInPleats(int vertex, int triangle) const;
   double sideAsLaid(int vertex, int triangle) const;
   double sideByLayers(int vertex, int triangle) const;
