@@ -74,9 +74,9 @@ async function projectWith(
 }
 
 /** Opens the site, and waits for an answer and a drape, which needs another module. */
-async function works(site: string): Promise<void> {
-  const {url, close} = await serveFiles(site, policy);
-  const page = await open(url);
+async function works(site: string, allowed = policy, maySay?: RegExp): Promise<void> {
+  const {url, close} = await serveFiles(site, allowed);
+  const page = await open(url, maySay && {maySay});
   await solved(page);
   await page.locator('seamwise-garment').evaluate(
     (element) =>
@@ -89,7 +89,9 @@ async function works(site: string): Promise<void> {
   await close();
 }
 
-const inShell = (folder: string, line: string) => run('sh', ['-c', line], {cwd: folder});
+/** Tests set another NODE_ENV, which would select builds for developers. */
+const env = {...process.env, NODE_ENV: undefined};
+const inShell = (folder: string, line: string) => run('sh', ['-c', line], {cwd: folder, env});
 
 it.runIf(isOnline)('works with webpack without any configuration', async () => {
   const folder = await projectWith(['webpack@5', 'webpack-cli@7'], {});
@@ -115,11 +117,9 @@ it.runIf(isOnline)('works with Parcel by the guide', async () => {
   await writeFile(join(folder, 'package.json'), `{"name": "shop", "private": true, ${setting}}`);
   const plain = (await readFile(join(folder, 'index.html'), 'utf8')).replace(/<link[^>]*>/, '');
   await writeFile(join(folder, 'index.html'), plain);
-  await inShell(folder, 'npx parcel build index.html --dist-dir assets --public-url ./');
-  const site = join(folder, 'assets');
-  const page = await readFile(join(site, 'index.html'), 'utf8');
-  await writeFile(join(site, 'index.html'), `${page}<link rel="icon" href="icon.svg" />`);
-  await works(site);
+  await inShell(folder, 'npx parcel build index.html --dist-dir assets');
+  // Parcel makes an inline import map, and the page has no icon
+  await works(join(folder, 'assets'), `${policy} 'unsafe-inline'`, /status of 404/);
 });
 
 it.runIf(isOnline).each(['5', '6', '7'])('works with Vite %s by the guide', async (version) => {
