@@ -37,7 +37,9 @@ export default defineConfig({
         test: {
           name: 'browser',
           include: ['tests/{page,examples}/**/*.test.ts'],
-          exclude: isThorough ? [] : ['tests/examples/{bundlers,other-browsers}.test.ts'],
+          exclude: isThorough
+            ? []
+            : ['tests/examples/{bundlers,installed-bundlers,other-browsers}.test.ts'],
           globalSetup: 'tests/support/page/start-browser.ts',
           isolate: false,
         },

@@ -79,11 +79,14 @@ async function repeatOf(
     throw wrong(controls.between(`${leastDpi} dpi`, `${mostDpi} dpi`));
   }
   const {repeatFile} = await import('../../workbench/print/repeat-file.js');
+  const kind = type === 'image/svg+xml' ? 'svg' : dpi;
   try {
-    const kind = type === 'image/svg+xml' ? 'svg' : dpi;
     return (await repeatFile(design.print, kind, repeat)).content;
   } catch (error) {
-    throw error instanceof SolverError ? error : wrong((error as Error).message);
+    // its own errors are sentences about the print
+    throw error instanceof SolverError || error instanceof TypeError
+      ? error
+      : wrong((error as Error).message);
   }
 }
 
@@ -122,14 +125,8 @@ async function cutFileFor(
     throw new SolverError({code: 'options', message: garment.dxf});
   }
   const {cutHere} = await import('../../workbench/cutting/cut-material.js');
-  try {
-    const request = {file, paper, ink, guide, dxf, ...rule};
-    const content = await cutHere(workbench, request);
-    if (content !== undefined) return new Blob([content], {type});
-  } catch (error) {
-    if (error instanceof SolverError) throw error;
-    throw new SolverError({code: 'internal', message: (error as Error).message});
-  }
+  const content = await cutHere(workbench, {file, paper, ink, guide, dxf, ...rule});
+  if (content !== undefined) return new Blob([content], {type});
   throw new SolverError({code: 'options', message: garment.noAnswer});
 }
 
@@ -177,19 +174,32 @@ async function pictureOf(
   }
 }
 
-/** Returns the requested picture or file. @throws {SolverError} as the element's `toBlob` */
-export const blobOf = async (
+async function madeBlob(
   workbench: Workbench,
   isDrawn: () => boolean,
   request: BlobRequest,
   texts: Texts,
-): Promise<Blob> =>
-  request.repeat
-    ? repeatOf(workbench, request, texts)
-    : ((await cutFileFor(workbench, request, texts)) ??
-      pictureOf(
-        workbench.sheet.view,
-        isDrawn(),
-        {type: request.type, width: request.width},
-        texts,
-      ));
+): Promise<Blob> {
+  if (request.repeat) return repeatOf(workbench, request, texts);
+  const file = await cutFileFor(workbench, request, texts);
+  const {type, width} = request;
+  return file ?? pictureOf(workbench.sheet.view, isDrawn(), {type, width}, texts);
+}
+
+/**
+ * Returns the requested picture or file.
+ * @throws {SolverError} as the element's `toBlob`; `network` if a part of the code cannot be loaded
+ */
+export async function blobOf(...asked: Parameters<typeof madeBlob>): Promise<Blob> {
+  try {
+    return await madeBlob(...asked);
+  } catch (error) {
+    if (error instanceof SolverError) throw error;
+    const [, , , {garment}] = asked;
+    const {message} = error as Error;
+    // browsers reject an import that fails to load with a TypeError
+    throw error instanceof TypeError
+      ? new SolverError({code: 'network', message: garment.noTools(message)}, {cause: error})
+      : new SolverError({code: 'internal', message}, {cause: error});
+  }
+}
